@@ -10,20 +10,20 @@
 
 namespace playhouse::app {
 
-/// A recording that can be run: what it says, its scene, and an engine.
+/// A recording opened for replay: its contents, its scene, and an engine.
 struct OpenedRecording {
   record::Recording recording;
   scene::SceneDesc scene;
-  std::unique_ptr<record::Rerun> rerun;  // of the two above
+  std::unique_ptr<record::Rerun> rerun;  // refers to the two above
 };
 
-/// Opens a file and makes the world the one at its start. The error names the file; `others` gets what else
-/// is wrong with its scene.
+/// Opens a file and loads its initial state. Errors include
+/// the file name; `others` gets further errors of its scene.
 Result<std::unique_ptr<OpenedRecording>> open_recording(const std::string& file, const Running& running,
                                                         std::vector<Error>* others);
 
-/// `playhouse run --again FILE`: the run once more, as fast as it goes, compared with the recording. Nobody
-/// is served meanwhile. Exit code 1 where they differ.
+/// `playhouse run --again FILE`: replays a recording at full speed and
+/// checks it. Serves no clients meanwhile. Exit code 1 if the runs diverge.
 int run_again(const RunOptions& options);
 
 }  // namespace playhouse::app

@@ -26,7 +26,7 @@ std::uint32_t number_at(std::string_view bytes, std::size_t at) {
   return number;
 }
 
-/// The check of a chunk (PNG Specification, annex D: CRC-32 as of ISO 3309).
+/// CRC-32 of a chunk (PNG Specification, annex D; ISO 3309).
 std::uint32_t crc_of(std::string_view type, std::string_view content) {
   static const std::array<std::uint32_t, 256> table = [] {
     std::array<std::uint32_t, 256> made{};
@@ -51,7 +51,7 @@ void AnimatedPng::add_chunk(std::string_view type, std::string_view content) {
   append(file_, crc_of(type, content));
 }
 
-/// How the next picture is shown: as a whole, over the one before, for the period in thousandths of a second.
+/// Frame control: the full image, replacing the previous one, for the period in milliseconds.
 void AnimatedPng::add_frame(const Picture& picture) {
   std::string content;
   append(content, sequence_++);
@@ -59,7 +59,7 @@ void AnimatedPng::add_frame(const Picture& picture) {
     append(content, static_cast<std::uint32_t>(number));
   const auto thousandths = static_cast<std::uint32_t>(std::clamp(std::round(1000 * period_), 1.0, 65535.0));
   append(content, thousandths << 16 | 1000);
-  content.append(2, '\0');  // left as it is afterwards; not blended
+  content.append(2, '\0');  // dispose: none; blend: source
   add_chunk("fcTL", content);
 }
 
@@ -88,7 +88,7 @@ Result<void> AnimatedPng::add(const Picture& picture) {
       if (type != "IHDR") continue;
       std::string animation;
       append(animation, static_cast<std::uint32_t>(pictures_));
-      append(animation, 0);  // over and over
+      append(animation, 0);  // loops: infinite
       add_chunk("acTL", animation);
     }
   }

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Films as animated PNG: a PNG file whose further pictures are in chunks of their own (PNG Specification,
-/// Third Edition, chunks acTL, fcTL and fdAT), so that programs that know no animation show the first.
+/// Films as animated PNG: further frames are in chunks of their own (PNG Specification, Third Edition,
+/// chunks acTL, fcTL and fdAT), so that viewers without animation support show the first frame.
 
 #include <cstdint>
 #include <string>
@@ -14,12 +14,12 @@ namespace playhouse::app {
 
 class AnimatedPng {
  public:
-  /// A film of so many pictures of one size, each shown for `period` seconds, over and over.
+  /// A looping film of so many frames of equal size, each shown for `period` seconds.
   AnimatedPng(std::uint64_t pictures, double period) : pictures_(pictures), period_(period) {}
 
-  /// Fails on a file of more than limits::kFilmBytes.
+  /// Fails if the file would exceed limits::kFilmBytes.
   Result<void> add(const Picture& picture);
-  /// The file, when all pictures are in it.
+  /// The file, once all frames were added.
   std::string take();
 
  private:

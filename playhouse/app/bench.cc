@@ -26,7 +26,7 @@
 namespace playhouse::app {
 namespace {
 
-/// Memory of this process that is in use now. [bytes]
+/// Resident memory of this process. [bytes]
 std::uint64_t resident_bytes() {
   std::ifstream statm("/proc/self/statm");
   std::uint64_t pages = 0, resident = 0;
@@ -34,10 +34,10 @@ std::uint64_t resident_bytes() {
   return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Scenarios at growing populations, each with the same room for a robot.
+/// Scenarios at growing populations, at constant density.
 struct Series {
   std::string_view name;
-  std::array<std::string_view, 2> scenarios;  // the second may be none
+  std::array<std::string_view, 2> scenarios;  // the second is optional
 };
 constexpr Series kSeries[] = {{"vaughan2008", {"cave", "hospital"}}, {"diffusion", {"diffusion", ""}}};
 constexpr std::uint32_t kPopulations[] = {1, 10, 100, 1000, 10000, 100000};
@@ -56,7 +56,7 @@ int unknown(const std::string& name) {
   return kUsage;
 }
 
-/// What a run took, without loading. [s]
+/// Cost of a run, without loading. [s]
 struct Took {
   double wall_time = 0, cpu_time = 0;
 };
@@ -78,17 +78,17 @@ void print_result(const BenchOptions& options, std::string_view scenario, world:
       world.time() / took.wall_time, engine.rays(), static_cast<double>(engine.rays()) / took.wall_time,
       memory, memory > memory_before ? memory - memory_before : 0, world.bytes(), world.hash(),
       world.sensed_hash());
-  std::fflush(stdout);  // a series goes on for minutes
+  std::fflush(stdout);  // a series takes minutes
 }
 
-/// The scene runs for `duration` simulated seconds.
+/// Runs the scene for `duration` simulated seconds.
 int bench_scene(const BenchOptions& options, std::string_view scenario, const scene::SceneDesc& scene,
                 double duration, std::uint64_t memory_before) {
   Result<std::unique_ptr<world::Engine>> engine =
       make_engine(scene, {.engine = options.engine, .seed = options.seed, .workers = options.workers},
                   controllers::Libraries::Use::kLoad, &warn);
   if (!engine) return fail_in_file(engine.error());
-  // The run itself is the one that `playhouse run --fast --headless` does.
+  // The same run as `playhouse run --fast --headless`.
   drivers::Simulation simulation(std::move(*engine), {.speed = 0, .duration = duration});
   const auto start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_time(CLOCK_PROCESS_CPUTIME_ID);
@@ -108,7 +108,7 @@ int bench_scenario(const BenchOptions& options, const scenarios::Scenario& scena
                      options.duration > 0 ? options.duration : scenario.seconds, memory_before);
 }
 
-/// A line for each scenario and population, or for each scenario with --robots.
+/// One line per scenario and population, or per scenario with --robots.
 int bench_series(const BenchOptions& options, const Series& series) {
   const std::span<const std::uint32_t> populations =
       options.robots > 0 ? std::span(&options.robots, 1) : std::span(kPopulations);
@@ -116,14 +116,14 @@ int bench_series(const BenchOptions& options, const Series& series) {
     const scenarios::Scenario* scenario = scenarios::find(name);
     if (scenario == nullptr) continue;
     for (const std::uint32_t robots : populations) {
-      malloc_trim(0);  // what the world before had is not this one's
+      malloc_trim(0);  // frees memory of the previous world
       if (const int failed = bench_scenario(options, *scenario, robots); failed != kDone) return failed;
     }
   }
   return kDone;
 }
 
-/// As long as the file says, or a minute.
+/// Runs for the file's duration, default a minute.
 int bench_world(const BenchOptions& options) {
   constexpr double kMinute = 60;
   const std::uint64_t memory_before = resident_bytes();

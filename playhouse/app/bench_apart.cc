@@ -14,27 +14,27 @@
 namespace playhouse::app {
 namespace {
 
-/// A one-way line between the two processes.
+/// A one-way pipe between the two processes.
 struct Pipe {
   int ends[2] = {-1, -1};
   bool open() { return pipe(ends) == 0; }
 };
 
-/// The child process: waits for the ports.
+/// Main of the child process: waits for the ports.
 int be_clients(int ports_from, const Clients& clients) {
   Ports ports;
   if (read(ports_from, &ports, sizeof(ports)) != static_cast<ssize_t>(sizeof(ports))) return kFailed;
   return clients(ports, getppid());
 }
 
-/// Serves until the clients' process ends.
+/// Serves until the client process exits.
 int be_server(Service& service, int ports_to, pid_t clients, const std::function<void(Service&)>& ready) {
   for (const auto step : {&Service::open_ports, &Service::make_devices, &Service::open_page}) {
     if (const Result<void> done = (service.*step)(); !done) return fail(done.error());
   }
   if (ready) ready(service);
   const Ports ports{service.player_ports().front(), service.web_port()};
-  // The child's end closes if we fail before this, which ends it.
+  // If we fail before this, the pipe closes, which ends the child.
   if (write(ports_to, &ports, sizeof(ports)) != static_cast<ssize_t>(sizeof(ports))) return kFailed;
   std::thread waiter([&] {
     siginfo_t end;
@@ -42,7 +42,7 @@ int be_server(Service& service, int ports_to, pid_t clients, const std::function
     service.stop();
   });
   const Outcome outcome = service.run([&](int signal) {
-    if (signal != 0) kill(clients, SIGKILL);  // what it measures from here on is false
+    if (signal != 0) kill(clients, SIGKILL);  // its further measurements are invalid
   });
   waiter.join();
   int status = 0;
@@ -57,7 +57,7 @@ int serve_apart(const BenchOptions& options, scene::SceneDesc scene, const Clien
                 const std::function<void(Service&)>& ready) {
   Pipe ports;
   if (!ports.open()) return kFailed;
-  // Before any thread: only then may a process be copied.
+  // Before any thread exists: fork() is safe only then.
   const pid_t child = fork();
   if (child < 0) return kFailed;
   if (child == 0) {

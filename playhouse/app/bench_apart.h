@@ -1,6 +1,6 @@
 #pragma once
 
-/// A server and its clients in a process of their own, so that what one takes is not the other's.
+/// A server and its clients in separate processes, so that their resources are measured separately.
 
 #include <functional>
 
@@ -9,15 +9,15 @@
 
 namespace playhouse::app {
 
-/// Of a server, on the loopback address.
+/// Ports of a server on the loopback address.
 struct Ports {
   std::uint16_t player = 0, web = 0;
 };
-/// What the clients' process does; gives its exit code.
+/// Body of the clients' process; returns its exit code.
 using Clients = std::function<int(const Ports& ports, pid_t server)>;
 
-/// Serves a scene in real time until `clients` has returned in a process of its own; gives its exit code. To
-/// be called before there is any thread. `ready` is called once everything is open, before the run begins.
+/// Serves a scene in real time until `clients` has returned in a child process; returns its exit code. Must
+/// be called before any thread exists. `ready` is called when all ports are open, before the run begins.
 int serve_apart(const BenchOptions& options, scene::SceneDesc scene, const Clients& clients,
                 const std::function<void(Service&)>& ready = {});
 

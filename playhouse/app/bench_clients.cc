@@ -39,13 +39,13 @@ namespace playhouse::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kSettle = 0.5;  // s, until every device is open
+constexpr double kSettle = 0.5;  // s, for all devices to open
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Processor time that the threads of a process have used so far. [s]
+/// CPU time of a process's threads so far. [s]
 double cpu_seconds(pid_t process) {
   std::uint64_t total_ns = 0;
   std::error_code ignored;
@@ -59,7 +59,7 @@ double cpu_seconds(pid_t process) {
   return static_cast<double>(total_ns) * 1e-9;
 }
 
-/// One connection that counts what it hears; never blocks once it is open.
+/// A connection that counts its messages; non-blocking once open.
 class Listener {
  public:
   Listener() = default;
@@ -104,7 +104,7 @@ class Listener {
     return send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
   }
 
-  /// Reads what is there; false when the server is gone.
+  /// Reads what is available; false if the server has closed.
   bool read() {
     std::array<std::byte, 65536> chunk;
     const ssize_t size = recv(socket_, chunk.data(), chunk.size(), MSG_DONTWAIT);
@@ -113,7 +113,7 @@ class Listener {
     return true;
   }
 
-  /// Counts the whole messages read so far. `interval`: between data of one device [s].
+  /// Counts the complete messages read so far. `interval`: period of a device's data [s].
   void count(double interval, std::uint64_t& messages, std::uint64_t& lost) {
     std::size_t at = banner_ ? 0 : limits::kBannerBytes;
     while (buffer_.size() >= at + limits::kHeaderBytes) {
@@ -136,8 +136,8 @@ class Listener {
  private:
   int socket_ = -1;
   std::vector<std::byte> buffer_;
-  bool banner_ = false;                   // has been skipped
-  std::map<std::uint32_t, double> last_;  // timestamps of the newest data, by device
+  bool banner_ = false;                   // was skipped
+  std::map<std::uint32_t, double> last_;  // latest timestamps, by device
 };
 
 Result<std::vector<Listener>> open_all(const FanOutPlan& plan) {
@@ -156,7 +156,7 @@ struct Count {
   std::uint64_t messages = 0, lost = 0;
 };
 
-/// Listens for so long; the counts are those of this time alone.
+/// Reads for so long; counts only messages of that period.
 Result<Count> listen_for(std::vector<Listener>& listeners, double seconds, double interval) {
   std::vector<pollfd> waiting;
   for (const Listener& listener : listeners) waiting.push_back({listener.socket(), POLLIN, 0});
@@ -176,7 +176,7 @@ Result<Count> listen_for(std::vector<Listener>& listeners, double seconds, doubl
 namespace asio = boost::asio;
 using Stream = boost::beast::websocket::stream<asio::ip::tcp::socket>;
 
-/// The number of a packet (replicate/delta.h).
+/// Frame number of a packet (replicate/delta.h).
 std::uint64_t frame_of(std::span<const std::byte> packet) {
   Unpacker in(packet);
   in.u8();  // version
@@ -184,13 +184,13 @@ std::uint64_t frame_of(std::span<const std::byte> packet) {
   return in.varint();
 }
 
-/// A page that has all of the world on its screen, with what sensors measure; it takes in and acknowledges
-/// what comes for so long, and gives the number of packets.
+/// Acts as a page that views the whole world with measurements;
+/// acknowledges packets for so long, and returns their number.
 std::uint64_t be_page(Stream& page, double seconds) {
   std::uint64_t packets = 0;
   boost::beast::flat_buffer buffer;
   for (const Clock::time_point start = Clock::now(); seconds_since(start) < seconds; buffer.clear()) {
-    page.read(buffer);  // a packet a second comes at least
+    page.read(buffer);  // at least a packet per second arrives
     if (!page.got_binary()) continue;
     const std::span packet(static_cast<const std::byte*>(buffer.data().data()), buffer.size());
     page.write(asio::buffer(fmt::format(R"({{"do":"ack","frame":{}}})", frame_of(packet))));
@@ -245,7 +245,7 @@ Result<double> watch_as_page(std::uint16_t port, double seconds, const std::func
     asio::io_context context;
     Stream page(context);
     page.next_layer().connect({asio::ip::address_v4::loopback(), port});
-    page.read_message_max(0);  // the scene of many robots is large
+    page.read_message_max(0);  // no limit: scenes of many robots are large
     page.handshake("127.0.0.1", "/live");
     page.write(asio::buffer(std::string_view(
         R"({"do":"look","x_min":-1e6,"y_min":-1e6,"x_max":1e6,"y_max":1e6,"sensors":true})")));

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The clients' side of `bench server`: talks to a server over TCP and measures. Knows nothing of the
-/// server's inside.
+/// Client side of `bench server`: measures
+/// a server over TCP, as a black box.
 
 #include <sys/types.h>
 
@@ -14,20 +14,20 @@
 
 namespace playhouse::app {
 
-/// Times of a request for geometry and its answer.
+/// Latency of a geometry request.
 struct RoundTrip {
   double p50_ms = 0, p99_ms = 0;
 };
 Result<RoundTrip> measure_round_trip(std::uint16_t port, int requests);
-/// The same while so many others are connected and say nothing.
+/// The same with so many further idle connections.
 Result<RoundTrip> measure_round_trip_among_idle(std::uint16_t port, int requests, std::size_t idle);
 
-/// How data reached `clients` connections, each with a position2d and a laser of robot (client modulo robots)
-/// open.
+/// Throughput of data to `clients` connections, each with a
+/// position2d and a laser of robot (client modulo robots) open.
 struct FanOut {
   std::size_t clients = 0;
   double messages_per_s = 0;
-  std::uint64_t lost = 0;  // gaps in the timestamps, which come every `interval`
+  std::uint64_t lost = 0;  // detected by gaps in timestamps
   double cpu_share = 0;    // of one core, used by process `server`
 };
 struct FanOutPlan {
@@ -39,11 +39,11 @@ struct FanOutPlan {
 };
 Result<FanOut> measure_fan_out(const FanOutPlan& plan);
 
-/// Watches all of a world and what its sensors measure as a page does, whose port that is, for so long;
-/// `watches` hears when that begins and ends. Gives the packets per second.
+/// Views a whole world with its measurements through the page's protocol, for so
+/// long; `watches` is called at the start and at the end. Returns packets per second.
 Result<double> watch_as_page(std::uint16_t port, double seconds, const std::function<void(bool)>& watches);
-/// Reads the lasers of all robots, each with one of the clients; `reads` hears when all are open, and of the
-/// end.
+/// Reads the lasers of all robots, one by each client;
+/// `reads` is called when all are open, and at the end.
 Result<FanOut> read_lasers(const FanOutPlan& plan, const std::function<void(bool)>& reads);
 
 }  // namespace playhouse::app

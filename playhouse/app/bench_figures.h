@@ -1,6 +1,6 @@
 #pragma once
 
-/// What benches make their figures of.
+/// Statistics of benches.
 
 #include <algorithm>
 #include <ctime>
@@ -8,14 +8,14 @@
 
 namespace playhouse::app {
 
-/// Processor time so far, of a process or a thread: CLOCK_PROCESS_CPUTIME_ID, CLOCK_THREAD_CPUTIME_ID.  [s]
+/// CPU time of the process or thread: CLOCK_PROCESS_CPUTIME_ID, CLOCK_THREAD_CPUTIME_ID.  [s]
 inline double cpu_time(clockid_t clock) {
   timespec now{};
   clock_gettime(clock, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Of at least one value; the upper one of two in the middle.
+/// Upper median; needs at least one value.
 inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);

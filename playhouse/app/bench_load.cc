@@ -17,8 +17,8 @@
 namespace playhouse::app {
 namespace {
 
-constexpr std::uint32_t kRobots = 100000;  // unless asked otherwise
-constexpr int kRangers = 12;               // of a robot
+constexpr std::uint32_t kRobots = 100000;  // default
+constexpr int kRangers = 12;               // per robot
 
 std::string world_text(std::uint32_t robots) {
   std::string text =
@@ -35,7 +35,7 @@ std::string world_text(std::uint32_t robots) {
   return text;
 }
 
-/// Most memory that this process had at any time. [bytes]
+/// Peak memory of this process. [bytes]
 std::uint64_t peak_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -4,9 +4,9 @@
 
 namespace playhouse::app {
 
-/// `bench load`: a world file of robots that are alike, each a line with a name and a pose of its own and
-/// with twelve rangers of one beam as parts, becomes an engine that is ready for its first tick. Prints one
-/// JSON line: the times of the file and of the engine, and the largest memory that the program had meanwhile.
+/// `bench load`: loads a world file of equal robots, each a line with name and pose,
+/// with twelve single-beam rangers as parts, up to an engine ready for its first tick.
+/// Prints one JSON line: times of loading and of making the engine, and peak memory.
 int bench_load(const BenchOptions& options);
 
 }  // namespace playhouse::app

@@ -21,11 +21,11 @@
 namespace playhouse::app {
 namespace {
 
-constexpr std::uint32_t kRobots = 2000;  // unless asked otherwise
+constexpr std::uint32_t kRobots = 2000;  // default
 constexpr double kSeconds = 10;
-constexpr std::size_t kOpensAtOnce = 1000;  // the inbox takes no more
+constexpr std::size_t kOpensAtOnce = 1000;  // capacity of the inbox
 
-/// An engine whose workers help in its phases alone.
+/// An engine whose workers run only inside its phases.
 class KeepsItsWorkers final : public world::Engine {
  public:
   explicit KeepsItsWorkers(std::unique_ptr<world::Engine> engine) : engine_(std::move(engine)) {}
@@ -39,14 +39,14 @@ class KeepsItsWorkers final : public world::Engine {
   world::Workers caller_{1};
 };
 
-/// Where data go: kept for whoever compares them.
+/// Keeps the latest batch, for comparison.
 class Sink final : public device::Publisher {
  public:
   void publish(std::vector<device::Publication> batch) override { newest = std::move(batch); }
   std::vector<device::Publication> newest;
 };
 
-/// A run with every device of its world open.
+/// A run with all devices open.
 class OpenRun {
  public:
   explicit OpenRun(std::unique_ptr<world::Engine> engine)
@@ -87,7 +87,7 @@ bool same(const std::vector<device::Publication>& one, const std::vector<device:
   });
 }
 
-/// In turn, so that what else the machine does slows both.
+/// Alternating, so that other load affects both.
 int compare(OpenRun& alone, OpenRun& shared, const BenchOptions& options) {
   const double interval = alone.world().scene().interval;
   const auto ticks =

@@ -4,9 +4,9 @@
 
 namespace playhouse::app {
 
-/// `bench open`: two runs of the same world of robots with lasers, whose every device is open, in turn: in
-/// one the tick thread and the publisher thread encode, in the other the engine's workers help. Prints one
-/// JSON line.
+/// `bench open`: two alternating runs of a world of robots with lasers,
+/// with all devices open: in one the tick and publisher threads encode,
+/// in the other also the engine's workers. Prints one JSON line.
 int bench_open(const BenchOptions& options);
 
 }  // namespace playhouse::app

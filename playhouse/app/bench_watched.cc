@@ -24,14 +24,14 @@
 namespace playhouse::app {
 namespace {
 
-constexpr std::uint32_t kRobots = 1000;  // unless asked otherwise
+constexpr std::uint32_t kRobots = 1000;  // default
 constexpr std::size_t kClients = 200;
-constexpr double kSeconds = 12;        // of each phase, unless asked otherwise
-constexpr double kRoundSeconds = 1.5;  // of a phase in a round, at most
+constexpr double kSeconds = 12;        // per phase, default
+constexpr double kRoundSeconds = 1.5;  // maximum per phase and round
 
 enum Phase : int { kAlone, kPage, kLasers, kPhases, kBetween };
 
-/// What the two processes share.
+/// Memory shared by the two processes.
 struct Board {
   std::atomic<int> phase = kBetween;
   std::atomic<double> packets_per_s = 0, messages_per_s = 0;
@@ -45,7 +45,7 @@ Board* share_board() {
   return memory == MAP_FAILED ? nullptr : new (memory) Board;
 }
 
-/// In turn, so that what else the machine does slows all.
+/// Alternating, so that other load affects all.
 Result<void> watch_in_turn(const Ports& ports, std::size_t robots, double seconds, Board& board) {
   const int rounds = static_cast<int>(std::ceil(seconds / kRoundSeconds));
   const double of_round = seconds / rounds;
@@ -65,12 +65,12 @@ Result<void> watch_in_turn(const Ports& ports, std::size_t robots, double second
     board.packets_per_s = *packets;
     board.messages_per_s = lasers->messages_per_s;
     board.lost += lasers->lost;
-    std::this_thread::sleep_for(std::chrono::duration<double>(0.3));  // until all of them are gone
+    std::this_thread::sleep_for(std::chrono::duration<double>(0.3));  // until all are disconnected
   }
   return {};
 }
 
-/// Of whole ticks, by the phase in which they were. [s]
+/// CPU times of whole ticks, by phase. [s]
 class TickTimes final : public world::Witness {
  public:
   explicit TickTimes(const Board& board) : board_(board) {}
@@ -84,7 +84,7 @@ class TickTimes final : public world::Witness {
     phase_ = phase;
     last_ = now;
   }
-  /// False: a phase had no whole tick.
+  /// False if a phase had no whole tick.
   bool in_all_phases() const {
     return std::ranges::none_of(times_, [](const std::vector<double>& times) { return times.empty(); });
   }

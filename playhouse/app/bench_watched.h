@@ -4,10 +4,10 @@
 
 namespace playhouse::app {
 
-/// `bench watched`: what those who watch cost the tick. Robots with lasers run in real time; in turn nobody
-/// watches, a page shows all of the world with what sensors measure, and 200 Player clients read all lasers.
-/// Prints one JSON line: processor time of the tick thread in a tick, medians, and their ratios. Takes about
-/// a minute, or less with `--duration`: seconds of each of the three.
+/// `bench watched`: cost of viewers and clients to the tick. Robots with lasers run in real time, in
+/// turn without viewers, with one page that shows the whole world and its measurements, and with 200
+/// Player clients that read all lasers. Prints one JSON line: median CPU time of the tick thread per
+/// tick, and ratios. Takes about a minute, or `--duration` seconds for each of the three.
 int bench_watched(const BenchOptions& options);
 
 }  // namespace playhouse::app

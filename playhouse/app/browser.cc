@@ -25,14 +25,14 @@ extern char** environ;
 namespace playhouse::app {
 namespace {
 
-constexpr int kReads = 3, kWrites = 4;  // where --remote-debugging-pipe has the browser read and write
-constexpr int kAside = 10;              // our ends lie above what the child has at those two
-// What is ended may take a moment, and still write into its folder.
+constexpr int kReads = 3, kWrites = 4;  // descriptors used by --remote-debugging-pipe
+constexpr int kAside = 10;              // our descriptors are above those of the child
+// Terminating processes may still write to the folder for a moment.
 constexpr int kTries = 100;
 constexpr std::chrono::milliseconds kBetweenTries{20};
 
-/// Drawing in software is slower than by a graphics card, and there on every machine, with a screen or
-/// without; much of the rest keeps the browser from looking things up on the network.
+/// Software rendering is slower than a GPU, but works everywhere, with
+/// or without a display; most other options prevent network access.
 constexpr const char* kOptions[] = {"--headless",
                                     "--remote-debugging-pipe",
                                     "--no-first-run",
@@ -59,7 +59,7 @@ std::string system_text(int error) {
   return std::strerror(error);
 }
 
-/// Our environment, in which all that is written by habit goes into the folder.
+/// Our environment, with cache and configuration folders redirected.
 std::vector<std::string> environment(const std::string& folder) {
   constexpr std::string_view kPlaces[] = {"TMPDIR=", "XDG_CONFIG_HOME=", "XDG_CACHE_HOME="};
   std::vector<std::string> all;
@@ -79,7 +79,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return all;
 }
 
-/// A pipe whose ends no other child gets.
+/// A close-on-exec pipe.
 struct Pipe {
   int read = -1, write = -1;
 
@@ -148,7 +148,7 @@ Result<void> Browser::spawn(const std::string& program, int reads, int writes) {
   std::vector<std::string> words{program};
   words.insert(words.end(), std::begin(kOptions), std::end(kOptions));
   words.push_back("--user-data-dir=" + folder_ + "/profile");
-  if (::geteuid() == 0) words.emplace_back("--no-sandbox");  // it refuses to make one as root
+  if (::geteuid() == 0) words.emplace_back("--no-sandbox");  // no sandbox as root
   words.emplace_back("about:blank");
   std::vector<std::string> variables = environment(folder_);
 
@@ -195,7 +195,7 @@ Result<std::string> Browser::receive(Deadline deadline) {
   }
 }
 
-/// Until something was read.
+/// Waits until something was read.
 Result<void> Browser::wait(Deadline deadline) {
   for (;;) {
     if (interrupt_.signal() != 0) return Error{"", "was interrupted"};
@@ -229,7 +229,7 @@ bool Browser::read_some() {
   return count > 0;
 }
 
-/// It has closed its pipes: it ends, or is ended.
+/// Pipes are closed: waits for the exit, or kills it.
 std::string Browser::how_it_ended() {
   int status = 0;
   for (int tries = 0; tries < kTries; ++tries) {

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Browser: a Chromium without a window, as a process of ours, and the two pipes of its DevTools protocol
-/// (--remote-debugging-pipe): messages are JSON texts, each ended by a zero byte. It has a folder of its own
-/// for what it writes, a group of its own of processes, and nobody hears what it prints.
+/// Browser: a headless Chromium as a child process, and the pipes of its
+/// DevTools protocol (--remote-debugging-pipe): NUL-terminated JSON messages. It
+/// has a profile folder and a process group of its own; its output is discarded.
 
 #include <sys/types.h>
 
@@ -17,28 +17,28 @@
 
 namespace playhouse::app {
 
-/// The first of these names that is a program in a folder of PATH, with that folder; none: none is.
+/// The full path of the first of these names found in PATH as an executable; none if none is.
 std::optional<std::string> find_program(std::span<const char* const> names);
 
 class Browser {
  public:
   using Deadline = std::chrono::steady_clock::time_point;
 
-  /// Signals that `interrupt` notes end every wait. It outlives the browser.
+  /// Signals noted by `interrupt` end every wait. It must outlive the browser.
   explicit Browser(const Interrupt& interrupt) : interrupt_(interrupt) {}
-  /// Ends all its processes and removes its folder.
+  /// Kills the process group and removes the folder.
   ~Browser();
   Browser(const Browser&) = delete;
   Browser& operator=(const Browser&) = delete;
 
-  /// Starts the program, once.
+  /// Starts the program; call once.
   Result<void> start(const std::string& program);
 
-  /// Puts a message behind those that go out while receive() waits.
+  /// Queues a message, sent during receive().
   void send(std::string_view message);
-  /// The next message. Fails, with a text that goes on from the browser's name, where it has ended, where
-  /// none comes before the deadline, on one of more than limits::kBrowserMessage bytes, and when a signal
-  /// came.
+  /// The next message. Fails, with a predicate for the
+  /// browser's name, if it has exited, on timeout, on a message
+  /// over limits::kBrowserMessage bytes, and on a signal.
   Result<std::string> receive(Deadline deadline);
 
  private:
@@ -52,11 +52,11 @@ class Browser {
 
   const Interrupt& interrupt_;
   std::string folder_;  // empty: none
-  pid_t child_ = 0;     // and its group; 0: none
+  pid_t child_ = 0;     // process group leader; 0: none
   int to_ = -1, from_ = -1;
   std::string outgoing_, incoming_;
   std::size_t sent_ = 0;      // of outgoing_
-  std::size_t searched_ = 0;  // of incoming_, where no message ends
+  std::size_t searched_ = 0;  // prefix of incoming_ without a terminator
 };
 
 }  // namespace playhouse::app

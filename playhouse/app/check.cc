@@ -19,9 +19,9 @@ void print(const std::string& line) {
   fmt::print("{}\n", escaped(line));
 }
 
-/// What the file itself can't show: engines, controllers and drivers that refuse it or leave something out.
-/// Controllers in libraries are looked for and not loaded: who checks a file does not trust it yet. Prints
-/// the warnings that `report` has not got, and the errors. Whether there were none.
+/// Checks beyond the file itself: engines, controllers and drivers that reject it or skip
+/// something. Controller libraries are located but not loaded, since the file is not trusted
+/// yet. Prints warnings that are not in `report`, and errors. True if there were no errors.
 bool try_out(const std::string& path, const scene::CheckReport& report) {
   Service service({.port = 0, .web = std::nullopt}, {}, QuitTime::kIgnored);
   service.load_no_code();
@@ -38,13 +38,13 @@ bool try_out(const std::string& path, const scene::CheckReport& report) {
   return false;
 }
 
-/// Whether the file is good.
+/// True if the file is valid.
 bool check_one(const std::string& path) {
   const scene::CheckReport report = scene::check_file(path);
   for (const std::string& line : report.lines) print(line);
   if (!report.ok || path.ends_with(".inc")) return report.ok;
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) {  // a pipe gives what it has only once
+  if (!std::filesystem::is_regular_file(path, ignored)) {  // a pipe can be read only once
     print(
         finding("warning", {path, "not a regular file, so engine, controllers and drivers were not tried"}));
     return true;

@@ -20,19 +20,19 @@ namespace {
 namespace json = boost::json;
 using web_server::PageFile;
 
-// Limits of waits, for slow machines that do other work as well. [s]
-constexpr double kStart = 60;  // of the program, and of the page in it
-constexpr double kTell = 60;   // one moment of the world
-constexpr double kDraw = 180;  // one picture, which may have 67 million pixels
+// Timeouts, generous for slow machines under load. [s]
+constexpr double kStart = 60;  // of the browser, and of loading the page
+constexpr double kTell = 60;   // of one update
+constexpr double kDraw = 180;  // of one picture, up to 67 million pixels
 
 constexpr const char* kNames[] = {"chromium", "chromium-browser", "google-chrome"};
 
-/// An expression of what keeps the browser from drawing; null: nothing (web/src/main.ts).
+/// Evaluates to the reason why the browser cannot render; null: none (web/src/main.ts).
 constexpr std::string_view kMissing =
     "typeof playhousePicture === 'undefined' ? 'cannot run the page' : playhousePicture ? null : 'has no "
     "WebGL 2'";
 
-/// A name that no browser looks up: it asks us for all that is there.
+/// A host that is never resolved: all requests are intercepted.
 constexpr std::string_view kSite = "http://playhouse.localhost";
 
 std::shared_ptr<const replicate::Layout> layout_of(const world::World& world,
@@ -48,7 +48,7 @@ std::string base64_of(const void* bytes, std::size_t count) {
   return text;
 }
 
-/// "http://playhouse.localhost/?picture" to "/index.html".
+/// Path of a URL: "http://playhouse.localhost/?picture" is "/index.html".
 std::string_view path_of(std::string_view url) {
   if (!url.starts_with(kSite)) return {};
   url.remove_prefix(kSite.size());
@@ -67,8 +67,8 @@ std::string view_text(const View& view) {
                      view.left, view.top, view.pixels_per_metre);
 }
 
-/// As an Area of the page (web/src/view/areas.ts). What sensors see has one loop, and all of that can be seen
-/// from its first corner.
+/// JSON of an Area of the page (web/src/view/areas.ts). Sensor
+/// shapes have one loop, star-shaped about its first corner.
 std::string area_text(const Shape& shape) {
   std::string outline;
   for (const geom::Vec2 p : shape.loops.front())
@@ -139,7 +139,7 @@ Result<void> ChromiumRenderer::open_page() {
   return tools_.wait([this] { return loaded_; }, kStart);
 }
 
-/// A file of the page, or a mesh; there is nothing else.
+/// Replies with a page file or a mesh; other requests fail.
 void ChromiumRenderer::answer_request(const json::object& about) {
   const json::value* const id = about.if_contains("requestId");
   const json::value* const request = about.if_contains("request");

@@ -1,8 +1,8 @@
 #pragma once
 
-/// ChromiumRenderer: pictures by the page in a Chromium without a window. Nothing listens anywhere: the
-/// page's files, the world and the pictures go through the browser's DevTools pipes, so that the page has
-/// exactly the ticks that it is to draw, and nobody else can open it.
+/// ChromiumRenderer: renders pictures by the page in a headless Chromium. No port
+/// is opened: page files, world and pictures go through DevTools pipes, so that
+/// the page gets exactly the ticks to draw, and no other process can connect.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,15 +20,15 @@
 
 namespace playhouse::app {
 
-/// Where Chromium is, looked for in PATH under the names that it has; none: it is not there.
+/// Path of Chromium, searched in PATH under its known names; none if not found.
 std::optional<std::string> find_chromium();
-/// Those names, for a person.
+/// Those names, for messages.
 std::string chromium_names();
 
 class ChromiumRenderer final : public Renderer {
  public:
-  /// Pictures of the world by this program, which starts when it is needed first, with what is `seen`.
-  /// Signals that `interrupt` notes end every wait. The world's scene, `seen` and `interrupt` outlive it.
+  /// Renders the world with the sensor data in `seen`; `program` is started on first use. Signals
+  /// noted by `interrupt` end every wait. The world's scene, `seen` and `interrupt` must outlive it.
   ChromiumRenderer(std::string program, const world::World& world, const SensorShapes& seen,
                    const Interrupt& interrupt);
 
@@ -48,7 +48,7 @@ class ChromiumRenderer final : public Renderer {
   DevTools tools_;
   bool started_ = false, loaded_ = false;
 
-  // What the page holds of the world, and what it is told.
+  // Replication state of the page.
   replicate::Prototypes prototypes_;
   web_server::MeshFiles mesh_files_;
   std::shared_ptr<const replicate::Layout> layout_;

@@ -43,7 +43,7 @@ constexpr const char* kExamples = R"(Examples:
   playhouse bench laser --robots 1000                print one line of figures
 `playhouse COMMAND --help` lists all options. Documentation: docs/cli.md)";
 
-// Set where this file is compiled (CMakeLists.txt); sources without their history have none.
+// Defined by CMakeLists.txt; without git history it is unknown.
 #ifndef PLAYHOUSE_COMMIT
 #define PLAYHOUSE_COMMIT "unknown"
 #endif
@@ -74,7 +74,7 @@ bool looks_like_flag(std::string_view word) {
   return word.size() > 1 && word[0] == '-' && !(word[1] >= '0' && word[1] <= '9') && word[1] != '.';
 }
 
-/// CLI11 says that a word is unknown, but not what was meant; so words are looked at before it sees them.
+/// CLI11 reports unknown words without suggestions, so they are checked first.
 Result<void> check_words(const CLI::App& app, std::span<const char* const> words) {
   const CLI::App* scope = &app;
   std::size_t next = 0;
@@ -91,11 +91,11 @@ Result<void> check_words(const CLI::App& app, std::span<const char* const> words
   const std::vector<std::string> names = flag_names(*scope);
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   for (const std::string_view word : words.subspan(next)) {
-    if (word == "--") break;  // what follows is no option
+    if (word == "--") break;  // end of options
     if (!looks_like_flag(word)) continue;
     const std::string_view flag = word.substr(0, word.find('='));
     if (std::ranges::find(candidates, flag) != candidates.end()) continue;
-    const bool is_letter = flag.size() == 2;  // -p: every other letter would be near
+    const bool is_letter = flag.size() == 2;  // -p: no suggestions, every letter is similar
     return Error{"", fmt::format("unknown option {}{}", flag,
                                  is_letter ? "; playhouse COMMAND --help lists them"
                                            : did_you_mean(flag, candidates))};
@@ -120,7 +120,7 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
   if (words.empty()) return CommandLine(Answer{app.help()}, print);
   if (const Result<void> known = check_words(app, words); !known) return known.error();
   try {
-    // CLI11 takes the words last first.
+    // CLI11 expects reversed arguments.
     std::vector<std::string> reversed(words.rbegin(), words.rend());
     app.parse(reversed);
   } catch (const CLI::CallForHelp&) {
@@ -129,7 +129,7 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
   } catch (const CLI::CallForVersion& version) {
     return CommandLine(Answer{std::string(version.what()) + "\n"}, print);
   } catch (const CLI::ArgumentMismatch& error) {
-    // "--port: 1 required UINT missing", "--port: At Most 1 required but received 2"
+    // E.g. "--port: 1 required UINT missing", "--port: At Most 1 required but received 2"
     const std::string_view text = error.what();
     const bool twice = text.find("At Most") != std::string_view::npos;
     return Error{"", fmt::format("{} {}", text.substr(0, text.find(':')),
@@ -139,7 +139,7 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
   }
   for (const auto& [command, asked_for] : added)
     if (command->parsed()) return asked_for();
-  PLAYHOUSE_ASSERT(false);  // one is required
+  PLAYHOUSE_ASSERT(false);  // a command is required
 }
 
 }  // namespace playhouse::app

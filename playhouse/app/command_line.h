@@ -1,6 +1,6 @@
 #pragma once
 
-/// The command line as values. docs/cli.md describes it for people.
+/// Parser of the command line. docs/cli.md documents it.
 
 #include <any>
 #include <functional>
@@ -12,12 +12,12 @@
 
 namespace playhouse::app {
 
-/// Text that the command line asked for: help or the version.
+/// Text requested on the command line: help or the version.
 struct Answer {
   std::string text;
 };
 
-/// What was asked for: the options of a command (options.h), or an Answer, and what executes it.
+/// The parsed command: its options (options.h), or an Answer, and its function.
 class CommandLine {
  public:
   template <typename Options>
@@ -25,9 +25,9 @@ class CommandLine {
       : options_(std::move(options)),
         execute_([execute](const std::any& any) { return execute(std::any_cast<const Options&>(any)); }) {}
 
-  /// Does it. Returns the exit code.
+  /// Runs the command. Returns the exit code.
   int execute() const { return execute_(options_); }
-  /// nullptr: something else was asked for.
+  /// nullptr if it is another command.
   template <typename Options>
   const Options* get_if() const {
     return std::any_cast<Options>(&options_);
@@ -38,7 +38,7 @@ class CommandLine {
   std::function<int(const std::any&)> execute_;
 };
 
-/// The words after the program's name. Fails with one line for a person, with the nearest valid word.
+/// Parses the arguments. Fails with a one-line message and the nearest valid word.
 Result<CommandLine> parse_command_line(std::span<const char* const> words);
 
 }  // namespace playhouse::app

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The commands of the program: how each is called, what --help says of it, its options, and what executes
-/// it. A new one is an entry here, a struct of options.h, and a function of commands.h.
+/// The command table: name, help, options and function of each command. A new
+/// command is an entry here, a struct in options.h, and a function in commands.h.
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -14,7 +14,7 @@ namespace playhouse::app {
 struct Command {
   const char *name, *summary;
   const char* examples;  // below its options in --help
-  /// Adds the options; what it returns tells, once CLI11 has read the words, what they ask for.
+  /// Adds the options; the returned function makes the CommandLine after CLI11 has parsed.
   std::function<std::function<CommandLine()>(CLI::App&)> add;
 };
 

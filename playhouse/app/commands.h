@@ -1,6 +1,6 @@
 #pragma once
 
-/// The commands of the program. Each does its whole job and returns the exit code.
+/// The commands of the program. Each returns the exit code.
 
 #include "playhouse/app/options.h"
 

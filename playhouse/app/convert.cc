@@ -51,7 +51,7 @@ int write_text(const std::string& path, const std::string& text) {
   return written ? int{kDone} : fail_at(written.error());
 }
 
-/// A file as one in the folder of `beside` names it, or in full where that is nowhere.
+/// Name of a file relative to the folder of `beside`, or absolute if that is empty.
 std::string named_from(const std::string& beside, const fs::path& file) {
   std::error_code ignored;
   if (beside.empty()) return fs::absolute(file, ignored).lexically_normal().string();
@@ -87,7 +87,7 @@ int convert_map(const ConvertOptions& options) {
     return fail_in_file({escaped(options.input) + line, map.error().text});
   }
   const fs::path image =
-      fs::path(options.input).parent_path() / map->image;  // that of an absolute path alone
+      fs::path(options.input).parent_path() / map->image;  // absolute paths replace the folder
   const Result<std::string> bytes = read_file(image.string());
   if (!bytes) return fail_in_file(bytes.error());
   const Result<scene::Plan> plan =
@@ -116,7 +116,7 @@ Result<scene::SceneDesc> load(const ConvertOptions& options, std::vector<Error>&
   return scene;
 }
 
-/// The image is beside the map and has its name.
+/// The image is beside the map, under its name.
 std::string image_of_map(const ConvertOptions& options) {
   return fs::path(options.output).replace_extension(".pgm").string();
 }
@@ -149,7 +149,7 @@ int convert_world(const ConvertOptions& options) {
   if (options.scale || options.height)
     return fail({"", "--scale and --height are for images and maps"}, kUsage);
   if (is_gltf(options.output)) return write_gltf(options, *scene);
-  // Bitmaps of a text that goes anywhere are named in full.
+  // For standard output, bitmaps have absolute paths.
   const Result<std::string> text = scene::write_world(*scene, options.output);
   if (!text) return fail_in_file({escaped(options.input), "not converted: " + text.error().text});
   return write_text(options.output, *text);

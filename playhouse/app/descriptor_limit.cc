@@ -8,7 +8,7 @@ void raise_descriptor_limit() {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
   limit.rlim_cur = limit.rlim_max;
-  setrlimit(RLIMIT_NOFILE, &limit);  // as before if it fails
+  setrlimit(RLIMIT_NOFILE, &limit);  // failure leaves the old limit
 }
 
 }  // namespace playhouse::app

@@ -39,7 +39,7 @@ Result<WantedDevice> parse_wanted_device(const std::string& text) {
   const bool is_interface = wire::find_interface(word) != nullptr;
   const bool has_index = colon != std::string::npos && colon + 1 < text.size() &&
                          text.find_first_not_of("0123456789", colon + 1) == std::string::npos;
-  const bool is_part = word.find('.') != std::string_view::npos;  // r0.ranger:0 is a model
+  const bool is_part = word.find('.') != std::string_view::npos;  // r0.ranger:0 is a model name
   if (is_interface || (has_index && !is_part)) return address.error();
   return WantedDevice{{}, text};
 }

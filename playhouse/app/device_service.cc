@@ -22,7 +22,7 @@
 namespace playhouse::app {
 namespace {
 
-/// The first IPv4 address of this machine that others may reach; none without a network.
+/// The first non-loopback IPv4 address of this machine; none without a network.
 std::optional<std::string> address_for_others() {
   ifaddrs* all = nullptr;
   if (getifaddrs(&all) != 0) return std::nullopt;
@@ -45,7 +45,7 @@ DeviceService::DeviceService(const std::string& bind)
     : server_(std::make_unique<server::Server>(loop_, server::ServerOptions{.bind = bind})) {}
 
 drivers::Site& DeviceService::open_site(std::uint16_t port) {
-  drivers::Surroundings& surroundings = *this;  // a private base, which make_unique cannot see
+  drivers::Surroundings& surroundings = *this;  // private base, not accessible to make_unique
   site_ = std::make_unique<drivers::Site>(surroundings, port);
   site_->data_flow().pass_to(*server_);
   return *site_;
@@ -67,7 +67,7 @@ Result<std::unique_ptr<drivers::Simulation>> DeviceService::open_world(const std
 
 int DeviceService::run() {
   const auto caught = [this](int signal) {
-    if (ending_) std::_Exit(128 + signal);  // asked twice: at once
+    if (ending_) std::_Exit(128 + signal);  // second signal: at once
     end(128 + signal);
   };
   if (ends_on_hangup()) {

@@ -1,7 +1,7 @@
 #pragma once
 
-/// DeviceService: devices of drivers on Player's ports, without a world. One thread, on which everything
-/// happens.
+/// DeviceService: serves devices of drivers
+/// without a world. Single-threaded.
 
 #include <cstdint>
 #include <memory>
@@ -26,17 +26,17 @@ class DeviceService final : private ServerSurroundings {
   Result<std::uint16_t> listen(std::uint16_t port) { return server_->listen(port); }
   /// Makes the drivers of a configuration file, in the site.
   Result<void> make_drivers(const scene::CfgFile& file);
-  /// Another driver; its devices may be added while it runs.
+  /// Adds a driver; its devices may be added while it runs.
   void take(std::unique_ptr<device::Driver> driver) { drivers_.push_back(std::move(driver)); }
-  /// Where drivers are made; `port` stands for the port of addresses that have none. Before any driver, once.
+  /// Makes the site; `port` is the default port of addresses. Call once, before any driver.
   drivers::Site& open_site(std::uint16_t port);
 
   /// For timers.
   net::IoLoop& loop() { return loop_; }
 
-  /// Until a signal comes or end() is called. Gives the exit code.
+  /// Runs until a signal or end(). Returns the exit code.
   int run();
-  /// Clients get what waits for them, then run() returns. Any time in run(), or before it.
+  /// Flushes the clients' queues, then run() returns. Any time in run(), or before it.
   void end(int code);
 
  private:
@@ -44,7 +44,7 @@ class DeviceService final : private ServerSurroundings {
   net::IoLoop& the_loop() override { return loop_; }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
 
-  // What is below uses what is above.
+  // In order of construction: later members use earlier ones.
   net::IoLoop loop_;
   std::unique_ptr<drivers::Site> site_;
   std::vector<std::unique_ptr<device::Driver>> drivers_;
@@ -53,23 +53,23 @@ class DeviceService final : private ServerSurroundings {
   int code_ = 0;
 };
 
-/// Whether a section of the file simulates a world.
+/// True if a section of the file simulates a world.
 bool has_world(const scene::CfgFile& file);
 
-/// Serves the devices of a configuration file that has no world. `opened` is called with the ports when
-/// clients can connect. Gives the exit code.
+/// Serves the devices of a configuration file without a world. `opened` is
+/// called with the ports once clients can connect. Returns the exit code.
 int serve_devices(const scene::CfgFile& file, const std::string& bind, std::uint16_t port,
                   const std::string& port_option,
                   const std::function<void(const std::vector<std::uint16_t>&)>& opened = {});
 
-/// An address as people type it into a client, for a server on every interface the first one of this machine
-/// that others may reach.
+/// The address for clients to use: `bind`, or for a wildcard
+/// the first address of this machine reachable from outside.
 std::string shown_host(const std::string& bind);
 
-/// The ports of a configuration file; 0 stands for the default one where an address names none.
+/// The ports of a configuration file; 0 stands for the default port.
 std::set<std::uint16_t> ports_of(const scene::CfgFile& file);
 
-/// What to say of a port that cannot be opened.
+/// Error message for a port that cannot be opened.
 Error port_error(const Error& error, bool is_default, const std::string& port_option);
 
 }  // namespace playhouse::app

@@ -19,7 +19,7 @@ std::string in_json(const std::string& text) {
   return out;
 }
 
-/// A text that a server may not tell.
+/// A text that may be missing.
 std::string or_null(const std::string& text) {
   return text.empty() ? "null" : in_json(text);
 }
@@ -35,7 +35,7 @@ void print_json(const client::DeviceEntry& device) {
              or_null(device.robot));
 }
 
-/// A column wide enough for the longest of `lengths`, within reason.
+/// Width of a column, within limits.
 std::size_t column(std::size_t least, std::size_t longest) {
   constexpr std::size_t kWidest = 40;
   return std::clamp(longest, least, kWidest);
@@ -48,7 +48,7 @@ void print_table(const std::vector<client::DeviceEntry>& devices) {
     fmt::print("{:<20} ", device.name());
     if (model > 0)
       fmt::print("{:<{}} ", device.model.empty() ? "-" : escaped(device.model), column(8, model));
-    fmt::print("{}\n", escaped(device.driver));  // a server may say anything
+    fmt::print("{}\n", escaped(device.driver));  // untrusted text of a server
   }
 }
 

@@ -17,20 +17,20 @@ Browser::Deadline in(double seconds) {
                                                 std::chrono::duration<double>(seconds));
 }
 
-/// A text of a message; empty where there is none.
+/// A text member of a message; empty if missing.
 std::string_view text_of(const json::object& message, std::string_view key) {
   const json::value* const value = message.if_contains(key);
   const json::string* const text = value == nullptr ? nullptr : value->if_string();
   return text == nullptr ? std::string_view() : std::string_view(*text);
 }
 
-/// An object of a message; null where there is none.
+/// An object member of a message; null if missing.
 const json::object* object_of(const json::object& message, std::string_view key) {
   const json::value* const value = message.if_contains(key);
   return value == nullptr ? nullptr : value->if_object();
 }
 
-/// "Error: it is too large\n    at draw (...)" to "it is too large".
+/// Message of an exception: "Error: it is too large\n    at draw (...)" is "it is too large".
 std::string_view said_by(std::string_view thrown) {
   thrown = thrown.substr(0, thrown.find('\n'));
   constexpr std::string_view kError = "Error: ";
@@ -54,7 +54,7 @@ Result<json::object> DevTools::call(std::string_view method, json::object parame
     const Result<std::optional<json::object>> answer = take_message(deadline);
     if (!answer) return answer.error();
     const json::value* const of = *answer ? (*answer)->if_contains("id") : nullptr;
-    if (of == nullptr || *of != id) continue;  // an event, or of what was only told
+    if (of == nullptr || *of != id) continue;  // an event, or the reply of a tell()
     if (const json::object* const error = object_of(**answer, "error"))
       return Error{"", fmt::format("refuses {}: {}", method, escaped(text_of(*error, "message")))};
     const json::object* const result = object_of(**answer, "result");

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The Chrome DevTools protocol (https://chromedevtools.github.io/devtools-protocol/): calls to a browser and
-/// its pages, and the events that come in between.
+/// Chrome DevTools protocol (https://chromedevtools.github.io/devtools-protocol/):
+/// calls to a browser and its pages, and their events.
 
 #include <boost/json.hpp>
 #include <cstdint>
@@ -17,29 +17,29 @@ namespace playhouse::app {
 
 class DevTools {
  public:
-  /// Hears what a browser or its page tells by itself, while one waits for something else.
+  /// Handles events of a browser or page that arrive while waiting for something else.
   using Events = std::function<void(std::string_view event, const boost::json::object& about)>;
 
-  /// The browser has started, and outlives this.
+  /// The browser must be running, and outlive this.
   explicit DevTools(Browser& browser) : browser_(browser) {}
   void on_events(Events events) { events_ = std::move(events); }
-  /// What is called from now on is for the page of that session.
+  /// Directs further calls to the page of that session.
   void attach(std::string session) { session_ = std::move(session); }
 
-  /// What the browser answers to a method. Fails, with a text that goes on from the browser's name, where it
-  /// does not within so many seconds, where it answers with an error, and where what it sends is no message.
+  /// Calls a method and returns its result. Fails, with a predicate for the
+  /// browser's name, on timeout, on an error reply, and on malformed messages.
   Result<boost::json::object> call(std::string_view method, boost::json::object parameters, double seconds);
-  /// A call whose answer nobody waits for.
+  /// A call without waiting for its reply.
   void tell(std::string_view method, boost::json::object parameters);
-  /// Until an event has made `done` true.
+  /// Processes events until `done` is true.
   Result<void> wait(const std::function<bool()>& done, double seconds);
 
-  /// The value of an expression of JavaScript in the page, or what it promises. Fails as call(), and with
-  /// what the page throws.
+  /// Evaluates a JavaScript expression in the page, awaiting
+  /// promises. Fails like call(), and on exceptions.
   Result<boost::json::value> evaluate(std::string_view expression, double seconds);
 
  private:
-  /// Takes the next message: gives an answer, or none where it was an event.
+  /// Processes the next message: returns a reply, or none for an event.
   Result<std::optional<boost::json::object>> take_message(Browser::Deadline deadline);
 
   Browser& browser_;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Which renderer a command draws with: the one that was asked for, else Chromium where it is found and
-/// draws, else ours. Tells on standard error which it is, and how long it took.
+/// Choice of renderer for a command: the requested one, otherwise Chromium if it is found
+/// and works, otherwise our own. Reports on standard error which one, and the time taken.
 
 #include <chrono>
 #include <functional>
@@ -17,14 +17,14 @@ namespace playhouse::app {
 
 class Drawing {
  public:
-  /// Draws everything with a renderer and returns the exit code, of whose reason it has told. Fails where the
-  /// renderer does; it may be called again then, with another one.
+  /// Draws everything with a renderer and returns the exit code, after reporting
+  /// errors. Fails if the renderer does; it may then be called again with another one.
   using Draw = std::function<Result<int>(Renderer&)>;
 
-  /// For a command, and what it was given as --renderer.
+  /// `wanted` is the value of --renderer.
   Drawing(std::string command, const std::string& wanted);
 
-  /// Why nothing can be drawn as it was asked for.
+  /// Fails if the requested renderer is not available.
   Result<void> possible() const;
 
   /// Returns the exit code.
@@ -35,8 +35,8 @@ class Drawing {
 
   const std::string command_;
   const bool chromium_alone_;
-  const std::optional<std::string> chromium_;  // the program, where it is to draw
-  const std::string why_ours_;                 // where nobody asked for it
+  const std::optional<std::string> chromium_;  // path of Chromium, if it is to be tried
+  const std::string why_ours_;                 // reason for the default, if none was requested
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// DrawnRun: a world that runs without anybody, as fast as it can, from picture to picture.
+/// DrawnRun: an offline run of a world for rendering, at full speed from frame to frame.
 
 #include <cstdint>
 #include <memory>
@@ -18,18 +18,18 @@ namespace playhouse::app {
 
 class DrawnRun {
  public:
-  /// The sensors of `seen` measure.
+  /// Activates the sensors in `seen`.
   DrawnRun(scene::SceneDesc scene, Running running, SensorShapes seen)
       : scene_(std::move(scene)), running_(std::move(running)), seen_(std::move(seen)) {}
   DrawnRun(const DrawnRun&) = delete;
   DrawnRun& operator=(const DrawnRun&) = delete;
 
-  /// Begins at tick 0, again where it has run already: the same run. Fails on a scene that cannot run;
-  /// `others` gets the errors after the first.
+  /// Starts, or restarts, at tick 0: the same run. Fails on
+  /// a scene that cannot run; `others` gets further errors.
   Result<void> begin(std::vector<Error>* others = nullptr);
 
-  /// On to a tick, which the renderer sees coming as it wants to. Fails where the renderer does, and when a
-  /// signal came.
+  /// Advances to a tick, calling the renderer's see() as it
+  /// requests. Fails if the renderer does, and on a signal.
   Result<void> advance(std::uint64_t tick, Renderer& renderer, const Interrupt& interrupt);
 
   const world::World& world() const { return simulation_->engine().world(); }

@@ -21,10 +21,10 @@ namespace p2d = wire::position2d;
 
 constexpr double kStepForward = 0.1;                 // m/s per key
 constexpr double kStepTurn = std::numbers::pi / 12;  // rad/s per key
-constexpr double kScaleStep = 1.25;                  // of both, per + or -
+constexpr double kScaleStep = 1.25;                  // factor per + or -
 constexpr int kKeyPatience = 50;                     // ms
 
-/// What the keys have asked for so far.
+/// State of the controls.
 struct Wheel {
   double forward = 0, turn = 0;  // m/s, rad/s
   double scale = 1;
@@ -68,7 +68,7 @@ Result<void> send(client::Device& robot, const Wheel& wheel) {
   return robot.command(p2d::kCmdVel, p2d::CmdVel{{wheel.forward, 0, wheel.turn}, 1});
 }
 
-/// A terminal that is gone is no reason to leave a robot driving: fmt::print would throw.
+/// Unlike fmt::print it does not throw: a lost terminal must not leave the robot driving.
 void say(const std::string& text) {
   std::fputs(text.c_str(), stdout);
   std::fflush(stdout);
@@ -121,7 +121,7 @@ int drive(const DriveOptions& options) {
   Result<client::Device> robot = client::Device::open(*client, name->interf, name->index);
   if (!robot)
     return fail({robot.error().where, robot.error().text + "; playhouse devices lists what there is"});
-  const Interrupt interrupt;  // from here on there is a robot to stop
+  const Interrupt interrupt;  // the robot has to be stopped from here on
   say("w a s d or arrows drive, space stops, + and - change the speed, q ends\n");
   if (const Result<void> done = drive_by_keys(*client, *robot, interrupt); !done) return fail(done.error());
   say("\n");

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How commands say what is wrong: one line of the log per finding, a place in a file first.
+/// Error reporting of commands: one log line per finding, file position first.
 
 #include <string>
 #include <vector>
@@ -10,16 +10,16 @@
 
 namespace playhouse::app {
 
-/// Gives the exit code.
+/// Returns the exit code.
 int fail(const Error& error, Exit code = kFailed);
 
-/// The same for an error about a file, whose name and line come first.
+/// The same for an error in a file, with its name and line first.
 int fail_at(const Error& error, Exit code = kFailed);
 
-/// A file that is wrong, with `others` that are wrong in it.
+/// An error in a file, with `others` in the same file.
 int fail_in_file(const Error& error, const std::vector<Error>& others = {});
 
-/// A line about something odd in a file, "file:line: text".
+/// A warning about a file, "file:line: text".
 void warn(const std::string& line);
 
 }  // namespace playhouse::app

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kNone =
     "is a film that ffmpeg makes, which is not in PATH; -o FILE.png makes an animated PNG without it";
 
-/// ffmpeg and the pipe to its standard input.
+/// The ffmpeg process and the pipe to its standard input.
 class Ffmpeg {
  public:
   Ffmpeg() = default;
@@ -44,7 +44,7 @@ class Ffmpeg {
     return Error{"", error == ENOENT ? kNone : std::string("ffmpeg: ") + std::strerror(error)};
   }
 
-  /// False when ffmpeg takes no more.
+  /// False if ffmpeg has closed the pipe.
   bool write(const std::vector<std::uint8_t>& bytes) const {
     for (std::size_t done = 0; done < bytes.size();) {
       const ssize_t count = ::write(pipe_, bytes.data() + done, bytes.size() - done);
@@ -55,7 +55,7 @@ class Ffmpeg {
     return true;
   }
 
-  /// Whether it ended well. Once.
+  /// True if it succeeded. Call once.
   bool end() {
     if (pipe_ >= 0) ::close(pipe_);
     pipe_ = -1;
@@ -77,8 +77,8 @@ class Ffmpeg {
 Result<void> film_by_ffmpeg(const std::string& file, const View& view, double period,
                             const std::function<Result<void>(const PictureTaker&)>& each) {
   Ffmpeg ffmpeg;
-  // Most players want an even size and a color for four pixels. "file:" keeps a name from being an option or
-  // an address.
+  // Most players need even sizes and 4:2:0 chroma. "file:"
+  // keeps a name from being parsed as an option or a URL.
   const Result<void> started = ffmpeg.start(
       {"ffmpeg", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-video_size",
        fmt::format("{}x{}", view.width, view.height), "-framerate", fmt::format("{:.6g}", 1 / period), "-i",

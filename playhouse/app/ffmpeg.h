@@ -1,6 +1,6 @@
 #pragma once
 
-/// Films by the program ffmpeg, where it is in PATH. No shell is involved.
+/// Films by the external program ffmpeg, if it is in PATH; run without a shell.
 
 #include <functional>
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace playhouse::app {
 
-/// Takes the next picture of a film.
+/// Consumes the next frame of a film.
 using PictureTaker = std::function<Result<void>(const Picture&)>;
 
-/// Has ffmpeg write a film of pictures of this view, each shown for `period` seconds; what the ending of the
-/// file says is for ffmpeg to know. `each` calls what it is given with one picture after the other. Fails,
-/// with a text that names no file, where there is no ffmpeg, and where it fails, which it tells itself.
+/// Pipes frames to ffmpeg, each shown for `period` seconds; ffmpeg chooses the format by
+/// the file's extension. `each` calls its argument with one frame after the other. Fails,
+/// without a file name, if there is no ffmpeg, or if it fails, which it reports itself.
 Result<void> film_by_ffmpeg(const std::string& file, const View& view, double period,
                             const std::function<Result<void>(const PictureTaker&)>& each);
 

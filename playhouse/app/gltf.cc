@@ -23,7 +23,7 @@ using geom::Vec2;
 
 using Vec3 = std::array<float, 3>;
 
-/// Triangles, counter-clockwise seen from outside.
+/// Triangles, counter-clockwise from outside.
 struct Triangles {
   std::vector<Vec3> points, normals;
   std::vector<std::uint32_t> corners;
@@ -74,10 +74,10 @@ class Writer {
   Result<std::string> write();
 
  private:
-  /// What of a body does not depend on its color; none where a description has no body.
+  /// The colour-independent part of a body; none if the description has no body.
   struct Accessors {
     std::size_t points = 0, normals = 0, corners = 0;
-    std::optional<std::size_t> mesh;  // one that has colors of its own
+    std::optional<std::size_t> mesh;  // if it has colours of its own
     bool any = false;
   };
 
@@ -137,7 +137,7 @@ std::size_t Writer::mesh_of_model(std::uint32_t row, const Accessors& accessors)
   return entry->second;
 }
 
-/// Nodes have the numbers of the models' rows.
+/// Node numbers are model rows.
 void Writer::add_node(std::uint32_t row) {
   const geom::Pose& X_PM = world_.models.X_PM[row];
   std::string name, rest;
@@ -157,7 +157,7 @@ std::string Writer::scene() const {
   std::string name;
   wire::json_text(name, world_.scene().name.empty() ? "world" : world_.scene().name);
   const std::string children =
-      tops_.size() == 0 ? "" : fmt::format(R"(,"children":[{}])", tops_.text());  // none may be empty
+      tops_.size() == 0 ? "" : fmt::format(R"(,"children":[{}])", tops_.text());  // empty arrays are invalid
   return fmt::format(R"("scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}{}{{"name":{},)"
                      R"("rotation":[-0.7071067811865475,0,0,0.7071067811865476]{}}}])",
                      nodes_.size(), nodes_.text(), nodes_.size() > 0 ? "," : "", name, children);

@@ -10,7 +10,7 @@ namespace playhouse::app {
 
 int gym(const GymOptions& options) {
   Service service(options.serving, options.running, QuitTime::kIgnored);
-  std::unique_ptr<drivers::gym::Link> link;  // ends before the service does
+  std::unique_ptr<drivers::gym::Link> link;  // destroyed before the service
   Result<void> linked;
   const int code = run_service(
       service, [&] { return service.read_world(options.world); }, options.running,

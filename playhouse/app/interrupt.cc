@@ -7,7 +7,7 @@
 namespace playhouse::app {
 namespace {
 
-volatile std::sig_atomic_t caught = 0;  // a signal handler can reach nothing but a global
+volatile std::sig_atomic_t caught = 0;  // global, for the signal handler
 
 void end_at_once(int signal) {
   _exit(128 + signal);
@@ -16,14 +16,14 @@ void end_at_once(int signal) {
 void note(int signal) {
   if (caught == 0) {
     caught = signal;
-  } else if (signal != SIGHUP) {  // a closed terminal may say so twice
+  } else if (signal != SIGHUP) {  // a closed terminal may send it twice
     end_at_once(signal);
   }
 }
 
 void handle(void (*handler)(int)) {
   struct sigaction action {};
-  action.sa_handler = handler;  // without SA_RESTART: waiting calls return
+  action.sa_handler = handler;  // without SA_RESTART: blocking calls are interrupted
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   if (ends_on_hangup()) sigaction(SIGHUP, &action, nullptr);

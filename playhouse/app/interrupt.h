@@ -1,19 +1,19 @@
 #pragma once
 
-/// The signals that end the program: SIGINT (Ctrl-C), SIGTERM, and SIGHUP (the terminal was closed) unless
-/// nohup has it ignored. The exit code is 128 and the number of the signal.
+/// Termination signals: SIGINT (Ctrl-C), SIGTERM, and SIGHUP (terminal closed)
+/// unless ignored by nohup. The exit code is 128 plus the signal number.
 
 namespace playhouse::app {
 
-/// From now on they end the program at once: there is nothing to clean. Call first, and again when those who
-/// caught them no longer look.
+/// Restores immediate termination: there is nothing to
+/// clean up. Call at start, and when handlers are removed.
 void end_at_once_on_signals();
 
-/// Whether SIGHUP ends the program.
+/// True if SIGHUP terminates the program.
 bool ends_on_hangup();
 
-/// While it lives, the first signal is noted for commands that have something to clean, and the second ends
-/// the program at once. One at a time.
+/// While this object exists, the first signal is recorded, for commands that have
+/// to clean up, and the second terminates the program. One instance at a time.
 class Interrupt {
  public:
   Interrupt();
@@ -21,7 +21,7 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  /// The signal that came; 0: none yet.
+  /// The recorded signal; 0: none.
   int signal() const;
   /// 128 + the signal, or `otherwise` if none came.
   int exit_code(int otherwise) const { return signal() == 0 ? otherwise : 128 + signal(); }

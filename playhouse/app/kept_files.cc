@@ -8,7 +8,7 @@
 namespace playhouse::app {
 
 Result<void> keep_files(const std::string& output, std::span<const std::string> read) {
-  std::error_code ignored;  // a file that is not there yet is no other
+  std::error_code ignored;  // a missing file is no conflict
   for (const std::string& file : read)
     if (std::filesystem::equivalent(file, output, ignored))
       return Error{escaped(output), "is what is read: give another name"};

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Nothing that is read is written over: an option that writes a file may name a world, a bitmap or a saved
-/// run by mistake.
+/// Protection of input files from being overwritten: an output
+/// option may name a world, a bitmap or a saved run by mistake.
 
 #include <span>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace playhouse::app {
 
-/// Fails if writing `output` would change a file of `read`, by whatever name. An empty output is none.
+/// Fails if `output` is the same file as one in `read`, under any name. An empty output is fine.
 Result<void> keep_files(const std::string& output, std::span<const std::string> read);
 
 /// The files of a scene.

@@ -29,8 +29,8 @@ Keyboard::Keyboard() {
   if (tcgetattr(STDIN_FILENO, &now) != 0) return;
   before_ = now;
   now.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
-  now.c_iflag &= ~static_cast<tcflag_t>(IXON);  // Ctrl-S: output would wait, and so would the next key
-  // Ctrl-Z, Ctrl-backslash: the robot would drive on, with nobody at the wheel.
+  now.c_iflag &= ~static_cast<tcflag_t>(IXON);  // disables Ctrl-S, which would block output and keys
+  // Disables Ctrl-Z and Ctrl-backslash, which would leave the robot driving.
   now.c_cc[VSUSP] = now.c_cc[VQUIT] = _POSIX_VDISABLE;
   now.c_cc[VMIN] = 1;
   now.c_cc[VTIME] = 0;
@@ -47,7 +47,7 @@ std::optional<Key> Keyboard::wait(int milliseconds) {
   if (read(STDIN_FILENO, &first, 1) != 1) return Key::kQuit;
   char rest[3] = {};
   constexpr int kEscape = 27;
-  // An arrow comes as three bytes at once; a lone escape has nothing behind it.
+  // An arrow key sends three bytes at once; a lone escape nothing more.
   if (first == kEscape && readable(0) && read(STDIN_FILENO, rest, 2) < 0) return Key::kOther;
   return key_of(first, rest);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Keys from a terminal, one at a time, without Enter. The terminal is as it was when this goes. Ctrl-C stays
-/// a signal; keys that would stop the program or its output behind its back are keys like others.
+/// Unbuffered keys from a terminal, without Enter. Terminal settings are restored on
+/// destruction. Ctrl-C remains a signal; job control and flow control keys are ordinary keys.
 
 #include <termios.h>
 
@@ -14,21 +14,21 @@ enum class Key : std::uint8_t { kForward, kBackward, kLeft, kRight, kStop, kFast
 
 class Keyboard {
  public:
-  /// Reads standard input; what is no terminal (a pipe) is read as it is.
+  /// Reads standard input; anything but a terminal (a pipe) is read unchanged.
   Keyboard();
   ~Keyboard();
   Keyboard(const Keyboard&) = delete;
   Keyboard& operator=(const Keyboard&) = delete;
 
-  /// Waits for a key; none in time. The end of the input is kQuit.
+  /// Waits for a key; none on timeout. End of input is kQuit.
   std::optional<Key> wait(int milliseconds);
 
  private:
-  std::optional<termios> before_;  // none: no terminal
+  std::optional<termios> before_;  // none: not a terminal
 };
 
-/// Keys as programs know them: arrows or w a s d (i j k l), space stops, + and - change the speed, q,
-/// Ctrl-D, Ctrl-Z or Ctrl-backslash ends. `rest` is what follows an escape character.
+/// Key bindings: arrows or w a s d (i j k l), space stops, + and - change the speed,
+/// q, Ctrl-D, Ctrl-Z or Ctrl-backslash quit. `rest` follows an escape character.
 Key key_of(char first, const char* rest);
 
 }  // namespace playhouse::app

@@ -23,7 +23,7 @@ std::string_view name_of(scene::Use use) {
   return kUses.at(static_cast<std::size_t>(use));
 }
 
-/// Null for what there is nothing to say of.
+/// JSON string, or null if empty.
 std::string in_json(std::string_view text) {
   if (text.empty()) return "null";
   std::string out;
@@ -52,7 +52,7 @@ std::string json_of(const KindInterface& interf) {
                      in_json(name_of(interf.listed)));
 }
 
-/// The size, colour and solidity of a model without words of its own.
+/// Default size, colour and solidity of a model.
 std::string body_of(const Kind& kind) {
   if (kind.entity != scene::EntityForm::kModel) return "null";
   return fmt::format(R"({{"size":[{},{},{}],"color":[{},{},{},{}],"solid":{}}})", kind.size.x, kind.size.y,
@@ -72,7 +72,7 @@ void print_line(const Kind& kind) {
   fmt::print("{:<15} {}{}\n", kind.name, kind.doc, kind.simulated ? "" : " Not simulated yet.");
 }
 
-/// What a file has behind the word.
+/// Syntax of a word's value.
 std::string value_of(const Word& word) {
   const std::string form(word.form.empty() ? word.type : word.form);
   return word.unit.empty() ? form : fmt::format("{} ({})", form, word.unit);

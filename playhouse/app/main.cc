@@ -1,4 +1,4 @@
-/// The program: finds out what was asked for and does it.
+/// The program: parses the command line and runs the command.
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ bool called_player(std::string_view program) {
   return program.substr(program.rfind('/') + 1) == "player";
 }
 
-/// What was said before an exception that nobody catches may tell why it came.
+/// Flushes the log before terminate(): it may explain an uncaught exception.
 void flush_before_the_end() {
   static const std::terminate_handler otherwise = std::get_terminate();
   std::set_terminate([] {
@@ -36,7 +36,7 @@ void flush_before_the_end() {
   });
 }
 
-/// PLAYHOUSE_INSTRUCTION_SET, which tests set; results do not depend on it (docs/benchmarks.md).
+/// PLAYHOUSE_INSTRUCTION_SET, set by tests; results do not depend on it (docs/benchmarks.md).
 Result<void> choose_instruction_set() {
   const char* const wanted = std::getenv("PLAYHOUSE_INSTRUCTION_SET");
   if (wanted == nullptr) return {};
@@ -70,11 +70,11 @@ int main(int argc, char** argv) {
   int code = kDone;
   try {
     code = start(argc, argv);
-  } catch (const std::exception& error) {  // memory, threads, and standard output: nothing else throws
+  } catch (const std::exception& error) {  // memory, threads, standard output: nothing else throws
     if (std::ferror(stdout) == 0) {
       return fail({{}, error.what()});
     }
   }
-  playhouse::log::flush();  // what the log held back is told, too
+  playhouse::log::flush();  // including summaries of suppressed lines
   return finish_output(code);
 }

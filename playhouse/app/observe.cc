@@ -1,5 +1,5 @@
-/// `playhouse observe`: an observer without a browser, by datagrams. In: what a program sends. Out: JSON
-/// lines of who is where and what they say. docs/observers.md.
+/// `playhouse observe`: an observer without a browser, over datagrams.
+/// Prints poses and texts of models as JSON lines. docs/observers.md.
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@
 namespace playhouse::app {
 namespace {
 
-constexpr double kPatience = 0.05;  // s between looks at whether to end
+constexpr double kPatience = 0.05;  // s, period of checks for the end
 
 std::string quoted(const std::string& text) {
   return boost::json::serialize(boost::json::string(text));
@@ -65,7 +65,7 @@ class Observing {
                     view.x - view.radius, view.y - view.radius, view.x + view.radius, view.y + view.radius));
   }
 
-  /// Something came, or some time has gone by.
+  /// Called after input, and periodically.
   void turn() {
     replicate::DatagramObserver& observer = client_->observer();
     for (const std::string& notice : observer.world().take_notices()) log::warn("{}", escaped(notice));
@@ -84,7 +84,7 @@ class Observing {
     timer_ = loop_.after(kPatience, [this] { look_for_end(); });
   }
 
-  /// A name that nobody has is told, once the scene is there.
+  /// Warns of unknown names once the scene is there.
   void check_names() {
     names_are_known_ = true;
     std::vector<std::string_view> names;
@@ -117,7 +117,7 @@ class Observing {
     std::fflush(stdout);
   }
 
-  /// Those that stand for themselves, or those that were named.
+  /// The roots, or the named models.
   bool is_wanted(const replicate::ObservedModel& model) const {
     if (options_.names.empty()) return !model.parent;
     return std::ranges::find(options_.names, model.name) != options_.names.end();
@@ -141,7 +141,7 @@ class Observing {
         time_of(world.tick()), id, quoted(model.name), X_WM.x, X_WM.y, X_WM.z, X_WM.a, quoted(model.says)));
   }
 
-  /// False: nobody reads standard output any more.
+  /// False if standard output is closed.
   bool put(const std::string& line) {
     if (std::fwrite(line.data(), 1, line.size(), stdout) == line.size()) return true;
     if (!failure_) failure_ = Error{"", "standard output cannot be written"};
@@ -187,7 +187,7 @@ int observe(const ObserveOptions& options) {
   if (!server) return fail(server.error(), kUsage);
   const Result<net::Endpoint> endpoint = net::resolve(server->host, server->port);
   if (!endpoint) return fail(endpoint.error());
-  const Interrupt interrupt;  // from here on there is a session to end
+  const Interrupt interrupt;  // the session has to be closed from here on
   return Observing(options, interrupt).observe(*endpoint);
 }
 

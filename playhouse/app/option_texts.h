@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the texts of the command line may be, and what they mean. A check returns what is wanted in place of
-/// a text, as CLI11 asks for it, or nothing; a parser the value, or an error that says the same.
+/// Validators and parsers of option values. A validator returns an error message for
+/// CLI11, or an empty text; a parser the value, or an Error with the same message.
 
 #include <fmt/format.h>
 
@@ -18,8 +18,8 @@
 
 namespace playhouse::app {
 
-/// Whether `text` is a whole number that fits: CLI11 takes -1 for the largest number, and cuts off larger
-/// ones.
+/// Strict check for an integer in range: CLI11 wraps
+/// -1 to the largest number, and truncates overflow.
 template <typename Number>
 bool is_whole(const std::string& text, Number least = 0, Number most = std::numeric_limits<Number>::max()) {
   Number value = 0;
@@ -34,9 +34,9 @@ std::string check_count(const std::string& text) {
 }
 
 std::string check_port(const std::string& text);
-/// As net's listen() takes it: an address, which may name its interface (fe80::1%eth0).
+/// An address as accepted by net's listen(), maybe with a zone (fe80::1%eth0).
 std::string check_bind(const std::string& text);
-/// As a browser writes it: no address, which needs no telling, no port, no scheme.
+/// A host name as in a browser: no IP address (always allowed), no port, no scheme.
 std::string check_web_host(const std::string& text);
 std::string check_workers(const std::string& text);
 std::string check_not_negative(const std::string& text);
@@ -51,11 +51,11 @@ std::string check_show(const std::string& text);
 std::string check_renderer(const std::string& text);
 std::string check_engine(const std::string& text);
 
-/// A port, or "off": none.
+/// A port, or "off" for none.
 Result<std::optional<std::uint16_t>> parse_web(const std::string& text);
 /// "X,Y,RADIUS".
 Result<ViewSquare> parse_view(const std::string& text);
-/// A number of clients, or names between commas; "": one client.
+/// A number of clients, or comma-separated names; "": one client.
 Result<LockStepping> parse_lock_step(const std::string& text);
 
 }  // namespace playhouse::app

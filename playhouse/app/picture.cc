@@ -33,12 +33,12 @@ bool is_png(const std::string& path) {
   return std::filesystem::path(path).extension() == ".png";
 }
 
-/// What --show says, which the command line has checked.
+/// Value of --show, validated already.
 SensorShapes shown(const std::string& text) {
   return text.empty() ? SensorShapes() : *SensorShapes::parse(text);
 }
 
-/// The run at its start; or none, with the exit code, where it cannot be drawn or its file is wrong.
+/// A run at its start; null, with the exit code, if it cannot be rendered or its file is invalid.
 template <typename Options>
 std::unique_ptr<DrawnRun> open_run(const Options& options, const Drawing& drawing, int& code) {
   if (const Result<void> possible = drawing.possible(); !possible)
@@ -61,14 +61,14 @@ int write(const std::string& path, const std::string& bytes) {
   return written ? int{kDone} : fail_at(written.error());
 }
 
-/// When a film has pictures.
+/// Frame times of a film.
 struct Shots {
   std::uint64_t count = 0;
-  std::uint64_t ticks = 0;  // from one to the next
+  std::uint64_t ticks = 0;  // per frame
   double period = 0;        // s; the same
 
   static Result<Shots> of(const FilmOptions& options, double interval) {
-    constexpr double kMost = 1e9;  // of pictures, and of ticks between two
+    constexpr double kMost = 1e9;  // of frames, and of ticks per frame
     Shots shots;
     shots.ticks =
         static_cast<std::uint64_t>(std::clamp(std::round(1 / (options.rate * interval)), 1.0, kMost));
@@ -80,7 +80,7 @@ struct Shots {
   }
 };
 
-/// One film, by one renderer.
+/// One film by one renderer.
 class Filming {
  public:
   Filming(const FilmOptions& options, const Shots& shots, DrawnRun& run, Renderer& renderer,
@@ -92,7 +92,7 @@ class Filming {
   Filming(const Filming&) = delete;
   Filming& operator=(const Filming&) = delete;
 
-  /// As Drawing::Draw.
+  /// See Drawing::Draw.
   Result<int> film() {
     if (const Result<void> begun = run_.begin(); !begun) return fail_in_file(begun.error());
     const Result<View> view = view_of(run_.world(), options_.width);
@@ -133,7 +133,7 @@ class Filming {
   Renderer& renderer_;
   const Interrupt& interrupt_;
   const bool shows_progress_ = isatty(STDERR_FILENO) == 1;
-  std::optional<Error> not_drawn_;  // the renderer's, or that a signal came
+  std::optional<Error> not_drawn_;  // error of the renderer, or a signal
 };
 
 }  // namespace

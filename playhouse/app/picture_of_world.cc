@@ -26,12 +26,12 @@ constexpr double kEmpty = 10;       // m, side of a picture without bodies
 constexpr std::uint8_t kFloor[] = {236, 239, 244};  // so that white bodies are seen
 constexpr scene::Color kNose{0, 0, 0, 0.55f};
 
-/// A prism where its model stands, or a nose on it, each as a shape.
+/// Shapes of prisms at their models' poses, and of noses.
 class Bodies {
  public:
   explicit Bodies(const world::World& world) : world_(world) {}
 
-  /// In the order of the models.
+  /// In model order.
   std::vector<Shape> shapes() {
     std::vector<Shape> shapes;
     for (std::uint32_t row = 0; row < world_.models.size(); ++row) add(row, shapes);
@@ -48,7 +48,7 @@ class Bodies {
       shapes.push_back(placed(nose_of(world_.scene().models[desc]), row, kNose));
   }
 
-  /// A triangle on the front half of the body, as high as that.
+  /// A triangle on the front half of the top of the body.
   static Prism nose_of(const scene::ModelDesc& desc) {
     const double x = desc.size.x / 2, y = desc.size.y / 2, top = desc.X_MB.z + desc.size.z;
     Prism nose{{{{0.9 * x, 0}, {0.3 * x, 0.5 * y}, {0.3 * x, -0.5 * y}}}, top, top};
@@ -70,7 +70,7 @@ class Bodies {
     return shape;
   }
 
-  /// What a prism that is not upright covers, or its convex hull does.
+  /// Projection of a tilted prism: that of its convex hull.
   static Shape tilted(const Prism& prism, const geom::SpatialPose& X_WM, const scene::Color& color) {
     const geom::Quaternion q = geom::orientation(X_WM.X.a, X_WM.tilt);
     double top = -1e300;
@@ -91,7 +91,7 @@ class Bodies {
   std::map<std::uint32_t, std::vector<Prism>> prisms_;  // by description
 };
 
-/// Paints shapes over each other.
+/// Painter's algorithm.
 class Painter {
  public:
   explicit Painter(const View& view) : view_(view) {
@@ -127,13 +127,13 @@ class Painter {
  private:
   std::size_t width() const { return static_cast<std::size_t>(view_.width); }
 
-  /// x in pixels, y in lines of which a pixel has kRowsOfPixel, both from the left upper corner.
+  /// x in pixels, y in scan lines, kRowsOfPixel per pixel, from the upper left corner.
   Vec2 in_picture(Vec2 p) const {
     return {(p.x - view_.left) * view_.pixels_per_metre,
             (view_.top - p.y) * view_.pixels_per_metre * kRowsOfPixel};
   }
 
-  /// Rows of pixels that the parts touch, within the picture.
+  /// Pixel rows that the parts touch, clipped to the picture.
   std::pair<int, int> rows_of(const std::vector<geom::Trapezoid>& parts) const {
     double low = 1e300, high = -1e300;
     for (const geom::Trapezoid& part : parts) {
@@ -166,7 +166,7 @@ class Painter {
 
   View view_;
   Picture picture_;
-  std::vector<float> cover_;  // of pixels by one shape, 0 to 1
+  std::vector<float> cover_;  // coverage of a row's pixels by a shape, 0 to 1
 };
 
 }  // namespace
@@ -187,7 +187,7 @@ Result<View> view_of(const world::World& world, int width) {
   return View{width, static_cast<int>(height), box.x_min, box.y_max, width / across};
 }
 
-/// From the lowest top to the highest; of equals, bodies first, in the order of the models.
+/// Sorted by top height; ties: bodies first, in model order.
 Picture picture_of(const world::World& world, const View& view, const SensorShapes& seen) {
   std::vector<Shape> shapes = Bodies(world).shapes();
   seen.add_to(shapes, world, view.line_width());

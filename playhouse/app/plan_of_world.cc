@@ -17,12 +17,12 @@ namespace {
 using geom::Outline;
 using geom::Vec2;
 
-/// Draws outlines into a plan that has its size.
+/// Rasteriser into a plan.
 class Canvas {
  public:
   explicit Canvas(scene::Plan& plan) : plan_(plan) {}
 
-  /// The pixels whose middles are within an odd number of the outlines (even-odd rule).
+  /// Fills pixels with centres inside the outlines (even-odd rule).
   void fill(std::span<const Outline> outlines) {
     std::vector<std::vector<Vec2>> loops;
     for (const Outline outline : outlines)
@@ -35,7 +35,7 @@ class Canvas {
       });
   }
 
-  /// The pixels that an outline goes through.
+  /// Draws the pixels that an outline crosses.
   void draw(Outline outline) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Vec2 a = outline[i], e = outline[(i + 1) % outline.size()] - a;
@@ -51,12 +51,12 @@ class Canvas {
   }
 
  private:
-  /// From the left upper corner, y down.
+  /// From the upper left corner, y down.
   Vec2 in_pixels(Vec2 p) const {
     return {(p.x - plan_.X_WI.x) / plan_.resolution,
             plan_.solid.height - (p.y - plan_.X_WI.y) / plan_.resolution};
   }
-  /// The first column whose middle is right of x. [pixels]
+  /// The first column with its centre right of x. [pixels]
   static int column_after(double x) { return static_cast<int>(std::ceil(x - 0.5)); }
   void mark(int x, int row) {
     plan_.solid.solid[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan_.solid.width) +
@@ -66,7 +66,7 @@ class Canvas {
   scene::Plan& plan_;
 };
 
-/// Room for everything, with a pixel more on each side; where it begins is a multiple of the resolution.
+/// An empty plan with a margin of one pixel, aligned to multiples of the resolution.
 Result<scene::Plan> empty_plan(const geom::Box& walls, double resolution) {
   const double x0 = std::floor(walls.x_min / resolution) - 1, y0 = std::floor(walls.y_min / resolution) - 1;
   const double width = std::ceil(walls.x_max / resolution) + 1 - x0,
@@ -90,7 +90,7 @@ Result<scene::Plan> plan_of_world(const scene::SceneDesc& scene, double resoluti
   const world::World world(scene, 1);
   stage::Shapes shapes(scene);
   const stage::Solids solids = stage::make_fixed_solids(world, shapes);
-  std::map<std::uint32_t, std::vector<Outline>> bodies;  // those of a bitmap hold each other's holes
+  std::map<std::uint32_t, std::vector<Outline>> bodies;  // contours of a bitmap include holes
   std::vector<Outline> thin;
   geom::Box all;
   for (std::size_t row = 0; row < solids.size(); ++row) {

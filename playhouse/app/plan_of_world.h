@@ -6,9 +6,9 @@
 
 namespace playhouse::app {
 
-/// The walls of a scene as an image: what stands still and is at `height` above the floor [m]. A pixel is
-/// dark whose middle is within a wall, or that the outline of a wall goes through which is thinner than a
-/// pixel. Fails where nothing stands still at that height, and on more pixels than a bitmap may have.
+/// Rasterises the walls of a scene: static bodies at `height` above the floor [m]. A pixel is
+/// dark if its centre is inside a wall, or if the outline of a wall thinner than a pixel
+/// crosses it. Fails if nothing static is at that height, and beyond the size limit of bitmaps.
 Result<scene::Plan> plan_of_world(const scene::SceneDesc& scene, double resolution, double height);
 
 }  // namespace playhouse::app

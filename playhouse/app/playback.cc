@@ -8,7 +8,7 @@
 namespace playhouse::app {
 namespace {
 
-/// Moments that the slider has, at most: of a long recording they lie farther apart.
+/// Maximum number of keyframes for the page's slider: spacing grows with the length.
 constexpr std::uint64_t kMoments = 3600;
 
 std::shared_ptr<const world::Past> moments(std::uint64_t first, std::uint64_t last, double interval) {

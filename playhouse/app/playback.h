@@ -1,7 +1,7 @@
 #pragma once
 
-/// Playback: what people may do to a recorded run that is shown again: pause it, let it go on at any speed,
-/// and go to any moment of it. What else they ask for changes nothing. Threads: as world::Control.
+/// Playback: control of a replayed recording: pause, any speed,
+/// seek. Other requests have no effect. Threads: as world::Control.
 
 #include <memory>
 #include <string>
@@ -13,10 +13,10 @@ namespace playhouse::app {
 
 class Playback final : public world::Control {
  public:
-  /// Both outlive it; the rerun is the simulation's engine.
+  /// Both must outlive it; the rerun is the simulation's engine.
   Playback(drivers::Simulation& simulation, record::Rerun& rerun);
 
-  /// To be called after every tick: a run that has come to its end stands there. Tick thread.
+  /// Pauses at the end of the recording. To be called after every tick. Tick thread.
   void look_for_end();
 
   std::string why_fixed() const override { return "this is a recording: nothing in it can be changed"; }
@@ -25,7 +25,7 @@ class Playback final : public world::Control {
   void step_once() override { simulation_.step_once(); }
   void set_speed(double times_real_time) override { simulation_.set_speed(times_real_time); }
   void drive(world::ModelId, const geom::Twist&) override {}
-  /// Takes the change, which never happens.
+  /// Accepts the change and drops it.
   bool post(std::function<void(world::World&)>, world::ModelId) override { return true; }
   void record(bool) override {}
   std::shared_ptr<const world::Past> past() const override { return past_; }

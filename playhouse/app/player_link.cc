@@ -21,8 +21,8 @@
 namespace playhouse::app {
 namespace {
 
-/// Exit code of Player's server for a wrong command line, for help, and for a file that is wrong. A file that
-/// is not there is kFailed.
+/// Exit code of Player's server for a wrong command line, for
+/// help, and for an invalid file. A missing file is kFailed.
 constexpr int kPlayerUsage = 255;
 
 constexpr const char* kHelp =
@@ -41,13 +41,13 @@ struct PlayerOptions {
   std::string file;
 };
 
-/// As the original reads numbers: what is none is 0.
+/// Like the original: invalid numbers are 0.
 int number(const char* text) {
   return std::atoi(text);
 }
 
-/// The options as the original takes them: in any order, letters together, the first file counts. None for a
-/// wrong command line.
+/// Parses options like the original: any order, combined
+/// letters, the first file counts. None if invalid.
 std::optional<PlayerOptions> parse(std::span<const char* const> words) {
   std::string program = "player";
   std::vector<std::string> copies(words.begin(), words.end());
@@ -56,7 +56,7 @@ std::optional<PlayerOptions> parse(std::span<const char* const> words) {
   arguments.push_back(nullptr);
   PlayerOptions options;
   const int count = static_cast<int>(arguments.size()) - 1;
-  // getopt moves files behind the options and says itself what is wrong.
+  // getopt moves files behind options and reports errors itself.
   for (int option = 0; (option = getopt(count, arguments.data(), "p:d:l:qsh")) != -1;) {
     switch (option) {
       case 'p':
@@ -84,7 +84,7 @@ std::optional<PlayerOptions> parse(std::span<const char* const> words) {
   return options;
 }
 
-/// As Player ends: 0 by Ctrl-C and SIGTERM, 255 for files and ports that cannot be used.
+/// Exit code like Player's: 0 for Ctrl-C and SIGTERM, 255 for unusable files and ports.
 int player_code(int code) {
   if (code == 128 + SIGINT || code == 128 + SIGTERM) return kDone;
   return code == kFailed || code == kUsage ? kPlayerUsage : code;

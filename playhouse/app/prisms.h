@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a model looks like, as prisms: for pictures and meshes.
+/// Shape of a model as prisms, for pictures and meshes.
 
 #include <vector>
 
@@ -9,8 +9,8 @@
 
 namespace playhouse::app {
 
-/// What is inside of an odd number of the loops, extruded in z. Solid is to the left of each loop. Frame M of
-/// the model.
+/// The even-odd inside of loops, extruded in z. The solid
+/// side is on the left of each loop. Frame M of the model.
 struct Prism {
   std::vector<std::vector<geom::Vec2>> loops;  // m
   double z_min = 0, z_max = 0;                 // m
@@ -19,7 +19,7 @@ struct Prism {
 /// A prism for each block of a body and for each bitmap.
 std::vector<Prism> prisms_of(const scene::ModelDesc& desc);
 
-/// The area of a prism in trapezoids.
+/// The base area of a prism as trapezoids.
 std::vector<geom::Trapezoid> top_of(const Prism& prism);
 
 }  // namespace playhouse::app

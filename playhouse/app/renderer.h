@@ -1,7 +1,7 @@
 #pragma once
 
-/// Renderer: what draws pictures of a world as it stands. There are two: ours (picture_of_world.h), and the
-/// page in Chromium (chromium_renderer.h).
+/// Renderer: draws pictures of a world's present state. Implementations: our
+/// own (picture_of_world.h), and the page in Chromium (chromium_renderer.h).
 
 #include "playhouse/app/picture_of_world.h"
 #include "playhouse/base/result.h"
@@ -15,12 +15,12 @@ class Renderer {
  public:
   virtual ~Renderer() = default;
 
-  /// For how long before a picture it wants to see() the world every kSeePeriod, since what was remains
-  /// visible. 0: it draws what is. [s]
+  /// Time before a picture during which see() has to be called
+  /// every kSeePeriod, to accumulate trails. 0: not needed. [s]
   virtual double memory() const { return 0; }
   virtual Result<void> see(const world::World&) { return {}; }
 
-  /// Fails where it cannot, with a text that goes on from its name.
+  /// Fails with a predicate for its name.
   virtual Result<Picture> draw(const world::World& world, const View& view) = 0;
 };
 

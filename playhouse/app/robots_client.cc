@@ -23,8 +23,8 @@ namespace {
 namespace sim = wire::simulation;
 
 constexpr drivers::RemoteDevice kWorld{sim::kCode, 0};
-constexpr double kLookAfter = 2;  // s between looks at whether the robots are there
-constexpr unsigned kMissed = 2;   // looks in a row: a server that has much to do refuses, too
+constexpr double kLookAfter = 2;  // s, poll period
+constexpr unsigned kMissed = 2;   // consecutive polls: a busy server also refuses
 
 /// x, y and heading as float64, then texts that end with NUL: name, color, sensors (docs/robot-client.md).
 std::string value_of(const scene::RobotDesc& robot) {
@@ -49,13 +49,13 @@ std::vector<std::byte> property(const std::string& name, const std::string& what
   return wire::encode(request);
 }
 
-/// The text of an answer; nothing where there is none.
+/// Text of a reply; empty if there is none.
 std::string text_of(std::span<const std::byte> body) {
   const Result<sim::PropertyReq> told = wire::decode<sim::PropertyReq>(body);
   return told ? std::string(wire::text(told->value)) : std::string();
 }
 
-/// "laser:7"
+/// Parses "laser:7".
 std::optional<drivers::RemoteDevice> parse_device(const std::string& text) {
   const Result<scene::DeviceAddress> address = scene::parse_device_address(text);
   const wire::InterfaceDef* const interf = address ? wire::find_interface(address->interf) : nullptr;
@@ -97,7 +97,7 @@ void RobotsClient::bring_next() {
   relay_->remote().ask(
       kWorld, sim::kReqSetProperty, property(robot.desc.type, "robot", value_of(robot.desc)),
       [this, &robot](bool ack, std::span<const std::byte> body) {
-        if (!relay_->remote().is_connected()) return;  // which has been told
+        if (!relay_->remote().is_connected()) return;  // reported already
         const std::string told = text_of(body);
         if (ack) return came(robot, told);
         fail_with({robot.desc.where, told.empty() ? relay_->remote().name() + " takes no robots" : told});
@@ -133,7 +133,7 @@ device::Address RobotsClient::address_of(const Robot& robot, std::uint16_t port,
   return {port, interf, static_cast<std::uint16_t>(index)};
 }
 
-/// Nobody who connects finds the port without its devices: both come in one turn of the loop.
+/// Port and devices appear in one turn of the loop, so no client can see a port without devices.
 void RobotsClient::serve(Robot& robot, const std::string& devices) {
   const Result<std::uint16_t> port = open_port(robot);
   if (!port) return fail_with(port.error());
@@ -158,7 +158,7 @@ void RobotsClient::serve(Robot& robot, const std::string& devices) {
   if (next_ == robots_.size() && !look_after_) look_after();
 }
 
-/// A robot of which nobody has a device open goes without a word.
+/// Polls, since robots without open devices are removed without notice.
 void RobotsClient::look_after() {
   for (Robot& robot : robots_) {
     if (robot.gone || !robot.joined) continue;
@@ -171,7 +171,7 @@ void RobotsClient::look_after() {
   look_after_ = service_.loop().after(kLookAfter, [this] { look_after(); });
 }
 
-/// Its first device is the robot's own.
+/// A robot's first device is its own.
 void RobotsClient::retired(drivers::RemoteDevice device) {
   for (Robot& robot : robots_)
     if (!robot.devices.empty() && robot.devices.front() == device) gone(robot);

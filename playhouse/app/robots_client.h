@@ -1,7 +1,7 @@
 #pragma once
 
-/// RobotsClient: robots of this machine in the world of another one. One connection brings them there and
-/// relays their devices; when it ends they leave.
+/// RobotsClient: puts local robots into a remote world. One connection
+/// spawns them and relays their devices; when it closes they are removed.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,15 +19,15 @@ namespace playhouse::app {
 class RobotsClient {
  public:
   struct Options {
-    std::string host;  // of the world's server
+    std::string host;  // of the remote server
     std::uint16_t server_port = 6665;
-    std::string bind;           // of the ports here
-    std::uint16_t port = 6665;  // of the first robot that names none, the next ones follow; 0: any free ones
+    std::string bind;           // address of the local ports
+    std::uint16_t port = 6665;  // for the first robot without a port, counting up; 0: any free ones
   };
-  /// `service`, in which it opens the site, outlives it.
+  /// `service` must outlive it; the site is opened in it.
   RobotsClient(DeviceService& service, Options options, std::vector<scene::RobotDesc> robots);
 
-  /// Begins to connect. What goes wrong ends the service, with one line.
+  /// Starts connecting. Errors end the service, with one log line.
   void begin();
 
  private:
@@ -36,7 +36,7 @@ class RobotsClient {
     std::string name;  // in the world
     std::vector<drivers::RemoteDevice> devices;
     bool joined = false, gone = false;
-    unsigned missed = 0;  // times in a row that the server did not know it
+    unsigned missed = 0;  // consecutive polls in which the server did not list it
   };
 
   void bring_next();
@@ -46,14 +46,14 @@ class RobotsClient {
   void look_after();
   void gone(Robot& robot);
   Result<std::uint16_t> open_port(const Robot& robot);
-  /// The address here of the robot's next device of an interface.
+  /// The local address of the robot's next device of an interface.
   device::Address address_of(const Robot& robot, std::uint16_t port, std::uint16_t interf) const;
   void fail_with(const Error& error);
 
   DeviceService& service_;
   Options options_;
   std::vector<Robot> robots_;
-  std::size_t next_ = 0;  // to be brought
+  std::size_t next_ = 0;  // next to be spawned
   std::uint16_t next_port_;
   drivers::Passthrough* relay_;
   std::unique_ptr<net::Timer> look_after_;

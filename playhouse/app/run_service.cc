@@ -54,7 +54,7 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
   const Outcome outcome = service.run();
   log::info("simulated {:.1f} s in {:.2f} s, {:.2f} times real time", outcome.sim_time, outcome.wall_time,
             outcome.real_time_factor);
-  log::flush();  // the result is the last that a terminal shows
+  log::flush();  // so that the result is the last output on a terminal
   if (running.json) fmt::print("{}\n", outcome.json());
   if (outcome.signal != 0) return 128 + outcome.signal;
   return service.all_saved() ? kDone : kFailed;

@@ -22,10 +22,10 @@ using geom::Vec2;
 
 constexpr int kConeSteps = 8;
 constexpr scene::Color kMark{0.88f, 0.54f, 0, 0.9f};       // lines to fiducials
-constexpr scene::Color kView{0.55f, 0.25f, 0.75f, 0.12f};  // what a camera has in view
-constexpr float kLink = 0.6f;                              // alpha of a link without losses
+constexpr scene::Color kView{0.55f, 0.25f, 0.75f, 0.12f};  // camera's field of view
+constexpr float kLink = 0.6f;                              // alpha of a lossless link
 
-/// What a picture has of one model.
+/// Drawing context of one model.
 struct Sketch {
   const world::World& world;
   world::ModelRow model;
@@ -47,7 +47,7 @@ struct Sketch {
   }
 };
 
-/// A point so far away in a direction.
+/// A point at a bearing and distance from X.
 Vec2 point_at(const Pose& X, double bearing, double distance) {
   return X.xy() + Rotation::of(X.a + bearing) * Vec2{distance, 0};
 }
@@ -61,7 +61,7 @@ void add_scans(const Sketch& sketch) {
     const Pose X_WS = geom::compose(sketch.X_WB(), sensor.X_BS);
     const std::span<const float> ranges =
         std::span(world.sensors.ranges).subspan(world.sensors.first_beam[row], world.sensors.beam_count[row]);
-    // A single beam stands for all of the angle in which its sensor hears.
+    // A single beam stands for the sensor's whole cone.
     const std::size_t corners = ranges.size() == 1 ? kConeSteps + 1 : ranges.size();
     std::vector<Vec2> fan{X_WS.xy()};
     for (std::size_t k = 0; k < corners; ++k) {
@@ -73,7 +73,7 @@ void add_scans(const Sketch& sketch) {
   }
 }
 
-/// A line to each thing, by its bearing and range.
+/// A line to each detection, by bearing and range.
 template <typename Things>
 void add_lines(const Sketch& sketch, const Things& things, const scene::Color& color) {
   const Pose X_WB = sketch.X_WB();
@@ -102,7 +102,7 @@ void add_finds(const Sketch& sketch) {
             sketch.world.models.color[sketch.model.index]);
 }
 
-/// From the nearest to the farthest that it shows, which it counts along the way it looks.
+/// Field of view between near and far planes, along the optical axis.
 void add_view(const Sketch& sketch) {
   const world::World& world = sketch.world;
   const scene::CameraDesc& camera = *world.desc(sketch.model).camera;
@@ -117,11 +117,11 @@ void add_view(const Sketch& sketch) {
               X_WB.z, kView);
 }
 
-/// A kind of sensors that is drawn.
+/// A kind of sensor that can be drawn.
 struct Drawn {
   std::string_view name;
   scene::ModelKind kind;
-  bool measures;  // it shows what was measured, and nothing before
+  bool measures;  // draws measurements, nothing before the first
   void (*add)(const Sketch& sketch);
 };
 

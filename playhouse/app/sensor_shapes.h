@@ -1,8 +1,8 @@
 #pragma once
 
-/// What sensors see, as shapes of a picture from above: scans and pings of rangers as filled fans, a line
-/// from a finder to each fiducial, from a detector to each thing that it finds and from a radio to each that
-/// it hears, what is in view of a camera. A kind more is an entry of the list in sensor_shapes.cc.
+/// Sensor data as shapes for pictures from above: scans and sonar cones as filled fans,
+/// lines from a finder to its fiducials, a detector to its detections and a radio to its
+/// links, view fields of cameras. A new kind is an entry in the list in sensor_shapes.cc.
 
 #include <cstddef>
 #include <string>
@@ -17,23 +17,23 @@ namespace playhouse::app {
 
 class SensorShapes {
  public:
-  /// None are drawn.
+  /// Selects none.
   SensorShapes() = default;
 
-  /// The words that parse() knows, as a text.
+  /// The names that parse() accepts, as a text.
   static std::string names();
-  /// Those of some kinds: their names between commas, or "all". Fails on what is no kind that is drawn.
+  /// Parses comma-separated kinds, or "all". Fails on unknown ones.
   static Result<SensorShapes> parse(std::string_view text);
 
-  /// Has the sensors measure for whoever looks, which changes nothing else. Before the first tick.
+  /// Subscribes the sensors as a passive viewer. Before the first tick.
   void watch(world::World& world) const;
 
-  /// Appends what has been measured, as shapes of one loop, all of which can be seen from its first corner.
-  /// Lines are so broad. [m]
+  /// Appends the latest measurements as star-shaped loops,
+  /// visible from their first corner. `line_width` in metres.
   void add_to(std::vector<Shape>& shapes, const world::World& world, double line_width) const;
 
  private:
-  std::vector<std::size_t> drawn_;  // places in the list, ascending
+  std::vector<std::size_t> drawn_;  // indices in the list, ascending
 };
 
 }  // namespace playhouse::app

@@ -1,7 +1,7 @@
 #pragma once
 
-/// ServerSurroundings: where the drivers of a program live that serves their devices by a Server on an event
-/// loop of its own. Who has the two gives them, and says what worlds there are.
+/// ServerSurroundings: the environment of drivers whose devices are served
+/// by a Server on an event loop. Derived classes own both, and open worlds.
 
 #include <functional>
 #include <utility>

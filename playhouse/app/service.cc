@@ -68,7 +68,7 @@ Service::Service(Serving serving, Running running, QuitTime quit_time)
 }
 
 Service::~Service() {
-  // Nobody may be left who answers a request when the server, who sends the answers, goes.
+  // Pending requests are rejected while the server, which sends the replies, exists.
   if (site_ != nullptr && site_->simulation() != nullptr) site_->simulation()->discard();
 }
 
@@ -123,7 +123,7 @@ Result<void> Service::let_clients_save(const std::string& file) {
 }
 
 Result<void> Service::save_at(const SaveAt& save) {
-  // Who cannot be saved is told now, not after an hour.
+  // Reports controllers that cannot be saved now, rather than at the time of the save.
   std::vector<std::byte> ignored;
   const Result<void> saved =
       is_world_file(save.file) ? Result<void>() : world::save_state(simulation().world(), ignored);
@@ -191,13 +191,13 @@ Result<void> Service::open_ports() {
 }
 
 Result<void> Service::make_devices() {
-  drivers::Surroundings& surroundings = *this;  // a private base, which make_unique cannot see
+  drivers::Surroundings& surroundings = *this;  // private base, not accessible to make_unique
   site_ = std::make_unique<drivers::Site>(surroundings, serving_.port);
   site_->data_flow().pass_to(*server_);
   const Result<void> made = recording_ ? open_playback() : cfg_ ? make_drivers() : add_robots();
   if (made && site_->simulation() != nullptr)
     if (drivers::LockStep* lock_step = simulation().lock_step()) server_->take_turns(*lock_step);
-  // Before anybody is told where to connect: who reads that may end us at once.
+  // Before ports are announced: a reader of those may send a signal at once.
   if (made) catch_signals();
   return made;
 }
@@ -334,7 +334,7 @@ void Service::catch_signals() {
     int none = 0;
     if (signal_.compare_exchange_strong(none, signal)) return stop();
     if (signal != SIGHUP)
-      std::_Exit(128 + signal);  // asked twice: at once; a closed terminal may say so twice
+      std::_Exit(128 + signal);  // second signal: at once; a closed terminal may send it twice
   };
   if (ends_on_hangup()) {
     signal_loop_.on_signal({SIGINT, SIGTERM, SIGHUP}, end);
@@ -345,7 +345,7 @@ void Service::catch_signals() {
 
 void Service::show_progress() {
   const world::Pace pace = simulation().pace();
-  // The factor is measured over a second: at first there is none to show.
+  // The factor is measured over a second: unavailable at first.
   const bool measured = pace.paused || pace.real_time_factor > 0;
   const std::string factor = measured ? fmt::format("{:.2f}x real time, ", pace.real_time_factor) : "";
   log::show_progress(fmt::format("{:.1f} s simulated, {}{} clients ", simulation().time(), factor,
@@ -363,7 +363,7 @@ Outcome Service::run(const std::function<void(int signal)>& ended) {
   simulation().run();
   const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (ended) ended(signal_.load());
-  simulation().discard();  // nobody would answer what is asked from now on
+  simulation().discard();  // nobody would reply from now on
   loop_.post([this] { server_->finish([this] { loop_.finish(); }); });
   if (observers_) web_loop_.post([this] { observers_->say_goodbye("the run has ended"); });
   web_loop_.stop();
@@ -371,7 +371,7 @@ Outcome Service::run(const std::function<void(int signal)>& ended) {
   web.join();
   signal_loop_.stop();
   signals.join();
-  end_at_once_on_signals();  // the loop takes them no more
+  end_at_once_on_signals();  // no longer handled by the loop
   if (shows_progress) log::show_progress("");
   saving_works_ = world_saver_.finish() && saving_works_;
   if (recorder_) {

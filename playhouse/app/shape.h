@@ -7,10 +7,10 @@
 
 namespace playhouse::app {
 
-/// Something of a picture from above: what is inside of an odd number of the loops, in one color.
+/// A filled shape in a picture from above: the even-odd inside of the loops, in one colour.
 struct Shape {
   std::vector<std::vector<geom::Vec2>> loops;  // m, in W
-  double z_max = 0;                            // m, in W: what is higher covers what is lower
+  double z_max = 0;                            // m, in W: painting order
   scene::Color color;
 };
 

@@ -20,7 +20,7 @@ bool reader_left() {
 
 void keep_standard_streams() {
   int file = STDIN_FILENO;
-  // For reading: what is written there fails, and does not pass for seen.
+  // Read-only: writes fail instead of being lost silently.
   while (file >= STDIN_FILENO && file <= STDERR_FILENO) file = open("/dev/null", O_RDONLY);
   if (file >= 0) close(file);
 }

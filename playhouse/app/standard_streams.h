@@ -2,12 +2,12 @@
 
 namespace playhouse::app {
 
-/// Opens what is closed of standard input, output and error on nothing: the next file or socket would get its
-/// number, and what is printed would go there. Call first.
+/// Opens closed standard streams on /dev/null: otherwise the next file or
+/// socket would get their descriptors, and output would go there. Call first.
 void keep_standard_streams();
 
-/// Writes the rest of standard output and returns the exit code: `code`, or kFailed and a line if the output
-/// was lost. A reader that left (`| head -1`) has seen what it wanted.
+/// Flushes standard output and returns the exit code: `code`, or kFailed with
+/// a message if output was lost. A closed pipe (`| head -1`) is not an error.
 int finish_output(int code);
 
 }  // namespace playhouse::app

@@ -14,13 +14,13 @@
 namespace playhouse::app {
 namespace {
 
-/// One of the runs that are compared.
+/// One of the compared runs.
 struct Side {
   unsigned workers;
   std::unique_ptr<world::Engine> engine;
 };
 
-/// A single number of workers runs twice: two runs may differ for other reasons than threads.
+/// A single worker count is run twice: runs may differ for other reasons than threads.
 std::vector<unsigned> workers_of(const VerifyOptions& options) {
   std::vector<unsigned> workers = options.workers;
   if (workers.empty()) workers = {1, 2, 4};
@@ -34,7 +34,7 @@ Result<std::vector<Side>> open_sides(const scene::SceneDesc& scene, const Verify
   for (const unsigned workers : workers_of(options)) {
     Running running = options.running;
     running.workers = workers;
-    // Warnings are those of the world: once is enough.
+    // Warnings are about the world: print them once.
     const Warn warn_once = sides.empty() ? Warn(&warn) : Warn([](const std::string&) {});
     Result<std::unique_ptr<world::Engine>> engine =
         make_engine(scene, running, controllers::Libraries::Use::kLoad, warn_once, {}, &others);
@@ -51,7 +51,7 @@ std::string text_of(const world::Difference& difference, const world::World& wor
                      difference.column);
 }
 
-/// The first difference of any run from the first one, told; false if there is none.
+/// Reports the first difference of any run from the first one; false if there is none.
 bool tell_difference(const std::vector<Side>& sides) {
   world::World& first = sides.front().engine->world();
   for (std::size_t i = 1; i < sides.size(); ++i) {

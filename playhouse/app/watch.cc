@@ -14,7 +14,7 @@
 namespace playhouse::app {
 namespace {
 
-constexpr client::Seconds kPatience{0.25};  // between looks at whether to end
+constexpr client::Seconds kPatience{0.25};  // period of checks for the end
 
 /// One message as a line: {"message":"laser.data.scan","index":0,"time":1.5,"data":{...}}
 std::string line_of(const client::Device& device, std::uint8_t subtype, std::span<const std::byte> body,
@@ -30,7 +30,7 @@ std::string line_of(const client::Device& device, std::uint8_t subtype, std::spa
   return line + "}\n";
 }
 
-/// Ends when enough was printed, a signal came, or nobody reads standard output any more.
+/// Ends after `count` messages, on a signal, or if standard output is closed.
 Result<void> print_data(client::Client& client, client::Device& device, std::uint64_t count,
                         const Interrupt& interrupt) {
   std::uint64_t printed = 0;
@@ -75,7 +75,7 @@ int watch(const WatchOptions& options) {
   Result<client::Device> device = client::Device::open(*client, name->interf, name->index);
   if (!device)
     return fail({device.error().where, device.error().text + "; playhouse devices lists what there is"});
-  const Interrupt interrupt;  // from here on there are lines to end
+  const Interrupt interrupt;  // output lines have to be completed from here on
   if (const Result<void> printed = print_data(*client, *device, options.count, interrupt); !printed) {
     return fail(printed.error());
   }

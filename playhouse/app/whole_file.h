@@ -8,11 +8,11 @@
 
 namespace playhouse::app {
 
-/// All bytes of a file. The error names it.
+/// Reads a whole file. Errors include its name.
 Result<std::string> read_file(const std::string& path);
 
-/// Writes a file as a whole: who reads it meanwhile, or after a failure, finds the old one. The error names
-/// it.
+/// Writes a file atomically: concurrent readers, and readers after
+/// a failure, see the old contents. Errors include its name.
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes);
 
 }  // namespace playhouse::app

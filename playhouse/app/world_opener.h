@@ -1,6 +1,6 @@
 #pragma once
 
-/// From a scene to a simulation that is ready to run: engine, controllers, pace.
+/// From a scene to a simulation ready to run: engine, controllers, pace.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,40 +20,40 @@
 
 namespace playhouse::app {
 
-/// Takes a line about something odd in a file, "file:line: text".
+/// Handler of a warning about a file, "file:line: text".
 using Warn = std::function<void(const std::string&)>;
 
-/// Makes an engine of some kind at tick 0. The scene must outlive it. Fails on a scene that it cannot run.
+/// Factory of an engine at tick 0. The scene must outlive it. Fails on a scene that the engine cannot run.
 using EngineMaker = std::function<Result<std::unique_ptr<world::Engine>>(
     const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)>;
 
-/// The engine of this name. Fails if there is none.
+/// The factory of this name. Fails if there is none.
 Result<EngineMaker> engine_named(std::string_view name);
 
-/// A world file as a person names it, with what its controllers make during a run; its warnings are told.
-/// Fails as scene::load_world(). `sources`, if given, gets the files.
+/// Reads a world file named by a user, with what its controllers may spawn; logs
+/// warnings. Fails like scene::load_world(). `sources`, if given, gets the files.
 Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others,
                                     scene::SourceFiles* sources = nullptr);
 
-/// An engine for the scene, with the controllers that its models name: what `make` makes, or else the one
-/// that `running` names. The scene must outlive it. `others`, if given, gets the errors after the first.
+/// Makes an engine with the controllers that models name: by `make`, otherwise the one
+/// named in `running`. The scene must outlive it. `others`, if given, gets further errors.
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
                                                    controllers::Libraries::Use use, const Warn& warn,
                                                    const EngineMaker& make = {},
                                                    std::vector<Error>* others = nullptr);
 
-/// Whether the world file's quit_time ends the run.
+/// Whether quit_time of the world file ends the run.
 enum class QuitTime : std::uint8_t { kHonoured, kIgnored };
 
-/// How the run relates to the wall clock: what the command line says, else what the file says. A file that
-/// wants speedup 0 (as fast as possible) runs in real time: clients could not keep up with it, and --fast
-/// asks for it. A file that wants to start paused does so where somebody can resume it: where a page is
-/// served. In lock-step the clients alone say how fast it goes, unless the command line gives a speed, which
-/// is the fastest then.
+/// Pace of the run: command line first, then the file. A file with
+/// speedup 0 (as fast as possible) runs in real time, since clients
+/// could not keep up; use --fast for that. A file with paused starts
+/// paused only if there is a page to resume it. In lock-step the
+/// clients set the pace; a speed on the command line is an upper bound.
 drivers::Simulation::Options pace_of(const scene::SceneDesc& scene, const Serving& serving,
                                      const Running& running, QuitTime quit_time);
 
-/// Robots: position models at the top of the scene.
+/// The number of robots: root position models.
 std::size_t count_robots(const world::World& world);
 
 }  // namespace playhouse::app

@@ -20,7 +20,7 @@ void WorldSaver::save(const world::World& world, const std::string& file) {
     if (waiting == jobs_.end()) {
       jobs_.push_back(std::move(job));
     } else {
-      std::swap(*waiting, job);  // what gives way is destroyed without the lock
+      std::swap(*waiting, job);  // the replaced scene is destroyed without the lock
     }
     ending_ = false;
   }

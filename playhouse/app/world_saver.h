@@ -1,7 +1,7 @@
 #pragma once
 
-/// WorldSaver: writes worlds as they stand into world files, on a thread of its own, so that no tick waits
-/// for a disk.
+/// WorldSaver: saves worlds as world files in the
+/// background, so that no tick waits for the disk.
 
 #include <condition_variable>
 #include <deque>
@@ -21,11 +21,11 @@ class WorldSaver {
   WorldSaver(const WorldSaver&) = delete;
   WorldSaver& operator=(const WorldSaver&) = delete;
 
-  /// The world of now is to be in the file soon; one that waits for the same file gives way. The log says
-  /// what became of it. Tick thread; costs what as_scene() does.
+  /// Queues a save of the present world; replaces a pending one for the same
+  /// file. The outcome is logged. Tick thread; costs as much as as_scene().
   void save(const world::World& world, const std::string& file);
 
-  /// Waits for what is to be saved. True if all of it was, from the beginning on. Tick thread.
+  /// Waits for pending saves. True if all saves so far succeeded. Tick thread.
   bool finish();
 
  private:
@@ -41,7 +41,7 @@ class WorldSaver {
   std::condition_variable changed_;
   std::deque<Job> jobs_;
   bool ending_ = false, all_saved_ = true;
-  std::thread thread_;  // from the first job on; the tick thread's
+  std::thread thread_;  // started by the first job; owned by the tick thread
 };
 
 }  // namespace playhouse::app

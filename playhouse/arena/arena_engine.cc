@@ -13,20 +13,20 @@ namespace {
 using geom::Pose;
 using world::ModelRow;
 
-constexpr double kLongestStep = 0.01;  // s, of Physics
+constexpr double kLongestStep = 0.01;  // s, substep of Physics
 constexpr unsigned kStepsKept = 10;    // between two calls of Physics::forget(), which looks 0.1 s ahead
-// What is slower than this for so long rests.
+// Sleeping: thresholds of velocity and time.
 constexpr double kSlow = 0.005;      // m/s
 constexpr double kSlowTurn = 0.02;   // rad/s
 constexpr double kRestAfter = 0.5;   // s
 constexpr double kLeastTilt = 1e-6;  // rad; tilts below this are set to zero
-constexpr double kStalled = 0.2;     // of the motion that its wheels make; a robot that moves less stalls
-// A part stalls that is deeper within something than this, and than what gives way lags behind it.
+constexpr double kStalled = 0.2;     // share of the commanded motion; a robot with less stalls
+// A kinematic part stalls if it penetrates deeper than this, and than the expected lag of what it pushes.
 constexpr double kPressed = 0.01;  // m
-constexpr double kLeft = 0.8;      // of a depth, which contacts leave after a step
-constexpr double kCare = 1.5;      // times that lag
+constexpr double kLeft = 0.8;      // share of a penetration that contacts leave after a step
+constexpr double kCare = 1.5;      // safety factor on that lag
 
-/// How far what gives way is behind a part that comes nearer by 1 in each tick of so many steps.
+/// Steady-state penetration into a pushed body, for an approach of 1 per tick of so many steps.
 double lag_after(unsigned steps) {
   double left = 1;
   for (unsigned step = 0; step < steps; ++step) left *= kLeft;
@@ -47,7 +47,7 @@ bool is_moving(const world::World& world, const stage::Mover& mover) {
   return stage::with_move(mover.kind, [&](auto move) { return move.is_moving(world, mover.part); });
 }
 
-/// Whether a model is `carrier` or on it.
+/// True if a model is `carrier` or attached to it.
 bool carries(const world::Models& models, std::uint32_t carrier, std::uint32_t model) {
   while (model != carrier && model != models.root[model]) model = models.parent[model];
   return model == carrier;
@@ -92,7 +92,7 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
   auto [hulls, models] = hulls_of(world_, trees_, solids_, tree, body.part, mesh_hulls_);
   if (hulls.empty()) {
-    body.part = Part::kGuided;  // an outline that encloses nothing
+    body.part = Part::kGuided;  // degenerate outline
     return body;
   }
   for (const Hull& hull : hulls)
@@ -105,7 +105,7 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
 
 world::PhysicsShapes ArenaEngine::shapes() const {
   world::PhysicsShapes shapes;
-  // Meshes that stand still are what they look like: their triangles.
+  // Static meshes collide with their triangles: nothing to add.
   for (FixedSolid& solid : fixed_solids(world_, solids_))
     if (!solid.hull.empty()) shapes.fixed.push_back(std::move(solid.hull));
   for (std::uint32_t tree = 0; tree < trees_.size(); ++tree)
@@ -144,7 +144,7 @@ void ArenaEngine::move() {
   index();
 }
 
-/// From columns to Physics, so that what is in columns alone decides.
+/// Copies the state of a tree from columns to Physics: columns are authoritative.
 void ArenaEngine::load(std::uint32_t tree) {
   Body& body = bodies_[tree];
   if (body.number == Body::kNone) return;
@@ -157,7 +157,7 @@ void ArenaEngine::load(std::uint32_t tree) {
     physics_.drive(body.number, world_.positions.velocity[world_.models.part[top]]);
 }
 
-/// What nothing pushes moves through the tick as fast as its top does.
+/// A kinematic body moves through the tick with the velocity of its movers.
 void ArenaEngine::load_guided(std::uint32_t tree) {
   const std::uint32_t top = trees_.root[tree];
   BodyState state = state_of(world_.models, top);
@@ -174,7 +174,7 @@ void ArenaEngine::load_guided(std::uint32_t tree) {
   physics_.put(bodies_[tree].number, state, !moves);
 }
 
-/// The solids of parts to where their joints have them.
+/// Updates hulls of an articulated body to its joint positions.
 void ArenaEngine::bend(std::uint32_t tree) {
   Body& body = bodies_[tree];
   const std::span<const stage::Mover> movers = movers_of(tree);
@@ -192,7 +192,7 @@ void ArenaEngine::bend(std::uint32_t tree) {
   physics_.set_hulls(body.number, now.hulls);
 }
 
-/// Parts that move by themselves, are deep within what has not given way, and would go deeper.
+/// Marks kinematic parts that penetrate deeply and would penetrate deeper.
 void ArenaEngine::find_blocked(unsigned steps) {
   blocked_.assign(trees_.movers.size(), 0);
   if (!has_parts_) return;
@@ -209,7 +209,7 @@ void ArenaEngine::find_blocked(unsigned steps) {
   }
 }
 
-/// How far a point goes in a tick with what moves by itself.  [m, both in W]
+/// Displacement of a point in a tick by a mover.  [m, both in W]
 Vec3 ArenaEngine::way_of(const Vec3& p, const stage::Mover& mover) const {
   const world::Models& models = world_.models;
   const Pose& now = models.X_WM[mover.model];
@@ -240,7 +240,7 @@ void ArenaEngine::store(std::uint32_t tree) {
     });
 }
 
-/// Where a body has come to. False if it rested, or has left every place: then it stays where it was.
+/// Copies the state of a body to columns. False if it slept, or left the valid range: then it stays.
 bool ArenaEngine::store_state(std::uint32_t tree) {
   const Body& body = bodies_[tree];
   if (physics_.rests(body.number)) return false;
@@ -264,7 +264,7 @@ bool ArenaEngine::store_state(std::uint32_t tree) {
   return true;
 }
 
-/// What a robot believes, and whether it stalls: it gets nowhere and is not about to.
+/// Updates odometry and stall of a robot: it stalls if it neither made progress nor is about to.
 void ArenaEngine::store_drive(std::uint32_t tree, const Pose& before) {
   const std::uint32_t top = trees_.root[tree], robot = world_.models.part[top];
   const geom::Twist& driven = world_.positions.velocity[robot];
@@ -273,7 +273,7 @@ void ArenaEngine::store_drive(std::uint32_t tree, const Pose& before) {
   const geom::SpatialVelocity& V = world_.models.V_WM[top];
   const geom::Vec2 v = geom::Rotation::of(world_.models.X_PM[top].a).inverse({V.v.x, V.v.y});
   const double wanted = driven.x * driven.x + driven.y * driven.y + driven.a * driven.a * arm * arm;
-  // How much of what is wanted a motion is.
+  // Projection of a motion on the commanded one.
   const auto share = [&](double x, double y, double a) {
     return (x * driven.x + y * driven.y + a * driven.a * arm * arm) / wanted;
   };
@@ -283,7 +283,7 @@ void ArenaEngine::store_drive(std::uint32_t tree, const Pose& before) {
   if (wanted > 0 && !stalls) stage::PositionMove::arrive(world_, robot);
 }
 
-/// What moves by itself on a body, or as one that nothing pushes. True if anything did.
+/// Moves the kinematic parts of a tree. True if any moved.
 bool ArenaEngine::store_parts(std::uint32_t tree) {
   bool moved = false;
   for (const stage::Mover& mover : parts_of(tree)) {

@@ -1,8 +1,8 @@
 #pragma once
 
-/// ArenaEngine: bodies with mass, which fall, slide, push and are pushed, and robots on wheels. Rangers and
-/// cameras see them in space (lidar_sense.h, camera_sense.h), other senses as those of the stage engine do:
-/// extruded outlines, at heights. Thread: the tick thread.
+/// ArenaEngine: rigid-body dynamics of models and wheeled robots. Rangers and
+/// cameras work in 3D (lidar_sense.h, camera_sense.h); the other senses are those
+/// of the stage engine, on extruded outlines at heights. Thread: the tick thread.
 
 #include <vector>
 
@@ -18,26 +18,26 @@ class ArenaEngine final : public stage::BodyEngine {
   ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers, const Surface& ground);
 
  private:
-  /// A tree of models as a body.
+  /// The rigid body of a tree of models.
   struct Body {
     static constexpr std::uint32_t kNone = world::ModelRow::kNone;
     Part part = Part::kGuided;
-    std::uint32_t number = kNone;       // of Physics; none: it is no obstacle
-    double radius = 0;                  // m, of what it is driven about
-    bool has_joints = false;            // parts of it move by themselves
-    std::vector<geom::Pose> joints;     // X_PM of those parts as Physics has them
-    std::vector<std::uint32_t> models;  // (hulls) rows of whose each is
+    std::uint32_t number = kNone;       // in Physics; kNone: it has no collision shape
+    double radius = 0;                  // m, of its corners from B's upright axis, at most
+    bool has_joints = false;            // parts of it have joints
+    std::vector<geom::Pose> joints;     // X_PM of those parts as last given to Physics
+    std::vector<std::uint32_t> models;  // model row of each hull (hulls)
   };
 
   void move() override;
-  /// The hulls that Physics has, without the margin by which Bullet rounds them.
+  /// The hulls as given to Physics, without Bullet's collision margin.
   world::PhysicsShapes shapes() const override;
   void populated(bool fixed) override;
   void replaced(std::uint32_t) override {}
 
   Body make_body(std::uint32_t tree);
   std::span<const stage::Mover> movers_of(std::uint32_t tree) const;
-  /// Parts of the tree that move by themselves; the top is one where nothing pushes it.
+  /// Movers of the tree; the root is one only if the body is kinematic.
   std::span<const stage::Mover> parts_of(std::uint32_t tree) const;
   void load(std::uint32_t tree);
   void load_guided(std::uint32_t tree);
@@ -55,7 +55,7 @@ class ArenaEngine final : public stage::BodyEngine {
   mutable MeshHulls mesh_hulls_;
   std::vector<Body> bodies_;            // (trees)
   std::vector<std::uint32_t> tree_of_;  // (bodies of Physics)
-  bool has_parts_ = false;              // something moves by itself, see parts_of()
+  bool has_parts_ = false;              // any tree has movers in the sense of parts_of()
   std::vector<std::uint8_t> blocked_;   // (trees_.movers) in this tick
 };
 

@@ -16,16 +16,16 @@ namespace {
 using geom::Pose;
 using geom::Vec2;
 
-constexpr double kClearance = 0.03;       // m that a chassis is above the ground,
-constexpr double kClearanceShare = 0.25;  // of its height at most
-constexpr double kStep = 0.3;             // m that who walks climbs: the body begins there
+constexpr double kClearance = 0.03;       // m, ground clearance of a chassis,
+constexpr double kClearanceShare = 0.25;  // as a share of its height at most
+constexpr double kStep = 0.3;             // m, step height of a person: the collision shape begins there
 constexpr double kShoe = 1;               // friction of feet on concrete
-constexpr double kDensity = 200;          // kg/m^3, of what the scene gives no mass: a packed box
+constexpr double kDensity = 200;          // kg/m^3, default: a packed box
 constexpr double kLeastMass = 0.05;       // kg
-constexpr double kRobotMass = 10;         // kg, of a robot that the scene gives none
+constexpr double kRobotMass = 10;         // kg, default of robots
 constexpr double kTyre = 0.8;             // friction of wheels on concrete
-constexpr double kInset = 0.1;            // of the length or width, of wheels from the sides
-constexpr double kCenterHeight = 0.3;     // of the height, of the centre of mass above the clearance
+constexpr double kInset = 0.1;            // share of length or width: distance of wheels from the sides
+constexpr double kCenterHeight = 0.3;     // share of the height above the clearance, of the centre of mass
 
 struct Extent {
   Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
@@ -49,7 +49,7 @@ void add_prism(std::vector<Hull>& hulls, std::span<const Vec2> outline, double z
   hulls.push_back(std::move(hull));
 }
 
-/// What is inside an odd number of outlines, cut into convex prisms.
+/// Decomposes the even-odd inside of outlines into convex prisms.
 void add_prisms(std::vector<Hull>& hulls, std::span<const geom::Outline> outlines, double z_low,
                 double z_high) {
   for (const geom::Trapezoid& t : geom::trapezoids(outlines)) {
@@ -60,7 +60,7 @@ void add_prisms(std::vector<Hull>& hulls, std::span<const geom::Outline> outline
   }
 }
 
-/// Rows [begin, end) of the solids, all of which are one body (see Solids::body), as convex prisms in F.
+/// Appends the convex prisms, in F, of solids [begin, end) of one body (see Solids::body).
 void add_body(std::vector<Hull>& hulls, const stage::Solids& solids, std::size_t begin, std::size_t end,
               const Pose& X_FM) {
   const std::vector<std::vector<Vec2>> outlines = outlines_of(solids, begin, end, X_FM);
@@ -70,7 +70,7 @@ void add_body(std::vector<Hull>& hulls, const stage::Solids& solids, std::size_t
   add_prisms(hulls, all, z_low, z_high);
 }
 
-/// Hulls of a body, where X has it.
+/// Appends hulls transformed by X_FB.
 void add_hulls(std::vector<Hull>& hulls, const std::vector<Hull>& of_body, const Pose& X_FB) {
   const geom::Rotation turn = geom::Rotation::of(X_FB.a);
   for (Hull hull : of_body) {
@@ -82,7 +82,7 @@ void add_hulls(std::vector<Hull>& hulls, const std::vector<Hull>& of_body, const
   }
 }
 
-/// Poses of the models of a tree in its top, where joints have them.
+/// Poses of a tree's models in its root at present joint positions.
 std::map<std::uint32_t, Pose> poses_in_top(const world::Models& models, const stage::Trees& trees,
                                            std::uint32_t tree) {
   std::map<std::uint32_t, Pose> X_BM;
@@ -92,7 +92,7 @@ std::map<std::uint32_t, Pose> poses_in_top(const world::Models& models, const st
   return X_BM;
 }
 
-/// Cuts off what is below `z`.
+/// Clips hulls at height `z`, keeping what is above.
 TreeHulls above(TreeHulls all, double z) {
   TreeHulls above;
   for (std::size_t i = 0; i < all.hulls.size(); ++i) {
@@ -105,13 +105,13 @@ TreeHulls above(TreeHulls all, double z) {
   return above;
 }
 
-/// Of a body with the same density everywhere.
+/// Volume and centroid of a body of uniform density.
 struct Content {
   double volume = 0;  // m^3
   Vec3 center;        // m
 };
 
-/// An upright prism: the corners of its bottom come first.
+/// True for an upright prism, whose bottom corners come first.
 bool is_prism(const Hull& hull) {
   const std::size_t n = hull.size() / 2;
   if (n < 3 || hull.size() % 2 != 0) return false;
@@ -158,8 +158,8 @@ double mass_of(const world::World& world, const stage::Trees& trees, std::uint32
   return mass;
 }
 
-/// Two wheels on the axle, which goes through B's origin, and a caster ahead and behind; four wheels where
-/// the base drives sideways or steers; feet under the middle and the corners of who walks.
+/// Two wheels on the axle through B's origin, and a caster ahead and behind; four wheels
+/// for holonomic and car drives; for a person feet at the centre and the corners.
 std::vector<Wheel> wheels_of(scene::Drive drive, const Extent& extent) {
   const double length = extent.high.x - extent.low.x, width = extent.high.y - extent.low.y;
   const double back = extent.low.x + kInset * length, front = extent.high.x - kInset * length;
@@ -199,7 +199,7 @@ TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const s
                    std::uint32_t tree, Part part, MeshHulls& meshes) {
   const std::map<std::uint32_t, Pose> X_BM = poses_in_top(world.models, trees, tree);
   TreeHulls all;
-  std::uint32_t latest = world::ModelRow::kNone;  // of which there is the mesh
+  std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
   each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], stage::Observer::kMotion,
             [&](std::size_t begin, std::size_t end) {
               const std::uint32_t model = solids.model[begin];
@@ -207,7 +207,7 @@ TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const s
               const mesh::Mesh* mesh = mesh_of(world, model);
               if (mesh == nullptr)
                 add_body(all.hulls, solids, begin, end, X_TM);
-              else if (std::exchange(latest, model) != model)  // its outlines are for the plane
+              else if (std::exchange(latest, model) != model)  // its outlines are for the 2D engine
                 add_hulls(all.hulls, meshes.of(*mesh), body_in(world, model, X_TM));
               all.models.resize(all.hulls.size(), model);
             });
@@ -245,7 +245,7 @@ BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::ui
 std::vector<FixedSolid> fixed_solids(const world::World& world, const stage::Solids& solids) {
   std::vector<FixedSolid> fixed;
   std::vector<Hull> hulls;
-  std::uint32_t latest = world::ModelRow::kNone;  // of which there is the mesh
+  std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
   each_body(solids, 0, solids.fixed, stage::Observer::kMotion, [&](std::size_t begin, std::size_t end) {
     const std::uint32_t model = solids.model[begin];
     if (const mesh::Mesh* mesh = mesh_of(world, model)) {

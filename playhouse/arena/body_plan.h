@@ -1,7 +1,7 @@
 #pragma once
 
-/// From models to rigid bodies: what a tree of models weighs, its hulls, and the wheels of a robot. Stage's
-/// files say outlines and heights; what they leave open is chosen here. Frames: W world, B the tree's top.
+/// From models to rigid bodies: mass, hulls and wheels of a tree of models. World files give outlines
+/// and heights; parameters that they leave open are chosen here. Frames: W world, B the tree's root.
 
 #include <cstdint>
 #include <vector>
@@ -12,33 +12,33 @@
 
 namespace playhouse::arena {
 
-/// How the tree of models moves.
+/// How a tree of models is simulated.
 enum class Part : std::uint8_t {
   kVehicle,  // a robot with wheels on the ground
-  kLoose,    // falls, slides, is pushed
-  kGuided,   // as its actuators or library say; what is in the way is pushed
+  kLoose,    // dynamic body
+  kGuided,   // kinematic body: moved by its actuators or library, pushes others
 };
 
-/// Of tree `tree`.
+/// The part of tree `tree`.
 Part part_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
              std::uint32_t tree);
 
-/// Hulls in B, and the row of the model that each is of.
+/// Hulls in B, and the model row of each.
 struct TreeHulls {
   std::vector<Hull> hulls;
   std::vector<std::uint32_t> models;
 };
 
-/// The obstacles of a tree as convex hulls, where its joints have them; of a vehicle above the clearance of
-/// its wheels. Models with a mesh have those of the mesh.
+/// The obstacles of a tree as convex hulls at its present joint positions; of a vehicle only
+/// above the ground clearance of its wheels. Models with a mesh have the hulls of the mesh.
 TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
                    std::uint32_t tree, Part part, MeshHulls& meshes);
 
-/// The body of a tree of which hulls_of() are not empty.
+/// The body of a tree with at least one hull.
 BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::uint32_t tree, Part part,
                    std::vector<Hull> hulls);
 
-/// The obstacles that stand still.
+/// The static obstacles.
 std::vector<FixedSolid> fixed_solids(const world::World& world, const stage::Solids& solids);
 
 }  // namespace playhouse::arena

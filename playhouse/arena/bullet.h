@@ -1,6 +1,6 @@
 #pragma once
 
-/// Vectors and turns as Bullet has them, and back.
+/// Conversion of vectors and rotations to and from Bullet's types.
 
 #include <btBulletDynamicsCommon.h>
 

@@ -5,9 +5,9 @@
 namespace playhouse::arena {
 namespace {
 
-constexpr double kMargin = 1e-3;  // m by which Bullet rounds convex solids
+constexpr double kMargin = 1e-3;  // m, Bullet's collision margin
 
-/// Its corners are moved inwards by the margin where that leaves a solid, so that faces are where they were.
+/// Shrinks the hull by the collision margin if possible, so that the effective faces are at their true place.
 std::unique_ptr<btConvexHullShape> make_hull(const Hull& hull, const Vec3& center) {
   Vec3 low = hull.front(), high = hull.front();
   for (const Vec3& p : hull) {
@@ -27,7 +27,7 @@ std::unique_ptr<btConvexHullShape> make_hull(const Hull& hull, const Vec3& cente
                     false);
   shape->setMargin(kMargin);
   shape->recalcLocalAabb();
-  shape->initializePolyhedralFeatures();  // faces touch in all their corners at once
+  shape->initializePolyhedralFeatures();  // for contacts at all corners of touching faces
   return shape;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Bodies and their shapes as Bullet has them.
+/// Collision shapes and rigid bodies of Bullet.
 
 #include <memory>
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace playhouse::arena {
 
-/// Convex solids as one shape, about `center`.
+/// Convex solids as one collision shape, relative to `center`.
 class ConvexShapes {
  public:
   ConvexShapes(std::span<const Hull> solids, const Vec3& center);
@@ -22,10 +22,10 @@ class ConvexShapes {
 
  private:
   std::vector<std::unique_ptr<btConvexHullShape>> hulls_;
-  std::unique_ptr<btCompoundShape> compound_;  // of more than one
+  std::unique_ptr<btCompoundShape> compound_;  // if there is more than one
 };
 
-/// A surface of triangles that stands still.
+/// A static triangle mesh.
 class SurfaceShape {
  public:
   explicit SurfaceShape(const Triangles& triangles);
@@ -38,7 +38,7 @@ class SurfaceShape {
   std::unique_ptr<btBvhTriangleMeshShape> shape_;
 };
 
-/// At the origin. `mass` in kg; 0: nothing pushes it.
+/// A body at the origin. `mass` in kg; 0: static or kinematic.
 std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, const Surface& surface);
 
 }  // namespace playhouse::arena

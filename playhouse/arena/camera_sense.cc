@@ -33,7 +33,7 @@ render::Shows shows_of(ImageKind image) {
   return render::Shows::kColor;
 }
 
-/// Where a frame fixed to a model is in W.
+/// Pose of a model's frame in W.
 struct Placed {
   Vec3 p;
   geom::Quaternion q;
@@ -43,7 +43,7 @@ Placed model_in_world(const world::Models& models, std::uint32_t row) {
   return {{X_WM.x, X_WM.y, X_WM.z}, geom::orientation(X_WM.a, models.tilt_WM[row])};
 }
 
-/// Calls visit(model, begin, end) for the solids of each model.
+/// Calls visit(model, begin, end) for the run of solids of each model.
 template <typename Visit>
 void each_model(const stage::Solids& solids, const Visit& visit) {
   for (std::size_t begin = 0, end = 0; begin < solids.size(); begin = end) {
@@ -63,7 +63,7 @@ void CameraSense::populate(const world::World& world, const stage::Space& space)
   if (instead_) instead_->populate(world, space);
 }
 
-/// Makes the renderer, or what stands in for it.
+/// Makes the renderer, or the fallback.
 void CameraSense::begin() {
   if (renderer_ || instead_) return;
   Result<std::unique_ptr<render::Renderer>> made = make_();
@@ -106,7 +106,7 @@ void CameraSense::place_bodies(const world::World& world, double time) {
   figures_.clear();
   clouds_.clear();
   for (const Body& body : bodies_) {
-    // A mesh has colors of its own.
+    // A mesh has its own colours.
     const std::array<float, 4> tint =
         world.desc({body.model}).mesh ? std::array<float, 4>{1, 1, 1, 1} : light_of(models.color[body.model]);
     if (!(tint[3] > 0)) continue;
@@ -157,7 +157,7 @@ render::View CameraSense::view_of(const world::World& world, std::uint32_t camer
   const std::uint32_t model = world.cameras.model[camera].index;
   const scene::ModelDesc& desc = world.desc({model});
   const scene::CameraDesc& lens = *desc.camera;
-  // A damaged saved run may hold any number.
+  // Values come from a loaded state, which may be corrupt.
   const auto sound = [](double angle) { return std::fabs(angle) <= 1e5 ? geom::normalize(angle) : 0; };
   const double zoom = world.cameras.zoom[camera];
   const scene::HalfImage half = half_image(lens, zoom > 0 && zoom < geom::kPi ? zoom : lens.fov_horizontal);

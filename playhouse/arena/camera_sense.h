@@ -1,13 +1,13 @@
 #pragma once
 
-/// CameraSense: cameras among bodies in space, rendered (render/renderer.h): bodies as they lie, people who
-/// walk, light, shadows, fog and smoke. What images are of, how far they reach and their errors are those of
-/// the stage engine. Without OpenGL the images are those of the stage engine, too.
+/// CameraSense: cameras rendered in 3D (render/renderer.h): bodies in their full
+/// orientation, walking people, lights, shadows, fog and smoke. Image type, range and
+/// noise are those of the stage engine, whose images are also the fallback without OpenGL.
 ///
-/// In: poses, bodies, colours and lamps of models; where each camera looks; sun, sky and fog.
-/// Out: its pixels.
-/// Cost: OpenGL is made ready by the first image of a run; then that of Renderer::draw(), once for all images
-/// of a tick. Thread: the tick thread; images become pixels on the workers.
+/// In: poses, bodies, colours and lamps of models; the pose of each camera; sun, sky and fog.
+/// Out: the pixels of cameras.
+/// Cost: OpenGL is initialised by the first image of a run; then one Renderer::draw() per tick for all its
+/// images. Thread: the tick thread; conversion to pixels on the workers.
 
 #include <map>
 #include <memory>
@@ -31,7 +31,7 @@ class CameraSense final : public stage::SensePhase {
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
-  /// What a camera may see.
+  /// A body that cameras may see.
   struct Body {
     std::uint32_t model = 0;  // row
     std::uint32_t shape = 0;  // of the renderer
@@ -45,9 +45,9 @@ class CameraSense final : public stage::SensePhase {
 
   unsigned workers_;
   MakeRenderer make_;
-  std::unique_ptr<render::Renderer> renderer_;       // none before the first image
-  std::unique_ptr<stage::SensePhase> instead_;       // where there can be none
-  bool is_stale_ = true;                             // bodies_ and the others are of another population
+  std::unique_ptr<render::Renderer> renderer_;       // null before the first image
+  std::unique_ptr<stage::SensePhase> instead_;       // fallback without OpenGL
+  bool is_stale_ = true;                             // the lists below are out of date with the population
   std::map<std::uint32_t, std::uint32_t> shape_of_;  // by row of SceneDesc::models
   std::vector<Body> bodies_;
   std::vector<std::uint32_t> people_, smokes_, shining_;  // rows of world::Models

@@ -10,7 +10,7 @@ namespace playhouse::arena {
 
 namespace {
 
-constexpr double kLongestTick = 10;  // s: some thousand steps of physics, which nothing interrupts
+constexpr double kLongestTick = 10;  // s: thousands of physics steps, not interruptible
 
 }  // namespace
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The 3D engine: the scenes, devices and columns of the stage engine, moved by rigid-body physics. Where the
-/// two differ is in docs/arena.md.
+/// The 3D engine: scenes, devices and columns of the stage engine
+/// with rigid-body dynamics. Differences are listed in docs/arena.md.
 
 #include <memory>
 

@@ -1,20 +1,20 @@
 #pragma once
 
-/// Where convex hulls touch the ground, for Bullet's dispatcher.
+/// Contacts between convex hulls and the ground plane, for Bullet's dispatcher.
 ///
-/// In: a hull above, on or in a plane.
-/// Out: contacts at all corners that are near enough, of which Bullet keeps the four that hold it best.
-/// Cost: a product for each corner.
+/// In: a hull near a plane.
+/// Out: contacts at all corners within the contact distance; Bullet's manifold keeps the best four.
+/// Cost: a dot product for each corner.
 ///
-/// In place of Bullet's own, which finds one corner in each step and others by tilting the body about its own
-/// axes: of a box that lies on its side those of one edge, about which gravity turns it then. What an earlier
-/// step found is forgotten between ticks (Physics::forget()).
+/// Replaces Bullet's own algorithm, which adds one corner per step and finds others by perturbing the
+/// rotation about the body's axes: for a box on its side it finds one edge only, about which gravity then
+/// tips the box. Contacts cannot accumulate over ticks here: Physics::forget() drops the manifolds.
 
 #include <btBulletDynamicsCommon.h>
 
 namespace playhouse::arena {
 
-/// Of hulls as the first body and planes as the second, or the other way round.
+/// For pairs of a hull and a plane; `plane_first` for the swapped order.
 class GroundContacts final : public btCollisionAlgorithmCreateFunc {
  public:
   explicit GroundContacts(bool plane_first) { m_swapped = plane_first; }

@@ -10,17 +10,17 @@ namespace {
 
 using geom::Vec3;
 
-constexpr std::uint32_t kConeRays = 4;  // about the axis of a cone: above, left, below, right
-constexpr double kNarrow = 0.005;       // rad between neighbouring beams of a scanner
+constexpr std::uint32_t kConeRays = 4;  // around the axis of a cone: above, left, below, right
+constexpr double kNarrow = 0.005;       // rad between neighbouring beams: coherent below
 
-/// A unit vector at a bearing and `off` from there, towards `around` about it: 0 is up.  [rad]
+/// Unit vector at angle `off` from a bearing, rotated by `around` about it; 0: up.  [rad]
 Vec3 direction(double bearing, double off, double around) {
   const geom::SinCos b = geom::sincos(bearing), o = geom::sincos(off), r = geom::sincos(around);
   const Vec3 ahead{b.cos, b.sin, 0}, left{-b.sin, b.cos, 0}, up{0, 0, 1};
   return o.cos * ahead + o.sin * (r.cos * up + r.sin * left);
 }
 
-/// What comes back of a surface that returns a tenth of the light, from as far as it is still seen.
+/// Detection threshold: the echo of a surface with 10 % reflectance at range_dark.
 double weakest_of(const scene::RangerSensorDesc& sensor) {
   return echo_power(0.1, sensor.range_dark);
 }

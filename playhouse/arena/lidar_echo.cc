@@ -7,16 +7,16 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double kSkin = 1e-3;         // m between a surface and where a beam goes on
-constexpr double kSquareOn = 0.99996;  // cosine of 0.5 degrees: a mirror sends the beam back into the lens
-constexpr double kLost = 1e-4;         // of the light; what is left of less is noticed by nobody
+constexpr double kSkin = 1e-3;         // m, offset of a continued beam from the surface
+constexpr double kSquareOn = 0.99996;  // cosine of 0.5 degrees: a specular reflection returns into the lens
+constexpr double kLost = 1e-4;         // share of light below which a beam is dropped
 constexpr Optics kFloor{0.24, 0, 0};   // the ground is concrete
 
 float number(double value) {
   return static_cast<float>(value);
 }
 
-/// What leaves a surface goes on, mirrored or let through.
+/// Continues a beam after a reflection or a transmission.
 void go_on(Beam& beam, const Met& met, bool is_mirrored) {
   const double along = dot(beam.d, met.normal);
   beam.p = beam.p + met.range * beam.d;
@@ -29,7 +29,7 @@ void go_on(Beam& beam, const Met& met, bool is_mirrored) {
   }
 }
 
-/// The first that a beam meets, down to the ground.
+/// The first hit of a beam, including the ground.
 Met first_met(const RayScene& scene, const Beam& beam) {
   RayBatch batch;
   batch.count = 1;
@@ -72,7 +72,7 @@ LightEcho echo_of(const RayScene& scene, const Surfaces& surfaces, Beam beam, Me
     if (power >= weakest) return {true, range, returned, power};
     const bool is_mirrored = surface.mirrors > surface.passes;
     const double goes_on = is_mirrored ? surface.mirrors : surface.passes;
-    light *= goes_on * goes_on;  // there and back
+    light *= goes_on * goes_on;  // two-way
     if (light < kLost || bounce == kBounces) break;
     go_on(beam, met, is_mirrored);
     beam.range_max -= met.range;

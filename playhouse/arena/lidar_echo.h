@@ -1,13 +1,13 @@
 #pragma once
 
-/// What comes back along a beam of light: from the first surface that sends enough of it back, however often
-/// the beam was mirrored or let through on its way. Lengths are those of the whole way.
+/// The echo of a lidar beam: from the first surface that returns enough light, after
+/// any number of reflections and transmissions. Ranges are total path lengths.
 ///
-/// In: the triangles, what surfaces do to light, a beam and what it met first.
+/// In: the triangles, optical properties of surfaces, a beam and its first hit.
 ///
-/// Out: how far away it seems to be, and the share of the light that it returns.
+/// Out: the apparent range, and the returned share of the light.
 ///
-/// Cost: a ray for each mirror and each face of a pane on the way, at most kBounces.
+/// Cost: a ray for each mirror and each face of a pane on the path, at most kBounces.
 ///
 /// Source: optics.h.
 
@@ -21,9 +21,9 @@
 namespace playhouse::arena {
 
 inline constexpr int kBounces = 4;
-inline constexpr std::uint32_t kGround = 0xfffffffe;  // as the id of what is met: the plane z = 0
+inline constexpr std::uint32_t kGround = 0xfffffffe;  // as a hit id: the plane z = 0
 
-/// What a beam meets.
+/// A hit of a beam.
 struct Met {
   double range = 0;                      // m
   std::uint32_t id = RayBatch::kNobody;  // row of world::Models, or kGround
@@ -41,20 +41,20 @@ struct Surfaces {
 struct Beam {
   geom::Vec3 p, d;          // from p along the unit vector d, in W
   double range_max = 0;     // m
-  std::uint32_t group = 0;  // of the tree that carries the lidar, which its beams pass but for in mirrors
+  std::uint32_t group = 0;  // tree of the lidar: its own beams ignore it, except after a reflection
 };
 
 struct LightEcho {
   bool is_noticed = false;
   double range = 0;     // m
-  double returned = 0;  // 1: as a white sheet, square on, at this range
+  double returned = 0;  // 1: like a white sheet, perpendicular, at this range
   double power = 0;     // echo_power() of it
 };
 
-/// `first` is what the beam meets first; `weakest` the power of what is noticed.
+/// `first` is the first hit of the beam, `weakest` the detection threshold of echo power.
 LightEcho echo_of(const RayScene& scene, const Surfaces& surfaces, Beam beam, Met first, double weakest);
 
-/// Where it meets the ground: at its largest range, nobody, where it does not.
+/// The hit on the ground plane; id kNobody at the largest range if it misses.
 Met ground_met(const Beam& beam);
 
 }  // namespace playhouse::arena

@@ -14,12 +14,12 @@ namespace {
 
 using geom::Vec3;
 
-constexpr float kGroundReturn = 1;  // what beams report that met the ground
-// Cosine of the angle from which on a surface beside the axis of a cone returns no echo: smooth ones mirror
-// sound away (Kuc, Siegel, "Physically based simulation model for acoustic sensor robot navigation", 1987).
+constexpr float kGroundReturn = 1;  // return value of the ground
+// Cosine of the largest angle of incidence with an echo off a cone's axis: smooth surfaces reflect sound
+// specularly (Kuc, Siegel, "Physically based simulation model for acoustic sensor robot navigation", 1987).
 constexpr float kEcho = 0.5f;
 
-/// Adds the bodies of a model that rangers see, rows [begin, end), in F.
+/// Appends the bodies of a model visible to rangers, rows [begin, end), in F.
 void add_bodies(Triangles& triangles, const world::World& world, const stage::Solids& solids,
                 std::size_t begin, std::size_t end, const geom::Pose& X_FM) {
   const std::uint32_t model = solids.model[begin];
@@ -32,7 +32,7 @@ void add_bodies(Triangles& triangles, const world::World& world, const stage::So
   });
 }
 
-/// Calls visit(model, begin, end) for the rows in [first, last) of each model that rangers see.
+/// Calls visit(model, begin, end) for the rows in [first, last) of each model visible to rangers.
 template <typename Visit>
 void each_model(const stage::Solids& solids, std::size_t first, std::size_t last, const Visit& visit) {
   for (std::size_t begin = first; begin < last;) {
@@ -187,7 +187,7 @@ void LidarSense::measure(world::World& world, std::uint32_t ranger, std::uint64_
   store(world, beams, ranger, scratch);
 }
 
-/// Casts the rays of the batch, and keeps for each beam the nearest that they met.
+/// Casts the batch, and keeps the nearest hit of each beam.
 void LidarSense::cast(const Look& look, Scratch& scratch) const {
   RayBatch& batch = scratch.rays;
   if (batch.count == 0) return;
@@ -221,7 +221,7 @@ void LidarSense::keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& s
   scratch.intensity[ray.beam] = intensity;
 }
 
-/// Of a sensor with the errors of a lidar; intensities are percent of what a white sheet returns.
+/// With a lidar's error model; intensities are percent of a white sheet's echo.
 void LidarSense::keep_echo(const Look& look, std::size_t k, Scratch& scratch) const {
   const RayBatch& batch = scratch.rays;
   const LidarBeams::Ray& ray = look.beams.rays[scratch.ray[k]];

@@ -1,9 +1,9 @@
 #pragma once
 
-/// LidarSense: rangers among bodies in space. Their rays go where the ranger is tilted to, in as many rings
-/// as it has, and meet bodies as they lie and the ground. A transducer of a single beam sees a cone: the
-/// nearest of what its axis meets and what faces it of that beside the axis. Errors are those of the stage
-/// engine, and those of light (lidar_echo.h).
+/// LidarSense: rangers in 3D. Rays follow the tilt of the ranger, in any number of
+/// rings, and hit bodies in their full orientation and the ground. A single-beam
+/// transducer sees a cone: the nearest of the hit on its axis and the off-axis hits
+/// that face it. Noise is that of the stage engine, plus a lidar's (lidar_echo.h).
 
 #include <map>
 #include <vector>
@@ -26,7 +26,7 @@ class LidarSense final : public stage::SensePhase {
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
-  /// What stands still, as the index has it.
+  /// A static solid's owner as last built into scene_, to detect changes.
   struct Fixed {
     std::uint32_t model = 0, root = 0, desc = 0;  // rows
     geom::Pose X_WM;
@@ -45,7 +45,7 @@ class LidarSense final : public stage::SensePhase {
   void place(const world::Models& models);
   const LidarBeams& beams(const world::World& world, std::uint32_t ranger) const;
   void measure(world::World& world, std::uint32_t ranger, std::uint64_t tick, Scratch& scratch) const;
-  /// Who measures.
+  /// One measurement.
   struct Look {
     const world::World& world;
     world::ModelRow model;
@@ -59,12 +59,12 @@ class LidarSense final : public stage::SensePhase {
 
   RayScene scene_;
   std::vector<Fixed> fixed_;
-  std::map<std::uint32_t, std::uint32_t> shape_of_;  // by row of SceneDesc::models, of what moves
+  std::map<std::uint32_t, std::uint32_t> shape_of_;  // by row of SceneDesc::models, of movable models
   std::vector<std::uint32_t> instances_;             // rows of world::Models
   std::map<std::uint32_t, LidarBeams> beams_;        // by row of SceneDesc::models
   OwnSolids own_solids_;
-  std::vector<std::span<const float>> inside_;  // of the rays of each, as own_solids_ says (rangers)
-  std::vector<float> returns_;                  // what beams report that met a model (models)
+  std::vector<std::span<const float>> inside_;  // for each ray, by own_solids_ (rangers)
+  std::vector<float> returns_;                  // return value of a beam that hits a model (models)
   std::vector<Optics> optics_;                  // (models)
   std::vector<Scratch> scratch_;                // one per worker
 };

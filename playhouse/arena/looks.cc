@@ -13,11 +13,11 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double kStridesPerSecond = 0.95;  // of who walks; Whittle, "Gait Analysis", gives 0.85 to 1.1
-constexpr double kRunsPerSecond = 1.4;      // of who runs
-constexpr double kRunning = 2.2;            // m/s
-constexpr double kStanding = 0.02;          // m/s
-constexpr double kMostCandela = 1e9;        // beyond any lighthouse; more would be no float
+constexpr double kStridesPerSecond = 0.95;  // gait cycles per second, walking; Whittle: 0.85 to 1.1
+constexpr double kRunsPerSecond = 1.4;      // running
+constexpr double kRunning = 2.2;            // m/s, from walking to running
+constexpr double kStanding = 0.02;          // m/s, below: standing
+constexpr double kMostCandela = 1e9;        // upper bound, to fit a float
 
 mesh::Material material_of(const scene::ModelDesc& desc) {
   const scene::Material& known = scene::material_named(desc.material);
@@ -31,7 +31,7 @@ std::array<float, 3> floats(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// Flat faces: each corner has the normal of the triangle that it is a corner of.
+/// Flat shading: corners have the normal of their triangle.
 mesh::Surface surface_of(const Triangles& triangles) {
   mesh::Surface surface;
   surface.normal.resize(triangles.p.size(), {0, 0, 1});
@@ -58,7 +58,7 @@ Look look_of(const scene::ModelDesc& desc) {
 
 namespace {
 
-/// The mesh of a file, from B to M.
+/// A mesh transformed from B to M.
 mesh::Mesh mesh_in_model(const mesh::Mesh& of_body, const geom::Pose& X_MB) {
   mesh::Mesh mesh = of_body;
   const geom::Quaternion q = geom::orientation(X_MB.a, {});
@@ -134,7 +134,7 @@ render::Gait gait_of(const Vec3& v, double heading, double height, double time, 
   const double per_second = speed > kRunning ? kRunsPerSecond : kStridesPerSecond;
   const double way = v.x * turn.c + v.y * turn.s < 0 ? -1 : 1;
   gait.stride = way * speed / per_second / height;
-  // People who come along together are not in step.
+  // Phase offset by id, so that people do not walk in step.
   gait.phase = 2 * geom::kPi * std::fmod(time * per_second + 0.618 * (id % 1024), 1.0);
   return gait;
 }

@@ -13,17 +13,17 @@
 namespace playhouse::arena {
 namespace {
 
-constexpr int kRound = 24;        // corners around cylinders and capsules
-constexpr int kRings = 5;         // of each half of a ball, with its pole
-constexpr std::size_t kFew = 64;  // corners of a hull that are all kept; of more
-constexpr int kDirections = 256;  // those that are farthest in so many directions are
+constexpr int kRound = 24;        // segments around cylinders and capsules
+constexpr int kRings = 5;         // rings of a hemisphere, including the pole
+constexpr std::size_t kFew = 64;  // hulls with at most this many corners are kept; others
+constexpr int kDirections = 256;  // keep the extreme corners in this many directions
 
 Vec3 turned(const geom::Pose& X_FB, const Vec3& p) {
   const geom::Vec2 q = geom::Rotation::of(X_FB.a) * geom::Vec2{p.x, p.y};
   return {X_FB.x + q.x, X_FB.y + q.y, X_FB.z + p.z};
 }
 
-/// Evenly over the ball. Source: Saff, Kuijlaars, "Distributing many points on a sphere", 1997.
+/// Fibonacci sphere. Source: Saff, Kuijlaars, "Distributing many points on a sphere", 1997.
 Vec3 direction(int k) {
   constexpr double kTurn = 2.39996322972865332;  // rad, the golden angle
   const double z = 1 - (2 * k + 1.0) / kDirections, r = std::sqrt(1 - z * z);
@@ -31,7 +31,7 @@ Vec3 direction(int k) {
   return {r * a.cos, r * a.sin, z};
 }
 
-/// Corners without most of those that hardly stand out.
+/// Simplifies a hull to its extreme corners.
 Hull simplified(const Hull& hull) {
   if (hull.size() <= kFew) return hull;
   std::set<std::size_t> kept;
@@ -47,7 +47,7 @@ Hull simplified(const Hull& hull) {
   return few;
 }
 
-/// Rings about z, from the lower pole to the upper one; the halves of a ball are `half` from the middle.
+/// Hemispheres of rings about z at +-`half`, with poles.
 Hull capsule(double radius, double half) {
   Hull hull{{0, 0, -half - radius}, {0, 0, half + radius}};
   for (const double side : {-1.0, 1.0})
@@ -79,7 +79,7 @@ Hull box(const Vec3& half) {
   return hull;
 }
 
-/// In B.
+/// The convex hull of a collision shape, in B.
 Hull hull_of(const mesh::Shape& shape) {
   Hull hull;
   switch (shape.kind) {
@@ -138,7 +138,7 @@ const std::vector<Hull>& MeshHulls::of(const mesh::Mesh& mesh) {
   }
   std::erase_if(hulls, [](const Hull& hull) { return !is_solid(hull); });
   if (!hulls.empty()) return hulls;
-  // Nothing but sheets: all of them together, or their box with some thickness.
+  // Only sheets: the hull of all of them, or their bounding box with a minimal thickness.
   Hull all;
   for (const Hull& part : mesh::parts_of(mesh, 1)) all = simplified(part);
   if (!is_solid(all)) {

@@ -8,15 +8,15 @@
 namespace playhouse::arena {
 namespace {
 
-constexpr double kForesight = 0.1;  // s between two calls of Physics::forget(), about
+constexpr double kForesight = 0.1;  // s of look-ahead between two calls of Physics::forget()
 
 }  // namespace
 
 Moving::Moving(const BodyDesc& of) : desc(of), solids(std::make_unique<ConvexShapes>(of.hulls, of.center)) {
   body = make_body(desc.mass, solids->shape(), desc.surface);
   if (is_guided())
-    body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);  // for static, it would never wake
-  if (desc.is_upright) body->setMassProps(desc.mass, {0, 0, 0});      // for Bullet: cannot be turned
+    body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);  // a static body would never wake others
+  if (desc.is_upright) body->setMassProps(desc.mass, {0, 0, 0});      // zero inertia for Bullet: no rotation
   inertia = {body->getInvMass(), from(body->getInvInertiaDiagLocal())};
   for (const Hull& hull : desc.hulls)
     for (const Vec3& p : hull) {

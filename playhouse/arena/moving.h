@@ -1,6 +1,6 @@
 #pragma once
 
-/// Moving: a body that moves, with what Bullet has of it and, of a vehicle, what its wheels stand on.
+/// Moving: a movable body with its Bullet objects and, if a vehicle, the ground below its wheels.
 
 #include <cstdint>
 #include <memory>
@@ -20,37 +20,37 @@ struct Moving {
   std::unique_ptr<btRigidBody> body;
   Inertia inertia;
   BodyState state;
-  double low = 1e300, reach = 0;  // m: its lowest corner, and how far the farthest is from its upright axis
+  double low = 1e300, reach = 0;  // m: height of its lowest corner; radius about its upright axis
   bool rests = false, is_woken = false;
-  geom::Twist velocity;  // driven at
+  geom::Twist velocity;  // commanded
   std::vector<Footing> footings;
   std::vector<WheelImpulse> impulses;
-  std::vector<std::uint32_t> below;     // bodies that its wheels may stand on: scratch
-  std::vector<std::uint32_t> supports;  // the body that each wheel stands on, or kNobody
-  bool is_held = false;                 // its wheels are for Bullet to solve, too: it pushes one or is pushed
+  std::vector<std::uint32_t> below;     // support candidates: scratch
+  std::vector<std::uint32_t> supports;  // the body below each wheel, or kNobody
+  bool is_held = false;                 // wheels as Bullet constraints: it pushes a support or is one
 
   explicit Moving(const BodyDesc& of);
   bool is_guided() const { return desc.mass == 0; }
   bool is_vehicle() const { return !desc.wheels.empty(); }
 
   Box box() const;
-  /// Where the ground may be that its wheels stand on.
+  /// The box in which the ground below its wheels may be.
   Box footprint() const;
-  /// Of what of it is at p.  [m/s, both in W]
+  /// The velocity of its material point at p.  [m/s, both in W]
   Vec3 velocity_at(const Vec3& p) const { return state.v + cross(state.w, p - state.p); }
 
-  /// So that nothing but its wheels can come to the ground before this is asked again.
+  /// True if only its wheels can reach the ground before the next call.
   bool is_on_wheels() const;
 
-  /// The state to Bullet, which moves the centre of mass.
+  /// Copies the state to Bullet, whose origin is the centre of mass.
   void write();
-  /// The state from Bullet, unless nothing pushes the body.
+  /// Copies the state from Bullet, unless the body is kinematic.
   void read();
   void wake() {
     rests = false;
     write();
   }
-  /// On by a step, of a body that nothing pushes.
+  /// Integrates a kinematic body over a step.
   void advance(double dt);
 };
 

@@ -7,7 +7,7 @@
 namespace playhouse::arena {
 namespace {
 
-constexpr double kDarkest = 0.02, kBrightest = 0.9;  // of surfaces that scatter: a tyre, white paper
+constexpr double kDarkest = 0.02, kBrightest = 0.9;  // limits of diffuse reflectance: tyre, white paper
 
 }  // namespace
 

@@ -1,10 +1,10 @@
 #pragma once
 
-/// What surfaces do to the light of a lidar.
+/// Optics of surfaces at a lidar's wavelength.
 ///
-/// In: the material of a model, its colour, how many times brighter than that it is (`ranger_return`).
+/// In: the material of a model, its colour, and `ranger_return` as a factor of brightness.
 ///
-/// Out: shares of the light that a surface scatters, mirrors and lets through; how much of it comes back.
+/// Out: shares of light scattered, reflected and transmitted; the power of the echo.
 ///
 /// Source: Lambert's law and the lidar equation for surfaces larger than the beam, P ~ rho cos(theta) / r^2
 /// (Kashani et al., "A review of LiDAR radiometric processing", Sensors 2015); glass by Schlick, "An
@@ -16,27 +16,27 @@
 
 namespace playhouse::arena {
 
-/// Shares of the light that meets a surface, square on.
+/// Shares of the light at normal incidence.
 struct Optics {
-  double scatters = 0;  // diffuse reflectance, as seen from straight ahead; below 0: as its colour says
+  double scatters = 0;  // diffuse reflectance at normal incidence; below 0: by its colour
   double mirrors = 0;
   double passes = 0;
 };
 
-/// Of what is made of nothing that is known, the share that it scatters is below 0.
+/// For an unknown material `scatters` is below 0.
 Optics optics_of(std::string_view material);
 
-/// The share of light that a colour scatters.
+/// Diffuse reflectance of a colour.
 double scatters(const scene::Color& color);
 
-/// The same surface, met at an angle; `facing` is its cosine to the normal. What is clear mirrors more, and
-/// lets less through, the more slanted it is.
+/// The shares at an angle of incidence; `facing` is the cosine to the normal.
+/// Transparent surfaces reflect more and transmit less at grazing angles (Fresnel).
 Optics met_at(const Optics& surface, double facing);
 
-/// What comes back from `range` of which a share `returned` is sent towards the lidar; 1 is a white sheet at
-/// a metre.  [m]
+/// Echo power at `range` when a share `returned` of the light
+/// goes towards the lidar; 1 for a white sheet at one metre. [m]
 constexpr double echo_power(double returned, double range) {
-  const double far = range > 1 ? range : 1;  // nearer the lens does not see all of the spot
+  const double far = range > 1 ? range : 1;  // closer, the lens sees only a part of the spot
   return returned / (far * far);
 }
 

@@ -14,13 +14,13 @@ using geom::Pose;
 using geom::Vec2;
 using geom::Vec3;
 
-constexpr double kTouch = 1e-9;  // m between solids that are one
+constexpr double kTouch = 1e-9;  // m, gap between solids that are merged
 
 struct Stretch {
   double from = 0, to = 0;  // m along a ray
 };
 
-/// Where the line meets the outlines, by the half-open rule: as many times in as out.
+/// Intersections of the line with the outlines, by the half-open rule: an even number.
 std::vector<double> crossings(const OwnSolid& solid, Vec2 p, Vec2 d) {
   std::vector<double> at;
   for (const std::vector<Vec2>& outline : solid.outlines)
@@ -35,7 +35,7 @@ std::vector<double> crossings(const OwnSolid& solid, Vec2 p, Vec2 d) {
   return at;
 }
 
-/// Where the ray is between the heights of the solid.
+/// Interval of the ray within the solid's height range.
 Stretch at_height(const OwnSolid& solid, double z, double dz) {
   if (dz == 0) {
     if (z < solid.z_low || z > solid.z_high) return {1, 0};
@@ -45,7 +45,7 @@ Stretch at_height(const OwnSolid& solid, double z, double dz) {
   return {std::min(low, high), std::max(low, high)};
 }
 
-/// Pose of a model in the top of its tree; nothing if it does not stand upright there, or moves against it.
+/// Pose of a model in its tree's root; none if it is tilted or movable against the root.
 std::optional<Pose> pose_in_top(const world::Models& models, std::uint32_t row) {
   Pose X_BM;
   for (; models.root[row] != row; row = models.parent[row]) {

@@ -17,18 +17,18 @@
 namespace playhouse::arena {
 namespace {
 
-// Of the solver of contacts, which begins anew in each tick; more where vehicles stand on what is lighter.
+// Iterations of the contact solver, which starts cold in each tick; more if vehicles stand on lighter bodies.
 constexpr int kIterations = 50, kHeldIterations = 100;
 
-constexpr double kRoot = 1e-3;  // m within which a solid stands on the ground
-constexpr double kDeep = 1;     // m that it goes on below
+constexpr double kRoot = 1e-3;  // m, tolerance for a solid that stands on the ground
+constexpr double kDeep = 1;     // m by which it is extended below
 
-constexpr double kSunk = 0.05;    // m in the ground in which no wheel rests
-constexpr double kBeside = 0.01;  // m within which what rests is beside what moves
+constexpr double kSunk = 0.05;    // m of penetration that keeps a wheel awake
+constexpr double kBeside = 0.01;  // m, tolerance for neighbours of a moving body
 
 enum Group : int { kFixed = 1, kMoving = 2, kGround = 4 };
 
-/// The height of the highest corner straight above a corner: its own where there is none.
+/// Height of the highest corner vertically above a corner; its own if there is none.
 double top_above(const Hull& hull, const Vec3& p) {
   double top = p.z;
   for (const Vec3& q : hull)
@@ -36,14 +36,14 @@ double top_above(const Hull& hull, const Vec3& p) {
   return top;
 }
 
-/// The lowest place of a solid that a wheel may stand on: of an upright prism its top, of a wedge its foot.
+/// Lowest support height of a solid: the top of an upright prism, the foot of a wedge.
 double lowest_top(const Hull& hull) {
   double lowest = 1e300;
   for (const Vec3& p : hull) lowest = std::min(lowest, top_above(hull, p));
   return lowest;
 }
 
-/// A solid that stands on the ground goes on below it: nothing within it is pushed out downwards.
+/// Extends a solid on the ground downwards, so that penetrating bodies are never pushed out through its base.
 Hull rooted(Hull hull) {
   const std::size_t corners = hull.size();
   for (std::size_t i = 0; i < corners; ++i) {
@@ -57,7 +57,7 @@ Hull rooted(Hull hull) {
   return hull;
 }
 
-/// About the z axis.
+/// Rotates about the z axis.
 Hull turned(const Hull& hull, double angle) {
   if (angle == 0) return hull;
   const Quaternion q = geom::orientation(angle, {});
@@ -82,12 +82,12 @@ struct Physics::Impl {
     std::unique_ptr<ConvexShapes> solids;  // or
     std::unique_ptr<SurfaceShape> sheet;
     std::unique_ptr<btRigidBody> body;
-    double lowest_top = 0;                               // m; a wheel further below stands on none of it
-    Vec3 low{-1e300, -1e300, 0}, high{1e300, 1e300, 0};  // no wheel beside stands on it
+    double lowest_top = 0;                               // m; no wheel further below can stand on it
+    Vec3 low{-1e300, -1e300, 0}, high{1e300, 1e300, 0};  // bounds for wheels that can stand on it
 
     bool is_beside(const Vec3& p) const { return p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y; }
   };
-  std::vector<Fixed> fixed;  // of each surface, and of each sheet
+  std::vector<Fixed> fixed;  // of each surface, and of each mesh
   std::vector<std::unique_ptr<Moving>> bodies;
   bool is_in = false;
 
@@ -97,12 +97,12 @@ struct Physics::Impl {
     dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &on_ground);
     dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &under_hull);
     world.getSolverInfo().m_numIterations = kIterations;
-    // Along the slip and across: with the first alone stacks creep.
+    // Along the slip and across: with one direction stacks creep.
     world.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
   }
   ~Impl() { take_out(); }
 
-  /// From Bullet, which keeps what it knows of contacts until then.
+  /// Removes all bodies from Bullet's world, and with them cached contacts.
   void take_out() {
     if (!is_in) return;
     is_in = false;
@@ -110,7 +110,7 @@ struct Physics::Impl {
     for (const Fixed& part : fixed) world.removeRigidBody(part.body.get());
     world.removeRigidBody(ground.get());
   }
-  /// To Bullet, in the order of their numbers, as if it had never known them.
+  /// Adds all bodies in numeric order, with fresh solver state.
   void put_in() {
     if (is_in) return;
     is_in = true;
@@ -121,7 +121,7 @@ struct Physics::Impl {
     for (const auto& moving : bodies) {
       world.addRigidBody(moving->body.get(), kMoving,
                          kFixed | kMoving | (moving->is_on_wheels() ? 0 : kGround));
-      if (moving->is_vehicle()) moving->body->setGravity({0, 0, 0});  // before its wheels
+      if (moving->is_vehicle()) moving->body->setGravity({0, 0, 0});  // for its wheels to integrate
     }
   }
   void find_footing(Moving& moving, std::size_t i) const;
@@ -136,13 +136,13 @@ struct Physics::Impl {
   void hold_wheels(Moving& moving, double dt);
   void let_wheels_go();
 
-  std::vector<WheelConstraint> held;  // in a step; Bullet has their addresses until then
+  std::vector<WheelConstraint> held;  // constraints of a step; Bullet keeps pointers to them
   Supports supports;
   std::vector<Box> boxes;           // scratch
   std::vector<std::uint32_t> near;  // scratch
 };
 
-/// The ground below a wheel: the plane, or what is higher, be it that it stands still or moves.
+/// The ground below a wheel: the plane, or the highest static or movable body.
 void Physics::Impl::find_footing(Moving& moving, std::size_t i) const {
   const Wheel& wheel = moving.desc.wheels[i];
   const Vec3 up = moving.state.q * Vec3{0, 0, 1}, p = moving.state.p + moving.state.q * wheel.p_B;
@@ -163,7 +163,7 @@ void Physics::Impl::find_footing(Moving& moving, std::size_t i) const {
   }
 }
 
-/// Of a vehicle, unless neither it nor what may be below it moves.
+/// Finds the ground of a vehicle's wheels, unless it and everything below sleeps.
 void Physics::Impl::find_footings(std::uint32_t number) {
   Moving& moving = *bodies[number];
   if (!moving.is_vehicle()) return;
@@ -175,7 +175,7 @@ void Physics::Impl::find_footings(std::uint32_t number) {
   let_casters_give_way(moving.desc, moving.footings);
 }
 
-/// What rests on or beside a body that moves by itself is woken: that would be gone before it noticed.
+/// Wakes sleeping bodies on or beside a kinematic body, before it leaves them.
 void Physics::Impl::wake_beside(const Moving& guided) {
   Box box = guided.box();
   box.low = box.low - Vec3{kBeside, kBeside, kBeside};
@@ -189,7 +189,7 @@ void Physics::Impl::wake_beside(const Moving& guided) {
   }
 }
 
-/// A vehicle that something loose stands on is held by its wheels as one whole with its load.
+/// A vehicle that carries loose bodies has its wheels solved as Bullet constraints, with its load.
 void Physics::Impl::find_loads() {
   for (const auto& load : bodies) {
     if (load->is_guided() || load->is_vehicle() || load->rests) continue;
@@ -210,9 +210,9 @@ void Physics::Impl::find_supports() {
   supports.set(boxes);
 }
 
-/// What moves below a vehicle that rests wakes it, and a vehicle that moves what it stands on, unless nothing
-/// pushes that. One after the other, in the order of their numbers, each in as many steps as its stack is
-/// high at most. Who is woken from above has no footings of this step yet.
+/// Propagates waking between vehicles and supports: a moving support wakes a vehicle, and a
+/// moving vehicle a support that it can push. In numeric order, so that a stack wakes within
+/// as many steps as it is high. Bodies woken from above have no footings in this step yet.
 void Physics::Impl::wake() {
   for (const auto& moving : bodies) {
     if (moving->below.empty()) continue;
@@ -226,7 +226,7 @@ void Physics::Impl::wake() {
   }
 }
 
-/// What gravity and its wheels do to a vehicle.
+/// Applies gravity and wheel impulses to a vehicle.
 void Physics::Impl::roll(Moving& moving, double dt) const {
   Motion motion{moving.state.q, from(moving.body->getLinearVelocity()),
                 from(moving.body->getAngularVelocity())};
@@ -237,14 +237,14 @@ void Physics::Impl::roll(Moving& moving, double dt) const {
   moving.body->setAngularVelocity(bullet(motion.w));
 }
 
-/// Whether the wheels of a vehicle push what they stand on.
+/// True if the wheels of a vehicle act on their support.
 bool Physics::Impl::is_pushed(const Moving& vehicle, std::uint32_t support) const {
   if (support == kNobody || bodies[support]->is_guided()) return false;
-  // People put their feet beside a robot, whose edge they would weigh down.
+  // A person's feet are beside a robot, and would load its edge.
   return !(vehicle.desc.is_upright && bodies[support]->is_vehicle());
 }
 
-/// What wheels stand on is pushed as much as they are, the other way.
+/// Applies reaction impulses to supports.
 void Physics::Impl::push_supports(double dt) {
   for (const auto& moving : bodies) {
     if (moving->below.empty() || moving->rests) continue;
@@ -267,7 +267,7 @@ void Physics::Impl::push_supports(double dt) {
   world.getSolverInfo().m_numIterations = held.empty() ? kIterations : kHeldIterations;
 }
 
-/// All wheels of a vehicle, for Bullet to solve with the contacts of what they stand on.
+/// Adds all wheels of a vehicle as Bullet constraints, solved with their support's contacts.
 void Physics::Impl::hold_wheels(Moving& moving, double dt) {
   for (std::size_t i = 0; i < moving.footings.size(); ++i) {
     const Footing& footing = moving.footings[i];
@@ -429,7 +429,7 @@ std::vector<Press> Physics::presses(double depth) const {
   std::vector<Press> presses;
   const auto add = [&](const btCollisionObject& body, int hull, const btManifoldPoint& at,
                        const btVector3& out) {
-    if (body.getUserIndex() < 0) return;  // it stands still
+    if (body.getUserIndex() < 0) return;  // static
     presses.push_back({static_cast<std::uint32_t>(body.getUserIndex()),
                        static_cast<std::size_t>(std::max(hull, 0)), from(at.getPositionWorldOnB()), from(out),
                        -at.getDistance()});

@@ -1,9 +1,9 @@
 #pragma once
 
-/// Physics: rigid bodies with contacts, by Bullet in double precision, and wheels, by a solver of our own
-/// (wheels.h). A step depends on nothing but the states of the bodies: what Bullet remembers of contacts is
-/// dropped by forget(), so that a run that goes on from saved states goes on to the bit. Frames: W world,
-/// B body. One thread at a time; step() has workers of its own.
+/// Physics: rigid bodies with contacts by Bullet in double precision, and wheels by a
+/// solver of our own (wheels.h). A step is a function of body states alone: forget() drops
+/// Bullet's cached contacts, so that a run resumed from a saved state is bit-identical.
+/// Frames: W world, B body. Call from one thread at a time; step() runs on workers.
 
 #include <cstdint>
 #include <memory>
@@ -16,15 +16,15 @@
 
 namespace playhouse::arena {
 
-/// What stands still: a convex solid, or a surface of triangles where the hull has no corners.
+/// A static solid: a convex hull, or a triangle mesh if `hull` is empty.
 struct FixedSolid {
   Hull hull;  // in W
   Surface surface;
-  double heading = 0;     // rad, of the x along which the surface has its share
+  double heading = 0;     // rad, of the x axis of the anisotropic friction
   Triangles triangles{};  // in W
 };
 
-/// Where a body is within another one.
+/// A penetration of a body into another.
 struct Press {
   std::uint32_t body = 0;
   std::size_t hull = 0;  // of the body
@@ -41,32 +41,32 @@ class Physics {
   Physics(const Physics&) = delete;
   Physics& operator=(const Physics&) = delete;
 
-  /// Replaces what stands still by the ground, the plane z = 0, and these.
+  /// Replaces the static solids by the ground, the plane z = 0, and these.
   void set_fixed(std::span<const FixedSolid> solids);
-  /// A body that moves, at rest at the origin; bodies are numbered from 0.
+  /// Adds a movable body, at rest at the origin; bodies are numbered from 0.
   std::uint32_t add(const BodyDesc& desc);
-  /// Removes all bodies that move.
+  /// Removes all movable bodies.
   void clear();
   std::size_t size() const;
 
-  /// Its solids are elsewhere in B: it has joints.
+  /// Replaces its hulls in B, when a joint has moved.
   void set_hulls(std::uint32_t body, std::span<const Hull> hulls);
   BodyState state(std::uint32_t body) const;
-  /// A body that rests does not move until another one touches it.
+  /// Sets the state. A body that rests (sleeps) does not move until another one touches it.
   void put(std::uint32_t body, const BodyState& state, bool rests);
   bool rests(std::uint32_t body) const;
-  /// False where what moves by itself has woken it since put(), for what it rests on may be about to go, and
-  /// of a vehicle whose wheels are pressed into the ground, for whatever did so may have gone.
+  /// False if a kinematic body has woken it since put(), as its support may be about to leave;
+  /// and for a vehicle whose wheels are pressed into the ground, as its load may have left.
   bool may_rest(std::uint32_t body) const;
-  /// What the wheels of a vehicle are to do: velocity of B, in B.  [m/s, rad/s]
+  /// Sets the commanded velocity of a vehicle, of B in B.  [m/s, rad/s]
   void drive(std::uint32_t body, const geom::Twist& velocity);
 
-  /// Drops what earlier steps left behind for the next: contacts with their impulses.
+  /// Drops state cached between steps: contacts and their impulses (warm start).
   void forget();
-  /// `dt` seconds of motion. The result does not depend on the number of workers.
+  /// Advances by `dt` seconds. The result does not depend on the number of workers.
   void step(double dt, world::Workers& workers);
-  /// After a step: where bodies are deeper than `depth` within others. Of two that nothing pushes neither is
-  /// told.
+  /// After a step: penetrations deeper than
+  /// `depth`, except between two kinematic bodies.
   std::vector<Press> presses(double depth) const;
 
  private:

@@ -23,9 +23,9 @@ template <typename Handle>
 using Held = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 
 constexpr float kSkin = 5e-4f;  // m that rays are let through beyond their own solids: more than float rounds
-constexpr unsigned kFixedScene = 0;  // the first geometry of the top scene; instances follow
+constexpr unsigned kFixedScene = 0;  // first geometry of the top scene; instances follow
 
-// Robust: no ray gets through the edge between two triangles.
+// Robust: watertight at edges between triangles.
 const auto kFlags =
     static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
 
@@ -57,7 +57,7 @@ Held<RTCScene> make_scene(RTCDevice device, RTCSceneFlags flags) {
   return scene;
 }
 
-/// One thread builds, so that an index depends on nothing but what is in it.
+/// Single-threaded build, so that the BVH is deterministic.
 void commit_alone(RTCScene scene) {
   tbb::task_arena alone(1);
   alone.execute([scene] { rtcCommitScene(scene); });
@@ -68,14 +68,14 @@ void commit_alone(RTCScene scene) {
 struct RayScene::Impl {
   struct Context;
 
-  // Not "threads=1": that is the limit of TBB in the whole program.
+  // Not "threads=1": that would limit TBB in the whole process.
   Held<RTCDevice> device{rtcNewDevice(nullptr)};
   Held<RTCScene> fixed, top;
   std::vector<Held<RTCScene>> shapes;
   std::vector<Held<RTCGeometry>> placed;       // instances
-  std::vector<std::array<float, 9>> rotation;  // R_WM of each, column by column
-  std::vector<Owner> fixed_owners;             // of each triangle
-  std::vector<Owner> owners;                   // of each instance
+  std::vector<std::array<float, 9>> rotation;  // R_WM of each, column-major
+  std::vector<Owner> fixed_owners;             // by triangle
+  std::vector<Owner> owners;                   // by instance
 
   const Owner& owner(unsigned instance, unsigned triangle) const {
     return instance == kFixedScene ? fixed_owners[triangle] : owners[instance - 1];
@@ -85,8 +85,8 @@ struct RayScene::Impl {
   static void pass_own(const RTCFilterFunctionNArguments* hits);
 };
 
-/// Cosine between a ray and the normal of what it met, which Embree has in the frame of the instance; below 0
-/// where the ray comes from outside.
+/// Cosine between a ray and the normal of its hit, which Embree gives
+/// in the instance's frame; negative if the ray comes from outside.
 float RayScene::Impl::facing(const RTCRayHit16& both, std::size_t k) const {
   const RTCHit16& hit = both.hit;
   const float d[3] = {both.ray.dir_x[k], both.ray.dir_y[k], both.ray.dir_z[k]};
@@ -100,7 +100,7 @@ float RayScene::Impl::facing(const RTCRayHit16& both, std::size_t k) const {
   return along / std::sqrt(dot(n, n));
 }
 
-/// Of what a ray met: a unit vector, in W.
+/// Unit normal of a hit, in W.
 std::array<float, 3> RayScene::Impl::normal(const RTCHit16& hit, std::size_t k) const {
   const float n[3] = {hit.Ng_x[k], hit.Ng_y[k], hit.Ng_z[k]};
   std::array<float, 3> to = {n[0], n[1], n[2]};
@@ -113,14 +113,14 @@ std::array<float, 3> RayScene::Impl::normal(const RTCHit16& hit, std::size_t k) 
   return to;
 }
 
-/// What Embree hands to pass_own().
+/// Context passed by Embree to pass_own().
 struct RayScene::Impl::Context {
   RTCIntersectContext embree;
   const Impl& scene;
   std::uint32_t group;
 };
 
-/// Rejects what rays meet of their own group.
+/// Intersection filter: rejects hits on the ray's own group.
 void RayScene::Impl::pass_own(const RTCFilterFunctionNArguments* hits) {
   const auto& context = *reinterpret_cast<const Context*>(hits->context);
   for (unsigned k = 0; k < hits->N; ++k) {
@@ -223,8 +223,8 @@ void RayScene::cast(RayBatch& rays) const {
                ? Owner{RayBatch::kNobody, RayBatch::kNobody}
                : impl_->owner(both.hit.instID[0][k], both.hit.primID[k]);
   };
-  // A filter is a call for each hit, and few rays meet what carries them: those alone are cast again. So are
-  // those that come out of a solid: it may begin where they have been let through.
+  // A filter costs a call per hit, and few rays hit their own group: only those are cast again.
+  // Likewise rays that leave a solid, since another may begin where they were let through.
   bool again = false;
   for (std::size_t k = 0; k < rays.count; ++k) {
     const Owner met = owner(k);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a rigid body is, and where it is and how it moves. Frames: W world, B body.
+/// Description and state of a rigid body. Frames: W world, B body.
 
 #include <vector>
 
@@ -11,33 +11,33 @@ namespace playhouse::arena {
 using geom::Quaternion;
 using geom::Vec3;
 
-/// Corners of a convex solid.  [m, in the frame of whatever it is a part of]
+/// Corners of a convex solid.  [m, in the frame of its owner]
 using Hull = std::vector<Vec3>;
 
-/// How a surface meets another one: coefficients are multiplied.
+/// Surface properties; coefficients of two surfaces in contact are multiplied.
 struct Surface {
   double friction = 1;
   double restitution = 0;
-  double share_x = 1, share_y = 1;  // of the friction, along x and y of whatever has it
+  double share_x = 1, share_y = 1;  // factors of friction along the owner's x and y
   constexpr bool has_grain() const { return share_x != 1 || share_y != 1; }
   friend constexpr bool operator==(const Surface&, const Surface&) = default;
 };
 
-/// Where a wheel or a caster of a vehicle touches level ground.
+/// Contact point of a wheel or caster of a vehicle with level ground.
 struct Wheel {
   Vec3 p_B;                      // m
-  double along = 0, across = 0;  // coefficients of friction in its direction, which is that of x, and across
-  double rise = 0.03;            // m above it that the ground may be: what it climbs
+  double along = 0, across = 0;  // friction coefficients in rolling direction (x) and sideways
+  double rise = 0.03;            // m: step height that it climbs
   constexpr bool is_caster() const { return along <= 0 && across <= 0; }
 };
 
 struct BodyDesc {
   std::vector<Hull> hulls;  // in B
-  double mass = 1;          // kg; 0: nothing pushes it, it moves as its velocity says
+  double mass = 1;          // kg; 0: kinematic
   Vec3 center;              // of mass  [m, in B]
   Surface surface;
   std::vector<Wheel> wheels;  // none: no vehicle
-  bool is_upright = false;    // a vehicle that no contact tilts or turns: it heads where it is driven
+  bool is_upright = false;    // a vehicle with no roll, pitch or yaw from contacts: it heads where driven
 };
 
 struct BodyState {

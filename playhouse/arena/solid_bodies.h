@@ -1,6 +1,6 @@
 #pragma once
 
-/// The bodies of models as their outlines: what hulls and triangles are made of.
+/// Outlines of models' bodies, from which hulls and triangles are made.
 
 #include <algorithm>
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace playhouse::arena {
 
-/// Calls visit(begin, end) for the runs of rows in [first, last) that are one body each, all of one model
-/// (see Solids::body), and that `observer` sees.
+/// Calls visit(begin, end) for each body, a run of rows in [first,
+/// last) of one model (see Solids::body), that `observer` sees.
 template <typename Visit>
 void each_body(const stage::Solids& solids, std::size_t first, std::size_t last, stage::Observer observer,
                const Visit& visit) {
@@ -23,8 +23,8 @@ void each_body(const stage::Solids& solids, std::size_t first, std::size_t last,
   }
 }
 
-/// The outlines of a body in F, a frame in which its model stands upright; what is solid is to the left of
-/// them.  [m]
+/// The outlines of a body in F, a frame in which its
+/// model is upright; the solid side is on their left. [m]
 inline std::vector<std::vector<geom::Vec2>> outlines_of(const stage::Solids& solids, std::size_t begin,
                                                         std::size_t end, const geom::Pose& X_FM) {
   const geom::Rotation turn = geom::Rotation::of(X_FM.a);

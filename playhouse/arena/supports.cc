@@ -5,7 +5,7 @@
 namespace playhouse::arena {
 namespace {
 
-constexpr double kWide = 2;  // m along x; what is wider is compared with every box
+constexpr double kWide = 2;  // m along x; wider boxes are tested by brute force
 
 bool overlap(const Box& a, const Box& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&

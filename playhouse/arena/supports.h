@@ -1,12 +1,12 @@
 #pragma once
 
-/// Supports: which bodies that move may be below a vehicle, so that its wheels stand on them.
+/// Supports: broad phase for wheels: the movable bodies that may be below a vehicle.
 ///
-/// In: boxes along W's axes that hold the bodies.
-/// Out: for a box, the bodies whose boxes overlap it, in the order of their numbers.
-/// Cost: set() a sort of all boxes; find() those whose low side is within kWide ahead of the box in x, and
-/// all
-///   that are wider than kWide.
+/// In: axis-aligned bounding boxes in W.
+/// Out: for a box, the bodies whose boxes overlap it, in ascending order.
+/// Cost: set() sorts all boxes; find() visits
+///   those whose low side is within kWide of the
+///   box in x, and all boxes wider than kWide.
 /// Source: sweep and prune along one axis (Baraff, 1992).
 ///
 /// Thread: find() from any number of threads at once; set() from one.
@@ -27,7 +27,7 @@ class Supports {
  public:
   /// `boxes` has one for each body.
   void set(std::span<const Box> boxes);
-  /// Replaces `bodies` by the numbers of those that overlap the box.
+  /// Replaces `bodies` by the bodies whose boxes overlap `box`.
   void find(const Box& box, std::vector<std::uint32_t>& bodies) const;
 
  private:
@@ -35,7 +35,7 @@ class Supports {
     Box box;
     std::uint32_t body = 0;
   };
-  std::vector<Entry> narrow_;  // by the low side in x
+  std::vector<Entry> narrow_;  // sorted by the low side in x
   std::vector<Entry> wide_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What things are made of.
+/// Friction and restitution of materials.
 
 #include "playhouse/arena/rigid_body.h"
 #include "playhouse/base/result.h"
@@ -8,12 +8,12 @@
 
 namespace playhouse::arena {
 
-/// How the faces of a model rub and bounce: as its material does, or the file of its mesh says where it has
-/// none, or as its word `friction` says. What is
-/// made of nothing in particular is rubber on concrete with most others.
+/// The surface of a model: its word `friction` first, else
+/// its material, else what the file of its mesh says. The
+/// default is rubber on concrete with most other surfaces.
 Surface surface_of(const scene::ModelDesc& desc);
 
-/// That of the ground; fails for a material that is not known, with the nearest one that is.
+/// That of the ground. Fails on an unknown material, naming the nearest known one.
 Result<Surface> ground_of(const scene::SceneDesc& scene);
 
 }  // namespace playhouse::arena

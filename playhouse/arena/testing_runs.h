@@ -1,6 +1,6 @@
 #pragma once
 
-/// Runs for tests: of a world file in either engine, and of the arena as a fixture that drives robots.
+/// Test fixtures: a world file in either engine, and arena scenes with driven robots.
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ struct EngineRun {
   }
 };
 
-/// A scene in the arena, in ticks of 100 ms.
+/// A scene in the arena, with ticks of 100 ms.
 class ArenaRun : public ::testing::Test {
  protected:
   void start(scene::SceneDesc scene, unsigned workers = 1) {
@@ -60,8 +60,8 @@ class ArenaRun : public ::testing::Test {
   void run(double seconds) {
     for (int i = 0; i < std::lround(seconds * 10); ++i) engine_->step();
   }
-  /// Expects the same hashes with one worker and with three, and with two from each `every`-th tick on, whose
-  /// state is loaded. `command` is called before each tick, `look` with a state that was loaded.
+  /// Expects equal hashes with 1 and 3 workers, and with 2 workers when resumed from a saved state
+  /// at every `every`-th tick. `command` runs before each tick, `look` on each loaded state.
   void expect_the_same_run(int ticks, int every, const std::function<void(world::World&, int tick)>& command,
                            const std::function<void(world::World&)>& look) {
     std::vector<std::uint64_t> hashes;

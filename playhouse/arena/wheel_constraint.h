@@ -1,15 +1,15 @@
 #pragma once
 
-/// Wheels as constraints of Bullet (wheels.h solves those that stand on what does not move).
+/// Wheels as Bullet constraints (wheels.h solves wheels on static ground).
 
 #include "playhouse/arena/bullet.h"
 #include "playhouse/arena/wheels.h"
 
 namespace playhouse::arena {
 
-/// A wheel on what may be pushed away, for Bullet to solve with the contacts of that: solved without them,
-/// the reaction of a heavy vehicle throws a light thing. Rows: normal, along, left, of which friction is
-/// within what the load of solve_wheels() gives. Changes of impulses that solve_wheels() found already.
+/// A wheel on a movable support, solved by Bullet together with the support's contacts; solved separately,
+/// the reaction of a heavy vehicle would launch a light support. Rows: normal, along, left; friction is
+/// limited by the load from solve_wheels(). Solves for corrections to the impulses of solve_wheels().
 class WheelConstraint final : public btTypedConstraint {
  public:
   WheelConstraint(btRigidBody& vehicle, btRigidBody& support, const Vec3& p, const WheelTarget& target,

@@ -1,22 +1,22 @@
 #pragma once
 
-/// What is below a wheel: a ray downwards.
+/// Ground detection below a wheel: a downward ray cast.
 
 #include "playhouse/arena/bullet.h"
 #include "playhouse/arena/wheels.h"
 
 namespace playhouse::arena {
 
-inline constexpr double kWheelDrop = 0.1;  // m below a wheel to where the ground is looked for
-inline constexpr double kOverlap = 0.01;   // m that it climbs beyond its body: no step is in between
-inline constexpr double kUpright = 0.3;    // cosine of the steepest slope that bears a wheel
+inline constexpr double kWheelDrop = 0.1;  // m below a wheel that are searched for ground
+inline constexpr double kOverlap = 0.01;   // m added to its step height: no gap from climbing to collision
+inline constexpr double kUpright = 0.3;    // cosine of the steepest slope that carries a wheel
 
-/// Where a ray from a wheel downwards meets a body from above.
+/// A vertical ray through a wheel that hits bodies from above.
 struct WheelRay {
   btVector3 top, bottom;
-  double rise = 0;  // m of it above the wheel
+  double rise = 0;  // m from the wheel up to the ray's top
 
-  /// Whether it is nearer than what `footing` has; then it has that.
+  /// Tests a body; if its hit is nearer than that of `footing`, replaces it and returns true.
   bool meet(btRigidBody& body, Footing& footing) const;
 };
 

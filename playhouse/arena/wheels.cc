@@ -14,29 +14,29 @@ using stage::kFour;
 using stage::load;
 using stage::store;
 
-constexpr int kIterations = 20;         // at most,
-constexpr double kConverged = 1e-7;     // m/s by which an iteration still changes the motion
-constexpr double kPushOut = 0.2;        // of a wheel that is pressed in, a step
-constexpr double kClimb = 1;            // m/s at most
-constexpr double kSlop = 1e-4;          // m that it may be
-constexpr double kEven = 1e-3;          // m between the ground and a wheel on even ground
-constexpr double kSimilarNormal = 0.8;  // cosine of the angle between normals of ground that is shared
-constexpr double kTravel = 0.06;        // m that casters give way at most
+constexpr int kIterations = 20;         // limit,
+constexpr double kConverged = 1e-7;     // m/s, change of motion by an iteration that ends them
+constexpr double kPushOut = 0.2;        // share of a penetration corrected in a step
+constexpr double kClimb = 1;            // m/s, limit of that correction
+constexpr double kSlop = 1e-4;          // m of tolerated penetration
+constexpr double kEven = 1e-3;          // m, tolerance for ground level with a wheel
+constexpr double kSimilarNormal = 0.8;  // cosine between ground normals of a common plane
+constexpr double kTravel = 0.06;        // m, suspension travel of casters
 
-/// A wheel that touches the ground. Its rows are numbers of Rows.
+/// A wheel in contact. Members are row numbers of Rows.
 struct Contact {
-  std::size_t normal = 0, along = 0, across = 0;  // the last two: not of casters
+  std::size_t normal = 0, along = 0, across = 0;  // the last two not for casters
   double grip_along = 0, grip_across = 0;
   Vec3 up;               // of the ground
-  double x = 0;          // m ahead, in B
-  bool is_even = false;  // the ground is as high as the wheel
+  double x = 0;          // m forward, in B
+  bool is_even = false;  // ground level with the wheel
   WheelImpulse* impulse = nullptr;
   bool is_caster() const { return grip_along <= 0 && grip_across <= 0; }
 };
 
-/// Rows of one vehicle, each a direction in which an impulse at a wheel acts, and how far each is from its
-/// target while impulses change: what a unit of impulse in one row does to all others is worked out once, so
-/// that an iteration does not go by way of the motion.
+/// Constraint rows of one vehicle: directions in which impulses act at wheels,
+/// and the residual of each row as impulses change. The coupling (Delassus)
+/// matrix is computed once, so that an iteration does not update the motion.
 class Rows {
  public:
   PLAYHOUSE_INLINE Rows(const Inertia& inertia, Motion& motion)
@@ -51,7 +51,7 @@ class Rows {
     turn_z_ = column(x.z, y.z, z.z);
   }
 
-  /// Adds one that has had an impulse; returns its number.
+  /// Adds a row with a warm-start impulse; returns its number.
   PLAYHOUSE_INLINE std::size_t add(const Vec3& direction, const Vec3& from_center, double target,
                                    double impulse) {
     const Vec3 arm = cross(from_center, direction);
@@ -64,7 +64,7 @@ class Rows {
     impulse_[i] = impulse;
     return i;
   }
-  /// To be called once, when all are there.
+  /// Computes the matrix; call once, after all rows.
   PLAYHOUSE_INLINE void couple() {
     end_ = (count_ + kFour - 1) / kFour * kFour;
     for (std::size_t i = count_; i < end_; ++i) put_none(i);
@@ -88,11 +88,11 @@ class Rows {
   }
 
   PLAYHOUSE_INLINE double impulse(std::size_t row) const { return impulse_[row]; }
-  /// The impulse that brings the row to its target, with what it has.
+  /// The accumulated impulse that would satisfy the row.
   PLAYHOUSE_INLINE double wanted(std::size_t row) const {
     return impulse_[row] + missing_[row] * effective_[row];
   }
-  /// Returns the change of the impulse.
+  /// Returns the change of impulse.
   PLAYHOUSE_INLINE double set(std::size_t row, double impulse) {
     const double change = impulse - impulse_[row];
     impulse_[row] = impulse;
@@ -100,7 +100,7 @@ class Rows {
     return std::fabs(change);
   }
 
-  /// Several impulses that change together: shares[k] of them in row rows[k].
+  /// A combined direction: shares[k] of an impulse in row rows[k].
   struct Together {
     std::array<std::size_t, 4> rows;
     std::array<double, 4> shares;
@@ -122,9 +122,9 @@ class Rows {
     add_change(together.change, impulse);
   }
 
-  /// What the impulse of a row is, in W.
+  /// The impulse vector of a row in W.
   PLAYHOUSE_INLINE Vec3 push_of(std::size_t row) const { return impulse_[row] * direction_.at(row); }
-  /// Gives all impulses to the motion.
+  /// Applies all impulses to the motion.
   PLAYHOUSE_INLINE void push() {
     for (std::size_t i = 0; i < count_; ++i) {
       motion_.v = motion_.v + per_mass_ * push_of(i);
@@ -145,7 +145,7 @@ class Rows {
     }
   };
 
-  /// Fills the last four rows up.
+  /// Pads the last vector of rows.
   PLAYHOUSE_INLINE void put_none(std::size_t i) {
     direction_.put(i, {});
     arm_.put(i, {});
@@ -170,7 +170,7 @@ class Rows {
   double change_[kMost][kMost];                                // m/s of a row per N s of another
 };
 
-/// The friction of the ground in a direction.
+/// Friction of the ground in a direction.
 PLAYHOUSE_INLINE double friction_along(const Footing& footing, const Vec3& direction) {
   if (!footing.has_grain) return footing.friction;
   const double x = dot(footing.grain_x, direction), y = dot(footing.grain_y, direction),
@@ -199,12 +199,12 @@ PLAYHOUSE_INLINE WheelTarget target_of(const Wheel& wheel, const Footing& footin
   return target;
 }
 
-/// The ground pushes, and does not pull. Returns the change of the impulse. [N s]
+/// Unilateral normal constraint. Returns the change of impulse. [N s]
 PLAYHOUSE_INLINE double press(const Contact& contact, Rows& rows) {
   return rows.set(contact.normal, std::max(0.0, rows.wanted(contact.normal)));
 }
 
-/// Friction, no more than the load gives. Returns the change of the impulses. [N s]
+/// Friction limited by the load. Returns the change of impulses. [N s]
 PLAYHOUSE_INLINE double grip(const Contact& contact, Rows& rows) {
   double along = rows.wanted(contact.along), across = rows.wanted(contact.across);
   const double load = rows.impulse(contact.normal);
@@ -226,10 +226,10 @@ PLAYHOUSE_INLINE double grip(const Contact& contact, Rows& rows) {
   return change + rows.set(contact.across, across);
 }
 
-/// Two driven wheels between two casters, all of which touch the ground.
+/// Two driven wheels between two casters, all in contact.
 struct Axle {
   std::array<const Contact*, 2> driven{}, casters{};
-  double share = -1;  // of the axle's load, of the second caster; below 0: there is no such axle
+  double share = -1;  // share of the axle's load on the second caster; negative: no such axle
 };
 
 PLAYHOUSE_INLINE Axle axle_of(std::span<const Contact> contacts) {
@@ -247,7 +247,7 @@ PLAYHOUSE_INLINE Axle axle_of(std::span<const Contact> contacts) {
   return axle;
 }
 
-/// From the casters of an axle to its wheels.
+/// The redistribution of load from an axle's casters to its wheels.
 PLAYHOUSE_INLINE Rows::Together unloading_of(const Axle& axle, const Rows& rows) {
   Rows::Together unloading;
   unloading.rows = {axle.casters[0]->normal, axle.casters[1]->normal, axle.driven[0]->normal,
@@ -257,8 +257,8 @@ PLAYHOUSE_INLINE Rows::Together unloading_of(const Axle& axle, const Rows& rows)
   return unloading;
 }
 
-/// The load split between casters and axle is indeterminate: chooses the least caster load that prevents
-/// tipping, as sprung casters do; a tall vehicle would spin its wheels else.
+/// The load split between casters and axle is statically indeterminate: chooses the least caster
+/// load that prevents tipping, like sprung casters; otherwise a tall vehicle would spin its wheels.
 PLAYHOUSE_INLINE void unload_casters(const Axle& axle, const Rows::Together& unloading, Rows& rows) {
   const double share = axle.share;
   const double of_first = rows.impulse(axle.casters[0]->normal),
@@ -268,7 +268,7 @@ PLAYHOUSE_INLINE void unload_casters(const Axle& axle, const Rows::Together& unl
                                    : std::min(of_first / (1 - share), of_second / share));
 }
 
-/// Until impulses change by less than `enough`.  [N s]
+/// Projected Gauss-Seidel until impulses change by less than `enough`.  [N s]
 PLAYHOUSE_INLINE void iterate(std::span<const Contact> contacts, double enough, Rows& rows) {
   const Axle axle = axle_of(contacts);
   const bool has_axle = axle.share >= 0;
@@ -276,7 +276,7 @@ PLAYHOUSE_INLINE void iterate(std::span<const Contact> contacts, double enough, 
   if (has_axle) unloading = unloading_of(axle, rows);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     double change = 0;
-    if (has_axle) unload_casters(axle, unloading, rows);  // before press(), which mends what it changes
+    if (has_axle) unload_casters(axle, unloading, rows);  // before press(), which corrects its effect
     for (const Contact& contact : contacts) change += press(contact, rows);
     for (const Contact& contact : contacts)
       if (!contact.is_caster()) change += grip(contact, rows);
@@ -337,7 +337,7 @@ WheelTarget wheel_target(const Wheel& wheel, const Footing& footing, const Quate
 }
 
 void let_casters_give_way(const BodyDesc& desc, std::span<Footing> footings) {
-  // wheels_of() has the driven wheels of an axle first, then its casters.
+  // wheels_of() lists the driven wheels of an axle first, then its casters.
   const std::vector<Wheel>& wheels = desc.wheels;
   if (wheels.size() != 4 || wheels[0].is_caster() || wheels[1].is_caster() || !wheels[2].is_caster() ||
       !wheels[3].is_caster())

@@ -18,7 +18,7 @@ void set_before_abort(bool (*task)()) {
 }
 
 void assert_failed(const char* condition, const char* file, int line) {
-  // What was said before may tell why. Where nobody reads, nothing must wait here.
+  // Flushes the log first, which may explain the failure, without blocking on a stalled reader.
   bool (*const task)() = before_abort;
   if (task == nullptr || task())
     std::fprintf(stderr, "%s:%d: internal error: %s does not hold\n", file, line, condition);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// PLAYHOUSE_ASSERT stops the program on a bug of ours, in every build. Never for bytes or files from outside.
+/// PLAYHOUSE_ASSERT aborts on a bug of ours, in every build. Never use it on bytes or files from outside.
 
 namespace playhouse {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Bytes as text of 64 characters, with padding (RFC 4648, section 4).
+/// Base64 with padding (RFC 4648, section 4).
 
 #include <cstdint>
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace playhouse {
 
-/// Appends the text of some bytes.
+/// Appends the encoding of some bytes.
 void append_base64(std::string& out, std::span<const std::uint8_t> bytes);
 
-/// The bytes of a text; none where it is no such text.
+/// Decodes a text; none if it is invalid.
 std::optional<std::string> bytes_of_base64(std::string_view text);
 
 }  // namespace playhouse

@@ -2,8 +2,8 @@
 
 namespace playhouse {
 
-/// `task` runs before a failed assertion is told, on the thread that found it; false from it: say nothing and
-/// end. None at first. The log sees to it that what was said before is written.
+/// Hook that runs before a failed assertion is reported, on the failing thread; if it returns
+/// false, nothing is reported. Default: none. The log uses it to flush pending lines.
 void set_before_abort(bool (*task)());
 
 }  // namespace playhouse

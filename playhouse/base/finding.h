@@ -7,15 +7,15 @@
 
 namespace playhouse {
 
-/// A finding among errors that is none by itself, as a word that may be the reason of the others.
+/// Marks a finding among errors as a warning, such as a typo that may be the cause of the others.
 Error as_warning(Error finding);
 bool is_warning(const Error& finding);
 
-/// A line about a file as editors follow it, "file:line: error: what"; "error: what" where there is no place.
-/// `kind` is "error" or "warning"; what as_warning() made is a warning always.
+/// Diagnostic line in the format of compilers, "file:line: error: what"; "error: what" without
+/// a position. `kind` is "error" or "warning"; results of as_warning() are always warnings.
 std::string finding(std::string_view kind, const Error& error);
 
-/// The parts of a warning, "file:line: what"; without a place, all of it is text.
+/// Splits a warning, "file:line: what", into position and text; without a position everything is text.
 Error placed(std::string_view line);
 
 }  // namespace playhouse

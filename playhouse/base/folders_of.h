@@ -5,8 +5,8 @@
 
 namespace playhouse {
 
-/// The folders that an environment variable lists, between colons; empty ones are left out, and where it is
-/// not set there are none.
+/// Splits an environment variable at colons into
+/// folders, skipping empty ones; none if it is not set.
 std::vector<std::string> folders_of(const char* variable);
 
 }  // namespace playhouse

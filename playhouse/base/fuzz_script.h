@@ -1,6 +1,6 @@
 #pragma once
 
-/// For fuzzers: the input, read as a script of what to do. What is behind its end reads as zeroes.
+/// For fuzzers: reads the input as a script of operations. Past its end it reads zeros.
 
 #include <algorithm>
 #include <array>
@@ -23,13 +23,13 @@ class FuzzScript {
     bytes_ = bytes_.subspan(1);
     return value;
   }
-  /// Fewer at the end.
+  /// Up to `count` bytes.
   std::span<const std::byte> take(std::size_t count) {
     const auto result = bytes_.first(std::min(count, bytes_.size()));
     bytes_ = bytes_.subspan(result.size());
     return result;
   }
-  /// One byte for a number of daily use, or for one that hurts; its last value announces any eight bytes.
+  /// One byte encodes an ordinary number or a pathological one; its last value announces eight raw bytes.
   double number() {
     using Limits = std::numeric_limits<double>;
     constexpr std::array kHurtful = {Limits::infinity(),

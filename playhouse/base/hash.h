@@ -1,7 +1,7 @@
 #pragma once
 
-/// A 64-bit hash of state for reproducibility checks (not for security). The result depends on the values and
-/// their order only.
+/// A 64-bit hash of state for reproducibility checks (not
+/// cryptographic). A function of the values and their order.
 
 #include <bit>
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace playhouse {
 class Hash {
  public:
   void add(std::uint64_t value) { state_ = mix64(state_ ^ value) + 0x632BE59BD9B4E019u; }
-  /// Bits of the number; -0 counts as 0, so equal numbers hash alike.
+  /// Hashes the bits; -0 is hashed as 0, so that equal numbers have equal hashes.
   void add(double value) { add(std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value)); }
   void add(float value) { add(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(value == 0.0f ? 0.0f : value))); }
   template <typename T>

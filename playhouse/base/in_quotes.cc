@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t kShownBytes = 200;
 constexpr char kHexDigits[] = "0123456789abcdef";
 
-/// The beginning of a text, without a part of a UTF-8 character at its end.
+/// Truncates a text without splitting a UTF-8 character.
 std::string_view beginning(std::string_view text) {
   const auto goes_on = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80; };
   constexpr std::size_t kLongest = 4;  // bytes of a character

@@ -5,12 +5,12 @@
 
 namespace playhouse {
 
-/// Text from outside as our messages show it: in quotes, control characters and bytes that are no UTF-8 as
-/// \xNN so that nobody forges lines of a log, and cut with "..." when it is longer than a line.
+/// Quotes untrusted text for messages: control characters and invalid UTF-8 as
+/// \xNN, against forged log lines, truncated with "..." if longer than a line.
 std::string in_quotes(std::string_view text);
 
-/// Text from outside that stands without quotes, as a file's name before its line or a sentence: the same,
-/// and whole.
+/// Escapes untrusted text that is shown unquoted,
+/// such as a file name: likewise, but not truncated.
 std::string escaped(std::string_view text);
 
 }  // namespace playhouse

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Limits of the wire, the server, viewers, observers, recordings and files, which several modules, tests or
-/// documents name. A limit of one module alone stands in that module.
+/// Limits of wire, server, viewers, observers, recordings and files that several
+/// modules, tests or documents refer to. Limits of a single module are in that module.
 
 #include <cstddef>
 #include <cstdint>

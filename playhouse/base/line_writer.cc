@@ -16,13 +16,13 @@
 namespace playhouse {
 namespace {
 
-/// What cannot be written is given up: there is nobody left to tell.
+/// Write errors are ignored: they cannot be reported.
 void write_all(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = write(file, text.data(), text.size());
     if (written >= 0) {
       text.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno == EAGAIN) {  // whoever started us may have made the file non-blocking
+    } else if (errno == EAGAIN) {  // a parent may have made it non-blocking
       pollfd room{file, POLLOUT, 0};
       poll(&room, 1, -1);
     } else if (errno != EINTR) {
@@ -31,7 +31,7 @@ void write_all(int file, std::string_view text) {
   }
 }
 
-/// While it lives, no signal comes to this thread, nor to those it starts.
+/// Blocks all signals in this thread, and in threads started meanwhile.
 class NoSignals {
  public:
   NoSignals() {
@@ -53,13 +53,13 @@ struct LineWriter::State {
   explicit State(int the_file) : file(the_file) {}
 
   const int file;
-  std::mutex mutex;  // of all below; never held while writing
+  std::mutex mutex;  // guards all below; not held while writing
   std::condition_variable changed;
-  std::string lines;     // waiting
-  std::size_t lost = 0;  // lines that came behind these
-  std::string status;    // waiting
+  std::string lines;     // queued
+  std::size_t lost = 0;  // lines dropped after these
+  std::string status;    // pending
   bool started = false, writing = false, ending = false;
-  bool stalled = false;  // flush() has waited in vain for the write that goes on
+  bool stalled = false;  // flush() has timed out on the current write
 
   bool waiting() const { return !lines.empty() || lost > 0 || !status.empty(); }
 
@@ -72,7 +72,7 @@ struct LineWriter::State {
     return text;
   }
 
-  /// Writes one text after the other until there is none. Needs the lock, and gives it back for each write.
+  /// Writes until nothing is queued. Needs the lock, and releases it during writes.
   void write_waiting(std::unique_lock<std::mutex>& lock) {
     while (waiting()) {
       const std::string text = take();
@@ -85,7 +85,7 @@ struct LineWriter::State {
     changed.notify_all();
   }
 
-  /// The thread.
+  /// Thread main function.
   void run() {
     std::unique_lock lock(mutex);
     while (!ending) {
@@ -95,14 +95,14 @@ struct LineWriter::State {
     write_waiting(lock);
   }
 
-  /// Has the waiting text written. Needs the lock.
+  /// Wakes or starts the thread. Needs the lock.
   static void wake(const std::shared_ptr<State>& state, std::unique_lock<std::mutex>& lock) {
     if (state->started) return state->changed.notify_all();
     try {
-      const NoSignals none;  // they are meant for threads that wait for them
+      const NoSignals none;  // they are for threads that wait for them
       std::thread([state] { state->run(); }).detach();
       state->started = true;
-    } catch (const std::system_error&) {  // no thread to be had: better late than never
+    } catch (const std::system_error&) {  // no thread available: written later
       if (!state->writing) state->write_waiting(lock);
     }
   }
@@ -120,7 +120,7 @@ LineWriter::~LineWriter() {
 void LineWriter::add(std::string_view line) {
   std::unique_lock lock(state_->mutex);
   if (state_->lost > 0 || state_->lines.size() + line.size() > kBytes) {
-    ++state_->lost;  // once one is lost, so are the next: the count stands where they would be
+    ++state_->lost;  // after one loss all are dropped, so that the count is in the right place
   } else {
     state_->lines += line;
   }

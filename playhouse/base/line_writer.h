@@ -1,8 +1,8 @@
 #pragma once
 
-/// LineWriter: text for a terminal, a pipe or a file, written by a thread of its own, so that nobody else
-/// ever waits for whoever reads it. Lines that do not fit while the reader stalls are dropped, and counted
-/// in their place.
+/// LineWriter: asynchronous writer of lines to a terminal, pipe or
+/// file, on its own thread, so that no caller blocks on a slow reader.
+/// When the buffer is full, lines are dropped and counted in place.
 
 #include <chrono>
 #include <cstddef>
@@ -14,28 +14,28 @@ namespace playhouse {
 
 class LineWriter {
  public:
-  /// Of lines that wait for the reader.
+  /// Buffer size.
   static constexpr std::size_t kBytes = 4u << 20;
 
-  /// Writes to an open file, which stays open: a stalled write may outlive this object. The thread starts
-  /// with the first text, so a process that has said nothing may still be copied by fork().
+  /// Writes to an open descriptor, which stays open: a blocked write may outlive this object.
+  /// The thread is started by the first text, so that a process without output can still fork().
   explicit LineWriter(int file);
-  /// As flush().
+  /// Calls flush().
   ~LineWriter();
   LineWriter(const LineWriter&) = delete;
   LineWriter& operator=(const LineWriter&) = delete;
 
-  /// A whole line, with its end. Any thread; does not wait.
+  /// Queues a whole line with its line end. Any thread; does not block.
   void add(std::string_view line);
-  /// What to show once no line is waiting; a newer text takes its place. Any thread; does not wait.
+  /// Sets the status line, shown when no line is queued; replaces the old one. Any thread; does not block.
   void show(std::string status);
 
-  /// Waits until everything is written, but not for long: false if the reader stalls.
+  /// Waits until everything is written, up to `patience`: false on timeout.
   bool flush(std::chrono::milliseconds patience = std::chrono::seconds(1));
 
  private:
   struct State;
-  /// Two owners: this object and the thread, which nobody can join while its write stalls.
+  /// Owners: this object and the thread, which cannot be joined while its write blocks.
   std::shared_ptr<State> state_;
 };
 

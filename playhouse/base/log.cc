@@ -24,7 +24,7 @@
 namespace playhouse::log {
 namespace {
 
-/// Erases the progress line, if there is one, and what is written next takes its place.
+/// Erases the progress line, so that the next text replaces it.
 constexpr const char* kEraseLine = "\r\x1b[K";
 
 LineWriter& standard_error() {
@@ -36,7 +36,7 @@ bool is_terminal() {
   return isatty(STDERR_FILENO) == 1;
 }
 
-/// https://no-color.org: any text but none.
+/// https://no-color.org: any non-empty value.
 bool refuses_color() {
   const char* const value = std::getenv("NO_COLOR");
   return value != nullptr && *value != '\0';
@@ -55,14 +55,14 @@ const char* color_of(spdlog::level::level_enum level) {
   }
 }
 
-/// Gives spdlog's lines to a writer.
+/// Passes spdlog's lines to a writer.
 class WriterSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
   WriterSink(LineWriter& writer, bool colored) : writer_(writer), colored_(colored) {}
 
  private:
   void sink_it_(const spdlog::details::log_msg& message) override {
-    // Whoever wrote the text, no control character in it reaches a terminal.
+    // Control characters of any origin must not reach a terminal.
     const std::string payload = escaped({message.payload.data(), message.payload.size()});
     spdlog::details::log_msg shown = message;
     shown.payload = payload;
@@ -82,7 +82,7 @@ class WriterSink final : public spdlog::sinks::base_sink<std::mutex> {
   bool colored_;
 };
 
-/// Of the lines since open(); before it, in tests, nothing is held back.
+/// Rate limits, active after open(); tests are not limited.
 struct Limited {
   std::mutex mutex;
   bool on = false;
@@ -102,7 +102,7 @@ void give_all(const std::vector<LineLimits::Line>& lines) {
     tell(static_cast<spdlog::level::level_enum>(line.level), {line.place, line.text});
 }
 
-/// What was held back and not told yet.
+/// Summaries of suppressed lines.
 std::vector<LineLimits::Line> held_back() {
   const std::lock_guard lock(limited().mutex);
   return limited().limits.summaries(now());
@@ -152,7 +152,7 @@ void write_at(spdlog::level::level_enum level, const std::string& place, fmt::st
 }
 
 void tell(spdlog::level::level_enum level, const Error& finding) {
-  const int anywhere = finding.where.empty() ? 0 : 1;  // a line of 0: no place
+  const int anywhere = finding.where.empty() ? 0 : 1;  // 0: no position
   spdlog::default_logger()->log(spdlog::source_loc{finding.where.c_str(), anywhere, ""}, level, finding.text);
 }
 

@@ -3,9 +3,9 @@
 /// Log lines to standard error, through spdlog. Standard output belongs to results.
 /// Use log::info / warn / error / debug with fmt strings; any thread.
 ///
-/// Lines of one level and one format string are one kind, and of each kind so many are written
-/// (line_limits.h); the others are counted, and the count is told. "{}" alone, a text that was made elsewhere
-/// (warnings of files, the error that ends the program), is no kind: such lines are all written.
+/// Lines are rate-limited by kind, their level and format string (line_limits.h);
+/// suppressed ones are counted, and the count is logged. The format "{}" alone, for
+/// text composed elsewhere (warnings of files, the final error), is never limited.
 
 #include <spdlog/spdlog.h>
 
@@ -13,9 +13,9 @@
 
 namespace playhouse::log {
 
-/// Sends every log line to standard error. Call from main(), before the first line; again
-/// for another level.
-/// `level` is 0 errors and warnings, 1 information (the default), 2 and more diagnostics (Player's -d).
+/// Initialises logging to standard error. Call from main() before the first
+/// line; again to change the level. `level` is 0 errors and warnings, 1
+/// information (the default), 2 and more diagnostics (Player's -d).
 void open(int level);
 
 void write(spdlog::level::level_enum level, fmt::string_view format, fmt::format_args values);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Log lines about a place in a file, which comes first, as editors follow it: "file:line: error: what".
+/// Log lines about a position in a file, in the format of compilers: "file:line: error: what".
 
 #include <string>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace playhouse::log {
 
-/// As write(), with its kinds and their limits.
+/// See write(); kinds and limits apply.
 void write_at(spdlog::level::level_enum level, const std::string& place, fmt::string_view format,
               fmt::format_args values);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the program itself does with the output of its log; modules that have something to say use log.h.
-/// Nobody waits for whoever reads it (line_writer.h). Any thread.
+/// Control of the log's output, for the program; modules
+/// use log.h. Asynchronous (line_writer.h). Any thread.
 
 #include <spdlog/common.h>
 
@@ -11,21 +11,21 @@
 
 namespace playhouse::log {
 
-/// Appends every log line, with its time, to a file as well, which is made if it does not exist. Call once,
-/// after open().
+/// Also appends every log line, with its time, to a file,
+/// which is created if missing. Call once, after open().
 Result<void> also_to(const std::string& path);
 
-/// A log line about a file, with its place first, as editors follow it: "file:line: error: what"; without a
-/// place, a log line like any other.
+/// Logs a finding with its position first, in the format of compilers:
+/// "file:line: error: what"; without a position like any other line.
 void tell(spdlog::level::level_enum level, const Error& finding);
 
-/// A line of its own on standard error, without a level, between the log lines.
+/// Prints a line without a level on standard error, in order with log lines.
 void say(const std::string& line);
-/// The progress line, below the log lines; "": none. For terminals.
+/// Sets the progress line below the log; "": none. For terminals.
 void show_progress(const std::string& text);
 
-/// Waits until all lines are written; false if nobody reads them for a second. The end of the program does so
-/// too: call it where standard output goes on, or where the program dies.
+/// Waits until all lines are written; false after a second without progress. Done
+/// at exit too: call it before writing to standard output, or before aborting.
 bool flush();
 
 }  // namespace playhouse::log

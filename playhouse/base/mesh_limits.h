@@ -1,6 +1,6 @@
 #pragma once
 
-/// Limits of meshes, by name: those of limits.h that only who reads meshes needs.
+/// Limits of meshes, separate from limits.h as only readers of meshes need them.
 
 #include <cstddef>
 #include <cstdint>

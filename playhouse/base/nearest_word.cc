@@ -32,10 +32,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
-  constexpr std::size_t kLongestWord = 64;  // longer input is no typing slip, and the table would be large
+  constexpr std::size_t kLongestWord = 64;  // longer input is no typo, and the table would be large
   if (word.size() > kLongestWord) return {};
   std::string_view best;
-  // No more slips than letters: nobody who typed "6" meant "ir".
+  // At most as many edits as letters: "6" is no typo of "ir".
   std::size_t best_distance = std::min(std::max<std::size_t>(2, word.size() / 3), word.size()) + 1;
   for (std::string_view candidate : candidates) {
     const std::size_t distance = edit_distance(word, candidate);

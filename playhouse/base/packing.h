@@ -1,7 +1,7 @@
 #pragma once
 
-/// Little-endian numbers and varints in bytes: packets of viewers, saved runs. Reading never passes the end:
-/// the reader's error is sticky and checked once.
+/// Little-endian serialisation of numbers and varints, for viewer packets and saved
+/// runs. Reads are bounds-checked: the reader's error is sticky and checked once.
 
 #include <bit>
 #include <cstddef>
@@ -32,7 +32,7 @@ class Packer {
   }
   void f32(float value) { u32(std::bit_cast<std::uint32_t>(value)); }
   void f64(double value) { u64(std::bit_cast<std::uint64_t>(value)); }
-  /// A text or bytes, their length in front.
+  /// Length-prefixed text or bytes.
   void text(std::string_view value) {
     varint(value.size());
     const auto bytes = std::as_bytes(std::span(value));
@@ -76,7 +76,7 @@ class Unpacker {
   }
   float f32() { return std::bit_cast<float>(u32()); }
   double f64() { return std::bit_cast<double>(u64()); }
-  /// Empty, and no longer ok, where there are not so many bytes.
+  /// Empty, with an error, if there are fewer bytes than announced.
   std::string text() {
     const std::uint64_t size = varint();
     if (size > left()) {

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Result<T>: a value, or an Error that says what is wrong and where. For the world's faults (bad files, bad
-/// packets, lost peers); our own bugs are PLAYHOUSE_ASSERTs. Has the shape of std::expected, which C++20 lacks.
+/// Result<T>: a value, or an Error with text and position. For external faults (bad files, bad
+/// packets, lost peers); bugs are PLAYHOUSE_ASSERTs. Shaped like std::expected, which C++20 lacks.
 
 #include <string>
 #include <utility>
@@ -11,12 +11,12 @@
 
 namespace playhouse {
 
-/// What went wrong. `where` is "file:line" or a peer's address, or empty.
+/// An error. `where` is "file:line", a peer's address, or empty.
 struct Error {
   std::string where;
   std::string text;
 
-  /// One line for a person: "where: text".
+  /// One-line message: "where: text".
   std::string line() const { return where.empty() ? text : where + ": " + text; }
 };
 
@@ -33,7 +33,7 @@ class [[nodiscard]] Result {
     PLAYHOUSE_ASSERT(ok());
     return *std::get_if<0>(&state_);
   }
-  /// By value, so that `for (x : *list())` does not go through a list that is gone.
+  /// By value, so that `for (x : *list())` does not iterate over a destroyed temporary.
   T value() && {
     PLAYHOUSE_ASSERT(ok());
     return std::move(*std::get_if<0>(&state_));

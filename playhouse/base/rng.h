@@ -1,14 +1,14 @@
 #pragma once
 
-/// Random numbers as a pure function of (seed, tick, stream), so that a result depends neither on the order
-/// in which robots are computed nor on the number of workers. A value type; any thread. Source of the mixing
-/// function: splitmix64 (Steele, Lea, Flood 2014).
+/// Counter-based random numbers: a pure function of (seed, tick, stream), so that results
+/// depend neither on the order of robots nor on the number of workers. A value type; any
+/// thread. Source of the mixing function: splitmix64 (Steele, Lea, Flood 2014).
 
 #include <cstdint>
 
 namespace playhouse {
 
-/// Mixes 64 bits into 64 bits; neighbouring inputs give unrelated outputs.
+/// Bijective mixing of 64 bits; close inputs give uncorrelated outputs.
 constexpr std::uint64_t mix64(std::uint64_t x) {
   x += 0x9E3779B97F4A7C15u;
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -16,10 +16,10 @@ constexpr std::uint64_t mix64(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// What numbers are drawn for. Whoever draws for something new adds it here, so that no two draw the same.
+/// Purpose of a stream. Every new use gets an entry here, so that no two uses share a stream.
 enum class Purpose : std::uint64_t {
   kStartSpot = 0,      // entity: robot of a scenario; this and the next two with seed 2026 at tick 0
-  kStartOrder = 1,     // entity: place in the order
+  kStartOrder = 1,     // entity: position in the order
   kStartHeading = 2,   // entity: robot of a scenario
   kController = 3,     // entity: a model; part: which of its controllers
   kBeamBearing = 4,    // entity: a ranger; part: which of its sensors; detail: beam of the sensor
@@ -42,8 +42,8 @@ enum class Purpose : std::uint64_t {
   kCount
 };
 
-/// A sequence of numbers of its own in every tick of a run: what for, and for whom (and which part of it).
-/// Models are named by serial number (world/serials.h), which no spawn or removal changes.
+/// Key of an independent sequence per tick: purpose, entity and part. Models are identified by serial number
+/// (world/serials.h), which does not change when other models are spawned or removed.
 struct Stream {
   Purpose purpose;
   std::uint32_t entity = 0, part = 0, detail = 0;
@@ -62,8 +62,8 @@ class Rng {
   constexpr double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
   constexpr double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-  /// Mean 0, variance 1: sum of twelve uniforms less six (Irwin-Hall), exact arithmetic on every machine;
-  /// |value| < 6.
+  /// Mean 0, variance 1: sum of twelve uniforms minus six
+  /// (Irwin-Hall), exactly reproducible on every machine; |value| < 6.
   constexpr double gaussian() {
     double sum = -6.0;
     for (int i = 0; i < 12; ++i) sum += uniform();

@@ -6,7 +6,7 @@
 
 namespace playhouse {
 
-/// Index of a row in one table; rows of different tables do not mix. The default is "none".
+/// Typed index of a row in one table; indices of different tables do not mix. The default is "none".
 template <typename Table>
 struct Row {
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;

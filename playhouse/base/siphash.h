@@ -1,7 +1,7 @@
 #pragma once
 
-/// SipHash-2-4: a hash of bytes that nobody can guess who has not the key. Source: Aumasson, Bernstein,
-/// "SipHash: a fast short-input PRF" (2012).
+/// SipHash-2-4: a keyed hash, unpredictable without the key. Source:
+/// Aumasson, Bernstein, "SipHash: a fast short-input PRF" (2012).
 
 #include <array>
 #include <bit>

@@ -6,7 +6,7 @@
 
 namespace playhouse {
 
-/// What is between the letters `at`, which may be nothing: at least one part.
+/// Splits at each `at`; parts may be empty, there is at least one.
 inline std::vector<std::string_view> split(std::string_view text, char at) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {

@@ -1,7 +1,7 @@
 #pragma once
 
-/// TestFolder: a folder of one test's own, removed with it. ctest runs the tests of a fixture side by side,
-/// each in a process of its own, so a fixed name under TempDir() would be shared by them.
+/// TestFolder: a temporary folder of one test, removed in the destructor. ctest runs tests
+/// of a fixture in parallel processes, which would share a fixed name under TempDir().
 
 #include <gtest/gtest.h>
 #include <stdlib.h>

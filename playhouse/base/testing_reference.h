@@ -1,8 +1,8 @@
 #pragma once
 
-/// The reference material beside the checkout (../shared): files and recordings of the original programs.
-/// Tests that read it are skipped, by name, where all of it is absent; where it is there, a file that is not,
-/// or that does not load, is a failure.
+/// The reference material beside the checkout (../shared): files and
+/// recordings of the original programs. Tests that need it are skipped if all
+/// of it is absent; if it is there, a missing or unreadable file is a failure.
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 namespace playhouse {
 namespace {
 
-/// Of a character, by its first byte; 0: none begins so.
+/// Length of a character by its first byte; 0: invalid.
 std::size_t announced_bytes(unsigned char first) {
   return first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
 }

@@ -5,11 +5,11 @@
 
 namespace playhouse {
 
-/// Bytes of the UTF-8 character that the text, which is not empty, begins with; 0: it is none. Neither longer
-/// forms of shorter characters, nor halves of UTF-16 pairs, nor what lies beyond Unicode.
+/// Length in bytes of the UTF-8 character at the start of the text, which must not be empty;
+/// 0 if it is invalid: overlong forms, surrogates and code points beyond Unicode included.
 std::size_t utf8_character(std::string_view text);
 
-/// A byte that is a control character of ASCII.
+/// True for an ASCII control character.
 constexpr bool is_control(char letter) {
   return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
 }

@@ -1,4 +1,4 @@
-/// Actuators: turns the command of each into a velocity along its axis, within its speed and its ends.
+/// Actuators: converts commands to velocities along the axis, within limits of speed and position.
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +9,15 @@
 namespace playhouse::behaviour {
 namespace {
 
-constexpr double kNear = 1e-3;  // m or rad; what is left of a way is made in one tick, so that it ends
-constexpr double kRest = 1e-9;  // m or rad; less is no way
+constexpr double kNear = 1e-3;  // m or rad; a remaining distance covered in one tick, so that motion ends
+constexpr double kRest = 1e-9;  // m or rad; treated as zero
 
 double towards(double error, double limit, double dt) {
   if (std::fabs(error) > kNear) return approach(error, limit, dt);
   return std::clamp(error / dt, -limit, limit);
 }
 
-/// The velocity that does not go beyond an end within one tick.
+/// Limits the velocity so that no end stop is passed within a tick.
 double before_the_ends(const scene::ActuatorDesc& desc, double position, double velocity, double dt) {
   if (velocity > 0) return std::min(velocity, std::max(0.0, (desc.max_position - position) / dt));
   return std::max(velocity, std::min(0.0, (desc.min_position - position) / dt));
@@ -38,7 +38,7 @@ double velocity_of(const world::World& world, std::size_t row) {
   return std::fabs(velocity) * dt < kRest ? 0 : velocity;
 }
 
-/// Writes actuators.velocity. Those that nobody subscribed, that are braked or without power stand still.
+/// Writes actuators.velocity. Without subscribers, braked, or without power they do not move.
 class ActuatorAct final : public ActPhase {
  public:
   void act(world::World& world, world::Workers& workers) override {

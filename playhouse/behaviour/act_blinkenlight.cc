@@ -1,5 +1,5 @@
-/// Lamps: whether each that is on is lit in this tick. All count their periods from the start of the run, so
-/// those of one period flash together.
+/// Lamps: blinking. All periods count from the start of
+/// the run, so lamps of equal period flash in phase.
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,13 @@
 namespace playhouse::behaviour {
 namespace {
 
-/// Times are compared as whole microseconds, as files have them.
+/// Times are compared in integer microseconds, the resolution of files.
 std::int64_t microseconds(double seconds) {
   constexpr double kMost = 1e12;  // s; longer than any run
   return std::llround(std::clamp(seconds, 0.0, kMost) * 1e6);
 }
 
-/// `now` is the time of the state that is made. [s]
+/// `now`: time of the state being computed. [s]
 bool is_lit(const world::World& world, std::size_t lamp, double now) {
   const world::Blinkenlights& lamps = world.blinkenlights;
   if (!lamps.enabled[lamp]) return false;
@@ -27,7 +27,7 @@ bool is_lit(const world::World& world, std::size_t lamp, double now) {
   return since < lamps.dutycycle[lamp] * static_cast<double>(period);
 }
 
-/// Writes blinkenlights.lit. Lamps that nobody subscribed do not blink: they are lit while they are on.
+/// Writes blinkenlights.lit. Lamps without subscribers do not blink: lit while switched on.
 class BlinkenlightAct final : public ActPhase {
  public:
   void act(world::World& world, world::Workers& workers) override {

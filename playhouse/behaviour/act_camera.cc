@@ -1,4 +1,4 @@
-/// Cameras: turns and zooms each towards what it was told, within its limits and no faster than it can.
+/// Cameras: pan, tilt and zoom towards the command, within limits of range and speed.
 
 #include <algorithm>
 #include <cmath>
@@ -8,18 +8,18 @@
 namespace playhouse::behaviour {
 namespace {
 
-/// How far something goes in a tick.
+/// Motion of one axis within a tick.
 struct Way {
   double limit;  // rad
   double dt;     // s
 
-  /// Towards a goal, and onto it when that is within reach. Returns the velocity. [rad/s]
+  /// Position control: moves towards a goal, and onto it if within reach. Returns the velocity. [rad/s]
   double towards(double goal, double& angle) const {
     const double before = angle, rest = goal - before;
     angle = std::fabs(rest) <= limit ? goal : before + std::copysign(limit, rest);
     return (angle - before) / dt;
   }
-  /// At a velocity, up to the limits; from beyond them only back. Returns the velocity. [rad/s]
+  /// Velocity control within limits; from outside them only inwards. Returns the velocity. [rad/s]
   double along(double velocity, double least, double most, double& angle) const {
     const double before = angle, wanted = before + std::clamp(velocity * dt, -limit, limit);
     angle = std::clamp(wanted, std::min(least, before), std::max(most, before));
@@ -27,7 +27,7 @@ struct Way {
   }
 };
 
-/// Writes where cameras look and how fast they turn. Those that nobody uses stand still.
+/// Writes cameras' angles and rates. Cameras without users do not move.
 class CameraAct final : public ActPhase {
  public:
   void act(world::World& world, world::Workers& workers) override {

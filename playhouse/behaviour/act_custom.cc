@@ -1,5 +1,5 @@
-/// Custom models: runs the act() of each one's library on a copy of its state, which is kept if the hook
-/// succeeds.
+/// Custom models: calls act() of the library on a copy of
+/// each model's state, which is kept if the hook succeeds.
 ///
 /// In: customs.command, state, stall; the frozen world, as the library reads it.
 /// Out: customs.command and state of those that begin, state, velocity; colours of models.
@@ -14,7 +14,7 @@
 namespace playhouse::behaviour {
 namespace {
 
-/// Fast enough for anything; products with a tick stay numbers.  [m/s, rad/s]
+/// Limit that keeps products with a tick finite.  [m/s, rad/s]
 constexpr double kFastest = 1e6;
 
 bool is_velocity(const geom::Twist& v) {
@@ -38,7 +38,7 @@ class CustomAct final : public ActPhase {
     });
   }
 
-  /// Colours are shared by models that are alike, so they are given one after the other.
+  /// Colours are shared by equal models, so they are set sequentially.
   void change(world::World& world) override {
     for (std::size_t row = 0; row < world.customs.size(); ++row) {
       const world::ModelRow model = world.customs.model[row];
@@ -72,8 +72,8 @@ class CustomAct final : public ActPhase {
     colors_[row] = self.color;
   }
 
-  std::vector<std::vector<double>> scratch_;  // states, of a worker
-  std::vector<scene::Color> colors_;          // that models shall have (customs)
+  std::vector<std::vector<double>> scratch_;  // states, per worker
+  std::vector<scene::Color> colors_;          // requested colours (customs)
 };
 
 }  // namespace

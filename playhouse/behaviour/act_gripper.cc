@@ -1,9 +1,9 @@
-/// Grippers: paddles and lifts move a step in each update of a model; what the paddles met while they closed
-/// is taken up in the tick after that, and put down where the gripper is once they open.
+/// Grippers: paddles and lifts move a step per update; an object in contact when the paddles
+/// have closed is attached in the following tick, and detached in place once they open.
 ///
-/// In: commands, and what beams and contacts told in the last tick.
-/// Out: grippers.paddles, closing, lift, rising, close_limit, held; who is part of whom.
-/// Source: Stage's rates and close limit; of several grippers that want one thing the first row gets it.
+/// In: commands, beams and contacts of the previous tick.
+/// Out: grippers.paddles, closing, lift, rising, close_limit, held; attachments.
+/// Source: Stage's rates and close limit; if several grippers want one object, the first row gets it.
 
 #include <algorithm>
 
@@ -19,10 +19,10 @@ using world::GripperRow;
 using world::Grippers;
 using world::ModelRow;
 
-constexpr double kStep = 0.05;      // of the way from open to closed, and from down to up, in an update
-constexpr double kRounding = 1e-9;  // what sums of steps are off
+constexpr double kStep = 0.05;      // share of the way from open to closed, and down to up, per update
+constexpr double kRounding = 1e-9;  // tolerance for sums of steps
 
-/// A step down, to `least` at the end.
+/// One step down, clamped to `least`.
 double less(double value, double least) {
   return value - kStep < least + kRounding ? least : value - kStep;
 }
@@ -30,14 +30,14 @@ double more(double value, double most) {
   return value + kStep > most - kRounding ? most : value + kStep;
 }
 
-/// The gripper updates in this tick: then it measures as well (see DueList).
+/// True if the gripper updates in this tick; it then also measures (see DueList).
 bool is_due(const world::World& world, std::size_t gripper) {
   const ModelRow model = world.grippers.model[gripper];
   if (world.models.subscribers[model.index] == 0) return false;
   return world.tick() + 1 - world.grippers.measured_tick[gripper] >= world::update_ticks(world, model);
 }
 
-/// Opens or closes paddles that stand, as the beams tell.
+/// Automatic mode: opens or closes stopped paddles by the beams.
 void snatch(Grippers& grippers, std::size_t gripper) {
   if (grippers.closing[gripper] != 0) return;
   const bool wants_closed = grippers.beams[gripper] != 0 || grippers.held[gripper].valid();
@@ -53,7 +53,7 @@ void move_paddles(Grippers& grippers, std::size_t gripper) {
   } else if (closing > 0 && paddles < limit) {
     paddles = more(paddles, limit);
   } else if (!grippers.touched[gripper].valid()) {
-    closing = 0;  // one update after they came to the end, so that what they met there can be taken up
+    closing = 0;  // one update after reaching the end, so that contacts there can be attached
   }
 }
 
@@ -65,7 +65,7 @@ void move_lift(Grippers& grippers, std::size_t gripper) {
   if (lift == (rising > 0 ? 1 : 0)) rising = 0;
 }
 
-/// The whole of what was met, if it can be taken up: loose, no part of anything, for grippers.
+/// The root of what is in contact, if it can be attached: loose, a root, marked for grippers.
 ModelRow liftable(const world::World& world, world::ModelId met) {
   const world::Models& models = world.models;
   const ModelRow part = world.row(met);
@@ -90,7 +90,7 @@ void take_up(world::World& world, std::size_t gripper) {
 
 void let_go(world::World& world, std::size_t gripper) {
   const Result<void> detached = world::detach(world, world.grippers.held[gripper]);
-  static_cast<void>(detached);  // somebody else may have done it
+  static_cast<void>(detached);  // it may have been detached already
   world.grippers.held[gripper] = {};
   world.grippers.close_limit[gripper] = 1;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-/// ActPhase: what a kind of model does with its commands, whatever space it is in; and Acts, all kinds. A new
-/// kind is a class of its own; generated/acts.h lists them all.
+/// ActPhase: how a kind of model executes its commands, in any engine; and
+/// Acts, all kinds. A new kind is a new class; generated/acts.h lists them all.
 
 #include <memory>
 #include <vector>
@@ -15,10 +15,10 @@ class ActPhase {
  public:
   virtual ~ActPhase() = default;
 
-  /// Reads commands and what was sensed, writes columns of its own kind alone, over ranges of rows.
+  /// Reads commands and measurements, writes columns of its own kind only; ranges of rows run in parallel.
   virtual void act(world::World& world, world::Workers& workers) = 0;
 
-  /// What rows cannot do side by side, such as taking things up. Runs alone, when all kinds have acted.
+  /// What rows cannot do in parallel, such as picking up objects. Runs sequentially after act() of all kinds.
   virtual void change(world::World& world) { static_cast<void>(world); }
 };
 

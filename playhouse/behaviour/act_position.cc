@@ -1,4 +1,4 @@
-/// Drive models: turns the command of every robot into a velocity in its own frame, within its bounds.
+/// Drive models: converts a robot's command to a velocity in its own frame, within its bounds.
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +14,15 @@ using geom::Twist;
 using geom::Vec2;
 using scene::Drive;
 
-// Gains of Stage's position control. A robot asks for its remaining error per second, up to these speeds.
+// Gains of Stage's position control: speed is proportional to the error, up to these limits.
 constexpr double kSpeed = 0.4;               // m/s
 constexpr double kTurn = 1.0;                // rad/s
 constexpr double kArrived = 0.02;            // m, per axis
-constexpr double kFacing = geom::kPi / 16;   // rad; a diff robot drives once it faces its goal this well
+constexpr double kFacing = geom::kPi / 16;   // rad; a diff robot drives once its heading error is below
 constexpr double kCarArrived = 0.05;         // m
-constexpr double kSteering = geom::kPi / 4;  // rad; a car on its way to a goal steers no harder
+constexpr double kSteering = geom::kPi / 4;  // rad; limit of steering on the way to a goal
 
-/// It goes in any direction.
+/// True for holonomic drives.
 bool is_free(const scene::PositionDesc& desc) {
   return desc.drive == Drive::kOmni || desc.drive == Drive::kWalk;
 }
@@ -58,8 +58,8 @@ Twist omni_to_goal(Vec2 error_M, const Pose& X_OM, const Pose& goal, double dt) 
           approach(geom::normalize(goal.a - X_OM.a), kTurn, dt)};
 }
 
-/// Pure pursuit: the circle through the car, tangent to its heading, that meets the goal; backwards if that
-/// is behind.
+/// Pure pursuit: the circle through the car, tangent to its
+/// heading, through the goal; in reverse if that is behind.
 Twist car_to_goal(Vec2 error_M, double distance, double wheelbase, double dt) {
   if (distance < kCarArrived) return {};
   const double curvature = 2 * error_M.y / (distance * distance);
@@ -85,7 +85,7 @@ Twist accelerate(const scene::PositionDesc& desc, const Twist& velocity, const T
           velocity.a + dt * std::clamp(command.a, bounds[3].min, bounds[3].max)};
 }
 
-/// A car steers no harder than on its way to a goal, and the other way round when it drives backwards.
+/// Steering is limited as on the way to a goal, and reversed when driving backwards.
 Twist follow_heading(const scene::PositionDesc& desc, const Twist& command, double heading_O, double dt) {
   const double error = geom::normalize(command.a - heading_O);
   if (desc.drive == Drive::kCar) {
@@ -125,7 +125,7 @@ Twist velocity_of(const world::World& world, std::size_t robot) {
   return within(desc.velocity_bounds, wanted);
 }
 
-/// Writes positions.velocity. Robots that nobody subscribed, or whose motors are off, stand still.
+/// Writes positions.velocity. Robots without subscribers or with motors off do not move.
 class PositionAct final : public ActPhase {
  public:
   void act(world::World& world, world::Workers& workers) override {

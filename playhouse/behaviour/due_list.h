@@ -1,7 +1,7 @@
 #pragma once
 
-/// DueList: which sensors of a table measure in a tick: those that somebody subscribed and whose period is
-/// over.
+/// DueList: which sensors of a table measure in a tick:
+/// those that are subscribed and whose period has elapsed.
 
 #include <cstdint>
 #include <span>
@@ -11,19 +11,19 @@
 
 namespace playhouse::behaviour {
 
-/// The columns of a table of sensors that say when they measure, whatever they measure.
+/// The columns of a sensor table that schedule measurements, whatever is measured.
 struct SensorTable {
   std::span<const world::ModelRow> model;  // (sensors)
-  std::span<std::uint64_t> measured_tick;  // of the newest measurement; 0: none yet (sensors)
+  std::span<std::uint64_t> measured_tick;  // of the latest measurement; 0: none yet (sensors)
 };
 
 class DueList {
  public:
-  /// Reads the periods of all sensors. To be called again when sensors came or went.
+  /// Reads the periods of all sensors. To be called again when the population has changed.
   void populate(const world::World& world, std::span<const world::ModelRow> models);
 
-  /// The rows that measure for `tick`, in order; measured_tick says so from then on. Valid until the next
-  /// call.
+  /// The rows due at `tick`, in order; sets their
+  /// measured_tick. Valid until the next call.
   std::span<const std::uint32_t> take(const world::World& world, SensorTable table, std::uint64_t tick);
 
  private:

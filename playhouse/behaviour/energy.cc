@@ -47,7 +47,7 @@ void Energy::populate(const world::World& world) {
   find_givers(world, pack);
 }
 
-/// `pack` is from which each model draws.
+/// `pack`: battery that supplies each model.
 void Energy::find_givers(const world::World& world, std::span<const world::PackRow> pack) {
   for (std::uint32_t model = 0; model < pack.size(); ++model) {
     const double watts = world.desc({model}).give_watts;

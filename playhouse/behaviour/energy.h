@@ -1,10 +1,10 @@
 #pragma once
 
-/// Energy: the phase in which models draw from batteries. A model that is used draws what its kind or its
-/// words say from its own battery, else from that of the nearest model around it; robots draw more while they
-/// drive. What a battery has not got is not drawn, and nothing stops for it. Then models charge those that
-/// touch them, in the order of the models; who does is for the engine to say. A tick costs nothing where no
-/// model has a battery. Thread: the tick thread.
+/// Energy: the phase that drains and charges batteries. A subscribed model draws power as its
+/// kind or its file says from its own battery, otherwise from that of its nearest ancestor
+/// with one; robots draw more while they drive. An empty battery limits what is drawn and
+/// stops nothing. Then chargers charge the models in contact, in row order; contact is
+/// determined by the engine. Free of cost if no model has a battery. Thread: the tick thread.
 
 #include <cstdint>
 #include <span>
@@ -17,32 +17,32 @@ namespace playhouse::behaviour {
 
 class Energy {
  public:
-  /// A model that charges others.
+  /// A charger.
   struct Giver {
     world::ModelRow model;
-    world::PackRow pack;  // from which
+    world::PackRow pack;  // its source
     double watts = 0;     // W, at most
   };
 
-  /// What is drawn in one tick, of batteries side by side on any number of workers: writes world.packs.
+  /// Drains all batteries for one tick, in parallel by battery: writes world.packs.
   void drain(world::World& world, world::Workers& workers);
-  /// Those with a battery in reach, ascending; of the population of the last drain().
+  /// Chargers with a battery in reach, ascending; of the population of the last drain().
   std::span<const Giver> givers() const { return givers_; }
-  /// Whether each model can be charged: it says so and has a battery in reach (models; empty without givers).
+  /// Whether each model can be charged: enabled, with a battery in reach (models; empty without chargers).
   std::span<const std::uint8_t> takers() const { return takers_; }
 
-  /// Whether it charges others in this tick: it is subscribed, allowed to and has something to give.
+  /// Whether it charges in this tick: subscribed, enabled, battery not empty.
   static bool gives(const world::World& world, const Giver& giver);
-  /// One tick's worth to each of these takers, in their order, as far as it lasts and as they have room.
+  /// Transfers one tick's energy to each of these models, in order, within the source and the capacities.
   static void charge(world::World& world, const Giver& giver, std::span<const std::uint32_t> takers);
 
  private:
-  /// A model that has a battery in reach.
+  /// A consumer: a model with a battery in reach.
   struct Load {
     std::uint32_t model = 0;
-    double watts = 0;            // W, however it moves
-    std::uint32_t position = 0;  // its row there, or Row::kNone
-    double watts_per_speed = 0;  // W s/m and W s/rad, of one that drives
+    double watts = 0;            // W, independent of motion
+    std::uint32_t position = 0;  // row of world::Positions, or Row::kNone
+    double watts_per_speed = 0;  // W s/m and W s/rad, of a robot's speed
   };
 
   void populate(const world::World& world);
@@ -50,7 +50,7 @@ class Energy {
   void drain(world::World& world, std::size_t pack) const;
   void find_givers(const world::World& world, std::span<const world::PackRow> pack);
 
-  std::uint64_t population_ = 0;           // that the rows below are of; 0: none yet
+  std::uint64_t population_ = 0;           // of the rows below; 0: none yet
   std::vector<Load> loads_;                // by battery, then by model
   std::vector<std::uint32_t> first_load_;  // of each battery (batteries + 1)
   std::vector<Giver> givers_;

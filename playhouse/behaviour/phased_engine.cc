@@ -11,13 +11,13 @@ PhasedEngine::PhasedEngine(const scene::SceneDesc& scene, std::uint64_t seed, un
 
 void PhasedEngine::step() {
   decide();                     // controllers read the frozen state N        -> commands
-  deliver();                    // what they give, one after the other        -> flags, texts
-  acts_.act(world_, workers_);  // drive models and what else acts            -> velocities, changes
-  take_changes();               // who came, went, was taken up or put        -> the engine's tables
+  deliver();                    // their effects on models, sequentially       -> flags, texts
+  acts_.act(world_, workers_);  // drive models and other actuators            -> velocities, changes
+  take_changes();               // spawns, removals, attachments, teleports    -> the engine's tables
   move();                       // trees of models                            -> poses, odometry, stall
-  sense(world_.tick() + 1);     // of those subscribed and due                -> ranges, fiducials
-  filter();                     // controllers of what measured               -> what it measured
-  flow();                       // from batteries to who draws and touches    -> batteries
+  sense(world_.tick() + 1);     // sensors that are subscribed and due         -> ranges, fiducials
+  filter();                     // controllers that filter measurements        -> measurements
+  flow();                       // batteries to consumers and by contact       -> batteries
   freeze();                     // tick + 1
 }
 
@@ -33,7 +33,7 @@ void PhasedEngine::deliver() {
 }
 
 void PhasedEngine::take_changes() {
-  // Everyone has seen what was there before the last tick.
+  // All readers have processed changes from before the previous tick.
   world_.changes.drop_before(next_change_);
   next_change_ = world_.changes.end();
   ingest_changes();
@@ -46,7 +46,7 @@ void PhasedEngine::ingest_changes() {
   ingest(changes);
 }
 
-/// Somebody may have gone since the last tick, whom the engine's tables still have.
+/// Models removed since the last tick may still be in the engine's tables.
 world::PhysicsShapes PhasedEngine::physics_shapes() {
   ingest_changes();
   return shapes();

@@ -1,8 +1,8 @@
 #pragma once
 
-/// PhasedEngine: the tick that all engines share, as an order of phases. Each phase reads what earlier ones
-/// froze and writes its own columns. An engine adds the phases that know about space. Thread: the tick
-/// thread.
+/// PhasedEngine: the tick that all engines share, a sequence of phases. Each
+/// phase reads what earlier ones froze and writes its own columns. Derived
+/// engines add the phases that involve geometry. Thread: the tick thread.
 
 #include <cstdint>
 #include <span>
@@ -26,19 +26,19 @@ class PhasedEngine : public world::Engine {
   world::PhysicsShapes physics_shapes() final;
 
  protected:
-  /// Takes in who came, went, became part of another or was put elsewhere since the last call.
+  /// Updates derived tables for models spawned, removed, attached or teleported since the last call.
   virtual void ingest(std::span<const world::Change> changes) = 0;
-  /// Moves what has a velocity, from the pose of the last tick to that of this one, and says what stalled;
-  /// robots believe what follows (see positions.X_OM).
+  /// Moves models with a velocity from their pose at the last tick to that of
+  /// this one, sets stall flags and updates odometry (see positions.X_OM).
   virtual void move() = 0;
-  /// Measures with what is subscribed and due for `tick`.
+  /// Measures with the sensors that are subscribed and due at `tick`.
   virtual void sense(std::uint64_t tick) = 0;
 
-  /// See Engine::physics_shapes(); all changes have been taken in.
+  /// See Engine::physics_shapes(); called after all changes have been ingested.
   virtual world::PhysicsShapes shapes() const { return {}; }
 
-  /// Appends the models of other trees whose bodies touch or overlap that of `model`, whatever their heights,
-  /// and that are `wanted` (by row of the models): ascending, each once.
+  /// Appends the models of other trees whose bodies touch or overlap that of `model`, whatever
+  /// their heights, and that are `wanted` (by row of the models): ascending, without duplicates.
   virtual void touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
                         std::vector<std::uint32_t>& out) const = 0;
 
@@ -56,8 +56,8 @@ class PhasedEngine : public world::Engine {
 
   Acts acts_;
   Energy energy_;
-  std::vector<std::uint32_t> touching_;  // the one that charges others
-  // Of world_.changes: what the last tick had not seen, and what ingest() has not.
+  std::vector<std::uint32_t> touching_;  // models in contact with a charger: scratch
+  // Cursors into world_.changes: next for the tick, next for ingest().
   std::uint64_t next_change_ = 0, next_ingested_ = 0;
 };
 

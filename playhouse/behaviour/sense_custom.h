@@ -1,6 +1,6 @@
 #pragma once
 
-/// The sense() of custom models, in whatever engine: what an engine adds is Surroundings.
+/// sense() of custom models, in any engine; the engine provides Surroundings.
 
 #include <cstdint>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace playhouse::behaviour {
 
-/// Measures with one custom model for `tick`; writes customs.readings of its row. `scratch` is the worker's.
+/// Measures with one custom model at `tick`; writes customs.readings of its row. `scratch` is the worker's.
 void sense_custom(world::World& world, world::CustomRow custom, std::uint64_t tick,
                   const world::Surroundings& around, std::vector<double>& scratch);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// SensePhase: what a kind of sensor has to say for itself in an engine with bodies in `Space`; and Senses,
-/// all kinds of an engine. A new kind is a class of its own.
+/// SensePhase: one kind of sensor in an engine whose bodies are in
+/// `Space`; and Senses, all kinds of an engine. A new kind is a new class.
 
 #include <memory>
 #include <span>
@@ -18,18 +18,18 @@ class SensePhase {
  public:
   virtual ~SensePhase() = default;
 
-  /// The table of these sensors. Valid while the population is.
+  /// The table of these sensors. Valid until the population changes.
   virtual SensorTable table(world::World& world) const = 0;
 
-  /// Sizes and fills what depends on which models there are. To be called again, between two ticks, when some
-  /// came or went or what stands still was put elsewhere; what is made of sensors that are alike is kept.
+  /// Sizes and fills what depends on the population. To be called between two ticks, again after
+  /// a spawn or removal or when a static solid has moved; data shared by equal sensors is kept.
   virtual void populate(const world::World& world, const Space& space) = 0;
 
-  /// Whether it has something to do in a tick in which no sensor is due.
+  /// Whether it has work even in a tick without due sensors.
   virtual bool has_work(const world::World& world) const { return static_cast<void>(world), false; }
 
-  /// Measures with the sensors `due` for `tick`, the number that the state gets when it is frozen. Returns
-  /// the rays cast.
+  /// Measures with the sensors `due`; `tick` is the number that the
+  /// state will have once frozen. Returns the number of rays cast.
   virtual std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
                               std::uint64_t tick, world::Workers& workers) = 0;
 };
@@ -39,7 +39,7 @@ class Senses {
  public:
   void add(std::unique_ptr<SensePhase<Space>> phase) { entries_.push_back({std::move(phase), {}}); }
 
-  /// See SensePhase.
+  /// See SensePhase::populate().
   void populate(world::World& world, const Space& space) {
     for (Entry& entry : entries_) {
       entry.due.populate(world, entry.phase->table(world).model);
@@ -47,7 +47,7 @@ class Senses {
     }
   }
 
-  /// The phase `sense`. Returns the rays cast.
+  /// The phase `sense`. Returns the number of rays cast.
   std::uint64_t sense(world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers) {
     std::uint64_t rays = 0;
     for (Entry& entry : entries_) {

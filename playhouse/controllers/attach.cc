@@ -23,7 +23,7 @@
 namespace playhouse::controllers {
 namespace {
 
-/// A controller that comes with the program, and how a batch of it is made.
+/// A built-in controller and the factory of its batch.
 struct BuiltIn {
   std::string_view name;
   std::unique_ptr<Batch> (*make)(std::string name);
@@ -79,7 +79,7 @@ std::vector<std::string_view> built_in_names() {
 constexpr libraries::Provided kProvided{"controller", "PLAYHOUSE_CONTROLLER", "playhouse_controller",
                                         kControllerVersionLeast, kControllerVersion};
 
-/// The batches of one world while they fill.
+/// The batches of a world under construction.
 class Batches {
  public:
   Batches(world::World& world, const Libraries& libraries) : world_(world), libraries_(libraries) {}
@@ -89,7 +89,7 @@ class Batches {
   std::vector<std::string> take_warnings() { return std::move(warnings_); }
 
  private:
-  /// The batch of that name; null, with a warning, where nothing is loaded.
+  /// The batch of that name; null, with a warning, if libraries are only located.
   Result<Batch*> batch(const std::string& name, const std::string& where);
 
   world::World& world_;
@@ -134,7 +134,7 @@ Result<std::vector<std::string>> attach(world::World& world, const Libraries& li
                                         std::vector<Error>* others) {
   Batches batches(world, libraries);
   std::set<std::string> faulty;
-  std::vector<Error> told;  // the first of each controller
+  std::vector<Error> told;  // the first error of each controller
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     if (world.desc({row}).ctrl.empty()) continue;
     const std::string where = world.scene().at(world.where({row}));

@@ -1,6 +1,6 @@
 #pragma once
 
-/// From the names that a scene's models carry (`ctrl "wander"`) to controllers that decide for them.
+/// Resolution of controller names of models (`ctrl "wander"`) to deciders.
 
 #include <string>
 #include <vector>
@@ -13,16 +13,16 @@ namespace playhouse::controllers {
 
 using libraries::Libraries;
 
-/// Adds to a scene what its controllers make during a run: nothing comes that the scene does not describe.
-/// Call before a world is made of it; once is enough.
+/// Adds descriptions of models that the scene's controllers may spawn: only
+/// described models can be spawned. Call before a world is made from it; idempotent.
 void describe_for(scene::SceneDesc& scene);
 
-/// Gives every model of the world the controllers that its `ctrl` names: built-ins first, then `libraries`,
-/// each of which has a line in the log before it is loaded. Call once, before the first tick; fills
-/// world.deciders and subscribes what the controllers use. Gives the warnings, "file:line: text": a name
-/// given twice, a library that is only found. Fails on a name that is unknown, a library that can't or may
-/// not be used, a model that lacks what its controller needs: on the first, and `others`, if given, gets
-/// those of other controllers, one for each, up to limits::kWarningsOfAKind in all.
+/// Attaches to every model the controllers in its `ctrl` words: built-ins first, then
+/// `libraries`, each announced in the log before it is loaded. Call once, before the first tick;
+/// fills world.deciders and subscribes what controllers use. Returns warnings, "file:line: text":
+/// duplicate names, libraries that are only located. Fails on an unknown name, a library that
+/// cannot or may not be used, a model that lacks what its controller needs; `others`, if given,
+/// gets the errors of further controllers, one for each, up to limits::kWarningsOfAKind in total.
 Result<std::vector<std::string>> attach(world::World& world, const Libraries& libraries,
                                         std::vector<Error>* others = nullptr);
 

@@ -16,14 +16,14 @@ using world::ModelId;
 using world::ModelRow;
 using world::World;
 
-/// Appends the rows in their own table of all models of one kind in the tree of `model`.
+/// Appends the kind-table rows of all models of one kind in the tree of `model`.
 template <typename PartRow>
 void collect(const World& world, ModelRow model, scene::ModelKind kind, std::vector<PartRow>& found) {
   if (world.models.kind[model.index] == kind) found.push_back(PartRow{world.models.part[model.index]});
   for (const std::uint32_t child : world.children(model)) collect(world, ModelRow{child}, kind, found);
 }
 
-/// Heading of a ranger's body frame in a robot above it. [rad]
+/// Heading of a ranger's body frame in its robot. [rad]
 double heading_in(const World& world, ModelRow robot, ModelRow ranger) {
   double heading = world.desc(ranger).X_MB.a;
   for (std::uint32_t at = ranger.index; at != robot.index; at = world.models.parent[at]) {
@@ -40,7 +40,7 @@ std::vector<Post> posts_of(const World& world, ModelRow model, std::vector<std::
   for (std::uint32_t order = 0; order < lines.size(); ++order) {
     const std::vector<std::string> words = libraries::words_of(lines[order]);
     if (words.empty()) continue;
-    // Robots of one batch may be decided for at the same time, so each is in it once.
+    // Each robot is in a batch once, since its robots are processed in parallel.
     if (std::ranges::find(posts, words[0], &Post::name) != posts.end()) {
       if (repeated) repeated->push_back(words[0]);
       continue;
@@ -92,8 +92,8 @@ void Batch::follow_population(World& world, std::uint64_t first, bool reload) {
       by_id_.clear();
     }
   }
-  // Who came is known by being in the world and not here; only ids above all that were there can be new,
-  // unless the world is another.
+  // New models are those in the world and not here; unless the
+  // state was reloaded, their ids are above all known ones.
   std::set<ModelId> known;
   if (reload) known.insert(ids_.begin(), ids_.end());
   const auto take = [&](ModelId id) {

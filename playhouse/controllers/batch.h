@@ -1,8 +1,8 @@
 #pragma once
 
-/// Batch: all robots that run one kind of controller, and what every batch needs to find its robots' parts.
-/// attach() makes batches and fills them; robots that come later join, those that go leave (follow()).
-/// Thread: as world::Decider.
+/// Batch: all robots that run one kind of controller, and the common code of
+/// batches to find parts of robots. Made and filled by attach(); follow() adds
+/// robots spawned later and drops removed ones. Thread: as world::Decider.
 
 #include <cmath>
 #include <span>
@@ -18,15 +18,15 @@
 
 namespace playhouse::controllers {
 
-/// One `ctrl` line: who is to run what.
+/// A `ctrl` entry: a model and a controller with arguments.
 struct Post {
   world::ModelId model;
   std::string name;  // of the controller
   std::vector<std::string> arguments;
-  std::uint32_t order = 0;  // 0 for the model's first ctrl, 1 for its second, ...
+  std::uint32_t order = 0;  // index among the model's ctrl entries
 };
 
-/// What a model's `ctrl` lines say, each name once. `repeated`, if any, gets names given twice.
+/// The `ctrl` entries of a model without duplicates; `repeated`, if given, gets duplicate names.
 std::vector<Post> posts_of(const world::World& world, world::ModelRow model,
                            std::vector<std::string>* repeated = nullptr);
 
@@ -41,45 +41,45 @@ class Batch : public world::Decider {
   Result<void> save(Packer& out) const final;
   bool load(world::World& world, Unpacker& in) final;
 
-  /// Takes the model and subscribes what the controller uses. Fails (without "file:line") when the model
-  /// lacks it.
+  /// Adds the model and subscribes what the controller uses.
+  /// Fails (without "file:line") if the model lacks it.
   Result<void> add(world::World& world, const Post& post);
 
  protected:
-  /// Robot i of the batch. [ids, ascending but for those that joined late]
+  /// Robot i of the batch. [ids, ascending except for robots spawned later]
   world::ModelId id(std::size_t i) const { return ids_[i]; }
-  /// Its robots in the order of their ids, for deliver().
+  /// Indices of robots in the order of ids, for deliver().
   std::span<const std::uint32_t> by_id();
 
-  /// One more robot, at the end of every column, with columns that follow from rows filled in as well.
+  /// Appends a robot to all columns, including those derived from rows.
   virtual Result<void> join(world::World& world, const Post& post) = 0;
-  /// Robot i is gone: erases it from every column.
+  /// Removes robot i from all columns.
   virtual void leave(std::size_t i) = 0;
-  /// Rows moved: finds those of robot i again. It and all its parts are there.
+  /// Rows have changed: looks up those of robot i again. It and all its parts exist.
   virtual void resolve(const world::World& world, std::size_t i) = 0;
-  /// The world is as it is before decide(), with all robots in the batch; `rebuilt` if what stands still may
-  /// not be where it was the last time.
+  /// Called before decide(), with all robots in the batch; `rebuilt`
+  /// if static solids may have changed since the last call.
   virtual void prepare(const world::World& world, bool rebuilt) {
     static_cast<void>(world), static_cast<void>(rebuilt);
   }
-  /// What robot i remembers.
+  /// Memory of robot i.
   virtual void hash_of(std::size_t i, Hash& hash) const = 0;
   virtual Result<void> save_of(std::size_t i, Packer& out) const = 0;
   virtual bool load_of(std::size_t i, Unpacker& in) = 0;
 
  private:
   void follow_population(world::World& world, std::uint64_t first, bool reload);
-  /// A robot that came while the world runs: a failure is logged, and it stays without this controller.
+  /// Adds a robot spawned at run time: a failure is logged, and it runs without this controller.
   void join_late(world::World& world, const Post& post);
 
   std::string name_;
   std::vector<world::ModelId> ids_;
-  std::vector<std::uint32_t> by_id_;  // places in ids_; empty: to be made anew
-  std::uint64_t next_change_ = 0;     // of world.changes
+  std::vector<std::uint32_t> by_id_;  // indices of ids_; empty: outdated
+  std::uint64_t next_change_ = 0;     // next entry of world.changes
 };
 
-/// A batch whose robots remember numbers: Self::memory(self) is a tuple of references to the columns, of
-/// which everything follows that is done with all of them.
+/// A batch with numeric memory: Self::memory(self) is a tuple of references
+/// to its columns, from which hash, save, load and removal are derived.
 template <typename Self>
 class BatchOf : public Batch {
  public:
@@ -143,22 +143,22 @@ void erase_at(std::size_t i, Columns&... columns) {
   (columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(i)), ...);
 }
 
-/// Row of the model in the positions, or none if it does not drive.
+/// The model's row in positions; none if it does not drive.
 world::PositionRow position_of(const world::World& world, world::ModelRow model);
 
-/// The rangers of a robot, depth first, children in file order; its own row first if it is one itself.
+/// Rangers of a robot in depth-first preorder, children in file order.
 std::vector<world::RangerRow> rangers_of(const world::World& world, world::ModelRow model);
 
-/// The ranger of a robot with the most sensors, the first of equals, or none: its ring.
+/// The ranger with the most sensors, the first of several, or none.
 world::RangerRow ring_ranger(const world::World& world, world::ModelRow model);
 
-/// Its fiducial finders, in the same order.
+/// Fiducial finders of a robot, in the same order.
 std::vector<world::FiducialRow> finders_of(const world::World& world, world::ModelRow model);
 
-/// Bearings of all beams of a ranger in the frame of `robot`, in beam order. [rad]
+/// Bearings of all beams of a ranger in the frame of `robot`, by beam. [rad]
 std::vector<float> bearings_of(const world::World& world, world::ModelRow robot, world::RangerRow ranger);
 
-/// The first beam of a ranger; its beams are one contiguous run.
+/// Index of a ranger's first beam; its beams are consecutive.
 std::uint32_t first_beam(const world::World& world, world::RangerRow ranger);
 std::uint32_t beam_count(const world::World& world, world::RangerRow ranger);
 

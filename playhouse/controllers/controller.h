@@ -1,12 +1,12 @@
 #pragma once
 
-/// Controller: what you write to drive a robot from inside the simulation. Build it as a shared library and
-/// name it in a world file, `ctrl "shy 0.3"` for shy.so with the argument "0.3"; docs/controllers.md shows
-/// how. This header is all a controller includes, and changes only together with kControllerVersion;
-/// libraries built for an older one from kControllerVersionLeast on still load. One object per robot. Objects
-/// of different robots may run at the same time, so share nothing that changes; take random numbers from
-/// Robot::random and time from Robot::time, and a run repeats to the bit. Frames: O odometry (the world, if
-/// the robot localises by "gps"), R robot.
+/// Controller: base class of user code that controls a robot inside the simulation. Build it
+/// as a shared library and name it in a world file, `ctrl "shy 0.3"` for shy.so with the
+/// argument "0.3"; docs/controllers.md is a tutorial. The only header a controller includes;
+/// changes only together with kControllerVersion; libraries built for versions from
+/// kControllerVersionLeast on still load. One object per robot. Objects of different robots
+/// may run in parallel, so do not share mutable state; use Robot::random and Robot::time, and
+/// runs are bit-reproducible. Frames: O odometry (W if the robot localises by "gps"), R robot.
 
 #include <cstdint>
 #include <span>
@@ -21,48 +21,48 @@ namespace playhouse::controllers {
 inline constexpr std::uint32_t kControllerVersion = 2;
 inline constexpr std::uint32_t kControllerVersionLeast = 1;
 
-/// All beams of one ranger: a laser's from right to left, or one per sonar.
+/// The beams of one ranger: a laser's from right to left, or one per sonar.
 struct Ranger {
   std::string_view name;            // "r0.ranger:1"
-  std::span<const float> ranges;    // m; range_max where nothing was hit
-  std::span<const float> bearings;  // rad, of each beam in R
+  std::span<const float> ranges;    // m; range_max: no hit
+  std::span<const float> bearings;  // rad, by beam, in R
   float range_max = 0;              // m, the largest of its sensors
   bool fresh = false;               // measured since the last decide()
-  bool used = true;                 // set false in start(): it then measures nothing for you
+  bool used = true;                 // set false in start() to leave it unsubscribed
 };
 
-/// A marker that a fiducial finder sees.
+/// A detection of a fiducial finder.
 struct Sighting {
-  int id = 0;          // 0: too far to read
+  int id = 0;          // 0: out of identification range
   double range = 0;    // m
   double bearing = 0;  // rad, in the finder's frame
   double heading = 0;  // rad, of the marker, in the finder's frame
 };
 
-/// A robot as its controller sees it: what it senses, refreshed before every call, and what it is told to do.
+/// The controller's view of a robot: measurements, updated before every call, and commands.
 struct Robot {
-  // Fixed.
+  // Constant.
   std::string_view name;
-  std::span<const std::string> arguments;  // the words after the controller's name
+  std::span<const std::string> arguments;  // words after the controller's name
   std::span<Ranger> rangers;               // in file order
 
-  // Senses.
+  // Measurements.
   double time = 0;       // s, simulated
   double dt = 0;         // s, one tick
-  geom::Pose pose;       // X_OR, where it believes to be
+  geom::Pose pose;       // X_OR, odometry
   geom::Twist velocity;  // m/s and rad/s, in R
   bool stalled = false;  // its last motion was blocked
   std::span<const Sighting> sightings;
-  Rng random{0};  // differs for every robot, controller and tick
+  Rng random{0};  // a stream per robot, controller and tick
 
-  // Orders. A command stays in force until the next one.
+  // Commands. Each remains in effect until the next one.
   void drive(double forward, double turn) { drive(geom::Twist{forward, 0, 0, turn}); }
   void drive(const geom::Twist& wanted) { order = Order::kDrive, twist = wanted; }
   void go_to(const geom::Pose& X_OR) { order = Order::kGoTo, goal = X_OR; }
-  int flags = 0;    // tokens it carries
+  int flags = 0;    // tokens carried
   std::string say;  // its speech bubble
 
-  // Filled by drive() and go_to(), read by the simulation.
+  // Set by drive() and go_to(), read by the simulation.
   enum class Order : std::uint8_t { kNone, kDrive, kGoTo } order = Order::kNone;
   geom::Twist twist;
   geom::Pose goal;
@@ -72,26 +72,26 @@ class Controller {
  public:
   virtual ~Controller() = default;
 
-  /// Once, before the first tick. Throw a std::exception to refuse the robot; its text reaches the user.
+  /// Called once, before the first tick. A std::exception rejects the robot; its text is shown to the user.
   virtual void start(Robot&) {}
 
-  /// Once per tick. An exception ends the controller and stops its robot.
+  /// Called once per tick. An exception ends the controller and stops its robot.
   virtual void decide(Robot& robot) = 0;
 
-  // From version 2 on; called between ticks.
+  // Since version 2; called between ticks.
 
-  /// Puts all that decide() remembers from tick to tick into `memory`, as bytes of any form, so that a run
-  /// can be saved and goes on the same; true also if there is nothing to remember. False, as long as this is
-  /// not overridden: a run with this controller cannot be saved, and who asks is told its name.
+  /// Serialises all state kept between ticks into `memory`, in any format, so that a
+  /// saved run continues identically; true also if there is none. The default, false,
+  /// makes runs with this controller impossible to save, which is reported with its name.
   virtual bool save(std::string& memory) const { return static_cast<void>(memory), false; }
-  /// Remembers what save() put there, after start(), maybe in another run of the program. Throw a
-  /// std::exception where it cannot be that.
+  /// Restores what save() wrote, after start(), maybe in
+  /// another process. Throw a std::exception on invalid data.
   virtual void load(std::string_view memory) { static_cast<void>(memory); }
 };
 
 }  // namespace playhouse::controllers
 
-/// Names the class that a library provides; write it once, outside any namespace.
+/// Exports the class that a library provides; use it once, outside any namespace.
 #define PLAYHOUSE_CONTROLLER(Type)                                                                 \
   extern "C" __attribute__((visibility("default"))) std::uint32_t playhouse_controller_version() { \
     return ::playhouse::controllers::kControllerVersion;                                           \

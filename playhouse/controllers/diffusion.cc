@@ -5,10 +5,10 @@
 namespace playhouse::controllers {
 namespace {
 
-constexpr double kSpeed = 0.05;                // m/s, of a wheel that turns
+constexpr double kSpeed = 0.05;                // m/s, of a turning wheel
 constexpr double kAxle = 0.14;                 // m, between the wheels of a foot-bot
-constexpr double kNear = 0.1;                  // mean nearness from which on a robot turns away
-constexpr double kAhead = geom::radians(7.5);  // rad, further off is not ahead
+constexpr double kNear = 0.1;                  // mean activation above which a robot turns away
+constexpr double kAhead = geom::radians(7.5);  // rad, tolerance for straight ahead
 
 }  // namespace
 
@@ -63,7 +63,7 @@ void Diffusion::decide(world::World& world, std::size_t begin, std::size_t end) 
     if (measured == seen_[i]) continue;
     seen_[i] = measured;
 
-    // What is near, as a vector for each beam, 1 long where it touches.
+    // Sum of proximity vectors, of length 1 at contact.
     const Ring& ring = rings_[ring_[i]];
     const float* const range = world.sensors.ranges.data() + first_beam_[i];
     geom::Vec2 sum;
@@ -76,7 +76,7 @@ void Diffusion::decide(world::World& world, std::size_t begin, std::size_t end) 
     const double length = std::sqrt(geom::dot(sum, sum));
     if (length < kNear * static_cast<double>(ring.size()) && sum.x >= cos_ahead * length) {
       drive(world, robot_[i], kSpeed, 0);
-    } else {  // one wheel stands
+    } else {  // one wheel stopped
       drive(world, robot_[i], kSpeed / 2, sum.y > 0 ? -kSpeed / kAxle : kSpeed / kAxle);
     }
   }

@@ -1,8 +1,8 @@
 #pragma once
 
-/// diffusion: robots with a ring of short proximity sensors drive straight ahead and turn away from what is
-/// near. The rule and its constants are those of the diffusion example of ARGoS (Pinciroli et al., Swarm
-/// Intelligence 6:271-295, 2012); see docs/controllers.md.
+/// diffusion: robots with a ring of short-range proximity sensors drive straight and
+/// turn away from obstacles. Rule and constants of the diffusion example of ARGoS
+/// (Pinciroli et al., Swarm Intelligence 6:271-295, 2012); see docs/controllers.md.
 
 #include <map>
 #include <utility>
@@ -26,19 +26,19 @@ class Diffusion final : public BatchOf<Diffusion> {
   void resolve(const world::World& world, std::size_t i) override;
   void find_rows(const world::World& world, world::ModelRow model, std::size_t i);
 
-  /// A beam of a ring: its direction in the robot's frame, and the ranges at which something is as near as it
-  /// can be and too far to be noticed. [m]
+  /// A beam of a ring: its direction in the robot's frame,
+  /// and the ranges of full and of no activation. [m]
   struct Beam {
     double x = 0, y = 0;
     float touches = 0, unnoticed = 0;
     auto operator<=>(const Beam&) const = default;
   };
-  using Ring = std::vector<Beam>;  // shared by all robots with the same one
+  using Ring = std::vector<Beam>;  // shared by robots with equal rings
   static Ring ring_of(const world::World& world, world::ModelRow robot, world::RangerRow ranger);
 
   std::vector<Ring> rings_;
   std::map<Ring, std::uint32_t> place_of_ring_;
-  std::vector<std::uint32_t> ring_;  // of each robot
+  std::vector<std::uint32_t> ring_;  // by robot
 
   // Rows of a robot and of its ring.
   std::vector<world::PositionRow> robot_;

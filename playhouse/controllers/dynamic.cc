@@ -33,7 +33,7 @@ void Dynamic::describe_parts(scene::SceneDesc& scene) {
   Result<scene::SceneDesc> made = scene::load_world_text(
       R"(model( name "dynamic_part" size [0.1 0.1 0.1] color "blue" ))", scene.path, no_files);
   PLAYHOUSE_ASSERT(made && made->models.size() == 1);
-  // The list of trees says from now on that there is none of these.
+  // An explicit list of trees, so that this prototype has no instance.
   if (scene.trees.empty()) scene.trees = scene::one_of_each(scene);
   scene.models.push_back(std::move(made->models.front()));
 }

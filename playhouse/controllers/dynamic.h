@@ -1,6 +1,6 @@
 #pragma once
 
-/// dynamic: gives its model a hundred small parts that come during the run. On models of any kind.
+/// dynamic: spawns a hundred small parts and attaches them to its model. For models of any kind.
 
 #include "playhouse/base/rng.h"
 #include "playhouse/controllers/batch.h"
@@ -11,18 +11,18 @@ class Dynamic final : public BatchOf<Dynamic> {
  public:
   Dynamic() : BatchOf("dynamic") {}
 
-  /// Adds what the parts are like to a scene of which a model runs this controller: nothing comes during a
-  /// run that its scene does not describe. Before a world is made of it.
+  /// Adds a description of the parts to a scene in which a model runs this controller:
+  /// only described models can be spawned. Before a world is made from it.
   static void describe_parts(scene::SceneDesc& scene);
 
   void decide(world::World&, std::size_t, std::size_t) override {}
-  /// The parts come in the first tick.
+  /// Spawns the parts in the first tick.
   void deliver(world::World& world) override;
 
  private:
   friend BatchOf<Dynamic>;
   static auto memory(auto& self) { return std::tie(self.done_); }
-  /// Fails where the scene does not describe the parts.
+  /// Fails if the scene does not describe the parts.
   Result<void> join(world::World& world, const Post& post) override;
   void leave_rest(std::size_t i) { erase_at(i, model_, stream_); }
   void resolve(const world::World& world, std::size_t i) override { model_[i] = world.row(id(i)); }
@@ -33,7 +33,7 @@ class Dynamic final : public BatchOf<Dynamic> {
   std::vector<Stream> stream_;
 
   // Memory.
-  std::vector<std::uint8_t> done_;  // has its parts
+  std::vector<std::uint8_t> done_;  // parts were spawned
 };
 
 }  // namespace playhouse::controllers

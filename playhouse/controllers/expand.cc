@@ -13,18 +13,18 @@ world::FiducialRow finder_of(const world::World& world, world::ModelRow model) {
 }
 
 struct Look {
-  geom::Vec2 free;       // sum of the beams as vectors [m]
-  bool blocked = false;  // a beam that matters is too short
+  geom::Vec2 free;       // sum of beam vectors [m]
+  bool blocked = false;  // a beam is below its minimum
 };
 
-/// What a beam at `bearing` must be longer than; below 0 where it does not matter. [m]
+/// Minimum range of a beam at `bearing`; negative: ignored. [m]
 float clearance_at(std::span<const Clearance> clearance, double bearing) {
   for (const Clearance& c : clearance)
     if (std::fabs(bearing) <= c.up_to) return c.longer_than;
   return -1;
 }
 
-/// Four independent lanes, added in a fixed order: the same bits whether or not the compiler uses SIMD.
+/// Four lanes added in a fixed order: the same bits with and without SIMD.
 Look look(const float* range, std::span<const float> x, std::span<const float> y,
           std::span<const float> clear) {
   constexpr std::size_t kLanes = 4;

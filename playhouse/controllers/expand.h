@@ -1,8 +1,8 @@
 #pragma once
 
-/// expand_swarm and expand_pioneer: robots spread out, each towards the mean direction of free space around
-/// it. pioneer_flocking: they also turn as their neighbours are turned. Works with any ring of range sensors.
-/// Constants are Stage's; see docs/controllers.md.
+/// expand_swarm and expand_pioneer: robots disperse, each towards the mean direction of
+/// free space around it. pioneer_flocking: they also align with their neighbours'
+/// headings. For any ring of range sensors. Constants of Stage; see docs/controllers.md.
 
 #include <map>
 #include <span>
@@ -12,24 +12,24 @@
 
 namespace playhouse::controllers {
 
-/// How far beams must reach for the robot to drive: less to the sides than ahead.
+/// Minimum free range for the robot to drive, by bearing: less to the sides than ahead.
 struct Clearance {
-  double up_to;       // rad, for beams up to this bearing on either side, from the clearance before it on
+  double up_to;       // rad, bearing limit on either side; starts at that of the previous entry
   float longer_than;  // m
 };
 
-/// How a kind of robot spreads.
+/// Parameters of dispersal.
 struct ExpandConfig {
-  double cruise = 0;                     // m/s, when the way is free
-  double gain = 1;                       // rad/s of turn per rad of bearing to free space
-  double free_angle = 0.5;               // rad, drives only while free space is no further off than this
-  std::span<const Clearance> clearance;  // by bearing; beams beyond the last do not matter
-  double looks = geom::kTwoPi;           // rad, to either side; beams beyond are not looked at
-  double flock = 0;     // rad/s of turn per rad that the nearest marker in view is turned off, on a free way
-  double restless = 0;  // rad/s; where the way is not free, a turn to the right or slower is drawn instead
+  double cruise = 0;                     // m/s, if unobstructed
+  double gain = 1;                       // turn rate in rad/s per rad of bearing to free space
+  double free_angle = 0.5;               // rad, drives only while the bearing to free space is smaller
+  std::span<const Clearance> clearance;  // ascending; beams beyond the last are ignored
+  double looks = geom::kTwoPi;           // rad, to either side; beams beyond are ignored
+  double flock = 0;     // rad/s per rad of heading difference to the nearest visible marker, if unobstructed
+  double restless = 0;  // rad/s; maximum random turn to the right, instead of a slower one, if obstructed
 };
 
-// Stage has one number for each sensor of its ring. Here it holds halfway to the next sensor, for any ring.
+// Stage has a constant per sensor of its ring; here each applies halfway to the next sensor, for any ring.
 inline constexpr Clearance kSwarmClearance[] = {  // sensors at 0, 30, 60 and 90 degrees
     {geom::radians(15), 0.5f},
     {geom::radians(45), 0.5f / 1.5f},
@@ -62,20 +62,20 @@ class Expand final : public BatchOf<Expand> {
  private:
   friend BatchOf<Expand>;
   static auto memory(auto& self) { return std::tie(self.seen_); }
-  /// Uses the ranger with the most sensors (the ring), the first of equals, and who flocks its first fiducial
-  /// finder, if it has one.
+  /// Uses the ranger with the most sensors (the ring), the first of
+  /// several; flocking robots also their first fiducial finder, if any.
   Result<void> join(world::World& world, const Post& post) override;
   void leave_rest(std::size_t i) { erase_at(i, stream_, robot_, ranger_, finder_, first_beam_, ring_); }
   void resolve(const world::World& world, std::size_t i) override;
   void find_rows(const world::World& world, world::ModelRow model, std::size_t i);
 
-  /// What follows from the directions of a ring's beams; shared by all robots with the same ring.
+  /// Precomputed for a ring's beam directions; shared by robots with equal rings.
   struct Ring {
     std::vector<float> x, y;   // direction of each beam in the robot's frame
-    std::vector<float> clear;  // m, each beam must be longer than this to drive on; below 0: any will do
+    std::vector<float> clear;  // m, minimum free range of each beam; negative: ignored
   };
   std::uint32_t ring_of(const std::vector<float>& bearings);
-  /// How far the nearest marker that robot i sees is turned off its own heading; 0 if it sees none. [rad]
+  /// Heading difference of robot i to the nearest visible marker; 0 if there is none. [rad]
   double off_neighbour(const world::World& world, std::size_t i) const;
 
   ExpandConfig config_;
@@ -85,7 +85,7 @@ class Expand final : public BatchOf<Expand> {
   std::vector<std::uint32_t> ring_;
   std::vector<Stream> stream_;
 
-  // Rows of a robot, of its ring and of its finder, if it uses one.
+  // Rows of a robot, of its ring, and of its finder, if used.
   std::vector<world::PositionRow> robot_;
   std::vector<world::RangerRow> ranger_;
   std::vector<world::FiducialRow> finder_;

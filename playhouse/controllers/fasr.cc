@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSourceReach = 2, kSinkReach = 1;  // m, Stage's
 constexpr double kCruise = 0.4;                     // m/s
-constexpr double kSlow = 0.1;                       // m/s, on a way that is not ahead
+constexpr double kSlow = 0.1;                       // m/s, if the way is not ahead
 constexpr double kAhead = 0.7;                      // rad, to either side
 constexpr double kStop = 0.4;                       // m: what is nearer ahead is turned away from on the spot
 constexpr double kTurnMost = 1;                     // rad/s
@@ -21,13 +21,13 @@ constexpr double kBackwards = 0.7;  // share of escapes
 constexpr std::uint32_t kEscapeLeast = 8, kEscapeSpread = 16;  // scans
 constexpr double kChange = 0.0005;  // probability, at each scan without a flag, of choosing a task
 constexpr std::string_view kWaiting = "Waiting...";
-constexpr double kPlaces = 2;  // per metre: an end that moves has new ways so often
+constexpr double kPlaces = 2;  // per metre: resolution for recomputing routes to a moving end
 
 geom::Vec2 rounded(geom::Vec2 p) {
   return {std::round(p.x * kPlaces) / kPlaces, std::round(p.y * kPlaces) / kPlaces};
 }
 
-/// One goes over. False: the first has none, or the other can carry no more.
+/// Transfers a flag. False if the first has none, or the other is full.
 bool move_flag(world::World& world, world::ModelRow from, world::ModelRow to) {
   const std::vector<std::int32_t>& flags = world.models.flags;
   if (flags[from.index] == 0 || flags[to.index] == std::numeric_limits<std::int32_t>::max()) return false;
@@ -36,7 +36,7 @@ bool move_flag(world::World& world, world::ModelRow from, world::ModelRow to) {
   return true;
 }
 
-/// Says so, or no longer; what else it says stays.
+/// Sets or clears the waiting text; other texts stay.
 void say_waiting(world::World& world, world::ModelRow robot, bool waits) {
   const std::string& says = world.models.say[robot.index];
   if (waits != (says == kWaiting) && (waits || says == kWaiting))
@@ -110,7 +110,7 @@ void Fasr::prepare(const world::World& world, bool rebuilt) {
   for (Task& task : tasks_) prepare(world, rebuilt, task);
 }
 
-/// Ways follow from where things are now, and from nothing else: a run that is loaded has the same.
+/// Routes depend on the present state only, so they are the same after a load.
 void Fasr::prepare(const world::World& world, bool rebuilt, Task& task) {
   for (End* end : {&task.source, &task.sink}) {
     end->row = world.row(end->model);

@@ -1,8 +1,8 @@
 #pragma once
 
-/// fasr and fasr2: robots that forage. They take flags from one model and bring them to another, round what
-/// stands still and what they see; where nothing is free they wander. Those of fasr2 have several such tasks
-/// and change between them. See docs/controllers.md.
+/// fasr and fasr2: foraging robots. They carry flags from a source model to a sink,
+/// around static obstacles and sensed ones; when blocked they wander. fasr2 robots
+/// have several such tasks and switch between them. See docs/controllers.md.
 
 #include <array>
 #include <optional>
@@ -15,16 +15,16 @@ namespace playhouse::controllers {
 
 class Fasr final : public BatchOf<Fasr> {
  public:
-  /// What the arguments of a robot name.
+  /// Meaning of a robot's arguments.
   enum class Arguments : std::uint8_t {
-    kEnds,   // the models that flags are taken from and brought to; without them "source" and "sink"
-    kTasks,  // of each task the word with which the names of its ends begin: "red" for "red_source",
+    kEnds,   // source and sink models; default "source" and "sink"
+    kTasks,  // prefix of the source's and sink's name of each task: "red" for "red_source",
              // "red_sink"
   };
   Fasr(std::string name, Arguments arguments) : BatchOf(std::move(name)), arguments_(arguments) {}
 
   void decide(world::World& world, std::size_t begin, std::size_t end) override;
-  /// Of several robots that want the last flag that of the lowest id gets it.
+  /// If several robots want the last flag, the lowest id gets it.
   void deliver(world::World& world) override;
 
  private:
@@ -34,21 +34,21 @@ class Fasr final : public BatchOf<Fasr> {
                           std::tie(self.escaping_, self.speed_, self.turn_, self.choice_));
   }
 
-  /// One end of what robots do, and the way there.
+  /// Source or sink of a task, with the routes to it.
   struct End {
     world::ModelId model;
-    double reach = 0;     // m, from its origin, in which flags change hands
-    world::ModelRow row;  // none: it has gone
-    geom::Vec2 p_W;       // m, to where the ways lead
+    double reach = 0;     // m, from its origin: range for transferring flags
+    world::ModelRow row;  // none: removed
+    geom::Vec2 p_W;       // m, goal of the routes
     std::optional<Ways> ways;
   };
-  /// Both ends, for all robots of about the same size.
+  /// A task, for all robots of similar size.
   struct Task {
     End source, sink;
     double clearance = 0, height = 0;  // m, of the robots
   };
 
-  /// What a robot does with a flag.
+  /// Transfer of a flag by a robot.
   enum class Exchange : std::uint8_t { kNothing, kTakes, kGives };
 
   Result<void> join(world::World& world, const Post& post) override;
@@ -57,19 +57,19 @@ class Fasr final : public BatchOf<Fasr> {
   void prepare(const world::World& world, bool rebuilt) override;
   static void prepare(const world::World& world, bool rebuilt, Task& task);
 
-  /// The names of the ends of each task of a robot with these arguments.
+  /// Names of source and sink for each task of a robot with these arguments.
   std::vector<std::array<std::string, 2>> ends_of(const Post& post) const;
   std::uint32_t task_of(const world::World& world, world::ModelId source, world::ModelId sink,
                         world::ModelRow robot);
   const Task& task(std::size_t i) const { return tasks_[choices_[i][choice_[i] % choices_[i].size()]]; }
-  /// Now and then a robot that carries nothing takes up another task, or the same.
+  /// Randomly chooses a new task, or the same, for a robot without flags.
   void choose(const world::World& world, std::size_t i);
-  /// Where a robot that carries a flag, or none, goes; null where an end has gone.
+  /// Goal of a robot with or without a flag; null if it was removed.
   const End* goal(std::size_t i, bool loaded) const;
   bool is_there(const world::World& world, std::size_t i, const End& end) const;
-  /// Drives along the way there, round what the robot sees. False: there is none, or it is not free.
+  /// Follows the route, avoiding sensed obstacles. False if there is no route or it is blocked.
   bool go(world::World& world, std::size_t i, const End& end);
-  /// Gets away, one way or another, from what the robot stands against. False: it stands against nothing.
+  /// Backs off from an obstacle in contact, in a random manner. False if there is none.
   bool escape(world::World& world, std::size_t i);
 
   Arguments arguments_;
@@ -77,13 +77,13 @@ class Fasr final : public BatchOf<Fasr> {
   std::vector<Task> tasks_;
 
   std::vector<world::ModelRow> model_;
-  std::vector<std::vector<std::uint32_t>> choices_;  // rows of tasks_, one at least
+  std::vector<std::vector<std::uint32_t>> choices_;  // rows of tasks_, non-empty
   std::vector<Exchange> exchange_;                   // in this tick
 
   // Memory.
-  std::vector<std::uint32_t> escaping_;  // scans for which it still gets away
-  std::vector<double> speed_, turn_;     // m/s and rad/s, meanwhile
-  std::vector<std::uint32_t> choice_;    // which of its choices it follows
+  std::vector<std::uint32_t> escaping_;  // remaining scans of the manoeuvre
+  std::vector<double> speed_, turn_;     // m/s and rad/s of the manoeuvre
+  std::vector<std::uint32_t> choice_;    // index of the present task
 };
 
 }  // namespace playhouse::controllers

@@ -9,7 +9,7 @@
 namespace playhouse::controllers {
 namespace {
 
-constexpr int kSide = 18;                    // bearings to either side of straight ahead
+constexpr int kSide = 18;                    // bearings on either side of straight ahead
 constexpr double kApart = geom::radians(5);  // rad
 constexpr double kFreeLeast = 0.8;           // m
 constexpr double kStraight = 0.3;  // what a bearing off straight ahead counts beside one off the wanted
@@ -27,7 +27,7 @@ std::array<geom::Rotation, 2 * kSide + 1> directions() {
   return all;
 }
 
-/// How far a strip is free in each bearing. [m]
+/// Free length of a strip in each bearing. [m]
 Lengths free_lengths(std::span<const float> ranges, const Fan& fan, double half_width) {
   static const auto kDirections = directions();
   Lengths lengths;

@@ -1,25 +1,25 @@
 #pragma once
 
-/// Where a robot can drive, by what its scanner sees.
+/// Free space for a robot, from its scan.
 
 #include <optional>
 #include <span>
 
 namespace playhouse::controllers {
 
-/// Bearings of the beams of a scan in the frame of the robot, from right to left. [rad]
+/// Bearings of a scan's beams in the robot's frame, from right to left. [rad]
 struct Fan {
   double first = 0, step = 0;
 };
 
-/// The way that a scan leaves: one that is free for a robot half as wide as `half_width`.
+/// A direction that is free for a robot of this half width.
 struct FreeWay {
   double bearing = 0;  // rad, in the robot's frame
-  double ahead = 0;    // m, that are free straight ahead
+  double ahead = 0;    // m, free distance straight ahead
 };
 
-/// Among bearings up to a quarter of a turn to either side that nearest to `wanted`, with some preference for
-/// straight ahead; none where nothing is free for 0.8 m. A scan is taken from the robot's middle. [m, rad]
+/// The free direction nearest to `wanted` within a quarter turn to either side, biased towards straight
+/// ahead; none if nothing is free for 0.8 m. The scan must originate at the robot's centre. [m, rad]
 std::optional<FreeWay> free_way(std::span<const float> ranges, const Fan& fan, double half_width,
                                 double wanted);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// lasernoise: every range that its ranger measures is off by some per cent. See docs/controllers.md.
+/// lasernoise: adds proportional noise to every range of its ranger. See docs/controllers.md.
 
 #include "playhouse/base/rng.h"
 #include "playhouse/controllers/batch.h"
@@ -18,7 +18,7 @@ class LaserNoise final : public BatchOf<LaserNoise> {
  private:
   friend BatchOf<LaserNoise>;
   static auto memory(auto&) { return std::tuple<>(); }
-  /// Subscribes nothing: who measures nothing has no noise.
+  /// Does not subscribe: applies only to measurements made for others.
   Result<void> join(world::World& world, const Post& post) override;
   void leave_rest(std::size_t i) { erase_at(i, ranger_, stream_); }
   void resolve(const world::World& world, std::size_t i) override;

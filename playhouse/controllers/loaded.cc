@@ -11,12 +11,12 @@ namespace {
 
 using world::World;
 
-// A library built with another layout of these must not be loaded: raise kControllerVersion with these
-// numbers.
+// Libraries with another layout must be rejected:
+// increment kControllerVersion together with these sizes.
 static_assert(kControllerVersion == 2 && sizeof(Robot) == 272 && sizeof(Ranger) == 56 &&
               sizeof(Sighting) == 32);
 
-/// Calls `what` and gives the text of what it throws, as one line, or nullptr. It lives as long as `text`.
+/// Calls `what`; returns the message of an exception as one line, or nullptr. Valid as long as `text`.
 template <typename Call>
 const char* thrown_by(std::string& text, const Call& what) {
   try {
@@ -32,7 +32,7 @@ const char* thrown_by(std::string& text, const Call& what) {
 
 }  // namespace
 
-/// Rows of the robot's parts; a ranger that is switched off stays so.
+/// Rows of the robot's parts; an unused ranger stays unused.
 void Loaded::find_rows(const World& world, Seat& seat) {
   seat.model = world.row(seat.id);
   seat.position = position_of(world, seat.model);
@@ -83,7 +83,7 @@ Result<void> Loaded::join(World& world, const Post& post) {
   for (std::size_t k = 0; k < seat->rangers.size(); ++k) {
     if (seat->rangers[k].used) {
       world::subscribe_controller(world, world.rangers.model[seat->ranger_rows[k].index]);
-    } else {  // else it would see what it measures for others
+    } else {  // otherwise it would see measurements made for others
       seat->ranger_rows[k] = {};
       seat->rangers[k].ranges = {};
     }
@@ -96,7 +96,7 @@ Result<void> Loaded::join(World& world, const Post& post) {
   return {};
 }
 
-/// Columns to senses.
+/// Copies columns to the controller's view.
 void Loaded::show(const World& world, Seat& seat) {
   Robot& robot = seat.robot;
   robot.time = world.time();
@@ -180,9 +180,9 @@ void Loaded::deliver(World& world) {
     if (gives_[i]) give(world, *seats_[i]);
 }
 
-/// False: the controller cannot say what it remembers; `why` is what it throws, if it does.
+/// False: the controller cannot be saved; `why` is its exception, if any.
 bool Loaded::remember(const Seat& seat, std::string& memory, std::string& why) const {
-  constexpr std::uint32_t kSaves = 2;  // the version that brought Controller::save
+  constexpr std::uint32_t kSaves = 2;  // first version with Controller::save
   bool saved = false;
   if (library_->version() >= kSaves) thrown_by(why, [&] { saved = seat.controller->save(memory); });
   return saved;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Loaded: all robots that run the controller of one shared library; copies columns into Robot, and what that
-/// orders and gives back.
+/// Loaded: all robots that run the controller of one shared
+/// library; copies columns into Robot, and its commands back.
 
 #include <memory>
 
@@ -16,38 +16,38 @@ class Loaded final : public Batch {
   Loaded(std::string name, std::shared_ptr<libraries::SharedLibrary> library)
       : Batch(std::move(name)), library_(std::move(library)) {}
 
-  /// A controller that throws is logged once, its robot stops, and it is not called again.
+  /// If a controller throws, this is logged once, its robot stops, and it is not called again.
   void decide(world::World& world, std::size_t begin, std::size_t end) override;
   void deliver(world::World& world) override;
 
  private:
-  /// One controller and its robot.
+  /// A controller object and its robot.
   struct Seat {
     std::unique_ptr<Controller> controller;
     world::ModelId id;
     world::ModelRow model;
-    world::PositionRow position;  // none: it can't drive
+    world::PositionRow position;  // none: it does not drive
     std::string controller_name, name;
     std::vector<std::string> arguments;
-    std::vector<world::RangerRow> ranger_rows;  // none: switched off
-    std::vector<std::uint64_t> seen;            // tick of the last scan shown, per ranger
+    std::vector<world::RangerRow> ranger_rows;  // none: unused
+    std::vector<std::uint64_t> seen;            // tick of the last scan passed, per ranger
     std::vector<std::string> ranger_names;
     std::vector<std::vector<float>> bearings;
     std::vector<Ranger> rangers;
     std::vector<world::FiducialRow> finders;
-    std::vector<Sighting> sightings;      // keeps its capacity from tick to tick
+    std::vector<Sighting> sightings;      // reused
     Stream stream{Purpose::kController};  // of random numbers
     Robot robot;
-    std::int64_t more_flags = 0;  // than it carries
-    bool says = false;            // something else, robot.say
+    std::int64_t more_flags = 0;  // increment of flags
+    bool says = false;            // robot.say has changed
     bool ended = false;
   };
 
-  /// Makes a controller for the model, calls its start(), and subscribes the rangers it keeps in use.
+  /// Makes a controller for the model, calls start(), and subscribes the rangers it uses.
   Result<void> join(world::World& world, const Post& post) override;
   void leave(std::size_t i) override { erase_at(i, seats_, gives_); }
   void resolve(const world::World& world, std::size_t i) override;
-  /// What a controller remembers is part of the hash if it can say it.
+  /// A controller's memory is part of the hash if it implements save().
   void hash_of(std::size_t i, Hash& hash) const override;
   Result<void> save_of(std::size_t i, Packer& out) const override;
   bool load_of(std::size_t i, Unpacker& in) override;
@@ -55,14 +55,14 @@ class Loaded final : public Batch {
   bool remember(const Seat& seat, std::string& memory, std::string& why) const;
   static void find_rows(const world::World& world, Seat& seat);
   static void show(const world::World& world, Seat& seat);
-  /// Orders become commands. True: it has something for give().
+  /// Converts orders to commands. True if give() has work.
   static bool take_orders(world::World& world, Seat& seat);
   static void give(world::World& world, const Seat& seat);
   static void end(world::World& world, Seat& seat, const char* why);
 
   std::shared_ptr<libraries::SharedLibrary> library_;  // outlives the seats
   std::vector<std::unique_ptr<Seat>> seats_;
-  std::vector<std::uint8_t> gives_;  // per seat: it has something for give(), in this tick
+  std::vector<std::uint8_t> gives_;  // per seat: give() has work in this tick
 };
 
 }  // namespace playhouse::controllers

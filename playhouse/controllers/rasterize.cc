@@ -15,7 +15,7 @@ using geom::Vec2;
 constexpr int kColumns = 40, kRows = 20;
 constexpr double kLeast = 1e-6;  // m, of a box
 
-/// Marks the cells that outlines pass, in points that are at most half a cell apart.
+/// Marks cells along outlines, sampled at half a cell.
 class Raster {
  public:
   Raster(const geom::Size& size, int columns, int rows)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// rasterize: writes a raster of its model's body to the log, once. On models of any kind.
+/// rasterize: logs a raster of its model's body once. For models of any kind.
 
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace playhouse::controllers {
 
-/// The outline of a body in the box of its model, seen from above: a line for each row of cells, the one with
-/// the largest y first, "O" where the outline is and "." elsewhere.
+/// Raster of a body's outline in its model's box, from above: a line for each
+/// row of cells, from the largest y, "O" on the outline and "." elsewhere.
 std::vector<std::string> raster_of(const scene::ModelDesc& desc, int columns, int rows);
 
 class Rasterize final : public BatchOf<Rasterize> {
@@ -27,7 +27,7 @@ class Rasterize final : public BatchOf<Rasterize> {
   void resolve(const world::World&, std::size_t) override {}
 
   // Memory.
-  std::vector<std::uint8_t> done_;  // was written
+  std::vector<std::uint8_t> done_;  // already logged
 };
 
 }  // namespace playhouse::controllers

@@ -1,7 +1,7 @@
 #pragma once
 
-/// source makes flags up to its capacity, one at each update of its model; sink counts the flags it is given.
-/// On models of any kind.
+/// source produces flags up to its capacity, one per update of its
+/// model; sink counts the flags it receives. For models of any kind.
 
 #include "playhouse/controllers/batch.h"
 
@@ -17,7 +17,7 @@ class Source final : public BatchOf<Source> {
  private:
   friend BatchOf<Source>;
   static auto memory(auto&) { return std::tuple<>(); }
-  /// Argument: the capacity, 1 if absent; more arguments are ignored, as Stage does.
+  /// Argument: the capacity, default 1; further arguments are ignored, as in Stage.
   Result<void> join(world::World& world, const Post& post) override;
   void leave_rest(std::size_t i) { erase_at(i, model_, capacity_, update_ticks_, makes_); }
   void resolve(const world::World& world, std::size_t i) override { model_[i] = world.row(id(i)); }
@@ -25,7 +25,7 @@ class Source final : public BatchOf<Source> {
   std::vector<world::ModelRow> model_;
   std::vector<std::int32_t> capacity_;
   std::vector<std::uint64_t> update_ticks_;  // of the model
-  std::vector<std::uint8_t> makes_;          // a flag, in this tick
+  std::vector<std::uint8_t> makes_;          // makes a flag in this tick
 };
 
 class Sink final : public BatchOf<Sink> {
@@ -44,12 +44,12 @@ class Sink final : public BatchOf<Sink> {
   void resolve(const world::World& world, std::size_t i) override { model_[i] = world.row(id(i)); }
 
   std::vector<world::ModelRow> model_;
-  std::vector<std::uint8_t> says_;  // how many, in this tick
+  std::vector<std::uint8_t> says_;  // says the count in this tick
   std::string text_;
 
   // Memory.
-  std::vector<std::int32_t> before_;     // flags it held in the last tick
-  std::vector<std::uint64_t> received_;  // since the start
+  std::vector<std::int32_t> before_;     // flags in the previous tick
+  std::vector<std::uint64_t> received_;  // in total
 };
 
 }  // namespace playhouse::controllers

@@ -5,16 +5,16 @@
 namespace playhouse::controllers {
 namespace {
 
-constexpr double kCruise = 0.4;                             // m/s, with nothing ahead
+constexpr double kCruise = 0.4;                             // m/s, unobstructed
 constexpr double kCreep = 0.05;                             // m/s, while turning away
 constexpr double kTurn = 0.5;                               // rad/s
 constexpr float kAhead = 1.0f;                              // m, in the middle third: turn away
 constexpr float kClose = 0.3f;                              // m, anywhere: stop and turn
-constexpr std::uint32_t kKeepLeast = 10, kKeepSpread = 10;  // scans for which a turn is kept
-constexpr std::uint32_t kScannerSamples = 8;                // more than these make a scanner
+constexpr std::uint32_t kKeepLeast = 10, kKeepSpread = 10;  // scans to keep a turn
+constexpr std::uint32_t kScannerSamples = 8;                // minimum beams of a scanner, exclusive
 
-/// Smallest of some ranges; `none` if there are none. Eight independent lanes, which compilers turn into
-/// SIMD.
+/// Minimum of some ranges; `none` if there are none.
+/// Eight independent lanes, which compilers vectorise.
 float nearest(std::span<const float> ranges, float none) {
   constexpr std::size_t kLanes = 8;
   float lane[kLanes];
@@ -28,10 +28,10 @@ float nearest(std::span<const float> ranges, float none) {
 }
 
 struct View {
-  float right, ahead, left;  // m, the nearest thing on either side and in the middle third
+  float right, ahead, left;  // m, minima of either side and of the middle third
 };
 
-/// Beams are ordered from right to left. With one beam it is everything at once.
+/// Beams are ordered from right to left. A single beam counts for all three.
 View look(std::span<const float> ranges) {
   constexpr float kFar = 1e30f;
   const std::size_t n = ranges.size(), third = n / 3, half = n / 2;
@@ -42,7 +42,7 @@ View look(std::span<const float> ranges) {
   return {std::min(right, ahead_right), std::min(ahead_right, ahead_left), std::min(ahead_left, left)};
 }
 
-/// The sensor to steer by: its row, or none.
+/// The sensor for steering; none if there is none.
 world::SensorRow scanner(const world::World& world, const std::vector<world::RangerRow>& rangers) {
   world::SensorRow best;
   for (const world::RangerRow ranger : rangers) {

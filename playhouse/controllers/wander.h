@@ -1,7 +1,7 @@
 #pragma once
 
-/// wander, and wander_accel, which is the same: drives ahead and turns away from what a scanner sees. Stage's
-/// constants; see docs/controllers.md.
+/// wander, and wander_accel, an alias: drives ahead and avoids
+/// obstacles by a scanner. Constants of Stage; see docs/controllers.md.
 
 #include "playhouse/controllers/steering.h"
 

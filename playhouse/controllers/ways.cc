@@ -13,10 +13,10 @@ namespace {
 
 using geom::Vec2;
 
-constexpr double kSide = 0.2;    // m, of a cell
-constexpr double kCells = 1000;  // along a side of the floor, at most: those of larger floors are larger
+constexpr double kSide = 0.2;    // m, cell size
+constexpr double kCells = 1000;  // cells per side, at most: larger floors have larger cells
 constexpr double kMargin = 2;    // m, of floor around all outlines
-constexpr double kBeside = 0.4;  // m beyond the clearance, where a robot would rather not be
+constexpr double kBeside = 0.4;  // m beyond the clearance with a higher cost
 constexpr double kLane = 0.8;    // m, to either side of where others come
 constexpr std::uint8_t kFree = 1, kNarrow = 3, kOncoming = 4, kBlocked = 0;  // costs of a step
 constexpr int kAhead = 4;            // cells that a robot looks ahead on its way
@@ -33,7 +33,7 @@ void add_loop(std::span<const Vec2> loop_B, const geom::Pose& X_WB, std::vector<
     lines.push_back({X_WB.xy() + turn * loop_B[k], X_WB.xy() + turn * loop_B[(k + 1) % loop_B.size()]});
 }
 
-/// Outlines of what stands still and robots meet or see, between the floor and `height`. [m, W]
+/// Outlines of static models that robots collide with or sense, between the floor and `height`. [m, W]
 std::vector<Line> outlines(const world::World& world, double height) {
   std::vector<Line> lines;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
@@ -92,7 +92,7 @@ Vec2 Ways::centre(Cell cell) const {
   return corner_W_ + side_ * Vec2{static_cast<double>(cell.x) + 0.5, static_cast<double>(cell.y) + 0.5};
 }
 
-/// Gives cells whose centre is as near as `around` to a line a cost.
+/// Sets the cost of cells with their centre within `around` of a line.
 void Ways::mark(Vec2 from_W, Vec2 to_W, double around, std::uint8_t cost) {
   const auto steps = static_cast<std::int64_t>(length(to_W - from_W) / (side_ / 2)) + 1;
   const auto cells = static_cast<std::int64_t>(around / side_) + 1;
@@ -105,10 +105,10 @@ void Ways::mark(Vec2 from_W, Vec2 to_W, double around, std::uint8_t cost) {
   }
 }
 
-/// From all cells within reach outwards, the nearest first (Dijkstra); of equal ones that of the lower
-/// number.
+/// Dijkstra from all cells within reach;
+/// ties are broken by cell number.
 void Ways::search(double reach) {
-  using Entry = std::pair<std::uint32_t, std::uint32_t>;  // cost of the way, number
+  using Entry = std::pair<std::uint32_t, std::uint32_t>;  // cost so far, number
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::vector<std::uint32_t> best(cost_.size(), kNoWay);
   next_.assign(cost_.size(), kNoWay);

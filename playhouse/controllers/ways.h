@@ -1,7 +1,7 @@
 #pragma once
 
-/// Ways: the floor as a table of cells that tells, from each, where the shortest way to a place goes on that
-/// keeps off what stands still. What moves is not in it. A value type.
+/// Ways: navigation function on a grid: from each cell the next step of the shortest
+/// path to a goal around static obstacles. Movable bodies are ignored. A value type.
 
 #include <cstdint>
 #include <optional>
@@ -13,17 +13,17 @@ namespace playhouse::controllers {
 
 class Ways {
  public:
-  /// To anywhere within `reach` of the place, for a robot that meets what is below `height` and whose centre
-  /// keeps `clearance` off it. Where others come along `oncoming_W`, a way beside theirs is taken if it is
-  /// not far longer. [m, W]
+  /// Paths to anywhere within `reach` of the goal, for a robot that collides with obstacles
+  /// below `height` and keeps its centre `clearance` away from them. Where others come
+  /// along `oncoming_W`, a parallel lane is preferred if the detour is small. [m, W]
   Ways(const world::World& world, geom::Vec2 place_W, double reach, double clearance, double height,
        const std::vector<geom::Vec2>& oncoming_W = {});
 
-  /// Where to head for from here: less than a metre away, or the place itself where that is within reach;
-  /// none where no way leads there. [m, W]
+  /// The next waypoint from here: less than a metre away, or the
+  /// goal itself if within reach; none if it is unreachable. [m, W]
   std::optional<geom::Vec2> next(geom::Vec2 p_W) const;
 
-  /// The way from here, cell by cell; empty where there is none. [m, W]
+  /// The path from here, by cells; empty if the goal is unreachable. [m, W]
   std::vector<geom::Vec2> route(geom::Vec2 p_W) const;
 
  private:
@@ -38,11 +38,11 @@ class Ways {
   void search(double reach);
   std::optional<Cell> nearest_with_way(Cell from) const;
 
-  geom::Vec2 place_W_, corner_W_;  // m; the second is the lower left corner of the floor
+  geom::Vec2 place_W_, corner_W_;  // m; goal, and lower left corner of the grid
   double side_ = 1;                // m, of a cell
   std::int64_t columns_ = 0, rows_ = 0;
-  std::vector<std::uint8_t> cost_;   // of a step into the cell; 0: blocked
-  std::vector<std::uint32_t> next_;  // number of the next cell; its own within reach
+  std::vector<std::uint8_t> cost_;   // of entering the cell; 0: blocked
+  std::vector<std::uint32_t> next_;  // index of the next cell; its own if within reach
 };
 
 }  // namespace playhouse::controllers

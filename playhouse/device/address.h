@@ -8,7 +8,7 @@
 
 namespace playhouse::device {
 
-/// A device as clients address it. `robot` is the TCP port whose name space the device lives in.
+/// Address of a device for clients. `robot` is the TCP port, a name space of its own.
 struct Address {
   std::uint32_t robot = 0;
   std::uint16_t interf = 0;  // interface code, e.g. 4 = position2d
@@ -16,7 +16,7 @@ struct Address {
   friend constexpr auto operator<=>(const Address&, const Address&) = default;
 };
 
-/// A device in the DeviceTable; never reused while the server runs, also after the device retired.
+/// Handle of a device in the DeviceTable; never reused, not even after the device has retired.
 struct DeviceId {
   std::uint32_t row = 0xFFFFFFFFu;
   constexpr bool valid() const { return row != 0xFFFFFFFFu; }

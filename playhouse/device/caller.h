@@ -1,6 +1,6 @@
 #pragma once
 
-/// Caller: a client of the server as drivers see it, which know no sessions. Io thread.
+/// Caller: a server's client, as drivers see it, without a dependency on sessions. Io thread.
 
 #include <algorithm>
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace playhouse::device {
 
 class Caller {
  public:
-  /// `name` is for log lines: "127.0.0.1:40312".
+  /// `name` is for the log: "127.0.0.1:40312".
   explicit Caller(std::string name) : name_(std::move(name)) {}
   Caller(const Caller&) = delete;
   Caller& operator=(const Caller&) = delete;
@@ -21,24 +21,24 @@ class Caller {
 
   const std::string& name() const { return name_; }
 
-  /// Runs once the client has gone, before this object has.
+  /// Adds a task to run when the client disconnects, before this object is destroyed.
   void when_gone(std::function<void()> task) { tasks_.push_back({nullptr, std::move(task)}); }
-  /// The same, unless there is one of this owner already.
+  /// The same, at most once per owner.
   void when_gone_once(const void* owner, std::function<void()> task) {
     if (std::ranges::find(tasks_, owner, &Task::owner) == tasks_.end())
       tasks_.push_back({owner, std::move(task)});
   }
   std::size_t task_count() const { return tasks_.size(); }
 
-  /// From now on its connection ends soon after the client's machine or cable fails, and not after as long as
-  /// the system likes to wait (net::Connection::expect_alive).
+  /// Enables fast detection of a dead peer: the connection ends soon after the client's machine or
+  /// cable fails, rather than after the system's default timeout (net::Connection::expect_alive).
   void expect_alive() const {
     if (expect_alive_) expect_alive_();
   }
-  /// How that is done. For the server.
+  /// Sets the implementation. For the server.
   void expect_alive_by(std::function<void()> how) { expect_alive_ = std::move(how); }
 
-  /// The client has gone. For the server.
+  /// The client has disconnected: runs the tasks. For the server.
   void leave() {
     for (const Task& task : std::exchange(tasks_, {})) task.run();
   }

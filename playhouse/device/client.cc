@@ -73,7 +73,7 @@ bool Client::capable(std::size_t device, std::uint8_t type, std::uint8_t subtype
 }
 
 void Client::barrier(Replier replier) {
-  // The last of those who wait for a driver lets go of it.
+  // Shared by the pending barriers: replies when the last one is done.
   const std::shared_ptr<Replier> all(new Replier(std::move(replier)), [](Replier* done) {
     done->ack();
     delete done;
@@ -93,7 +93,7 @@ void Client::answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body)
   {
     const std::lock_guard lock(mutex_);
     const auto found = asked_.find(ticket);
-    PLAYHOUSE_ASSERT(found != asked_.end());  // a replier answers once
+    PLAYHOUSE_ASSERT(found != asked_.end());  // a replier replies once
     heard = std::move(found->second);
     asked_.erase(found);
   }

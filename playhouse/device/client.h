@@ -1,9 +1,9 @@
 #pragma once
 
-/// Client: one client inside the program, by which a driver uses the devices that its section requires. It
-/// opens and closes them, subscribes to their data, commands and asks them. Devices are numbered in the order
-/// in which the driver named them. Threads: use() and the subscriptions while drivers are made, open() and
-/// close() on the io thread, everything else anywhere.
+/// Client: an in-process client, through which a driver uses the devices that its section
+/// requires: opens and closes them, subscribes to data, sends commands and requests. Devices are
+/// numbered in the order in which the driver named them. Threads: use() and subscriptions during
+/// construction of drivers, open() and close() on the io thread, everything else on any thread.
 
 #include <atomic>
 #include <cstddef>
@@ -23,60 +23,60 @@
 
 namespace playhouse::device {
 
-/// Opens devices on behalf of drivers. Io thread, or before it runs.
+/// Opens devices for drivers. Io thread, or before it runs.
 class Opener {
  public:
   virtual ~Opener() = default;
-  /// `holder`, if any, hears when the device retires (Driver::retired()), which ends the hold. Fails if the
-  /// device cannot start, or has retired.
+  /// `holder`, if given, is notified when the device retires (Driver::retired()),
+  /// which ends the hold. Fails if the device cannot start, or has retired.
   virtual Result<void> hold(DeviceId device, Driver* holder) = 0;
-  /// Undoes one hold() of the same holder; nothing once the device has retired.
+  /// Undoes one hold() of the same holder; no effect once the device has retired.
   virtual void release(DeviceId device, Driver* holder) = 0;
 };
 
 class Client final : private Outlet, private DataFlow::Reader {
  public:
-  /// Called after a batch with news of an open device has reached the subscriptions, on the thread that
-  /// publishes. What it appends joins the batch.
+  /// Called when a batch with data for the subscriptions has been
+  /// delivered, on the publishing thread. Appended messages join the batch.
   using News = std::function<void(std::vector<Publication>& more)>;
-  /// Called once with the answer to a request, on any thread, perhaps before ask() returns; nothing for NACK.
+  /// Called once with the reply, on any thread, maybe before ask() returns; none for NACK.
   using Heard = std::function<void(std::optional<std::vector<std::byte>> body)>;
 
-  /// For `devices` devices that `owner` uses. It is told when one of them retires while they are open, and
-  /// closes them then. `opener` outlives the client, which outlives the requests that it asks.
+  /// For `devices` devices used by `owner`, which is notified when one of them retires while open,
+  /// and closes them then. `opener` must outlive the client, and the client its pending requests.
   Client(Opener& opener, Driver& owner, std::size_t devices);
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
-  // While drivers are made.
+  // During construction of drivers.
 
-  /// Keeps the newest message of one kind.
+  /// Subscribes to the latest message of one subtype.
   Subscription& latest(std::size_t device, std::uint8_t subtype);
-  /// Keeps up to `limit` messages of every kind.
+  /// Subscribes to all messages, with a queue of `limit`.
   Subscription& queue(std::size_t device, std::size_t limit);
   void when_news(News news) { news_ = std::move(news); }
-  /// Device number `device` is this one of `driver`. Once for each device.
+  /// Binds number `device` to a device of `driver`. Once for each.
   void use(std::size_t device, DeviceId id, Driver& driver);
-  /// From now on data come from `flow`, after every client that joined before. After every use().
+  /// Receives data from `flow`, after all clients that joined earlier. After all use() calls.
   void join(DataFlow& flow);
 
   // Io thread.
 
-  /// Opens all devices, or none: the error is that of the first that cannot start. Subscriptions begin empty.
+  /// Atomic: opens all devices or none, with the first error. Subscriptions start empty.
   Result<void> open();
-  /// Nothing if they are closed.
+  /// No effect if closed.
   void close();
 
   // Any thread.
 
   bool is_open() const { return open_; }
-  /// Nothing is taken while the devices are closed.
+  /// kNo while the devices are closed.
   Taken command(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body);
   void ask(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body, Heard heard);
-  /// Asks on behalf of somebody else, who gets the answer as it is.
+  /// Forwards a request of another client; the reply is passed through.
   void forward(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body, Replier replier);
   bool capable(std::size_t device, std::uint8_t type, std::uint8_t subtype) const;
-  /// Answers once every device has done what it was told.
+  /// Replies once all devices have executed earlier messages.
   void barrier(Replier replier);
 
  private:

@@ -21,7 +21,7 @@ std::span<const DataFlow::Rank> DataFlow::readers_of(DeviceId device) const {
 }
 
 void DataFlow::publish(std::vector<Publication> batch) {
-  std::map<Rank, std::vector<std::size_t>> due;  // what each reader is to be given, as places in the batch
+  std::map<Rank, std::vector<std::size_t>> due;  // batch indices for each reader
   const auto note = [&](std::size_t place) {
     for (const Rank rank : readers_of(batch[place].device)) due[rank].push_back(place);
   };
@@ -39,7 +39,7 @@ void DataFlow::publish(std::vector<Publication> batch) {
       batch.push_back(std::move(publication));
       note(batch.size() - 1);
     }
-    PLAYHOUSE_ASSERT(due.empty() || due.begin()->first > rank);  // else it would go round for ever
+    PLAYHOUSE_ASSERT(due.empty() || due.begin()->first > rank);  // otherwise a cycle
   }
   if (next_ != nullptr) next_->publish(std::move(batch));
 }

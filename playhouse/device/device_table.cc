@@ -48,7 +48,7 @@ Result<DeviceId> DeviceTable::add(Address address, Driver& driver) {
   return id;
 }
 
-// The driver is told last: it may ask the table, which no longer has the device.
+// forget() comes last: the driver may query the table, which must not have the device any more.
 void DeviceTable::retire(DeviceId id) {
   const auto found = entries_.find(id);
   PLAYHOUSE_ASSERT(found != entries_.end());
@@ -76,7 +76,7 @@ std::string DeviceTable::why_missing(Address address) const {
                  : "no such device, and none of its interface";
 }
 
-// The device of the wanted interface whose index differs the least.
+// The device of the wanted interface with the nearest index.
 std::optional<Address> DeviceTable::nearest_on(std::uint32_t robot, Address wanted) const {
   const auto fits = [&](Address address) {
     return address.robot == robot && address.interf == wanted.interf;

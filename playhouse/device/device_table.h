@@ -1,8 +1,8 @@
 #pragma once
 
-/// DeviceTable: maps addresses to drivers and counts opens. Holds the devices that are there
-/// now: they may come and go at any time. The first open of a device starts it, the last close stops it. Io
-/// thread only.
+/// DeviceTable: the current devices: maps addresses to drivers and
+/// counts opens. Devices may be added and retired at any time. The
+/// first open starts a device, the last close stops it. Io thread only.
 
 #include <cstddef>
 #include <map>
@@ -18,15 +18,15 @@
 
 namespace playhouse::device {
 
-/// As people write it: "6665:laser:0".
+/// Text form: "6665:laser:0".
 std::string describe(Address address);
 
 class DeviceTable {
  public:
   struct Entry {
     Address address;
-    Driver* driver = nullptr;  // outlives the device: until retire(), or the table
-    std::size_t users = 0;     // opens not yet closed
+    Driver* driver = nullptr;  // must outlive the device: until retire(), or the table
+    std::size_t users = 0;     // number of opens
   };
 
   DeviceTable() = default;
@@ -34,29 +34,29 @@ class DeviceTable {
   DeviceTable(const DeviceTable&) = delete;
   DeviceTable& operator=(const DeviceTable&) = delete;
 
-  /// Fails if the address is taken or is the meta device player:0. A port may have more devices than
-  /// limits::kDevices: only the list that clients get ends there.
+  /// Fails if the address is taken or is the meta device player:0. A port may have
+  /// more than limits::kDevices devices, but lists for clients are truncated there.
   Result<DeviceId> add(Address address, Driver& driver);
-  /// Takes a device out, stops it if it is open, and has its driver forget it: its address is free, its id
-  /// means nothing any more, and its driver may go.
+  /// Removes a device, stops it if open, and calls its driver's forget(): its
+  /// address is free, its id is invalid, and its driver may be destroyed.
   void retire(DeviceId id);
 
   /// The device at an address; an invalid id if there is none.
   DeviceId find(Address address) const;
-  /// What to say of an address where no device is: "no such device, the nearest is 6665:laser:0".
+  /// Error message for an empty address: "no such device, the nearest is 6665:laser:0".
   std::string why_missing(Address address) const;
-  /// False for a device that has retired.
+  /// False for a retired device.
   bool has(DeviceId id) const { return entries_.contains(id); }
-  /// Asserts that the device is there.
+  /// Asserts that the device exists.
   const Entry& operator[](DeviceId id) const;
   std::size_t size() const { return entries_.size(); }
-  /// The devices of one port, in order of creation.
+  /// The devices of one port, in order of registration.
   std::span<const DeviceId> devices_of(std::uint32_t robot) const;
 
-  /// One more user; the first one starts the device and gets the driver's error if it cannot start.
+  /// Adds a user; the first one starts the device. Fails if it cannot start.
   Result<void> open(DeviceId id);
-  /// One user less; the last one stops the device. Asserts that there is one. Does nothing while the table is
-  /// destroyed, which stops every device once: drivers that hold others release them then.
+  /// Removes a user; the last one stops the device. Asserts that there is one. No effect in the
+  /// table's destructor, which stops every device once: drivers release the devices they hold then.
   void close(DeviceId id);
 
  private:
@@ -66,7 +66,7 @@ class DeviceTable {
   std::uint32_t next_row_ = 0;
   bool ending_ = false;
   std::map<Address, DeviceId> by_address_;
-  std::map<std::uint32_t, std::vector<DeviceId>> by_robot_;  // in order of creation
+  std::map<std::uint32_t, std::vector<DeviceId>> by_robot_;  // in order of registration
 };
 
 }  // namespace playhouse::device

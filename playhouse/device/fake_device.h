@@ -1,6 +1,6 @@
 #pragma once
 
-/// For the tests of this module: a driver that remembers what it is told, and a recorder of what comes out.
+/// Fakes for tests of this module: a driver that records messages, and recorders of outputs.
 
 #include <map>
 #include <string>
@@ -20,7 +20,7 @@ inline std::string text(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Answers every request with its own body, but for subtype 9, which it refuses.
+/// Echoes every request, except subtype 9, which gets NACK.
 class FakeDevice final : public Driver {
  public:
   std::vector<std::string> commands;
@@ -44,11 +44,11 @@ class FakeDevice final : public Driver {
   void barrier(Replier replier) override { barriers.push_back(std::move(replier)); }
 };
 
-/// Devices 0, 1, 2 ... of their own drivers, and how often each is held.
+/// Devices 0, 1, 2 ... with a driver each, and hold counts.
 struct FakeDevices final : Opener {
   std::map<std::uint32_t, FakeDevice> drivers;
   std::map<std::uint32_t, int> held;
-  std::map<std::uint32_t, Driver*> holders;  // the last one of each
+  std::map<std::uint32_t, Driver*> holders;  // last holder of each
   Result<void> hold(DeviceId device, Driver* holder) override {
     if (const Result<void> started = drivers[device.row].start(device); !started) return started;
     ++held[device.row];
@@ -58,7 +58,7 @@ struct FakeDevices final : Opener {
   void release(DeviceId device, Driver*) override { --held[device.row]; }
 };
 
-/// "row.subtype body" of everything that is published.
+/// Records published messages as "row.subtype body".
 struct FakePublisher final : Publisher {
   std::vector<std::string> lines;
   void publish(std::vector<Publication> batch) override {
@@ -68,7 +68,7 @@ struct FakePublisher final : Publisher {
   }
 };
 
-/// Answers by ticket: the body, or "NACK".
+/// Records replies by ticket: the body, or "NACK".
 struct FakeOutlet final : Outlet {
   std::map<std::uint64_t, std::string> answers;
   void answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) override {

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Subscription: what a driver has got of another device and not taken yet. It is bounded: when it is full
-/// the oldest message gives way to the newest, and the loss is counted. A subscription of one message is the
-/// latest value. Any thread.
+/// Subscription: bounded queue of another device's data, for a
+/// driver. When full, the oldest message is dropped and counted.
+/// With a limit of one it holds the latest value. Any thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,19 +17,19 @@ namespace playhouse::device {
 
 class Subscription {
  public:
-  /// `subtype` of DATA messages, all of them if none; `limit` messages wait at most, at least 1.
+  /// `subtype` of DATA messages, none: all; `limit`: capacity, at least 1.
   Subscription(std::optional<std::uint8_t> subtype, std::size_t limit);
 
-  /// Everything that waits, in the order in which it was published.
+  /// All queued messages, in order of publication.
   std::vector<Publication> take();
-  /// The newest that waits; what is older is dropped, and counted as lost. None if nothing waits.
+  /// The latest queued message; older ones are dropped and counted as lost. None if empty.
   std::optional<Publication> take_latest();
-  /// Messages that gave way to newer ones, since the start.
+  /// Number of dropped messages.
   std::uint64_t lost() const;
 
-  /// Puts a copy of the message in, if it is of the subtype wanted.
+  /// Appends a copy of the message if it has the subscribed subtype.
   void put(const Publication& publication);
-  /// Drops what waits, which counts as no loss.
+  /// Empties the queue without counting losses.
   void clear();
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Turns: in which order clients may change the world, where that must not depend on whose bytes arrive
-/// first.
+/// Turns: deterministic order of clients' changes
+/// to the world, independent of arrival order.
 
 #include <functional>
 
@@ -13,10 +13,10 @@ class Turns {
  public:
   virtual ~Turns() = default;
 
-  /// What the client says may be carried out now. What only asks need not wait for it. Any thread.
+  /// True if the client's modifying messages may be executed now; queries need not wait. Any thread.
   virtual bool may_act(const Caller& caller) const = 0;
 
-  /// `changed` is called on any thread whenever somebody may act who might not before. Before the run.
+  /// Adds a callback for when a client may become able to act; called on any thread. Before the run.
   virtual void when_changed(std::function<void()> changed) = 0;
 };
 

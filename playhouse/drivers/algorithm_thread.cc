@@ -37,7 +37,7 @@ void AlgorithmThread::clear() {
   Lock lock(mutex_);
   jobs_.clear();
   fresh_ = true;
-  changed_.notify_all();  // the tick may wait for one of them
+  changed_.notify_all();  // a tick may be waiting for one
   changed_.wait(lock, [this] { return !delivering_; });
 }
 
@@ -71,7 +71,7 @@ void AlgorithmThread::run_step(Lock& lock, Job& job) {
   Delivery result = step(fresh);
   lock.lock();
   Job* const done = find(number);
-  if (done == nullptr) return;  // cleared meanwhile
+  if (done == nullptr) return;  // cleared in the meantime
   done->result = std::move(result);
   if (!tick_) return deliver_first(lock);
   changed_.notify_all();

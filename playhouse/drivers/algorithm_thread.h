@@ -1,9 +1,9 @@
 #pragma once
 
-/// AlgorithmThread: a thread of its own for a driver's computations, with a mailbox of steps in front of it.
-/// With a simulated world a step's result is due at a stated tick and that tick waits for it, so that a run
-/// is the same whatever the computer does meanwhile. Without one a step runs as soon as it can, a newer step
-/// takes the place of one that has not begun, and results come when they are ready.
+/// AlgorithmThread: a worker thread for a driver's computations, with a mailbox of steps.
+/// With a simulated world a step's result is due at a fixed tick, which waits for it, so
+/// that runs are reproducible under any load. Without one a step runs as soon as possible,
+/// a newer step replaces one that has not begun, and results are delivered when ready.
 
 #include <condition_variable>
 #include <cstdint>
@@ -17,36 +17,36 @@ namespace playhouse::drivers {
 
 class AlgorithmThread {
  public:
-  /// What is to be done with the result of a step: on the tick thread, or on this one where there is no tick.
+  /// Applies the result of a step: on the tick thread, or on this one if there is no tick.
   using Delivery = std::function<void()>;
-  /// Runs on this thread, one after another, and ends. `fresh`: no step before it counts, as none has run
-  /// since the start or since clear().
+  /// Runs on this thread, sequentially. `fresh`: discard state of
+  /// earlier steps, as none has run since the start or since clear().
   using Step = std::function<Delivery(bool fresh)>;
 
   AlgorithmThread() = default;
-  /// Ends the thread, after the step that runs; results that wait are not delivered.
+  /// Joins the thread after its current step; pending results are dropped.
   ~AlgorithmThread();
   AlgorithmThread(const AlgorithmThread&) = delete;
   AlgorithmThread& operator=(const AlgorithmThread&) = delete;
 
-  /// Results are due `delay` ticks after the tick in which the step was posted, 0 being that very tick; the
-  /// world has done `tick` ticks. Before anything is posted; from then on ticked() tells of every tick.
+  /// Results are due `delay` ticks after the tick in which the step was posted, 0: at the end of
+  /// that tick. `tick`: ticks done. Call it before the first post(), and ticked() after every tick.
   void follow_ticks(std::uint64_t tick, std::uint64_t delay);
-  /// Tick number `tick` is done, but for the results that are due: waits for them and delivers them, in the
-  /// order in which they were posted. Tick thread; telling of a tick twice does no harm.
+  /// Tick `tick` is done except for due results: waits for those and delivers them
+  /// in the order of posting. Tick thread; calling it twice for a tick is harmless.
   void ticked(std::uint64_t tick);
 
   /// Any thread. Between two ticks it counts for the next one.
   void post(Step step);
-  /// Forgets what was posted. When it returns no result of it is being delivered or will be. Any thread but
-  /// from inside a result.
+  /// Discards all posted steps. After it returns, no result of them
+  /// is or will be delivered. Any thread, but not from a Delivery.
   void clear();
 
  private:
   struct Job {
     std::uint64_t number = 0, due = 0;
-    Step step;                       // empty once it has begun
-    std::optional<Delivery> result;  // once it has ended
+    Step step;                       // empty once started
+    std::optional<Delivery> result;  // set when finished
   };
   using Lock = std::unique_lock<std::mutex>;
   void run();
@@ -59,10 +59,10 @@ class AlgorithmThread {
   std::condition_variable changed_;
   std::deque<Job> jobs_;  // in the order of posting
   std::uint64_t last_number_ = 0;
-  std::optional<std::uint64_t> tick_;  // the last one done; none without a simulated world
+  std::optional<std::uint64_t> tick_;  // last tick; none without a simulated world
   std::uint64_t delay_ = 0;
   bool fresh_ = true, delivering_ = false, ending_ = false;
-  std::thread thread_;  // from the first step on
+  std::thread thread_;  // started by the first step
 };
 
 }  // namespace playhouse::drivers

@@ -6,7 +6,7 @@
 namespace playhouse::drivers {
 namespace {
 
-/// Every node of `stuck` requires another of them.
+/// Finds a cycle: every node of `stuck` requires another one of them.
 std::vector<std::size_t> find_circle(const std::vector<std::vector<std::size_t>>& required,
                                      const std::vector<bool>& stuck) {
   std::vector<std::size_t> way;
@@ -26,7 +26,7 @@ std::vector<std::size_t> find_circle(const std::vector<std::vector<std::size_t>>
 
 DataOrder data_order(const std::vector<std::vector<std::size_t>>& required) {
   std::vector<std::vector<std::size_t>> requiring(required.size());
-  std::vector<std::size_t> open(required.size());  // how many it requires that have no place yet
+  std::vector<std::size_t> open(required.size());  // number of unplaced requirements, by node
   std::set<std::size_t> ready;
   for (std::size_t node = 0; node < required.size(); ++node) {
     for (const std::size_t other : required[node]) requiring[other].push_back(node);

@@ -15,10 +15,10 @@
 namespace playhouse::drivers {
 namespace {
 
-/// Makes the driver of one section and adds its devices to the site. Errors carry "file:line".
+/// Makes the driver of a section and registers its devices. Errors carry "file:line".
 using Factory = Result<std::unique_ptr<device::Driver>> (*)(const scene::CfgSection&, Site&);
 
-/// Every driver of this program, by name.
+/// All drivers, by name.
 constexpr std::pair<std::string_view, Factory> kDrivers[] = {
     {"passthrough", make_passthrough},
     {"rangertolaser", make_ranger_to_laser},
@@ -37,7 +37,7 @@ Result<std::unique_ptr<device::Driver>> make_driver(const scene::CfgSection& sec
                            did_you_mean(section.name(), names), fmt::join(names, ", "))};
 }
 
-/// Opens every device of the section for as long as the program runs.
+/// Holds all devices of the section open for the program's lifetime.
 Result<void> keep_open(const scene::CfgSection& section, Site& site) {
   for (const scene::DeviceAddress& provided : section.addresses("provides")) {
     const Result<device::Address> address = site.resolve(provided);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which driver a `driver ( name "..." )` section of a .cfg file means; registry.cc lists them all.
+/// Registry of drivers for `driver ( name "..." )` sections of .cfg files; registry.cc lists them all.
 
 #include <memory>
 #include <vector>
@@ -12,8 +12,8 @@
 
 namespace playhouse::drivers {
 
-/// Makes the drivers of a file, in its order, opens those that are `alwayson`, and warns of fields that no
-/// driver read. The drivers must outlive everything that was told about them.
+/// Makes the drivers of a file, in order, opens those with `alwayson`, and warns of
+/// fields that no driver read. The drivers must outlive everything that refers to them.
 Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::CfgFile& file, Site& site);
 
 }  // namespace playhouse::drivers

@@ -14,7 +14,7 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-/// What to say of addresses that are none of those wanted, when one of them nearly is.
+/// Suggestion for an address with a misspelt interface.
 std::string hint(std::span<const scene::DeviceAddress> addresses, Words wanted) {
   for (const scene::DeviceAddress& address : addresses) {
     if (std::ranges::find(wanted, address.interf) != wanted.end()) continue;
@@ -24,7 +24,7 @@ std::string hint(std::span<const scene::DeviceAddress> addresses, Words wanted) 
   return {};
 }
 
-/// driver "vfh" requires one position2d and one laser, e.g. ["position2d:0" "laser:0"]
+/// E.g.: driver "vfh" requires one position2d and one laser, e.g. ["position2d:0" "laser:0"]
 std::string what_is_wanted(const scene::CfgSection& section, std::string_view key, Words interfaces) {
   std::vector<std::string> wanted, example;
   for (const std::string_view interf : interfaces) {

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The devices that a section of a configuration file names, for drivers that want exactly one of each of
-/// some interfaces.
+/// Devices named in a section of a configuration file, for drivers
+/// that need exactly one device for each of some interfaces.
 
 #include <initializer_list>
 #include <string_view>
@@ -14,8 +14,8 @@
 
 namespace playhouse::drivers {
 
-/// The devices of field `key` ("provides", "requires"), one of each of the interfaces, in their order, which
-/// need not be the file's. Fails with "file:line" when the field names anything else.
+/// The devices of field `key` ("provides", "requires"), one for each of the interfaces, in
+/// their order rather than the file's. Fails with "file:line" if the field names anything else.
 Result<std::vector<device::Address>> section_devices(const scene::CfgSection& section, const Site& site,
                                                      std::string_view key,
                                                      std::initializer_list<std::string_view> interfaces);

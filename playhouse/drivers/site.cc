@@ -13,7 +13,7 @@
 namespace playhouse::drivers {
 namespace {
 
-constexpr std::size_t kCircleShown = 8;  // devices of a circle that an error names
+constexpr std::size_t kCircleShown = 8;  // devices of a cycle shown in an error
 
 }  // namespace
 
@@ -77,7 +77,7 @@ void Site::follow(const world::World& world, const world::Change& change) {
   if (!gone.empty()) retire(std::move(gone));
 }
 
-/// Those of drivers behind those that they require.
+/// Transitively adds the devices of drivers that require these.
 void Site::add_who_requires(std::vector<device::Address>& devices) const {
   const auto has = [](std::span<const device::Address> all, device::Address address) {
     return std::ranges::find(all, address) != all.end();
@@ -105,7 +105,7 @@ void Site::retire_later(std::vector<device::Address> devices) {
   simulation_->post_always([this, devices = std::move(devices)](world::World&) { retire(devices); }, {});
 }
 
-/// Nothing if it is out: one that requires two devices went with the first.
+/// No effect if it is gone: it may depend on two retired devices.
 void Site::take_out(device::Address address) {
   const auto found = devices_.find(address);
   if (found == devices_.end()) return;
@@ -148,7 +148,7 @@ Result<std::vector<const Site::User*>> Site::in_order_of_data() const {
   return users;
 }
 
-/// Each of the users requires a device of the next, the last one of the first.
+/// Error for a cycle: each user requires a device of the next, the last one of the first.
 Error Site::circle_error(std::span<const std::size_t> circle) const {
   std::vector<std::string> devices;  // which each requires of the next
   for (std::size_t i = 0; i < circle.size() && i < kCircleShown; ++i) {

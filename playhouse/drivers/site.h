@@ -1,8 +1,8 @@
 #pragma once
 
-/// Site: what drivers find where they are made: who else is there, how to become known, and the one simulated
-/// world that several drivers may share. The program fills it in; drivers know no server and no engine.
-/// Threads: everything happens before the io loop runs, and what says so during the run as well.
+/// Site: the environment in which drivers are made: other drivers' devices, registration, and the one
+/// simulated world that several drivers may share. Filled in by the program; drivers know no server
+/// and no engine. Threads: everything happens before the io loop runs, unless stated otherwise.
 
 #include <cstdint>
 #include <functional>
@@ -26,79 +26,79 @@
 
 namespace playhouse::drivers {
 
-/// Makes the program's server and engine do things.
+/// Interface to the program's server and engine.
 class Surroundings : public device::Opener {
  public:
-  /// Makes a device known to clients. Io thread too.
+  /// Registers a device. Io thread too.
   virtual Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) = 0;
-  /// Takes a device out: who has it open or holds it is told. Io thread, not from inside a call of a driver.
+  /// Retires a device: clients that have it open are notified. Io thread, not from inside a driver call.
   virtual void retire_device(device::DeviceId device) = 0;
-  /// Runs the task on the io thread, in the order of the calls and behind what the calling thread published.
-  /// Any thread.
+  /// Runs the task on the io thread, in the order of calls
+  /// and after what the calling thread published. Any thread.
   virtual void post(std::function<void()> task) = 0;
-  /// For drivers that connect to other machines. Its tasks are those of post().
+  /// For drivers that connect to other machines. Same thread as tasks of post().
   virtual net::Network& network() = 0;
-  /// Loads a world file into an engine that is ready to run.
+  /// Loads a world file into a new engine.
   virtual Result<std::unique_ptr<Simulation>> open_world(const std::string& path) = 0;
 };
 
 class Site {
  public:
-  /// `default_port` stands for the port of addresses that have none.
+  /// `default_port` applies to addresses without a port.
   Site(Surroundings& surroundings, std::uint16_t default_port)
       : surroundings_(surroundings), default_port_(default_port) {}
 
   Surroundings& surroundings() { return surroundings_; }
-  /// Where drivers publish; the program says where it leads.
+  /// Where drivers publish; connected by the program.
   device::DataFlow& data_flow() { return data_flow_; }
 
-  /// The address as clients know it. Fails on an unknown interface and on a device of another host.
+  /// The full address. Fails on an unknown interface and on a device of another host.
   Result<device::Address> resolve(const scene::DeviceAddress& address) const;
 
-  /// As files name it: without the port where it is the default one.
+  /// As in files: without the port if that is the default one.
   std::string shown(device::Address address) const;
 
-  /// Makes a device known to clients and to other drivers. Io thread too.
+  /// Registers a device with the server and for other drivers. Io thread too.
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);
-  /// A device added by any driver so far; none if there is none.
+  /// A device registered by any driver so far; none if there is none.
   std::optional<device::DeviceId> find(device::Address address) const;
   /// Io thread too.
   std::size_t device_count() const { return devices_.size(); }
-  /// Every port that has devices.
+  /// All ports with devices.
   std::set<std::uint32_t> ports() const;
 
   /// The world, once a driver has opened it.
   Simulation* simulation() const { return simulation_.get(); }
   Result<void> open_world(const std::string& path);
 
-  /// Devices retire, and with them those of drivers that require one of them: nothing can come of them any
-  /// more. The directory knows none of them when it returns, clients soon after. Tick thread. Devices of
-  /// models that leave the world retire without being asked.
+  /// Retires devices, and recursively those of drivers that require them, since
+  /// they have lost their input. Removed from the directory on return, from clients
+  /// soon after. Tick thread. Devices of removed models retire automatically.
   void retire(std::vector<device::Address> devices);
-  /// The same from the io thread, soon.
+  /// The same from the io thread, asynchronously.
   void retire_later(std::vector<device::Address> devices);
 
-  /// A driver that uses devices of others, whose sections may follow.
+  /// A driver that uses devices of other drivers, whose sections may come later.
   struct User {
     device::Driver* driver = nullptr;
     device::Client* client = nullptr;
     std::vector<device::Address> provided;  // its own devices
     std::vector<device::Address> devices;   // of the client, in its order
     std::string where;                      // "file:line" of the section's `requires`
-    /// Runs once the client has its devices, and they theirs.
+    /// Called once the client and all drivers that it uses have their devices.
     std::function<Result<void>()> connected;
   };
   void add_user(User user) { users_.push_back(std::move(user)); }
-  /// When every driver of the file is made: gives clients their devices, in the order in which data pass from
-  /// driver to driver. Fails on a device that nobody provides and on devices that require each other in a
-  /// circle.
+  /// Called when all drivers of the file exist: connects clients
+  /// to their devices, in topological order of data flow. Fails
+  /// on a device without a provider and on cyclic requirements.
   Result<void> finish();
 
-  /// Lines for the person who wrote the file.
+  /// Warnings for the author of the file.
   void warn(std::string line) { warnings_.push_back(std::move(line)); }
   std::span<const std::string> warnings() const { return warnings_; }
 
-  /// Models that a driver has already given to an interface: (interface, model row).
+  /// Models already assigned to an interface: (interface, model row).
   std::set<std::pair<std::uint16_t, std::uint32_t>>& taken_models() { return taken_models_; }
 
  private:

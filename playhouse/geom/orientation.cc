@@ -6,7 +6,7 @@
 namespace playhouse::geom {
 namespace {
 
-/// About a unit axis.
+/// Rotation about a unit axis.
 Quaternion about(const Vec3& axis, double angle) {
   const SinCos half = sincos(angle / 2);
   return {half.cos, axis.x * half.sin, axis.y * half.sin, axis.z * half.sin};
@@ -39,7 +39,7 @@ Quaternion orientation(double heading, Tilt tilt) {
 SpatialPose spatial_pose(const Vec3& p, const Quaternion& q) {
   const double n = std::sqrt(q.w * q.w + q.z * q.z);  // cosine of half the tilt
   const double c = n > 0 ? q.w / n : 1, s = n > 0 ? q.z / n : 0;
-  const double x = c * q.x + s * q.y, y = c * q.y - s * q.x;  // of the swing: the twist undone
+  const double x = c * q.x + s * q.y, y = c * q.y - s * q.x;  // of the swing, with the twist removed
   const double sine = std::sqrt(x * x + y * y);
   const double scale = sine > 0 ? 2 * atan2(sine, n) / sine : 0;
   return {{p.x, p.y, p.z, normalize(2 * atan2(s, c))}, {scale * x, scale * y}};

@@ -1,9 +1,9 @@
 #pragma once
 
-/// Poses with six degrees of freedom. A body stands upright at a heading (pose.h), and its tilt comes before
-/// that: R_AB = Rz(a) R(tilt). Every rotation is one heading and one tilt: the twist about z and the swing
-/// that is left. Bodies that stand upright have tilt zero, and then all of this is pose.h, to the bit.
-/// Source: swing-twist decomposition; Dobrowolski, "Swing-twist decomposition in Clifford algebra", 2015.
+/// Poses with six degrees of freedom. The orientation of an upright body is its heading (pose.h),
+/// with a tilt applied first: R_AB = Rz(a) R(tilt). Any rotation splits into heading and tilt
+/// (twist about z, swing). With tilt zero all results equal those of pose.h, to the bit. Source:
+/// swing-twist decomposition; Dobrowolski, "Swing-twist decomposition in Clifford algebra", 2015.
 
 #include "playhouse/geom/pose.h"
 
@@ -24,16 +24,16 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// A rotation about a horizontal axis: the axis times the angle, which is at most pi. [rad]
+/// A rotation vector with a horizontal axis: axis times angle, at most pi. [rad]
 struct Tilt {
   double x = 0, y = 0;
   friend constexpr bool operator==(Tilt, Tilt) = default;
 };
 
-/// False for what is no tilt: not finite, or further than upside down.
+/// False for invalid tilts: not finite, or beyond pi.
 bool is_tilt(Tilt tilt);
 
-/// A rotation; its norm is 1. q and -q are the same one.
+/// A unit quaternion. q and -q are the same rotation.
 struct Quaternion {
   double w = 1, x = 0, y = 0, z = 0;
 };
@@ -45,7 +45,7 @@ constexpr Vec3 operator*(const Quaternion& q_AB, const Vec3& v_B) {
   return v_B + q_AB.w * t + cross(u, t);
 }
 
-/// Where a body is and how it stands. X.a and tilt together are its orientation.
+/// Position and orientation; the latter is X.a with tilt.
 struct SpatialPose {
   Pose X;
   Tilt tilt;
@@ -53,10 +53,10 @@ struct SpatialPose {
 };
 
 Quaternion orientation(double heading, Tilt tilt);
-/// The pose at p with this orientation; of upside down ones, which have many headings, some one.
+/// The pose at p with this orientation; the heading of an upside-down body is arbitrary.
 SpatialPose spatial_pose(const Vec3& p, const Quaternion& orientation);
 
-/// How a body moves: v is that of its origin, w that about it.
+/// Rigid-body velocity: v of its origin, w angular.
 struct SpatialVelocity {
   Vec3 v, w;  // m/s, rad/s
   friend constexpr bool operator==(const SpatialVelocity&, const SpatialVelocity&) = default;
@@ -64,13 +64,13 @@ struct SpatialVelocity {
 
 SpatialPose compose(const SpatialPose& X_AB, const SpatialPose& X_BC);
 
-/// Turns about the fixed axes x, y and z, in this order: R = Rz(yaw) Ry(pitch) Rx(roll), as Player has them.
-/// [rad]
+/// Rotations about the fixed axes x, y, z, in this order:
+/// R = Rz(yaw) Ry(pitch) Rx(roll), as in Player. [rad]
 struct RollPitchYaw {
   double roll = 0, pitch = 0, yaw = 0;
 };
 
-/// What is not finite stays so.
+/// Non-finite values are passed on.
 SpatialPose spatial_pose(const Vec3& p, const RollPitchYaw& turns);
 /// Pitch is in [-pi/2, pi/2].
 RollPitchYaw roll_pitch_yaw(double heading, Tilt tilt);

@@ -42,7 +42,7 @@ struct Size {
   friend constexpr bool operator==(const Size&, const Size&) = default;
 };
 
-/// A heading as its cosine and sine; turns many points at the price of one sincos.
+/// A heading as cosine and sine; rotates many points for one sincos.
 struct Rotation {
   double c = 1, s = 0;
 
@@ -77,7 +77,7 @@ struct Box {
     if (p.x > x_max) x_max = p.x;
     if (p.y > y_max) y_max = p.y;
   }
-  /// Its edges are in it.
+  /// Closed: includes its edges.
   constexpr bool contains(Vec2 p) const {
     return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max;
   }
@@ -86,7 +86,7 @@ struct Box {
   }
   constexpr bool empty() const { return x_min > x_max; }
   constexpr Box grown(double by) const { return {x_min - by, y_min - by, x_max + by, y_max + by}; }
-  /// Between which multiples of d, from p, a line is in the box; the first is above the second if it never is.
+  /// Slab test of the line p + t d: the interval of t inside the box; first > last if it misses.
   constexpr std::pair<double, double> along(Vec2 p, Vec2 d) const {
     double first = -1e300, last = 1e300;
     const auto clip = [&](double low, double high, double from, double step) {

@@ -7,7 +7,7 @@
 namespace playhouse::geom {
 namespace {
 
-/// A side of an outline that is not level, upwards.
+/// A non-horizontal side of an outline, directed upwards.
 struct Side {
   Vec2 low, high;
   double x_at(double y) const {
@@ -17,7 +17,7 @@ struct Side {
   }
 };
 
-/// A trapezoid that goes on upwards.
+/// A trapezoid that is still open at the sweep line.
 struct Open {
   std::uint32_t left, right;  // sides
   double y_low;
@@ -58,7 +58,7 @@ std::vector<Trapezoid> trapezoids(std::span<const Outline> outlines) {
     made.push_back(
         {open.y_low, y, left.x_at(open.y_low), left.x_at(y), right.x_at(open.y_low), right.x_at(y)});
   };
-  std::vector<std::uint32_t> here;  // sides in this strip
+  std::vector<std::uint32_t> here;  // sides that cross this strip
   std::vector<Open> open, next;
   std::uint32_t begun = 0;
   for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
@@ -67,7 +67,7 @@ std::vector<Trapezoid> trapezoids(std::span<const Outline> outlines) {
     while (begun < sides.size() && sides[begun].low.y <= y) here.push_back(begun++);
     std::ranges::sort(here, {},
                       [&](std::uint32_t side) { return std::pair(sides[side].x_at(middle), side); });
-    // What has the same sides as in the strip below goes on; the rest ends.
+    // Trapezoids with the same sides as in the strip below continue; others are closed.
     next.clear();
     for (std::size_t i = 0; i + 1 < here.size(); i += 2) next.push_back({here[i], here[i + 1], y});
     std::ranges::sort(next, {}, &Open::sides);

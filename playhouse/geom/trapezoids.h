@@ -1,7 +1,7 @@
 #pragma once
 
-/// Areas between closed outlines, cut into trapezoids with level sides: what pictures and meshes are made of.
-/// Pure functions.
+/// Decomposition of areas between closed outlines into trapezoids
+/// with horizontal sides, for pictures and meshes. Pure functions.
 
 #include <algorithm>
 #include <cmath>
@@ -12,22 +12,22 @@
 
 namespace playhouse::geom {
 
-/// A closed outline, the last point joined to the first.
+/// A closed polygon; the last point is joined to the first.
 using Outline = std::span<const Vec2>;
 
-/// Between y_low and y_high, from one slanted side to the other; one of its level sides may be a point.
+/// Between y_low and y_high, from a slanted side to another; a horizontal side may be a point.
 struct Trapezoid {
   double y_low = 0, y_high = 0;
   double left_low = 0, left_high = 0, right_low = 0, right_high = 0;  // x of the sides at y_low and y_high
 };
 
-/// What is inside of an odd number of the outlines (even-odd rule), without overlaps. Sides that cross each
-/// other between the heights of two corners count there in the order that they have halfway. Cost   O(n log n
-/// + n k) for n corners, k sides at the height of one
+/// The even-odd inside of the outlines, without overlaps. Sides that cross
+/// between the heights of two corners are ordered there as at half height. Cost:
+/// O(n log n + n k) for n corners, k sides crossing the height of a corner.
 std::vector<Trapezoid> trapezoids(std::span<const Outline> outlines);
 
-/// Calls visit(line, left, right) for the level lines y = line + 0.5, from `first` to `last` - 1, that go
-/// through a trapezoid, with the x at which they enter and leave it: how pictures are filled.
+/// Scan conversion: calls visit(line, left, right) for the lines y = line + 0.5, from
+/// `first` to `last` - 1, that intersect a trapezoid, with the x range of the intersection.
 template <typename Visit>
 void each_line(const Trapezoid& t, int first, int last, const Visit& visit) {
   const double from = std::max(static_cast<double>(first), std::ceil(t.y_low - 0.5));

@@ -11,14 +11,14 @@ namespace {
 constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
 constexpr double kHalfPiLow = 6.07710050650619224932e-11;
 
-/// The whole number next to v, the even one of two; |v| < 2^51.
+/// Rounds to nearest, ties to even; |v| < 2^51.
 double nearest_whole(double v) {
-  constexpr double kWhole = 6755399441055744;  // 1.5 * 2^52: nothing is left behind the point
+  constexpr double kWhole = 6755399441055744;  // 1.5 * 2^52: no fractional bits remain
   return (v + kWhole) - kWhole;
 }
 
-/// c[0] + c[1] z + ... + c[7] z^7. By halves (Estrin's scheme), so that the processor need not wait for one
-/// product after the other.
+/// c[0] + c[1] z + ... + c[7] z^7 by Estrin's
+/// scheme, which shortens the dependency chain.
 double polynomial(const double (&c)[8], double z, double z2, double z4) {
   const double low = (c[0] + c[1] * z) + (c[2] + c[3] * z) * z2;
   const double high = (c[4] + c[5] * z) + (c[6] + c[7] * z) * z2;
@@ -53,7 +53,7 @@ double atan_small(double x) {
   return x + x * z * (polynomial(kSeries, z, z2, z4) + tail * (z4 * z4));
 }
 
-/// atan on [0, 1]: turned back by the nearest of 0, pi/8, pi/4, so that the series converges fast.
+/// atan on [0, 1]: argument reduction by the nearest of 0, pi/8, pi/4, for fast convergence.
 double atan_unit(double x) {
   constexpr double kTanSixteenth = 0.19891236737965800691;  // tan(pi/16)
   constexpr double kTanThreeSixteenths = 0.66817863791929891999;
@@ -71,8 +71,8 @@ SinCos sincos(double angle) {
   const double n = nearest_whole(angle * (2.0 / kPi));
   const double x = (angle - n * kHalfPiHigh) - n * kHalfPiLow;
   const double both[2] = {sin_small(x), cos_small(x)};
-  // Without branches: headings lie in any quadrant. sin: s, c, -s, -c; cos: c, -s, -c, s.
-  // A damaged saved run may hold any number: what no integer can hold has no quadrant.
+  // Branch-free: quadrants are unpredictable. sin: s, c, -s, -c; cos: c, -s, -c, s.
+  // Values may come from a corrupt state: out of integer range, quadrant 0.
   const double turns = std::fabs(n) < 0x1p62 ? n : 0;
   const auto quadrant = static_cast<std::uint64_t>(static_cast<std::int64_t>(turns)) & 3;
   const auto turned = [&](std::uint64_t which, std::uint64_t negative) {
@@ -91,7 +91,7 @@ double atan2(double y, double x) {
 
 double normalize(double angle) {
   if (angle > -kPi && angle <= kPi) return angle;
-  // A client may say any number; of many turns the product below is no longer near the angle.
+  // Clients may send any number; for many turns the product below would be inexact.
   constexpr double kManyTurns = 1e6;
   const double turned = std::fabs(angle) < kManyTurns ? angle - kTwoPi * std::floor((angle + kPi) / kTwoPi)
                                                       : std::remainder(angle, kTwoPi);

@@ -19,7 +19,7 @@ SinCos sincos(double angle);
 /// In (-pi, pi]; atan2(0, 0) is 0. Absolute error below 1e-15.
 double atan2(double y, double x);
 
-/// The same angle in (-pi, pi].
+/// Normalises an angle to (-pi, pi].
 double normalize(double angle);
 
 constexpr double radians(double degrees) { return degrees * (kPi / 180.0); }

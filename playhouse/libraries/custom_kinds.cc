@@ -20,7 +20,7 @@ constexpr Provided kProvided{"custom model", "PLAYHOUSE_CUSTOM_KIND", "playhouse
 
 using Opened = std::map<std::string, std::shared_ptr<SharedLibrary>>;
 
-/// Null where it is only found.
+/// Null if libraries are only located.
 Result<std::shared_ptr<SharedLibrary>> open(const std::string& name, const std::string& where,
                                             const Libraries& libraries, Opened& opened,
                                             std::vector<std::string>& warnings) {
@@ -51,7 +51,7 @@ Result<CustomKind::Sizes> configure(CustomKind& kind, const std::vector<std::str
   }
 }
 
-/// Null where the library is only found.
+/// Null if libraries are only located.
 Result<std::shared_ptr<const CustomCode>> make_code(const std::string& text, const std::string& where,
                                                     const Libraries& libraries, Opened& opened,
                                                     std::vector<std::string>& warnings) {
@@ -67,7 +67,7 @@ Result<std::shared_ptr<const CustomCode>> make_code(const std::string& text, con
   const Result<CustomKind::Sizes> sizes = configure(**made, words);
   if (!sizes) return Error{where, "custom model " + in_quotes(name) + ": " + sizes.error().line()};
   auto code = std::make_shared<CustomCode>();
-  // The library is closed behind the last object of it.
+  // Keeps the library loaded until the last object is deleted.
   code->kind = {made->release(), [kept = *library](const CustomKind* kind) { delete kind; }};
   code->sizes = *sizes;
   return std::shared_ptr<const CustomCode>(std::move(code));

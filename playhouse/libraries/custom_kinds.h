@@ -1,6 +1,6 @@
 #pragma once
 
-/// From the names that custom models carry (`library "geiger 0.5"`) to the code of their libraries.
+/// Resolution of custom models' libraries (`library "geiger 0.5"`) to their code.
 
 #include <string>
 #include <vector>
@@ -11,10 +11,10 @@
 
 namespace playhouse::libraries {
 
-/// Loads the libraries of all custom models that the scene describes, each with a line in the log before, and
-/// has those that are there begin. Call once, before the first tick; fills world.custom_codes. Gives the
-/// warnings, "file:line: text", of libraries that are only found. Fails on the first model that names none,
-/// one that can't or may not be used, or one that refuses its arguments.
+/// Loads the libraries of all custom models in the scene, each announced in the log, and
+/// initialises existing models. Call once, before the first tick; fills world.custom_codes. Returns
+/// warnings, "file:line: text", for libraries that are only located. Fails on the first model
+/// without a library, with one that cannot or may not be loaded, or that rejects its arguments.
 Result<std::vector<std::string>> attach_custom_kinds(world::World& world, const Libraries& libraries);
 
 }  // namespace playhouse::libraries

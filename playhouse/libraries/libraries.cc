@@ -11,12 +11,12 @@
 namespace playhouse::libraries {
 namespace {
 
-/// The name may have the ending already, as in Stage.
+/// Like Stage, accepts names with the extension.
 std::string file_of(std::string_view name) {
   return std::string(name) + (name.ends_with(".so") ? "" : ".so");
 }
 
-/// The first of that name in the folders; empty if there is none.
+/// The first match in the search path; empty if there is none.
 std::filesystem::path find(std::string_view name, std::span<const std::filesystem::path> folders) {
   for (const std::filesystem::path& folder : folders) {
     std::filesystem::path file = folder / file_of(name);
@@ -26,7 +26,7 @@ std::filesystem::path find(std::string_view name, std::span<const std::filesyste
   return {};
 }
 
-/// Names that would have been found.
+/// All names in the search path, for suggestions.
 std::vector<std::string> known_names(const Wanted& wanted, const Libraries& libraries) {
   std::vector<std::string> words(wanted.built_ins.begin(), wanted.built_ins.end());
   for (const std::filesystem::path& folder : libraries.folders) {
@@ -36,7 +36,7 @@ std::vector<std::string> known_names(const Wanted& wanted, const Libraries& libr
         words.push_back(entry.path().stem().string());
     }
   }
-  // Folders list their files in any order.
+  // Directory order is unspecified.
   std::sort(words.begin() + static_cast<std::ptrdiff_t>(wanted.built_ins.size()), words.end());
   return words;
 }
@@ -57,7 +57,7 @@ Error unknown(const Wanted& wanted, const Libraries& libraries) {
   return {wanted.where, no + not_built_in + file + " is not in " + places};
 }
 
-/// Whether a name leads out of the folders in which it is looked for.
+/// True if a name escapes the search path.
 bool leads_outside(std::string_view name) {
   const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
   return path.is_absolute() || (!path.empty() && *path.begin() == "..");

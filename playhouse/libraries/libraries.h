@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which shared libraries a world may use, and the one way from a name in a world file to one that is open.
+/// Policy of loading shared libraries, and resolution of names in world files.
 
 #include <cstdint>
 #include <filesystem>
@@ -15,36 +15,36 @@
 
 namespace playhouse::libraries {
 
-/// The libraries that a world may use. A library's code runs with all rights of the program, so a world file
-/// cannot have any file of the machine loaded by its path.
+/// Where a world's libraries may come from. Library code runs with all rights of
+/// the program, so a world file must not be able to load arbitrary files by path.
 struct Libraries {
-  enum class Use : std::uint8_t { kLoad, kFind };  // kFind: none is loaded, as a file is only checked
+  enum class Use : std::uint8_t { kLoad, kFind };  // kFind: located but not loaded, for checks
 
-  std::vector<std::filesystem::path> folders;  // where they are looked for by name, in order
-  std::vector<std::filesystem::path> allowed;  // outside these folders
+  std::vector<std::filesystem::path> folders;  // search path for names, in order
+  std::vector<std::filesystem::path> allowed;  // allowed files elsewhere
   Use use = Use::kLoad;
 };
 
-/// Where libraries are looked for: the folder of the world file, those of PLAYHOUSE_PATH and STAGEPATH
-/// (separated by colons), and `program_folder`.
+/// The search path: the folder of the world file, those of
+/// PLAYHOUSE_PATH and STAGEPATH (colon-separated), and `program_folder`.
 std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene,
                                                    const std::filesystem::path& program_folder);
 
-/// What a world file asks for.
+/// A request of a world file.
 struct Wanted {
   const Provided& provided;
-  std::string name;                             // of the file, with or without ".so"
+  std::string name;                             // file name, with or without ".so"
   std::string where;                            // "file:line"
-  std::span<const std::string_view> built_ins;  // names that need no library, for errors
+  std::span<const std::string_view> built_ins;  // built-in names, for error messages
 };
 
-/// Opens the library, with a line in the log before; null, with a warning for `warnings`, where none is
-/// loaded. Fails with one line if there is none of that name, it may not be used, or it is not what is
-/// wanted.
+/// Loads the library, announced in the log; null, with a warning in
+/// `warnings`, if libraries are only located. Fails with a one-line
+/// message if it is not found, not allowed, or of another kind.
 Result<std::shared_ptr<SharedLibrary>> load(const Wanted& wanted, const Libraries& libraries,
                                             std::vector<std::string>& warnings);
 
-/// The words of a text, as they stand between spaces: the name in front, arguments behind it.
+/// Splits a text at spaces: the name, then arguments.
 std::vector<std::string> words_of(std::string_view text);
 
 }  // namespace playhouse::libraries

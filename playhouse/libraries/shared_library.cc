@@ -7,7 +7,7 @@
 namespace playhouse::libraries {
 namespace {
 
-/// dlerror() starts with the file's name; ours does so already.
+/// dlerror() starts with the file name, which our message has already.
 std::string loader_says(const std::string& file) {
   const char* text = dlerror();
   std::string line = text ? text : "unknown error";
@@ -25,7 +25,7 @@ std::string why_not(const SharedLibrary& library, const Provided& provided) {
 }  // namespace
 
 Result<SharedLibrary> SharedLibrary::open(const std::filesystem::path& path, const Provided& provided) {
-  // A bare name would be looked for by the loader in its own places.
+  // An absolute path, since dlopen() would search its own path for a bare name.
   const std::string file = std::filesystem::absolute(path).string();
   void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!handle) return Error{escaped(file), "can't be loaded: " + escaped(loader_says(file))};

@@ -1,7 +1,7 @@
 #pragma once
 
-/// SharedLibrary: a shared library with code for worlds, opened and checked. It stays open as long as the
-/// object lives, which must be longer than anything it made.
+/// SharedLibrary: a loaded and validated shared library. It stays loaded
+/// during the object's lifetime, which must exceed that of everything it made.
 
 #include <cstdint>
 #include <exception>
@@ -15,32 +15,32 @@
 
 namespace playhouse::libraries {
 
-/// What a library provides, and how it says so: the functions PREFIX_version() and PREFIX_make(), which a
-/// macro of the header that it is built with defines.
+/// ABI of a kind of library: it exports PREFIX_version() and
+/// PREFIX_make(), defined by a macro of the header it is built with.
 struct Provided {
   std::string_view what;                 // "controller"
   std::string_view macro;                // "PLAYHOUSE_CONTROLLER"
   std::string_view prefix;               // "playhouse_controller"
-  std::uint32_t version_least, version;  // of that header, for which a library may be built
+  std::uint32_t version_least, version;  // supported versions of that header
 };
 
 class SharedLibrary {
  public:
-  /// Opens `file` and checks its version. Fails with one line that names the file and says what to do.
+  /// Loads `file` and checks its version. Fails with a one-line message with the file name and a remedy.
   static Result<SharedLibrary> open(const std::filesystem::path& file, const Provided& provided);
 
   SharedLibrary(SharedLibrary&&) noexcept;
   SharedLibrary& operator=(SharedLibrary&&) noexcept;
   ~SharedLibrary();
 
-  /// Of the header for which it is built.
+  /// Version of the header it was built with.
   std::uint32_t version() const { return version_; }
   const std::string& file() const { return file_; }
 
-  /// The function or variable of this name, or nullptr.
+  /// Address of an exported symbol, or nullptr.
   void* symbol(const std::string& name) const;
 
-  /// A new object of the class that it provides. Fails if its constructor throws or gives nothing.
+  /// Makes an object of its class. Fails if the constructor throws or returns null.
   template <typename Made>
   Result<std::unique_ptr<Made>> make() const {
     try {

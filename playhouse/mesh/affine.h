@@ -1,6 +1,6 @@
 #pragma once
 
-/// Affine: where nodes of a file have what is inside them; they may stretch and mirror it.
+/// Affine: transforms of scene graph nodes, with scale and reflection.
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ struct Affine {
 
   geom::Vec3 turn(const geom::Vec3& v) const { return v.x * axes[0] + v.y * axes[1] + v.z * axes[2]; }
   geom::Vec3 operator*(const geom::Vec3& v) const { return turn(v) + p; }
-  /// How much larger bodies become; below 0 if it mirrors them.
+  /// Determinant: factor of volumes, negative for reflections.
   double volume() const { return dot(axes[0], cross(axes[1], axes[2])); }
 };
 
@@ -28,13 +28,13 @@ inline Affine operator*(const Affine& X_AB, const Affine& X_BC) {
 inline double length(const geom::Vec3& v) {
   return std::sqrt(dot(v, v));
 }
-/// Of length 1; `otherwise` where it has no direction.
+/// Normalised; `otherwise` if the length is zero or not finite.
 inline geom::Vec3 unit(const geom::Vec3& v, const geom::Vec3& otherwise) {
   const double n = length(v);
   return n > 0 && std::isfinite(n) ? (1 / n) * v : otherwise;
 }
 
-/// What turns normals as X turns surfaces: its inverse transposed, but for a factor.
+/// Transform of normals: the inverse transpose, up to a factor.
 inline Affine for_normals(const Affine& X) {
   const double sign = X.volume() < 0 ? -1 : 1;
   return {{sign * cross(X.axes[1], X.axes[2]), sign * cross(X.axes[2], X.axes[0]),
@@ -42,7 +42,7 @@ inline Affine for_normals(const Affine& X) {
           {}};
 }
 
-/// The rotation nearest to the directions of three axes, made right-handed and orthogonal in their order.
+/// The rotation nearest to three axes, orthonormalised in their order, right-handed.
 /// Source: Gram-Schmidt; Shepperd, "Quaternion from rotation matrix", 1978.
 inline geom::Quaternion rotation_of(const Affine& X) {
   const geom::Vec3 x = unit(X.axes[0], {1, 0, 0});
@@ -66,7 +66,7 @@ inline geom::Quaternion rotation_of(const Affine& X) {
   return q;
 }
 
-/// A file whose y points up, as z does here: x stays, and what came towards the viewer goes to the right.
+/// From y-up to z-up: x stays, z becomes -y.
 inline Affine from_y_up() {
   return {{{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}}, {}};
 }

@@ -6,7 +6,7 @@
 namespace playhouse::mesh {
 namespace {
 
-/// "a%20b" is "a b" in an address.
+/// Decodes URI escapes: "a%20b" is "a b".
 std::string without_escapes(std::string_view name) {
   std::string plain;
   for (std::size_t i = 0; i < name.size(); ++i) {

@@ -6,8 +6,8 @@
 
 namespace playhouse::mesh {
 
-/// Where a file may be that a mesh names, as paths from the folder of the mesh: as it is named, and without
-/// its folders. Never outside of that folder, whatever a mesh says: no absolute path, no "..".
+/// Candidate paths, relative to the folder of the mesh, for a file that a mesh
+/// refers to: as named, and without folders. Sandboxed: no absolute paths, no "..".
 std::vector<std::string> places_beside(std::string_view name);
 
 }  // namespace playhouse::mesh

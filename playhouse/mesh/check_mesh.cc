@@ -15,7 +15,7 @@ using geom::Vec3;
 
 bool is_near(const Vec3& p) {
   return std::fabs(p.x) <= limits::kMeshReach && std::fabs(p.y) <= limits::kMeshReach &&
-         std::fabs(p.z) <= limits::kMeshReach;  // false for what is no number
+         std::fabs(p.z) <= limits::kMeshReach;  // false for NaN
 }
 
 template <typename List>
@@ -76,7 +76,7 @@ Result<void> check_look(const Mesh& mesh) {
   return {};
 }
 
-/// Whether it is a number from 0 to `most`, if it is anything.
+/// True if absent or a number from 0 to `most`.
 bool is_within(const std::optional<double>& x, double most) {
   return !x || (*x >= 0 && *x <= most);
 }

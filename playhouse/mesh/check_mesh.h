@@ -5,11 +5,11 @@
 
 namespace playhouse::mesh {
 
-/// Whether a mesh is what mesh.h says: rows are rows, numbers are finite, there are triangles and no more of
-/// anything than limits.h allows. Fails with a text that names no file.
+/// Validates a mesh: indices in range, finite numbers, at least one
+/// triangle, within limits.h. Errors do not include a file name.
 Result<void> check_mesh(const Mesh& mesh);
 
-/// The box that holds all surfaces, into low and high.
+/// Computes the bounding box of all surfaces into low and high.
 void measure(Mesh& mesh);
 
 }  // namespace playhouse::mesh

@@ -20,13 +20,13 @@ using geom::Vec3;
 
 constexpr double kDegree = geom::kPi / 180;
 
-/// How deep elements are inside each other.
+/// Limits the nesting depth of elements.
 class Depth final : public pugi::xml_tree_walker {
  public:
   bool for_each(pugi::xml_node&) override { return depth() < limits::kMeshDepth; }
 };
 
-/// In metres; 1 where it is not said.
+/// In metres; default 1.
 Result<double> unit_of(const pugi::xml_attribute& meter) {
   if (!meter) return 1.0;
   const std::string_view text = trimmed(meter.value());
@@ -119,7 +119,7 @@ Result<ColladaDocument> ColladaDocument::parse(std::string_view bytes) {
 
 template <typename Visit>
 void ColladaDocument::each_element(const Visit& visit) const {
-  // In the order of the file, without recursion.
+  // In document order, iteratively.
   for (pugi::xml_node at = root_; at;) {
     visit(at);
     if (at.first_child()) {
@@ -137,7 +137,7 @@ void ColladaDocument::look_for_ids() {
   });
 }
 
-/// Corners of triangles and polygons are rows from 0; Assimp takes those below for 0.
+/// Indices of corners start at 0; Assimp would read negative ones as 0.
 Result<void> ColladaDocument::check_corners() const {
   bool is_below = false;
   each_element([&](const pugi::xml_node& at) {

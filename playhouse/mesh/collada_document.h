@@ -1,6 +1,6 @@
 #pragma once
 
-/// A COLLADA file as elements, with what its parts have in common: ids, transforms, lists of numbers.
+/// A COLLADA file as a DOM, with common queries: ids, transforms, number lists.
 
 #include <map>
 #include <memory>
@@ -17,17 +17,17 @@ namespace playhouse::mesh {
 
 class ColladaDocument {
  public:
-  /// Fails on what is no XML, no COLLADA, or nested deeper than limits::kMeshDepth; on a unit that is none,
-  /// on nodes that are too many or inside themselves, and on corners below 0.
+  /// Fails on invalid XML, on documents that are not COLLADA or nested beyond limits::kMeshDepth,
+  /// on an invalid unit, on too many or recursive nodes, and on negative indices.
   static Result<ColladaDocument> parse(std::string_view bytes);
 
   pugi::xml_node root() const { return root_; }
-  /// The element that an address means, "#id"; none: it is not in this file.
+  /// Resolves a reference "#id"; none if it is not in this file.
   pugi::xml_node find(std::string_view address) const;
-  /// Where a node of a scene is in F, with the units of this file in it; nothing if no scene has it. Nodes
-  /// that are placed more than once are where they are first.
+  /// Transform of a scene node to F, including the unit of the file; none if no scene
+  /// contains it. A node instantiated several times has the transform of its first instance.
   std::optional<Affine> node_in_F(std::string_view address) const;
-  /// The file's own axes and unit in F.
+  /// The file's axes and unit in F.
   const Affine& X_FC() const { return X_FC_; }
 
  private:
@@ -44,11 +44,11 @@ class ColladaDocument {
   Affine X_FC_;
 };
 
-/// The numbers of an element's text, as many as there are, up to `most`.
+/// Parses the numbers in an element's text, at most `most`.
 std::vector<double> numbers_of(const pugi::xml_node& element, std::size_t most);
-/// One number; nothing where the element has none.
+/// Parses one number; none if there is none.
 std::optional<double> number_of(const pugi::xml_node& element);
-/// What translate, rotate, scale and matrix elements in `parent` say, in their order.
+/// Product of the translate, rotate, scale and matrix elements in `parent`, in order.
 Affine transform_of(const pugi::xml_node& parent);
 
 }  // namespace playhouse::mesh

@@ -18,7 +18,7 @@ namespace {
 
 using geom::Vec3;
 
-/// Points and, where triangles are asked for, rows of them.
+/// Points and, on request, triangles.
 struct Geometry {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> corners;
@@ -38,7 +38,7 @@ class PhysicsReader {
 
  private:
   void add_instances(const pugi::xml_node& model_instance);
-  /// A body at X, with what its instance says instead.
+  /// A body at X, with overrides of its instance.
   void add_body(const pugi::xml_node& body, const Affine& X_FB, const pugi::xml_node& instance);
   void add_shape(const pugi::xml_node& element, const Affine& X_FB);
   void add_round(const pugi::xml_node& element, ShapeKind kind, const Affine& X_FS);
@@ -65,7 +65,7 @@ Result<std::optional<Physics>> PhysicsReader::read() {
       has_instances = true;
       add_instances(instance);
     }
-  // Bodies that no scene has are where they are described.
+  // Bodies without an instance are placed as described.
   if (!has_instances)
     for (const pugi::xml_node& model : root.child("library_physics_models").children("physics_model"))
       for (const pugi::xml_node& body : model.children("rigid_body")) add_body(body, document_.X_FC(), {});
@@ -154,7 +154,7 @@ void PhysicsReader::add_shape(const pugi::xml_node& element, const Affine& X_FB)
   for (const pugi::xml_node& geometry : element.children("instance_geometry")) add_geometry(geometry, X_FS);
 }
 
-/// COLLADA's cylinders and capsules stand along y, ours along z.
+/// COLLADA's cylinders and capsules are along y, ours along z.
 void PhysicsReader::add_round(const pugi::xml_node& element, ShapeKind kind, const Affine& X_FS) {
   const std::vector<double> radius = numbers_of(element.child("radius"), 2);
   const std::optional<double> height = number_of(element.child("height"));
@@ -208,7 +208,7 @@ std::vector<Vec3> PhysicsReader::points_of(const pugi::xml_node& mesh) {
   return points;
 }
 
-/// Polygons as fans. A polylist says in vcount how many corners each has.
+/// Polygons as triangle fans. In a polylist, vcount has the corner counts.
 void PhysicsReader::add_triangles(const pugi::xml_node& primitive, Geometry& geometry) {
   constexpr std::size_t kMost = 3 * limits::kMeshTriangles;
   std::size_t stride = 1;

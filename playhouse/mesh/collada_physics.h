@@ -8,8 +8,8 @@
 
 namespace playhouse::mesh {
 
-/// What a COLLADA file says for physics, in F: the shapes of all rigid bodies, where their instances are, as
-/// one body. Nothing where it says nothing. Fails with a text that names no file.
+/// The physics of a COLLADA file, in F: shapes of all rigid bodies, at their instances,
+/// merged to one body. None if there is no physics. Errors do not include a file name.
 Result<std::optional<Physics>> collada_physics(std::string_view bytes);
 
 }  // namespace playhouse::mesh

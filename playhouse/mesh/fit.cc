@@ -34,7 +34,7 @@ void fit(Surface& surface, const Fit& fit) {
 void fit(Shape& shape, const Fit& fit) {
   shape.p = fit(shape.p);
   if (shape.kind == ShapeKind::kHull || shape.kind == ShapeKind::kTriangles) {
-    // Their points are not turned, as shapes of files are made.
+    // Point shapes from files are never rotated.
     for (Vec3& p : shape.points) p = fit.scaled(p);
     return;
   }

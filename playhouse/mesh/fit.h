@@ -4,9 +4,9 @@
 
 namespace playhouse::mesh {
 
-/// The mesh stretched so that its box is as large as `size`, centred about x = y = 0 and standing on z = 0.
-/// What has no extent along an axis has none then either. Spheres, capsules and cylinders for physics stay
-/// what they are: the larger stretch of two across their axis counts, and of three for spheres.
+/// The mesh scaled to the box `size`, centred on x = y = 0, standing on z = 0. An
+/// axis without extent stays flat. Round collision shapes stay round: they use
+/// the larger of the two scales across their axis, spheres the largest of three.
 Mesh fitted(Mesh mesh, const geom::Vec3& size);
 
 }  // namespace playhouse::mesh

@@ -14,7 +14,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
-/// Numbers of the specification.
+/// Constants of the specification.
 constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr int kFloat = 5126, kUnsignedInt = 5125, kVertices = 34962, kIndices = 34963, kNoTarget = 0;
 
@@ -24,7 +24,7 @@ void append(std::string& out, std::uint32_t number) {
   out.append(bytes, sizeof number);
 }
 
-/// A chunk ends at a multiple of four bytes.
+/// Pads a chunk to a multiple of four bytes.
 void append_chunk(std::string& out, std::uint32_t type, std::string chunk, char fill) {
   chunk.resize((chunk.size() + 3) / 4 * 4, fill);
   append(out, static_cast<std::uint32_t>(chunk.size()));
@@ -46,7 +46,7 @@ Points turned(std::span<const std::array<float, 3>> from, const geom::Pose& X, b
   return to;
 }
 
-/// Only what makes a difference, which costs a viewer more.
+/// Only where needed, since blending is expensive for viewers.
 std::string alpha_mode(const Mesh& mesh, const Material& material) {
   if (is_see_through(mesh, material)) return R"(,"alphaMode":"BLEND")";
   if (is_all_hole(material) || (material.opacity == Opacity::kHoles && has_clear_texture(mesh, material)))
@@ -106,7 +106,7 @@ std::size_t GlbWriter::add_material(const Mesh& mesh, const Material& material, 
           ? ""
           : fmt::format(R"(,"baseColorTexture":{{"index":{}}})", first_texture + material.texture);
   const Light3& glow = material.emission;
-  // The specification has 1 for the brightest.
+  // The specification limits components to 1.
   const float most = std::max({glow[0], glow[1], glow[2], 1.0f});
   std::string rest;
   if (glow != Light3{0, 0, 0})
@@ -136,7 +136,7 @@ std::size_t GlbWriter::add_mesh(const Mesh& mesh, const geom::Pose& X_FB) {
 }
 
 std::string GlbWriter::file(std::string_view scene) {
-  const auto array = [](std::string_view key, const JsonList& list) {  // none may be empty
+  const auto array = [](std::string_view key, const JsonList& list) {  // empty arrays are invalid
     return list.size() == 0 ? "" : fmt::format(R"(,"{}":[{}])", key, list.text());
   };
   const std::string buffer =

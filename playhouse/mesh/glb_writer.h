@@ -1,6 +1,6 @@
 #pragma once
 
-/// Binary glTF files: what meshes, materials and images of them are made of, joined to a file.
+/// Writer of binary glTF files: meshes, materials and images.
 /// Source: Khronos Group, "glTF 2.0 Specification".
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ class JsonList {
   std::size_t count_ = 0;
 };
 
-/// Each add_... gives the row of what it adds.
+/// Each add_... returns the index of what it added.
 class GlbWriter {
  public:
   JsonList meshes, materials;
@@ -45,11 +45,11 @@ class GlbWriter {
   std::size_t add_points(std::span<const std::array<float, 3>> points);  // at least one
   std::size_t add_normals(std::span<const std::array<float, 3>> normals);
   std::size_t add_corners(std::span<const std::uint32_t> corners);
-  /// A mesh with its materials and textures where X has it; its lights are left out.
+  /// A mesh transformed by X_FB, with materials and textures, without lights.
   std::size_t add_mesh(const Mesh& mesh, const geom::Pose& X_FB);
 
   std::size_t bytes() const { return binary_.size() + views_.text().size() + accessors_.text().size(); }
-  /// The file, with these nodes and this scene: elements of the top of its JSON, without the braces.
+  /// The file; `scene` has its nodes and scenes: top-level JSON members, without braces.
   std::string file(std::string_view scene);
 
  private:
@@ -62,7 +62,7 @@ class GlbWriter {
   JsonList accessors_, views_, images_, textures_;
 };
 
-/// A mesh in B as a file of its own. y is up there: its one node turns it so.
+/// A mesh in B as a file, converted to y-up by its only node.
 std::string write_glb(const Mesh& mesh);
 
 }  // namespace playhouse::mesh

@@ -14,7 +14,7 @@ namespace playhouse::mesh {
 namespace {
 
 constexpr std::array<std::string_view, 2> kRead{"KHR_draco_mesh_compression", "KHR_lights_punctual"};
-/// Surfaces look a little different without these, but for the one that has all of their look.
+/// Optional material extensions, which may be ignored, except the one that replaces the whole material.
 constexpr std::string_view kOfMaterials = "KHR_materials_", kAllLook = "KHR_materials_pbrSpecularGlossiness";
 
 bool is_read(std::string_view extension) {
@@ -22,7 +22,7 @@ bool is_read(std::string_view extension) {
   return std::ranges::find(kRead, extension) != kRead.end();
 }
 
-/// The JSON of a file: all of it, or the first chunk of a binary one.
+/// The JSON of a file: the whole text, or the first chunk of a binary.
 std::string_view json_of(std::string_view bytes) {
   constexpr std::size_t kHeader = 12, kChunkHeader = 8;
   if (!bytes.starts_with("glTF")) return bytes;
@@ -32,12 +32,12 @@ std::string_view json_of(std::string_view bytes) {
   return bytes.substr(kHeader + kChunkHeader, size);
 }
 
-/// Walks through a JSON text from left to right; how things are inside each other is all it knows of it.
+/// A minimal JSON scanner that tracks nesting only.
 class Walk {
  public:
   explicit Walk(std::string_view json) : rest_(json) {}
 
-  /// The next text in quotes, as it is written; nothing where it is one of these marks, which are passed.
+  /// The next string, unescaped; none if a structural mark comes first, which is consumed.
   std::optional<std::string_view> text_or_mark() {
     mark_ = 0;
     rest_.remove_prefix(std::min(rest_.find_first_of("\"[]{}:"), rest_.size()));

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What Assimp's reader of glTF files passes over: the extensions without which a file means something else.
+/// Checks that Assimp's glTF reader omits: required extensions.
 
 #include <string>
 #include <string_view>
@@ -10,11 +10,11 @@
 
 namespace playhouse::mesh {
 
-/// The texts of a list at the top of a glTF file, text (.gltf) or binary (.glb); none where there is no such
-/// list, and as many as can be read of one that is broken.
+/// The strings of a top-level array of a glTF file, text (.gltf) or binary
+/// (.glb); empty if there is none; of malformed JSON as many as can be read.
 std::vector<std::string> gltf_list(std::string_view bytes, std::string_view key);
 
-/// Fails on a file that requires an extension that is not read.
+/// Fails on a file that requires an unsupported extension.
 Result<void> check_gltf_extensions(std::string_view bytes);
 
 }  // namespace playhouse::mesh

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Image files of textures, in and out of memory.
+/// Decoding and encoding of textures, in memory.
 
 #include <cstddef>
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace playhouse::mesh {
 
-/// A PNG or a JPEG. Fails, with a text that names no file, on other bytes, on sides longer than
-/// limits::kMeshImageSide and, before it allocates any, on more than `most_pixels`.
+/// Decodes PNG or JPEG. Fails, without a file name, on other bytes, on sides longer
+/// than limits::kMeshImageSide and, before allocating, on more than `most_pixels`.
 Result<Image> decode_image(std::string_view bytes, std::size_t most_pixels);
 
-/// As a PNG file; empty where memory ran out.
+/// Encodes as PNG; empty if out of memory.
 std::string png_of(const Image& image);
 
 }  // namespace playhouse::mesh

@@ -29,7 +29,7 @@
 namespace playhouse::mesh {
 namespace {
 
-constexpr std::string_view kFolder = "/mesh/";  // what Assimp believes the file's folder to be
+constexpr std::string_view kFolder = "/mesh/";  // the folder of the file as shown to Assimp
 
 std::string lower(std::string_view text) {
   std::string small(text);
@@ -38,8 +38,8 @@ std::string lower(std::string_view text) {
   return small;
 }
 
-/// Without the mark by which some editors say that a text is UTF-8: Assimp takes it for a part of the first
-/// word.
+/// Strips a UTF-8 byte order mark, which Assimp
+/// would take for a part of the first word.
 std::string without_mark(std::string bytes, std::string_view name) {
   const std::string small = lower(name);
   if ((small.ends_with(".obj") || small.ends_with(".mtl")) && bytes.starts_with("\xEF\xBB\xBF"))
@@ -47,7 +47,7 @@ std::string without_mark(std::string bytes, std::string_view name) {
   return bytes;
 }
 
-/// The files that Assimp may open: the mesh and those beside it.
+/// Virtual file system for Assimp: the mesh and files beside it.
 class Files final : public Assimp::IOSystem {
  public:
   Files(std::string path, std::string_view bytes, const ReadFile& read)
@@ -82,7 +82,7 @@ class Files final : public Assimp::IOSystem {
   mutable std::map<std::string, std::optional<std::string>> known_;
 };
 
-/// Assimp guesses what a file is where its name lies: it may guess among these only.
+/// Restricts Assimp's format detection to supported formats.
 void keep_formats(Assimp::Importer& importer) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     Assimp::BaseImporter* reader = importer.GetImporter(i);
@@ -96,7 +96,7 @@ void keep_formats(Assimp::Importer& importer) {
   }
 }
 
-/// Without the name that Assimp knows the file by.
+/// Strips the virtual path from Assimp's message.
 std::string reason(std::string text) {
   if (text == "std::bad_alloc") return "it takes too much memory";
   if (const std::size_t at = text.find(kFolder); at != text.npos) text.erase(at, kFolder.size());
@@ -108,13 +108,13 @@ Colors colors_of(std::string_view path) {
   return lower(path).ends_with(".obj") ? Colors::kObj : Colors::kGltf;
 }
 
-/// Hears what Assimp's readers say of triangles that they leave out, while it is there.
+/// Captures warnings of Assimp's readers about dropped triangles during its lifetime.
 class Listener final : public Assimp::LogStream {
  public:
-  /// Sets `heard` then.
+  /// Sets `heard` on such a warning.
   static void begin(bool& heard) {
     Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
-    Assimp::DefaultLogger::get()->attachStream(new Listener(heard), Assimp::Logger::Warn);  // which owns it
+    Assimp::DefaultLogger::get()->attachStream(new Listener(heard), Assimp::Logger::Warn);  // takes ownership
   }
   static void end() { Assimp::DefaultLogger::kill(); }
   void write(const char* message) override {
@@ -126,8 +126,8 @@ class Listener final : public Assimp::LogStream {
   bool& heard_;
 };
 
-/// Says of each mesh what its faces are: a face of an OBJ file may be a line or a point, which its reader
-/// does not tell, and which are left out later. Returns whether there are any triangles or polygons.
+/// Sets primitive types of meshes: OBJ faces may be lines or points, which the reader does
+/// not mark; they are dropped later. Returns whether there are triangles or polygons.
 bool mark_primitives(aiScene& scene) {
   bool has_triangles = false;
   for (unsigned m = 0; m < scene.mNumMeshes; ++m)
@@ -139,7 +139,7 @@ bool mark_primitives(aiScene& scene) {
   return has_triangles;
 }
 
-/// The scene of a file, which the importer owns: of triangles alone, with normals.
+/// Loads the scene, owned by the importer: triangulated, with normals.
 Result<const aiScene*> scene_of(Assimp::Importer& importer, const std::string& name) {
   bool drops_triangles = false;
   Listener::begin(drops_triangles);
@@ -168,7 +168,7 @@ Result<MeshFile> import(const std::string& path, std::string_view bytes, const R
   Assimp::Importer importer;
   keep_formats(importer);
   auto* files = new Files(path, bytes, read);
-  importer.SetIOHandler(files);  // which owns it
+  importer.SetIOHandler(files);  // takes ownership
   const std::string folder = path.substr(0, path.rfind('/') + 1), name = path.substr(folder.size());
   const Colors colors = colors_of(path);
   if (colors == Colors::kGltf)

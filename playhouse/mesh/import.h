@@ -7,8 +7,8 @@
 
 namespace playhouse::mesh {
 
-/// What Assimp reads of a file: surfaces, materials, textures and lights, in F, not checked yet. Fails with
-/// a text that names no file.
+/// Imports a file by Assimp: surfaces, materials, textures and
+/// lights, in F, not validated. Errors do not include a file name.
 Result<MeshFile> import(const std::string& path, std::string_view bytes, const ReadFile& read);
 
 bool is_collada(std::string_view path);

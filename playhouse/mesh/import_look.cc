@@ -19,8 +19,8 @@
 namespace playhouse::mesh {
 namespace {
 
-constexpr float kRough = 0.8f;  // of what says nothing of its shine
-constexpr float kPlain = 0.6f;  // light that comes back from what says nothing of its color
+constexpr float kRough = 0.8f;  // default roughness
+constexpr float kPlain = 0.6f;  // default reflectance
 
 std::optional<float> number(const aiMaterial& from, const char* key, unsigned type, unsigned index) {
   ai_real value = 0;
@@ -44,13 +44,13 @@ std::optional<std::string> texture(const aiMaterial& from) {
   return std::nullopt;
 }
 
-/// Of Phong's exponent, as light that comes back spreads.
+/// Roughness of a Phong exponent, with a similar lobe.
 /// Source: Karis, "Specular BRDF reference", 2013: roughness^4 = 2 / (n + 2).
 float roughness_of(float exponent) {
   return std::sqrt(std::sqrt(2 / (std::max(exponent, 0.0f) + 2)));
 }
 
-/// The pixels of a texture that is in the file itself.
+/// Pixels of an embedded texture.
 Result<Image> image_of(const aiTexture& from, std::size_t most_pixels) {
   if (from.mHeight == 0)
     return decode_image({reinterpret_cast<const char*>(from.pcData), from.mWidth}, most_pixels);
@@ -83,8 +83,8 @@ float Look::light(float channel) const {
   return static_cast<float>(linear_of_srgb(channel));
 }
 
-/// What glTF's alphaMode says; of the others, what is not opaque as a whole is clear, and a texture may have
-/// holes.
+/// glTF: by alphaMode; other formats: blending if the
+/// material is not opaque, otherwise alpha test for textures.
 void Look::set_opacity(const aiMaterial& from, Material& to) const {
   if (colors_ != Colors::kGltf) to.base[3] = number(from, AI_MATKEY_OPACITY).value_or(1);
   to.base[3] = std::clamp(to.base[3], 0.0f, 1.0f);
@@ -100,7 +100,7 @@ void Look::set_opacity(const aiMaterial& from, Material& to) const {
   to.least_opacity = number(from, AI_MATKEY_GLTF_ALPHACUTOFF).value_or(to.least_opacity);
 }
 
-/// Assimp's own color, 0.6 of what a screen shows, stands where a file says none.
+/// Assimp's default color, 0.6 in sRGB, is reported if the file has none.
 bool Look::has_color(const aiMaterial& from, const std::string& name) const {
   if (colors_ == Colors::kObj) return colored_.contains(name);
   return colors_ == Colors::kGltf || name != AI_DEFAULT_MATERIAL_NAME || texture(from);
@@ -109,7 +109,7 @@ bool Look::has_color(const aiMaterial& from, const std::string& name) const {
 std::array<float, 4> Look::base_of(const aiMaterial& from, const std::string& name) const {
   int shading = 0;
   from.Get(AI_MATKEY_SHADING_MODEL, shading);
-  // COLLADA's <constant> is emission alone, and a <diffuse> has a color or a texture.
+  // COLLADA's <constant> has emission only; a <diffuse> is a color or a texture.
   if (colors_ == Colors::kCollada && shading == aiShadingMode_NoShading) return {0, 0, 0, 1};
   if (colors_ == Colors::kCollada && texture(from)) return {1, 1, 1, 1};
   if (!has_color(from, name)) {
@@ -139,7 +139,7 @@ Material Look::material(const aiMaterial& from) const {
   }
   int is_two_sided = 0;
   from.Get(AI_MATKEY_TWOSIDED, is_two_sided);
-  // Of the others, few programs write it, and walls without thickness are common.
+  // Other formats rarely state it, and walls without thickness are common.
   to.is_two_sided = colors_ != Colors::kGltf || is_two_sided != 0;
   return to;
 }
@@ -173,9 +173,9 @@ void Look::add_textures(MeshFile& file, const std::string& folder, const ReadFil
   }
 }
 
-/// Candela of a light. glTF says them. A COLLADA light of color 1 is one of 1 W as Blender counts, which
-/// writes its color times its power, and writes the same light into glTF so: 683 lm for a watt, every way
-/// alike. What is not the hue is no color of a screen.
+/// Intensity of a light in candela, as in glTF. A COLLADA light of color 1 is taken
+/// as 1 W, as in Blender, which writes color times power, and exports the same light
+/// to glTF so: an isotropic 683 lm per watt. Only the hue is decoded from sRGB.
 Light3 Look::candela(const aiColor3D& color) const {
   constexpr float kCandela = 683 / (4 * static_cast<float>(geom::kPi));
   if (colors_ == Colors::kGltf) return {color.r, color.g, color.b};
@@ -203,13 +203,13 @@ void Look::add_lights(const Nodes& nodes, Mesh& mesh) const {
         to.kind = LightKind::kSpot;
         break;
       default:
-        continue;  // light from everywhere has no place
+        continue;  // an ambient light has no position
     }
     const auto vec = [](const aiVector3D& v) { return geom::Vec3{v.x, v.y, v.z}; };
     to.p = node->X_FN * vec(from.mPosition);
     to.d = unit(node->X_FN.turn(vec(from.mDirection)), {0, 0, -1});
     to.color = candela(from.mColorDiffuse);
-    // COLLADA says the whole angle, glTF the half.
+    // COLLADA has full angles, glTF half angles.
     const float share = colors_ == Colors::kGltf ? 1 : 0.5f;
     to.inner = share * from.mAngleInnerCone;
     to.outer = share * from.mAngleOuterCone;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Materials, textures and lights of an Assimp scene.
+/// Imports materials, textures and lights from an Assimp scene.
 
 #include <assimp/scene.h>
 
@@ -15,19 +15,19 @@
 
 namespace playhouse::mesh {
 
-/// How a format says colors: glTF as light; COLLADA and OBJ as screens show them, OBJ with a factor beside a
-/// texture.
+/// Colour space of a format: glTF is linear; COLLADA
+/// and OBJ are sRGB, OBJ with a factor on textures.
 enum class Colors : std::uint8_t { kGltf, kCollada, kObj };
 
 class Look {
  public:
-  /// `colored`: of OBJ, the materials that have a color.
+  /// `colored`: for OBJ, the materials that define a color.
   Look(const aiScene& scene, Colors colors, std::set<std::string> colored)
       : scene_(scene), colors_(colors), colored_(std::move(colored)) {}
 
   /// In the order of the scene, without textures.
   void add_materials(Mesh& mesh) const;
-  /// The textures of materials, embedded ones and those in files of `folder`.
+  /// Textures of materials, embedded or in files below `folder`.
   void add_textures(MeshFile& file, const std::string& folder, const ReadFile& read) const;
   void add_lights(const Nodes& nodes, Mesh& mesh) const;
 
@@ -35,7 +35,7 @@ class Look {
   Material material(const aiMaterial& from) const;
   void set_opacity(const aiMaterial& from, Material& to) const;
   std::array<float, 4> base_of(const aiMaterial& from, const std::string& name) const;
-  /// Whether the file says the color that Assimp tells.
+  /// True if the color that Assimp reports is from the file, not a default.
   bool has_color(const aiMaterial& from, const std::string& name) const;
   float light(float channel) const;
   Light3 candela(const aiColor3D& color) const;

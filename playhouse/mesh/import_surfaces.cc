@@ -26,7 +26,7 @@ std::array<float, 3> floats(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// Twice the area of a triangle, along its normal.
+/// Cross product of two edges of a triangle: twice its area, along its normal.
 Vec3 area_of(const Surface& surface, const std::array<std::uint32_t, 3>& corner) {
   const auto at = [&](std::size_t k) {
     const auto& p = surface.p[corner[k]];
@@ -35,8 +35,8 @@ Vec3 area_of(const Surface& surface, const std::array<std::uint32_t, 3>& corner)
   return cross(at(1) - at(0), at(2) - at(0));
 }
 
-/// Corners whose normals do not look out of the triangle, as of files that say none and share corners, become
-/// corners of their own with the normal of the triangle.
+/// Splits vertices with a normal that points inwards, as in files without
+/// normals that share vertices: the copy gets the normal of the triangle.
 void mend_normals(Surface& surface, std::array<std::uint32_t, 3>& corner, const Vec3& area) {
   constexpr double kLeast = 1e-3;  // cosine between a normal and that of its triangle
   const Vec3 normal = unit(area, {0, 0, 1});
@@ -52,7 +52,7 @@ void mend_normals(Surface& surface, std::array<std::uint32_t, 3>& corner, const 
   }
 }
 
-/// Joints by their names.
+/// Joints by name.
 using Joints = std::map<std::string_view, Affine>;
 
 Joints joints_of(const Nodes& nodes) {
@@ -62,7 +62,7 @@ Joints joints_of(const Nodes& nodes) {
   return joints;
 }
 
-/// Where the joints of a skin have each corner; corners without any are where X has them.
+/// Skinning transform of each vertex; X for vertices without weights.
 std::vector<Affine> skin_of(const aiMesh& from, const Joints& joints, const Affine& X) {
   constexpr Affine kNone{{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {}};
   std::vector<Affine> skin(from.mNumVertices, kNone);
@@ -89,7 +89,7 @@ std::vector<Affine> skin_of(const aiMesh& from, const Joints& joints, const Affi
   return skin;
 }
 
-/// Appends the triangles of `from` where X has them, or its skin, corner by corner.
+/// Appends the triangles of `from`, transformed by X, or by its skin per vertex.
 Result<void> add(const aiMesh& from, const Affine& X, const std::vector<Affine>& skin, Surface& surface) {
   const auto first = static_cast<std::uint32_t>(surface.p.size());
   const auto X_of = [&](unsigned i) -> const Affine& { return skin.empty() ? X : skin[i]; };
@@ -97,7 +97,7 @@ Result<void> add(const aiMesh& from, const Affine& X, const std::vector<Affine>&
     surface.p.push_back(floats(X_of(i) * vec(from.mVertices[i])));
     const Vec3 normal = from.HasNormals() ? vec(from.mNormals[i]) : Vec3{0, 0, 1};
     surface.normal.push_back(floats(unit(for_normals(X_of(i)).turn(normal), {0, 0, 1})));
-    // Assimp's v is up.
+    // Assimp's v axis is up.
     if (from.HasTextureCoords(0)) {
       surface.uv.push_back({from.mTextureCoords[0][i].x, 1 - from.mTextureCoords[0][i].y});
     } else {
@@ -114,7 +114,7 @@ Result<void> add(const aiMesh& from, const Affine& X, const std::vector<Affine>&
                                         first + face.mIndices[2]};
     if (X_of(face.mIndices[0]).volume() < 0) std::swap(corner[1], corner[2]);
     const Vec3 area = area_of(surface, corner);
-    if (dot(area, area) == 0) continue;  // what is no number stays, and is told later
+    if (dot(area, area) == 0) continue;  // NaN stays, and is reported by check_mesh()
     mend_normals(surface, corner, area);
     surface.corners.push_back(corner);
   }

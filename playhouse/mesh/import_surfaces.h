@@ -1,6 +1,6 @@
 #pragma once
 
-/// Triangles of an Assimp scene, with its nodes applied.
+/// Triangles of an Assimp scene, in F.
 
 #include <assimp/scene.h>
 
@@ -22,13 +22,13 @@ struct Node {
 };
 using Nodes = std::vector<Node>;
 
-/// All nodes, parents first. Fails on more, and on deeper ones, than limits.h allows.
+/// All nodes, parents first. Fails beyond limits.h on number and depth.
 Result<Nodes> nodes_of(const aiScene& scene);
 
-/// What a mesh with a skin goes by: glTF has it where its joints at rest have it, whatever its node.
+/// Transform of skinned meshes: by their node, or, in glTF, by their joints at rest.
 enum class Skins : std::uint8_t { kNodes, kJoints };
 
-/// A surface for each material that triangles have.
+/// Merges triangles into one surface per material.
 Result<void> add_surfaces(const aiScene& scene, const Nodes& nodes, Skins skins, Mesh& mesh);
 
 }  // namespace playhouse::mesh

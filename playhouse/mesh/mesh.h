@@ -1,8 +1,8 @@
 #pragma once
 
-/// Mesh: what a file of a modelling program says, in metres with z up: surfaces with their materials and
-/// textures, lights, and, where it says so, shapes and masses for physics. Frame: F the file's own, x ahead,
-/// y to the left, z up.
+/// Mesh: contents of a 3D model file, in metres, z up: surfaces
+/// with materials and textures, lights, and optionally collision
+/// shapes and mass. Frame: F the file's own, x ahead, y left, z up.
 
 #include <array>
 #include <cstdint>
@@ -14,27 +14,27 @@
 
 namespace playhouse::mesh {
 
-/// Red, green and blue as light, not as a screen's values: linear, from 0.
+/// Linear RGB, from 0.
 using Light3 = std::array<float, 3>;
 
-/// Pixels row by row from the top, from left to right; red, green, blue and opacity as sRGB.
+/// Pixels in rows from the top, left to right; sRGB with alpha.
 struct Image {
   std::uint32_t width = 0, height = 0;
   std::vector<std::uint8_t> rgba;  // height x width x 4
 };
 
-/// What the opacity of a surface means, as glTF's alphaMode has it.
+/// Use of alpha, like glTF's alphaMode.
 enum class Opacity : std::uint8_t {
-  kSolid,  // nothing
-  kHoles,  // what is below Material::least_opacity is not there, the rest is solid
-  kClear,  // one sees through it
+  kSolid,  // ignored
+  kHoles,  // alpha test against Material::least_opacity
+  kClear,  // alpha blending
 };
 
-/// How a surface looks: metallic-roughness, as glTF 2.0 defines it.
+/// Metallic-roughness material, as in glTF 2.0.
 struct Material {
   static constexpr std::uint32_t kNone = 0xffffffff;
   std::string name;
-  std::array<float, 4> base = {1, 1, 1, 1};  // linear red, green, blue, and opacity; times the texture
+  std::array<float, 4> base = {1, 1, 1, 1};  // linear RGB and alpha; factor on the texture
   float metallic = 0;                        // 0 to 1
   float roughness = 1;                       // 0 to 1
   Light3 emission = {0, 0, 0};
@@ -44,13 +44,13 @@ struct Material {
   bool is_two_sided = false;
 };
 
-/// Triangles of one material. Corners that differ in a normal or a place on the texture are corners of their
-/// own.
+/// Triangles of one material. Vertices are split
+/// where normals or texture coordinates differ.
 struct Surface {
   std::uint32_t material = 0;                // row of Mesh::materials
-  std::vector<std::array<float, 3>> p;       // m, in F                                 (corners)
-  std::vector<std::array<float, 3>> normal;  // unit vectors, outwards                  (corners)
-  std::vector<std::array<float, 2>> uv;      // u to the right, v down, 1 is the image's size  (corners)
+  std::vector<std::array<float, 3>> p;       // m, in F                                 (vertices)
+  std::vector<std::array<float, 3>> normal;  // unit vectors, outwards                  (vertices)
+  std::vector<std::array<float, 2>> uv;      // u to the right, v down, 1: the size of the image (vertices)
   std::vector<std::array<std::uint32_t, 3>> corners;  // counter-clockwise seen from outside     (triangles)
 };
 
@@ -59,26 +59,26 @@ enum class LightKind : std::uint8_t { kPoint, kDirection, kSpot };
 struct Light {
   LightKind kind = LightKind::kPoint;
   geom::Vec3 p;                // m, in F
-  geom::Vec3 d = {0, 0, -1};   // where it shines; unit
-  Light3 color = {1, 1, 1};    // candela where it has a place, lux where it has a direction only
-  float inner = 0, outer = 0;  // rad from d: full light, and none, of a spot
+  geom::Vec3 d = {0, 0, -1};   // direction of emission; unit
+  Light3 color = {1, 1, 1};    // candela for point and spot, lux for directional lights
+  float inner = 0, outer = 0;  // rad from d: cone angles of full and of no light, of a spot
 };
 
 enum class ShapeKind : std::uint8_t { kBox, kSphere, kCapsule, kCylinder, kHull, kTriangles };
 
-/// A shape for physics, at p turned by q in F.
+/// A collision shape, at p, q in F.
 struct Shape {
   ShapeKind kind = ShapeKind::kBox;
   geom::Vec3 p;
   geom::Quaternion q;
-  /// Of a box half its edges. Of the others x is the radius; z of cylinders, and of capsules without their
-  /// caps, is half their length along z. Nothing of hulls and triangles.  [m]
+  /// Half extents of a box. Otherwise x is the radius, z half the length of cylinders,
+  /// and of capsules without caps, along z. Unused by hulls and triangles. [m]
   geom::Vec3 half;
   std::vector<geom::Vec3> points;                     // of hulls and triangles  [m]
   std::vector<std::array<std::uint32_t, 3>> corners;  // of triangles: rows of points
 };
 
-/// What a file says of a body for physics.
+/// Rigid-body properties in a file.
 struct Physics {
   std::vector<Shape> shapes;
   std::optional<double> mass;                   // kg
@@ -92,7 +92,7 @@ struct Mesh {
   std::vector<Image> images;
   std::vector<Light> lights;
   std::optional<Physics> physics;
-  geom::Vec3 low, high;  // the box that holds all surfaces  [m]
+  geom::Vec3 low, high;  // bounding box of all surfaces  [m]
 };
 
 }  // namespace playhouse::mesh

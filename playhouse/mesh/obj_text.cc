@@ -10,7 +10,7 @@ namespace {
 /// Calls visit(first word, what follows it) for each line.
 template <typename Visit>
 void each_line(std::string_view text, const Visit& visit) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // that it is UTF-8
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = trimmed(text.substr(0, end));

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What Assimp's reader of OBJ files does not tell: which materials have a color of their own, and which
-/// files of materials are missing.
+/// Pre-scan of OBJ files for what Assimp's reader does not report: which
+/// materials define a color, and which material files are missing.
 
 #include <functional>
 #include <set>
@@ -12,15 +12,15 @@
 namespace playhouse::mesh {
 
 struct ObjText {
-  std::set<std::string> colored;     // names of materials with a Kd
-  std::vector<std::string> missing;  // files of materials, as the file names them
+  std::set<std::string> colored;     // materials with a Kd
+  std::vector<std::string> missing;  // material files, as named in the file
 };
 
-/// The bytes of a file beside the mesh; null: it is not there.
+/// Bytes of a file beside the mesh; null if it does not exist.
 using FindFile = std::function<const std::string*(std::string_view name)>;
 
-/// Of the bytes of an OBJ file with this name. A file of materials that is missing is looked for by the name
-/// of the OBJ file, as Assimp does.
+/// Scans an OBJ file with this name. Like Assimp, falls
+/// back to a material file named after the OBJ file.
 ObjText look_at_obj(std::string_view name, std::string_view bytes, const FindFile& find);
 
 }  // namespace playhouse::mesh

@@ -19,14 +19,14 @@
 namespace playhouse::mesh {
 namespace {
 
-constexpr int kPatience = 600;  // s to wait for what the process says next
+constexpr int kPatience = 600;  // s, timeout of a message
 
 void limit(int what, rlim_t most) {
   const rlimit both{most, most};
   ::setrlimit(static_cast<__rlimit_resource>(what), &both);
 }
 
-/// Address space in use, which a copy begins with.
+/// Address space in use, inherited by the child.
 rlim_t bytes_in_use() {
   unsigned long long pages = 0;
   if (std::FILE* file = std::fopen("/proc/self/statm", "re")) {
@@ -50,7 +50,7 @@ constexpr bool has_shadow_memory() {
 #endif
 }
 
-/// What the program does when it crashes is for the program.
+/// Default signal actions: the parent's crash handlers must not run in the child.
 void restrict_self() {
   for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGINT, SIGTERM, SIGXCPU})
     ::signal(signal, SIG_DFL);
@@ -88,7 +88,7 @@ OwnProcess::OwnProcess(const std::function<void(Pipe&)>& work) {
   if (process_ < 0) {
     ::close(ends[0]);
   } else {
-    // So that no lock of this process, which its copy may wait for, makes anybody wait for ever.
+    // Timeout against deadlock: the child may block on a lock of this process at the fork.
     const timeval patience{kPatience, 0};
     ::setsockopt(ends[0], SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     pipe_.emplace(ends[0]);
@@ -99,7 +99,7 @@ std::string OwnProcess::end() {
   pipe_.reset();
   int status = 0;
   pid_t ended = -1;
-  if (process_ > 0) ::kill(process_, SIGKILL);  // changes nothing of how it ended, where it has
+  if (process_ > 0) ::kill(process_, SIGKILL);  // no effect if it has exited
   if (process_ > 0)
     while ((ended = ::waitpid(process_, &status, 0)) < 0 && errno == EINTR) {
     }

@@ -7,20 +7,20 @@
 
 namespace playhouse::mesh {
 
-/// A copy of this process that does one thing, with limits of processor time and memory and nowhere to
-/// print to. Thread: other threads of this process may hold locks when it is made; the copy waits for none
-/// but those of memory.
+/// A sandboxed child process (fork) with limits on CPU time and
+/// memory, and without output. Thread: other threads may hold locks
+/// at the fork; the child takes no locks but the allocator's.
 class OwnProcess {
  public:
-  /// Runs `work` there, with the other end of the line; pipe() is null where none can be made.
+  /// Runs `work` in the child with its end of the pipe; pipe() is null if the fork failed.
   explicit OwnProcess(const std::function<void(Pipe&)>& work);
-  /// Ends it.
+  /// Kills the child.
   ~OwnProcess();
   OwnProcess(const OwnProcess&) = delete;
   OwnProcess& operator=(const OwnProcess&) = delete;
 
   Pipe* pipe() { return pipe_ ? &*pipe_ : nullptr; }
-  /// Ends it if it has not ended by itself, and tells how it did: "took more than 30 s", "..."; for a line that broke.
+  /// Kills the child if necessary, and explains its exit: "took more than 30 s", "..."; for a broken pipe.
   std::string end();
 
  private:

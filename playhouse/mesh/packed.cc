@@ -41,7 +41,7 @@ class Out {
   std::vector<std::byte>& bytes_;
 };
 
-/// Reads the same.
+/// Deserialiser for each() below.
 class In {
  public:
   explicit In(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -71,7 +71,7 @@ class In {
   bool is_whole() const { return ok_ && bytes_.empty(); }
 
  private:
-  /// Of elements that take so many bytes each, at least: no more than there can be.
+  /// Element count, bounded by the bytes left, for elements of at least this size.
   std::size_t count(std::size_t bytes_each) {
     Unpacker in(bytes_);
     const std::uint64_t count = in.varint();
@@ -90,7 +90,7 @@ class In {
   bool ok_ = true;
 };
 
-// What there is of each, once for both ways.
+// Members of each type, for both directions.
 
 template <typename Visit, typename T>
 requires std::is_same_v<std::remove_const_t<T>, std::string> || std::is_same_v < std::remove_const_t<T>,

@@ -9,9 +9,9 @@
 
 namespace playhouse::mesh {
 
-/// A mesh as bytes, from one process of this program to another.
+/// Serialisation of a mesh between two processes of this program.
 std::vector<std::byte> packed(const MeshFile& file);
-/// Nothing for bytes that are none.
+/// None on invalid bytes.
 std::optional<MeshFile> unpacked(std::span<const std::byte> bytes);
 
 }  // namespace playhouse::mesh

@@ -13,7 +13,7 @@ namespace {
 using geom::Vec3;
 using Place = std::array<float, 3>;
 
-/// Sets that are joined: the least row of each stands for it.
+/// Union-find; the smallest row represents a set.
 class Sets {
  public:
   explicit Sets(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), 0u); }
@@ -34,7 +34,7 @@ Vec3 vec(const Place& p) {
   return {p[0], p[1], p[2]};
 }
 
-/// Places in the order of rows, each once, by the group of their rows.
+/// Points by group, in row order, without duplicates.
 std::vector<std::vector<Vec3>> grouped(const std::vector<Place>& places,
                                        const std::vector<std::uint32_t>& group) {
   std::map<std::uint32_t, std::vector<Place>> by_group;
@@ -52,13 +52,13 @@ std::vector<std::vector<Vec3>> grouped(const std::vector<Place>& places,
 }  // namespace
 
 std::vector<std::vector<Vec3>> parts_of(const Mesh& mesh, std::size_t most) {
-  std::vector<Place> places;  // of corners that triangles have
+  std::vector<Place> places;  // of used vertices
   std::vector<std::uint32_t> surface_of;
   for (std::uint32_t s = 0; s < mesh.surfaces.size(); ++s)
     for (const auto& corner : mesh.surfaces[s].corners)
       for (const std::uint32_t row : corner) {
         Place p = mesh.surfaces[s].p[row];
-        for (float& x : p) x += 0.0f;  // -0 is 0
+        for (float& x : p) x += 0.0f;  // -0 becomes 0
         places.push_back(p);
         surface_of.push_back(s);
       }

@@ -7,9 +7,9 @@
 
 namespace playhouse::mesh {
 
-/// The corners of each part of a mesh: triangles that share corners are one, in whatever surface. Where there
-/// are more than `most` parts, a surface is one, and where there are more of them, all is. In the order of
-/// surfaces; equal corners are one. Cost: sorts the corners.
+/// Connected components: the points of each part of a mesh, where triangles that share a point,
+/// in any surface, are one part. If there are more than `most`, one part per surface; if still
+/// more, a single part. In surface order; equal points merged. Cost: a sort of points.
 std::vector<std::vector<geom::Vec3>> parts_of(const Mesh& mesh, std::size_t most);
 
 }  // namespace playhouse::mesh

@@ -7,7 +7,7 @@
 
 namespace playhouse::mesh {
 
-/// One end of a line between two processes, for messages. Closes it.
+/// One end of a message pipe between two processes. Owns the descriptor.
 class Pipe {
  public:
   explicit Pipe(int descriptor) : descriptor_(descriptor) {}
@@ -19,9 +19,9 @@ class Pipe {
     char kind = 0;
     std::vector<std::byte> bytes;
   };
-  /// False when the other side has gone.
+  /// False if the peer has closed.
   bool send(char kind, std::span<const std::byte> bytes);
-  /// Nothing when the other side has gone, or sends more than `most` bytes.
+  /// None if the peer has closed, or sends more than `most` bytes.
   std::optional<Message> receive(std::size_t most);
 
  private:

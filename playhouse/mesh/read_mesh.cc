@@ -23,7 +23,7 @@
 namespace playhouse::mesh {
 namespace {
 
-/// What processes tell each other.
+/// Messages between parent and child.
 enum Message : char { kWants = 'w', kBytes = 'b', kNone = 'n', kMesh = 'm', kError = 'e' };
 
 std::span<const std::byte> bytes_of(std::string_view text) {
@@ -37,7 +37,7 @@ Error error_of(const std::string& path, std::string text) {
   return {escaped(path), std::move(text)};
 }
 
-/// Reads files through the line.
+/// Requests a file from the parent.
 Result<std::string> ask(Pipe& pipe, const std::string& path) {
   if (!pipe.send(kWants, bytes_of(path))) ::abort();
   const std::optional<Pipe::Message> answer = pipe.receive(limits::kMeshFileBytes);
@@ -56,7 +56,7 @@ void take_apart(Pipe& pipe, const std::string& path) {
   }
 }
 
-/// Answers until there is a mesh or an error.
+/// Serves file requests until there is a result.
 Result<MeshFile> serve(OwnProcess& process, const std::string& path, const ReadFile& read) {
   Pipe& pipe = *process.pipe();
   while (const std::optional<Pipe::Message> message = pipe.receive(limits::kMeshMemoryBytes)) {
@@ -73,7 +73,7 @@ Result<MeshFile> serve(OwnProcess& process, const std::string& path, const ReadF
   return error_of(path, "cannot be read: it " + process.end());
 }
 
-/// Counts what is read.
+/// Limits total bytes read.
 class Budget {
  public:
   explicit Budget(const ReadFile& read) : read_(read) {}
@@ -95,7 +95,7 @@ Result<MeshFile> read_checked(const std::string& path, const ReadFile& read) {
   if (!bytes) return bytes.error();
   std::optional<Physics> physics;
   if (is_collada(path)) {
-    Result<std::optional<Physics>> said = collada_physics(*bytes);  // which checks what Assimp does not
+    Result<std::optional<Physics>> said = collada_physics(*bytes);  // validates more than Assimp
     if (!said) return said.error();
     physics = std::move(*said);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Mesh files made by tests: a box of half 1 x 0.5 x 0.25 (x, y, z of F) in each format.
+/// Mesh files for tests: a box with half extents 1 x 0.5 x 0.25 (x, y, z of F) in each format.
 
 #include <fmt/format.h>
 
@@ -16,11 +16,11 @@ namespace playhouse::mesh {
 
 inline constexpr double kTestHalf[3] = {1, 0.5, 0.25};
 
-/// The faces of a box as corners, counter-clockwise from outside; corner k has bit 0 for x, 1 for y, 2 for z.
+/// Faces of a box by corners, counter-clockwise from outside; corner k has bit 0 for x, 1 for y, 2 for z.
 inline constexpr int kTestQuads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                          {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
-/// Corners "x y z x y z ...", `scale` times as large; with y up where told so.
+/// Corner coordinates "x y z x y z ...", times `scale`, optionally y-up.
 inline std::string test_corners(double scale, bool y_up, const char* between = " ") {
   std::string text;
   for (int k = 0; k < 8; ++k) {
@@ -39,7 +39,7 @@ inline std::string test_triangles(const char* between = " ") {
   return text;
 }
 
-/// What a COLLADA file says beside its box.
+/// Variations of the COLLADA test file.
 struct TestCollada {
   std::string up = "Z_UP";
   double meter = 1;       // the box keeps its size in metres
@@ -47,8 +47,8 @@ struct TestCollada {
   std::string node;       // inside the node, beside the geometry
   std::string shading = "lambert";
   std::string effect = "<diffuse><color>0.5 0 1 1</color></diffuse>";
-  std::string libraries;  // more of them
-  std::string scene;      // more of the scene
+  std::string libraries;  // further ones
+  std::string scene;      // further elements
   std::string triangles = test_triangles();
 };
 
@@ -85,7 +85,7 @@ inline std::string test_obj(const std::string& more = {}) {
   return text;
 }
 
-/// The bytes of the buffer of test_gltf().
+/// Contents of the buffer of test_gltf().
 inline std::string test_gltf_buffer() {
   std::string bytes;
   for (int k = 0; k < 8; ++k) {
@@ -102,8 +102,8 @@ inline std::string test_gltf_buffer() {
   return bytes;
 }
 
-/// Half as large as the others, and doubled by its node. `buffer` is the address of its bytes, `look` more
-/// of its top: images, textures; `base` more of the base color.
+/// At half size, doubled by its node. `buffer` is the URI of its bytes, `look` further
+/// top-level members: images, textures; `base` further members of the base color.
 inline std::string test_gltf(const std::string& buffer = "box.bin", const std::string& node = "",
                              const std::string& look = "", const std::string& base = "") {
   return fmt::format(
@@ -117,7 +117,7 @@ inline std::string test_gltf(const std::string& buffer = "box.bin", const std::s
       node, base, buffer, look);
 }
 
-/// The bytes of the buffer of test_skinned_gltf().
+/// Contents of the buffer of test_skinned_gltf().
 inline std::string test_skinned_gltf_buffer() {
   std::string bytes = test_gltf_buffer();
   bytes.append(8 * 4, '\0');  // every corner's joints: all of the first
@@ -129,7 +129,7 @@ inline std::string test_skinned_gltf_buffer() {
   return bytes;
 }
 
-/// The box as a skin, twice as large where its joint is bound; this of the joint and of the node of the box.
+/// The box as a skin, at twice its size in the bind pose; further members of the joint and of the box node.
 inline std::string test_skinned_gltf(const std::string& joint, const std::string& node) {
   return fmt::format(
       R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0,1]}}],"nodes":[{{"name":"box","mesh":0,"skin":0{}}},{{"name":"joint"{}}}],
@@ -146,13 +146,13 @@ inline std::string test_skinned_gltf(const std::string& joint, const std::string
       node, joint);
 }
 
-/// A 2 x 1 PNG: red, and green that is half opaque.
+/// A 2 x 1 PNG: red, and half-transparent green.
 inline std::string test_png() {
   return *bytes_of_base64(
       "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAAD0lEQVR4nGP4z8DwHwgbABB5A359Y87XAAAAAElFTkSuQmCC");
 }
 
-/// Reads files of memory.
+/// A reader of files in memory.
 inline ReadFile test_files(std::map<std::string, std::string> files) {
   return [files](const std::string& path) -> Result<std::string> {
     const auto found = files.find(path);

@@ -7,7 +7,7 @@ namespace playhouse::mesh {
 
 inline constexpr std::string_view kBlank = " \t\v\r\n";
 
-/// Without the blanks before and after it.
+/// Strips leading and trailing white space.
 inline std::string_view trimmed(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
   return text.substr(0, text.find_last_not_of(kBlank) + 1);

@@ -15,10 +15,10 @@ using asio::ip::tcp;
 using boost::system::error_code;
 
 constexpr std::chrono::milliseconds kAcceptPause{
-    100};  // after an accept that failed, e.g. for want of descriptors
+    100};  // pause after a failed accept, e.g. without free descriptors
 constexpr int kKeepAliveIdle = 30, kKeepAliveInterval = 10, kKeepAliveProbes = 3;  // s, s, count
 
-/// Accepts for as long as its Listener lives.
+/// Accepts connections during its Listener's lifetime.
 class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
  public:
   AcceptLoop(IoLoop::Impl& loop, SocketAcceptor acceptor)
@@ -57,13 +57,13 @@ class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
   void adopt(tcp::socket socket) {
     error_code error;
     const tcp::endpoint peer = socket.remote_endpoint(error);
-    if (error) return;  // gone already
+    if (error) return;  // disconnected already
     tune(socket);
     accept_(std::move(socket), endpoint_text(peer));
   }
 
-  // Out of descriptors or memory: the peer waits in the backlog meanwhile, and who has been told everything
-  // gives way.
+  // Out of descriptors or memory: the peer stays in the
+  // backlog, and lingering connections are closed to free some.
   void wait_and_retry(const error_code& error) {
     if (!std::exchange(failing_, true)) log::warn("port {}: cannot accept: {}", port_, error.message());
     loop_.end_lingering();

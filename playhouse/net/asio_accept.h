@@ -1,6 +1,6 @@
 #pragma once
 
-/// Accepting sockets, for the .cc files of net only: TCP sessions and HTTP share it.
+/// Accepting sockets; internal to net: shared by TCP sessions and HTTP.
 
 #include <boost/asio/ip/tcp.hpp>
 #include <functional>
@@ -11,15 +11,15 @@
 
 namespace playhouse::net {
 
-/// A socket that connected, without Nagle delay and with keep-alive for lost peers, and its "address:port".
+/// A connected socket, with TCP_NODELAY and keep-alive, and its "address:port".
 using SocketAcceptor = std::function<void(boost::asio::ip::tcp::socket, std::string peer)>;
 
-/// Makes a socket so.
+/// Sets these options on a socket.
 void tune(boost::asio::ip::tcp::socket& socket);
-/// "address:port", of IPv6 with brackets.
+/// "address:port", IPv6 addresses in brackets.
 std::string endpoint_text(const boost::asio::ip::tcp::endpoint& endpoint);
 
-/// Accepts on bind:port (as Network::listen) for as long as the Listener lives.
+/// Accepts on bind:port (see Network::listen) during the Listener's lifetime.
 Result<std::unique_ptr<Listener>> listen_tcp(IoLoop::Impl& impl, const std::string& bind, std::uint16_t port,
                                              SocketAcceptor acceptor);
 

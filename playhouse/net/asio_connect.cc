@@ -16,7 +16,7 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-/// One attempt. Shared by its handle and the operations in progress, which may outlive that.
+/// A connection attempt. Shared by its handle and pending operations, which may outlive that.
 class Connecting : public std::enable_shared_from_this<Connecting> {
  public:
   Connecting(IoLoop::Impl& loop, const std::string& host, std::uint16_t port, SocketConnected connected)
@@ -46,7 +46,7 @@ class Connecting : public std::enable_shared_from_this<Connecting> {
                             });
   }
 
-  /// No event follows.
+  /// Cancels; no event follows.
   void give_up() {
     connected_ = nullptr;
     end();
@@ -89,7 +89,7 @@ class Connecting : public std::enable_shared_from_this<Connecting> {
   const std::string host_;
   const std::uint16_t port_;
   std::vector<tcp::endpoint> endpoints_;
-  SocketConnected connected_;  // empty once it was told, or nobody wants to know
+  SocketConnected connected_;  // empty once called or cancelled
 };
 
 class TcpAttempt final : public Attempt {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Sockets that connect, for the .cc files of net only.
+/// Connecting sockets; internal to net.
 
 #include <boost/asio/ip/tcp.hpp>
 #include <functional>
@@ -11,14 +11,14 @@
 
 namespace playhouse::net {
 
-/// A socket that connected, tuned as those that are accepted, and its "address:port"; or why there is none.
+/// A connected socket, with the options of accepted ones, and its "address:port"; or an error.
 struct ConnectedSocket {
   boost::asio::ip::tcp::socket socket;
   std::string peer;
 };
 using SocketConnected = std::function<void(Result<ConnectedSocket>)>;
 
-/// As Network::connect.
+/// See Network::connect.
 std::unique_ptr<Attempt> connect_tcp(IoLoop::Impl& impl, const std::string& host, std::uint16_t port,
                                      SocketConnected connected);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How one connection is served; for listen_http() and for what makes its sockets itself.
+/// HTTP on one connection; for listen_http() and for tests with sockets of their own.
 
 #include <boost/asio/ip/tcp.hpp>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace playhouse::net {
 
-/// Answers requests until the connection ends. The service outlives it.
+/// Serves requests until the connection ends. The service must outlive it.
 void serve_http(boost::asio::ip::tcp::socket socket, std::string peer, HttpService& service,
                 const HttpDeadlines& deadlines, const std::shared_ptr<HttpPlaces>& places);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The inside of IoLoop, for the .cc files of net only: they share its io_context.
+/// Implementation of IoLoop, shared by the .cc files of net for its io_context.
 
 #include <array>
 #include <boost/asio/io_context.hpp>
@@ -17,20 +17,20 @@ struct IoLoop::Impl {
   boost::asio::io_context context{1};
   std::optional<boost::asio::signal_set> signals;
   std::function<void(int)> signal_task;
-  /// Connections that have sent everything and wait for their peers to end; each entry ends one. The longest
-  /// waiting is the first.
+  /// Connections that have flushed and half-closed, and wait for
+  /// their peers to close; each entry closes one. Oldest first.
   using Lingering = std::list<std::function<void()>>;
   Lingering lingering;
-  bool finishing = false;  // stops when none is left
+  bool finishing = false;  // stop once `lingering` is empty
 
-  /// The entry stays until leave(), which `end` calls too. Over limits::kLingering the first one is ended.
+  /// Adds an entry until leave(), which `end` calls too. Over limits::kLingering the oldest is closed.
   Lingering::iterator linger(std::function<void()> end);
   void leave(Lingering::iterator place);
   /// Closes all lingering connections to free file descriptors.
   void end_lingering();
   void end_first();
 
-  /// Every connection reads into this; valid for one `received` call.
+  /// Receive buffer shared by all connections; valid during one `received` call.
   std::array<std::byte, 65536> read_buffer;
 };
 

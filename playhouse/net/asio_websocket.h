@@ -1,6 +1,6 @@
 #pragma once
 
-/// How http.cc hands a connection over to websocket.cc; for the .cc files of net only.
+/// Hand-over of a connection from http.cc to websocket.cc; internal to net.
 
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/empty_body.hpp>
@@ -14,8 +14,8 @@
 
 namespace playhouse::net {
 
-/// Answers the upgrade request and calls `done` with the socket; a failed handshake just ends the connection.
-/// The socket holds the place until it is closed: through the handshake and while it closes it gives way.
+/// Performs the handshake and calls `done` with the socket; on failure the connection is just
+/// closed. The socket keeps its place until it is closed, evictable during handshake and closing.
 void accept_websocket(boost::beast::tcp_stream stream,
                       const boost::beast::http::request<boost::beast::http::empty_body>& request,
                       std::string peer, std::unique_ptr<HttpPlace> place,

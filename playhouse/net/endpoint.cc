@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::uint8_t, 12> kMapped = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xFF, 0xFF};
 
-/// Asks the system, of numbers alone or of names as well.
+/// Resolves by the system, numerically or by name.
 Result<Endpoint> look_up(const std::string& host, std::uint16_t port, int flags) {
   addrinfo wanted{};
   wanted.ai_family = AF_UNSPEC;

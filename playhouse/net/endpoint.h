@@ -1,6 +1,6 @@
 #pragma once
 
-/// Endpoint: where datagrams come from and go to, as a value.
+/// Endpoint: address of a datagram socket, as a value.
 
 #include <array>
 #include <compare>
@@ -12,9 +12,9 @@
 namespace playhouse::net {
 
 struct Endpoint {
-  std::array<std::uint8_t, 16> address{};  // IPv6; of an IPv4 address the mapped form, ::ffff:a.b.c.d
+  std::array<std::uint8_t, 16> address{};  // IPv6; IPv4 addresses are mapped, ::ffff:a.b.c.d
   std::uint16_t port = 0;
-  std::uint32_t scope = 0;  // the interface of a link-local address
+  std::uint32_t scope = 0;  // zone (interface) of a link-local address
 
   bool is_v4() const;
   friend auto operator<=>(const Endpoint&, const Endpoint&) = default;
@@ -23,10 +23,10 @@ struct Endpoint {
 /// "10.0.0.7:4242" or "[fe80::1]:4242".
 std::string to_text(const Endpoint& endpoint);
 
-/// Of a numeric address, or "localhost". Fails for what is neither.
+/// Parses a numeric address or "localhost". Fails on anything else.
 Result<Endpoint> parse_endpoint(const std::string& address, std::uint16_t port);
 
-/// Of a name as well, which the system is asked for: that may wait.
+/// Resolves host names too, by the system: may block.
 Result<Endpoint> resolve(const std::string& host, std::uint16_t port);
 
 }  // namespace playhouse::net

@@ -1,6 +1,6 @@
 #pragma once
 
-/// For the fuzzers of net: both ends of a connection to an HTTP server in one thread, without a port.
+/// For the fuzzers of net: an HTTP connection over a socket pair, both ends in one thread.
 
 #include <sys/socket.h>
 #include <unistd.h>
@@ -34,14 +34,14 @@ class FuzzConnection {
   FuzzConnection(const FuzzConnection&) = delete;
   FuzzConnection& operator=(const FuzzConnection&) = delete;
 
-  /// The server does what it can do without waiting; the peer reads, unless it stalls.
+  /// Polls the server once; the peer reads, unless stalled.
   void turn() {
     context_.restart();
     context_.poll();
     if (!stalled) read();
   }
 
-  /// What the server does not take, because it paused or closed, is lost.
+  /// Bytes that the server does not accept, paused or closed, are dropped.
   void send(std::span<const std::byte> bytes) {
     for (int idle_turns = 0; !bytes.empty() && idle_turns < 2;) {
       const ssize_t count = ::send(peer_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -52,13 +52,13 @@ class FuzzConnection {
     }
   }
 
-  /// The peer sends nothing more.
+  /// Half-closes: the peer sends nothing more.
   void finish() { ::shutdown(peer_, SHUT_WR); }
   void hang_up() {
     if (peer_ >= 0) ::close(peer_);
     peer_ = -1;
   }
-  /// The server has closed the connection, or nothing of the connection is left: no operation, no timer.
+  /// The server has closed the connection; it has no pending operations or timers.
   bool closed() const { return closed_; }
   bool forgotten() const { return context_.stopped(); }
 

@@ -25,7 +25,7 @@ using Response = http::response<http::span_body<const char>>;
 
 constexpr std::chrono::seconds kLingerTime{2};  // of reading on behind the last answer, so that it arrives
 
-/// Of every answer: its type is not guessed, and its page sends no referrer and may not be embedded.
+/// Security headers of every reply: no MIME sniffing, no referrer, no embedding.
 constexpr std::pair<const char*, const char*> kFixedFields[] = {
     {"X-Content-Type-Options", "nosniff"},
     {"X-Frame-Options", "DENY"},
@@ -40,7 +40,7 @@ HttpReply plain(unsigned status, std::string text) {
   return reply;
 }
 
-/// One connection, kept alive by its own operations until it ends or is silent for too long.
+/// A connection, kept alive by its pending operations until it ends or times out.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(asio::ip::tcp::socket socket, std::string peer, HttpService& service,
@@ -64,7 +64,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   }
 
  private:
-  /// The peer has this long for what comes next, or until its place is wanted.
+  /// Sets the timeout for the peer, and makes the connection evictable.
   void wait(std::chrono::milliseconds time) {
     stream_.expires_after(time);
     place_->gives_way([this] { close(); });
@@ -138,8 +138,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
                       });
   }
 
-  /// Says that nothing follows and reads on to the peer's end: closing over bytes that nobody read would
-  /// send RST, which discards what the peer has not read of the answer.
+  /// Half-closes and drains input to the peer's end: closing with unread input
+  /// would send RST, which discards unread parts of the reply at the peer.
   void finish() {
     error_code ignored;
     stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
@@ -167,7 +167,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   const std::string peer_;
   HttpService& service_;
   const HttpDeadlines deadlines_;
-  std::unique_ptr<HttpPlace> place_;  // none once the socket is a WebSocket's
+  std::unique_ptr<HttpPlace> place_;  // null once the socket is a WebSocket's
   beast::flat_buffer buffer_{limits::kHttpHeaderBytes + 4096};
   std::optional<http::request_parser<http::empty_body>> parser_;
   HttpReply reply_;
@@ -186,7 +186,7 @@ void serve_http(asio::ip::tcp::socket socket, std::string peer, HttpService& ser
 
 Result<std::unique_ptr<Listener>> listen_http(IoLoop& loop, const std::string& bind, std::uint16_t port,
                                               HttpService& service, HttpDeadlines deadlines) {
-  // The listener and each connection own the table of places.
+  // The table of places is owned by the listener and each connection.
   return listen_tcp(loop.impl(), bind, port,
                     [&service, deadlines, places = std::make_shared<HttpPlaces>()](
                         asio::ip::tcp::socket socket, std::string peer) {

@@ -24,7 +24,7 @@ void HttpPlace::gives_way(std::function<void()> close) {
 void HttpPlaces::add(HttpPlace& place) {
   const std::vector<HttpPlace*> of_network = waiting(place.network_);
   const bool many = of_network.size() >= limits::kHttpConnectionsPerAddress;
-  // A flood of connections must not become one of log lines.
+  // Logged once per episode, against flooding the log.
   if ((many || all_.size() >= limits::kHttpConnections) && !std::exchange(full_, true))
     log::warn("web: many connections ({}, {} from {}): those that wait longest are closed", all_.size(),
               of_network.size(), place.network_);

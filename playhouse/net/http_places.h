@@ -1,8 +1,8 @@
 #pragma once
 
-/// The connections of one HTTP server; for the .cc files of net only. A connection that waits for its peer
-/// (to send a request, to read an answer, to close) gives way to a newcomer; one that became a viewer does
-/// not.
+/// Connection slots of an HTTP server; internal to net.
+/// Connections that wait for their peer (to send a request, read
+/// a reply, close) can be evicted by new ones; viewers cannot.
 
 #include <chrono>
 #include <functional>
@@ -16,19 +16,19 @@ namespace playhouse::net {
 
 class HttpPlaces;
 
-/// What a connection holds from when it is accepted until its socket is closed, whoever has the socket by
-/// then.
+/// RAII slot of a connection, from accept until
+/// its socket is closed, by any owner.
 class HttpPlace {
  public:
-  /// Closes another connection first, if there are too many.
+  /// Evicts another connection first if the server is full.
   HttpPlace(std::shared_ptr<HttpPlaces> places, const std::string& peer);
   ~HttpPlace();
   HttpPlace(const HttpPlace&) = delete;
   HttpPlace& operator=(const HttpPlace&) = delete;
 
-  /// The connection waits from now on, and `close` ends it for a newcomer; it is called once at most.
+  /// Makes the connection evictable from now on; `close` is called at most once.
   void gives_way(std::function<void()> close);
-  /// Nobody takes this place.
+  /// Makes the connection non-evictable.
   void stays() { close_ = nullptr; }
 
  private:
@@ -45,12 +45,12 @@ class HttpPlaces {
   void remove(HttpPlace& place);
 
  private:
-  /// Those that give way: all, or those of one network.
+  /// Evictable connections, all or of one network.
   std::vector<HttpPlace*> waiting(std::string_view network = {}) const;
   void close_one_of(const std::vector<HttpPlace*>& waiting);
 
   std::vector<HttpPlace*> all_;
-  bool full_ = false;  // and the log says so
+  bool full_ = false;  // has been logged
 };
 
 }  // namespace playhouse::net

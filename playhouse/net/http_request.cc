@@ -23,8 +23,8 @@ bool all_in(std::string_view text, std::string_view letters) {
   return text.find_first_not_of(letters) == std::string_view::npos;
 }
 
-/// "name", "name:port" or "[address]:port" (RFC 3986 3.2.2), without the escapes and marks that no host here
-/// has.
+/// "name", "name:port" or "[address]:port" (RFC 3986 3.2.2), without
+/// percent-escapes and sub-delimiters, which valid hosts do not have.
 bool is_authority(std::string_view text) {
   constexpr std::string_view kName = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~";
   const std::size_t bracket = text.starts_with('[') ? text.find(']') : 0;
@@ -37,7 +37,7 @@ bool is_authority(std::string_view text) {
   return named && port.size() <= 5 && all_in(port, "0123456789");
 }
 
-/// "br, gzip;q=0.5"; a weight of zero is a refusal (RFC 9110 12.4.2).
+/// "br, gzip;q=0.5"; weight zero means not acceptable (RFC 9110 12.4.2).
 bool accepts_gzip(boost::beast::string_view encodings) {
   for (const auto& [name, parameters] : http::ext_list(encodings)) {
     if (!boost::beast::iequals(name, "gzip")) continue;
@@ -54,7 +54,7 @@ bool is_http(std::string_view target) {
                                {kScheme.data(), kScheme.size()});
 }
 
-/// What is wrong with how the message is framed: its length, its Host.
+/// Validates message framing: lengths and Host.
 std::optional<HttpRefusal> fault_of_frame(const Message& message) {
   if (message.count(http::field::transfer_encoding) > 0) {
     if (message.version() == 10) return HttpRefusal{400, "HTTP/1.0 has no Transfer-Encoding"};
@@ -80,7 +80,7 @@ std::variant<HttpRequest, HttpRefusal> read_request(const Message& message, cons
   HttpRequest request;
   request.host = text_of(message[http::field::host]);
   std::string target = text_of(message.target());
-  if (is_http(target)) {  // as to a proxy: its host counts, not the Host (RFC 9112 3.2.2)
+  if (is_http(target)) {  // absolute form, as to a proxy: its host overrides Host (RFC 9112 3.2.2)
     target.erase(0, kScheme.size());
     const std::size_t end = std::min(target.find_first_of("/?"), target.size());
     request.host = target.substr(0, end);

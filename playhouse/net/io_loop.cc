@@ -23,7 +23,7 @@ class AsioTimer final : public Timer {
   }
 
  private:
-  // A timer that has expired can no longer be cancelled; the task then sees that its owner is gone.
+  // An expired timer cannot be cancelled: its task checks whether the owner is alive.
   std::shared_ptr<int> live_ = std::make_shared<int>(0);
   boost::asio::steady_timer timer_;
 };
@@ -52,7 +52,7 @@ void IoLoop::Impl::end_lingering() {
   while (!lingering.empty()) end_first();
 }
 
-// A copy, because the entry goes while it is called.
+// Copied, because the call erases the entry.
 void IoLoop::Impl::end_first() {
   const std::function<void()> end = lingering.front();
   end();
@@ -74,7 +74,7 @@ void IoLoop::poll() {
 }
 
 void IoLoop::stop() {
-  // Posted, so that a stop before run() counts too.
+  // Posted, so that stop() before run() is effective.
   boost::asio::post(impl_->context, [context = &impl_->context] { context->stop(); });
 }
 

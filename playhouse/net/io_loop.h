@@ -1,7 +1,7 @@
 #pragma once
 
-/// The event loop: one thread calls run(), everything of net and server happens in it. Built on Boost.Asio,
-/// which stays in the .cc files (asio_loop.h gives the other transports of net their io_context).
+/// The event loop of net and server: one thread calls run(). Built on Boost.Asio,
+/// which stays in the .cc files (asio_loop.h shares its io_context within net).
 
 #include <cstddef>
 #include <initializer_list>
@@ -18,18 +18,18 @@ class IoLoop final : public Network {
   IoLoop(const IoLoop&) = delete;
   IoLoop& operator=(const IoLoop&) = delete;
 
-  /// Serves events until stop(). The calling thread is the io thread.
+  /// Processes events until stop(). The calling thread is the io thread.
   void run();
-  /// Makes run() return soon; tasks not begun stay for the next run(). Any thread.
+  /// Makes run() return soon; queued tasks stay for the next run(). Any thread.
   void stop();
-  /// As stop(), once no connection waits for its peer any more (Connection::close_after_flush). Any thread.
+  /// Like stop(), after all lingering connections have closed (Connection::close_after_flush). Any thread.
   void finish();
-  /// Connections that do now.
+  /// Number of lingering connections.
   std::size_t lingering() const;
-  /// Runs what is ready now and returns without waiting.
+  /// Processes ready events without blocking.
   void poll();
 
-  /// Calls `task` on the io thread for each of these signals, instead of their usual effect. Call once.
+  /// Calls `task` on the io thread for each of these signals, replacing their default action. Call once.
   void on_signal(std::initializer_list<int> signals, std::function<void(int)> task);
 
   void post(Task task) override;

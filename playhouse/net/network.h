@@ -1,9 +1,9 @@
 #pragma once
 
-/// What the server side needs of a network: listeners, connections, datagrams, tasks and timers on one io
-/// thread. IoLoop is the real one (TCP and UDP), SimulatedNetwork the one of the tests. Knows bytes, never
-/// messages. Everything runs on the io thread (the thread in IoLoop::run, or before it runs); only post() is
-/// for any thread.
+/// Network abstraction of the server side: listeners, connections, datagrams,
+/// tasks and timers on one io thread. Implementations: IoLoop (TCP and UDP),
+/// SimulatedNetwork (tests). Transports bytes, knows no messages. Everything is
+/// for the io thread (in IoLoop::run, or before it), except post(): any thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,71 +18,71 @@
 
 namespace playhouse::net {
 
-/// Immutable bytes that many connections may be sending at once. Owners: the sender's queue and each
-/// connection that has not yet handed them to the system.
+/// Immutable bytes that several connections may send. Owners: the sender's
+/// queue and each connection that has not passed them to the system yet.
 using SharedBytes = std::shared_ptr<const std::vector<std::byte>>;
 
-inline constexpr int kConnectSeconds = 10;  // for a connection to be made
-inline constexpr int kAliveSeconds = 30;    // without a sign of life of a peer that is expected to be alive
+inline constexpr int kConnectSeconds = 10;  // timeout of connecting
+inline constexpr int kAliveSeconds = 30;    // timeout for a dead peer, with expect_alive()
 
-/// What a connection tells its owner.
+/// Callbacks of a connection.
 class ConnectionEvents {
  public:
   virtual ~ConnectionEvents() = default;
-  /// Bytes in order of arrival; `bytes` is valid for the call.
+  /// Bytes in order of arrival; `bytes` is valid during the call.
   virtual void received(std::span<const std::byte> bytes) = 0;
-  /// The system has taken everything that was sent: in_flight_bytes() is 0.
+  /// The system has accepted everything sent: in_flight_bytes() is 0.
   virtual void drained() = 0;
-  /// Nothing that is sent reaches the peer any more: it was reset, or vanished. in_flight_bytes() is 0 from
-  /// now on. Bytes that it sent before may still come, and closed() does. Comes once at most.
+  /// The peer is unreachable for sending: reset or vanished. in_flight_bytes() is 0 from now
+  /// on. Bytes sent by it before may still arrive, and closed() follows. Called at most once.
   virtual void lost() = 0;
-  /// No more bytes will come. Comes once, after every byte that arrived. The peer may have shut down its
-  /// sending half alone: it still reads, unless lost() came or comes.
+  /// End of input. Called once, after all bytes received. The peer may
+  /// have half-closed only: it still reads, unless lost() is called.
   virtual void closed(const std::string& why) = 0;
 };
 
-/// A connected peer. Destroying it closes it at once, and no event follows; destroying it inside an event is
-/// allowed.
+/// A connected peer. The destructor closes it at once, without
+/// further events; it may be destroyed inside an event.
 class Connection {
  public:
   virtual ~Connection() = default;
-  /// Begins to read. `events` must outlive the connection.
+  /// Starts reading. `events` must outlive the connection.
   virtual void start(ConnectionEvents& events) = 0;
-  /// Sends the parts in order by one gathered write, behind what is in flight.
+  /// Appends the parts to the send queue, in order, with one gathered write.
   virtual void send(std::span<const SharedBytes> parts) = 0;
-  /// Bytes given to send() that the system has not taken yet.
+  /// Bytes passed to send() that the system has not accepted yet.
   virtual std::size_t in_flight_bytes() const = 0;
-  /// Stops and continues reading; unread bytes stay with the system, which slows the peer down. lost() comes
-  /// all the same, closed() does not.
+  /// Pauses and resumes reading: back-pressure on the peer by TCP flow
+  /// control. lost() is still reported while paused, closed() is not.
   virtual void pause() = 0;
   virtual void resume() = 0;
-  /// In the background: flushes for up to 5 s, half-closes, then waits up to 1 s for the peer's close, so
-  /// that one that still sends gets what it has not read. No more events.
+  /// In the background: flushes for up to 5 s, half-closes, then waits up to 1 s for the
+  /// peer's close, so that a peer that is still sending receives everything. No more events.
   virtual void close_after_flush() = 0;
-  /// From now on a peer that takes nothing of what is sent, or answers no probe, for kAliveSeconds is
-  /// lost: unreachable or hung. Without it one that has much to read may take a quarter of
-  /// an hour, and one that reads slowly is never lost.
+  /// Enables dead peer detection: a peer that acknowledges neither data nor
+  /// probes for kAliveSeconds is lost. Without it a peer with unread data may
+  /// take a quarter of an hour to time out, and a slow reader is never lost.
   virtual void expect_alive() {}
-  /// The other end as "address:port", for log lines.
+  /// Remote "address:port", for the log.
   virtual const std::string& peer() const = 0;
 };
 
-/// An open port. Destroying it closes the port; connections it made live on.
+/// An open port. The destructor closes it; its connections stay open.
 class Listener {
  public:
   virtual ~Listener() = default;
   virtual std::uint16_t port() const = 0;
 };
 
-/// An open port for datagrams: each may come once, more than once, late, or never. Destroying it closes the
-/// port; destroying it inside its receiver is allowed.
+/// An open UDP port: datagrams may be lost, duplicated, delayed or reordered.
+/// The destructor closes it; it may be destroyed inside its receiver.
 class DatagramSocket {
  public:
-  /// `bytes` is valid for the call.
+  /// `bytes` is valid during the call.
   using Receiver = std::function<void(const Endpoint& from, std::span<const std::byte> bytes)>;
 
   virtual ~DatagramSocket() = default;
-  /// At once, or never: what the system has no room for is lost, as what a network loses.
+  /// Sends at once or drops: if the system has no room, the datagram is lost.
   virtual void send(const Endpoint& to, std::span<const std::byte> bytes) = 0;
   virtual std::uint16_t port() const = 0;
 };
@@ -93,7 +93,7 @@ class Timer {
   virtual ~Timer() = default;
 };
 
-/// A connection that is being made. Destroying it gives up.
+/// A pending connection. The destructor cancels it.
 class Attempt {
  public:
   virtual ~Attempt() = default;
@@ -103,7 +103,7 @@ class Network {
  public:
   using Task = std::function<void()>;
   using Acceptor = std::function<void(std::unique_ptr<Connection>)>;
-  /// A connection, or why there is none.
+  /// A connection, or an error.
   using Connected = std::function<void(Result<std::unique_ptr<Connection>>)>;
 
   virtual ~Network() = default;
@@ -118,11 +118,11 @@ class Network {
   /// Opens a UDP port, likewise.
   virtual Result<std::unique_ptr<DatagramSocket>> open_datagrams(const std::string& bind, std::uint16_t port,
                                                                  DatagramSocket::Receiver receiver) = 0;
-  /// The network's clock: seconds from some moment on.
+  /// Clock of the network: monotonic seconds.
   virtual double now() const = 0;
-  /// Connects to a TCP port of a host, by its name or numeric address. `connected` is called once, behind the
-  /// call of connect(), after kConnectSeconds at the latest; never once the attempt is destroyed, which
-  /// is allowed inside it.
+  /// Connects to a TCP port of a host, by name or numeric address. `connected`
+  /// is called once, after connect() has returned, within kConnectSeconds;
+  /// never after the attempt's destruction, which is allowed inside it.
   [[nodiscard]] virtual std::unique_ptr<Attempt> connect(const std::string& host, std::uint16_t port,
                                                          Connected connected) = 0;
 };

@@ -5,7 +5,7 @@
 
 namespace playhouse::net {
 
-/// Bytes that come and go in pieces. Moves them at once, where a deque moves one after the other.
+/// A byte queue with bulk moves, unlike a deque's bytewise ones.
 class ByteQueue {
  public:
   bool empty() const { return begin_ == bytes_.size(); }
@@ -27,30 +27,30 @@ class ByteQueue {
 
  private:
   std::vector<std::byte> bytes_;
-  std::size_t begin_ = 0;  // what is before was taken
+  std::size_t begin_ = 0;  // bytes before were consumed
 };
 
-/// Both directions of one connection.
+/// Both directions of a connection.
 struct SimulatedLink {
   std::string name;
   ConnectionEvents* events = nullptr;
-  ByteQueue to_server;          // sent by the peer, not yet delivered
-  ByteQueue in_flight;          // sent by the server, not yet taken by the "system"
-  ByteQueue window;             // taken, not yet read by the peer
-  std::vector<std::byte> read;  // read by the peer, waiting for take()
+  ByteQueue to_server;          // sent by the peer, not delivered
+  ByteQueue in_flight;          // sent by the server, not accepted by the "system"
+  ByteQueue window;             // accepted, not read by the peer
+  std::vector<std::byte> read;  // read by the peer, for take()
   bool finished = false, vanished = false, stalled = false, paused = false;
   bool told_lost = false, told_closed = false;
-  bool draining = false;  // the server is owed a `drained`
-  bool flushing = false;  // the server said close_after_flush
-  bool closed = false;    // the server's end is gone
+  bool draining = false;  // `drained` is pending
+  bool flushing = false;  // after close_after_flush
+  bool closed = false;    // the server's end was destroyed
 };
 
-/// The end of one who connected by Network::connect.
+/// The client's end of a connection made by Network::connect.
 struct SimulatedEnd {
   std::shared_ptr<SimulatedLink> link;
   ConnectionEvents* events = nullptr;
-  bool draining = false;     // it is owed a `drained`
-  bool told_closed = false;  // and was told the end
+  bool draining = false;     // `drained` is pending
+  bool told_closed = false;  // closed() was called
   bool gone = false;
 };
 
@@ -86,7 +86,7 @@ class SimulatedConnection final : public Connection {
   std::shared_ptr<SimulatedLink> link_;
 };
 
-/// What it gets has come in pieces already; what it sends is under way until the server has read it.
+/// Input arrives in pieces already; output is in flight until the server has read it.
 class SimulatedClient final : public Connection {
  public:
   SimulatedClient(std::shared_ptr<SimulatedEnd> end, std::string peer)
@@ -250,7 +250,7 @@ bool SimulatedNetwork::step() {
     std::exchange(task, nullptr)();
     busy = true;
   }
-  // By index: an event may connect further peers.
+  // By index: events may add links.
   for (std::size_t i = 0; i < links_.size(); ++i) busy |= step_link(*std::shared_ptr(links_[i]));
   for (std::size_t i = 0; i < ends_.size(); ++i) busy |= step_end(*std::shared_ptr(ends_[i]));
   std::erase_if(ends_, [](const auto& end) { return end->gone; });
@@ -277,7 +277,7 @@ bool SimulatedNetwork::step_link(SimulatedLink& link) {
   const auto piece = [this] { return 1 + static_cast<std::size_t>(rng_.bits() % piece_bytes); };
   bool busy = false;
 
-  // From the peer to the server.
+  // Peer to server.
   if (link.events && link.vanished && !std::exchange(link.told_lost, true)) {
     link.events->lost();
     busy = true;
@@ -294,7 +294,7 @@ bool SimulatedNetwork::step_link(SimulatedLink& link) {
     busy = true;
   }
 
-  // From the server to the peer.
+  // Server to peer.
   const std::size_t room = link.window.size() < window_bytes ? window_bytes - link.window.size() : 0;
   busy |= move_front(link.in_flight, std::min(room, piece()), link.window) > 0;
   if (!link.stalled) {

@@ -1,4 +1,4 @@
-/// The simulated network's datagrams: each is carried by alarms of the virtual clock.
+/// Datagrams of the simulated network, delivered by alarms of the virtual clock.
 
 #include <utility>
 
@@ -18,7 +18,7 @@ class SimulatedDatagrams final : public DatagramSocket {
  private:
   SimulatedNetwork& network_;
   const Endpoint here_;
-  const std::shared_ptr<Receiver> receiver_;  // the network has it for as long as we do
+  const std::shared_ptr<Receiver> receiver_;  // registered in the network during our lifetime
 };
 
 Result<std::unique_ptr<DatagramSocket>> SimulatedNetwork::open_datagrams(const std::string& bind,
@@ -38,7 +38,7 @@ void SimulatedNetwork::carry(const Endpoint& from, const Endpoint& to, std::span
       (rng_.uniform() < datagrams.loss ? 0 : 1) + (rng_.uniform() < datagrams.duplication ? 1 : 0);
   for (int copy = 0; copy < copies; ++copy) {
     const double arrives = now_ + datagrams.delay + datagrams.jitter * rng_.uniform();
-    const auto on_its_way = std::make_shared<int>(0);  // nobody cancels it: the alarm has it itself
+    const auto on_its_way = std::make_shared<int>(0);  // owned by its alarm: never cancelled
     alarms_.emplace(arrives, Alarm{on_its_way, [this, on_its_way, from, to,
                                                 bytes = std::vector(bytes.begin(), bytes.end())] {
                                      const auto port = datagram_ports_.find(to);

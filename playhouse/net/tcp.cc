@@ -1,4 +1,4 @@
-// TCP behind Connection: one gathered write at a time, and an end that takes nothing back.
+// TCP connections: one gathered write at a time, graceful close.
 
 #include <netinet/tcp.h>
 #include <poll.h>
@@ -34,7 +34,7 @@ bool is_end(const error_code& error) {
   return error && error != asio::error::would_block && error != asio::error::interrupted;
 }
 
-/// The socket and its queue. Shared by the Connection and the operations in progress, which may outlive it.
+/// The socket and its queue. Shared by the Connection and pending operations, which may outlive it.
 class TcpStream : public std::enable_shared_from_this<TcpStream> {
  public:
   TcpStream(tcp::socket socket, IoLoop::Impl& loop, std::string peer)
@@ -87,7 +87,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   const std::string& peer() const { return peer_; }
 
  private:
-  // Waiting for readability and reading into the loop's buffer keeps an idle connection small.
+  // Waits for readability before reading into the loop's shared buffer: idle connections need no buffer.
   void wait_for_bytes() {
     waiting_ = true;
     socket_.async_wait(tcp::socket::wait_read, [self = shared_from_this()](const error_code& error) {
@@ -102,13 +102,13 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     error_code error;
     const std::size_t count = socket_.read_some(asio::buffer(loop_.read_buffer), error);
     if (count > 0) events_->received(std::span(loop_.read_buffer).first(count));
-    if (!events_) return;  // the owner closed us
+    if (!events_) return;  // closed by the owner
     if (is_end(error)) return end_reading(error);
     if (!paused_) wait_for_bytes();
   }
 
-  // While nobody reads, a reset or a timeout shows in no other way. Once it waits it does so also after the
-  // pause: reading, which sees the same, cannot go on if this were cancelled.
+  // Detects a reset or timeout while reading is paused. The wait is
+  // not cancelled on resume: reading could not go on after that.
   void wait_for_fault() {
     waiting_for_fault_ = true;
     socket_.async_wait(tcp::socket::wait_error, [self = shared_from_this()](const error_code& error) {
@@ -118,7 +118,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     });
   }
 
-  // Else it was urgent data. The error itself stays for who reads.
+  // True for an error; false for urgent data. The error remains for the reader.
   bool has_fault() {
     pollfd looked{socket_.native_handle(), 0, 0};
     return ::poll(&looked, 1, 0) > 0 && (looked.revents & (POLLERR | POLLHUP)) != 0;
@@ -138,8 +138,8 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     write();
   }
 
-  // As much as the system takes: asio::async_write goes back to the loop after every 16 parts, and waits
-  // there behind whatever else is to be done.
+  // Writes as much as the system accepts: asio::async_write
+  // would yield to the loop after every 16 parts.
   void write() {
     error_code error;
     while (next_part_ < writing_.size() && !error) write_some(error);
@@ -173,7 +173,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     if (events_) events_->drained();
   }
 
-  // Data received before the reset may still be unread.
+  // Data received before the reset may be unread.
   void lose_peer() {
     if (std::exchange(peer_lost_, true)) return;
     queued_.clear();
@@ -182,8 +182,8 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     if (events_) events_->lost();
   }
 
-  // Says that nothing follows and reads on to the peer's end: closing over bytes that nobody read would
-  // send RST, which discards what the peer has not read.
+  // Half-closes and drains input to the peer's end: closing with unread
+  // input would send RST, which discards unread data at the peer.
   void end_of_output() {
     if (read_to_end_) return close();
     error_code ignored;
@@ -209,12 +209,12 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   tcp::socket socket_;
   IoLoop::Impl& loop_;
   const std::string peer_;
-  asio::steady_timer end_timer_;  // once the owner has let it go
+  asio::steady_timer end_timer_;  // after release by the owner
   ConnectionEvents* events_ = nullptr;
   std::vector<SharedBytes> writing_, queued_;
-  std::size_t next_part_ = 0, next_byte_ = 0;  // of writing_, that the system has not taken
+  std::size_t next_part_ = 0, next_byte_ = 0;  // of writing_: first part and byte not accepted yet
   std::size_t in_flight_bytes_ = 0;
-  std::optional<IoLoop::Impl::Lingering::iterator> lingering_;  // once everything is sent
+  std::optional<IoLoop::Impl::Lingering::iterator> lingering_;  // after flushing
   bool waiting_ = false, paused_ = false, read_to_end_ = false, closing_ = false, peer_lost_ = false;
   bool waiting_for_fault_ = false;
 };

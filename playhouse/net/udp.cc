@@ -13,7 +13,7 @@ namespace asio = boost::asio;
 using asio::ip::udp;
 using boost::system::error_code;
 
-/// Datagrams that are taken in one turn, before others of the loop have theirs.
+/// Datagrams per turn, before other events of the loop.
 constexpr int kDatagramsPerTurn = 64;
 /// Kernel buffer size, large enough for a burst to all clients.
 constexpr int kSystemBytes = 1 << 20;
@@ -31,7 +31,7 @@ Endpoint from_asio(const udp::endpoint& endpoint) {
   return {six.to_bytes(), endpoint.port(), static_cast<std::uint32_t>(six.scope_id())};
 }
 
-/// Reads for as long as its socket lives.
+/// Receives during its socket's lifetime.
 class ReadLoop : public std::enable_shared_from_this<ReadLoop> {
  public:
   ReadLoop(IoLoop::Impl& loop, DatagramSocket::Receiver receiver)
@@ -77,7 +77,7 @@ class ReadLoop : public std::enable_shared_from_this<ReadLoop> {
       udp::endpoint from;
       error_code error;
       const std::size_t size = socket_.receive_from(asio::buffer(loop_.read_buffer), from, 0, error);
-      if (error) return;  // none is left, or one that the system says was not delivered
+      if (error) return;  // none left, or an ICMP error of an earlier one
       receiver_(from_asio(from), std::span(loop_.read_buffer).first(size));
     }
   }

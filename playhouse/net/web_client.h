@@ -1,7 +1,7 @@
 #pragma once
 
-/// The client's end of a connection to an HTTP server, byte by byte, for tests: plain requests, and
-/// WebSockets whose frames it takes apart itself.
+/// A raw HTTP and WebSocket client for
+/// tests, with frame handling of its own.
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace playhouse::net {
 
 class WebClient {
  public:
-  /// `host` (127.x.y.z) is the address that it comes from.
+  /// `host` (127.x.y.z) is the local address.
   explicit WebClient(std::uint16_t port, const std::string& host = "127.0.0.1")
       : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
     sockaddr_in address{};
@@ -39,7 +39,7 @@ class WebClient {
   bool send(const std::string& bytes) {
     return ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) == ssize_t(bytes.size());
   }
-  /// Whether the server has closed by now; reads what has come.
+  /// Reads what has arrived; true if the server has closed.
   bool closed() {
     char buffer[4096];
     ssize_t count = 0;
@@ -48,7 +48,7 @@ class WebClient {
     return count == 0 || (errno != EAGAIN && errno != EINTR);
   }
 
-  /// Reads until the predicate holds for what has come; false at the end of the stream or after five seconds.
+  /// Reads until the predicate holds; false at end of stream or after five seconds.
   bool read_until(
       const std::function<bool(const std::string&)>& enough, const std::function<void()>& meanwhile = [] {}) {
     for (int rounds = 0; rounds < 500 && !enough(in); ++rounds) {
@@ -64,7 +64,7 @@ class WebClient {
     return enough(in);
   }
 
-  /// The whole answer to one request; the server closes after it.
+  /// The whole reply to one request; the server closes afterwards.
   std::string ask(const std::string& request) {
     send(request);
     read_until([](const std::string&) { return false; });
@@ -75,12 +75,12 @@ class WebClient {
     ask_to_upgrade(more);
     return upgraded();
   }
-  /// As a page whose link has a token.
+  /// As a page whose link contains a token.
   bool upgrade_with(const std::string& token) {
     ask_to_upgrade("", "127.0.0.1", "?token=" + token);
     return upgraded();
   }
-  /// As the browser of a page from `origin` that calls the program `host`.
+  /// As a page from `origin` that addresses the server as `host`.
   bool upgrade_at(const std::string& host, const std::string& origin) {
     ask_to_upgrade("Origin: " + origin + "\r\n", host);
     return upgraded();
@@ -112,7 +112,7 @@ class WebClient {
     send(frame + std::string(4, '\0') + text);  // masked with zeros
   }
 
-  /// The next whole message; its first byte is the WebSocket opcode. Empty: none came.
+  /// The next complete message; its first byte is the WebSocket opcode. Empty: none.
   std::string message(const std::function<void()>& meanwhile = [] {}) {
     if (!read_until([this](const std::string&) { return message_bytes() != 0; }, meanwhile)) return {};
     const std::size_t bytes = message_bytes();

@@ -21,10 +21,10 @@ namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 using beast::error_code;
 
-/// From closing with a reason until the socket is closed, whether the peer has taken the reason or not.
+/// Time limit of closing with a reason, delivered or not.
 constexpr std::chrono::seconds kCloseTime{2};
 
-/// The stream and its queue. Shared by the WebSocket and the operations in progress, which may outlive it.
+/// The stream and its queue. Shared by the WebSocket and pending operations, which may outlive it.
 class Stream : public std::enable_shared_from_this<Stream> {
  public:
   Stream(beast::tcp_stream stream, std::string peer, std::unique_ptr<HttpPlace> place)
@@ -81,7 +81,7 @@ class Stream : public std::enable_shared_from_this<Stream> {
     close_deadline_.async_wait([weak = weak_from_this()](const error_code&) {
       if (const auto self = weak.lock()) self->end();
     });
-    if (queued_.size() > 1) queued_.resize(1);  // only what is being written goes out
+    if (queued_.size() > 1) queued_.resize(1);  // drops all but the current write
     if (queued_.empty()) send_close();
   }
 
@@ -143,9 +143,9 @@ class Stream : public std::enable_shared_from_this<Stream> {
     if (events_) events_->drained();
   }
 
-  /// Beast's own close waits for a read in progress; if that fails, it waits for the close, and neither ever
-  /// ends. So the frame (RFC 6455 5.5.1) goes past Beast, and what still comes is read and dropped
-  /// until the peer's end.
+  /// Beast's close waits for a pending read, which on failure waits
+  /// for the close: a deadlock. So the close frame (RFC 6455 5.5.1)
+  /// is written directly, and input is drained to the peer's end.
   void send_close() {
     constexpr std::size_t kMostBytes = 123;  // of a reason
     constexpr auto kCode = static_cast<unsigned>(websocket::close_code::policy_error);
@@ -171,8 +171,8 @@ class Stream : public std::enable_shared_from_this<Stream> {
   beast::flat_buffer buffer_;
   std::deque<std::variant<std::shared_ptr<const std::string>, SharedBytes>> queued_;  // front: being written
   WebSocketEvents* events_ = nullptr;
-  std::string reason_;    // of closing; then the whole frame
-  bool reading_ = false;  // until what was read is dealt with
+  std::string reason_;    // close reason; then the whole frame
+  bool reading_ = false;  // until the input was processed
   bool paused_ = false, closing_ = false, failed_ = false;
 };
 
@@ -198,7 +198,7 @@ class BeastWebSocket final : public WebSocket {
 void accept_websocket(beast::tcp_stream stream, const beast::http::request<beast::http::empty_body>& request,
                       std::string peer, std::unique_ptr<HttpPlace> place,
                       std::function<void(std::unique_ptr<WebSocket>)> done) {
-  beast::get_lowest_layer(stream).expires_never();  // the socket has its own timeouts
+  beast::get_lowest_layer(stream).expires_never();  // WebSockets have timeouts of their own
   auto made = std::make_shared<Stream>(std::move(stream), std::move(peer), std::move(place));
   made->accept(request, [done = std::move(done)](const std::shared_ptr<Stream>& ready) {
     done(std::make_unique<BeastWebSocket>(ready));

@@ -1,7 +1,7 @@
 #pragma once
 
-/// A WebSocket after its handshake: whole messages in both directions. http.h makes them. Everything is for
-/// the io thread. Built on Boost.Beast, which stays in the .cc files.
+/// A WebSocket after its handshake: whole messages in both directions; made by
+/// http.h. Io thread only. Built on Boost.Beast, which stays in the .cc files.
 
 #include <memory>
 #include <string>
@@ -14,31 +14,31 @@ namespace playhouse::net {
 class WebSocketEvents {
  public:
   virtual ~WebSocketEvents() = default;
-  /// One text message; `text` is valid for the call. Binary messages and messages over the limit close the
-  /// socket.
+  /// A text message; `text` is valid during the call.
+  /// Binary and oversized messages close the socket.
   virtual void received(std::string_view text) = 0;
-  /// The system has taken everything that was sent: messages_in_flight() is 0.
+  /// The system has accepted everything sent: messages_in_flight() is 0.
   virtual void drained() = 0;
-  /// The peer closed or was lost. Comes once; nothing comes afterwards.
+  /// The peer has closed or was lost. Called once, as the last event.
   virtual void closed(const std::string& why) = 0;
 };
 
-/// Destroying it closes it at once, and no event follows; destroying it inside an event is allowed.
+/// The destructor closes it at once, without further events; it may be destroyed inside an event.
 class WebSocket {
  public:
   virtual ~WebSocket() = default;
-  /// Begins to read. `events` must outlive the socket.
+  /// Starts reading. `events` must outlive the socket.
   virtual void start(WebSocketEvents& events) = 0;
   virtual void send_text(std::shared_ptr<const std::string> text) = 0;
   virtual void send_binary(SharedBytes bytes) = 0;
-  /// Stops and continues reading; what the peer sends stays with the system, which slows it down.
+  /// Pauses and resumes reading: back-pressure on the peer.
   virtual void pause() = 0;
   virtual void resume() = 0;
-  /// Messages given to send_*() that the system has not taken yet.
+  /// Messages passed to send_*() that the system has not accepted yet.
   virtual std::size_t messages_in_flight() const = 0;
   /// Closes with a reason (below 124 bytes), in the background. No more events.
   virtual void close(std::string reason) = 0;
-  /// The other end as "address:port".
+  /// Remote "address:port".
   virtual const std::string& peer() const = 0;
 };
 

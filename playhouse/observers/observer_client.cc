@@ -7,8 +7,8 @@
 namespace playhouse::observers {
 namespace {
 
-constexpr double kLookPeriod = 0.01;  // s
-constexpr int kGoodbyes = 3;          // some may be lost
+constexpr double kLookPeriod = 0.01;  // s, poll period
+constexpr int kGoodbyes = 3;          // sent repeatedly against loss
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void ObserverClient::received(const net::Endpoint& from, std::span<const std::by
   if (from != server_) return;
   observer_.receive(bytes, network_.now());
   send_due();
-  const auto turn = turn_;  // which may destroy us
+  const auto turn = turn_;  // copied: it may destroy us
   turn();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// ObserverClient: an observer with its socket: joins a program, keeps its replica up to date and calls when
-/// something came. Thread: that of the network.
+/// ObserverClient: an observer with its socket: joins a server, keeps a replica
+/// of the world up to date and calls back on events. Thread: that of the network.
 
 #include <functional>
 #include <memory>
@@ -15,8 +15,8 @@ namespace playhouse::observers {
 
 class ObserverClient {
  public:
-  /// `turn` is called after whatever came, and after each look at the clock; it may destroy the client.
-  /// `bind` is the address that it comes from; "": any of the server's kind.
+  /// `turn` is called after every event and every timer tick; it may destroy
+  /// the client. `bind` is the local address; "": any of the server's family.
   static Result<std::unique_ptr<ObserverClient>> open(net::Network& network, const net::Endpoint& server,
                                                       replicate::Terms wanted, std::string token,
                                                       std::function<void()> turn,
@@ -25,7 +25,7 @@ class ObserverClient {
   ObserverClient& operator=(const ObserverClient&) = delete;
 
   replicate::DatagramObserver& observer() { return observer_; }
-  /// Tells the program that nobody observes any more.
+  /// Ends the session.
   void leave();
 
  private:

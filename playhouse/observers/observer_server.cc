@@ -16,7 +16,7 @@
 namespace playhouse::observers {
 namespace {
 
-constexpr int kGoodbyes = 3;  // some may be lost
+constexpr int kGoodbyes = 3;  // sent repeatedly against loss
 
 }  // namespace
 
@@ -71,7 +71,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
 
  private:
   struct Observer {
-    std::uint64_t nonce = 0;  // that it joined with
+    std::uint64_t nonce = 0;  // of its join request
     std::vector<std::byte> welcome;
     std::unique_ptr<replicate::DatagramViewer> viewer;
   };
@@ -90,11 +90,11 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
       if (const auto observer = of_session(from, bye->session); observer != observers_.end())
         end(observer, "left");
     } else {
-      ++status_.ignored;  // what only a server says
+      ++status_.ignored;  // valid only from a server
     }
   }
 
-  /// Nothing is kept of who says hello, and the answer is shorter.
+  /// Stateless, and the answer is shorter than the hello.
   void greet(const net::Endpoint& from, const replicate::Hello& hello) {
     if (hello.version != replicate::kDatagramVersion) return refuse(from, hello.nonce, version_text());
     send(from, replicate::encode(
@@ -110,7 +110,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
       ++status_.ignored;
       return;
     }
-    // The same again: the welcome was lost. Another one of this address: the one before is no more.
+    // Same nonce: the welcome was lost, resend it. Another nonce from this address: replaces the old session.
     if (const auto known = observers_.find(from); known != observers_.end()) {
       if (known->second.nonce == join.nonce) return send(from, known->second.welcome);
       end(known, "came again");
@@ -174,7 +174,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
     watch();
   }
 
-  /// One turn: what is newest for every observer. Again after a frame's time while there is one.
+  /// One turn: offers the newest snapshot to all observers; repeated every frame while there are any.
   void serve() {
     const double now = network_.now();
     for (auto observer = observers_.begin(); observer != observers_.end();) {
@@ -212,7 +212,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
 
   void watch() { feed_.watch(!observers_.empty()); }
 
-  /// The scene with the population of the newest snapshot.
+  /// The scene text for the newest snapshot's population, cached.
   std::shared_ptr<const replicate::PackedText> scene_text() {
     if (scene_layout_ != front_.layout) {
       scene_layout_ = front_.layout;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Cdr: a message of ROS 2 as bytes: numbers little-endian and aligned to their size, counted from behind the
-/// four bytes of the head; texts and lists with their length in front, texts with a NUL. Source: OMG
-/// DDSI-RTPS, plain CDR. Value.
+/// CDR serialisation of ROS 2 messages: little-endian numbers, aligned to their
+/// size relative to the end of the four-byte header; strings and sequences with
+/// a length prefix, strings with a NUL. Source: OMG DDSI-RTPS, plain CDR. Value.
 
 #include <bit>
 #include <cstdint>
@@ -29,7 +29,7 @@ class CdrWriter {
     put_bytes(bytes_, std::as_bytes(std::span(value)));
     bytes_.push_back({});
   }
-  /// How many elements of a list follow.
+  /// Length prefix of a sequence.
   void count(std::size_t elements) { number(static_cast<std::uint32_t>(elements)); }
   void floats(std::span<const float> values) {
     count(values.size());
@@ -54,7 +54,7 @@ class CdrWriter {
   Bytes bytes_{std::byte{0}, std::byte{1}, std::byte{0}, std::byte{0}};
 };
 
-/// Reads such bytes; the error is sticky, and zeros are what is read then.
+/// Deserialises CDR; the error is sticky, after it everything reads as zero.
 class CdrReader {
  public:
   explicit CdrReader(std::span<const std::byte> message) : bytes_(message), at_(4) {

@@ -22,7 +22,7 @@
 namespace playhouse::record {
 namespace {
 
-/// Text of one table that waits to be written.
+/// Write buffer of a table.
 constexpr std::size_t kBufferBytes = 1u << 16;
 
 std::string cell(const std::string& text) {
@@ -32,7 +32,7 @@ std::string cell(const std::string& text) {
   return quoted + "\"";
 }
 
-/// "/r0/ranger_0/scan" is r0.ranger_0.scan.csv.
+/// File name of a topic: "/r0/ranger_0/scan" is r0.ranger_0.scan.csv.
 std::string file_of(const std::string& topic) {
   std::string name = topic.starts_with('/') ? topic.substr(1) : topic;
   for (char& letter : name)
@@ -43,7 +43,7 @@ std::string file_of(const std::string& topic) {
   return name.substr(0, 200) + ".csv";
 }
 
-/// Whether the four fields from here on are a quaternion.
+/// True if the four fields from here are a quaternion.
 bool is_turn(const std::vector<std::string>& fields, std::size_t first) {
   constexpr std::string_view kX = "rotation.x";
   if (!fields[first].ends_with(kX)) return false;
@@ -70,7 +70,7 @@ class Table {
       if (is_turn(fields, i)) turns_.push_back(i);
   }
 
-  /// The first time through the recording: how long lists get.
+  /// First pass: measures the lengths of lists.
   Result<void> measure(const Message& message) {
     const Result<MessageType::Rows> rows = type_.rows(message.body);
     if (!rows) return rows.error();
@@ -138,8 +138,8 @@ class Table {
 
   const MessageType type_;
   const std::string path_;
-  std::vector<std::size_t> widths_;  // of fields
-  std::vector<std::size_t> turns_;   // fields with which a quaternion begins
+  std::vector<std::size_t> widths_;  // by field
+  std::vector<std::size_t> turns_;   // first fields of quaternions
   std::string text_;
   std::uint64_t rows_ = 0;
 };
@@ -185,7 +185,7 @@ class Export {
     return {};
   }
 
-  /// Null: it has none.
+  /// Null if the channel has no table.
   Table* table_of(const Channel& channel, const McapReader& reader) {
     if (const auto found = tables_.find(channel.id); found != tables_.end()) return &found->second;
     if (!seen_.insert(channel.id).second) return nullptr;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Tables of a recording: a file of comma-separated values for each channel, with a row of names first.
-/// Source of the format: RFC 4180, with lines that end in a line feed.
+/// CSV export of a recording: a file of comma-separated values for each
+/// channel, with a header row. Source: RFC 4180, except that lines end in LF.
 
 #include <string>
 
@@ -10,18 +10,18 @@
 
 namespace playhouse::record {
 
-/// What was written.
+/// Result of an export.
 struct CsvTables {
   std::size_t tables = 0;
   std::uint64_t rows = 0;
-  std::vector<std::string> left_out;  // channels, each with the reason
-  bool cut = false;                   // the recording was not finished
+  std::vector<std::string> left_out;  // channels that were skipped, with reasons
+  bool cut = false;                   // the recording is truncated
 };
 
-/// Writes a table for each channel into a folder, which is made. Column `time` is the simulated time of the
-/// message [s]; a list has a column for each of as many elements as it ever has. What only Playhouse reads,
-/// states and changes, has no table. Fails where the recording cannot be read, naming no file, and where a
-/// table cannot be written, naming that.
+/// Writes a table for each channel into a folder, which is created. Column `time` is the
+/// simulated time of the message [s]; a list gets as many columns as its longest value
+/// has elements. Internal channels (states, changes) are skipped. Fails if the recording
+/// cannot be read, without a file name, or if a table cannot be written, with its name.
 Result<CsvTables> write_csv(const Source& source, const std::string& folder);
 
 }  // namespace playhouse::record

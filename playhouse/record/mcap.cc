@@ -38,7 +38,7 @@ void put(Bytes& out, const Channel& channel) {
   to.u16(channel.schema);
   put_text(content, channel.topic);
   put_text(content, channel.encoding);
-  to.u32(0);  // no metadata
+  to.u32(0);  // metadata: none
   put_record(out, Op::kChannel, content);
 }
 

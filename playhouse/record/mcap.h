@@ -1,9 +1,9 @@
 #pragma once
 
-/// MCAP: the records of the container format of recordings, and how they are put into bytes. A file is the
-/// magic, records, the magic; a record is an opcode, the length of its content, and the content; numbers are
-/// little-endian, texts have their length of 32 bits in front. Source: the MCAP specification, version 0
-/// (mcap.dev/spec). Values; any thread.
+/// MCAP: the records of the container format of recordings, and their serialisation. A
+/// file is the magic, records, the magic; a record is an opcode, the length of its
+/// content, and the content; numbers are little-endian, strings have a 32-bit length
+/// prefix. Source: the MCAP specification, version 0 (mcap.dev/spec). Values; any thread.
 
 #include <array>
 #include <cstddef>
@@ -34,9 +34,9 @@ enum class Op : std::uint8_t {
   kDataEnd = 0x0F,
 };
 
-/// What the messages of a channel are made of.
+/// The type definition of a channel's messages.
 struct Schema {
-  std::uint16_t id = 0;  // from 1 on
+  std::uint16_t id = 0;  // from 1
   std::string name;      // "sensor_msgs/msg/LaserScan"
   std::string encoding;  // of the text: "ros2msg"
   std::string text;
@@ -65,19 +65,19 @@ struct Attachment {
 
 using Bytes = std::vector<std::byte>;
 
-/// Appends a text with its length in front.
+/// Appends a length-prefixed string.
 void put_text(Bytes& out, std::string_view text);
-/// Appends bytes as they are.
+/// Appends raw bytes.
 void put_bytes(Bytes& out, std::span<const std::byte> bytes);
-/// Appends a whole record.
+/// Appends a record.
 void put_record(Bytes& out, Op op, std::span<const std::byte> content);
 void put(Bytes& out, const Schema& schema);
 void put(Bytes& out, const Channel& channel);
 void put(Bytes& out, const Message& message);
-/// With the checksum that follows it.
+/// With its trailing checksum.
 void put(Bytes& out, const Attachment& attachment);
 
-/// CRC-32 as zlib has it, which is that of MCAP.
+/// CRC-32 of zlib, as used by MCAP.
 std::uint32_t crc32_of(std::span<const std::byte> bytes, std::uint32_t before = 0);
 
 }  // namespace playhouse::record

@@ -41,7 +41,7 @@ class FileSource final : public Source {
   const std::uint64_t size_;
 };
 
-/// Fields of a record, as mcap.h puts them; the error is sticky.
+/// Fields of a record, see mcap.h; sticky error.
 class Fields {
  public:
   explicit Fields(std::span<const std::byte> bytes) : left_(bytes) {}
@@ -148,7 +148,7 @@ Result<void> McapReader::take_chunk(std::span<const std::byte> content, const Li
   Bytes unpacked;
   std::span<const std::byte> records = packed;
   if (compression == "zstd") {
-    // The sizes that the chunk and its zstd frame state must agree before so much memory is taken.
+    // Sizes in the chunk and in the zstd frame must agree before allocating.
     const unsigned long long stated = ZSTD_getFrameContentSize(packed.data(), packed.size());
     if (stated != ZSTD_CONTENTSIZE_UNKNOWN && stated != size) return damaged("does not unpack");
     unpacked.resize(static_cast<std::size_t>(size));

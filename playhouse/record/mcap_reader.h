@@ -1,8 +1,8 @@
 #pragma once
 
-/// McapReader: goes through an MCAP file from the front, which needs no summary: a file of a program that was
-/// killed reads up to its last whole chunk. Every length is checked against what is there and against
-/// base/limits.h before memory is taken. Reads chunks that are packed with zstd or not at all. Thread: one.
+/// McapReader: streams through an MCAP file from the front, without its summary: a truncated file
+/// is readable up to its last complete chunk. Every length is checked against the available bytes
+/// and base/limits.h before allocating. Supports zstd and uncompressed chunks. Thread: one.
 
 #include <cstdint>
 #include <functional>
@@ -15,36 +15,36 @@
 
 namespace playhouse::record {
 
-/// Where the bytes of a file come from.
+/// Random access to the bytes of a file.
 class Source {
  public:
   virtual ~Source() = default;
   virtual std::uint64_t size() const = 0;
-  /// False: they cannot be read.
+  /// False on a read error.
   virtual bool read_at(std::uint64_t offset, std::span<std::byte> out) const = 0;
 };
 
-/// The error names the file.
+/// Errors include the file name.
 Result<std::unique_ptr<Source>> open_source(const std::string& path);
 
 class McapReader {
  public:
-  /// Who hears of what is read, in the file's order; an error ends the reading, with that error.
+  /// Callbacks in file order; an error aborts reading and is returned.
   struct Listener {
     std::function<Result<void>(const Channel&, const Message&)> message = {};
     std::function<Result<void>(const Attachment&)> attachment = {};
   };
-  /// Whether the file says that it ends.
+  /// Whether the file ends properly or is truncated.
   enum class End : std::uint8_t { kWhole, kCut };
 
   /// The source must outlive the reader.
   explicit McapReader(const Source& source) : source_(&source) {}
 
-  /// Reads all. Fails, naming no file, on what is no MCAP, on damage, and where a limit is passed; on a file
-  /// that is cut it does not.
+  /// Reads everything. Fails, without a file name, on data that
+  /// is not MCAP or damaged, and at limits; not on truncation.
   Result<End> read(const Listener& listener);
 
-  /// Known so far.
+  /// Read so far.
   const std::map<std::uint16_t, Channel>& channels() const { return channels_; }
   const std::map<std::uint16_t, Schema>& schemas() const { return schemas_; }
 
@@ -58,7 +58,7 @@ class McapReader {
   Error damaged(const std::string& what) const;
 
   const Source* source_;
-  std::uint64_t at_ = 0;  // of the record that is read
+  std::uint64_t at_ = 0;  // offset of the current record
   std::map<std::uint16_t, Schema> schemas_;
   std::map<std::uint16_t, Channel> channels_;
 };

@@ -19,9 +19,9 @@ namespace playhouse::record {
 namespace {
 
 constexpr std::string_view kCompression = "zstd";
-constexpr int kLevel = 1;  // docs/recording.md has what it costs and gains
+constexpr int kLevel = 1;  // trade-off in docs/recording.md
 
-/// Of a chunk before its compression's name: times, size, checksum.
+/// Of a chunk up to its compression name: times, size, checksum.
 constexpr std::size_t kChunkHeadBytes = 28;
 
 Bytes packed(std::span<const std::byte> bytes) {
@@ -34,13 +34,13 @@ Bytes packed(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-/// What the summary says of a chunk.
+/// Chunk data for the summary.
 struct McapWriter::Written {
   std::uint64_t from = 0, to = 0;  // ns
   std::uint64_t offset = 0, bytes = 0;
   std::uint64_t packed = 0, unpacked = 0;
   std::uint64_t index_bytes = 0;
-  std::vector<std::pair<std::uint16_t, std::uint64_t>> indices;  // channel, where its index is
+  std::vector<std::pair<std::uint16_t, std::uint64_t>> indices;  // channel, offset of its index
 };
 
 Result<std::unique_ptr<McapWriter>> McapWriter::create(const std::string& path, const std::string& profile) {
@@ -63,7 +63,7 @@ McapWriter::~McapWriter() {
   close(file_);
 }
 
-/// Older recordings are written over, other files are not: the name may be a mistake.
+/// Overwrites older recordings, but no other files: the name may be a mistake.
 Result<void> McapWriter::empty() {
   struct stat status;
   if (fstat(file_, &status) != 0) return fault(errno);
@@ -173,14 +173,14 @@ Result<void> McapWriter::attach(const Attachment& attachment) {
 Result<void> McapWriter::finish() {
   if (const Result<void> flushed = flush(); !flushed) return flushed;
   Bytes out, content;
-  Packer(content).u32(0);  // no checksum of all data: each chunk has its own
+  Packer(content).u32(0);  // no checksum of all data: chunks have their own
   put_record(out, Op::kDataEnd, content);
   if (const Result<void> written = write(out); !written) return written;
   return write_summary();
 }
 
-/// The summary has groups of records of one kind, then where each begins. Its own checksum is left out: it
-/// is made chunk by chunk.
+/// Summary: groups of records of one kind, then their offsets.
+/// Without a checksum, since it is written chunk by chunk.
 Result<void> McapWriter::write_summary() {
   struct Group {
     Op op;
@@ -245,8 +245,8 @@ bool McapWriter::read_at(std::uint64_t offset, std::span<std::byte> out) const {
   return true;
 }
 
-/// The next chunk from `offset` on, with the indices behind it, and moves `offset` behind those. False: there
-/// is none.
+/// Reads the next chunk header from `offset` on, with its indices,
+/// and advances `offset` past them. False: no more chunks.
 Result<bool> McapWriter::read_chunk(std::uint64_t& offset, Written& chunk) const {
   bool found = false;
   chunk = {};
@@ -312,7 +312,7 @@ Bytes McapWriter::statistics(std::uint64_t chunks) const {
   to.u16(schema_count_);
   to.u32(channel_count_);
   to.u32(static_cast<std::uint32_t>(attachments_.size()));
-  to.u32(0);  // metadata
+  to.u32(0);  // metadata: none
   to.u32(static_cast<std::uint32_t>(chunks));
   to.u64(from_);
   to.u64(to_);

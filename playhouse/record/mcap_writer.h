@@ -1,9 +1,9 @@
 #pragma once
 
-/// McapWriter: an MCAP file as it is written: chunks, each packed with zstd and behind it the index of its
-/// messages; at the end a summary, with which readers find what they look for. Until then the file has what
-/// was flushed, and readers that go through it from the front find that. Memory does not grow with the
-/// file's length: the summary is made from the heads of the chunks in the file. Thread: one.
+/// McapWriter: writes an MCAP file: zstd-compressed chunks, each followed by its message
+/// index; at the end a summary for random access. Before that the file contains all
+/// flushed chunks, readable sequentially. Memory does not grow with the length of the
+/// file: the summary is built from chunk headers read back from the file. Thread: one.
 
 #include <cstdint>
 #include <map>
@@ -19,19 +19,19 @@ namespace playhouse::record {
 
 class McapWriter final : public RecordSink {
  public:
-  /// Makes the file, or empties it. The error names it.
+  /// Creates or truncates the file. Errors include its name.
   static Result<std::unique_ptr<McapWriter>> create(const std::string& path, const std::string& profile);
   ~McapWriter() override;
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
   void add(std::span<const std::byte> records) override;
-  /// Before they are packed.
+  /// Uncompressed size.
   std::size_t waiting() const override { return chunk_.size(); }
-  /// After a failure the file ends with the last whole chunk.
+  /// After a failure the file ends with the last complete chunk.
   Result<void> flush() override;
   Result<void> attach(const Attachment& attachment) override;
-  /// The end is the summary.
+  /// Writes the summary.
   Result<void> finish() override;
 
  private:
@@ -56,10 +56,10 @@ class McapWriter final : public RecordSink {
 
   const std::string path_;
   const int file_;
-  std::uint64_t size_ = 0;  // of what was written whole
+  std::uint64_t size_ = 0;  // of complete writes
   bool failed_ = false;
 
-  Bytes chunk_;                                        // records that wait
+  Bytes chunk_;                                        // buffered records
   std::map<std::uint16_t, std::vector<Entry>> index_;  // of their messages
   std::uint64_t chunk_from_ = 0, chunk_to_ = 0;        // their times [ns]
 

@@ -12,8 +12,8 @@
 namespace playhouse::record {
 namespace {
 
-constexpr int kDepth = 16;                       // of messages in messages
-constexpr std::uint32_t kFixedCount = 1u << 16;  // elements of an array of fixed size
+constexpr int kDepth = 16;                       // nesting of messages
+constexpr std::uint32_t kFixedCount = 1u << 16;  // limit on fixed-size arrays
 constexpr std::string_view kTime = "builtin_interfaces/Time";
 
 constexpr std::array<std::string_view, 13> kNumbers{"bool",   "byte",    "char",   "int8",   "uint8",
@@ -26,7 +26,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
 }
 
-/// "pkg/msg/Name" is told as "pkg/Name".
+/// Short form: "pkg/msg/Name" -> "pkg/Name".
 std::string short_name(std::string_view type) {
   const std::size_t at = type.find("/msg/");
   return at == std::string_view::npos
@@ -49,14 +49,14 @@ std::string number_text(const std::string& type, CdrReader& in) {
 
 }  // namespace
 
-/// The rows as they are read: what comes before the list of messages is put into each of them.
+/// Rows under construction: fields outside the list of messages are copied into each row.
 struct MessageType::Walk {
   std::vector<std::vector<std::string>> outside;  // by field
   std::vector<std::vector<std::string>>* to = nullptr;
   Rows rows;
   bool has_list = false;
   bool is_too_large = false;
-  std::size_t field = 0;  // the next
+  std::size_t field = 0;  // next field
 };
 
 Result<void> MessageType::add_line(std::string_view line, Fields& into) {
@@ -99,7 +99,7 @@ Result<MessageType> MessageType::parse(const std::string& text) {
     begin = end + 1;
     if (line.starts_with("MSG:")) {
       name = short_name(trimmed(line.substr(4)));
-      type.types_.try_emplace(name);  // it may have no fields
+      type.types_.try_emplace(name);  // even without fields
       continue;
     }
     if (line.starts_with("===")) continue;
@@ -185,7 +185,7 @@ Result<MessageType::Rows> MessageType::rows(std::span<const std::byte> message) 
   walk.to = &walk.outside;
   const bool good = read("", in, walk);
   if (good && walk.has_list) {
-    std::size_t repeated = 0;  // by each row
+    std::size_t repeated = 0;  // values copied into each row
     for (const std::vector<std::string>& values : walk.outside) repeated += values.size();
     walk.is_too_large = repeated > 0 && walk.rows.size() > kMessageValues / repeated;
   }

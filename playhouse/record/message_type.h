@@ -1,7 +1,7 @@
 #pragma once
 
-/// MessageType: what a schema of encoding ros2msg says of its messages, and their values as flat rows: for
-/// tables. A message is a row; one that has a list of messages is a row for each of those. Values.
+/// MessageType: parses a schema of encoding ros2msg, and flattens messages to table rows.
+/// A message is a row; one with a list of messages is a row for each element. Values.
 
 #include <cstdint>
 #include <map>
@@ -14,24 +14,24 @@
 
 namespace playhouse::record {
 
-/// Columns of a table, at most; a list of numbers has one for each.
+/// Limit on columns of a table; a list of numbers takes one for each element.
 inline constexpr std::size_t kTableColumns = 1u << 18;
-/// Rows of one message times its fields, at most; a world of 100,000 robots has 2 million.
+/// Limit on rows times fields of one message; a world of 100,000 robots has 2 million.
 inline constexpr std::size_t kMessageValues = 1u << 22;
 
 class MessageType {
  public:
-  /// Fails on what is no such text, on fields of types that it lacks, and on lists of messages within others.
+  /// Fails on invalid schemas, on fields of undefined types, and on nested lists of messages.
   static Result<MessageType> parse(const std::string& text);
 
-  /// Fields that are no message, by their path: "transform.rotation.x". Times are left out: a recording's
-  /// messages have one of their own.
+  /// Paths of the leaf fields: "transform.rotation.x".
+  /// Timestamps are omitted: messages have a log time.
   const std::vector<std::string>& fields() const { return fields_; }
-  /// Which of them are lists.
+  /// Which fields are lists.
   const std::vector<bool>& lists() const { return lists_; }
 
-  /// By row and field, the values as text. Fails on a message that is none of the type, and on one with more
-  /// rows than kMessageValues allows.
+  /// Values as text, by row and field. Fails on a message that does
+  /// not match the type, or has more values than kMessageValues.
   using Rows = std::vector<std::vector<std::vector<std::string>>>;
   Result<Rows> rows(std::span<const std::byte> message) const;
 
@@ -41,21 +41,21 @@ class MessageType {
     std::string name, type;
     Kind kind = Kind::kNumber;
     bool list = false;
-    std::uint32_t count = 1;  // of what is no list
+    std::uint32_t count = 1;  // of a fixed-size array
   };
   using Fields = std::vector<Field>;
   struct Walk;
 
   Result<void> add_line(std::string_view line, Fields& into);
   Result<void> number_fields(const std::string& type, const std::string& path, int depth, bool in_list);
-  /// Columns that a message of the type has.
+  /// Number of columns of a type.
   std::size_t width_of(const std::string& type) const;
   bool read(const std::string& type, CdrReader& in, Walk& walk) const;
 
-  std::map<std::string, Fields> types_;  // "" is the message's own
+  std::map<std::string, Fields> types_;  // "" is the top-level type
   std::vector<std::string> fields_;
   std::vector<bool> lists_;
-  std::size_t messages_ = 0;  // in it, itself included
+  std::size_t messages_ = 0;  // nested messages, itself included
 };
 
 }  // namespace playhouse::record

@@ -67,7 +67,7 @@ void put_number(CdrWriter& out, Number number) {
   }
 }
 
-/// How many numbers a value has, and the type of them if they have one.
+/// Number and type of a value's components, if uniform.
 template <typename T>
 struct Shape {
   std::size_t count = 0;
@@ -94,7 +94,7 @@ std::string field_type() {
   }
 }
 
-/// The numbers of a value, in the type that Shape says.
+/// Writes a value's components in the type given by Shape.
 template <typename T>
 void put_numbers(CdrWriter& out, const T& value, bool as_doubles) {
   world::each_number(value, [&](auto number) {
@@ -127,7 +127,7 @@ bool is_told(const Column& column) {
   return world::is_saved(column.role) && !std::string_view(column.name).ends_with(".measured_tick");
 }
 
-/// "positions.X_OM" is x_om: names of fields are in lower case.
+/// Field name of a column, lower case: "positions.X_OM" is x_om.
 std::string field_name(std::string_view column) {
   std::string name(column.substr(column.find('.') + 1));
   std::ranges::transform(name, name.begin(), [](unsigned char letter) { return std::tolower(letter); });

@@ -1,9 +1,9 @@
 #pragma once
 
-/// The messages of a recording: which schemas they have and how they are made. Those that ROS knows are
-/// ROS's, so that its tools and Foxglove draw them; the others have names that begin with playhouse/msg/ and
-/// are made from the lists of columns (world/columns.h), so that a new column or kind is recorded without
-/// being named here. docs/recording.md lists them.
+/// Messages of a recording: schemas and serialisation. Standard ROS messages where
+/// they exist, so that ROS tools and Foxglove display them; others are named
+/// playhouse/msg/* and generated from the column lists (world/columns.h), so that new
+/// columns and kinds are recorded without changes here. docs/recording.md lists them.
 
 #include <cstdint>
 #include <span>
@@ -29,10 +29,10 @@ inline constexpr const char* kState = "playhouse/msg/State";
 inline constexpr const char* kEdit = "playhouse/msg/Edit";
 inline constexpr const char* kCheck = "playhouse/msg/Check";
 
-/// The text of a schema of these names.
+/// The definition of one of these schemas.
 std::string schema_text(const std::string& name);
 
-/// A frame in another: TransformStamped.
+/// A TransformStamped: pose of a child frame in its parent.
 struct Transform {
   std::string parent, child;
   geom::SpatialPose X;
@@ -40,29 +40,29 @@ struct Transform {
 };
 Bytes transforms_message(std::uint64_t ns, std::span<const Transform> transforms);
 
-/// What one sensor of a ranger measured last; `model` is its ranger.
+/// The latest measurement of one sensor; `model` is its ranger.
 Bytes scan_message(std::uint64_t ns, const std::string& frame, const world::World& world,
                    world::ModelRow model, world::SensorRow sensor);
-/// What all sensors of a ranger measured last.
+/// The latest measurements of all sensors of a ranger.
 Bytes ranges_message(std::uint64_t ns, const world::World& world, world::ModelRow model);
 
-/// The newest image of a camera.
+/// The latest image of a camera.
 Bytes image_message(std::uint64_t ns, const std::string& frame, const world::World& world,
                     world::ModelRow model);
 
-/// What a table tells of a model's row.
+/// Messages of one table: one per model with a row in it.
 struct TableMessages {
   std::string schema;  // name
-  std::string topic;   // its last part
-  std::string text;    // of the schema
-  bool measures;       // and does nothing else: there is a new one with each measurement
-  /// The model has a row in the table.
+  std::string topic;   // last part of the topic
+  std::string text;    // the schema
+  bool measures;       // a sensor table: a message per measurement
+  /// True if the model has a row in the table.
   bool (*has)(const world::World& world, world::ModelRow model);
-  /// It measured in this very tick; of tables that measure.
+  /// True if it measured in this very tick; sensor tables only.
   bool (*is_fresh)(const world::World& world, world::ModelRow model);
   Bytes (*message)(std::uint64_t ns, const world::World& world, world::ModelRow model);
 };
-/// Of all kinds but rangers, and of all traits.
+/// For all kinds except rangers, and all traits.
 const std::vector<TableMessages>& table_messages();
 
 }  // namespace playhouse::record

@@ -1,7 +1,7 @@
 #pragma once
 
-/// RecordSink: where the records of a recording go, in chunks. McapWriter is the file; a test has a disk of
-/// its own. Thread: one.
+/// RecordSink: destination of a recording's records, in chunks.
+/// McapWriter is the file; tests use a fake. Thread: one.
 
 #include <cstddef>
 #include <span>
@@ -15,16 +15,16 @@ class RecordSink {
  public:
   virtual ~RecordSink() = default;
 
-  /// Whole records, as the functions put() of mcap.h make them; a schema before its channels, a channel
-  /// before its messages. They are written with the next flush().
+  /// Buffers whole records, as made by put() of mcap.h; schemas before their
+  /// channels, channels before their messages. They are written by the next flush().
   virtual void add(std::span<const std::byte> records) = 0;
-  /// Bytes that the next flush() would write.
+  /// Size of the buffered records.
   virtual std::size_t waiting() const = 0;
-  /// Writes what waits as a chunk. May wait for a disk. After a failure every further call fails.
+  /// Writes the buffer as a chunk. May block on I/O. After a failure all further calls fail.
   virtual Result<void> flush() = 0;
-  /// Writes an Attachment record, whole; what waits is flushed before it.
+  /// Flushes, then writes an Attachment record.
   virtual Result<void> attach(const Attachment& attachment) = 0;
-  /// Flushes and writes the end. Nothing may follow.
+  /// Flushes and writes the end of the file. No calls may follow.
   virtual Result<void> finish() = 0;
 };
 

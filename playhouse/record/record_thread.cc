@@ -10,7 +10,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// From the first record of a chunk until it is written: with the way to the disk, well below a second.
+/// Maximum age of an unwritten chunk; with I/O well below a second.
 constexpr std::chrono::milliseconds kChunkTime{500};
 
 }  // namespace

@@ -1,10 +1,10 @@
 #pragma once
 
-/// RecordThread: a recording on its way to the disk. The tick thread hands over records; a thread of its own
-/// packs and writes them, at the latest half a second of wall time later, so that a program that is killed
-/// loses no more than that. Where the disk is slower than the run, limits::kRecordQueueBytes and one
-/// hand-over wait at most, and then the run does: nothing is left out. Where the disk fails, the log says so
-/// once, the file ends with what was written and the run goes on.
+/// RecordThread: writes a recording in the background. The tick thread hands over records; a
+/// thread compresses and writes them within half a second of wall time, which bounds the
+/// loss if the program is killed. Back-pressure: if the disk is slower than the run, at most
+/// limits::kRecordQueueBytes plus one hand-over are queued, then the run blocks; nothing is
+/// dropped. On an I/O error the log says so once, the file ends there and the run continues.
 
 #include <condition_variable>
 #include <cstddef>
@@ -27,12 +27,12 @@ class RecordThread {
   RecordThread(const RecordThread&) = delete;
   RecordThread& operator=(const RecordThread&) = delete;
 
-  /// Records as for RecordSink::add(). May wait for the disk. Tick thread.
+  /// Queues records as for RecordSink::add(). May block on the disk. Tick thread.
   void hand_over(Bytes records);
-  /// Goes to the file before everything that is handed over later, and is there when this returns. Before
-  /// the first hand_over(); tick thread.
+  /// Writes an attachment synchronously, ahead of all
+  /// records. Before the first hand_over(); tick thread.
   Result<void> attach(const Attachment& attachment) { return sink_->attach(attachment); }
-  /// Writes what waits and the file's end. True if all was written. Tick thread.
+  /// Flushes, ends the file and joins the thread. True if everything was written. Tick thread.
   bool finish();
 
  private:
@@ -42,17 +42,17 @@ class RecordThread {
   enum class End { kChunk, kFile };
   void write(End end);
 
-  const std::unique_ptr<RecordSink> sink_;  // the thread's, once that runs
+  const std::unique_ptr<RecordSink> sink_;  // used by the thread once that runs
   const std::size_t most_bytes_;
 
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
   std::deque<Bytes> waiting_;
-  std::size_t waiting_bytes_ = 0;  // with those that the thread has and has not passed on
+  std::size_t waiting_bytes_ = 0;  // including those in work
   bool ending_ = false, failed_ = false, told_slow_ = false;
 
   bool finished_ = false;
-  std::thread thread_;  // from the first records on
+  std::thread thread_;  // started by the first records
 };
 
 }  // namespace playhouse::record

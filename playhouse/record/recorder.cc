@@ -40,17 +40,17 @@ const char* word_of(world::Change::Kind kind) {
   return "";
 }
 
-/// A name as part of a topic: letters, digits, and _ for the rest; what is in something stands behind a /.
+/// Topic name: letters and digits, _ for others, / between levels.
 std::string as_topic(std::string name) {
   for (char& letter : name)
     if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = letter == '.' ? '/' : '_';
   return name;
 }
 
-/// Where a model or the sensor of one stands in another frame.
+/// Pose of a model or sensor in another model's frame.
 geom::SpatialPose pose_in(const world::World& world, world::ModelRow parent, const geom::SpatialPose& X_WF) {
   if (!parent) return X_WF;
-  // Whoever is in a robot stands as it does: tilts are those of the whole.
+  // Parts of a robot share its tilt: tilts are those of the whole tree.
   return {geom::compose(geom::inverse(world.models.X_WM[parent.index]), X_WF.X), X_WF.tilt};
 }
 
@@ -74,7 +74,7 @@ Result<void> Recorder::begin(const world::World& world, const scene::SourceFiles
   const Attachment start{ns(), kStartName, "application/octet-stream", world::encode(run)};
   if (const Result<void> attached = file_.attach(start); !attached) return attached;
   look_around(world);
-  // Before others need all there are: without it what runs again is another run.
+  // Reserved before other channels: replay is impossible without it.
   if (runs_again_) channel_of(kEditsTopic, kEdit);
   record_state(world);
   record_poses(world, true);
@@ -123,7 +123,7 @@ void Recorder::hand_over() {
   file_.hand_over(std::exchange(out_, {}));
 }
 
-// Who there is.
+// --- population
 
 std::string Recorder::label(const world::World& world, world::ModelRow model) const {
   std::string name = world.name(model);
@@ -212,7 +212,7 @@ void Recorder::watch_all(world::World& world) {
   }
 }
 
-// What happens.
+// --- events
 
 void Recorder::follow(const world::World& world, const world::Change& change) {
   const world::ModelRow model = world.row(change.model), other = world.row(change.other);
@@ -239,7 +239,7 @@ void Recorder::after_changes(const world::World& world) {
       give_up(saved.error());
     } else if (state_ != before_) {
       CdrWriter message;
-      message.number(Unpacker(std::span(before_).subspan(16)).u64());  // the tick, behind size and seed
+      message.number(Unpacker(std::span(before_).subspan(16)).u64());  // the tick, after size and seed
       message.number(hash_of(before_));
       message.bytes(difference(before_, state_));
       put_message(world, kEditsTopic, kEdit, message.message());
@@ -305,7 +305,7 @@ void Recorder::record_poses(const world::World& world, bool all) {
   if (!changed.empty()) put_message(world, "/tf", kTransforms, transforms_message(ns(), changed));
 }
 
-/// What measures tells of each measurement; the rest of what is another than it was.
+/// Sensors: a message per measurement; others: on change.
 void Recorder::record_models(const world::World& world) {
   for (Recorded& each : recorded_) {
     const world::ModelRow row = world.row(each.model);
@@ -327,7 +327,7 @@ void Recorder::record_models(const world::World& world) {
     }
     if (each.table->measures && !each.table->is_fresh(world, row)) continue;
     Bytes message = each.table->message(ns(), world, row);
-    constexpr std::size_t kTimeEnd = 12;  // behind head and time
+    constexpr std::size_t kTimeEnd = 12;  // after header and time
     if (!each.table->measures && std::ranges::equal(std::span(message).subspan(kTimeEnd), each.last))
       continue;
     put_message(world, each.topic, each.table->schema, message);

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Recorder: what happens to a world, as records of a file: poses and what is selected, for tools that draw
-/// them; and for us the state at the start and now and then, what changed between any two ticks, and hashes,
-/// from which Rerun makes the same run again. docs/recording.md lists the channels. Thread: tick.
+/// Recorder: records a run: poses and selected data, for visualisation tools; and for
+/// replay the initial state, keyframes, all changes between ticks, and hashes, from
+/// which Rerun reproduces the run. docs/recording.md lists the channels. Thread: tick.
 
 #include <cstdint>
 #include <map>
@@ -20,23 +20,23 @@
 
 namespace playhouse::record {
 
-/// Of the attachment that is the run at the start, a file of world/saved_run.h.
+/// Name of the attachment with the initial state, a file of world/saved_run.h.
 inline constexpr const char* kStartName = "start.run";
 
-/// Simulated time between two states of a recording. [s]
+/// Simulated time between two keyframes of a recording. [s]
 inline constexpr double kStatePeriod = 10;
 
 class Recorder final : public world::Witness {
  public:
-  /// Both outlive the recorder. What is selected and does nothing but measure is watched from the run's first
-  /// tick on, which changes nothing else (world::watch).
+  /// Both must outlive the recorder. Selected sensors are subscribed as a
+  /// watcher from the first tick on, without side effects (world::watch).
   Recorder(RecordThread& file, Selection selection, world::Control& control);
 
-  /// The world as the run begins. Fails where that cannot be written.
+  /// Writes the initial state of the run. Fails if that cannot be written.
   Result<void> begin(const world::World& world, const scene::SourceFiles& sources);
-  /// For every entry of world.changes, in their order.
+  /// To be called for every entry of world.changes, in order.
   void follow(const world::World& world, const world::Change& change);
-  /// The run is over.
+  /// Ends the recording.
   void end(const world::World& world);
 
   void before_changes(const world::World& world) override;
@@ -44,15 +44,15 @@ class Recorder final : public world::Witness {
   void ticked(const world::World& world) override;
 
  private:
-  /// What one model's messages need.
+  /// Recording state of one model's channel.
   struct Recorded {
     world::ModelId model;
-    const TableMessages* table = nullptr;  // null: a ranger, or the images of a camera
-    std::uint32_t sensor = 0;              // of the ranger, where each has a scan
+    const TableMessages* table = nullptr;  // null: a ranger or a camera's images
+    std::uint32_t sensor = 0;              // of the ranger, if it has a channel per sensor
     bool scans = false;
     bool images = false;
     std::string topic, frame;
-    Bytes last;  // message without its time
+    Bytes last;  // last message without its time
   };
   struct Framed {
     world::ModelId model, parent;  // parent none: the world
@@ -70,7 +70,7 @@ class Recorder final : public world::Witness {
   void record_models(const world::World& world);
   void record_state(const world::World& world);
   void record_check(const world::World& world);
-  /// None where there are as many as a file can have.
+  /// None at the limit on channels.
   std::optional<std::uint16_t> channel_of(const std::string& topic, const std::string& schema);
   void put_message(const world::World& world, const std::string& topic, const std::string& schema,
                    const Bytes& body);
@@ -88,13 +88,13 @@ class Recorder final : public world::Witness {
   std::vector<std::uint32_t> sequence_;                                    // by channel
   bool full_ = false;  // limits::kRecordChannels was reached
 
-  std::uint64_t steps_ = 0;       // ticks that were done, also those that were taken back
-  std::uint64_t population_ = 0;  // of which the lists are
+  std::uint64_t steps_ = 0;       // ticks run, including those undone by a rewind
+  std::uint64_t population_ = 0;  // version of the lists below
   bool known_ = false;
   std::vector<Recorded> recorded_;
   std::vector<Framed> frames_;
-  std::vector<world::ModelId> measuring_;            // that have to be watched, ascending
-  std::map<world::ModelId, std::uint64_t> watched_;  // in which life
+  std::vector<world::ModelId> measuring_;            // need watching, ascending
+  std::map<world::ModelId, std::uint64_t> watched_;  // incarnation being watched
 
   bool runs_again_ = true;  // states can be saved
   Bytes before_, state_;

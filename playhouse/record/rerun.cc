@@ -18,7 +18,7 @@ Bytes copy(std::span<const std::byte> bytes) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// Takes what a message is to a rerun. Fails where it is cut.
+/// Stores a message that matters for replay. Fails if it is truncated.
 Result<void> take(const std::string& schema, std::span<const std::byte> body, Recording& into) {
   CdrReader in(body);
   if (schema == kState) {
@@ -101,8 +101,8 @@ void Rerun::fail(const std::string& what) {
   if (!differs_) differs_ = fmt::format("at {} s, tick {}: {}", world().time(), world().tick(), what);
 }
 
-/// A world that was half loaded is of no use, and people may look at it: it becomes that of the start, which
-/// could be loaded.
+/// A partially loaded world is unusable, but may
+/// be displayed: falls back to the initial state.
 void Rerun::fail_to_load(const std::string& what) {
   fail(what);
   static_cast<void>(load(recording_->states.front()));
@@ -130,7 +130,7 @@ void Rerun::change(const Recording::Event& event) {
     fail_to_load("a change " + loaded.error().line());
 }
 
-/// What happens at this tick, and at those to which the run was taken back at it.
+/// Applies the events of this tick, including rewinds that happened at it.
 void Rerun::happen() {
   while (!differs_ && !at_end() && recording_->events[event_].tick == world().tick()) {
     const Recording::Event& event = recording_->events[event_++];
@@ -148,7 +148,7 @@ void Rerun::step() {
 
 void Rerun::seek(std::uint64_t tick) {
   const std::vector<Recording::State>& states = recording_->states;
-  // The last one, as a run that was taken back has two of the same tick.
+  // The last match: after a rewind there may be two for one tick.
   const auto is_before = [&](const Recording::State& state) { return state.tick <= tick; };
   const auto last = std::find_if(states.rbegin(), states.rend(), is_before);
   const Recording::State& from = last == states.rend() ? states.front() : *last;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Rerun: a recorded run once more: an engine of the recorded world, its changes carried out where they were,
-/// and compared with what the recording says. Thread: tick.
+/// Rerun: replay of a recorded run: an engine of the recorded world, with the recorded
+/// changes applied at their ticks, and checked against the recorded hashes. Thread: tick.
 
 #include <cstdint>
 #include <memory>
@@ -15,48 +15,48 @@
 
 namespace playhouse::record {
 
-/// What a recording has for a rerun, in its order.
+/// The replay data of a recording, in order.
 struct Recording {
   struct State {
     std::uint64_t tick = 0;
-    std::size_t events = 0;  // that come before it
+    std::size_t events = 0;  // number of events before it
     Bytes bytes;             // whole_state.h
   };
   struct Event {
-    std::uint64_t tick = 0;    // of the world when it happens
-    Bytes difference;          // empty: a check
-    std::uint64_t before = 0;  // hash_of() the state before the difference
+    std::uint64_t tick = 0;    // tick of the world at the event
+    Bytes difference;          // empty: a check only
+    std::uint64_t before = 0;  // hash_of() the state before the change
     std::uint64_t hash = 0, sensed_hash = 0;
   };
   world::SavedRun start;
   std::vector<State> states;
   std::vector<Event> events;
-  bool cut = false;  // the program that wrote it was killed
+  bool cut = false;  // truncated: the recording program was killed
 };
 
-/// Fails, naming no file, on files that are no recordings of ours or have data alone.
+/// Fails, without a file name, on files that are not our recordings or have no replay data.
 Result<Recording> read_recording(const Source& source);
 
 class Rerun final : public world::Engine {
  public:
-  /// An engine of the recording's scene and seed, with its controllers. The recording outlives it.
+  /// `engine` has the recording's scene, seed and controllers. The recording must outlive it.
   Rerun(const Recording& recording, std::unique_ptr<world::Engine> engine);
 
-  /// The state at the start. Fails where that is none of this world.
+  /// Loads the initial state. Fails if it does not match the world.
   Result<void> begin();
-  /// Carries out what happens at this tick, and does the next. Nothing at the end, and after an error.
+  /// Applies the events of this tick, then steps. No effect at the end or after an error.
   void step() override;
-  /// The recording has nothing more.
+  /// True if no events are left.
   bool at_end() const { return event_ == recording_->events.size(); }
-  /// Where the run became another one; after that nothing is compared.
+  /// Where the replay diverged from the recording; no checks after that.
   const std::optional<std::string>& differs() const { return differs_; }
-  /// The world is that at a tick, from the nearest state before it on; the first or the last tick that there
-  /// is instead of one beyond. Does nothing after an error.
+  /// Moves to a tick, from the nearest keyframe before it, clamped
+  /// to the range of the recording. No effect after an error.
   void seek(std::uint64_t tick);
-  /// Of the recording; where the run was taken back, of its last way.
+  /// Of the recording; after a rewind, of its last branch.
   std::uint64_t first_tick() const { return recording_->states.front().tick; }
   std::uint64_t last_tick() const;
-  /// How many checks agreed.
+  /// Number of checks passed.
   std::uint64_t checks() const { return checks_; }
 
   world::World& world() override { return engine_->world(); }
@@ -73,7 +73,7 @@ class Rerun final : public world::Engine {
 
   const Recording* recording_;
   std::unique_ptr<world::Engine> engine_;
-  std::size_t event_ = 0;  // the next one
+  std::size_t event_ = 0;  // next event
   std::uint64_t checks_ = 0;
   std::optional<std::string> differs_;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Selection: which models' data a recording has, besides the poses of all: `--record-only` of
-/// docs/recording.md. Value.
+/// Selection: which models' data are recorded besides all
+/// poses: `--record-only` of docs/recording.md. Value.
 
 #include <string>
 #include <string_view>
@@ -14,17 +14,17 @@ namespace playhouse::record {
 
 class Selection {
  public:
-  /// Everything.
+  /// Selects everything.
   Selection() = default;
 
-  /// Of entries between commas: KIND, KIND@NAME, @NAME; `poses` alone: nothing besides those. A name is that
-  /// of a model, which stands for all that is in it. Fails on kinds that there are none of.
+  /// Parses comma-separated entries: KIND, KIND@NAME, @NAME; only `poses`: no
+  /// data. A name selects a model and all its parts. Fails on unknown kinds.
   static Result<Selection> parse(std::string_view text);
 
-  /// Whether what a kind or a trait ("position", "pack") tells of a model is recorded.
+  /// True if data of a kind or a trait ("position", "pack") of a model are selected.
   bool has(const world::World& world, world::ModelRow model, std::string_view kind) const;
 
-  /// Names that no model has.
+  /// Names that match no model.
   std::vector<std::string> unknown_names(const world::World& world) const;
 
  private:

@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::uint8_t kAll = 0, kRuns = 1;
 
-/// Bytes that are the same in between and yet belong to a run: a run of its own costs as many.
+/// Equal bytes between two changes that are merged into one run: a run header is as large.
 constexpr std::size_t kGap = 4;
 
-/// Who subscribes one model: sessions and viewers are far fewer, and sums of so many are numbers still.
+/// Bound on subscribers of a model: far more than sessions and viewers, without overflow of sums.
 constexpr std::uint32_t kUsersMost = 1u << 30;
 
 Error damaged() {

@@ -13,9 +13,9 @@
 namespace playhouse::render {
 namespace {
 
-/// libepoxy ends the program where it finds no library.
+/// Checked first, since libepoxy aborts if a library is missing.
 bool can_load(const char* name) {
-  return dlopen(name, RTLD_LAZY | RTLD_LOCAL) != nullptr;  // stays loaded: it is about to be used
+  return dlopen(name, RTLD_LAZY | RTLD_LOCAL) != nullptr;  // stays loaded: used right after
 }
 
 bool has_extension(const char* all, std::string_view wanted) {
@@ -27,7 +27,7 @@ bool has_extension(const char* all, std::string_view wanted) {
   return false;
 }
 
-/// Displays to try: cards, then Mesa without any device, then what computes as if it were a card.
+/// Displays to try: GPUs, then Mesa's surfaceless platform, then software devices.
 std::vector<EGLDisplay> displays() {
   std::vector<EGLDisplay> cards, others;
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
@@ -64,8 +64,8 @@ Result<std::unique_ptr<GlContext>> GlContext::make() {
   return reason;
 }
 
-/// The display stays initialised until the process ends: EGL has one of each kind for all, which others may
-/// use.
+/// The display stays initialised until the process ends: EGL
+/// displays are shared process-wide, maybe with other users.
 Result<std::unique_ptr<GlContext>> GlContext::make_on(void* display) {
   if (eglInitialize(display, nullptr, nullptr) != EGL_TRUE) return Error{{}, "EGL cannot use its device"};
   const char* can = eglQueryString(display, EGL_EXTENSIONS);

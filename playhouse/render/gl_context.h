@@ -1,8 +1,8 @@
 #pragma once
 
-/// GlContext: OpenGL 4.5 without a window or a display server, through EGL: on a graphics card where there is
-/// one that this process may use, else on Mesa's software renderer. Thread: one at a time, between
-/// make_current() and release().
+/// GlContext: a headless OpenGL 4.5 context through EGL, without a display
+/// server: on an accessible GPU if there is one, else on Mesa's software
+/// renderer. Thread: one at a time, between make_current() and release().
 
 #include <memory>
 #include <string>
@@ -13,17 +13,17 @@ namespace playhouse::render {
 
 class GlContext {
  public:
-  /// Fails with one line that says what is missing.
+  /// Fails with a one-line reason.
   static Result<std::unique_ptr<GlContext>> make();
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// Until release() the calling thread may use OpenGL.
+  /// Binds the context to the calling thread until release().
   void make_current();
   void release();
 
-  /// Who renders, and which version of OpenGL.
+  /// Name of the renderer, and version of OpenGL.
   const std::string& renderer() const { return renderer_; }
 
  private:
@@ -35,7 +35,7 @@ class GlContext {
   std::string renderer_;
 };
 
-/// OpenGL for a block of code.
+/// Scoped binding of the context.
 class CurrentContext {
  public:
   explicit CurrentContext(GlContext& context) : context_(context) { context_.make_current(); }

@@ -38,7 +38,7 @@ void Program::attach(GLenum kind, const std::string& text) {
     error_ = "a shader cannot be compiled: " + first_line(report);
   }
   glAttachShader(name_, shader);
-  glDeleteShader(shader);  // with the program
+  glDeleteShader(shader);  // deleted with the program
 }
 
 Texture make_texture(GLenum format, GLsizei width, GLsizei height) {

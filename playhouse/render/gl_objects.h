@@ -1,6 +1,6 @@
 #pragma once
 
-/// Objects of OpenGL that are deleted with their owner. Thread: that of a CurrentContext.
+/// RAII wrappers of OpenGL objects. Thread: that of a CurrentContext.
 
 #include <epoxy/gl.h>
 
@@ -11,7 +11,7 @@
 
 namespace playhouse::render {
 
-/// A name of OpenGL's, and who deletes it.
+/// An OpenGL name with its deleter.
 template <typename Delete>
 class GlName {
  public:
@@ -50,7 +50,7 @@ using Texture = GlName<DeleteTexture>;
 using Framebuffer = GlName<DeleteFramebuffer>;
 using VertexArray = GlName<DeleteVertices>;
 
-/// A buffer that holds what it is given, and grows.
+/// A buffer object that is reallocated on every set().
 class Buffer {
  public:
   template <typename T>
@@ -61,7 +61,7 @@ class Buffer {
       glCreateBuffers(1, &name);
       name_ = GlName<DeleteBuffer>(name);
     }
-    // What is drawn still may read the old contents: the driver keeps those until then.
+    // Orphaning: the driver keeps the old storage until pending draws have finished.
     glNamedBufferData(name_, bytes > 0 ? bytes : 16, bytes > 0 ? all.data() : nullptr, usage);
   }
   operator GLuint() const { return name_; }
@@ -70,14 +70,14 @@ class Buffer {
   GlName<DeleteBuffer> name_;
 };
 
-/// A program of two shaders.
+/// A linked vertex and fragment shader.
 class Program {
  public:
   Program() = default;
   Program(const std::string& vertex, const std::string& fragment);
   operator GLuint() const { return name_; }
   GLint at(const char* uniform) const { return glGetUniformLocation(name_, uniform); }
-  /// What the driver says who cannot make it, in one line; empty if it can.
+  /// Compiler or linker errors in one line; empty on success.
   const std::string& error() const { return error_; }
 
  private:

@@ -20,16 +20,16 @@ struct Paint {
 constexpr Paint kSkin{0.60f, 0.34f, 0.22f, 0}, kHair{0.05f, 0.03f, 0.02f, 0}, kShirt{0, 0, 0, 1};
 constexpr Paint kTrousers{0.035f, 0.045f, 0.075f, 0}, kShoes{0.02f, 0.02f, 0.02f, 0};
 
-/// A ring of a tube.
+/// A cross-section of a tube.
 struct Ring {
   Vec3 middle;
-  double u, v;  // half its extents along the two axes of the tube
+  double u, v;  // half extents along the two axes of the tube
   Paint paint;
   Bone bone, other;
-  double share = 1;  // of the first bone
+  double share = 1;  // weight of the first bone
 };
 
-/// A tube whose rings have the axes u and v; u x v is the way from the first ring to the last.
+/// A loft along rings with axes u and v; u x v points from the first ring to the last.
 struct Tube {
   Vec3 u, v;
   std::vector<Ring> rings;
@@ -70,7 +70,7 @@ Tube head() {
            at(0.997, 0.000, 0.020, 0.016, kHair), at(1.000, 0.000, 0.004, 0.004, kHair)}};
 }
 
-/// The back of the head, which hair covers.
+/// The back of the head, covered by hair.
 Tube hair() {
   const auto at = [](double z, double deep, double wide) {
     return Ring{{-0.012, 0, z}, deep, wide, kHair, Bone::kHead, Bone::kHead, 1};
@@ -81,7 +81,7 @@ Tube hair() {
       {at(0.895, 0.010, 0.012), at(0.900, 0.034, 0.034), at(0.925, 0.045, 0.043), at(0.950, 0.046, 0.045)}};
 }
 
-/// From the hand up, as lofts go up; `side` is 1 for the left one.
+/// From the hand upwards, as lofts are built; `side` is 1 for the left arm.
 Tube arm(double side) {
   const Bone upper = side > 0 ? Bone::kLeftArm : Bone::kRightArm,
              fore = side > 0 ? Bone::kLeftForearm : Bone::kRightForearm;
@@ -126,7 +126,7 @@ Tube leg(double side) {
        at(0.550, 0.000, 0.036, 0.030, Bone::kPelvis, thigh, 0.7)}};
 }
 
-/// From the heel to the toes.
+/// From heel to toes.
 Tube foot(double side) {
   const Bone bone = side > 0 ? Bone::kLeftFoot : Bone::kRightFoot;
   const auto at = [&](double x, double z, double wide, double high) {
@@ -207,7 +207,7 @@ class Builder {
   Humanoid made;
 };
 
-/// A turn about y, forwards where it is above 0 for what hangs down; and where its joint has gone.
+/// A rotation about y, positive forwards for hanging limbs, and the displacement of its joint.
 struct Turned {
   double angle = 0, yaw = 0;  // about y, after about z  [rad]
   Vec3 joint, goes_to;
@@ -225,7 +225,7 @@ struct Turned {
   }
 };
 
-/// The bone whose joint is at `joint` of the mesh, on another one, turned by `angle` against the upright.
+/// Attaches a bone to another one: joint at `joint` of the mesh, rotated by `angle` from upright.
 Turned on(const Turned& other, const Vec3& joint, double angle, double yaw) {
   return {angle, yaw, joint, other(joint)};
 }
@@ -246,7 +246,7 @@ Humanoid make_humanoid(int level) {
 }
 
 BoneRows pose_humanoid(const Gait& gait) {
-  // A thigh swings as far as a quarter of the stride to either side.
+  // A thigh swings by a quarter of the stride to either side.
   const double reach = std::clamp(0.25 * gait.stride / (kThigh + kShin), -0.95, 0.95);
   const double swing =
       std::clamp(geom::atan2(reach, std::sqrt(1 - reach * reach)), -kLongestSwing, kLongestSwing);
@@ -264,7 +264,7 @@ BoneRows pose_humanoid(const Gait& gait) {
   for (const double side : {1.0, -1.0}) {
     const geom::SinCos step = geom::sincos(gait.phase + (side > 0 ? 0 : kPi));
     const double thigh = swing * step.sin;
-    // The knee bends while the leg swings ahead, and a little under the weight.
+    // The knee bends during the swing phase, and slightly under load.
     const double ahead = swing > 0 ? step.cos : -step.cos;
     const double knee = 0.06 + share * (0.12 + 1.15 * std::max(0.0, ahead) * std::max(0.0, ahead));
     const double shin = thigh - knee;
@@ -283,7 +283,7 @@ BoneRows pose_humanoid(const Gait& gait) {
   }
   BoneRows rows;
   for (std::size_t i = 0; i < bones.size(); ++i) {
-    bones[i].goes_to.z -= lowest;  // the lower sole is on the ground
+    bones[i].goes_to.z -= lowest;  // puts the lower sole on the ground
     rows[i] = bones[i].rows();
   }
   return rows;

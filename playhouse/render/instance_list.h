@@ -1,7 +1,7 @@
 #pragma once
 
-/// InstanceList: what of a scene one pass draws, in the order of draws, and as the card has it. Pure but for
-/// its memory, which it keeps. Frame: E (view.h).
+/// InstanceList: the draw list of one pass: sorted instances and
+/// their GPU data. Pure, but keeps its buffers. Frame: E (view.h).
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace playhouse::render {
 
-/// An instance as shaders have it.
+/// Layout of an instance in shaders.
 struct CardInstance {
   float rows[12];
   float tint[4];
@@ -22,7 +22,7 @@ struct CardInstance {
 };
 static_assert(sizeof(CardInstance) == 76);
 
-/// Draws instances [first, first + count) of one shape, or of one level of figures.
+/// A draw call: instances [first, first + count) of one shape, or of one level of figures.
 struct DrawRun {
   std::uint32_t what = 0, first = 0, count = 0;
 };
@@ -34,9 +34,9 @@ class InstanceList {
     runs.clear();
     keys_.clear();
   }
-  /// Remembers row `row` of instances or figures; runs go by `what`, then by `order`.
+  /// Adds row `row` of instances or figures; sorted by `what`, then by `order`.
   void add(std::uint32_t what, double order, std::uint32_t row) { keys_.push_back({what, order, row}); }
-  /// Calls instance_of(row) in the order of runs. Where `one_by_one`, `order` alone counts and each is a run.
+  /// Builds the runs of instances instance_of(row). `one_by_one` (blending): by `order` only, a run each.
   template <typename InstanceOf>
   void finish(bool one_by_one, const InstanceOf& instance_of) {
     sort(one_by_one);
@@ -62,7 +62,7 @@ class InstanceList {
   std::vector<Key> keys_;
 };
 
-/// An instance, and a figure whose bones begin at `first_bone`, seen from an eye.
+/// GPU data of an instance, and of a figure whose bones begin at `first_bone`, relative to an eye.
 CardInstance seen_from(const geom::Vec3& eye, const Instance& instance);
 CardInstance seen_from(const geom::Vec3& eye, const Figure& figure, std::uint32_t first_bone);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Pages: what pictures are drawn on, many of a kind side by side, so that they are read with one call.
-/// Thread: that of a CurrentContext.
+/// Pages: atlases of pictures of one format, read back
+/// with one call. Thread: that of a CurrentContext.
 
 #include <span>
 #include <vector>
@@ -11,19 +11,19 @@
 
 namespace playhouse::render {
 
-/// A page for pictures of one kind. Its size grows to what it is asked for.
+/// A render target for pictures of one format. Grows on demand.
 class Page {
  public:
   explicit Page(Shows shows) : shows_(shows) {}
 
-  /// Makes it at least so large, and empty.
+  /// Ensures a minimum size, and clears it.
   void begin(Sizes size);
-  /// To draw on its colours and depths; or on the colours alone, while its depths are read as a texture.
+  /// Binds colour and depth; or colour only, while depth is sampled as a texture.
   void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, whole_); }
   void bind_colors() const { glBindFramebuffer(GL_FRAMEBUFFER, colors_alone_); }
   GLuint depth() const { return depth_; }
-  /// Waits until it is drawn. Rows from the top, `size` as begin() was asked; a number of 32 bits for each
-  /// pixel: 0xAABBGGRR, segments, or a float.
+  /// Blocks until rendering is done. Rows from the top, of the `size` given
+  /// to begin(); 32 bits per pixel: 0xAABBGGRR, segment numbers, or a float.
   std::span<const std::uint32_t> read();
 
  private:

@@ -20,19 +20,19 @@ constexpr std::array<GLsizei, 3> kShadowTexels{512, 1024, 2048};  // of a side o
 constexpr GLsizei kTexelsOfPixels = 2;  // of its side for each row of a picture, where that many can be
 constexpr double kShadowReach = 12;     // m along the way a view looks, up to which things throw shadows
 constexpr float kOpaque = 0.999f;       // of a tint
-constexpr double kFigureRadius = 0.62;  // of the sphere about its middle, in heights
-// How high a figure is that has the first, the last level.  [px]
+constexpr double kFigureRadius = 0.62;  // bounding sphere about its middle, in heights
+// Height of figures for the first and the last level of detail.  [px]
 constexpr double kFinePixels = 260, kCoarsePixels = 90;
 constexpr std::size_t kPaints = 3;
 
-/// As shaders.cc has it.
+/// Layout as in shaders.cc.
 struct ViewBlock {
   Matrix clip{}, sun_clip{};
   std::array<float, 4> ahead{}, left{}, up{}, viewport{}, to_sun{}, sky{}, fog{}, floor{}, eye{};
 };
 static_assert(sizeof(ViewBlock) == 2 * 64 + 9 * 16);
 
-/// As shaders.cc has it.
+/// Layout as in shaders.cc.
 struct LampBlock {
   std::array<float, 4> count{};
   std::array<std::array<float, 4>, kMostLamps> at{}, way{}, light{};
@@ -46,7 +46,7 @@ std::array<float, 4> four(const Rgb& rgb, double w) {
   return {rgb[0], rgb[1], rgb[2], static_cast<float>(w)};
 }
 
-/// A line across a picture: slope times the rise of a ray, and offset.
+/// A clip line across a picture: slope times the slope of a ray, plus offset.
 struct Line {
   double slope = 0, offset = 1;
 };
@@ -54,7 +54,7 @@ struct Line {
 struct ShadowMap {
   Texture depth;
   Framebuffer target;
-  GLsizei texels = 0;  // of a side
+  GLsizei texels = 0;  // per side
 };
 
 ShadowMap make_shadow_map(GLsizei texels) {
@@ -78,7 +78,7 @@ Paints paints_of(Shows shows) {
                                   : Paints::kSegments;
 }
 
-/// How high a figure is in a view.  [px]
+/// Projected height of a figure.  [px]
 double pixels_of(const View& view, const Axes& axes, const Figure& figure) {
   const double depth = std::max(dot(axes.ahead, figure.p - view.eye), view.near);
   return figure.height / depth * view.height / (2 * view.half_height);
@@ -103,12 +103,12 @@ class Renderer::Impl {
             std::vector<Picture>& pictures);
 
  private:
-  /// What is drawn at the moment.
+  /// Inputs of the current draw().
   struct Drawn {
     const Surroundings& surroundings;
     const Scene& scene;
   };
-  /// Everything of OpenGL's, which goes while the context is current.
+  /// OpenGL objects; destroyed while the context is current.
   struct OnCard {
     ShapeStore shapes;
     FigureStore figures;
@@ -167,7 +167,7 @@ Result<void> Renderer::Impl::prepare() {
   for (std::size_t i = 0; i < kShadowTexels.size(); ++i)
     card_->shadows[i] = make_shadow_map(kShadowTexels[i]);
   card_->white = make_texture(GL_RGBA8, 1, 1);
-  // Rows from the top, as pictures have them; depths from 1, near, to 0.
+  // Rows from the top; reversed depth, 1 near to 0 far.
   glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
   glEnable(GL_FRAMEBUFFER_SRGB);
   glEnable(GL_DEPTH_TEST);
@@ -207,7 +207,7 @@ void Renderer::Impl::make_arrays() {
     glCreateVertexArrays(1, &name);
     return VertexArray(name);
   };
-  // Attributes of corners have binding 0, those of instances binding 1.
+  // Vertex attributes use binding 0, instance attributes binding 1.
   const auto attribute = [](GLuint to, GLuint location, GLint numbers, GLuint at, GLuint binding) {
     glEnableVertexArrayAttrib(to, location);
     glVertexArrayAttribFormat(to, location, numbers, GL_FLOAT, GL_FALSE, at);
@@ -239,7 +239,7 @@ void Renderer::Impl::make_arrays() {
   card_->empty = array();
 }
 
-/// As fine as the picture needs.
+/// The coarsest map that is fine enough for the picture.
 const ShadowMap& Renderer::Impl::shadow_map_for(const View& view) const {
   const auto wanted = static_cast<GLsizei>(kTexelsOfPixels * std::max(view.width, view.height));
   std::size_t i = 0;
@@ -279,7 +279,7 @@ void Renderer::Impl::set_bones(std::span<const Figure> figures) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, card_->bones);
 }
 
-/// Draws all views of a kind, page by page, and reads each page once.
+/// Draws all views of a format, page by page, with one read-back per page.
 void Renderer::Impl::draw_kind(const Drawn& drawn, Shows shows, std::span<const View> views,
                                std::vector<Picture>& pictures) {
   std::vector<std::size_t> rows;
@@ -310,7 +310,7 @@ void Renderer::Impl::draw_kind(const Drawn& drawn, Shows shows, std::span<const 
         for (const std::uint32_t value : row) {
           if (shows == Shows::kDepth) picture.depth.push_back(depth_of(std::bit_cast<float>(value), view));
           if (shows == Shows::kSegments) picture.sample.push_back(value);
-          if (shows == Shows::kColor)  // red is the low byte of what OpenGL gives
+          if (shows == Shows::kColor)  // OpenGL has red in the low byte
             picture.sample.push_back((value & 0xff) << 16 | (value & 0xff00) | (value >> 16 & 0xff));
         }
       }
@@ -332,7 +332,7 @@ ViewBlock Renderer::Impl::block_of(const Drawn& drawn, const View& view, const A
   block.sky = four(around.sky, around.ambient);
   block.fog = four(around.fog, around.visibility > 0 ? 3 / around.visibility : 0);
   block.floor = four(around.floor, 0);
-  constexpr double kPattern = 64;  // m, after which the floor is the same again
+  constexpr double kPattern = 64;  // m, period of the floor pattern
   block.eye = four(Vec3{view.eye.x - kPattern * std::floor(view.eye.x / kPattern),
                         view.eye.y - kPattern * std::floor(view.eye.y / kPattern), view.eye.z},
                    around.seconds);
@@ -344,7 +344,7 @@ void Renderer::Impl::send(const ViewBlock& block) {
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, card_->view);
 }
 
-/// Those that are brightest at the eye, the first of equals.
+/// Uploads the lamps that are brightest at the eye; ties by index.
 void Renderer::Impl::send_lamps(const Drawn& drawn, const Vec3& eye) {
   const std::span<const Lamp> lamps = drawn.scene.lamps;
   lamp_order_.clear();
@@ -404,7 +404,7 @@ void Renderer::Impl::draw_view(const Drawn& drawn, const View& view, const Place
   glDisable(GL_BLEND);
 }
 
-/// All that is solid; for pictures of anything but colours, also what one sees through.
+/// Opaque bodies; for depth and segmentation also transparent ones.
 void Renderer::Impl::draw_bodies(const Drawn& drawn, const View& view, const Axes& axes, Paints paints) {
   const Planes planes = planes_of(view, axes);
   bodies_.clear();
@@ -433,7 +433,7 @@ void Renderer::Impl::draw_bodies(const Drawn& drawn, const View& view, const Axe
   draw_runs(people_, Bends::kYes, paints, true);
 }
 
-/// What one sees through, from the farthest on.
+/// Transparent surfaces, back to front.
 void Renderer::Impl::draw_glass(const Drawn& drawn, const View& view, const Axes& axes) {
   const Planes planes = planes_of(view, axes);
   glass_.clear();
@@ -448,7 +448,7 @@ void Renderer::Impl::draw_glass(const Drawn& drawn, const View& view, const Axes
   }
   glass_.finish(true, [&](std::uint32_t row) { return seen_from(view.eye, drawn.scene.instances[row]); });
   if (glass_.runs.empty()) return;
-  // Of a shape that is clear as a whole all surfaces are drawn, of others those that one sees through.
+  // A transparent tint makes all surfaces transparent; otherwise only those with a transparent material.
   card_->instances.set(std::span<const CardInstance>(glass_.instances), GL_STREAM_DRAW);
   glBindVertexArray(card_->rigid);
   glVertexArrayVertexBuffer(card_->rigid, 1, card_->instances, 0, sizeof(CardInstance));
@@ -503,7 +503,7 @@ void Renderer::Impl::draw_smokes(const Drawn& drawn, const View& view) {
   glDisableVertexArrayAttrib(card_->empty, 0);
 }
 
-/// What stands between the sun and the view, also what the view does not show.
+/// Shadow casters between the sun and the view, including those outside the view frustum.
 void Renderer::Impl::draw_shadows(const Drawn& drawn, const View& view, const SunBox& box,
                                   const ShadowMap& map) {
   glBindFramebuffer(GL_FRAMEBUFFER, map.target);
@@ -539,7 +539,7 @@ void Renderer::Impl::draw_shadows(const Drawn& drawn, const View& view, const Su
   glDisable(GL_DEPTH_CLAMP);
 }
 
-/// Draws a background where `a` of how far a ray rises for each metre ahead is not below 0, and `b` neither.
+/// Draws a background, clipped to ray slopes where lines `a` and `b` are not negative.
 void Renderer::Impl::draw_behind(const Program& program, const Line& a, const Line& b) {
   glUseProgram(program);
   glUniform4f(program.at("lines"), static_cast<float>(a.slope), static_cast<float>(a.offset),
@@ -552,14 +552,14 @@ void Renderer::Impl::draw_behind(const Program& program, const Line& a, const Li
   glDisable(GL_CLIP_DISTANCE0);
 }
 
-/// The floor between the nearest and the farthest that is shown.
+/// The floor between the near and far planes.
 void Renderer::Impl::draw_floor(const View& view, Paints paints) {
   if (!(view.eye.z > 0)) return;
   draw_behind(card_->floor[static_cast<std::size_t>(paints)], {-1, -view.eye.z / view.far},
               {1, view.eye.z / view.near});
 }
 
-/// Where there is no floor: above it, and below an eye that is nearer to it than what is shown.
+/// The sky, where there is no floor: above the horizon, and below an eye close to the floor.
 void Renderer::Impl::draw_sky(const View& view) {
   if (!(view.eye.z > 0)) return draw_behind(card_->sky, {}, {});
   draw_behind(card_->sky, {1, view.eye.z / view.far}, {});

@@ -1,15 +1,15 @@
 #pragma once
 
-/// Renderer: pictures of meshes and people as cameras take them, without a screen. It knows nothing of
-/// worlds: shapes are added once, and every call of draw() says what is where and who looks.
+/// Renderer: headless rendering of meshes and people for cameras. Independent
+/// of worlds: shapes are added once; every draw() gets instances and views.
 ///
-/// In: shapes, instances and figures in W, lamps, a sun, a sky, fog; views.
-/// Out: pictures: colours, distances along the way that a view looks, numbers that instances have.
-/// Cost: for each view, its visible instances as one draw for each kind of surface; pictures of colours draw
-/// what
-///   throws shadows once more. One read of each page of pictures.
-/// Source: shadow maps after Williams, 1978, with percentage-closer filtering after Reeves et al., 1987; the
-/// rest in
+/// In: shapes, instances and figures in W, lamps, sun, sky, fog; views.
+/// Out: pictures: colour, depth along the optical axis, or segment numbers of instances.
+/// Cost: per view, its visible instances as one draw call per surface;
+///   colour pictures draw shadow casters
+///   a second time. One read-back per page.
+/// Source: shadow maps after Williams, 1978, with percentage-closer filtering after Reeves et al., 1987;
+///   others in
 ///   shaders.h and view.h.
 /// Thread: any, one at a time.
 
@@ -27,45 +27,45 @@ namespace playhouse::render {
 
 using Rgb = std::array<float, 3>;  // linear
 
-/// Light from what a screen is told, both from 0 to 1.
+/// sRGB component to linear, both from 0 to 1.
 float linear(float srgb);
 
-/// What is about all bodies. The floor is the plane z = 0.
+/// Environment of all bodies. The floor is the plane z = 0.
 struct Surroundings {
   geom::Vec3 to_sun = {0, 0, 1};  // unit
-  float sun = 0.72f;              // light of the sun; a white face towards it is so bright
-  float ambient = 0.42f;          // and by the light from everywhere
-  float white_lux = 20;           // of lamps that make a white face as bright as 1
+  float sun = 0.72f;              // radiance of a white face towards the sun
+  float ambient = 0.42f;          // ambient light, in the same unit
+  float white_lux = 20;           // illuminance by lamps that makes a white face as bright as 1
   Rgb sky = {0.35f, 0.55f, 0.81f}, floor = {0.69f, 0.69f, 0.65f};
   Rgb fog = {0.6f, 0.63f, 0.66f};
-  double visibility = 0;  // m, at which fog leaves 5 % of a contrast; 0: there is no fog
-  double seconds = 0;     // by which smoke drifts
+  double visibility = 0;  // m, where fog reduces contrast to 5 %; 0: no fog
+  double seconds = 0;     // time for drifting smoke
 };
 
 struct Instance {
   std::uint32_t shape = 0;
   geom::Vec3 p;  // m, in W
   geom::Quaternion q;
-  std::array<float, 4> tint = {1, 1, 1, 1};  // times the colours of its shape; below 1 one sees through it
-  std::uint32_t segment = 0;                 // what pictures of segments have there
+  std::array<float, 4> tint = {1, 1, 1, 1};  // factor on the shape's colours; alpha below 1: transparent
+  std::uint32_t segment = 0;                 // its number in segmentation pictures
   std::uint32_t group = kNoGroup;            // see View::hides
-  float glow = 0;                            // light that it gives off itself, times its colours
+  float glow = 0;                            // factor on its colours, emitted
 };
 
-/// What shines from a point, without shadows. Of those of a scene each view has the kMostLamps that are
-/// brightest where its eye is.
+/// A point or spot light, without shadows. Each view uses
+/// the kMostLamps of a scene that are brightest at its eye.
 struct Lamp {
   geom::Vec3 p;                  // m, in W
   Rgb light = {1, 1, 1};         // cd, along `way`
   geom::Vec3 way = {0, 0, -1};   // unit, in W
-  float inner = -1, outer = -1;  // cosines of the angles from `way` up to which a spot shines fully, and at
-                                 // all; -1: every way
+  float inner = -1, outer = -1;  // spot: cosines of the cone angles of full and of no
+                                 // light; -1: a point light
 };
 inline constexpr std::size_t kMostLamps = 16;
 
 /// A person.
 struct Figure {
-  geom::Vec3 p;          // m, in W, of the ground under it
+  geom::Vec3 p;          // m, in W, of its feet
   double heading = 0;    // rad
   double height = 1.75;  // m
   Gait gait;
@@ -73,12 +73,12 @@ struct Figure {
   std::uint32_t segment = 0, group = kNoGroup;
 };
 
-/// A cloud in a box, which pictures of colours alone show.
+/// A box of smoke, drawn in colour pictures only.
 struct Smoke {
-  geom::Vec3 p;  // m, its middle in W
+  geom::Vec3 p;  // m, centre in W
   geom::Quaternion q;
   geom::Vec3 half;                              // m
-  std::array<float, 4> tint = {1, 1, 1, 0.8f};  // a: how much it hides at most
+  std::array<float, 4> tint = {1, 1, 1, 0.8f};  // a: maximum opacity
   std::uint32_t group = kNoGroup;
 };
 
@@ -89,24 +89,24 @@ struct Scene {
   std::span<const Lamp> lamps = {};
 };
 
-/// Pixels row by row from the top.
+/// Pixels in rows from the top.
 struct Picture {
-  std::vector<std::uint32_t> sample;  // 0xRRGGBB, or segments; 0: none
-  std::vector<double> depth;  // m along the way the view looks, of pictures of depth alone; 0: nothing
+  std::vector<std::uint32_t> sample;  // 0xRRGGBB, or segment numbers; 0: none
+  std::vector<double> depth;  // m along the optical axis, for pictures of depth only; 0: the ray hit nothing
 };
 
 class Renderer {
  public:
-  /// Fails with one line where there is no OpenGL 4.5.
+  /// Fails with a one-line reason without OpenGL 4.5.
   static Result<std::unique_ptr<Renderer>> make();
   ~Renderer();
 
-  /// Who renders.
+  /// Name of the renderer.
   const std::string& name() const;
-  /// Its number, for instances. Surfaces without corners are left out; images larger than the card takes are
-  /// not shown.
+  /// Returns the shape's number, for instances. Empty surfaces are
+  /// skipped; textures larger than the GPU supports are ignored.
   std::uint32_t add_shape(const mesh::Mesh& mesh);
-  /// The pictures of views, which keep their memory from call to call.
+  /// Renders all views. Buffers of `pictures` are reused.
   void draw(const Surroundings& surroundings, const Scene& scene, std::span<const View> views,
             std::vector<Picture>& pictures);
 

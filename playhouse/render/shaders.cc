@@ -5,7 +5,7 @@ namespace {
 
 constexpr const char* kVersion = "#version 450 core\n";
 
-// As renderer.cc fills it (ViewBlock).
+// Layout as in renderer.cc (ViewBlock).
 constexpr const char* kView = R"(
 layout(std140, binding = 0) uniform ViewBlock {
   mat4 clip;         // from E
@@ -22,7 +22,7 @@ layout(std140, binding = 0) uniform ViewBlock {
 };
 )";
 
-// As renderer.cc fills it (LampBlock). Its 16 is kMostLamps.
+// Layout as in renderer.cc (LampBlock). 16 is kMostLamps.
 constexpr const char* kLight = R"(
 layout(std140, binding = 2) uniform LampBlock {
   vec4 lamp_count;      // x
@@ -135,7 +135,7 @@ vec3 body_position() { return bent(vec4(position, 1)); }
 vec3 body_normal() { return bent(vec4(normal, 0)); }
 )";
 
-/// What carries on to fragments.
+/// Varyings for fragments.
 std::string passed_on(Bends bends, Paints paints) {
   if (paints == Paints::kSegments) return "  segment = mark.x;\n";
   if (paints == Paints::kDepth) return "";

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Every shader of the renderer. Positions are in E (view.h), in metres, light is linear.
+/// All shaders of the renderer. Positions in E (view.h), in metres; linear light.
 ///
 /// Source: microfacets after Trowbridge and Reitz, visibility after Smith, Fresnel after Schlick, as in
 /// appendix B
@@ -10,19 +10,19 @@
 
 namespace playhouse::render {
 
-/// How vertices come to their places: bodies that are rigid, or that bend with bones.
+/// Vertex transformation: rigid, or skinned.
 enum class Bends { kNo, kYes };
-/// What fragments become; of depth nothing but that.
+/// Output of fragments; depth writes depth only.
 enum class Paints { kColor, kDepth, kSegments };
 
 std::string vertex_shader(Bends bends, Paints paints);
 std::string fragment_shader(Paints paints);
-/// The sky, of colours alone, and the floor: triangles that cover the picture, of which a line is kept to one
-/// side.
+/// Background: the sky, for colour, and the floor:
+/// a full-screen triangle, clipped at the horizon.
 std::string background_vertex_shader();
 std::string sky_fragment_shader();
 std::string floor_fragment_shader(Paints paints);
-/// A cloud of smoke: the far sides of its box.
+/// A smoke volume, drawn by the back faces of its box.
 std::string smoke_vertex_shader();
 std::string smoke_fragment_shader();
 

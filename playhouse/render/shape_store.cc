@@ -8,7 +8,7 @@
 namespace playhouse::render {
 namespace {
 
-/// The sphere about the middle of the box that holds all corners.
+/// Bounding sphere about the centre of the bounding box.
 void set_sphere(ShapeOnCard& shape, const mesh::Mesh& mesh) {
   geom::Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   const auto each = [&](const auto& visit) {
@@ -77,7 +77,7 @@ std::uint32_t ShapeStore::add(const mesh::Mesh& mesh) {
   return static_cast<std::uint32_t>(shapes_.size() - 1);
 }
 
-/// OpenGL's names of the images, 0 for those that are none.
+/// OpenGL names of the textures, 0 for unusable ones.
 std::vector<std::uint32_t> ShapeStore::add_images(const mesh::Mesh& mesh) {
   std::vector<std::uint32_t> names;
   GLint most = 0;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// ShapeStore: meshes on the card, all in one buffer of corners and one of triangles. Thread: that of a
-/// CurrentContext.
+/// ShapeStore: meshes in GPU memory, in one vertex buffer
+/// and one index buffer. Thread: that of a CurrentContext.
 
 #include <vector>
 
@@ -11,20 +11,20 @@
 
 namespace playhouse::render {
 
-/// Triangles that look alike, drawn at once.
+/// Triangles of one material: a draw call.
 struct SurfaceRange {
   std::uint32_t first_index = 0, indices = 0, first_corner = 0;
   std::array<float, 4> base = {1, 1, 1, 1};
   std::array<float, 3> emission = {0, 0, 0};
   float metallic = 0, roughness = 1;
-  std::uint32_t texture = 0;  // OpenGL's name; 0: none
-  float least_opacity = 0;    // that is there, and then is solid; below 0: as opaque as it is
+  std::uint32_t texture = 0;  // OpenGL name; 0: none
+  float least_opacity = 0;    // alpha test threshold; below 0: no test
   bool is_two_sided = false, is_see_through = false;
 };
 
 struct ShapeOnCard {
   std::vector<SurfaceRange> surfaces;
-  geom::Vec3 middle;  // of the sphere that holds it  [m]
+  geom::Vec3 middle;  // bounding sphere  [m]
   double radius = 0;  // m
 };
 
@@ -33,11 +33,11 @@ class ShapeStore {
   std::uint32_t add(const mesh::Mesh& mesh);
   const ShapeOnCard& operator[](std::uint32_t shape) const { return shapes_[shape]; }
   std::size_t size() const { return shapes_.size(); }
-  /// Sends to the card what was added.
+  /// Uploads the shapes added so far.
   void upload();
   const Buffer& corners() const { return corner_buffer_; }
   const Buffer& indices() const { return index_buffer_; }
-  static constexpr GLsizei kCornerBytes = 8 * sizeof(float);  // position, normal, place on the texture
+  static constexpr GLsizei kCornerBytes = 8 * sizeof(float);  // position, normal, texture coordinates
 
  private:
   std::vector<std::uint32_t> add_images(const mesh::Mesh& mesh);
@@ -50,7 +50,7 @@ class ShapeStore {
   bool is_sent_ = false;
 };
 
-/// The levels of a humanoid, the same way.
+/// The levels of detail of a humanoid, likewise.
 class FigureStore {
  public:
   void upload();

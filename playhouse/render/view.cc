@@ -8,8 +8,8 @@ namespace {
 
 using geom::Vec3;
 
-/// How far before the region that it shades a thing may be and still throw a shadow: all else is flattened on
-/// to the near side by GL_DEPTH_CLAMP.
+/// Distance of shadow casters before the shaded region that is rendered at
+/// true depth: others are flattened onto the near plane by GL_DEPTH_CLAMP.
 constexpr double kBeforeShade = 1;  // m
 
 Vec3 unit(const Vec3& v) {

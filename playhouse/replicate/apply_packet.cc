@@ -89,7 +89,7 @@ class PacketReader {
     }
     const View& what = views()[number];
     const std::uint64_t records = what.list ? in_.varint() : 1;
-    if (records > in_.left()) {  // a number has a byte at least
+    if (records > in_.left()) {  // a record has at least one byte
       bad_ = true;
       return;
     }

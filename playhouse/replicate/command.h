@@ -1,9 +1,9 @@
 #pragma once
 
-/// What a viewer may ask for: one JSON object per message, read strictly. An unknown key, a missing one, a
-/// number out of its range or a long message is refused with one line that says why. viewer/commands.toml
-/// defines them, docs/viewer-commands.md lists them. Whether a model exists and may be moved or driven is for
-/// the receiver to check.
+/// Commands of viewers: one JSON object per message, parsed strictly. An unknown or
+/// missing key, a number out of range or an overlong message is rejected with a
+/// one-line reason. viewer/commands.toml defines them, docs/viewer-commands.md lists
+/// them. The receiver checks whether a model exists and may be moved or driven.
 
 #include <string_view>
 
@@ -13,7 +13,7 @@
 
 namespace playhouse::replicate {
 
-/// In the robot's frame; all zero: let go.
+/// In the robot's frame; all zero: releases the robot.
 inline geom::Twist velocity_of(const Drive& drive) {
   return {drive.forward, drive.sideways, 0, drive.turn};
 }

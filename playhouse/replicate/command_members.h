@@ -1,6 +1,6 @@
 #pragma once
 
-/// The members of a command as a page sends it, read strictly (generated/read_commands.cc).
+/// Strict parsing of a command's members (generated/read_commands.cc).
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ namespace playhouse::replicate {
 
 inline constexpr double kWholeMost = 9007199254740992.0;  // whole numbers are exact up to here
 
-/// Reads the members of one object; the first fault sticks. Done with nothing left over.
+/// Reads the members of one object; the first error sticks. finish() rejects unread members.
 class Members {
  public:
   explicit Members(const boost::json::object& object) : object_(object) {}
@@ -103,7 +103,7 @@ class Members {
   std::string fault_;
 };
 
-/// By the word of "do"; faults are kept in `in`.
+/// Dispatches on "do"; errors are kept in `in`.
 Command read_command(Members& in);
 
 }  // namespace playhouse::replicate

@@ -76,11 +76,11 @@ Result<Datagram> parse_datagram(std::span<const std::byte> bytes) {
     return datagram;
   };
   if (bytes.size() > limits::kDatagramBytes || in.u8() != kMagic) return Error{"", "not a datagram of ours"};
-  // Values in the order in which they are drawn: an initializer in braces reads from the left.
+  // Fields in wire order: braced initialisers are evaluated left to right.
   switch (in.u8()) {
     case kHello: {
       const Hello hello{in.u8(), in.u64()};
-      if (bytes.size() < kHelloBytes) break;  // or an answer would be longer than what asked for it
+      if (bytes.size() < kHelloBytes) break;  // anti-amplification: the answer must not be longer
       return Datagram(hello);
     }
     case kChallenge:

@@ -1,46 +1,46 @@
 #pragma once
 
-/// Handshake and packet format of the observer protocol, by datagrams. What texts say is in
-/// docs/viewer-protocol.md.
+/// Handshake and packet format of the observer protocol over
+/// datagrams. Texts are specified in docs/viewer-protocol.md.
 ///
 ///   datagram, at most limits::kDatagramBytes (little-endian; varint and zz as in delta.h; text: varint n,
 ///                                             n bytes)
 ///   +--------+---------+---------------------------------------------------------------------+
-///   | u8 'P' | u8 kind | what the kind has                                                   |
+/// | u8 'P' | u8 kind | payload of the kind                                                 |
 ///   +--------+---------+---------------------------------------------------------------------+
 ///   client  1 hello     : u8 version, u64 nonce, zeros up to 64 bytes
 ///   server  2 challenge : u64 nonce, u64 cookie
 ///   client  3 join      : u8 version, u64 nonce, u64 cookie, varint bytes/s, varint frames/s, text token
 ///   server  4 welcome   : u64 nonce, u64 session, varint bytes/s, varint frames/s
 ///   server  5 refusal   : u64 nonce, text why
-///   both    6 packet    : u64 session, then as below
+/// both    6 packet    : u64 session, then the packet below
 ///   both    7 bye       : u64 session, text why
 ///
 ///   packet
 ///   +------------+------------+------------+--------------+------------------------------+-------+
 ///   | varint seq | varint ack | u32 before | varint taken | varint n, (varint at, n B)   | state |
 ///   +------------+------------+------------+--------------+------------------------------+-------+
-///   seq: counts this end's packets from 1
-///   ack: the highest seq that came from the other end, 0: none; before: bit k: ack - 1 - k came, too
-///   taken: bytes of the other end's stream that came without a gap
-///   n, at: a piece of this end's stream and its place in it; n = 0: none, and no place
+/// seq: counts this end's packets from 1
+/// ack: the highest seq received from the other end, 0: none; before: bit k: ack - 1 - k was received, too
+/// taken: bytes of the other end's stream received without a gap
+/// n, at: a piece of this end's stream and its offset; n = 0: none, and no offset
 ///
-///   stream: texts one behind the other, each once and in order, whatever is lost
+/// stream: concatenated texts, reliable and in order
 ///   +-----------+--------------+----------+---------+
 ///   | u8 packed | varint after | varint n | n bytes |
 ///   +-----------+--------------+----------+---------+
 ///   packed: 0 JSON, 1 JSON in a zstd frame
-///   after: this end's last packet before the text; rows up to it are of the time before the text
+/// after: this end's last packet before the text; rows in packets up to it predate the text
 ///
-///   state, of the server alone: nothing, or up to the end of the datagram
+/// state, from the server only: empty, or the rest of the datagram
 ///   +-------------+----------+-------------------------------------------------------+
 ///   | varint tick | u8 flags | groups: (u8 age, (u8 mask, zz id step, fields)* u8 0)* |
 ///   +-------------+----------+-------------------------------------------------------+
-///   flags: 1 paused; 2 whole: with this packet the client has had a state of every model that is not as at
-///   its `start`
-///   age: the rows of the group are differences from what the same models were in packet seq - age, which
-///   the client has acknowledged; 0: from their `start` in the text that told of them
-///   mask, fields: as in delta.h; id step: the id - that of the row before in the group (first: from 0)
+/// flags: 1 paused; 2 whole: with this packet the client has received a state of every model that differs
+/// from its `start`
+/// age: rows of the group are deltas against the same models in packet seq - age, which the client has
+/// acknowledged; 0: against their `start` in the text that announced them
+/// mask, fields: as in delta.h; id step: the id - that of the previous row in the group (first: from 0)
 
 #include <cstddef>
 #include <cstdint>
@@ -55,11 +55,11 @@
 namespace playhouse::replicate {
 
 inline constexpr std::uint8_t kDatagramVersion = 1;
-inline constexpr std::size_t kHelloBytes = 64;  // no answer to it is longer
+inline constexpr std::size_t kHelloBytes = 64;  // answers are never longer: no amplification
 inline constexpr std::uint8_t kStatePaused = 1, kStateWhole = 2;
-/// Rows are kept by an observer for as many packets, so a baseline is never older.
+/// An observer keeps rows of this many packets, so no baseline may be older.
 inline constexpr std::uint32_t kOldestBaseline = 200;
-/// Packets whose arrival one acknowledgement tells.
+/// Packets covered by one acknowledgement.
 inline constexpr std::uint32_t kAcknowledged = 33;
 
 struct Hello {
@@ -69,7 +69,7 @@ struct Hello {
 struct Challenge {
   std::uint64_t nonce = 0, cookie = 0;
 };
-/// What an observer asks for; what it gets is in the welcome.
+/// The limits an observer asks for; the welcome states those granted.
 struct Terms {
   std::uint32_t bytes_per_second = 0;
   std::uint32_t frames_per_second = 0;
@@ -88,7 +88,7 @@ struct Refusal {
   std::uint64_t nonce = 0;
   std::string why;
 };
-/// What follows the session is the channel's (datagram_channel.h).
+/// The payload belongs to the channel (datagram_channel.h).
 struct PacketOf {
   std::uint64_t session = 0;
   std::span<const std::byte> rest;
@@ -100,7 +100,7 @@ struct Bye {
 
 using Datagram = std::variant<Hello, Challenge, JoinRequest, Welcome, Refusal, PacketOf, Bye>;
 
-/// Fails for what is none of these; a packet's rest refers to `bytes`.
+/// Fails on anything else; a packet's payload refers to `bytes`.
 Result<Datagram> parse_datagram(std::span<const std::byte> bytes);
 
 /// A datagram of any kind but packets.

@@ -6,10 +6,10 @@
 namespace playhouse::replicate {
 namespace {
 
-/// A packet that is not acknowledged by then may still be, but is forgotten.
+/// s; an unacknowledged packet is forgotten after that, even if its ack arrives later.
 constexpr double kForgotten = 3;
 constexpr double kLeastPatience = 0.1, kMostPatience = 2.5;
-/// Allowance for the peer, which delays acknowledgements: an observer by 25 ms, the program by a frame. [s]
+/// Allowance for delayed acknowledgements: 25 ms by an observer, a frame by the server. [s]
 constexpr double kAckDelay = 0.05;
 constexpr double kSmoothing = 0.125;
 

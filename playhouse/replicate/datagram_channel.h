@@ -1,8 +1,8 @@
 #pragma once
 
-/// DatagramChannel: one end of a session's packets, without its socket: which packets came and which arrived,
-/// how long they take, and the stream of texts among them. What else a packet holds is the caller's. Drawn in
-/// datagram.h. Times are of any one clock. [s]
+/// DatagramChannel: packet layer of one end of a session, without its socket: sequence numbers,
+/// acknowledgements, loss detection, round-trip time, and the reliable text stream. The rest of
+/// a packet belongs to the caller. Format: datagram.h. Times are of any one clock. [s]
 
 #include <cstdint>
 #include <deque>
@@ -16,47 +16,47 @@
 
 namespace playhouse::replicate {
 
-/// What became of packets that were sent, each acknowledged once at most. One that was thought lost may be
-/// acknowledged later all the same.
+/// Fate of sent packets, each acknowledged at most once. A
+/// packet declared lost may still be acknowledged later.
 struct Settled {
   std::vector<Seq> acknowledged, lost;
 };
 
 struct Heard {
-  bool is_new = false;  // else it came before, or is too old to be told apart
+  bool is_new = false;  // false: a duplicate, or too old to tell
   Seq seq = 0;
-  bool has_text = false;  // and so wants an acknowledgement
+  bool has_text = false;  // has to be acknowledged
   std::span<const std::byte> state;
 };
 
 class DatagramChannel {
  public:
-  /// Texts from the other end are at most so long. `sent`: as if so many packets had gone already; in tests.
+  /// Limit on the length of the other end's texts. `sent`: initial sequence number; for tests.
   DatagramChannel(std::uint64_t session, std::size_t most_text, Seq sent = 0)
       : session_(session), receiver_(most_text), sent_(sent) {}
 
   void post(std::shared_ptr<const PackedText> text) { sender_.post(std::move(text), sent_); }
   const StreamSender& texts() const { return sender_; }
 
-  /// Writes a packet up to its state, which the caller may append, with at most `text_room` bytes of a piece
-  /// of text, into `out`; returns its seq. It counts as sent.
+  /// Writes a packet without its state, which the caller may append, into `out`,
+  /// with at most `text_room` bytes of text; returns its seq. It counts as sent.
   Seq write(double now, std::size_t text_room, std::vector<std::byte>& out);
-  /// Of the last write().
+  /// True if the last write() included text.
   bool carries_text() const { return !flights_.empty() && flights_.back().piece.size > 0; }
 
-  /// Takes a packet of the session. Fails for what the other end never sends.
+  /// Processes a packet of the session. Fails on a protocol violation.
   Result<Heard> receive(std::span<const std::byte> rest, double now);
   Result<std::optional<ReceivedText>> next_text() { return receiver_.next(); }
 
-  /// What has been decided since the last call.
+  /// Packets acknowledged or declared lost since the last call.
   Settled settle(double now);
-  /// Packets before are decided for good.
+  /// Packets below this seq are settled.
   Seq oldest() const { return flights_.empty() ? sent_ + 1 : flights_.front().seq; }
 
   std::uint64_t session() const { return session_; }
-  Seq sent() const { return sent_; }                    // seq of the last
-  Seq newest() const { return newest_; }                // seq of the other end's last
-  std::uint64_t received() const { return received_; }  // new ones
+  Seq sent() const { return sent_; }                    // last seq
+  Seq newest() const { return newest_; }                // highest seq received
+  std::uint64_t received() const { return received_; }  // without duplicates
   double round_trip() const { return round_trip_; }     // s, smoothed
 
  private:
@@ -74,10 +74,10 @@ class DatagramChannel {
   StreamSender sender_;
   StreamReceiver receiver_;
   Seq sent_ = 0;
-  std::deque<Flight> flights_;  // not acknowledged, the oldest first
+  std::deque<Flight> flights_;  // unacknowledged, oldest first
   std::vector<Seq> acknowledged_;
   Seq newest_ = 0;
-  std::uint32_t before_ = 0;  // as drawn
+  std::uint32_t before_ = 0;  // as in the packet format
   std::uint64_t received_ = 0;
   double round_trip_ = 0.25;
 };

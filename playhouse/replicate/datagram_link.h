@@ -1,7 +1,7 @@
 #pragma once
 
-/// DatagramLink: for tests: a DatagramViewer and a DatagramObserver past their handshake, with a bad network
-/// between them in virtual time, and a small world that they replicate.
+/// DatagramLink: test fixture: a DatagramViewer and a DatagramObserver after their
+/// handshake, over a lossy network in virtual time, and a small world to replicate.
 
 #include <cstdint>
 #include <functional>
@@ -39,7 +39,7 @@ class DatagramLink {
     capture_now();
   }
 
-  /// One frame: the program shows what is, and what is due arrives.
+  /// One frame: captures and sends the state, then delivers what is due.
   void frame() {
     capture_now();
     time += kPeriod;
@@ -54,7 +54,7 @@ class DatagramLink {
     deliver();
   }
 
-  /// Until the observer holds all that stands still, or so many frames went by.
+  /// Runs frames until the observer's replica equals the snapshot, at most so many.
   bool settle(int frames) {
     for (; frames > 0 && !viewer.holds(snapshot); --frames) frame();
     return viewer.holds(snapshot);
@@ -70,7 +70,7 @@ class DatagramLink {
   double time = 0;
   std::size_t sent_bytes = 0, longest = 0;
   bool observer_is_dead = false;
-  bool somebody_else_writes = false;  // in the observer's name: its own packets may be refused
+  bool somebody_else_writes = false;  // spoofs the observer: its own packets may be rejected
   std::function<void(std::span<const std::byte>)> on_sent;
   Snapshot snapshot;
 

@@ -11,10 +11,10 @@
 namespace playhouse::replicate {
 namespace {
 
-constexpr double kAckPeriod = 0.025;      // s; what comes meanwhile is acknowledged together
-constexpr std::uint32_t kAckAtOnce = 16;  // packets, of the 33 that one acknowledgement tells
+constexpr double kAckPeriod = 0.025;      // s; acknowledgements are combined within it
+constexpr std::uint32_t kAckAtOnce = 16;  // packets, of the 33 covered by an acknowledgement
 constexpr double kSignOfLife = 0.5;       // s
-constexpr double kLongestAsk = 2;         // s between two questions
+constexpr double kLongestAsk = 2;         // s, longest retry interval
 constexpr std::size_t kTextRoom = 1000;
 
 }  // namespace
@@ -22,7 +22,7 @@ constexpr std::size_t kTextRoom = 1000;
 void DatagramObserver::receive(std::span<const std::byte> datagram, double now) {
   if (ended_) return;
   const Result<Datagram> parsed = parse_datagram(datagram);
-  if (!parsed) return;  // somebody else's
+  if (!parsed) return;  // from somebody else
   ++datagrams_;
   bytes_ += datagram.size();
   if (const auto* challenge = std::get_if<Challenge>(&*parsed)) take_challenge(*challenge);
@@ -40,7 +40,7 @@ void DatagramObserver::receive(std::span<const std::byte> datagram, double now) 
 void DatagramObserver::take_challenge(const Challenge& challenge) {
   if (challenge.nonce != nonce_ || channel_ || cookie_ == challenge.cookie) return;
   cookie_ = challenge.cookie;
-  asked_ = -1e9;  // at once
+  asked_ = -1e9;  // retry at once
   asked_for_ = 0.25;
 }
 
@@ -61,7 +61,7 @@ void DatagramObserver::take_packet(const PacketOf& packet, double now) {
   if (!heard->is_new) return;
   heard_ = now;
   ++unacknowledged_;
-  // Texts first: a state tells of models that the observer has acknowledged.
+  // Texts first: they introduce the models that states refer to.
   for (;;) {
     const Result<std::optional<ReceivedText>> text = channel_->next_text();
     if (text && !*text) break;
@@ -83,7 +83,7 @@ std::optional<std::vector<std::byte>> DatagramObserver::next(double now) {
   if (!channel_) {
     if (now - asked_ < asked_for_) return std::nullopt;
     if (asked_ > 0) asked_for_ = std::min(2 * asked_for_, kLongestAsk);
-    // A cookie is good for seconds: who has waited for longer begins anew.
+    // Cookies expire within seconds: after a long wait start over.
     if (cookie_ && asked_for_ >= kLongestAsk) cookie_.reset();
     asked_ = now;
     if (!cookie_) return encode(Hello{kDatagramVersion, nonce_});

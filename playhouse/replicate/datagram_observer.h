@@ -1,7 +1,7 @@
 #pragma once
 
-/// DatagramObserver: an observer's end of a session, without its socket: asks to join, holds the world, and
-/// acknowledges what came. One thread. Times are of any one clock. [s]
+/// DatagramObserver: the observer's end of a session, without its socket: joins, keeps a
+/// replica of the world, and acknowledges packets. One thread. Times are of any one clock. [s]
 
 #include <cstdint>
 #include <optional>
@@ -17,29 +17,29 @@ namespace playhouse::replicate {
 
 class DatagramObserver {
  public:
-  /// `nonce` is a number that nobody can guess: who answers has heard it from us.
+  /// `nonce` must be unpredictable: an answer with it comes from somebody who received our hello.
   DatagramObserver(std::uint64_t nonce, Terms wanted, std::string token, double now)
       : nonce_(nonce), wanted_(wanted), token_(std::move(token)), heard_(now) {}
 
   void receive(std::span<const std::byte> datagram, double now);
-  /// What is to be sent now; nothing: call again in a few ms. Call until there is nothing.
+  /// The next datagram to send; none: call again in a few ms. Call in a loop until none.
   std::optional<std::vector<std::byte>> next(double now);
-  /// Asks for something, as docs/viewer-protocol.md has it.
+  /// Sends a command (docs/viewer-protocol.md).
   void command(std::string_view text);
-  /// The datagram that says goodbye; none where there was no welcome.
+  /// The datagram that ends the session; none before the welcome.
   std::optional<std::vector<std::byte>> bye() const;
 
-  /// Why it is over: refused, sent away, or nothing heard for long. None: it goes on.
+  /// Reason for the end: refused, kicked, or timed out. None: the session is open.
   const std::optional<std::string>& ended() const { return ended_; }
   bool has_joined() const { return channel_.has_value(); }
   const ObservedWorld& world() const { return world_; }
   ObservedWorld& world() { return world_; }
-  Terms terms() const { return terms_; }  // that were granted
+  Terms terms() const { return terms_; }  // as granted
 
   std::uint64_t packets() const { return channel_ ? channel_->received() : 0; }
-  /// Of the packets that were sent, and may still come.
+  /// Sent by the other end and not received, though they may still arrive.
   std::uint64_t packets_missing() const { return channel_ ? channel_->newest() - channel_->received() : 0; }
-  std::uint64_t bytes() const { return bytes_; }  // of datagrams that came
+  std::uint64_t bytes() const { return bytes_; }  // received, in datagrams
   std::uint64_t datagrams() const { return datagrams_; }
   double round_trip() const { return channel_ ? channel_->round_trip() : 0; }
 
@@ -55,11 +55,11 @@ class DatagramObserver {
   std::optional<std::uint64_t> cookie_;
   std::optional<DatagramChannel> channel_;
   ObservedWorld world_;
-  std::vector<std::shared_ptr<const PackedText>> commands_;  // from before the welcome
+  std::vector<std::shared_ptr<const PackedText>> commands_;  // issued before the welcome
   std::optional<std::string> ended_;
   double heard_, asked_ = -1e9, sent_ = -1e9;
-  double asked_for_ = 0.25;           // s until it asks again
-  std::uint32_t unacknowledged_ = 0;  // packets that came since we last sent one
+  double asked_for_ = 0.25;           // s until the next retry
+  std::uint32_t unacknowledged_ = 0;  // packets received since we last sent one
   std::uint64_t bytes_ = 0, datagrams_ = 0;
 };
 

@@ -16,11 +16,11 @@ namespace playhouse::replicate {
 namespace {
 
 constexpr std::uint32_t kGoneRow = world::ModelRow::kNone;
-constexpr std::size_t kLeastPacket = 200;     // bytes; a smaller one is not worth its head
+constexpr std::size_t kLeastPacket = 200;     // bytes; smaller packets are mostly header
 constexpr std::size_t kStateHeadBytes = 12;   // tick and flags, at most
 constexpr std::size_t kGroupBytes = 2;        // age and end
 constexpr std::size_t kSayingsBytes = 16384;  // of one text
-constexpr std::size_t kFewWaiting = 32768;    // bytes of texts: what changes meanwhile is told as one later
+constexpr std::size_t kFewWaiting = 32768;    // bytes of texts; above it changes are merged into a later text
 constexpr double kSignOfLife = 1;             // s
 constexpr double kFarPeriod = 1;              // s between two states of what is out of view
 constexpr double kSilence = 1, kQuietPeriod = 0.5;  // s: who is not heard of for the first gets little
@@ -104,7 +104,7 @@ void DatagramViewer::offer(const Snapshot& snapshot, ChangesTexts& changes, doub
   while (send_packet(snapshot, now, must, send) && !is_silent) must = false;
 }
 
-/// The most that may go at once is what a tenth of a second is worth, or one packet.
+/// Token bucket: a burst is a tenth of a second's budget, or one packet.
 void DatagramViewer::refill(double now) {
   const double most =
       std::max<double>(terms_.bytes_per_second / 10.0, limits::kDatagramBytes + limits::kDatagramHeadBytes);
@@ -166,7 +166,7 @@ void DatagramViewer::map_rows(const Snapshot& snapshot) {
       [&](std::uint32_t before, std::uint32_t now) { now_row_[before] = now; }, [](std::uint32_t) {});
 }
 
-/// What models say now and the observer has not heard, as far as it knows them.
+/// Sends changed texts of models that the observer knows.
 void DatagramViewer::say(const Snapshot& snapshot) {
   if (said_number_ == snapshot.said || channel_.texts().waiting() >= kFewWaiting) return;
   std::string news;
@@ -176,7 +176,7 @@ void DatagramViewer::say(const Snapshot& snapshot) {
     fmt::format_to(std::back_inserter(news), "{}[{},{}]", news.empty() ? "" : ",", id.value, quoted(text));
     return true;
   };
-  std::map<world::ModelId, std::string> left = said_;  // what is in none of the sayings has ended
+  std::map<world::ModelId, std::string> left = said_;  // texts that are not in the snapshot any more
   for (const Said& said : snapshot.says) {
     const world::ModelId id = snapshot.layout->id[said.model];
     left.erase(id);
@@ -191,9 +191,9 @@ void DatagramViewer::say(const Snapshot& snapshot) {
   if (all) said_number_ = snapshot.said;
 }
 
-/// The rows that wait, the most important first.
+/// Collects rows with changes, sorted by accumulated priority.
 void DatagramViewer::weigh(const Snapshot& snapshot, double now) {
-  std::optional<std::uint32_t> selected;  // row of its top
+  std::optional<std::uint32_t> selected;  // row of its root
   if (wish_.selected)
     if (const auto row = snapshot.layout->row(*wish_.selected)) selected = snapshot.layout->root[*row];
   for (std::uint32_t told = 0; told < rows_.size(); ++told) {
@@ -212,14 +212,14 @@ void DatagramViewer::weigh(const Snapshot& snapshot, double now) {
   });
 }
 
-/// One packet, if there is something to say or one must go. False: nothing went.
+/// Sends a packet if there is something to send, or if `must`. False: nothing was sent.
 bool DatagramViewer::send_packet(const Snapshot& snapshot, double now, bool must, const Send& send) {
   const bool rows_wait = next_candidate_ < candidates_.size();
   if (!rows_wait && !channel_.texts().ready() && !must) return false;
   const double most = allowance_ - static_cast<double>(limits::kDatagramHeadBytes);
   if (most < static_cast<double>(kLeastPacket)) return false;
   const std::size_t room = std::min(limits::kDatagramBytes, static_cast<std::size_t>(most));
-  // Begun with its head alone, for how long that is: 10 + 8 + 8 + 4 + 10 + 3 + 10 bytes at most.
+  // Upper bound on the header: 10 + 8 + 8 + 4 + 10 + 3 + 10 bytes.
   constexpr std::size_t kHead = 53;
   const std::size_t texts_room = rows_wait ? room * 3 / 4 : room;
   const Seq seq = channel_.write(now, texts_room - kHead, packet_);
@@ -232,7 +232,7 @@ bool DatagramViewer::send_packet(const Snapshot& snapshot, double now, bool must
   return true;
 }
 
-/// The state of a packet: its head, and as many rows as there is room for.
+/// Appends the state: its header, and as many rows as fit.
 void DatagramViewer::write_rows(const Snapshot& snapshot, double now, Seq seq, std::size_t room) {
   if (room < kStateHeadBytes) return;
   room -= kStateHeadBytes;
@@ -263,11 +263,11 @@ void DatagramViewer::write_rows(const Snapshot& snapshot, double now, Seq seq, s
   sent_rows_[seq] = std::move(sent);
 }
 
-/// Whether with packet `seq` (0: with none) the observer has had a state of every model that is not as the
-/// text told.
+/// True if with packet `seq` (0: none) the observer has received
+/// a state of every model that differs from its announcement.
 bool DatagramViewer::is_whole(const Snapshot& snapshot, Seq seq) {
   if (was_whole_) return true;
-  bool is_known = told_ == snapshot.layout;  // without this packet
+  bool is_known = told_ == snapshot.layout;  // before this packet
   for (std::uint32_t told = 0; told < rows_.size(); ++told) {
     const Row& row = rows_[told];
     const std::uint32_t is = now_row_[told];
@@ -289,7 +289,7 @@ bool DatagramViewer::add_row(const Snapshot& snapshot, Seq seq, std::uint32_t to
   const ModelState& from = has_baseline ? row.acknowledged : row.start;
   const std::uint8_t age = has_baseline ? static_cast<std::uint8_t>(seq - row.acknowledged_seq) : 0;
   std::uint8_t mask = changed_fields(from, to);
-  if (mask == 0) mask = 1;  // it is what it was before what was sent last: a difference of nothing
+  if (mask == 0) mask = 1;  // back to the baseline: send a zero delta, to supersede the last state sent
   const std::size_t begin = fields_.size();
   Packer pack(fields_);
   write_fields(mask, from, to, pack);

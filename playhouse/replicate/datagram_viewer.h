@@ -1,10 +1,10 @@
 #pragma once
 
-/// DatagramViewer: the program's end of one observer, without its socket: what the observer has acknowledged,
-/// model by model, and what goes to it next within its budget. Texts (the scene, who comes and goes, what is
-/// said) arrive once and in order; of states the newest wins, and a lost one is sent again only as what it is
-/// by then. Thread: one, that serves observers. Cost of a frame: O(models), and O(n log n) of those that
-/// changed.
+/// DatagramViewer: the server's end of one observer, without its socket: acknowledged
+/// baselines, model by model, and what to send next within its byte budget. Texts (the
+/// scene, population changes, speech) are reliable and in order; of states the latest
+/// wins: a lost state is not resent, the current one is sent instead. Thread: the one
+/// that serves observers. Cost of a frame: O(models), plus O(n log n) for n changed ones.
 
 #include <cstdint>
 #include <functional>
@@ -26,37 +26,37 @@ class DatagramViewer {
  public:
   using Send = std::function<void(std::span<const std::byte>)>;
 
-  /// It is told the scene first, which is of this layout.
+  /// Begins with the scene, which describes this layout.
   DatagramViewer(std::uint64_t session, Terms terms, std::shared_ptr<const Layout> layout,
                  std::shared_ptr<const PackedText> scene, double now);
 
-  /// A packet of its session. Fails for what no observer sends: it is sent away.
+  /// Processes a packet of its session. Fails on a protocol violation: the observer is to be dropped.
   Result<void> receive(std::span<const std::byte> rest, double now);
 
-  /// Sends what is due and what the budget has room for, of the newest snapshot. Call about every 33 ms.
+  /// Sends what is due of the newest snapshot, within the budget. Call about every 33 ms.
   void offer(const Snapshot& snapshot, ChangesTexts& changes, double now, const Send& send);
 
-  /// A line for who observes.
+  /// Queues a line of text for the observer's user.
   void notice(std::string_view text);
 
   const Wish& wish() const { return wish_; }
   bool is_gone(double now) const { return now - heard_ >= limits::kObserverQuietSeconds; }
   std::uint64_t session() const { return channel_.session(); }
 
-  /// For tests: nothing waits and everything has been acknowledged.
+  /// For tests: nothing is pending and everything has been acknowledged.
   bool holds(const Snapshot& snapshot) const;
 
  private:
-  /// What one model was, is and will be to the observer. States before `acknowledged` are of no use any more.
+  /// Replication state of one model. States older than `acknowledged` are obsolete.
   struct Row {
     ModelState start, acknowledged, sent;
-    Seq acknowledged_seq = 0;  // 0: none, the observer has `start`
+    Seq acknowledged_seq = 0;  // 0: none, the baseline is `start`
     Seq sent_seq = 0;
-    Seq floor = 0;              // packets up to here told of another model with this id
-    std::uint64_t told_at = 0;  // bytes of the stream after which the observer knows it
+    Seq floor = 0;              // packets up to here are of another model with this id
+    std::uint64_t told_at = 0;  // stream offset from which on the observer knows it
     double sent_time = -std::numeric_limits<double>::infinity();
-    double gathered = 0;   // of importance
-    bool is_lost = false;  // `sent` may not have come
+    double gathered = 0;   // priority accumulator
+    bool is_lost = false;  // the packet with `sent` may be lost
   };
   struct SentRow {
     world::ModelId id;
@@ -89,22 +89,22 @@ class DatagramViewer {
   DatagramChannel channel_;
   const Terms terms_;
   Wish wish_;
-  std::shared_ptr<const Layout> told_;  // the population that the observer was told of
+  std::shared_ptr<const Layout> told_;  // the population announced to the observer
   std::vector<Row> rows_;               // of told_
   std::shared_ptr<const Layout> mapped_;
-  std::vector<std::uint32_t> now_row_;             // of told_'s rows in the layout mapped_; kNone: it is gone
+  std::vector<std::uint32_t> now_row_;             // rows of told_ in the layout mapped_; kNone: removed
   std::map<Seq, std::vector<SentRow>> sent_rows_;  // by seq
   std::map<world::ModelId, std::string> said_;
-  std::optional<std::uint64_t> said_number_;  // Snapshot::said of which it has all texts
+  std::optional<std::uint64_t> said_number_;  // Snapshot::said up to which all texts were sent
 
   double heard_, filled_, frame_due_ = 0, life_due_ = 0, quiet_due_ = 0;
-  double allowance_ = 0;  // B that may go now
+  double allowance_ = 0;  // bytes available (token bucket)
   bool owes_ack_ = false, told_paused_ = false, told_whole_ = false;
-  bool was_whole_ = false;  // see is_whole(); it stays so: who comes later is told as they are then
+  bool was_whole_ = false;  // see is_whole(); never reset: later models come with a current start state
   std::size_t faults_ = 0;
-  std::vector<Candidate> candidates_;  // of this frame, the first in order
+  std::vector<Candidate> candidates_;  // of this frame, by priority
   std::size_t next_candidate_ = 0;
-  // Scratch of one packet.
+  // Scratch buffers of one packet.
   std::vector<std::byte> packet_, fields_;
   std::vector<Written> written_;
 };

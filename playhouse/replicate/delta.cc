@@ -10,7 +10,7 @@
 namespace playhouse::replicate {
 namespace {
 
-/// Writes one packet; every function of a section returns false when the budget is spent.
+/// Writes one packet; functions of sections return false when the budget is used up.
 class PacketWriter {
  public:
   PacketWriter(const Snapshot& snapshot, const Wish& wish, std::size_t budget, Replica& replica,
@@ -41,7 +41,7 @@ class PacketWriter {
     replica_.pace = pace;
   }
 
-  /// Selected first, then what is in view, then all, both from `next` on.
+  /// The selected robot, then what is in view, then all; both round robin from `next`.
   void models(std::uint32_t& next) {
     id_ = 0;
     if (selected_) {
@@ -57,7 +57,7 @@ class PacketWriter {
     pack_.u8(packet::kEnd);
   }
 
-  /// Models that say something else than this viewer holds: those in view first, both from `next` on.
+  /// Changed texts: those in view first; both round robin from `next`.
   void says(std::uint32_t& next) {
     id_ = 0;
     if (replica_.said != snapshot_.said) {
@@ -80,7 +80,7 @@ class PacketWriter {
       if (selected(layout_.sensors[scan.sensor].model) && !held(scan)) this->scan(scan);
     }
     drop_scans();
-    // From the sensor where the last frame stopped, around.
+    // Round robin from the sensor where the last frame stopped.
     const auto begin = snapshot_.scans.begin(), end = snapshot_.scans.end();
     const auto from =
         std::lower_bound(begin, end, next, [](const Scan& s, std::uint32_t row) { return s.sensor < row; });
@@ -110,10 +110,10 @@ class PacketWriter {
  private:
   struct Utterance {
     std::uint32_t model = 0;  // row
-    std::string_view text;    // empty: it says nothing any more
+    std::string_view text;    // empty: removed
   };
 
-  /// True, and remembered as rows waiting, when the packet is as long as `budget` or longer.
+  /// True, and noted for kWaiting, if the packet has reached `budget`.
   bool full(std::size_t budget) {
     const bool full = out_.size() >= budget;
     waiting_ = waiting_ || full;
@@ -151,14 +151,14 @@ class PacketWriter {
     return false;
   }
 
-  /// Models from `first` around, as long as there is room. False: stopped before row `stopped`.
+  /// Models round robin from `first`, while there is room. False: stopped before row `stopped`.
   template <typename Choose>
   bool walk(std::uint32_t first, std::uint32_t& stopped, Choose choose) {
     const auto count = static_cast<std::uint32_t>(replica_.models.size());
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t row = first + k < count ? first + k : first + k - count;
       if (replica_.models[row] == snapshot_.models[row] || !choose(row)) continue;
-      if (full(budget_ / 4 * 3)) {  // the rest is the sensors' share
+      if (full(budget_ / 4 * 3)) {  // the rest is reserved for sensors
         stopped = row;
         return false;
       }
@@ -177,7 +177,7 @@ class PacketWriter {
     from = to;
   }
 
-  /// What the replica has otherwise than the snapshot; both are in the order of rows.
+  /// Differences of texts between replica and snapshot; both are sorted by row.
   std::vector<Utterance> unheard() const {
     std::vector<Utterance> news;
     auto held = replica_.says.begin();
@@ -194,7 +194,7 @@ class PacketWriter {
     return news;
   }
 
-  /// False: there is no room; some is left for the sensors.
+  /// False: no room; some is reserved for sensors.
   bool say(const Utterance& utterance) {
     if (full(budget_ / 8 * 7)) return false;
     item(packet::kFresh, utterance.model);
@@ -232,7 +232,7 @@ class PacketWriter {
     for (const std::uint16_t beam : beams) pack_.u16(beam);
   }
 
-  /// Takes back what is held and not in the snapshot, or no longer wanted. Both are in the order of sensors.
+  /// Removes held scans that are not in the snapshot or not wanted any more. Both are sorted by sensor.
   void drop_scans() {
     auto fresh = snapshot_.scans.begin();
     for (std::uint32_t row = 0; row < replica_.scans.size(); ++row) {
@@ -280,7 +280,7 @@ class PacketWriter {
     }
   }
 
-  /// Takes back what is held and not in the snapshot, or no longer wanted. Both are by view and model.
+  /// Removes held views not in the snapshot or not wanted any more. Both are sorted by view and model.
   void drop_views() {
     const auto key_of = [](const Viewed& viewed) { return std::pair(viewed.view, viewed.model); };
     for (auto it = replica_.views.begin(); it != replica_.views.end();) {
@@ -303,8 +303,8 @@ class PacketWriter {
   Replica& replica_;
   std::vector<std::byte>& out_;
   Packer pack_;
-  std::optional<std::uint32_t> selected_;  // row of its top
-  std::uint32_t id_ = 0;                   // of the item before
+  std::optional<std::uint32_t> selected_;  // row of its root
+  std::uint32_t id_ = 0;                   // of the previous item
   bool waiting_ = false;
   bool changed_ = false;
 };

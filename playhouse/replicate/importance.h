@@ -11,7 +11,7 @@
 
 namespace playhouse::replicate {
 
-/// How far a model is from what the viewer holds. [mm], a turn as far as its edge at 0.2 m
+/// Distance of a model from the viewer's copy. [mm], rotation as the arc at a radius of 0.2 m
 inline double change_of(const ModelState& held, const ModelState& is) {
   const double turn = std::abs(static_cast<std::int16_t>(static_cast<std::uint16_t>(is.a - held.a)));
   const double way = std::abs(double{1} * is.x - held.x) + std::abs(double{1} * is.y - held.y) +
@@ -21,8 +21,8 @@ inline double change_of(const ModelState& held, const ModelState& is) {
   return way + turn * (6.2832 / 65536 * 200) + (looks_other ? 100 : 0);
 }
 
-/// 1 for a model in the middle of the view that has moved little; at least 0.05. `at` is where its tree
-/// stands.
+/// Priority weight: 1 for a model at the centre of the view that has
+/// changed little; at least 0.05. `at` is the place of its tree's root.
 inline double importance(const Wish& wish, bool is_selected, geom::Vec2 at, double change) {
   constexpr double kSelected = 16, kNear = 10, kLeast = 0.05;  // times, m, as above
   if (is_selected) return kSelected;
@@ -35,7 +35,7 @@ inline double importance(const Wish& wish, bool is_selected, geom::Vec2 at, doub
   return std::max(weight, kLeast);
 }
 
-/// Whether what stands at `at` is in a view that looks at a part of the world.
+/// True if the view covers only a part of the world and `at` is outside it.
 inline bool is_out_of_view(const Wish& wish, geom::Vec2 at) {
   return !wish.view.empty() && !wish.view.contains(at);
 }

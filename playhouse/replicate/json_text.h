@@ -1,6 +1,6 @@
 #pragma once
 
-/// Values as JSON text, for what viewers are told once.
+/// Conversion of values to JSON text, for messages sent once.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ inline std::string quoted(std::string_view text) {
   return boost::json::serialize(boost::json::string(text));
 }
 
-/// Metres and radians to a tenth of a millimetre: what a screen can show.
+/// Metres and radians rounded to 1e-4: finer than a screen shows.
 inline std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:g}", std::round(value * 1e4) / 1e4) : "0";
 }
@@ -40,7 +40,7 @@ inline std::string color(const scene::Color& c) {
   return fmt::format("[{},{},{},{}]", number(c.r), number(c.g), number(c.b), number(c.a));
 }
 
-/// "[a,b]" of write(a), write(b).
+/// A JSON array of write(item).
 template <typename Range, typename Write>
 std::string list(const Range& items, Write write) {
   std::string text = "[";

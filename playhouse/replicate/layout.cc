@@ -32,7 +32,7 @@ std::uint8_t traits_of(const world::World& world, world::ModelRow row) {
   return static_cast<std::uint8_t>(traits);
 }
 
-/// What is this model's own and stays: its names and devices, and its mark.
+/// The constant properties of this model: names, devices, fiducial.
 std::string words_of(const world::World& world, world::ModelRow row, const DeviceNames& devices) {
   const std::string name = world.name(row), alias = world.alias(row);
   std::string text = R"("name":)" + quoted(name);
@@ -58,7 +58,7 @@ ModelState model_state(const world::World& world, std::uint32_t row) {
   state.tilt_y = quantize_angle(models.tilt_PM[row].y);
   state.color = scene::rgba8(models.color[row]);
   state.state = state_bits(world, row);
-  state.flags = static_cast<std::uint32_t>(models.flags[row]);  // at least 0
+  state.flags = static_cast<std::uint32_t>(models.flags[row]);  // never negative
   return state;
 }
 
@@ -74,7 +74,7 @@ Layout::Layout(const world::World& world, const Prototypes& prototypes, const De
   words.resize(models.size());
   start.resize(models.size());
   viewed.resize(views().size());
-  std::size_t known = 0;  // row of `before`; both are in the order of ids
+  std::size_t known = 0;  // row of `before`; both are sorted by id
   for (std::uint32_t row = 0; row < models.size(); ++row) {
     prototype[row] = prototypes.of(models.desc[row]);
     traits[row] = traits_of(world, {row});

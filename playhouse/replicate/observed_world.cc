@@ -16,9 +16,9 @@ namespace {
 namespace json = boost::json;
 
 constexpr std::size_t kMostNotices = 100;
-constexpr std::uint32_t kKept = 256;  // packets; more than kOldestBaseline and what overtakes
+constexpr std::uint32_t kKept = 256;  // packets; kOldestBaseline plus reordering
 
-/// Reads numbers and texts of a JSON value, and remembers whether all were there.
+/// Typed access to a JSON value, with a sticky error.
 class Reader {
  public:
   bool ok() const { return ok_; }
@@ -132,7 +132,7 @@ Result<void> ObservedWorld::take_state(Seq seq, std::span<const std::byte> bytes
       id += in.zigzag() % (std::int64_t{1} << 33);
       const bool fits = in.ok() && id >= 0 && id < world::ModelId::kNone;
       const auto found = fits ? models_.find(static_cast<std::uint32_t>(id)) : models_.end();
-      // Of a model that has gone, or was another one then, nothing is wanted: read over.
+      // Removed, or replaced by another model: parsed and ignored.
       const bool is_known = found != models_.end() && seq > found->second.floor;
       ModelState state;
       if (is_known && age == 0) state = found->second.start;
@@ -149,7 +149,7 @@ Result<void> ObservedWorld::take_state(Seq seq, std::span<const std::byte> bytes
   return in.ok() ? Result<void>() : Error{"", "a state is cut short"};
 }
 
-/// Also what is late: a difference may be told from it.
+/// Late states are kept too: they may be baselines.
 void ObservedWorld::keep(ObservedModel& model, Seq seq, const ModelState& state, std::uint64_t tick) {
   std::erase_if(model.history, [&](const auto& old) { return old.first + kKept < seq; });
   model.history.emplace_back(seq, state);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// ObservedWorld: what an observer holds, by ids: made of the texts and states of datagram.h by somebody who
-/// has no world of its own. For observers in C++, and for tests. One thread.
+/// ObservedWorld: an observer's replica, keyed by id, built only from the texts
+/// and states of datagram.h. For observers in C++, and for tests. One thread.
 
 #include <cstdint>
 #include <map>
@@ -23,35 +23,35 @@ struct ObservedModel {
   std::string name;
   std::optional<std::uint32_t> parent;  // id
   ModelState state;
-  std::uint64_t tick = 0;  // when it was so; 0: as the scene told
+  std::uint64_t tick = 0;  // of `state`; 0: initial state of the scene
   std::string says;
 
   ModelState start;
-  Seq floor = 0;                                    // packets up to here told of another model
-  Seq newest = 0;                                   // packet of `state`
-  std::vector<std::pair<Seq, ModelState>> history;  // of late packets, by which differences are told
+  Seq floor = 0;                                    // packets up to here are of another model
+  Seq newest = 0;                                   // packet that `state` came in
+  std::vector<std::pair<Seq, ModelState>> history;  // recent states: baselines of deltas
 };
 
 class ObservedWorld {
  public:
-  /// A text of the stream. Fails for what is none, and where it contradicts what came before.
+  /// Processes a text of the stream. Fails if it is malformed or contradicts earlier texts.
   Result<void> take_text(std::string_view text, Seq after);
-  /// The state of packet `seq`.
+  /// Applies the state of packet `seq`.
   Result<void> take_state(Seq seq, std::span<const std::byte> state);
 
   bool has_scene() const { return interval_ > 0; }
-  /// Every model has come, and where it is: before that some are told as they were when they came into the
-  /// world.
+  /// True if the current state of every model has been received;
+  /// before that some models are in their initial state.
   bool is_whole() const { return has_scene() && is_whole_; }
   const std::string& name() const { return name_; }
-  double interval() const { return interval_; }  // s of a tick
-  std::uint64_t tick() const { return tick_; }   // the newest that was told of
+  double interval() const { return interval_; }  // s per tick
+  std::uint64_t tick() const { return tick_; }   // newest received
   bool paused() const { return paused_; }
   const std::map<std::uint32_t, ObservedModel>& models() const { return models_; }  // by id
-  /// Lines for who observes; clears them.
+  /// Texts for the user; clears them.
   std::vector<std::string> take_notices() { return std::exchange(notices_, {}); }
 
-  /// Where a model is. [m, rad, W]
+  /// Pose of a model in W. [m, rad]
   geom::Pose pose(std::uint32_t id) const;
 
  private:
@@ -60,7 +60,7 @@ class ObservedWorld {
   std::string name_;
   double interval_ = 0;
   std::uint64_t tick_ = 0;
-  Seq newest_ = 0;  // packet that told of tick_
+  Seq newest_ = 0;  // packet that tick_ came in
   bool paused_ = false, is_whole_ = false;
   std::map<std::uint32_t, ObservedModel> models_;
   std::vector<std::string> notices_;

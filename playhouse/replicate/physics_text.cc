@@ -9,7 +9,7 @@ namespace {
 
 using world::SolidCorners;
 
-/// Whether the second half of the corners stands above the first one, as of an upright prism.
+/// True if the second half of the corners is above the first half, as for an upright prism.
 bool is_prism(const SolidCorners& corners) {
   const std::size_t half = corners.size() / 2;
   if (half == 0 || corners.size() % 2 != 0) return false;

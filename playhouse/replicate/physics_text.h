@@ -8,11 +8,11 @@
 
 namespace playhouse::replicate {
 
-/// Corners that a viewer is told of at most: a text of about ten megabytes.
+/// Limit on corners sent to a viewer: about ten megabytes of text.
 inline constexpr std::size_t kPhysicsCorners = 400'000;
 
-/// What physics takes bodies for, as JSON text for a viewer (docs/viewer-protocol.md). Fails where there are
-/// more corners than that.
+/// Collision shapes as JSON text for a viewer (docs/viewer-protocol.md).
+/// Fails if there are more corners than that.
 Result<std::string> physics_text(const world::PhysicsShapes& shapes);
 
 }  // namespace playhouse::replicate

@@ -14,7 +14,7 @@
 namespace playhouse::replicate {
 namespace {
 
-/// Texts in order of first use; equal texts are one.
+/// Interned texts, in order of first use.
 class Texts {
  public:
   std::uint32_t row(std::string text) {
@@ -60,7 +60,7 @@ std::string shape(const scene::ModelDesc& model) {
 
 using Meshes = std::vector<std::shared_ptr<const mesh::Mesh>>;
 
-/// In the order of first use.
+/// Index of a mesh, in order of first use.
 std::size_t row_of(const std::shared_ptr<const mesh::Mesh>& mesh, Meshes& meshes) {
   const auto found = std::ranges::find(meshes, mesh);
   if (found != meshes.end()) return static_cast<std::size_t>(found - meshes.begin());
@@ -68,7 +68,7 @@ std::size_t row_of(const std::shared_ptr<const mesh::Mesh>& mesh, Meshes& meshes
   return meshes.size() - 1;
 }
 
-/// A light of a mesh that has a place.
+/// A point or spot light of a mesh.
 std::string light(const mesh::Light& light) {
   std::string text = fmt::format(R"({{"p":{},"candela":{})", triple(light.p.x, light.p.y, light.p.z),
                                  triple(light.color[0], light.color[1], light.color[2]));
@@ -109,8 +109,8 @@ std::string prototype(const scene::ModelDesc& model, Texts& shapes, Meshes& mesh
   return text += '}';
 }
 
-/// A prototype is called by the word of its define, further ones of the same word by their first models. In
-/// scenes made in code, which share no descriptions, trees that look alike are one.
+/// Names of spawnable prototypes: the macro's name, or for further ones of the same macro the first
+/// model's. In scenes made in code, which share no descriptions, trees that look alike are merged.
 std::vector<Addable> addable_of(const scene::SceneDesc& scene, std::span<const std::uint32_t> of_desc) {
   std::vector<Addable> addable;
   std::set<std::string> names;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Prototypes: what viewers are told once of the descriptions of a scene, which never change: kind, shape,
-/// size, what the kind tells. Descriptions that look alike are one prototype, and equal shapes are one shape,
-/// so that a thousand robots stay small. Made before the first tick, then read by all threads.
+/// Prototypes: the immutable part of a scene's descriptions, sent once to each viewer: kind, shape, size,
+/// kind-specific fields. Descriptions that look alike share a prototype, equal shapes are stored once, so
+/// the size does not grow with the number of robots. Built before the first tick, read by all threads.
 
 #include <cstdint>
 #include <memory>
@@ -13,13 +13,13 @@
 
 namespace playhouse::replicate {
 
-/// What a person may add to a world that runs.
+/// A tree that users may spawn at run time.
 struct Addable {
-  std::string name;        // for people
-  std::uint32_t desc = 0;  // row of SceneDesc::models, a top
+  std::string name;        // display name
+  std::uint32_t desc = 0;  // row of SceneDesc::models, a root
 };
 
-/// Under which viewers find a mesh, from the address of the page.
+/// URL of a mesh, relative to the page.
 std::string mesh_address(std::size_t row);
 
 class Prototypes {
@@ -29,13 +29,13 @@ class Prototypes {
   /// The prototype of a row of SceneDesc::models.
   std::uint32_t of(std::uint32_t desc) const { return of_desc_[desc]; }
 
-  /// The prototypes of trees whose top a person may move, in the order of the scene.
+  /// The spawnable trees: those whose root users may move, in the order of the scene.
   const std::vector<Addable>& addable() const { return addable_; }
 
-  /// The meshes that bodies look as, each once.
+  /// The distinct meshes of bodies.
   const std::vector<std::shared_ptr<const mesh::Mesh>>& meshes() const { return meshes_; }
 
-  /// Lists of JSON, without the brackets around them.
+  /// Items of JSON arrays, without the brackets.
   const std::string& shapes() const { return shapes_; }
   const std::string& texts() const { return texts_; }
 

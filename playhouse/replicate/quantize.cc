@@ -21,13 +21,13 @@ std::uint16_t quantize_angle(double radians) {
   return static_cast<std::uint16_t>(std::lround((turns - std::floor(turns)) * 65536.0) & 0xFFFF);
 }
 
-// No calls and no branches within the sensor's range, so that quantize_ranges() becomes vector instructions.
+// Call-free and branch-free within the range, so that quantize_ranges() is vectorised.
 std::uint16_t quantize_range(double range, double range_max) {
   if (!(range_max > 0)) return 0xFFFF;
   constexpr double kWhole = 0xFFFF;
   const double scaled = range * (kWhole / range_max), below = scaled < kWhole ? scaled : kWhole,
                clipped = below > 0 ? below : 0;
-  constexpr double kAlmostHalf = 0.49999999999999994;  // 0.5 would round up what is just below a half
+  constexpr double kAlmostHalf = 0.49999999999999994;  // 0.5 would round up the value just below a half
   return static_cast<std::uint16_t>(static_cast<std::int32_t>(clipped + kAlmostHalf));
 }
 

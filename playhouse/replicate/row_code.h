@@ -1,8 +1,8 @@
 #pragma once
 
-/// How the state of a model travels: as what differs from a state that the other end has, field by field. The
-/// packets of delta.h and of datagram.h hold such rows; the fields and the bits of the mask are drawn in
-/// delta.h.
+/// Delta encoding of a model's state: only fields that differ from
+/// a baseline held by the other end. Used by the packets of delta.h
+/// and datagram.h; fields and mask bits are specified in delta.h.
 
 #include <cstdint>
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace playhouse::replicate {
 
-/// The mask of the fields that differ; 0: none does.
+/// The mask of the fields that differ; 0: none.
 inline std::uint8_t changed_fields(const ModelState& from, const ModelState& to) {
   return static_cast<std::uint8_t>(
       (from.x != to.x ? 1 : 0) | (from.y != to.y ? 2 : 0) | (from.z != to.z ? 4 : 0) |
@@ -34,8 +34,8 @@ inline void write_fields(std::uint8_t mask, const ModelState& from, const ModelS
   if (mask & 128) pack.u16(to.tilt_x), pack.u16(to.tilt_y);
 }
 
-/// Brings `state` up to what the fields say. False: a number does not fit, and the state is of no use any
-/// more.
+/// Applies delta fields to `state`. False: a number
+/// is out of range, and the state is unusable.
 inline bool read_fields(std::uint8_t mask, Unpacker& in, ModelState& state) {
   bool fits = true;
   const auto add = [&](std::int32_t& value) {

@@ -8,27 +8,27 @@
 
 namespace playhouse::replicate {
 
-/// The sun, sky and fog that the cameras of a world show, as JSON; "null" where they show none.
+/// Sun, sky and fog as rendered by the world's cameras, as JSON; "null" if they render none.
 std::string light_text(const world::World& world);
 
-/// The scene as the JSON text that every viewer gets first: its light, shapes, prototypes, and the models of
-/// a layout with their start state (the very numbers of `layout.start`, the first baseline).
-/// docs/viewer-protocol.md shows the fields.
+/// The scene as the JSON text that every viewer gets first: light, shapes,
+/// prototypes, and the models of a layout with their start state (exactly
+/// `layout.start`, the first baseline). docs/viewer-protocol.md specifies it.
 std::string scene_text(const scene::SceneDesc& scene, std::string_view light, const Prototypes& prototypes,
                        const Layout& layout);
 
-/// What a viewer that holds one population must be told to hold another one: who has gone, and models that
-/// came or have another parent, with their start state. Both layouts are of one run. Empty: nothing.
+/// The update that takes a viewer from one population to another: removed models, and models that are new or
+/// have another parent, with their start state. Both layouts are of one run. Empty if there is no difference.
 std::string changes_text(const Layout& from, const Layout& to);
 
-/// The instants that a viewer may go back to, or why there are none.
+/// The instants to which a viewer can rewind, or why there are none.
 std::string history_text(const world::Past& past);
 
-/// A world file for a viewer to keep under a name.
+/// A world file for a viewer to download under this name.
 std::string world_file_text(std::string_view name, std::string_view text);
 
-/// Calls gone(row of `from`), stays(row of `from`, row of `to`) and came(row of `to`) in the order of ids; a
-/// model with another parent goes and comes.
+/// Merge of two layouts by id: calls gone(row of `from`), stays(row of `from`, row
+/// of `to`) and came(row of `to`); a model with a new parent is gone and came.
 template <typename Gone, typename Stays, typename Came>
 void compare(const Layout& from, const Layout& to, Gone gone, Stays stays, Came came) {
   const auto parent_id = [](const Layout& layout, std::uint32_t row) {

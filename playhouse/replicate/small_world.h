@@ -1,7 +1,7 @@
 #pragma once
 
-/// SmallWorld: a world built in memory for the tests here and of the web server: a wall, robots with a laser
-/// of 5 beams, two sonars and a fiducial finder each, a puck, grippers that nothing carries, and people.
+/// SmallWorld: an in-memory world for the tests here and of the web server: a wall, robots with a laser
+/// of 5 beams, two sonars and a fiducial finder each, a puck, free-standing grippers, and people.
 
 #include <string>
 
@@ -21,10 +21,10 @@ class SmallWorld {
   SmallWorld(const SmallWorld&) = delete;
   SmallWorld& operator=(const SmallWorld&) = delete;
 
-  /// Row of robot k, and its id, as long as nobody goes; the wall is row 0.
+  /// Row of robot k, equal to its id as long as no model is removed; the wall is row 0.
   static std::uint32_t robot(int k) { return static_cast<std::uint32_t>(1 + 4 * k); }
   static world::ModelId id(int k) { return {robot(k)}; }
-  /// The puck's row of the scene, of one without grippers.
+  /// Row of the puck in a scene without grippers and people.
   std::uint32_t puck() const { return static_cast<std::uint32_t>(scene_.models.size()) - 1; }
 
   std::shared_ptr<const Layout> layout(const DeviceNames& devices = {},
@@ -32,8 +32,8 @@ class SmallWorld {
     return std::make_shared<const Layout>(world, prototypes, devices, before);
   }
 
-  /// One tick of make-believe: some robots move and turn, sensors that measure get new values. Depends on the
-  /// tick alone.
+  /// A synthetic tick: some robots move and turn, active
+  /// sensors get new values. A function of the tick number.
   void tick() {
     ++world.tick_;
     Rng rng(world.tick_);

@@ -13,7 +13,7 @@ class Capture {
  public:
   Capture(const world::World& world, const Interest& interest, Snapshot& out)
       : world_(world), layout_(*out.layout), interest_(interest), out_(out) {
-    // By root: what was selected may be a part of something by now.
+    // By root: a selected model may have been attached meanwhile.
     for (const world::ModelId id : interest.selected)
       if (const auto row = layout_.row(id)) selected_.push_back(layout_.root[*row]);
     std::ranges::sort(selected_);
@@ -115,7 +115,7 @@ class Capture {
   const Layout& layout_;
   const Interest& interest_;
   Snapshot& out_;
-  std::vector<std::uint32_t> selected_;  // rows of tops, ascending
+  std::vector<std::uint32_t> selected_;  // rows of roots, ascending
 };
 
 }  // namespace

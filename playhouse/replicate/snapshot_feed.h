@@ -1,8 +1,8 @@
 #pragma once
 
-/// SnapshotFeed: the world's newest state on its way from the tick to a thread that serves viewers, without
-/// either waiting for the other: one snapshot is written, one is ready, one is read. Threads: wants_show()
-/// and show() are for the tick thread or one that works for it, all else for the one that serves.
+/// SnapshotFeed: hands snapshots from the tick thread to a thread that serves viewers, without
+/// blocking (triple buffer): one is written, one is ready, one is read. Threads: wants_show()
+/// and show() are for the tick thread or one that works for it, all else for the serving thread.
 
 #include <atomic>
 #include <chrono>
@@ -15,25 +15,25 @@
 
 namespace playhouse::replicate {
 
-/// The least time between two frames of one viewer, and between two captures.
+/// The minimum period of frames to one viewer, and of captures.
 inline constexpr std::chrono::milliseconds kFramePeriod{33};
 
 class SnapshotFeed {
  public:
-  /// The first layout is made at once; `devices` is asked then, and by show() for models that come.
+  /// Makes the first layout; `devices` is called then, and by show() for new models.
   SnapshotFeed(const world::World& world, const Prototypes& prototypes, DeviceNames devices)
       : prototypes_(prototypes),
         devices_(std::move(devices)),
         layout_(std::make_shared<const Layout>(world, prototypes, devices_)),
         first_(layout_) {}
 
-  /// Somebody watches, and the last capture was kFramePeriod ago.
+  /// True if there are viewers and the last capture is at least kFramePeriod ago.
   bool wants_show() const {
     return watched_.load(std::memory_order_relaxed) &&
            std::chrono::steady_clock::now() - capture_time_ >= kFramePeriod;
   }
 
-  /// Captures the world, which stands still meanwhile. True: the one who serves is to be told.
+  /// Captures the world, which must not change meanwhile. True: the serving thread has to be notified.
   bool show(const world::World& world, const world::Pace& pace) {
     capture_time_ = std::chrono::steady_clock::now();
     {
@@ -51,20 +51,20 @@ class SnapshotFeed {
     return !told_.exchange(true);
   }
 
-  /// Whether there is anybody to show to.
+  /// Tells whether there are viewers.
   void watch(bool anybody) { watched_ = anybody; }
-  /// What all look at, from the next capture on.
+  /// The interest of all viewers, for the next capture.
   void set_interest(Interest interest) {
     const std::lock_guard lock(mutex_);
     interest_ = std::move(interest);
   }
-  /// Brings `front` up to the newest snapshot, once the one who serves was told.
+  /// Swaps the newest snapshot, if there is one, into `front`. Called by the serving thread when notified.
   void take(Snapshot& front) {
     told_ = false;
     const std::lock_guard lock(mutex_);
     if (std::exchange(fresh_, false)) std::swap(ready_, front);
   }
-  /// Of the population when the feed was made.
+  /// The layout at construction.
   const std::shared_ptr<const Layout>& first_layout() const { return first_; }
 
  private:
@@ -77,7 +77,7 @@ class SnapshotFeed {
   Snapshot back_;
 
   std::atomic<bool> watched_ = false, told_ = false;
-  std::mutex mutex_;  // guards the next three; held for copies of a few words
+  std::mutex mutex_;  // guards the next three; held for a swap only
   Interest interest_;
   Snapshot ready_;
   bool fresh_ = false;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kWorthPacking = 256;
 constexpr int kPackLevel = 3;
-constexpr std::size_t kTextHeadBytes = 16;  // at least as many as the head of a text has
+constexpr std::size_t kTextHeadBytes = 16;  // upper bound of a text's header
 
 Error bad(std::string what) {
   return {"", std::move(what)};

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Texts as one stream of bytes in pieces, both ends of it: pieces may be lost, doubled and come in any
-/// order, texts come out once each and in order. Drawn in datagram.h. Knows no packets: who sends says which
-/// pieces were lost.
+/// Both ends of a reliable stream of texts over unreliable pieces, which may be
+/// lost, duplicated and reordered; texts are delivered once and in order. Format:
+/// datagram.h. Independent of packets: the sender is told which pieces were lost.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,11 +20,11 @@
 
 namespace playhouse::replicate {
 
-/// Number of a packet of one end, from 1 on. Wide enough never to begin anew, at 8,000 packets a second.
+/// Packet number of one end, from 1. Wide enough not to wrap at 8,000 packets a second.
 using Seq = std::uint64_t;
 inline constexpr Seq kSeqMost = Seq{1} << 53;
 
-/// A text as it travels, made once for all who get it.
+/// A text in its encoded form, shared by all recipients.
 struct PackedText {
   bool packed = false;  // a zstd frame
   std::vector<std::byte> bytes;
@@ -38,22 +38,22 @@ struct Piece {
 
 class StreamSender {
  public:
-  /// Behind all that was posted. `after`: see the stream format in datagram.h.
+  /// Appends a text. `after`: see the stream format in datagram.h.
   void post(std::shared_ptr<const PackedText> text, Seq after);
 
-  /// What goes next, at most so many bytes: what was lost, or else what is new and within the window. Size 0:
-  /// nothing.
+  /// The next piece to send, at most so many bytes: lost data
+  /// first, then new data within the window. Size 0: none.
   Piece next(std::size_t room);
   void write(const Piece& piece, Packer& pack) const;
-  /// The packet of this piece did not come.
+  /// The packet with this piece was lost.
   void lost(const Piece& piece);
-  /// The other end has so many bytes. False: more than were sent.
+  /// The other end has received so many bytes. False: more than were sent.
   bool taken(std::uint64_t bytes);
 
   std::uint64_t posted() const { return posted_; }
   std::uint64_t taken() const { return taken_; }
   std::size_t waiting() const { return static_cast<std::size_t>(posted_ - taken_); }
-  /// Something could go now.
+  /// True if next() has something to send.
   bool ready() const;
 
  private:
@@ -64,7 +64,7 @@ class StreamSender {
   void append(std::shared_ptr<const PackedText> bytes);
   void clip_lost();
 
-  std::deque<Segment> segments_;  // what is not taken, and no gap between them
+  std::deque<Segment> segments_;  // not yet taken, contiguous
   std::uint64_t posted_ = 0, sent_ = 0, taken_ = 0;
   std::map<std::uint64_t, std::uint64_t> lost_;  // begin and end
 };
@@ -76,23 +76,23 @@ struct ReceivedText {
 
 class StreamReceiver {
  public:
-  /// A text is at most so long, unpacked.
+  /// Limit on the unpacked length of a text.
   explicit StreamReceiver(std::size_t most) : most_(most) {}
 
-  /// Fails for what a sender never sends: beyond the window, or texts that are none.
+  /// Accepts a piece. Fails on a protocol violation: beyond the window, or malformed texts.
   Result<void> take(std::uint64_t at, std::span<const std::byte> bytes);
-  /// The next whole text.
+  /// The next complete text, if any.
   Result<std::optional<ReceivedText>> next();
   std::uint64_t taken() const { return taken_; }
 
  private:
   const std::size_t most_;
   std::uint64_t taken_ = 0;
-  // From taken_ on, within the window: bytes, and which of them came.
+  // Reassembly window from taken_ on: bytes, and which were received.
   std::vector<std::byte> ahead_;
   std::vector<bool> came_;
-  std::vector<std::byte> texts_;  // what came without a gap and was not asked for
-  std::size_t read_ = 0;          // of them
+  std::vector<std::byte> texts_;  // contiguous data, not yet read
+  std::size_t read_ = 0;          // read offset
 };
 
 }  // namespace playhouse::replicate

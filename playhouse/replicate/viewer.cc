@@ -40,7 +40,7 @@ NextFrame Viewer::next_frame(const Snapshot& snapshot, Emit emit, ChangesTexts& 
     next.changes = texts.text(replica_.layout, snapshot.layout);
     replica_.follow(snapshot.layout);
     if (wish_.selected && !snapshot.layout->row(*wish_.selected)) wish_.selected.reset();
-    emit = Emit::kAlways;  // what was told is acknowledged with it
+    emit = Emit::kAlways;  // so that the population change is acknowledged with it
   }
   const Sent sent = writer_.write(snapshot, wish_, sent_ + 1, limits::kViewerFrameBytes, replica_, out);
   waiting_ = sent == Sent::kPart;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Viewer: one watching page, without its socket: what it looks at, what it holds, how many frames are under
-/// way. A page that acknowledges slowly gets fewer frames; nothing queues for it. Thread: the thread that
-/// serves viewers.
+/// Viewer: one page without its socket: its interest, its replica, its frames
+/// in flight. Flow control: a page that acknowledges slowly gets fewer
+/// frames; nothing is queued for it. Thread: the thread that serves viewers.
 
 #include "playhouse/base/limits.h"
 #include "playhouse/replicate/command.h"
@@ -12,14 +12,14 @@ namespace playhouse::replicate {
 
 enum class Emit { kIfChanged, kAlways };
 
-/// What goes to a viewer next, in this order.
+/// What to send to a viewer next, in this order.
 struct NextFrame {
-  std::shared_ptr<const std::string> changes;  // of the population; none if it is the same
-  bool packet = false;                         // there is one
+  std::shared_ptr<const std::string> changes;  // population update; null if unchanged
+  bool packet = false;                         // a state packet was written
 };
 
-/// changes_text() of the last two populations that somebody asked for: viewers mostly ask for the same. None
-/// where they are the same models.
+/// Cache of the last changes_text(): viewers mostly
+/// need the same one. Null if the models are the same.
 class ChangesTexts {
  public:
   std::shared_ptr<const std::string> text(const std::shared_ptr<const Layout>& from,
@@ -32,22 +32,22 @@ class ChangesTexts {
 
 class Viewer {
  public:
-  /// It holds this population, as scene_text() says.
+  /// It holds this population, as scene_text() described it.
   explicit Viewer(std::shared_ptr<const Layout> layout) : replica_(std::move(layout)) {}
 
   const Wish& wish() const { return wish_; }
 
   void look(const Look& look);
-  /// The robot of a part is selected, not the part. One that is not there, or no more, is none.
+  /// Selects the robot that a part belongs to. A model that does not exist clears the selection.
   void select(const Select& select);
-  /// Fails for a frame that was never sent.
+  /// Fails on a frame number that was never sent.
   Result<void> acknowledge(std::uint32_t frame);
 
-  /// False: too many frames are unacknowledged; ask again when one comes back.
+  /// False: too many frames in flight; ask again after an acknowledgement.
   bool ready() const { return sent_ - acknowledged_ < limits::kViewerFramesInFlight; }
 
-  /// Writes the next packet into `out` and counts it as sent. No packet: there is nothing to send, or the
-  /// viewer is not ready. `waiting()` then says whether rows are left for the next frame.
+  /// Writes the next packet into `out` and counts it as sent. No packet: nothing to send,
+  /// or not ready. `waiting()` then tells whether rows were deferred to the next frame.
   NextFrame next_frame(const Snapshot& snapshot, Emit emit, ChangesTexts& texts, std::vector<std::byte>& out);
   bool waiting() const { return waiting_; }
 

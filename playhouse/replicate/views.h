@@ -1,9 +1,9 @@
 #pragma once
 
-/// Views: what travels of each kind of model, and of each trait, beyond its pose, made from the `[[viewer]]`
-/// fields of kinds/*.toml (generated/views.cc). A kind has one view at most: a record, or a list of records,
-/// of whole numbers. Quanta and units are in docs/kinds/ and in the page's own table,
-/// web/src/protocol/generated/.
+/// Views: replicated data of kinds and traits beyond the pose, generated from
+/// the `[[viewer]]` fields of kinds/*.toml (generated/views.cc). At most one
+/// view per kind: a record, or a list of records, of integers. Quanta and units
+/// are in docs/kinds/ and in the page's own table, web/src/protocol/generated/.
 
 #include <cstdint>
 #include <span>
@@ -15,36 +15,36 @@
 
 namespace playhouse::replicate {
 
-/// How a number travels: an unsigned varint; a signed one, zigzag; 16 bits of a turn; 32 bits of a colour.
+/// Encoding of a number: unsigned varint; zigzag varint; 16-bit fraction of a turn; 32-bit colour.
 enum class Code : std::uint8_t { kVarint, kZigzag, kTurn, kRgba };
 
-/// Whose views a viewer gets: those of all models; of all in its selected robot; of these, and of all in
-/// sight if it asked for sensors.
+/// For which models a view is sent: all; those of the viewer's selected
+/// robot; those, and all in view if the viewer asked for sensors.
 enum class When : std::uint8_t { kChanged, kSelected, kShown };
 
 struct View {
   When when;
-  bool measures;                // it does while somebody subscribes
-  bool list;                    // any number of records; else one
+  bool measures;                // has data only while subscribed
+  bool list;                    // any number of records; else exactly one
   std::span<const Code> codes;  // of one record
-  /// The model's row in the table of the kind, or Row::kNone if it is of another.
+  /// The model's row in the kind's table; Row::kNone if it is of another kind.
   std::uint32_t (*row_of)(const world::World& world, std::uint32_t model);
-  /// Appends the numbers of a row of that table. False: it has not measured yet.
+  /// Appends the numbers of a row of that table. False: no measurement yet.
   bool (*capture)(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out);
 };
 
-/// In the order of their kinds; traits come behind them.
+/// In the order of kinds, then traits.
 std::span<const View> views();
 
-/// The bits of a model's state: kSubscribed, and those of its kind.
+/// The state bits of a model: kSubscribed, and those of its kind.
 std::uint8_t state_bits(const world::World& world, std::uint32_t model);
-inline constexpr std::uint8_t kSubscribed = 1;  // somebody reads or drives it
+inline constexpr std::uint8_t kSubscribed = 1;  // a client reads or drives it
 
-/// Whether models of the kind measure while somebody subscribes, and do nothing else for those who only look:
-/// they change nothing.
+/// True if a subscription only makes models of the kind
+/// measure, without side effects: safe for passive viewers.
 bool may_be_watched(scene::ModelKind kind);
 
-/// Appends what a kind tells of its prototypes, as fields of a JSON object: `,"trail":20`.
+/// Appends the kind's fields of a prototype as members of a JSON object: `,"trail":20`.
 void tell_kind(const scene::ModelDesc& model, std::string& text);
 
 /// "position".

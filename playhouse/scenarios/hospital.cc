@@ -18,8 +18,8 @@ constexpr double kStartY[] = {1.2, 3.6, 5.4, 6.6, 8.4, 10.8};
 constexpr double kStartJitter = 0.25;  // m
 constexpr std::size_t kRobotsOfWard = std::size(kStartX) * std::size(kStartY);
 
-/// Walls of a ward [dm]: the outer ones, those to the ward on the left, and those of the corridor, 2.4 m
-/// wide, with a door of 1 m to each room.
+/// Walls of a ward [dm]: outer ones, those shared with the ward on the left,
+/// and those of the corridor, 2.4 m wide, with a door of 1 m to each room.
 struct Wall {
   int x, y, x_end, y_end;
 };

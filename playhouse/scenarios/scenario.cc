@@ -17,7 +17,7 @@ namespace playhouse::scenarios {
 namespace {
 
 constexpr double kCaveSide = 16;           // m
-constexpr std::size_t kCaveRobots = 100;   // in a cave; more have more caves
+constexpr std::size_t kCaveRobots = 100;   // per cave
 constexpr double kDiffusionDensity = 2.5;  // robots per square metre: ten in 2 m x 2 m, as in ARGoS's example
 constexpr double kSwarmDensity = 0.25;     // robots per square metre, as in wards
 constexpr double kSwarmBotRadius = 0.0708;  // m
@@ -47,14 +47,14 @@ std::string head(std::string_view name, double side) {
          meters(std::clamp(900 / side, 1.0, 100.0)) + " show_data 0 )\n";
 }
 
-/// A scene that ends with one room, "room", if it has any, and one robot, "r": the models that are copied to
-/// these places.
+/// A scene text that ends with one room, "room", if any,
+/// and one robot, "r", and the places for their copies.
 struct Draft {
   std::string text;
   std::vector<geom::Pose> rooms, robots;
 };
 
-/// A colour of the rainbow for each robot.
+/// A distinct hue for each robot.
 scene::Color paint(std::size_t robot) {
   const double hue =
       static_cast<double>(robot) * 0.61803398875 * geom::kTwoPi;  // golden ratio: neighbours differ
@@ -64,7 +64,7 @@ scene::Color paint(std::size_t robot) {
   return {channel(0), channel(geom::kTwoPi / 3), channel(2 * geom::kTwoPi / 3), 1};
 }
 
-/// Puts robots like the one at the scene's end, "r", there: "r0", "r1", ... The same with rooms, "room".
+/// Replaces the robot "r" by copies "r0", "r1", ... at the given places; likewise rooms.
 void copy_models(scene::SceneDesc& scene, const Draft& draft) {
   scene::TreeDesc robot = std::move(scene.trees.back());
   PLAYHOUSE_ASSERT(robot.name == "r");
@@ -88,7 +88,7 @@ void copy_models(scene::SceneDesc& scene, const Draft& draft) {
   }
 }
 
-/// Caves in rows that make a square, about the origin.
+/// Caves on a square grid around the origin.
 Result<Draft> draft_cave(std::size_t robots, const std::string& png) {
   const std::size_t caves = (robots + kCaveRobots - 1) / kCaveRobots;
   const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(caves))));
@@ -112,7 +112,7 @@ Draft draft_hospital(std::size_t robots) {
           places_of(wards), in_wards(robots, wards)};
 }
 
-/// `robots` like `robot` in a walled square.
+/// `robots` copies of `robot` in a walled square.
 Draft draft_square(std::string_view name, std::size_t robots, double density, double radius,
                    const std::string& robot) {
   const double side = std::sqrt(static_cast<double>(robots) / density);

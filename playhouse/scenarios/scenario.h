@@ -1,7 +1,7 @@
 #pragma once
 
-/// Scenarios: worlds of any number of robots, the same for tests, benches and demonstrations. 100 ms ticks,
-/// poses without overlaps that depend on nothing but the name and the number.
+/// Scenarios: worlds with any number of robots, shared by tests, benches and
+/// demonstrations. 100 ms ticks, poses without overlaps, a function of name and number.
 
 #include <array>
 #include <cstddef>
@@ -12,15 +12,15 @@
 
 namespace playhouse::scenarios {
 
-/// Robots per square metre of the walled squares of `sonar` and `laser`.
+/// Robots per square metre in the walled squares of `sonar` and `laser`.
 inline constexpr double kDensity = 0.39;
 inline constexpr std::size_t kMostRobots = 1000000;
 
 struct Scenario {
   std::string_view name;
-  std::string_view about;  // one line for a person
-  std::size_t robots;      // unless asked otherwise
-  double seconds;          // simulated, unless asked otherwise
+  std::string_view about;  // one-line description
+  std::size_t robots;      // default
+  double seconds;          // simulated, default
 };
 
 inline constexpr std::array<Scenario, 6> kScenarios{{
@@ -35,12 +35,12 @@ inline constexpr std::array<Scenario, 6> kScenarios{{
     {"diffusion", "foot-bots with 24 proximity sensors of 0.1 m in a walled square (diffusion)", 1000, 60},
 }};
 
-/// The scenario of that name with `robots` robots, "r0", "r1", ... `cave` has a cave for
-/// every hundred, so that they have the same room and the same walls around them. Fails on an unknown name
-/// and on a number outside 1 .. kMostRobots.
+/// The scenario of that name with robots "r0", "r1", ... `cave` has one
+/// cave per hundred robots, to keep density and surroundings constant.
+/// Fails on an unknown name and on a number outside 1 .. kMostRobots.
 Result<scene::SceneDesc> make(std::string_view name, std::size_t robots);
 
-/// Row of kScenarios, or null.
+/// Entry of kScenarios, or null.
 const Scenario* find(std::string_view name);
 
 }  // namespace playhouse::scenarios

@@ -16,12 +16,12 @@ double draw_heading(std::size_t robot) {
       .uniform(-geom::kPi, geom::kPi);
 }
 
-/// Pixels whose middle is further than `reach` pixels (along either axis) from solid ones.
+/// Pixels with a distance of more than `reach` pixels (Chebyshev) to solid ones.
 std::vector<std::uint8_t> room_around(const scene::Bitmap& rock, int reach) {
   const auto index = [&](int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(rock.width) + x;
   };
-  // First along rows, then along columns: a square of (2 reach + 1) pixels.
+  // Separable dilation: rows, then columns.
   std::vector<std::uint8_t> in_row(rock.solid.size(), 1), room(rock.solid.size(), 1);
   for (int y = 0; y < rock.height; ++y) {
     for (int x = 0; x < rock.width; ++x) {
@@ -40,7 +40,7 @@ std::vector<std::uint8_t> room_around(const scene::Bitmap& rock, int reach) {
   return room;
 }
 
-/// Fisher-Yates with fixed numbers.
+/// Fisher-Yates shuffle with a fixed seed.
 void shuffle(std::vector<geom::Vec2>& spots) {
   for (std::size_t k = spots.size(); k > 1; --k) {
     Rng random(kSeed, 0, {Purpose::kStartOrder, static_cast<std::uint32_t>(k)});
@@ -77,7 +77,7 @@ std::vector<geom::Pose> in_square(std::size_t count, double side, double radius)
 
 namespace {
 
-/// Spots in a cave, in an order without a pattern.
+/// Free spots in a cave, in random order.
 std::vector<geom::Vec2> spots_in_cave(const scene::Bitmap& rock, double side) {
   const double pixel = side / rock.width;
   const std::vector<std::uint8_t> room = room_around(rock, static_cast<int>(std::ceil(kRobotRadius / pixel)));
@@ -107,7 +107,7 @@ std::vector<geom::Pose> in_cave(std::size_t count, const scene::Bitmap& rock, do
 
 std::vector<geom::Pose> in_caves(std::size_t count, const scene::Bitmap& rock, double side, std::size_t each,
                                  const std::vector<geom::Pose>& caves) {
-  constexpr std::size_t kShift = 37;  // from the spots of one cave to those of the next
+  constexpr std::size_t kShift = 37;  // offset between the spots of one cave and the next
   const std::vector<geom::Vec2> spots = spots_in_cave(rock, side);
   PLAYHOUSE_ASSERT(spots.size() >= each);
   std::vector<geom::Vec2> all;

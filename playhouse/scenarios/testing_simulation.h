@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the tests of whole simulations share.
+/// Shared fixtures for tests of whole simulations.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 namespace playhouse::scenarios::testing {
 
-/// A scene that runs in the 2D engine, with its controllers.
+/// A scene in the 2D engine, with its controllers.
 class Simulation {
  public:
   explicit Simulation(Result<scene::SceneDesc> loaded, unsigned workers = 1) : scene_(std::move(loaded)) {
@@ -35,7 +35,7 @@ class Simulation {
   std::unique_ptr<world::Engine> engine_;
 };
 
-/// A world of this tree.
+/// A world file of this tree.
 inline Result<scene::SceneDesc> load(const std::string& file) {
   return scene::load_world(std::string(PLAYHOUSE_SOURCE_DIR) + "/" + file);
 }

@@ -10,7 +10,7 @@ namespace playhouse::scene {
 
 Axis axis_of(const ActuatorDesc& desc) {
   if (desc.type == ActuatorType::kRotational) return {0, 0, desc.axis_z < 0 ? -1.0 : 1.0};
-  // Divided by the largest first, so that nothing overflows or vanishes.
+  // Scaled by the largest component first, against overflow and underflow.
   const double largest = std::max({std::fabs(desc.axis_x), std::fabs(desc.axis_y), std::fabs(desc.axis_z)});
   if (largest == 0) return {1, 0, 0};
   const Axis axis{desc.axis_x / largest, desc.axis_y / largest, desc.axis_z / largest};

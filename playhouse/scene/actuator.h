@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where an actuator comes to be that slides or turns. Frames: M the model, P its parent.
+/// Kinematics of actuators that slide or rotate. Frames: M the model, P its parent.
 
 #include "playhouse/geom/pose.h"
 #include "playhouse/scene/scene_desc.h"
@@ -9,21 +9,21 @@ namespace playhouse::scene {
 
 class Properties;
 
-/// The unit vector in M along which it slides, or about which it turns: ahead, or up, where the file has
-/// none. Nothing turns about another axis than z, so of one that is asked to the sign of z counts.
+/// Unit vector in M of the slide or rotation axis; default: x to slide, z to
+/// rotate. Rotation is about z only, so of another axis only the sign of z counts.
 struct Axis {
   double x = 0, y = 0, z = 0;
 };
 Axis axis_of(const ActuatorDesc& desc);
 
-/// X_MN, where N is M after it has gone `way` along its axis. [m or rad]
+/// X_MN: displacement of M by `way` along its axis. [m or rad]
 geom::Pose way_along(const ActuatorDesc& desc, double way);
 
-/// The nearest position that it can have. [m or rad]
+/// Clamps a position to the actuator's range. [m or rad]
 double within_reach(const ActuatorDesc& desc, double position);
 
-/// Makes the ends a way and the start a position on it; warns where they were none, and of an axis about
-/// which nothing turns.
+/// Validates range and start position, adjusting them with
+/// a warning; also warns of a rotation axis other than z.
 void check_actuator(const Properties& properties, ActuatorDesc& desc);
 
 }  // namespace playhouse::scene

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::uint8_t kSolidUpTo = 127;
 
-/// A corner of the pixel grid, in the image's own sense: y down from the top edge.
+/// A corner of the pixel grid in image coordinates: y down from the top edge.
 struct Corner {
   int x, y;
   friend bool operator==(Corner, Corner) = default;
@@ -16,7 +16,7 @@ struct Corner {
 enum Heading { kEast, kNorth, kWest, kSouth };  // counter-clockwise, so that +1 turns left
 constexpr Corner kStep[] = {{1, 0}, {0, -1}, {-1, 0}, {0, 1}};
 
-/// The pixels ahead of a corner, on the left and on the right of the way on.
+/// The pixels ahead of a corner, to the left and right of the direction of travel.
 Corner left_ahead(Corner c, Heading h) {
   constexpr Corner kOffset[] = {{0, -1}, {-1, -1}, {-1, 0}, {0, 0}};
   return {c.x + kOffset[h].x, c.y + kOffset[h].y};
@@ -25,16 +25,16 @@ Corner right_ahead(Corner c, Heading h) {
   return left_ahead(c, static_cast<Heading>((h + 3) % 4));
 }
 
-/// The way on at a corner when solid is kept on the left; at a corner where two solid pixels meet diagonally
-/// it turns left, around its own pixel.
+/// Next direction at a corner, with solid on the left; where two solid
+/// pixels meet diagonally it turns left, around the present one.
 Heading turn(const Bitmap& bitmap, Corner c, Heading h) {
   const Corner left = left_ahead(c, h), right = right_ahead(c, h);
   if (!bitmap.at(left.x, left.y)) return static_cast<Heading>((h + 1) % 4);
   return bitmap.at(right.x, right.y) ? static_cast<Heading>((h + 3) % 4) : h;
 }
 
-/// Walks one contour from the top edge of the solid pixel (x, y), westward, and marks the top edges on its
-/// way.
+/// Traces one contour from the top edge of the solid pixel
+/// (x, y), westward, and marks the top edges it passes.
 std::vector<geom::Vec2> walk(const Bitmap& bitmap, int x, int y, std::vector<bool>& seen) {
   const Corner start{x + 1, y};
   std::vector<geom::Vec2> loop;
@@ -64,7 +64,7 @@ Result<Bitmap> decode_bitmap(std::string_view bytes, std::size_t most_pixels) {
 }
 
 Result<std::vector<std::vector<geom::Vec2>>> trace_contours(const Bitmap& bitmap, std::size_t most_corners) {
-  // Every contour has an edge with solid below and nothing above: scanning for those finds them all.
+  // Every contour has an edge with solid below and free above, so scanning for those finds them all.
   std::vector<std::vector<geom::Vec2>> loops;
   std::vector<bool> seen(bitmap.solid.size());
   std::size_t pixel = 0, corners = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Images as bodies: image bytes -> a grid of solid pixels -> closed contours on pixel edges.
+/// Images as bodies: image bytes -> occupancy grid of pixels -> closed contours on pixel edges.
 
 #include <cstdint>
 #include <string_view>
@@ -12,7 +12,7 @@
 
 namespace playhouse::scene {
 
-/// Which pixels of an image are solid. Row 0 is the image's top row.
+/// Occupancy grid. Row 0 is the image's top row.
 struct Bitmap {
   int width = 0, height = 0;
   std::vector<std::uint8_t> solid;  // height x width, row-major; 0 or 1
@@ -24,14 +24,14 @@ struct Bitmap {
   }
 };
 
-/// Decodes a PNG, PGM, PPM, PBM or BMP. A pixel is solid when its first channel is at most 127 of
-/// 255; transparency does not count. Fails on other bytes and on more than `most_pixels`.
+/// Decodes a PNG, PGM, PPM, PBM or BMP. A pixel is solid if its first channel is at most
+/// 127 of 255; alpha is ignored. Fails on other bytes and on more than `most_pixels`.
 Result<Bitmap> decode_bitmap(std::string_view bytes, std::size_t most_pixels = limits::kBitmapPixels);
 
-/// Closed contours of the solid pixels, in pixels: x to the right from the image's left edge, y up from its
-/// bottom edge. Solid is on the left of each edge, collinear runs are one edge, pixels that touch at a corner
-/// only are apart. Fails on more than `most_corners`: a few kilobytes of image can hold millions of contours.
-/// Cost: one pass over the pixels and one over the edges.
+/// Contour tracing of the solid pixels, in pixels: x right from the image's left edge, y
+/// up from its bottom edge. Solid is on the left of each edge, collinear edges are merged,
+/// diagonal neighbours are separate. Fails on more than `most_corners`: a few kilobytes of
+/// image can contain millions of contours. Cost: one pass over pixels and one over edges.
 Result<std::vector<std::vector<geom::Vec2>>> trace_contours(const Bitmap& bitmap,
                                                             std::size_t most_corners = limits::kCorners);
 

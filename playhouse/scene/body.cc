@@ -18,7 +18,7 @@ double signed_area(const std::vector<geom::Vec2>& points) {
   return twice / 2;
 }
 
-/// The rectangle around the line on which `points` lie, counter-clockwise; nothing when they are one point.
+/// A thin rectangle around collinear `points`, counter-clockwise; empty if they coincide.
 std::vector<geom::Vec2> thin_wall(const std::vector<geom::Vec2>& points) {
   const auto [first, last] =
       std::minmax_element(points.begin(), points.end(),
@@ -33,10 +33,10 @@ std::vector<geom::Vec2> thin_wall(const std::vector<geom::Vec2>& points) {
 /// Maps the joint bounding box of a shape onto a size.
 struct Stretch {
   geom::Box box;
-  Bounds z{0, 0};  // with the floor
+  Bounds z{0, 0};  // including the floor
   geom::Size size;
 
-  /// All points lie on one line along an axis.
+  /// True if all points are on a line parallel to an axis.
   bool flat() const { return !(box.x_max > box.x_min) || !(box.y_max > box.y_min); }
   geom::Vec2 operator()(geom::Vec2 p) const {
     const auto onto = [](double v, double min, double max, double width) {

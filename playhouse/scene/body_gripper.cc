@@ -1,4 +1,4 @@
-/// The body of a gripper: a base, and two paddles in front of it as they are at the start.
+/// The body of a gripper: a base, and two paddles in their initial position.
 
 #include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/gripper_body.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The view of a camera: a pinhole's, on a plane ahead of it.
+/// Pinhole camera geometry.
 
 #include "playhouse/scene/scene_desc.h"
 
@@ -8,20 +8,20 @@ namespace playhouse::scene {
 
 class Properties;
 
-/// Half the width and half the height of the image at a distance of 1 along the way it looks, where the
-/// horizontal field of view is `zoom` [rad]: pixels keep the proportions that they have by the file.
+/// Half extents of the image plane at distance 1, for the horizontal field
+/// of view `zoom` [rad]; the aspect ratio of pixels is that of the file.
 struct HalfImage {
   double width = 0, height = 0;
 };
 HalfImage half_image(const CameraDesc& camera, double zoom);
 
-/// The vertical field of view that goes with a horizontal one. [rad]
+/// The vertical field of view for a horizontal one. [rad]
 double vertical_fov(const CameraDesc& camera, double zoom);
 
-/// How many pixels its image has.
+/// Number of pixels of its image.
 std::size_t pixels_of(const CameraDesc& camera);
 
-/// Warns of images of distances or of models that a file wants as JPEG.
+/// Warns of depth or segmentation images with JPEG compression.
 void check_camera(const Properties& properties, const CameraDesc& camera);
 
 }  // namespace playhouse::scene

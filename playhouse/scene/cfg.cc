@@ -160,7 +160,7 @@ std::vector<std::string> CfgSection::unread() const {
   return warnings.take();
 }
 
-/// Turns a parsed file into driver sections and checks what does not depend on the drivers.
+/// Converts a parsed file to driver sections, with all checks that are independent of drivers.
 class CfgLoader {
  public:
   CfgLoader(std::shared_ptr<CfgDocument> file, std::uint16_t port)
@@ -171,13 +171,13 @@ class CfgLoader {
         port_(port) {}
 
   Result<CfgFile> load();
-  /// The errors after the one that load() gave.
+  /// Errors after the one returned by load().
   std::vector<Error> take_others() { return std::move(others_); }
 
  private:
   void read_file();
   void add(const Error& fault);
-  /// A word that may be the reason of an error.
+  /// Adds an unknown word that may be the cause of an error.
   void add_slip();
   Error nothing_to_serve();
   Result<void> read_globals();
@@ -190,14 +190,14 @@ class CfgLoader {
   const Document& document_;
   Macros macros_;
   Warnings warnings_;
-  std::optional<Error> error_;  // the first fault
-  std::vector<Error> others_;   // the next ones
-  bool has_models_ = false;     // as a world file has
+  std::optional<Error> error_;  // the first error
+  std::vector<Error> others_;   // further ones
+  bool has_models_ = false;     // like a world file
   std::size_t fields_ = 0;      // of all sections
   std::uint16_t port_;
   CfgFile cfg_;
   std::map<std::tuple<std::string, std::uint16_t, std::string, std::uint16_t>, std::string>
-      provided_;  // to its line
+      provided_;  // to its source line
 };
 
 Result<CfgFile> CfgLoader::load() {
@@ -297,7 +297,7 @@ Result<void> CfgLoader::add_driver(const Instance& instance) {
   if (driver.name().empty())
     return document_.error(instance.where,
                            "a driver needs a name, as in: name \"stage\"" + driver.slip_for("name"));
-  driver.ask("plugin");  // all drivers are built in; naming where one used to come from is no mistake
+  driver.ask("plugin");  // drivers are built in; naming their former plugin is fine
   if (driver.count("provides") == 0) {
     return document_.error(instance.where,
                            "driver " + in_quotes(driver.name()) +

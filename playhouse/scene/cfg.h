@@ -1,7 +1,7 @@
 #pragma once
 
-/// Player configuration files (.cfg) -> driver sections whose fields are read by name, in SI units. The
-/// format is described in docs/configuration.md. Knows no driver and no interface by name.
+/// Player configuration files (.cfg) -> driver sections whose fields are read by name,
+/// in SI units. Format: docs/configuration.md. Independent of drivers and interfaces.
 
 #include <memory>
 #include <optional>
@@ -17,19 +17,19 @@
 
 namespace playhouse::scene {
 
-struct CfgDocument;  // what the sections of one file share
+struct CfgDocument;  // shared by the sections of a file
 
-/// One `driver ( ... )`. Accessors return `otherwise` for an absent field; what they read and asked for is
-/// noted. The first field of the wrong form is kept as fault(), so that a driver reads all it needs and
-/// checks once.
+/// One `driver ( ... )` section. Accessors return `otherwise` for an absent
+/// field and record which keys were asked for. The first malformed field is
+/// kept as fault(), so that a driver reads everything it needs and checks once.
 class CfgSection {
  public:
   std::string name() const { return text("name", ""); }
-  /// "file:line" of the section, and of a field of it.
+  /// "file:line" of the section, or of one of its fields.
   std::string at() const;
   std::string at(std::string_view key) const;
   bool has(std::string_view key) const;
-  /// Number of elements of a field; 0 when absent, 1 for a single value.
+  /// Number of elements of a field; 0 if absent, 1 for a scalar.
   std::size_t count(std::string_view key) const;
 
   double number(std::string_view key, double otherwise, std::size_t element = 0) const;
@@ -48,13 +48,13 @@ class CfgSection {
   /// The addresses of `provides`, `requires` or another field of that form.
   std::vector<DeviceAddress> addresses(std::string_view key) const;
 
-  /// For an error that says that `key` is missing: "; file:line: "modle" is unknown (did you mean "model"?)"
-  /// when the section has a field that nothing has read and that resembles it, else "".
+  /// Suffix for an error about a missing `key`: "; file:line: "modle" is unknown (did you
+  /// mean "model"?)" if the section has an unread field with a similar name, else "".
   std::string slip_for(std::string_view key) const;
 
-  /// The first field that could not be read as asked for, "file:line: what".
+  /// The first malformed field, "file:line: what".
   Result<void> fault() const;
-  /// One line for each field that nothing has read, with the nearest word that was asked for.
+  /// One warning per unread field, with the nearest key that was read.
   std::vector<std::string> unread() const;
 
  private:
@@ -66,7 +66,7 @@ class CfgSection {
   double scaled(std::string_view key, double otherwise, std::size_t element, double factor) const;
 
   std::shared_ptr<const CfgDocument>
-      file_;  // shared by the sections of one file, which live as long as any driver
+      file_;  // shared by the sections of one file, which live as long as any of its drivers
   SourceLine where_;
   FieldSet fields_;
   mutable std::set<std::string, std::less<>> asked_;
@@ -80,14 +80,14 @@ struct CfgFile {
   std::vector<std::string> warnings;  // "file:line: text", of the file itself
 };
 
-/// Loads a configuration file. Fails with one error, "file:line: what": bad syntax, a driver without `name`
-/// or `provides`, a malformed address, or two drivers that provide the same one. `port` stands for the port
-/// of addresses that have none. `others`, if given, gets the errors after the first, up to
-/// limits::kWarningsOfAKind in all.
+/// Loads a configuration file. Fails with one error, "file:line: what": bad syntax,
+/// a driver without `name` or `provides`, a malformed address, or two drivers that
+/// provide the same address. `port` is the default port of addresses. `others`, if
+/// given, gets further errors, up to limits::kWarningsOfAKind in total.
 Result<CfgFile> load_cfg(const std::string& path, std::uint16_t port = 6665,
                          std::vector<Error>* others = nullptr);
 
-/// The same for a text that was read from `path`; included files come from `files`.
+/// The same for a text that was read from `path`; includes are read from `files`.
 Result<CfgFile> load_cfg_text(std::string text, const std::string& path, FileReader& files,
                               std::uint16_t port = 6665, std::vector<Error>* others = nullptr);
 

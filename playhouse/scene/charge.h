@@ -1,18 +1,18 @@
 #pragma once
 
-/// What the words of a model say of the charge of its battery.
+/// Battery charge of a model from its description.
 
 #include "playhouse/scene/generated/kind_descs.h"
 
 namespace playhouse::scene {
 
 struct Charge {
-  double stored = 0;    // J; below 0 it never ends
+  double stored = 0;    // J; negative: unlimited
   double capacity = 0;  // J
 };
 
-/// At the start. The words count in the order joules, joules_capacity, kjoules, kjoules_capacity, wherever a
-/// file has them: energy fills a battery, a capacity below it takes the rest away.
+/// Initial charge. Words are applied in the order joules, joules_capacity, kjoules,
+/// kjoules_capacity, whatever the file's: energy fills the battery, a smaller capacity truncates it.
 Charge charge_of(const PlainDesc& model);
 
 }  // namespace playhouse::scene

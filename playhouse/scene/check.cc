@@ -16,7 +16,7 @@ std::string counted(std::size_t count, const std::string& noun) {
 }
 
 std::string summary(const SceneDesc& scene) {
-  std::vector<std::size_t> trees(scene.models.size());  // by row of the top
+  std::vector<std::size_t> trees(scene.models.size());  // by row of the root
   for (const TreeDesc& tree : scene.trees) ++trees[tree.top];
   std::map<std::string, std::size_t> types;
   std::size_t models = 0, beams = 0;

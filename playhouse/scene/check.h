@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `playhouse check FILE` says about a file.
+/// Report of `playhouse check FILE`.
 
 #include <string>
 #include <vector>
@@ -9,11 +9,11 @@ namespace playhouse::scene {
 
 struct CheckReport {
   bool ok = false;
-  std::vector<std::string> lines;  // warnings, then the error if any, then a summary of what the file holds
+  std::vector<std::string> lines;  // warnings, then the error if any, then a summary of the contents
 };
 
-/// Checks a world (.world), an include file for worlds (.inc: its syntax) or a configuration (.cfg: with the
-/// worlds that its drivers load).
+/// Checks a world (.world), an include file for worlds (.inc: syntax only)
+/// or a configuration (.cfg: including the worlds that its drivers load).
 CheckReport check_file(const std::string& path);
 
 }  // namespace playhouse::scene

@@ -15,8 +15,8 @@ struct NamedColor {
   std::uint32_t rgb;
 };
 
-// Facts of X11's colour table: spelt as there, without spaces, "grey" as "gray", sorted whatever the case.
-// gray0 to gray100 are computed.
+// X11's colour table: original spelling without spaces, "grey" as
+// "gray", sorted case-insensitively. gray0 to gray100 are computed.
 // clang-format off
 constexpr NamedColor kColors[] = {
     {"AliceBlue", 0xF0F8FF}, {"AntiqueWhite", 0xFAEBD7}, {"AntiqueWhite1", 0xFFEFDB},
@@ -145,7 +145,7 @@ constexpr NamedColor kColors[] = {
 };
 // clang-format on
 
-/// In the table, and not X11's: Stage 4 does not know them.
+/// Entries that are not X11's, unknown to Stage 4.
 constexpr std::string_view kOthers[] = {"aqua", "crimson", "DebianRed", "fuchsia", "indigo",
                                         "lime", "olive",   "silver",    "teal"};
 
@@ -158,7 +158,7 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// As the table spells it, but in lower case.
+/// Normalised to the table's spelling, in lower case.
 std::string table_spelling(std::string_view name) {
   std::string word;
   for (const char c : name)
@@ -167,7 +167,7 @@ std::string table_spelling(std::string_view name) {
   return word;
 }
 
-/// In the order of the table.
+/// The table's sort order.
 bool is_below(std::string_view a, std::string_view b) {
   return std::ranges::lexicographical_compare(a, b, {}, lower, lower);
 }
@@ -176,7 +176,7 @@ std::uint32_t gray_rgb(int percent) {
   return static_cast<std::uint32_t>(percent * 2.55 + 0.5) * 0x010101u;
 }
 
-/// The level of "gray0" .. "gray100".
+/// The colour of "gray0" .. "gray100".
 std::optional<Color> gray_level(std::string_view word) {
   if (!word.starts_with("gray") || word.size() < 5 || word.size() > 7) return std::nullopt;
   int percent = 0;

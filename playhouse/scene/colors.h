@@ -9,18 +9,18 @@
 
 namespace playhouse::scene {
 
-/// The colour of an X11 name ("light blue", "LightBlue", "gray30"); capitals and spaces do not matter.
-/// Opaque. Eight names that only the web has ("silver", "lime", ...) are known too.
+/// The colour of an X11 name ("light blue", "LightBlue", "gray30"), case-insensitive,
+/// ignoring spaces. Opaque. Eight CSS names ("silver", "lime", ...) are supported too.
 std::optional<Color> color_by_name(std::string_view name);
 
-/// 0xRRGGBBAA; what is no number, or beyond 0..1, is the nearest that a colour can have.
+/// 0xRRGGBBAA; components are clamped to 0..1, non-finite ones are 0.
 std::uint32_t rgba8(const Color& color);
 
-/// A name that color_by_name() knows for exactly this colour, as X11 spells it, or "": the shortest. Names
-/// that are not X11's only if `others` are wanted.
+/// The shortest name that color_by_name() maps to exactly this colour,
+/// in X11 spelling, or "". Names that are not X11's only with `others`.
 std::string color_name(const Color& color, bool others = false);
 
-/// Known names near `name` for an error line: ` (did you mean "red"?)`, or "".
+/// Suggestion for an unknown name: ` (did you mean "red"?)`, or "".
 std::string color_hint(std::string_view name);
 
 }  // namespace playhouse::scene

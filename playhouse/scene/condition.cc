@@ -14,7 +14,7 @@ namespace {
 
 using Compare = Term::Compare;
 
-/// What stands behind a property.
+/// Value type of a property.
 enum class Form : std::uint8_t { kText, kKind, kColor, kSwitch, kNumber };
 
 struct Row {
@@ -37,7 +37,7 @@ constexpr Row kProperties[] = {
     {"mass", Property::kMass, Form::kNumber},
 };
 
-/// Takes the next term off the text: up to a space that is not in single quotes. Quotes are left out.
+/// Splits off the next term: up to a space outside single quotes, which are removed.
 Result<std::string> next_term(std::string_view& text) {
   std::string term;
   bool quoted = false;

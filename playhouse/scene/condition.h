@@ -1,7 +1,7 @@
 #pragma once
 
-/// Conditions: what a model has to be like, as a world file says it: "kind=position color=red". Terms stand
-/// between spaces, and all of them have to hold; a value with spaces is put in single quotes.
+/// Conditions: predicates on models in world files: "kind=position color=red". Terms are
+/// separated by spaces and combined by AND; values with spaces are in single quotes.
 
 #include <cstdint>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace playhouse::scene {
 
-/// What a term speaks of. Those up to kSays are texts, which may end with * for any rest.
+/// The property that a term tests. Those up to kSays are texts, which may end with * as a wildcard.
 enum class Property : std::uint8_t {
   kName,
   kMaterial,
@@ -34,19 +34,19 @@ struct Term {
 
   Property property = Property::kName;
   Compare compare = Compare::kIs;
-  std::string text;       // of texts; without the *
-  bool prefix = false;    // it had one
-  double number = 0;      // of numbers, in SI units; 1 of a light: one that is off is not on
+  std::string text;       // of text properties; without the *
+  bool prefix = false;    // it ended with *
+  double number = 0;      // of numeric properties, in SI units; of a light: 1 on
   std::uint32_t rgb = 0;  // 0xRRGGBB
   ModelKind kind = ModelKind::kPlain;
 };
 
 using Condition = std::vector<Term>;
 
-/// Fails with what is wrong, and the nearest valid word.
+/// Fails with a message and the nearest valid word.
 Result<Condition> read_condition(std::string_view text);
 
-/// The properties that terms may speak of, as files have them.
+/// Names of the properties, as in files.
 std::vector<std::string_view> property_names();
 
 }  // namespace playhouse::scene

@@ -8,12 +8,12 @@ namespace playhouse::scene {
 namespace {
 
 constexpr float kSunlight = 0.72f, kAmbient = 0.42f,
-                kNight = 0.05f;     // at noon both together are a little over 1
-constexpr double kTwilight = 0.35;  // sine of the elevation of a sun that is up altogether
+                kNight = 0.05f;     // at noon both add up to slightly over 1
+constexpr double kTwilight = 0.35;  // sine of the elevation above which the sun is fully up
 constexpr double kMostBrightness = 100;
-constexpr double kNightLux = 20;  // Daylight::white_lux; by day it is 100 times that, as Blender shows lamps
+constexpr double kNightLux = 20;  // Daylight::white_lux; 100 times that by day, as Blender shows lamps
 
-/// Nearly 100 to the power of this share, the same with every compiler.
+/// About 100 to the power of `share`, bit-reproducible.
 double brightening(double share) {
   double factor = 1 + share * 0.0746078283;  // the 64th root of 100, less 1
   for (int i = 0; i < 6; ++i) factor *= factor;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The light of sun and sky by the words `sun` and `sky` of a world file. A pure function.
+/// Lighting by the words `sun` and `sky` of a world file. A pure function.
 
 #include <cstdint>
 
@@ -13,10 +13,10 @@ inline constexpr std::uint32_t kFloorColor = 0xd9d9d2;  // 0xRRGGBB, in images a
 
 struct Daylight {
   geom::Vec3 to_sun = {0, 0, 1};  // unit, in W
-  float sun = 0;                  // how bright it makes a white face that is square to it
-  float ambient = 0;              // and the light from everywhere
-  float day = 1;                  // share of the colors of sky and fog: below 1 from dusk on
-  float white_lux = 2000;  // of lamps that make a white face as bright as 1: the exposure follows the sun
+  float sun = 0;                  // irradiance on a face towards it, as the brightness of a white face
+  float ambient = 0;              // the same for ambient light
+  float day = 1;                  // factor on sky and fog colours: below 1 from dusk on
+  float white_lux = 2000;  // illuminance that makes a white face as bright as 1: exposure follows the sun
 };
 Daylight daylight_of(const WorldDesc& world);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Detectors: what their words have to be besides each for itself.
+/// Checks of detector descriptions across words.
 
 #include <cstddef>
 
@@ -10,10 +10,10 @@ namespace playhouse::scene {
 
 class Properties;
 
-/// Along how many lines it looks.
+/// Number of lines that it traces.
 std::size_t lines_of(const DetectorDesc& detector);
 
-/// Conditions that cannot be read are faults.
+/// Reports invalid conditions as errors.
 void check_detector(const Properties& properties, const DetectorDesc& detector);
 
 }  // namespace playhouse::scene

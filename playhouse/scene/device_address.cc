@@ -15,7 +15,7 @@ std::optional<std::uint16_t> parse_u16(std::string_view digits) {
   return value;
 }
 
-/// Cuts the part after the last colon off `rest`; all of it when there is no colon.
+/// Splits off the part after the last colon; everything if there is none.
 std::string_view take_last(std::string_view& rest) {
   const std::size_t colon = rest.rfind(':');
   const std::string_view part = colon == std::string_view::npos ? rest : rest.substr(colon + 1);

@@ -9,8 +9,8 @@
 
 namespace playhouse::scene {
 
-/// A device as configuration files write it: `key:host:port:interface:index`, where everything before the
-/// interface may be left out or empty.
+/// A device address in configuration files: `key:host:port:interface:index`;
+/// everything before the interface may be missing or empty.
 struct DeviceAddress {
   std::string key;                    // "": none
   std::string host;                   // "": this server
@@ -18,12 +18,12 @@ struct DeviceAddress {
   std::string interf;                 // interface name, e.g. "position2d"
   std::uint16_t index = 0;
 
-  /// The same text again, the shortest form.
+  /// The shortest text that parses to this address.
   std::string text() const;
   friend bool operator==(const DeviceAddress&, const DeviceAddress&) = default;
 };
 
-/// Fails with a text that quotes the address; the caller adds file and line.
+/// Fails with a message that quotes the address; the caller adds file and line.
 Result<DeviceAddress> parse_device_address(std::string_view text);
 
 }  // namespace playhouse::scene

@@ -12,7 +12,7 @@ namespace playhouse::scene {
 namespace {
 
 struct Unit {
-  std::string_view name, also;  // as the file says it, and as somebody may have meant it
+  std::string_view name, also;  // as in the file, and a likely correction
   double factor;
 };
 constexpr Unit kLengths[] = {{"m", "metres", 1}, {"cm", "centimetres", 0.01}, {"mm", "millimetres", 0.001}};
@@ -130,7 +130,7 @@ std::optional<double> parse_number(std::string_view text) {
   }
   const std::string_view digits = text.starts_with('-') ? text.substr(1) : text;
   if (digits.empty() || (digits.front() != '.' && (digits.front() < '0' || digits.front() > '9'))) {
-    return std::nullopt;  // from_chars also knows "inf" and "nan"
+    return std::nullopt;  // from_chars also accepts "inf" and "nan"
   }
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -1,9 +1,9 @@
 #pragma once
 
-/// Macros applied to sections. A macro's body is not copied: an instance is the list of bodies it is made of,
-/// the base first, and its fields are looked up from the last body to the first. Names are resolved when an
-/// instance is made, so a macro may stand for any type from its definition on, also inside macros that were
-/// defined before it.
+/// Macro expansion. A macro's body is not copied: an instance is the list of
+/// bodies it consists of, base first; fields are looked up from the last body
+/// to the first. Names are resolved at instantiation, so a macro can redefine
+/// any type from its definition on, even inside macros defined earlier.
 
 #include <map>
 #include <span>
@@ -17,11 +17,11 @@ namespace playhouse::scene {
 
 /// A section with its macros resolved.
 struct Instance {
-  std::string_view type;              // the name that is no macro
+  std::string_view type;              // the base type, not a macro
   std::vector<const Section*> parts;  // macro bodies, base first; the instance's own body last
   SourceLine where;                   // of the instance
-  /// The same in today's words: has the fields, and entities beside those of `parts`. Null: its words are
-  /// today's.
+  /// The same rewritten to current words: contains the fields, and
+  /// entities besides those of `parts`. Null: no rewriting was needed.
   const Section* now = nullptr;
 };
 
@@ -29,13 +29,13 @@ class Macros {
  public:
   explicit Macros(const Document& document) : document_(document) {}
 
-  /// Adds `statement`; returns false, and changes nothing, when its name is taken: the first definition
-  /// counts.
+  /// Adds a definition; returns false without effect
+  /// if the name is taken: the first definition wins.
   bool define(const Statement& statement);
   const Statement* find(std::string_view name) const;
   std::vector<std::string_view> names() const;
 
-  /// Fails when a macro is based on itself.
+  /// Fails on recursive macros.
   Result<Instance> instance(const Section& section) const;
 
  private:
@@ -43,7 +43,7 @@ class Macros {
   std::map<std::string_view, const Statement*> macros_;
 };
 
-/// The fields of an instance by key; of several with one key the last counts.
+/// The fields of an instance by key; of duplicates the last one counts.
 class FieldSet {
  public:
   explicit FieldSet(const Instance& instance);
@@ -51,7 +51,7 @@ class FieldSet {
   explicit FieldSet(std::span<const Field> fields);
 
   const Field* find(std::string_view key) const;
-  /// In the order of their keys.
+  /// Sorted by key.
   std::span<const Field* const> all() const { return fields_; }
 
  private:
@@ -62,15 +62,15 @@ class FieldSet {
 /// Reads unit_length ("m", "cm", "mm") and unit_angle ("degrees", "radians").
 Result<Units> read_units(const Document& document, const FieldSet& fields);
 
-/// "m", "cm" or "mm", and "degrees" or "radians", as read_units() reads them.
+/// The inverse of read_units(): "m", "cm" or "mm"; "degrees" or "radians".
 std::string_view length_word(const Units& units);
 std::string_view angle_word(const Units& units);
 
-/// The number that `text` spells completely, as in "-1.5", "+.5", "2."; none for anything else or beyond
-/// 1e300.
+/// Parses a number that is the whole text, like "-1.5",
+/// "+.5", "2."; none for anything else or beyond 1e300.
 std::optional<double> parse_number(std::string_view text);
 
-/// The key of `point[12]` without its index, "point"; other keys as they are.
+/// Strips the index of a key: `point[12]` -> "point"; other keys are unchanged.
 std::string_view without_index(std::string_view key);
 
 }  // namespace playhouse::scene

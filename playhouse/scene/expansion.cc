@@ -19,7 +19,7 @@ Result<void> Expansion::add(const Section& section, SourceLine top, int depth) {
   if (counts_.fields > limits_.fields)
     return too_many(limits_.fields, "properties, those of its macros included");
   if (const Kind* kind = find_entity(instance->type); kind && kind->entity != EntityForm::kModel) {
-    if (kind->table.empty()) return {};  // shapes are limited by their corners
+    if (kind->table.empty()) return {};  // shapes are limited by corners
     return ++counts_.sensors > limits_.sensors ? too_many(limits_.sensors, "sensors") : Result<void>();
   }
   if (++counts_.models > limits_.models) return too_many(limits_.models, "models");

@@ -1,7 +1,7 @@
 #pragma once
 
-/// How much sections become with their macros applied, counted before any of it is made: forty lines of
-/// macros that double each other must cost neither memory nor time.
+/// Size of sections after macro expansion, computed without
+/// expanding: protects against exponential growth from nested macros.
 
 #include "playhouse/scene/expand.h"
 #include "playhouse/scene/world_loader.h"
@@ -13,8 +13,8 @@ class Expansion {
   Expansion(const Document& document, const Macros& macros, const WorldLimits& limits)
       : document_(document), macros_(macros), limits_(limits) {}
 
-  /// Counts a section at top level and all inside it. Fails as soon as a limit is passed, and on models
-  /// inside each other more than limits::kEntityDepth deep.
+  /// Adds a top-level section with its contents. Fails as soon as a limit
+  /// is exceeded, or on models nested deeper than limits::kEntityDepth.
   Result<void> add(const Section& section) { return add(section, section.where, 1); }
 
   struct Counts {
@@ -26,10 +26,10 @@ class Expansion {
       return {a.models - b.models, a.sensors - b.sensors, a.fields - b.fields};
     }
   };
-  /// Of all sections so far.
+  /// Sum over all sections so far.
   const Counts& counts() const { return counts_; }
   bool has_room(const Counts& more) const;
-  /// Counts a section again that was this much.
+  /// Adds a repeated section of known size.
   void add_again(const Counts& section) { counts_ = counts_ + section; }
 
  private:

@@ -21,7 +21,7 @@ std::vector<std::string> folders_for(const std::string& top_level, const std::st
 
 std::string also_not_in(const std::vector<std::string>& folders, std::string_view name,
                         const FileReader& files, const std::function<bool(std::string_view)>& fits) {
-  const bool is_whole = resolve("", name) == resolve("/", name);  // a path that no folder changes
+  const bool is_whole = resolve("", name) == resolve("/", name);  // absolute
   const std::string below = is_whole ? "" : folder_of(name);
   std::vector<std::string> names;
   std::string places;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a file is looked for that a file of a scene names: an include, a bitmap, a mesh.
+/// Search paths for files named in a scene: includes, bitmaps, meshes.
 
 #include <functional>
 #include <optional>
@@ -12,24 +12,24 @@
 
 namespace playhouse::scene {
 
-/// The folders to look in, each once, in their order: that of the top-level file, that of the file that names
-/// it, the reader's search path.
+/// The folders to search, without duplicates, in order: that of the
+/// top-level file, that of the referring file, the reader's search path.
 std::vector<std::string> folders_for(const std::string& top_level, const std::string& named_by,
                                      const FileReader& files);
 
-/// The tail of an error that tells of `name` in the first of these folders: the others, and the nearest name
-/// of a file in any of them that `fits`.
+/// Suffix of an error about `name` missing in the first folder: the other
+/// folders, and the most similar file name in any of them that `fits`.
 std::string also_not_in(const std::vector<std::string>& folders, std::string_view name,
                         const FileReader& files, const std::function<bool(std::string_view)>& fits);
 
 struct FoundFile {
   std::string path;
-  std::optional<std::string> bytes;  // none of one that is known
-  std::size_t folder = 0;            // in which it was
+  std::optional<std::string> bytes;  // none if already loaded
+  std::size_t folder = 0;            // index of the folder
 };
 
-/// The first file `name` in these folders that is known or can be read. Fails with the path in the first
-/// folder and why it is not there, and with the nearest name that `fits`.
+/// The first file `name` in these folders that is loaded already or readable. Fails with
+/// the path in the first folder, the reason, and the most similar name that `fits`.
 Result<FoundFile> find_file(const std::vector<std::string>& folders, std::string_view name, FileReader& files,
                             const std::function<bool(const std::string&)>& is_known,
                             const std::function<bool(std::string_view)>& fits);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where the paddles of a gripper are, for its body and for its beams.
+/// Geometry of a gripper's paddles, for its body and its beams.
 
 #include <algorithm>
 
@@ -9,8 +9,8 @@
 
 namespace playhouse::scene {
 
-/// How far from the middle, to each side, the inner face of a paddle is that is closed so far, from 0 to 1.
-/// [m, B]
+/// Distance of a paddle's inner face from the
+/// centre line; `closed` from 0 to 1. [m, B]
 inline double paddle_face(const GripperDesc& gripper, const geom::Size& size, double closed) {
   return (1 - closed) * std::max(0.0, 0.5 - gripper.paddle_width) * size.y;
 }

@@ -27,7 +27,7 @@
 namespace playhouse::scene {
 namespace {
 
-/// Fails on an empty image and on one of more than `most` pixels.
+/// Fails on an empty image and beyond `most` pixels.
 Result<void> check_size(std::uint64_t width, std::uint64_t height, std::size_t most) {
   if (width > 0 && height > 0 && width <= most && height <= most / width) return {};
   return Error{{},
@@ -35,8 +35,8 @@ Result<void> check_size(std::uint64_t width, std::uint64_t height, std::size_t m
                    std::to_string(most) + " are possible"};
 }
 
-/// Room for an image of so many pixels, each with 1 (grey), 2 (and alpha), 3 (colours) or 4 (and alpha)
-/// samples.
+/// Allocates an image; `samples` per pixel: 1 (grey),
+/// 2 (with alpha), 3 (RGB) or 4 (with alpha).
 void begin(FirstChannel& image, std::size_t pixels, std::size_t) {
   image.level.assign(pixels, 0);
 }
@@ -45,7 +45,7 @@ void begin(Shades& image, std::size_t pixels, std::size_t samples) {
   if (samples % 2 == 0) image.alpha.assign(pixels, 0);
 }
 
-/// A pixel by its samples.
+/// Stores a pixel from its samples.
 void put(FirstChannel& image, std::size_t pixel, std::span<const std::uint8_t> samples) {
   image.level[pixel] = samples[0];
 }
@@ -55,7 +55,7 @@ void put(Shades& image, std::size_t pixel, std::span<const std::uint8_t> samples
   if (!image.alpha.empty()) image.alpha[pixel] = samples.back();
 }
 
-/// What libpng's callbacks share with the function that called it.
+/// Context of libpng's callbacks.
 struct PngReading {
   std::string_view bytes;
   std::size_t most_pixels = 0;
@@ -78,7 +78,7 @@ void png_read_bytes(png_structp png, png_bytep out, std::size_t count) {
   reading.at += count;
 }
 
-/// Rows as 8-bit channels of which the first is red or grey; palette and low depths expanded.
+/// Rows as 8-bit channels, red or grey first; palettes and low bit depths are expanded.
 template <typename Image>
 void png_read_rows(png_structp png, png_infop about, PngReading& reading, Image& image) {
   png_read_info(png, about);
@@ -97,7 +97,7 @@ void png_read_rows(png_structp png, png_infop about, PngReading& reading, Image&
   image.width = static_cast<int>(width);
   image.height = static_cast<int>(height);
   begin(image, std::size_t{width} * height, channels);
-  // An interlaced image comes in passes over the same rows; each pass needs the row of the one before.
+  // Interlaced images come in passes over the rows, each based on the previous one.
   reading.row.assign(passes == 1 ? row_bytes : row_bytes * height, 0);
   for (int pass = 0; pass < passes; ++pass) {
     for (png_uint_32 y = 0; y < height; ++y) {
@@ -111,7 +111,7 @@ void png_read_rows(png_structp png, png_infop about, PngReading& reading, Image&
 
 template <typename Image>
 Result<Image> read_png(std::string_view bytes, std::size_t most_pixels) {
-  // libpng reports errors by a jump; what must survive it and has a destructor lives outside this frame.
+  // libpng reports errors by longjmp: objects with destructors have to live outside the frame.
   const auto reading = std::make_unique<PngReading>();
   const auto image = std::make_unique<Image>();
   reading->bytes = bytes;
@@ -132,7 +132,7 @@ Result<Image> read_png(std::string_view bytes, std::size_t most_pixels) {
   return std::move(*image);
 }
 
-/// The words and digits of a PNM header and of ASCII pixels; "#" starts a comment.
+/// Tokens of a PNM header and of ASCII pixels; "#" starts a comment.
 class PnmText {
  public:
   PnmText(std::string_view bytes, std::size_t at) : bytes_(bytes), at_(at) {}
@@ -148,7 +148,7 @@ class PnmText {
     if (at_ == start) return std::nullopt;
     return static_cast<std::uint32_t>(value);
   }
-  /// One pixel of an ASCII PBM; they need no blanks between them.
+  /// One pixel of an ASCII PBM; white space between digits is optional.
   std::optional<std::uint32_t> digit() {
     skip_blanks();
     if (at_ >= bytes_.size() || !is_digit(bytes_[at_])) return std::nullopt;
@@ -174,8 +174,8 @@ class PnmText {
   std::size_t at_;
 };
 
-/// One of the six kinds of PNM: "P1" to "P3" are bits, grey and colour in ASCII, "P4" to "P6" the same in
-/// binary.
+/// One of the six PNM formats: "P1" to "P3" are bitmap,
+/// grey and colour in ASCII, "P4" to "P6" in binary.
 struct PnmKind {
   bool ascii, bits;
   std::size_t channels;
@@ -185,7 +185,7 @@ PnmKind kind_of_pnm(char digit) {
   return {digit <= '3', digit == '1' || digit == '4', digit == '3' || digit == '6' ? 3u : 1u};
 }
 
-/// The pixels of an ASCII PNM; false when they end too early or exceed `top`.
+/// Reads the pixels of an ASCII PNM; false if truncated or above `top`.
 template <typename Image>
 bool read_ascii_pixels(PnmText& text, PnmKind kind, std::uint32_t top, std::size_t pixels, Image& image) {
   std::uint8_t samples[3] = {};
@@ -201,7 +201,7 @@ bool read_ascii_pixels(PnmText& text, PnmKind kind, std::uint32_t top, std::size
   return true;
 }
 
-/// The pixels of a binary PNM; false when they end too early or exceed `top`.
+/// Reads the pixels of a binary PNM; false if truncated or above `top`.
 template <typename Image>
 bool read_binary_pixels(std::string_view bytes, PnmKind kind, std::uint32_t top, std::size_t pixels,
                         Image& image) {
@@ -249,8 +249,8 @@ Result<Image> read_pnm(std::string_view bytes, std::size_t most_pixels) {
   return whole ? Result<Image>(std::move(image)) : bad;
 }
 
-/// What stb_image reads from. It takes bytes beyond the end for zeros and says nothing, so this notes when it
-/// wanted one; what it skips, such as the padding behind the last row, need not be there.
+/// Input of stb_image, which silently reads zeros past the end: this records
+/// it. Skipped bytes, such as the padding after the last row, may be missing.
 struct BmpReading {
   std::string_view bytes;
   std::size_t at = 0;
@@ -274,8 +274,8 @@ struct BmpReading {
   }
 };
 
-/// How long an uncompressed BMP of that many pixels is: its head says where the pixels begin (byte 10) and
-/// how many bits each has (byte 28); rows end at multiples of four bytes, the last one with its last pixel.
+/// Expected size of an uncompressed BMP: the header has the offset of pixels (byte 10)
+/// and bits per pixel (byte 28); rows are padded to four bytes, except the last one.
 std::uint64_t bmp_bytes(std::string_view bytes, std::uint64_t width, std::uint64_t height) {
   const auto number = [bytes](std::size_t at, std::size_t count) {
     std::uint64_t value = 0;
@@ -284,7 +284,7 @@ std::uint64_t bmp_bytes(std::string_view bytes, std::uint64_t width, std::uint64
     return value;
   };
   if (width == 0 || height == 0) return 0;
-  const bool has_core_head = number(14, 4) == 12;  // the oldest form
+  const bool has_core_head = number(14, 4) == 12;  // the oldest header
   const std::uint64_t bits = width * number(has_core_head ? 24 : 28, 2);
   return number(10, 4) + (bits + 31) / 32 * 4 * (height - 1) + (bits + 7) / 8;
 }
@@ -301,11 +301,11 @@ Result<Image> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
     return Error{{}, "is no PNG, PNM (.pgm, .ppm, .pbm) or BMP image"};
   }
-  // Rows from the top to the bottom have a negative height.
+  // Negative heights mean rows from top to bottom.
   const auto pixels_of = [](int side) { return static_cast<std::uint64_t>(std::llabs(side)); };
   if (const auto fits = check_size(pixels_of(width), pixels_of(height), most_pixels); !fits)
     return fits.error();
-  // Before it costs memory. Pixels may still be missing where the head lies about their place.
+  // Checked before allocating. A wrong pixel offset in the header is detected later.
   if (bmp_bytes(bytes, pixels_of(width), pixels_of(height)) > bytes.size()) return bmp_ends_early();
   BmpReading reading{bytes};
   constexpr stbi_io_callbacks kCallbacks{BmpReading::read, BmpReading::skip, BmpReading::is_at_end};

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The image libraries behind one function each; nothing of theirs leaves image_file.cc.
+/// Wrappers of the image libraries; their types do not leave image_file.cc.
 
 #include <cstdint>
 #include <string_view>
@@ -10,21 +10,21 @@
 
 namespace playhouse::scene {
 
-/// The first channel of an image, 8 bits deep.
+/// The first channel of an image, 8 bits.
 struct FirstChannel {
   int width = 0, height = 0;
   std::vector<std::uint8_t> level;  // height x width, row-major
 };
 
-/// What ROS goes by: how light a pixel is, and how opaque.
+/// Input of ROS map thresholds: brightness and opacity of pixels.
 struct Shades {
   int width = 0, height = 0;
   std::vector<std::uint16_t> color;  // height x width, row-major: red + green + blue, 0 to 765
-  std::vector<std::uint8_t> alpha;   // the same, 0 to 255; empty where the image has none
+  std::vector<std::uint8_t> alpha;   // likewise, 0 to 255; empty without an alpha channel
 };
 
-/// Reads a PNG through libpng, a BMP through stb_image, and a PNM of any kind itself (stb_image reads two of
-/// the six and overflows on hostile headers). Fails on more than `most_pixels` before it allocates any.
+/// Decodes PNG by libpng, BMP by stb_image, and all PNM formats by own code (stb_image supports two
+/// of six and overflows on hostile headers). Fails on more than `most_pixels` before allocating.
 Result<FirstChannel> read_first_channel(std::string_view bytes, std::size_t most_pixels);
 Result<Shades> read_shades(std::string_view bytes, std::size_t most_pixels);
 

@@ -7,7 +7,7 @@
 namespace playhouse::scene {
 namespace {
 
-constexpr std::string_view kBase = "model";  // whose words all models have
+constexpr std::string_view kBase = "model";  // its words apply to all models
 
 const Word* find_among(std::span<const Word> words, std::string_view name) {
   const auto found = std::ranges::find(words, name, &Word::name);

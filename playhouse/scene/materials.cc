@@ -7,12 +7,12 @@ namespace {
 
 constexpr double kAsColor = -1;
 
-// Friction and restitution: ranges of sliding friction in Oberg, "Machinery's Handbook"; of ice on steel,
-// 0.03 to 0.05. What scatters at 0.9 um is as RIEGL tells customers of its rangefinders ("Reflectance of
-// materials"): white paper up to 100 %, smooth concrete 24 %, asphalt with pebbles 17 %, a clean rough pallet
-// 25 %, black neoprene 5 %, a tyre's wall 2 %. Grey PVC 50 %: SICK, technical description of the LMS 200.
-// Glass of index 1.52 mirrors 4.3 % at each face (Fresnel), and has a little dust; silvered glass mirrors
-// about 90 % there; that brushed steel scatters half of the 60 % that it returns is our choice.
+// Friction and restitution: ranges of sliding friction in Oberg, "Machinery's Handbook"; of ice
+// on steel, 0.03 to 0.05. Reflectance at 0.9 um from RIEGL ("Reflectance of materials"): white
+// paper up to 100 %, smooth concrete 24 %, asphalt with pebbles 17 %, a clean rough pallet 25 %,
+// black neoprene 5 %, a tyre's wall 2 %. Grey PVC 50 %: SICK, technical description of the LMS
+// 200. Glass of index 1.52 reflects 4.3 % per face (Fresnel), plus some dust; silvered glass
+// about 90 %; that brushed steel scatters half of the 60 % that it returns is our assumption.
 constexpr std::array kMaterials = {
     Material{"concrete", 1, 0.1, 0, 0.95f, 0.24, 0, 0},
     Material{"asphalt", 1, 0.1, 0, 0.95f, 0.17, 0, 0},

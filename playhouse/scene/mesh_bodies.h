@@ -1,7 +1,7 @@
 #pragma once
 
-/// Meshes as bodies of models: each file read once, each size of it made once. In the plane a mesh is the
-/// outlines of its parts: of each, the convex hull seen from above, from its lowest to its highest corner.
+/// Meshes as bodies of models, cached by file and by size. In 2D a mesh is the outlines of its
+/// parts: for each the convex hull of its projection, from its lowest to its highest corner.
 
 #include <array>
 #include <cstddef>
@@ -19,35 +19,35 @@ namespace playhouse::scene {
 
 class MeshBodies {
  public:
-  /// A mesh of this size, in B.
+  /// A mesh scaled to a size, in B.
   struct Body {
     std::shared_ptr<const mesh::Mesh> mesh;
     geom::Size size;
     std::vector<Block> blocks;
     std::size_t corners = 0;  // of the mesh
-    bool is_new = true;       // until it is asked for again
+    bool is_new = true;       // not yet requested
   };
   struct Entry {
     std::string path;
-    std::shared_ptr<const mesh::Mesh> mesh;  // in F; null: it cannot be read
+    std::shared_ptr<const mesh::Mesh> mesh;  // in F; null: unreadable
     std::string why_none;
     std::vector<std::string> warnings;
-    std::size_t bytes = 0;                                 // of its files
+    std::size_t bytes = 0;                                 // of all its files
     mutable std::map<std::array<double, 3>, Body> bodies;  // by size
   };
 
-  /// One that was read, well or not.
+  /// A cached entry, readable or not; null if there is none.
   const Entry* find(const std::string& path) const;
-  /// The mesh of these bytes at `path`, which is not read yet; what it names comes from `files`.
+  /// Parses the mesh in these bytes, read from `path`, not cached yet; references are read from `files`.
   const Entry& read(const std::string& path, const std::string& bytes, FileReader& files);
-  /// Of a mesh that was read well; null: as large as it is.
+  /// A readable mesh scaled to a size; null: at its own size.
   const Body& body(const Entry& entry, const geom::Size* size) const;
 
  private:
   std::map<std::string, Entry> entries_;
 };
 
-/// What a mesh in B is in the plane. Where no part has an area, its box.
+/// 2D outlines of a mesh in B; its bounding box if no part has an area.
 std::vector<Block> outlines_of(const mesh::Mesh& mesh);
 
 }  // namespace playhouse::scene

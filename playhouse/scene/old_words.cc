@@ -13,9 +13,9 @@
 namespace playhouse::scene {
 namespace {
 
-constexpr double kOldInterval = 100;  // ms, of a tick where a file does not say
+constexpr double kOldInterval = 100;  // ms, default tick of old versions
 
-/// `polygon[2].point[0]` is word "polygon", index 2, rest "point[0]".
+/// A parsed key: `polygon[2].point[0]` is word "polygon", index 2, rest "point[0]".
 struct Key {
   std::string_view word;
   std::optional<std::uint32_t> index;
@@ -34,7 +34,7 @@ Key key_of(std::string_view text) {
   return {text.substr(0, open), index, rest};
 }
 
-/// "range.1" is element 1 of the word "range"; none stands for all of it.
+/// A target: "range.1" is element 1 of the word "range"; none: the whole.
 struct Target {
   std::string_view word;
   std::optional<std::size_t> element;
@@ -64,7 +64,7 @@ bool is_old_interval(const Field& field, const Kind& kind) {
   return kind.entity == EntityForm::kWorld && field.key == "interval_real";
 }
 
-/// Stage 4 shows a metre on a pixel at least; before, a scale was metres per pixel.
+/// True for a scale in metres per pixel: Stage 4 has at least a pixel per metre.
 bool is_old_scale(const Field& field, const Kind& kind) {
   return kind.entity == EntityForm::kWindow && field.key == "scale" && first_number(field) > 0 &&
          first_number(field) < 1;
@@ -246,7 +246,7 @@ std::optional<std::vector<OldWords::Entity>>& OldWords::parts_of(std::string_vie
   return parts;
 }
 
-/// Ends the load where there are too many.
+/// Aborts the load if there are too many.
 std::size_t OldWords::count_parts(std::string_view part, const Rewriting& of) {
   double count = of.type && of.type->part == part ? 1 : 0;
   SourceLine where = of.entity.where;

@@ -12,7 +12,7 @@
 namespace playhouse::scene {
 namespace {
 
-/// Pixels from the left and from the bottom, the end not included.
+/// A pixel rectangle from the lower left, half-open.
 struct Extent {
   int x0, y0, x1, y1;
 };
@@ -29,8 +29,8 @@ std::optional<Extent> extent_of(const Bitmap& solid) {
   return all;
 }
 
-/// How many pixels are free about each pixel, in the largest square with it in the middle: 0 where it is not
-/// free itself. Two passes of the chessboard distance.
+/// Free space around each pixel: the largest free square centred on
+/// it, 0 if it is not free. Two-pass chessboard distance transform.
 std::vector<int> room_of(const Bitmap& free) {
   const int w = free.width, h = free.height;
   std::vector<int> room(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
@@ -55,10 +55,10 @@ std::vector<int> room_of(const Bitmap& free) {
 }
 
 constexpr double kRobotSize = 0.4;         // m
-constexpr double kLeastResolution = 1e-5;  // m; a world file has micrometres
+constexpr double kLeastResolution = 1e-5;  // m; world files have micrometre resolution
 
-/// The middle of a free pixel, in metres from the lower left corner: the one nearest to the middle of the
-/// walls about which a robot has room, or else the one with most room.
+/// Start position of a robot, in metres from the lower left corner: the free pixel with enough
+/// room that is nearest to the centre of the walls, otherwise the one with the most room.
 std::optional<geom::Vec2> place_for_robot(const Plan& plan, const Extent& walls) {
   const std::vector<int> room = room_of(plan.free);
   const int most = *std::max_element(room.begin(), room.end());
@@ -79,7 +79,7 @@ std::optional<geom::Vec2> place_for_robot(const Plan& plan, const Extent& walls)
   return plan.resolution * *best;
 }
 
-/// As a person writes it: no digits below a micrometre.
+/// Rounded to micrometres.
 double rounded(double value) {
   const double whole = std::round(value * 1e6) / 1e6;
   return whole == 0 ? 0 : whole;
@@ -107,7 +107,7 @@ Result<std::string> world_of_plan(const Plan& plan, const std::string& bitmap, d
   if (plan.resolution < kLeastResolution) return Error{"", "has pixels of less than 0.01 mm"};
   if (!can_be_quoted(plan.name) || !can_be_quoted(bitmap))
     return Error{"", "has a name that a world file cannot hold: " + in_quotes(bitmap)};
-  // A bitmap fills the size of its model with its dark pixels; what is about them does not count.
+  // Dark pixels of a bitmap fill the model's size; their margin is cropped.
   const geom::Vec2 size{(walls->x1 - walls->x0) * plan.resolution, (walls->y1 - walls->y0) * plan.resolution};
   const geom::Vec2 middle = geom::transform(plan.X_WI, {0.5 * (walls->x0 + walls->x1) * plan.resolution,
                                                         0.5 * (walls->y0 + walls->y1) * plan.resolution});

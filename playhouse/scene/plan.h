@@ -1,7 +1,7 @@
 #pragma once
 
-/// Floor plans: images in which walls are dark, with what a pixel measures, as worlds. A plan comes from an
-/// image and a scale, or from a map of ROS (ros_map.h).
+/// Floor plans: images with dark walls and a scale, converted to worlds.
+/// From an image and a resolution, or from a ROS map (ros_map.h).
 
 #include <string>
 
@@ -12,18 +12,18 @@ namespace playhouse::scene {
 
 struct Plan {
   std::string name;
-  Bitmap solid;       // what is a wall
-  Bitmap free;        // where somebody can be: neither wall nor unknown; of the same size
+  Bitmap solid;       // walls
+  Bitmap free;        // free space: neither wall nor unknown; same size
   double resolution;  // m per pixel
-  geom::Pose X_WI;    // the lower left corner of the image, and how it is turned, in the world
+  geom::Pose X_WI;    // pose in W of the image's lower left corner
 };
 
-/// A plan whose image is about the origin of the world. Fails on bytes that are no image.
+/// A plan centred on the world's origin. Fails on bytes that are not an image.
 Result<Plan> plan_of_image(std::string_view bytes, std::string name, double resolution);
 
-/// A world file: the plan's walls, `height` metres high, from the image that the file is to find as `bitmap`,
-/// and a robot with a laser in the free place that is nearest to the middle of the plan. Fails on a plan
-/// without walls and on a name that a world file cannot hold.
+/// A world file: the plan's walls, `height` metres high, from the image that the file
+/// refers to as `bitmap`, and a robot with a laser at the free place nearest to the
+/// centre. Fails on a plan without walls and on a name that a world file cannot contain.
 Result<std::string> world_of_plan(const Plan& plan, const std::string& bitmap, double height);
 
 /// The walls as a PGM image, black on white.

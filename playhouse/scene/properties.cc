@@ -99,7 +99,7 @@ double Properties::angle(std::string_view key, double otherwise) const {
 
 int Properties::integer(std::string_view key, int otherwise) const {
   const double value = number(key, otherwise);
-  return static_cast<int>(value);  // numbers are at most 1e9; fractions are cut off as the original does
+  return static_cast<int>(value);  // bounded by 1e9; truncated as in the original
 }
 
 std::string Properties::text(std::string_view key, std::string_view otherwise) const {

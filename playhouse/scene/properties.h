@@ -1,7 +1,7 @@
 #pragma once
 
-/// The properties of one entity of a world file as numbers in SI units. Reading never throws: faults are kept
-/// in a place the whole load shares, defaults are returned instead, and the load checks the place once.
+/// Properties of one entity of a world file, converted to SI units. Reading never throws: errors are
+/// collected in a shared LoadState, defaults are returned, and the loader checks once at the end.
 
 #include <optional>
 #include <span>
@@ -14,27 +14,27 @@
 
 namespace playhouse::scene {
 
-/// What all entities of one load share.
+/// Shared state of one load.
 struct LoadState {
   const Document& document;
   Units units;
-  std::optional<Error> error;  // the first fault
-  std::vector<Error> others;   // the next ones
+  std::optional<Error> error;  // the first error
+  std::vector<Error> others;   // further ones
   Warnings warnings;
-  bool over = false;              // nothing more can be said: the load ends
-  std::size_t faults = 0;         // those that were known included
-  std::size_t random_colors = 0;  // read so far; each is that of its model alone
+  bool over = false;              // abort
+  std::size_t faults = 0;         // including duplicates
+  std::size_t random_colors = 0;  // read so far; each is unique to its model
 
-  /// The load goes on, to find what else is wrong, until there are as many faults as warnings of a kind.
+  /// Records an error and continues, to find more, up to the limit on warnings of a kind.
   void fail(SourceLine where, std::string text) { add(document.error(where, std::move(text))); }
-  /// The load ends: what follows would cost too much, or make no sense.
+  /// Records an error and aborts: continuing would be too expensive or pointless.
   void end(Error fault);
 
  private:
   void add(Error fault);
 };
 
-/// How an element of a tuple is scaled: N as it is, L by the unit of length, A by the unit of angle.
+/// Scale codes of tuple elements: N as it is, L by the unit of length, A by the unit of angle.
 class Properties {
  public:
   Properties(LoadState& state, const Instance& instance)
@@ -42,7 +42,7 @@ class Properties {
   Properties(LoadState& state, std::span<const Field> fields) : state_(state), fields_(fields) {}
 
   bool has(std::string_view key) const { return fields_.find(key) != nullptr; }
-  /// Where `key` was given, or where the entity starts.
+  /// Where `key` was given, otherwise where the entity starts.
   SourceLine where(std::string_view key) const;
   const FieldSet& fields() const { return fields_; }
   LoadState& state() const { return state_; }
@@ -55,29 +55,29 @@ class Properties {
   std::string text(std::string_view key, std::string_view otherwise) const;
   std::vector<std::string> texts(std::string_view key) const;
 
-  /// Whether the word has the `count` values that it had before there was a z, three of poses and velocities
-  /// and two of sizes; that is a warning, and `now` is how it is written.
+  /// True if the word has `count` values, as before z was introduced (three for
+  /// poses and velocities, two for sizes); warns, with `now` as the current form.
   bool is_flat(std::string_view key, std::size_t count, std::string_view now) const;
 
-  /// The first `count` elements of a tuple; none when `key` is absent. Fewer fail with `form`, as in "[x y
-  /// z]", and none are given; more are a warning.
+  /// The first `count` elements of a tuple; none if `key` is absent. Fewer are an
+  /// error with `form`, as in "[x y z]", and none are returned; more are a warning.
   std::span<const Value> elements(std::string_view key, std::size_t count, std::string_view form) const;
-  /// Fills `out` with as many numbers as `scales` has letters (N, L, A), as elements() does; false when there
-  /// are none.
+  /// Fills `out` with one number per letter of `scales` (N,
+  /// L, A), checked like elements(); false if there are none.
   bool tuple(std::string_view key, std::string_view scales, std::span<double> out,
              std::string_view form) const;
 
-  /// A size without height, as Stage 2 had: the model is of a world in which all is at one height.
+  /// A size without height, from Stage 2: the world is purely planar.
   bool has_flat_size() const;
-  /// Three values are [x y heading], as Stage 2 had poses.
+  /// Three values are [x y heading], as in Stage 2.
   std::optional<geom::Pose> pose(std::string_view key) const;
-  /// Two values are [x y], as Stage 2 had sizes, with the height of `otherwise`.
+  /// Two values are [x y], as in Stage 2, with the height of `otherwise`.
   geom::Size size(std::string_view key, geom::Size otherwise) const;
-  /// `color`, else `color_rgba`, else `otherwise`. `row` decides what "random" is.
+  /// `color`, else `color_rgba`, else `otherwise`. `row` seeds "random".
   Color color(Color otherwise, std::size_t row) const;
 
  private:
-  /// None, and a fault, for what is no number.
+  /// None, with an error, if it is not a number.
   std::optional<double> scaled(const Field& field, std::size_t element, char scale) const;
 
   LoadState& state_;

@@ -9,14 +9,14 @@
 
 namespace playhouse::scene {
 
-/// 8-bit red, green and blue, rows from the top.
+/// 8-bit RGB, rows from the top.
 struct RgbImage {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;
 };
 
-/// The colors of a PNG file; what one can see through is over black. Fails on what is none, and, before it
-/// allocates any, on more than `most_pixels`.
+/// Decodes a PNG to RGB, composited over black. Fails on other
+/// bytes and, before allocating, on more than `most_pixels`.
 Result<RgbImage> read_rgb(std::string_view png, std::size_t most_pixels);
 
 }  // namespace playhouse::scene

@@ -23,7 +23,7 @@ Number raised_to_zero(const Properties& properties, std::string_view key, Number
   return 0;
 }
 
-/// Which of `words` the word is; none of them is a fault of `key`, or of `part` of it.
+/// Index of a value in `words`; an unknown one is an error of `key`, or of `part` of it.
 std::size_t chosen(const Properties& properties, std::string_view key, std::string_view part,
                    std::span<const std::string_view> words, std::string_view word, std::size_t otherwise) {
   const auto found = std::find(words.begin(), words.end(), word);

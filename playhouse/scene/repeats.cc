@@ -19,7 +19,7 @@ void append(std::string& key, char mark, std::string_view text) {
 void append(std::string& key, const Field& field) {
   append(key, '=', field.key);
   for (const Value& value : field.values) append(key, '-', value.text);
-  // A bitmap or a mesh may be beside the file that names it.
+  // File references are relative to the referring file.
   if (field.key == "bitmap" || field.key == "mesh") append(key, '@', std::to_string(field.where.file));
 }
 
@@ -27,7 +27,7 @@ void append(std::string& key, const Section& section) {
   append(key, '(', section.name);
   for (const Field& field : section.fields) {
     append(key, field);
-    // What is told of a controller names the line of the part that has it.
+    // Messages about a controller show the line of its model.
     if (field.key == "ctrl")
       append(key, '@', std::to_string(section.where.file) + ":" + std::to_string(section.where.line));
   }
@@ -35,7 +35,7 @@ void append(std::string& key, const Section& section) {
   key += ')';
 }
 
-/// Of a part, or of the top with what is its own made equal.
+/// Compares parts, or roots without per-tree values.
 bool is_same(const ModelDesc& a, const ModelDesc& b) {
   return static_cast<const PlainDesc&>(a) == static_cast<const PlainDesc&>(b) &&
          static_cast<const KindDescs&>(a) == static_cast<const KindDescs&>(b) && a.type == b.type &&
@@ -44,7 +44,7 @@ bool is_same(const ModelDesc& a, const ModelDesc& b) {
          a.mesh == b.mesh && a.body == b.body && a.kept == b.kept;
 }
 
-/// A default name begins with the parent's name, so equal ones are of parts of equal parents.
+/// Default names start with the parent's, so equal ones imply equal parents.
 bool is_same_part(const ModelDesc& a, const ModelDesc& b, const ModelDesc& top_a, const ModelDesc& top_b) {
   const bool same_line = a.where.file == b.where.file && a.where.line == b.where.line;
   return a.name == token_in(b.name, top_b.name, top_a.name) &&

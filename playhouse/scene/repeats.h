@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which parts of world files say the same, so that the trees of a swarm are made and kept once.
+/// Detection of repeated trees in world files, so that those of a swarm are parsed and stored once.
 
 #include <span>
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace playhouse::scene {
 
-/// A section at top level as one text, without the values of what each tree of the world has for itself:
-/// name, pose, color and fiducial_return. Where no macro is defined between two sections of one key, they
-/// make the same tree but for these, and the lines of what stands inside the section.
+/// Canonical text of a top-level section without per-tree values: name, pose, color
+/// and fiducial_return. Two sections with equal keys and no macro definition between
+/// them make equal trees except for those values and the line numbers inside.
 std::string repeat_key(const Section& section);
 
-/// Whether two trees of descriptions, tops first, are the same but for what each tree of the world has for
-/// itself and for lines, which are those of the first. A controller's is told to people, so it counts.
+/// True if two trees of descriptions, roots first, are equal except for per-tree
+/// values and line numbers. A controller's line counts, since it is shown to users.
 bool is_same_tree(std::span<const ModelDesc> a, std::span<const ModelDesc> b);
 
 }  // namespace playhouse::scene

@@ -1,8 +1,8 @@
 #include "playhouse/scene/robot_file.h"
 
-// toml++ 3.3 takes two things for impossible that bytes of a file can be, and a release may assume that they
-// are not. Both have a right way on: "[," begins with no key, which is found and told next; a character that
-// is in none of the ranges of blanks (U+02DB) is none.
+// toml++ 3.3 asserts two conditions that input can violate, and release builds may
+// assume them. Both have a valid continuation: "[," starts without a key, which is
+// reported next; a character outside the listed ranges of blanks (U+02DB) is no blank.
 #undef NDEBUG
 #define TOML_ASSERT(expr) static_cast<void>(0)
 #define TOML_EXCEPTIONS 0
@@ -100,7 +100,7 @@ class Reader {
     return robot;
   }
 
-  /// "" where it is absent.
+  /// "" if absent.
   std::string text(const toml::table& table, std::string_view key) {
     const toml::node* const node = table.get(key);
     if (node == nullptr) return {};
@@ -119,7 +119,7 @@ class Reader {
     return std::nullopt;
   }
 
-  /// [x, y, heading] in metres and degrees. None, perhaps with a fault, where there is none.
+  /// [x, y, heading] in metres and degrees. None if absent, or, with an error, if malformed.
   std::optional<geom::Pose> read_pose(const toml::table& table) {
     const toml::node* const node = table.get("pose");
     if (node == nullptr) return std::nullopt;
@@ -179,7 +179,7 @@ class Reader {
   }
 
   const std::string& path_;
-  std::optional<Error> fault_;  // the first
+  std::optional<Error> fault_;  // the first error
 };
 
 }  // namespace

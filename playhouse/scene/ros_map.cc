@@ -23,7 +23,7 @@ Error at(const YAML::Mark& mark, const std::string& text) {
   return {mark.is_null() ? "" : std::to_string(mark.line + 1), text};
 }
 
-/// A finite number, or the fault.
+/// A finite number, or an error.
 Result<double> number(const YAML::Node& node, std::string_view key) {
   double value = 0;
   if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
@@ -55,7 +55,7 @@ Result<void> read_key(const std::string& key, const YAML::Node& node, RosMap& ma
     return {};
   }
   if (key == "negate") {
-    bool negate = false;  // maps have 0 or 1, and some a word
+    bool negate = false;  // usually 0 or 1, sometimes a word
     if (!node.IsScalar()) return at(node.Mark(), "\"negate\" wants 0 or 1");
     if (node.Scalar() != "0" && node.Scalar() != "1" && !YAML::convert<bool>::decode(node, negate))
       return at(node.Mark(), "\"negate\" wants 0 or 1");
@@ -100,12 +100,12 @@ Result<RosMap> read_ros_map(const std::string& text) {
 
 namespace {
 
-/// What a map says of a pixel.
+/// State of a map cell.
 struct Cell {
   bool wall = false, free = false;  // neither: unknown
 };
 
-/// Thresholds count for what is between free and occupied in a raw map, too: a world has walls or none.
+/// Thresholds also apply to raw maps: a world has no partial occupancy.
 Cell cell_of(const RosMap& map, const Shades& image, std::size_t pixel) {
   const bool has_alpha = !image.alpha.empty();
   const bool with_alpha = has_alpha && map.mode == "trinary";

@@ -1,11 +1,11 @@
 #pragma once
 
-/// Maps of ROS: a .yaml file beside an image, as map_server and nav2 read and write them.
-/// Source: the documentation and map_io.cpp of nav2_map_server: image, resolution, origin, negate,
-/// occupied_thresh, free_thresh, mode. A pixel is as light as the mean of its colours, in mode trinary with
-/// its alpha as one more; it is occupied by (255 - light) / 255, or by light / 255 where it is negated. In
-/// mode scale what one can see through is unknown; in mode raw `light` is the occupancy: 0 free, 100
-/// occupied, above it unknown.
+/// ROS maps: a .yaml file with an image, as written by map_server and nav2.
+/// Source: documentation and map_io.cpp of nav2_map_server: image, resolution, origin,
+/// negate, occupied_thresh, free_thresh, mode. The brightness of a pixel is the mean of its
+/// colour channels, in mode trinary including alpha; its occupancy is (255 - brightness) /
+/// 255, or brightness / 255 if negated. In mode scale transparent pixels are unknown; in
+/// mode raw the brightness is the occupancy: 0 free, 100 occupied, above that unknown.
 
 #include <string>
 #include <string_view>
@@ -14,26 +14,26 @@
 
 namespace playhouse::scene {
 
-/// What the .yaml file says.
+/// Contents of the .yaml file.
 struct RosMap {
-  std::string image;  // its path, as it stands there
+  std::string image;  // path, as in the file
   double resolution = 0;
-  geom::Pose origin;  // of the lower left corner of the image, in the world
+  geom::Pose origin;  // pose of the image's lower left corner in W
   bool negate = false;
-  double occupied = 0.65, free = 0.25;  // from 0 to 1: above it is a wall, below it is free
+  double occupied = 0.65, free = 0.25;  // thresholds in 0 .. 1: above occupied is wall, below free is free
   std::string mode = "trinary";
 };
 
-/// Fails with the line and what is wrong there.
+/// Fails with line and reason.
 Result<RosMap> read_ros_map(const std::string& text);
 
-/// The plan of a map whose image has these bytes.
+/// The plan of a map with this image.
 Result<Plan> plan_of_ros_map(const RosMap& map, std::string_view bytes, std::string name);
 
-/// True if the image alone, as worlds read bitmaps, has the same walls as the plan.
+/// True if the image loaded as a bitmap has the same walls as the plan.
 bool is_plain(const Plan& plan, std::string_view bytes);
 
-/// The .yaml file of a plan whose image is a pgm_of() of that name.
+/// The .yaml file of a plan with the image pgm_of() under that name.
 std::string ros_map_of(const Plan& plan, const std::string& image);
 
 }  // namespace playhouse::scene

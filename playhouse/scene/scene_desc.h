@@ -1,10 +1,10 @@
 #pragma once
 
-/// SceneDesc: what a scene file says, in SI units and radians, with every macro, include and default
-/// resolved. Parsers make it, engines read it; nothing else in the tree knows what a world file looks like.
-/// What single words say is in generated/kind_descs.h, made from kinds/*.toml.
-/// A value type. Frames: W world, P parent model, M model pose, B body and sensor frame of a model (M moved
-/// by `X_MB`, the file's `origin`), S sensor.
+/// SceneDesc: contents of a scene file in SI units, with macros, includes and
+/// defaults resolved. Written by parsers, read by engines; no other module knows the
+/// file format. Single words are in generated/kind_descs.h, made from kinds/*.toml.
+/// A value type. Frames: W world, P parent model, M model pose, B body and sensor
+/// frame of a model (M moved by `X_MB`, the file's `origin`), S sensor.
 
 #include <cstdint>
 #include <map>
@@ -25,93 +25,93 @@ struct Mesh;
 
 namespace playhouse::scene {
 
-/// Where in the files a thing was said.
+/// Position in the source files.
 struct SourceLine {
   std::uint32_t file = 0;  // row of SceneDesc::files
-  std::uint32_t line = 0;  // from 1; 0: nowhere (a default)
+  std::uint32_t line = 0;  // from 1; 0: none (a default)
 };
 
-/// Metres per unit of length and radians per unit of angle of a file.
+/// A file's unit of length in metres, of angle in radians.
 struct Units {
   double length = 1;
   double angle = geom::kPi / 180;
 };
 
-/// A word that Stage 4 reads and this build does not, and what stands behind it, as a file has them.
+/// A word of Stage 4 that this build does not support, with its value, verbatim.
 struct KeptWord {
   std::string key, value;
   friend bool operator==(const KeptWord&, const KeptWord&) = default;
 };
 
-/// A `block` as a file says it, before it is stretched: without z it is as high as the whole model.
+/// A `block` of a file before scaling; without z it has the height of the model.
 struct Prism {
   std::vector<geom::Vec2> points;
   std::optional<Bounds> z;
   SourceLine where;
-  /// Wherever they were said.
+  /// Source lines are ignored.
   friend bool operator==(const Prism& a, const Prism& b) { return a.points == b.points && a.z == b.z; }
 };
 
-/// What a file says of a body; ModelDesc::blocks and bitmaps are made of it and of the size.
+/// A body as in the file; ModelDesc::blocks and bitmaps are derived from it and the size.
 struct BodyDesc {
-  std::string bitmap;  // path under which it was read; empty: none
-  std::string mesh;    // the same; it is all of the body
+  std::string bitmap;  // resolved path; empty: none
+  std::string mesh;    // likewise; replaces everything else
   bool noblocks = false, boundary = false;
   std::vector<Prism> prisms;
   friend bool operator==(const BodyDesc&, const BodyDesc&) = default;
 };
 
-/// A solid prism: polygon in B, counter-clockwise, extruded in z. Scaled to the model's size already.
+/// A prism: counter-clockwise polygon in B, extruded in z, scaled to the model's size.
 struct Block {
   std::vector<geom::Vec2> points;  // m, in B; at least 3
   double z_min = 0, z_max = 0;     // m, relative to B
   friend bool operator==(const Block&, const Block&) = default;
 };
 
-/// A body traced from a bitmap: closed contours on pixel edges, solid to the left of each edge (outer
-/// contours counter-clockwise, holes clockwise). Even-odd rule: a point is solid when an odd number of
-/// contours holds it.
+/// A body traced from a bitmap: closed contours on pixel
+/// edges, solid on the left of each edge (outer contours
+/// counter-clockwise, holes clockwise). Even-odd rule.
 struct Contours {
   std::vector<std::vector<geom::Vec2>> loops;  // m, in B
   double z_min = 0, z_max = 0;                 // m, relative to B
   friend bool operator==(const Contours&, const Contours&) = default;
 };
 
-/// A description of a model: what its words say, and what the loader makes of its place in the file. Trees of
-/// them are prototypes, which any number of trees share: of the top-level one, `name`, `alias`, `where`,
-/// `X_PM`, `color` and `fiducial_return` are those of its first tree in the world. `X_PM.z` includes
-/// `stacked`, and `update_interval` is at least a tick.
+/// Description of a model: its words, and its place in the file. Trees of
+/// descriptions are prototypes shared by any number of trees in the world: for a
+/// root, `name`, `alias`, `where`, `X_PM`, `color` and `fiducial_return` are those of
+/// the first tree. `X_PM.z` includes `stacked`; `update_interval` is at least a tick.
 struct ModelDesc : PlainDesc, KindDescs {
-  std::string name;   // token, unique in the first tree, e.g. "r0" or "r0.ranger:1"
-  std::string alias;  // default token, e.g. "position:0"; equal to `name` when the file gave none
-  std::string type;   // the base type as the file says it, after macros: "position", "gripper", ...
-  /// Of a top-level one, what people call its like: the word of the define that made it, else `name`.
+  std::string name;   // unique token in the first tree, e.g. "r0" or "r0.ranger:1"
+  std::string alias;  // default token, e.g. "position:0"; equal to `name` if none was given
+  std::string type;   // base type after macro expansion: "position", "gripper", ...
+  /// Of a root, its display name as a type: the macro that made it, else `name`.
   std::string prototype;
   ModelKind kind = ModelKind::kPlain;
-  std::int32_t parent = -1;  // row of SceneDesc::models, always below this row; -1: the world
+  std::int32_t parent = -1;  // row of SceneDesc::models, below this row; -1: the world
   SourceLine where;
 
-  double stacked = 0;  // m, height of the parent on top of which it stands; 0 if that does not stack
+  double stacked = 0;  // m, height of the parent that it stands on; 0 if the parent does not stack
   bool stacks_children = true;
   std::vector<Block> blocks;
-  /// How many of the blocks, the last, move with the state of the kind: pages draw them where they are, all
-  /// else has them where they are at the start.
+  /// Number of blocks, at the end of `blocks`, that move with the state of the
+  /// kind: drawn in place by the page, at their initial place for everything else.
   std::uint32_t moving_blocks = 0;
   std::vector<Contours> bitmaps;
-  /// How it looks, in B, and its body where there is more than a plane; shared by all of that file and size.
-  /// Blocks are the outlines of its parts then. Null: it looks as its blocks and bitmaps.
+  /// Visual mesh in B, and in 3D also the body; shared by models of equal file and size.
+  /// Blocks are then the outlines of its parts. Null: the visual is blocks and bitmaps.
   std::shared_ptr<const mesh::Mesh> mesh;
-  BodyDesc body;  // for who writes the file again; nothing of a model made in code
+  BodyDesc body;  // for writing the file again; empty for models made in code
   std::vector<KeptWord> kept;
 };
 
-/// A tree of models in the world: its prototype, and what it has for itself.
+/// An instance of a prototype in the world, with its own values.
 struct TreeDesc {
-  std::uint32_t top = 0;    // row of SceneDesc::models, a top-level one
-  std::string name, alias;  // tokens of the top; those of its parts follow
+  std::uint32_t top = 0;    // row of SceneDesc::models, a root
+  std::string name, alias;  // tokens of the root; those of parts follow from them
   SourceLine where;
   geom::Pose X_WM;
-  Color color;  // of the top
+  Color color;  // of the root
   std::int32_t fiducial_return = 0;
 };
 
@@ -121,32 +121,32 @@ struct SceneDesc : WorldDesc {
   WindowDesc window;
   Units units;                                 // of the top-level file
   std::vector<KeptWord> kept, kept_of_window;  // of the world and of the window
-  /// Every description once, tree by tree: parents before children, siblings in file order.
+  /// All prototypes, tree by tree: parents before children, siblings in file order.
   std::vector<ModelDesc> models;
-  /// What is in the world, in file order. None, as in scenes made in code, stands for one_of_each().
+  /// The instances, in file order. Empty, as in scenes made in code: one_of_each().
   std::vector<TreeDesc> trees;
-  /// Tokens of parts, by row of `trees` and place in the tree, that are not those of the prototype: later
-  /// models of the same name have them.
+  /// Tokens of parts that differ from the prototype's, because a later
+  /// model has taken the name; by row of `trees` and place in the tree.
   struct Token {
     std::string name, alias;
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, Token> renamed;
-  std::vector<std::string> warnings;  // "file:line: text", each once
+  std::vector<std::string> warnings;  // "file:line: text", without duplicates
 
-  /// "file:line" of a place in this scene.
+  /// "file:line" of a position.
   std::string at(SourceLine where) const {
     return where.file < files.size() ? escaped(files[where.file]) + ":" + std::to_string(where.line) : path;
   }
 };
 
-/// How many models the tree has whose top is at `row` of SceneDesc::models; 0 if there is no top.
+/// Number of models in the tree with its root at `row` of SceneDesc::models; 0 if that is no root.
 std::uint32_t tree_size(const SceneDesc& scene, std::uint32_t row);
 
-/// A tree of the world for each tree of descriptions, as these say.
+/// One instance for each prototype.
 std::vector<TreeDesc> one_of_each(const SceneDesc& scene);
 
-/// A token of a part, name or alias, in a tree whose top is called `name` instead of `top`: what begins with
-/// the top's name begins with that of this one.
+/// A part's token, name or alias, in a tree whose root is called `name`
+/// instead of `top`: replaces the prefix, if it is the root's name.
 std::string token_in(std::string_view token, std::string_view top, std::string_view name);
 
 }  // namespace playhouse::scene

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Where the beams of a ranger's sensor go, from its pose: a bearing and an elevation each. In rings, from
-/// the lowest to the highest, and in each from the right to the left.
+/// Beam directions of a ranger's sensor in its frame: bearing and elevation.
+/// Rings from the lowest to the highest, beams in a ring from right to left.
 
 #include <cmath>
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace playhouse::scene {
 
-/// Of a beam in its ring; a single one looks ahead.  [rad]
+/// Of a beam in its ring; a single one points ahead.  [rad]
 inline double bearing_of(const RangerSensorDesc& sensor, std::uint32_t beam) {
   if (sensor.samples <= 1) return 0;
   return -0.5 * sensor.fov + sensor.fov * beam / (sensor.samples - 1);
 }
 
-/// Of a ring; a single one is level.  [rad]
+/// Of a ring; a single one is horizontal.  [rad]
 inline double elevation_of(const RangerSensorDesc& sensor, std::uint32_t ring) {
   if (sensor.rings <= 1) return 0;
   return sensor.ring_lowest + (sensor.ring_highest - sensor.ring_lowest) * ring / (sensor.rings - 1);
 }
 
-/// The ring that is nearest to level, of two the upper one: what `laser` and `ranger` tell.
+/// The ring nearest to horizontal, the upper one of two: reported by `laser` and `ranger`.
 inline std::uint32_t level_ring(const RangerSensorDesc& sensor) {
   constexpr double kEqual = 1e-9;  // rad
   std::uint32_t level = 0;

@@ -20,7 +20,7 @@ Error too_large() {
   return {{}, "cannot be read: larger than " + std::to_string(limits::kFileBytes >> 20) + " MiB"};
 }
 
-/// Everything up to the end: pipes and the kernel's files do not say beforehand how much that is.
+/// Reads to the end: pipes and files of the kernel do not announce their size.
 Result<std::string> read_all(std::FILE& file) {
   std::string text;
   char chunk[1 << 16];
@@ -44,12 +44,12 @@ Result<std::string> DiskFiles::read(const std::string& path) {
                  std::string("cannot be opened: ") +
                      (pipes ? "neither a regular file nor a pipe" : "not a regular file")};
   }
-  // Some of the kernel's files make a reader wait although they are regular ones.
+  // Some regular files of the kernel block their readers.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | (pipes ? 0 : O_NONBLOCK));
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
       descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"), &std::fclose);
   if (!file) return Error{{}, std::string("cannot be opened: ") + std::strerror(errno)};
-  struct stat opened {};  // the name may mean another file by now
+  struct stat opened {};  // re-checked: the name may refer to another file now
   if (!pipes && (::fstat(descriptor, &opened) != 0 || !S_ISREG(opened.st_mode)))
     return Error{{}, "cannot be opened: not a regular file"};
   return read_all(*file);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The bytes behind a scene or configuration: where they come from (disk, or memory in tests and fuzzers) and
-/// which file and line a piece of text belongs to. Knows no grammar.
+/// Sources of a scene or configuration: where bytes come from (disk, or memory
+/// in tests and fuzzers), and positions in them. Independent of grammar.
 
 #include <cstdint>
 #include <deque>
@@ -18,31 +18,31 @@
 
 namespace playhouse::scene {
 
-/// Gives the bytes of a file by name; at most limits::kFileBytes.
+/// Reads files by name; at most limits::kFileBytes.
 class FileReader {
  public:
   virtual ~FileReader() = default;
-  /// Fails with a text that starts with "cannot" and names no file (the caller knows it).
+  /// Fails with a message that starts with "cannot", without the file name (the caller knows it).
   virtual Result<std::string> read(const std::string& path) = 0;
-  /// Folders, each with its final slash, where an include or a bitmap is looked for that is not beside the
-  /// files that name it.
+  /// Folders, with trailing slash, to search for includes
+  /// and bitmaps that are not beside the referring file.
   virtual std::vector<std::string> search_path() const { return {}; }
-  /// Names of the files in a folder, in order, to tell what was meant. The folder has its final slash, or is
-  /// "".
+  /// Sorted names of the files in a folder, for suggestions.
+  /// The folder has a trailing slash, or is "".
   virtual std::vector<std::string> names_in(const std::string& folder) const = 0;
 };
 
-/// Who named a file: a person, who may mean a pipe (`playhouse check <(...)`), or another file. There a pipe
-/// that nobody writes would make everybody wait for ever, so regular files alone are read.
+/// Origin of a file name: a user, who may pass a pipe (`playhouse check <(...)`), or another
+/// file. For the latter only regular files are read: a pipe without a writer would block forever.
 enum class NamedBy : std::uint8_t { kPerson, kFile };
 
-/// Files of this machine.
+/// Files on disk.
 class DiskFiles final : public FileReader {
  public:
   explicit DiskFiles(NamedBy by = NamedBy::kFile) : by_(by) {}
   Result<std::string> read(const std::string& path) override;
-  /// The folders of PLAYHOUSE_PATH and of STAGEPATH, then the worlds that come with the program: `worlds` in
-  /// a folder above the program's own.
+  /// The folders of PLAYHOUSE_PATH and of STAGEPATH, then the worlds that
+  /// come with the program: `worlds` in a parent folder of the executable.
   std::vector<std::string> search_path() const override;
   std::vector<std::string> names_in(const std::string& folder) const override;
 
@@ -50,7 +50,7 @@ class DiskFiles final : public FileReader {
   NamedBy by_;
 };
 
-/// Files that exist in memory only.
+/// Files in memory.
 class MemoryFiles final : public FileReader {
  public:
   explicit MemoryFiles(std::map<std::string, std::string> files, std::vector<std::string> search_path = {})
@@ -64,15 +64,15 @@ class MemoryFiles final : public FileReader {
   std::vector<std::string> search_path_;
 };
 
-/// The files that a scene was made of, by the paths under which they were read, to make it again without
-/// them.
+/// All files that a scene was loaded from, by path,
+/// so that it can be loaded again without the disk.
 struct SourceFiles {
   std::string path;  // of the top-level one
   std::map<std::string, std::string> files;
   std::vector<std::string> search_path;
 };
 
-/// Reads as another reader does, and keeps all that was read in `kept`.
+/// Delegates to another reader, and keeps everything read in `kept`.
 class RecordedFiles final : public FileReader {
  public:
   RecordedFiles(FileReader& files, SourceFiles& kept) : files_(files), kept_(kept) {}
@@ -87,15 +87,15 @@ class RecordedFiles final : public FileReader {
   SourceFiles& kept_;
 };
 
-/// Owns every text of one scene, so that views into them stay valid as long as it lives.
+/// Owns all texts of one scene; views into them are valid during its lifetime.
 class SourceTexts {
  public:
-  /// Keeps `text` under `path` and gives its row, which is also that of its name. Fails, with a text that
-  /// names no file, when all uses of texts together exceed limits::kFileBytes.
+  /// Stores `text` under `path` and returns its row, also that of its name. Fails,
+  /// without a file name, if all uses of texts together exceed limits::kFileBytes.
   Result<std::uint32_t> add(const std::string& path, std::string text);
-  /// The row of a file that is here already.
+  /// The row of a file stored already.
   std::optional<std::uint32_t> find(const std::string& path) const;
-  /// Counts one more use of a text, as add() does.
+  /// Counts another use of a text against the limit, like add().
   Result<void> use_again(std::uint32_t row);
 
   std::string_view text(std::uint32_t row) const { return texts_[row]; }
@@ -107,16 +107,16 @@ class SourceTexts {
  private:
   Result<void> count(std::size_t bytes);
 
-  std::deque<std::string> texts_;  // a deque, so that views survive growth
+  std::deque<std::string> texts_;  // stable references, for views
   std::vector<std::string> names_;
   std::map<std::string, std::uint32_t, std::less<>> rows_;
   std::size_t bytes_ = 0;
 };
 
-/// Folder part of a path with its final slash, or "".
+/// Folder of a path with trailing slash, or "".
 std::string folder_of(std::string_view path);
 
-/// `name` as it is when it starts with '/' or '~', else `folder` + `name`.
+/// `name` unchanged if it starts with '/' or '~', else `folder` + `name`.
 std::string resolve(const std::string& folder, std::string_view name);
 
 }  // namespace playhouse::scene

@@ -22,12 +22,12 @@ class Parser {
   Result<void> parse_body(Section& section, int depth);
   Result<void> parse_value(Field& field);
   Result<void> parse_tuple(Field& field, SourceLine opened);
-  /// After the name of a field or section: which of the two it is, and its content.
+  /// After a name: parses a field or a section.
   Result<void> parse_item(const Token& name, std::vector<Field>& fields, std::vector<Section>& sections,
                           int depth);
 
   void skip_line_ends();
-  /// The lexer's own complaint when there is one, else `text` at `where`.
+  /// The lexer's error if there is one, otherwise `text` at `where`.
   Error error(SourceLine where, std::string text) const;
 
   Format format_;

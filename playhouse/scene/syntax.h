@@ -1,8 +1,8 @@
 #pragma once
 
-/// Tokens -> sections and fields, the shape that Stage world files ("entities", "properties") and Player
-/// configuration files share. Macros are kept as they are written; expand.h applies them. Knows no field by
-/// name.
+/// Parser: tokens -> sections and fields, the syntax common to
+/// Stage world files and Player configuration files. Macros are
+/// kept unexpanded; see expand.h. Independent of vocabulary.
 
 #include <string>
 #include <string_view>
@@ -34,13 +34,13 @@ struct Section {
   std::vector<Section> sections;
 };
 
-/// A section at top level, or, when `base` is not empty, the macro `define section.name base ( ... )`.
+/// A top-level section, or, if `base` is not empty, the macro `define section.name base ( ... )`.
 struct Statement {
   Section section;
   std::string_view base;
 };
 
-/// A parsed file with its includes. Move only; views point into `sources`.
+/// A parsed file with its includes. Move-only; views refer to `sources`.
 struct Document {
   SourceTexts sources;
   std::vector<Field> fields;  // outside all sections
@@ -49,7 +49,7 @@ struct Document {
   Error error(SourceLine where, std::string text) const { return {sources.at(where), std::move(text)}; }
 };
 
-/// Parses `text`, which was read from `path`. Fails with one error, "file:line: what".
+/// Parses `text`, read from `path`. Fails with one error, "file:line: what".
 Result<Document> parse_document(Format format, const std::string& path, std::string text, FileReader& files);
 
 }  // namespace playhouse::scene

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A scene as if no two models were alike, for tests: the rows of its descriptions are those of the world.
+/// Expansion of shared descriptions, for tests: afterwards rows of descriptions are rows of the world.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace playhouse::scene {
 
-/// The same world with a description for each of its models, and no list of trees.
+/// The same world with one description per model, and without a list of trees.
 inline SceneDesc expanded(SceneDesc scene) {
   std::vector<ModelDesc> models;
   for (std::uint32_t row = 0; row < scene.trees.size(); ++row) {

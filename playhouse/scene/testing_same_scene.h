@@ -1,6 +1,6 @@
 #pragma once
 
-/// Whether two scenes are the same but for where the files are that say so, for tests and fuzzers.
+/// Equality of scenes apart from file positions, for tests and fuzzers.
 
 #include <algorithm>
 #include <filesystem>
@@ -15,14 +15,14 @@ inline std::string same_file(const std::string& path) {
   return path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string();
 }
 
-/// Whether a model lost its name to another: what such a one is called by default is an accident.
+/// True if a model lost its name to another one: its default name is not reproducible then.
 inline bool has_lost_names(const SceneDesc& scene) {
   return std::ranges::any_of(scene.warnings, [](const std::string& warning) {
     return warning.find("this model has it now") != std::string::npos;
   });
 }
 
-/// What differs first between two models, or "".
+/// The first difference between two models, or "".
 inline std::string difference(const ModelDesc& a, const ModelDesc& b) {
   BodyDesc body = b.body;
   if (same_file(a.body.bitmap) == same_file(body.bitmap)) body.bitmap = a.body.bitmap;
@@ -41,8 +41,8 @@ inline std::string difference(const ModelDesc& a, const ModelDesc& b) {
   return {};
 }
 
-/// What differs first, with the model's name, or "". `first` and `second` may share descriptions in different
-/// ways. Worlds without a name are called by their files.
+/// The first difference, with the model's name, or "". Sharing of
+/// descriptions may differ. Unnamed worlds are named after their files.
 inline std::string difference(const SceneDesc& first, const SceneDesc& second) {
   SceneDesc a = expanded(first), b = expanded(second);
   if (has_lost_names(first))

@@ -56,7 +56,7 @@ void TokenNames::note(Place place, const std::string& name) {
 void TokenNames::share(std::uint32_t row) {
   const std::uint32_t instance = static_cast<std::uint32_t>(scene_.trees.size()) - 1;
   std::uint32_t& top = scene_.trees[instance].top;
-  parts_.erase(parts_.lower_bound({top, ""}), parts_.end());  // it was the last
+  parts_.erase(parts_.lower_bound({top, ""}), parts_.end());  // it was the last tree
   top = row;
 }
 
@@ -81,7 +81,7 @@ std::optional<TokenNames::Place> TokenNames::find(std::string_view name) const {
     const auto top = tops_.find(name.substr(0, dot));
     if (top == tops_.end()) continue;
     const std::uint32_t row = scene_.trees[top->second].top;
-    if (row >= scene_.models.size()) continue;  // of the tree in the making not even the top is there
+    if (row >= scene_.models.size()) continue;  // the root of the tree under construction is not stored yet
     const auto part = parts_.find({row, scene_.models[row].name + std::string(name.substr(dot))});
     if (part == parts_.end() || scene_.renamed.contains({top->second, part->second})) continue;
     return Place{top->second, part->second};
@@ -91,7 +91,7 @@ std::optional<TokenNames::Place> TokenNames::find(std::string_view name) const {
 
 std::string TokenNames::unused(const std::string& name) {
   std::string candidate = name;
-  // Goes on where the search for the same name ended last, or many of one name would take quadratic time.
+  // Continues at the last suffix: restarting would be quadratic for many equal names.
   for (int& i = suffixes_.try_emplace(name, 2).first->second; find(candidate); ++i) {
     candidate = name + "~" + std::to_string(i);
   }
@@ -164,7 +164,7 @@ void TokenNames::rename_part(Place place) {
   const std::uint32_t top = scene_.trees[instance].top;
   const std::string old = name_of(place), alias = alias_of(place), fresh = unused(alias);
   set_tokens(place, fresh, alias);
-  // A subtree is the run of rows after its root whose parents lie in the run.
+  // A subtree: consecutive rows after its root with parents among them.
   for (std::uint32_t at = first + 1; top + at < scene_.models.size() &&
                                      desc({instance, at}).parent >= static_cast<std::int32_t>(top + first);
        ++at) {

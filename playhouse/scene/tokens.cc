@@ -24,7 +24,7 @@ constexpr bool is_line_end(char c) {
   return c == '\n' || c == '\r';
 }
 
-/// Length of the number at `at`: a run of "+-.0-9", and, beyond the originals, an exponent after it.
+/// Length of a number at `at`: a run of "+-.0-9", plus an exponent, unlike in the originals.
 std::size_t number_length(std::string_view text, std::size_t at) {
   std::size_t end = at;
   while (end < text.size() && (is_digit(text[end]) || is_sign(text[end]) || text[end] == '.')) ++end;
@@ -79,7 +79,7 @@ TokenStream::TokenStream(Format format, SourceTexts& sources, FileReader& files,
 
 void TokenStream::push(std::uint32_t row) {
   Cursor cursor{row, 0, 1};
-  if (sources_.text(row).starts_with("\xEF\xBB\xBF")) cursor.at = 3;  // a byte order mark is no text
+  if (sources_.text(row).starts_with("\xEF\xBB\xBF")) cursor.at = 3;  // skips a byte order mark
   stack_.push_back(cursor);
 }
 
@@ -159,7 +159,7 @@ Token TokenStream::fail(SourceLine where, std::string what) {
 }
 
 Token TokenStream::scan_line_end(std::string_view text, Cursor& cursor) {
-  // CR LF and LF CR are one line end, as is either alone.
+  // CR LF and LF CR are one line end, like CR or LF alone.
   const char c = text[cursor.at];
   const bool pair =
       cursor.at + 1 < text.size() && is_line_end(text[cursor.at + 1]) && text[cursor.at + 1] != c;
@@ -187,7 +187,7 @@ Token TokenStream::scan() {
   }
   if (cursor.at >= text.size()) {
     if (stack_.size() == 1) return {TokenKind::kEnd, {}, here()};
-    // The end of an included file ends its last line, whether or not the file says so.
+    // The end of an included file also ends its last line.
     const Token end{TokenKind::kLineEnd, {}, here()};
     stack_.pop_back();
     return end;

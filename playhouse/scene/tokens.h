@@ -1,7 +1,7 @@
 #pragma once
 
-/// Tokens of a Stage world file or a Player configuration file, with included files spliced in. The two
-/// formats share their lexical rules but for the characters of a word and the words that mean yes and no.
+/// Lexer of Stage world files and Player configuration files, with includes spliced
+/// in. The formats differ only in the characters of words and in boolean words.
 
 #include <optional>
 #include <string>
@@ -29,29 +29,29 @@ enum class TokenKind : std::uint8_t {
 
 struct Token {
   TokenKind kind = TokenKind::kEnd;
-  std::string_view text;  // strings without their quotes
+  std::string_view text;  // strings without quotes
   SourceLine where;
 };
 
-/// How a token is named in an error: `word "pose"`, `")"`, `the end of the line`.
+/// Name of a token in errors: `word "pose"`, `")"`, `the end of the line`.
 std::string describe(const Token& token);
 
-/// One pass over a top-level text and all it includes. The texts belong to `sources`, which outlives the
-/// tokens.
+/// One pass over a top-level text and its includes. The texts
+/// are owned by `sources`, which must outlive the tokens.
 class TokenStream {
  public:
-  /// `row` is the top-level text in `sources`; includes are resolved against its folder, then against the
-  /// folder of the file that includes, then looked for in the reader's search path (file_search.h).
+  /// `row` is the top-level text in `sources`; includes are resolved against its folder,
+  /// then that of the including file, then along the reader's search path (file_search.h).
   TokenStream(Format format, SourceTexts& sources, FileReader& files, std::uint32_t row);
 
-  /// The next token; after the end or an error always kEnd.
+  /// The next token; kEnd at the end or after an error.
   Token next();
-  /// The token next() will return.
+  /// The token that next() will return.
   const Token& peek();
-  /// Continues with the text of `name`, then after the include statement. Fails on a missing file, a cycle,
-  /// more than limits::kIncludeDepth files inside each other and more than limits::kIncludes in all.
+  /// Continues with the text of `name`, then after the include statement. Fails on a missing file,
+  /// a cycle, nesting beyond limits::kIncludeDepth and more than limits::kIncludes in total.
   Result<void> include(std::string_view name, SourceLine where);
-  /// What stopped the stream, if anything; "bad character" and "unterminated string".
+  /// The error that stopped the stream, if any: "bad character", "unterminated string".
   const std::optional<Error>& error() const { return error_; }
 
  private:
@@ -61,7 +61,7 @@ class TokenStream {
     std::uint32_t line = 1;
   };
 
-  /// The row of an included file, which is read once however often it is included.
+  /// The row of an included file, read once however often it is included.
   Result<std::uint32_t> open(std::string_view name);
   void push(std::uint32_t row);
   Token scan();

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Values of properties that are neither numbers nor places.
+/// Value types of properties.
 
 namespace playhouse::scene {
 
@@ -9,7 +9,7 @@ struct Color {
   friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// From `min` to `max`, both included.
+/// A closed interval.
 struct Bounds {
   double min = 0, max = 0;
   friend bool operator==(const Bounds&, const Bounds&) = default;

@@ -62,7 +62,7 @@ std::vector<KeptWord> kept_words(const Kind& kind, const Properties& properties)
 void VocabularyCheck::check(const Kind& kind, const Properties& properties) {
   LoadState& state = properties.state();
   for (const Field* field : properties.fields().all()) {
-    if (!checked_.insert(field).second) continue;  // a macro's field is seen once per instance
+    if (!checked_.insert(field).second) continue;  // a macro's field is checked once
     const std::string_view name = without_index(field->key);
     const Word* word = find_word(kind, name);
     if (word && word->use != Use::kLater && word->use != Use::kOld) continue;

@@ -9,7 +9,7 @@
 namespace playhouse::scene {
 namespace {
 
-/// What is counted, by kind.
+/// Subjects of the counts, by kind.
 constexpr std::array<std::string_view, kWarningKinds> kSubjects = {
     "unknown words",
     "words without effect",

@@ -1,8 +1,8 @@
 #pragma once
 
-/// The warnings of one load, in the order in which they came up. Of each kind the first
-/// limits::kWarningsOfAKind are lines and the others a count, so that a file full of faults costs no more
-/// than a good one and still shows its reader every kind.
+/// The warnings of one load, in order. Of each kind the first
+/// limits::kWarningsOfAKind are listed and the rest counted, so that a file
+/// full of errors costs no more than a good one and every kind is still shown.
 
 #include <array>
 #include <concepts>
@@ -27,12 +27,12 @@ class Warnings {
  public:
   explicit Warnings(const SourceTexts& sources) : sources_(&sources) {}
 
-  /// What is said of a line already, as of a macro's by an instance before, is not said again.
+  /// Duplicates, such as those of a macro line instantiated several times, are dropped.
   void add(Warning kind, SourceLine where, std::string text) {
     add(kind, where, std::move(text), [] { return std::string(); });
   }
-  /// `hint()` is the tail of the text: looking for the nearest word costs more than all else, so it is called
-  /// for lines that are kept only.
+  /// `hint()` computes the suggestion: the search is
+  /// expensive, so it is called only for lines that are kept.
   template <std::invocable Hint>
   void add(Warning kind, SourceLine where, std::string text, Hint hint) {
     std::string line = sources_->at(where) + ": " + text;
@@ -45,25 +45,25 @@ class Warnings {
     if (kind == Warning::kUnknownWord && !tail.empty() && slip_.empty()) slip_ = lines_.back();
   }
 
-  /// The same of something that only older versions had, `what`: one line, of the first line that has it, and
-  /// on how many others it is.
+  /// The same for a feature `what` of older versions: one
+  /// line at its first use, with the number of further lines.
   void add_old(const void* what, SourceLine where, std::string text);
 
-  /// The first unknown word that resembles a known one, for those who get the errors of a load: a slip there
-  /// often is why something is missing later, and the warnings are not shown when an error ends the load.
+  /// The first unknown word similar to a known one, to be listed with the errors of a load:
+  /// such a typo often causes a later error, and warnings are not shown when the load fails.
   std::optional<Error> slip() const;
 
-  /// How many warnings came up that the load had not given before, or that are of the line `watched`. Where
-  /// there is none, the like of what was read gives none either, wherever it stands.
+  /// Number of warnings that are new, or of line `watched`. If there are none,
+  /// repeating what was read would give none either, wherever it stands.
   std::size_t news() const { return news_; }
   void watch(SourceLine watched) { watched_ = watched; }
 
-  /// All lines, and one for each kind that has more.
+  /// All lines, plus one for each kind with more.
   std::vector<std::string> take();
 
  private:
   bool is_known(std::string_view line) const;
-  /// Counts one more of a kind.
+  /// Counts a warning of a kind; false at its limit.
   bool has_room(Warning kind);
 
   const SourceTexts* sources_;
@@ -72,7 +72,7 @@ class Warnings {
   std::size_t news_ = 0;
   SourceLine watched_;
   std::array<std::size_t, kWarningKinds> counts_{};
-  /// What is old, with its row in lines_ and the lines of files that have it.
+  /// An old feature: its row in lines_ and the source lines that use it.
   struct Old {
     std::size_t row = 0;
     std::set<std::pair<std::uint32_t, std::uint32_t>> at;

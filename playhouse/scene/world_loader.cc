@@ -41,7 +41,7 @@ std::size_t text_bytes_of(const ModelDesc& model) {
   return bytes;
 }
 
-/// How many names and default names of a tree begin with that of its top.
+/// Number of tokens in a tree that start with the root's.
 std::size_t names_below(std::span<const ModelDesc> tree) {
   std::size_t below = 0;
   for (const ModelDesc& part : tree.subspan(1))
@@ -50,7 +50,7 @@ std::size_t names_below(std::span<const ModelDesc> tree) {
   return below;
 }
 
-/// Of a file that can be a bitmap (decode_bitmap()).
+/// True for file names that can be bitmaps (decode_bitmap()).
 bool is_image_name(std::string_view name) {
   constexpr std::string_view kEndings[] = {".png", ".pgm", ".ppm", ".pbm", ".pnm", ".bmp"};
   return std::ranges::any_of(kEndings, [name](std::string_view ending) { return name.ends_with(ending); });
@@ -74,86 +74,86 @@ class WorldLoader {
         text_bytes_{limits.text_bytes, limits.text_bytes, "bytes of names and texts"} {}
 
   Result<SceneDesc> load();
-  /// The errors after the one that load() gave.
+  /// Errors after the one returned by load().
   std::vector<Error> take_others() { return std::move(state_.others); }
 
  private:
   using Loops = std::vector<std::vector<geom::Vec2>>;
   using Siblings = std::map<std::string_view, int>;
-  /// What all models of a world share a limited amount of.
+  /// A resource limit shared by all models of a world.
   struct Budget {
     std::size_t left, limit;
     std::string_view what;
   };
-  /// A tree that further sections may repeat, and how much of the limited each takes.
+  /// A tree that may be repeated by further sections, with its resource use.
   struct Repeat {
-    std::uint32_t top = 0;  // row of the scene's models
+    std::uint32_t top = 0;  // row of SceneDesc::models
     const Kind* kind = nullptr;
-    std::string given;  // the name, where no section has its own
-    // What the tree has for itself, where no section says it.
+    std::string given;  // default name, unless a section has one
+    // Default per-tree values.
     geom::Pose X_WM;
     Color color;
     int fiducial_return = 0;
     bool random_color = false;
     Expansion::Counts counts;
     std::size_t corners = 0, beams = 0;
-    std::size_t text_bytes = 0, names_below = 0;  // without the top's name, which so many others begin with
+    std::size_t text_bytes = 0, names_below = 0;  // without the root's name, with which so many others start
   };
 
   void read_globals();
   void define(const Statement& statement);
-  /// The section with its macros applied, in today's words; none where nothing is left of it, and where the
-  /// load ends.
+  /// The section with macros expanded and old words translated;
+  /// none if it is dropped, or if the load is aborted.
   std::optional<Instance> instance(const Section& section);
   void load_window(const Instance& window, const Kind& kind);
-  /// A section at top level.
+  /// A top-level section.
   void load_section(const Section& section);
-  /// Descriptions of what robots that join are made of: prototypes of which the scene has no tree.
+  /// Describes the types of client robots: prototypes without an instance in the scene.
   void load_robot_types();
   void load_robot_type(const Value& word, SourceLine where);
-  /// A section that says what one before said, but for what its instance has for itself. False, and nothing
-  /// done, if there is none such or it has to be looked at word by word.
+  /// Repeats an equal section except for per-tree values. False,
+  /// without effect, if there is none or it needs full parsing.
   bool repeat_tree(const Section& section);
-  /// A top-level model and everything inside it, word by word.
+  /// Fully parses a root and everything inside it.
   void load_tree(const Section& section, const Instance& entity);
-  /// Where the models from `first` on are the same as the tree before them that this word made, they go, and
-  /// the last tree is one like that. Gives the row of the top that it has now.
+  /// If the models from `first` on equal the previous tree made by this word,
+  /// removes them and shares that tree. Returns the final row of the root.
   std::uint32_t share_tree(std::uint32_t first, std::string_view word);
-  /// A model and everything inside it. `siblings` counts the models of each type in the parent.
+  /// Parses a model with its parts. `siblings` counts models of each type in the parent.
   void load_model(const Instance& entity, std::int32_t parent, Siblings& siblings);
-  /// The model's number in the world, in file order.
+  /// Index of the model in the world, in file order.
   std::size_t number_of(std::size_t row) const { return counts_before_.models + row - first_row_; }
-  /// What the words of a model say, of its own kind and of every one.
+  /// Reads a model's words, own and common.
   void read_words(const Properties& properties, const Kind& kind, ModelDesc& model);
-  /// Reads the entities that are parts of a model of this kind; returns all others, the models inside it.
+  /// Reads the part entities of a model of this kind; returns the others, its child models.
   std::vector<Instance> load_parts(const Instance& entity, const Kind& kind, ModelDesc& model, Shape& shape);
   void load_part(const Instance& entity, const Kind& part, ModelDesc& model, Shape& shape);
   void load_block(const Properties& properties, SourceLine where, Shape& shape);
   void load_sensor(const Properties& properties, SourceLine where, ModelDesc& model);
   void check_holds_nothing(const Instance& entity);
-  /// The shape of a model from its bitmap and its `block` entities.
+  /// Builds the body of a model from its bitmap and its `block` entities.
   void read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model);
-  /// The path under which the model's bitmap was read, and its contours; null where it has none.
+  /// The path and contours of the model's bitmap; null if it has none.
   using TracedBitmap = std::map<std::string, Loops>::value_type;
   const TracedBitmap* load_bitmap(const Properties& properties, const geom::Size& size);
-  /// The same of one that is not read yet.
+  /// The same for a bitmap that is not cached.
   const TracedBitmap* trace_bitmap(const std::string& path, std::string_view bytes, const geom::Size& size,
                                    SourceLine where);
   void warn_of_margin(const std::string& path, const Bitmap& bitmap, const Loops& loops,
                       const geom::Size& size, SourceLine where);
-  /// A file that a word names, in the folders of includes; a warning where it is in none that says so.
+  /// Searches a file named by a word, like includes; warns if it is not where the original would look.
   Result<FoundFile> look_for(std::string_view what, const std::string& name, SourceLine where,
                              const std::function<bool(const std::string&)>& is_known,
                              const std::function<bool(std::string_view)>& fits);
-  /// A model that looks as a mesh, and the body that it has of it. False if the model has none.
+  /// Reads a mesh as visual and body. False if the model has none.
   bool read_mesh_body(const Properties& properties, const Kind& kind, bool has_other, ModelDesc& model);
-  /// The mesh as its file says it, and the path of that; null, and a fault, where it cannot be read.
+  /// A cached mesh with its path; null, with an error, if it cannot be read.
   const MeshBodies::Entry* load_mesh(const std::string& name, SourceLine where);
-  /// `path` was tried last; the error tells of `why.where`.
+  /// `path` was tried last; the error names `why.where`.
   const TracedBitmap* fail_bitmap(const std::string& path, SourceLine where, const Error& why);
-  /// Macros and bitmaps make much of little text: a fault when the world has no room for `amount` more.
+  /// Charges a budget, since macros and bitmaps amplify input; an error if it is exceeded.
   void spend(Budget& budget, std::size_t amount, SourceLine where);
-  /// The kind of a model; null, and a fault, when it has none.
+  /// The kind of a model; null, with an error, if it is unknown.
   const Kind* kind_of(const Instance& entity);
   void fail_unknown_type(const Instance& entity);
 
@@ -174,15 +174,15 @@ class WorldLoader {
   std::map<std::string_view, std::uint32_t> latest_;  // row of the latest tree that a word made
   std::string key_;                                   // of the section that is read
   Siblings tops_{{"model", 1}};                       // the original's invisible ground is model:0
-  // Of the tree that is read.
+  // Of the current tree.
   Expansion::Counts counts_before_;
   std::size_t first_row_ = 0;
-  std::size_t colors_with_top_ = 0;  // that are random, of all trees before and the top
+  std::size_t colors_with_top_ = 0;  // random colours so far, including the root's
   bool has_window_ = false;
   SourceLine follow_where_;  // of the window's follow_model
   Expansion expansion_{document_, macros_, limits_};
   Budget mesh_bytes_, mesh_copies_;
-  Budget bitmap_bytes_, pixels_, outlines_;  // of the bitmaps themselves, however many bodies have them
+  Budget bitmap_bytes_, pixels_, outlines_;  // of distinct bitmaps, regardless of uses
   Budget corners_, beams_, text_bytes_;
 };
 
@@ -237,7 +237,7 @@ void WorldLoader::load_robot_types() {
   std::erase_if(scene_.renamed, [trees](const auto& each) { return each.first.first >= trees; });
 }
 
-/// As a section of this word alone. Its name is one that no model has.
+/// Parsed as a section of this word, with a name that no model can have.
 void WorldLoader::load_robot_type(const Value& word, SourceLine where) {
   const std::vector<std::string_view> known = macros_.names();
   if (macros_.find(word.text) == nullptr)
@@ -349,7 +349,7 @@ void WorldLoader::read_globals() {
 }
 
 void WorldLoader::define(const Statement& statement) {
-  if (macros_.define(statement)) return repeats_.clear();  // the same words may mean another thing now
+  if (macros_.define(statement)) return repeats_.clear();  // the same words may have another meaning now
   const std::string_view name = statement.section.name;
   state_.warnings.add(Warning::kMacro, statement.section.where,
                       "macro " + in_quotes(name) + " is defined at " +
@@ -382,7 +382,7 @@ void WorldLoader::load_window(const Instance& window, const Kind& kind) {
 }
 
 void WorldLoader::fail_unknown_type(const Instance& entity) {
-  // The type of a macro is wrong where the macro is defined, however many instances it has.
+  // An unknown type of a macro is reported once, at its definition.
   const SourceLine where = entity.parts.front()->where;
   if (!unknown_types_.emplace(where.file, where.line).second) return;
   const auto later =
@@ -425,7 +425,7 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
     check_detector(properties, *model.detector);
     spend(beams_, lines_of(*model.detector), properties.where("samples"));
   }
-  // Where nothing had a height, what a laser stood on was no higher than the walls that it sees.
+  // Worlds without heights: what a laser stands on is not higher than the walls it sees.
   model.stacks_children = properties.flag("stack_children", !properties.has_flat_size());
   model.kept = kept_words(kind, properties);
 }
@@ -491,7 +491,7 @@ std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const Kind
     }
   }
   if (!entity.now) return children;
-  for (const Section& section : entity.now->sections) {  // not written, so that no macro is meant
+  for (const Section& section : entity.now->sections) {  // generated words: never macros
     load_part({section.name, {&section}, section.where}, *find_entity(section.name), model, shape);
     if (state_.over) return {};
   }
@@ -502,7 +502,7 @@ void WorldLoader::load_part(const Instance& entity, const Kind& part, ModelDesc&
   check_holds_nothing(entity);
   const Properties properties(state_, entity);
   vocabulary_.check(part, properties);
-  if (part.table.empty()) {  // a shape: the world keeps no state of it
+  if (part.table.empty()) {  // a shape: without state in the world
     load_block(properties, entity.where, shape);
   } else {
     load_sensor(properties, entity.where, model);
@@ -535,7 +535,7 @@ void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shap
   const bool has_other = !shape.prisms.empty() || !properties.text("bitmap", "").empty();
   if (read_mesh_body(properties, kind, has_other, model)) return;
   const TracedBitmap* bitmap = load_bitmap(properties, model.size);
-  if (state_.error) return;  // the world does not load, so nobody needs bodies
+  if (state_.error) return;  // the load fails anyway
   const bool boundary = properties.flag("boundary", false), noblocks = properties.flag("noblocks", false);
   model.body = {bitmap ? bitmap->first : "", "", noblocks, boundary, shape.prisms};
   const bool is_own = kind.solid && !bitmap && !boundary && shape.prisms.empty() && !noblocks;
@@ -617,7 +617,7 @@ const WorldLoader::TracedBitmap* WorldLoader::load_bitmap(const Properties& prop
 Result<FoundFile> WorldLoader::look_for(std::string_view what, const std::string& name, SourceLine where,
                                         const std::function<bool(const std::string&)>& is_known,
                                         const std::function<bool(std::string_view)>& fits) {
-  // Where the original would look only beside the world, a bitmap is looked for as an include is.
+  // Unlike the original, which looks only beside the world, bitmaps are searched like includes.
   const std::string& named_by = scene_.files[where.file];
   const std::vector<std::string> folders = folders_for(scene_.path, named_by, files_);
   Result<FoundFile> found = find_file(folders, name, files_, is_known, fits);
@@ -648,11 +648,11 @@ const WorldLoader::TracedBitmap* WorldLoader::trace_bitmap(const std::string& pa
   return &*bitmaps_.emplace(path, std::move(*loops)).first;
 }
 
-/// Dark pixels alone fill the size of a model. Who measured the image with a margin about them gets walls
-/// elsewhere, and as a rule pixels that are not square.
+/// Warns of a margin: dark pixels alone fill the model's size, so a size
+/// measured with a margin gives shifted walls and usually non-square pixels.
 void WorldLoader::warn_of_margin(const std::string& path, const Bitmap& bitmap, const Loops& loops,
                                  const geom::Size& size, SourceLine where) {
-  constexpr double kMost = 1, kSquare = 1e-3;  // px that many drawings have; relative
+  constexpr double kMost = 1, kSquare = 1e-3;  // px of tolerance for drawings; relative
   geom::Box dark;
   for (const auto& loop : loops)
     for (const geom::Vec2 p : loop) dark.add(p);
@@ -671,7 +671,7 @@ void WorldLoader::warn_of_margin(const std::string& path, const Bitmap& bitmap, 
 const WorldLoader::TracedBitmap* WorldLoader::fail_bitmap(const std::string& path, SourceLine where,
                                                           const Error& why) {
   state_.fail(where, "bitmap " + in_quotes(why.where) + " " + why.text);
-  return &*bitmaps_.emplace(path, Loops{}).first;  // it is not read again for the next model
+  return &*bitmaps_.emplace(path, Loops{}).first;  // not retried for further models
 }
 
 void WorldLoader::spend(Budget& budget, std::size_t amount, SourceLine where) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Stage world files (.world, .inc) -> SceneDesc. The format is described in docs/worldfile.md.
+/// Stage world files (.world, .inc) -> SceneDesc. Format: docs/worldfile.md.
 
 #include <string>
 #include <vector>
@@ -13,29 +13,29 @@
 
 namespace playhouse::scene {
 
-/// Loads a world file. When `path` cannot be opened, its base name is looked for in the folders of the
-/// environment variable STAGEPATH. Fails with one error, "file:line: what (did you mean "x"?)"; lesser faults
-/// are warnings. `others`, if given, gets the errors after the first, up to limits::kWarningsOfAKind in all;
-/// `sources` gets the files.
+/// Loads a world file. If `path` cannot be opened, its base name is searched in the
+/// folders of the environment variable STAGEPATH. Fails with one error, "file:line:
+/// what (did you mean "x"?)"; minor problems are warnings. `others`, if given, gets
+/// further errors, up to limits::kWarningsOfAKind in total; `sources` gets the files.
 Result<SceneDesc> load_world(const std::string& path, NamedBy by = NamedBy::kPerson,
                              std::vector<Error>* others = nullptr, SourceFiles* sources = nullptr);
 
-/// How much a world may hold; smaller in fuzzers than limits.h allows.
+/// Limits on the size of a world; fuzzers use smaller ones than limits.h.
 struct WorldLimits {
   std::size_t models = limits::kSceneModels;
-  std::size_t descriptions = limits::kEntities;  // of models that are like no other
+  std::size_t descriptions = limits::kEntities;  // of distinct models
   std::size_t fields = limits::kExpandedFields;
   std::size_t pixels = limits::kBitmapPixels;
   std::size_t bitmap_bytes = limits::kBitmapBytes;
   std::size_t mesh_bytes = limits::kMeshBytes;
-  std::size_t mesh_copies = limits::kMeshCopies;  // corners of meshes, once for each size
+  std::size_t mesh_copies = limits::kMeshCopies;  // corners of meshes, for each size
   std::size_t corners = limits::kCorners;
   std::size_t beams = limits::kBeams;
   std::size_t sensors = limits::kSensors;
   std::size_t text_bytes = limits::kTextBytes;  // names and texts of models
 };
 
-/// The same for a text that was read from `path`; included files and bitmaps come from `files`.
+/// The same for a text read from `path`; includes and bitmaps are read from `files`.
 Result<SceneDesc> load_world_text(std::string text, const std::string& path, FileReader& files,
                                   const WorldLimits& limits = {}, std::vector<Error>* others = nullptr);
 

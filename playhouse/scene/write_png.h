@@ -8,8 +8,8 @@
 
 namespace playhouse::scene {
 
-/// A PNG file of 8-bit red, green and blue, rows from the top. Needs width * height * 3 bytes. Fails where
-/// libpng does: out of memory.
+/// Encodes 8-bit RGB, rows from the top, as PNG. Needs width
+/// * height * 3 bytes. Fails if libpng runs out of memory.
 Result<std::string> png_of(int width, int height, std::span<const std::uint8_t> rgb);
 
 }  // namespace playhouse::scene

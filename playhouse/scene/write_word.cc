@@ -11,11 +11,11 @@
 namespace playhouse::scene {
 namespace {
 
-constexpr int kDigits = 17;     // that tell any number from all others
-constexpr int kShort = 15;      // that people may have written
-constexpr int kNeighbours = 3;  // on each side, that may read as what the nearest number does not
+constexpr int kDigits = 17;     // identify any double
+constexpr int kShort = 15;      // likely typed by a person
+constexpr int kNeighbours = 3;  // on each side, that may read back exactly if the nearest does not
 
-/// `value` with so many digits.
+/// `value` rounded to so many digits.
 double rounded(double value, int digits) {
   std::array<char, 32> text;
   const auto [end, error] =
@@ -25,7 +25,7 @@ double rounded(double value, int digits) {
   return result;
 }
 
-/// The number with the fewest digits, of `least` to `most`, that reads as `wanted` and is near `guess`.
+/// The shortest number, `least` to `most` digits, near `guess` that reads back as `wanted`.
 template <typename Read>
 std::optional<double> exact_number(double wanted, double guess, const Read& read, int least = 1,
                                    int most = kDigits) {
@@ -42,7 +42,7 @@ std::optional<double> exact_number(double wanted, double guess, const Read& read
   return std::nullopt;
 }
 
-/// The same, else the guess.
+/// The same, or else the guess.
 template <typename Read>
 double number_for(double wanted, double guess, const Read& read) {
   return exact_number(wanted, guess, read).value_or(guess);
@@ -62,7 +62,7 @@ std::string float_text(float value) {
 
 std::string number_text(double value) {
   PLAYHOUSE_ASSERT(std::isfinite(value));
-  if (value == 0) return "0";  // -0 reads as the same
+  if (value == 0) return "0";  // -0 reads back the same
   std::array<char, 512> text;
   const auto [end, error] =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
@@ -134,8 +134,8 @@ void Words::pose(std::string_view key, const geom::Pose& value, double z) {
                                   number_text(heading(value.a))}));
 }
 
-/// A person may have said it with a turn more or less: where that is much shorter, or the only one that is
-/// exact, it is meant.
+/// Users may write headings with an extra turn: that form
+/// is chosen if it is much shorter, or the only exact one.
 double Words::heading(double value) const {
   const double near = value / units_.angle, turn = 2 * geom::kPi / units_.angle;
   const double far = value < 0 ? near + turn : near - turn;

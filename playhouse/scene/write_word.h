@@ -1,8 +1,8 @@
 #pragma once
 
-/// How single words are written, so that reading them (read_word.h, Properties) gives the same values. The
-/// functions that write whole entities are generated from kinds/*.toml (generated/write_kinds.h) and call
-/// these.
+/// Writers of single words, inverse to read_word.h
+/// and Properties; called by the generated writers
+/// of entities (generated/write_kinds.h).
 
 #include <cstdint>
 #include <span>
@@ -14,7 +14,7 @@
 
 namespace playhouse::scene {
 
-/// An entity as a file has it: words with their values, and the entities inside it.
+/// An entity in file syntax: words with values, and nested entities.
 struct Entity {
   std::string type;
   std::vector<std::string> words;
@@ -22,14 +22,14 @@ struct Entity {
   friend bool operator==(const Entity&, const Entity&) = default;
 };
 
-/// The number with the least digits that reads as this one. Stage knows no exponents, so there is none.
+/// The shortest decimal that reads back as this number, without an exponent, which Stage does not support.
 std::string number_text(double value);
-/// In quotes. What no string of a file can hold, quotes and ends of lines, becomes something like it.
+/// Quoted. Quotes and line ends, which a file's strings cannot contain, are replaced.
 std::string quoted_text(std::string_view text);
 std::string in_brackets(std::span<const std::string> values);
 
-/// Appends words to an entity. Numbers have the fewest digits that read as the same value in the file's
-/// units; where no number does, as with most headings in degrees, they are the nearest.
+/// Appends words to an entity. Numbers are the shortest that read back as the same value
+/// in the file's units; if there is none, as for most headings in degrees, the nearest.
 class Words {
  public:
   Words(const Units& units, std::vector<std::string>& to) : units_(units), to_(to) {}
@@ -39,20 +39,20 @@ class Words {
   void number(std::string_view key, double value) { add(key, scaled(value, 'N')); }
   void length(std::string_view key, double value) { add(key, scaled(value, 'L')); }
   void angle(std::string_view key, double value) { add(key, scaled(value, 'A')); }
-  /// Of seconds.
+  /// From seconds.
   void milliseconds(std::string_view key, double value) { add(key, scaled(value, 'M')); }
   void text(std::string_view key, std::string_view value) { add(key, quoted_text(value)); }
   void texts(std::string_view key, std::span<const std::string> values);
-  /// As `color`, by its name, or as `color_rgba`.
+  /// As `color` by name, or as `color_rgba`.
   void color(const Color& value);
   void colors(std::string_view key, std::span<const Color> values);
-  /// `z` is the height in the frame from which the file counts.
+  /// `z` is the height of the file's reference frame.
   void pose(std::string_view key, const geom::Pose& value, double z = 0);
   void size(std::string_view key, const geom::Size& value);
   void point(std::string_view key, geom::Vec2 value);
   void twist(std::string_view key, std::string_view scales, const geom::Twist& value);
   void bounds(std::string_view key, std::string_view scales, std::span<const Bounds> values);
-  /// `scales` as in Properties::tuple(), and D for degrees whatever the file's unit.
+  /// `scales` as in Properties::tuple(), and D for degrees regardless of the file's unit.
   void tuple(std::string_view key, std::string_view scales, std::span<const double> values);
   void kept(const KeptWord& word) { add(word.key, word.value); }
 

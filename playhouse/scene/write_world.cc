@@ -38,7 +38,7 @@ void append(std::string& text, const Entity& entity, const std::string& indent =
   text += indent + ")\n";
 }
 
-/// How many entities are inside each other.
+/// Nesting depth of an entity.
 int depth_of(const Entity& entity) {
   int depth = 0;
   for (const Entity& part : entity.parts) depth = std::max(depth, depth_of(part));
@@ -57,20 +57,20 @@ void drop_common(std::vector<std::string>& words, const std::vector<std::string>
   std::erase_if(words, [&](const std::string& word) { return has(common, word); });
 }
 
-/// Words that both have, and the entities with which both begin.
+/// Keeps the common words, and the common prefix of entities.
 void keep_common(Entity& entity, const Entity& other) {
   keep_common(entity.words, other.words);
   entity.parts.erase(std::ranges::mismatch(entity.parts, other.parts).in1, entity.parts.end());
 }
 
-/// What an instance says of a macro that says what is common.
+/// Removes from an instance what its macro states.
 void drop_common(Entity& entity, const Entity& common) {
   drop_common(entity.words, common.words);
   const auto first = entity.parts.begin();
   entity.parts.erase(first, first + static_cast<std::ptrdiff_t>(common.parts.size()));
 }
 
-/// A name that stands as it is, of a part: no other tree has a part of that name.
+/// True for a part with an absolute name: no other tree has a part of that name.
 bool has_full_name(const Entity& entity) {
   return std::ranges::any_of(entity.words,
                              [](const std::string& word) { return word.starts_with("name \"/"); }) ||
@@ -81,7 +81,7 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// A word for a macro: it begins with a letter, and hides nothing that files need.
+/// A valid macro name that shadows nothing needed.
 std::string macro_word(std::string_view label) {
   std::string word;
   for (const char c : label) {
@@ -92,8 +92,8 @@ std::string macro_word(std::string_view label) {
   return !word.empty() && is_letter(word.front()) && !reserved ? word : "a_" + word;
 }
 
-/// The `name` that gives a model this token, inside a parent of that token or at the top: ""; none where
-/// the model has it anyway.
+/// The `name` that produces this token below `parent`
+/// ("" at the top); none if it is the default anyway.
 std::string name_for(const std::string& token, const std::string& parent, const std::string& otherwise) {
   const auto has_slash = [](const std::string& name) { return name.starts_with('/') && name.size() > 1; };
   if (token == otherwise) return {};
@@ -113,44 +113,44 @@ class WorldWriter {
   Result<std::string> write();
 
  private:
-  /// Trees of one type that people call the same, which a macro can make.
+  /// Trees of one type and label, candidates for a macro.
   struct Group {
     std::string label;
     std::vector<std::uint32_t> trees;
-    /// By row of the top, without what each tree has for itself; once there is a macro, what that does not
-    /// say.
+    /// By row of the root, without per-tree values;
+    /// after define() without what the macro states.
     std::map<std::uint32_t, Entity> prototypes;
-    std::string macro;  // empty: there is none
-    Entity common;      // that the macro says
+    std::string macro;  // empty: none
+    Entity common;      // content of the macro
   };
   using Siblings = std::map<std::string_view, int>;
 
   void write_globals();
   void write_window();
   void find_groups();
-  /// Whether a macro makes the file shorter, or did so in the file that these trees came from.
+  /// True if a macro makes the file shorter, or was in the original file.
   bool wants_macro(const Group& group) const;
   void define(Group& group);
   void write_tree(std::uint32_t tree);
 
-  /// The top at this row as a tree of the world has it, but for what each tree has for itself.
+  /// The root in this row with its parts, without per-tree values.
   Entity entity_of(std::uint32_t row, std::uint32_t tree);
   void add_parts(std::uint32_t row, std::uint32_t tree, Entity& to) const;
-  /// What a model says about itself, beyond the words of PlainDesc.
+  /// Words of a model's kind and body, beyond those of PlainDesc.
   void add_kind_and_body(const ModelDesc& model, Entity& to) const;
   void add_body(const ModelDesc& model, Entity& to) const;
   void add_block(const Prism& prism, Entity& to) const;
   std::vector<std::string> pose_of(const TreeDesc& tree) const;
-  /// What a tree has for itself beyond name and pose.
+  /// Per-tree values other than name and pose.
   std::vector<std::string> looks_of(const TreeDesc& tree) const;
 
   const Kind& kind_of(const ModelDesc& model) const;
   PlainDesc unsaid_of(const ModelDesc& model) const;
-  /// Of a model that says nothing of its body.
+  /// The default body of a model.
   std::vector<Block> unsaid_blocks(const ModelDesc& model) const;
   bool has_names_alone(std::uint32_t tree) const;
   std::string token_of(std::uint32_t row, std::uint32_t tree) const;
-  /// The token without any name, of one more child of its type.
+  /// The default token of another child of its type.
   std::string unsaid_token(const Kind& kind, const std::string& parent, Siblings& siblings) const;
   std::string file_name(const std::string& path) const;
 
@@ -159,10 +159,10 @@ class WorldWriter {
   const std::vector<TreeDesc> made_;
   const std::vector<TreeDesc>& trees_;
   std::map<std::pair<std::string, std::string_view>, Group> groups_;  // by label and type
-  std::vector<const Group*> group_of_;                                // by tree; null: it is like no other
+  std::vector<const Group*> group_of_;                                // by tree; null: no group
   std::set<std::string> macros_;
   Siblings tops_{{"model", 1}};  // the original's invisible ground is model:0
-  int depth_ = 0;                // most entities that are inside each other
+  int depth_ = 0;                // maximum nesting depth
   std::string text_;
 };
 
@@ -203,7 +203,7 @@ void WorldWriter::write_window() {
 }
 
 void WorldWriter::find_groups() {
-  std::vector<Group*> groups;  // in the order of their first trees
+  std::vector<Group*> groups;  // by first tree
   group_of_.resize(trees_.size());
   for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
     if (has_names_alone(tree)) continue;
@@ -287,7 +287,7 @@ void WorldWriter::add_parts(std::uint32_t row, std::uint32_t tree, Entity& to) c
   const std::string parent = token_of(row, tree);
   Siblings siblings;
   const auto self = static_cast<std::int32_t>(row);
-  // A subtree is the run of rows after its root whose parents lie in the run.
+  // A subtree: consecutive rows after its root with parents among them.
   for (std::uint32_t child = row + 1; child < scene_.models.size() && scene_.models[child].parent >= self;
        ++child) {
     const ModelDesc& model = scene_.models[child];
@@ -361,7 +361,7 @@ std::vector<std::string> WorldWriter::looks_of(const TreeDesc& tree) const {
 
 const Kind& WorldWriter::kind_of(const ModelDesc& model) const {
   if (const Kind* kind = find_model_type(model.type)) return *kind;
-  return *std::ranges::find_if(kinds(), [&](const Kind& kind) {  // of a model made in code
+  return *std::ranges::find_if(kinds(), [&](const Kind& kind) {  // made in code
     return kind.simulated && kind.entity == EntityForm::kModel && kind.kind == model.kind;
   });
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-/// DeviceUses: for each device, who has to hear of it when it retires: sessions that have it open, requests
-/// that its driver has not answered, drivers that hold it. Keeps nothing of devices that nobody uses. Io
-/// thread only.
+/// DeviceUses: for each device, the parties to notify when it
+/// retires: sessions that have it open, pending requests, drivers
+/// that hold it. No entries for unused devices. Io thread only.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +18,8 @@ namespace playhouse::server {
 class DeviceUses {
  public:
   struct Use {
-    std::set<std::uint32_t> sessions;      // serials
-    std::set<std::uint64_t> tickets;       // of requests, those of a session in their order
+    std::set<std::uint32_t> sessions;      // session serials
+    std::set<std::uint64_t> tickets;       // of pending requests, in order for each session
     std::vector<device::Driver*> holders;  // once per hold
   };
 
@@ -28,12 +28,12 @@ class DeviceUses {
   void ask(device::DeviceId device, std::uint64_t ticket) { uses_[device].tickets.insert(ticket); }
   void answer(device::DeviceId device, std::uint64_t ticket);
   void hold(device::DeviceId device, device::Driver& holder) { uses_[device].holders.push_back(&holder); }
-  /// Ends one hold; nothing if there is none.
+  /// Ends one hold; no effect if there is none.
   void release(device::DeviceId device, device::Driver& holder);
 
-  /// Takes out what there is of a device.
+  /// Removes and returns the entry of a device.
   Use take(device::DeviceId device);
-  /// Devices that somebody uses.
+  /// Number of devices in use.
   std::size_t size() const { return uses_.size(); }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A driver for the tests of this module: answers as it is told and remembers what it was asked.
+/// Fake driver for tests of this module: scripted replies, recorded messages.
 
 #include <cstdint>
 #include <functional>
@@ -18,7 +18,7 @@ class FakeDriver final : public device::Driver {
  public:
   explicit FakeDriver(std::string name = "fake") : name_(std::move(name)) {}
 
-  /// Bodies of the ACKs by subtype of the request; what is not here gets NACK.
+  /// ACK bodies by subtype of the request; other requests get NACK.
   std::map<std::uint8_t, std::vector<std::byte>> answers;
   /// A NACK carries the body of the request, as the original's "dummy" driver does.
   std::optional<std::uint8_t> ignored_command;

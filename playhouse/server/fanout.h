@@ -1,7 +1,7 @@
 #pragma once
 
-/// Fanout: which sessions read which device, and one encoding of each message for all of them. Io thread
-/// only.
+/// Fanout: publish/subscribe by device: subscribed sessions, and
+/// one encoding per message for all of them. Io thread only.
 
 #include <cstdint>
 #include <map>
@@ -15,36 +15,36 @@
 
 namespace playhouse::server {
 
-/// Receives published data of devices.
+/// A subscriber of devices.
 class Reader {
  public:
   virtual ~Reader() = default;
   virtual void deliver(const Frame& frame) = 0;
-  /// Data that it should have got are lost.
+  /// Data for this reader were lost.
   virtual void lose(std::uint64_t messages) = 0;
 };
 
 class Fanout {
  public:
-  /// What it encodes counts in `frame_bytes`.
+  /// `frame_bytes` counts the bytes of encoded frames.
   explicit Fanout(FrameBytes frame_bytes) : frame_bytes_(std::move(frame_bytes)) {}
 
-  /// A reader joins a device once; joining again and leaving what was not joined do nothing.
+  /// Subscribes a reader once; redundant joins and leaves have no effect.
   void join(device::DeviceId device, Reader& reader);
   void leave(device::DeviceId device, Reader& reader);
   bool has_readers(device::DeviceId device) const;
-  /// Forgets the device: its readers and its last timestamps.
+  /// Removes the device: its readers and its last timestamps.
   void retire(device::DeviceId device) { channels_.erase(device); }
-  /// Devices that were read or published.
+  /// Number of devices with state.
   std::size_t size() const { return channels_.size(); }
 
-  /// Encodes the message if anybody reads the device, and delivers it in the order of joining. A timestamp
-  /// that repeats is raised by the least step, because clients take equal ones for old data; a lower one is
-  /// that of a time that has gone back, and one that is no number becomes `now`. Data over
-  /// limits::kBodyBytes goes to nobody and is logged once.
+  /// Encodes the message if the device has readers, and delivers it in the order
+  /// of joining. A repeated timestamp is raised by the least step, because
+  /// clients take equal ones for old data; a lower one means that time went back,
+  /// NaN becomes `now`. Data over limits::kBodyBytes is dropped and logged once.
   void publish(const device::Publication& publication, device::Address address, double now);
 
-  /// Tells the readers of a device that so many messages of it are lost.
+  /// Reports so many lost messages to the readers of a device.
   void lose(device::DeviceId device, std::uint64_t messages);
 
   std::uint64_t messages_encoded() const { return encoded_; }

@@ -11,7 +11,7 @@
 namespace playhouse::server {
 
 Frame counted(Frame frame, const FrameBytes& total) {
-  constexpr std::size_t kEach = 128;  // of the frame itself and its place in a queue
+  constexpr std::size_t kEach = 128;  // overhead of a frame and its queue entry
   const std::size_t bytes = frame.bytes->size() + kEach;
   *total += bytes;
   const auto* raw = frame.bytes.get();

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Frame: one message as it leaves the server, encoded once and shared by every session that sends it. A
-/// value.
+/// Frame: an outgoing message, encoded once and
+/// shared by all sessions that send it. A value.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,22 +21,22 @@ struct Frame {
   std::uint8_t subtype = 0;
 
   bool is_answer() const { return type == wire::MessageType::kAck || type == wire::MessageType::kNack; }
-  /// Equal for messages that may replace each other in the queue of one session.
+  /// Key for replacement: equal for messages that may replace each other in a session's queue.
   std::uint64_t kind() const {
     return std::uint64_t{interf} << 32 | std::uint64_t{index} << 16 |
            std::uint64_t{static_cast<std::uint8_t>(type)} << 8 | subtype;
   }
 };
 
-/// Bytes of all frames of a server that somebody still keeps: a queue, or a connection that has not handed
-/// them to the system. A frame that many keep counts once. Owners: the server and each of its frames, which
-/// may outlive it.
+/// Total bytes of a server's live frames, in queues or in
+/// connections. A shared frame counts once. Owners: the
+/// server and each of its frames, which may outlive it.
 using FrameBytes = std::shared_ptr<std::size_t>;
 
-/// The frame, counted in `total` for as long as it lives.
+/// The frame, counted in `total` during its lifetime.
 Frame counted(Frame frame, const FrameBytes& total);
 
-/// `header.size` is set from the body, which is at most limits::kBodyBytes (asserted).
+/// Sets `header.size` from the body, at most limits::kBodyBytes (asserted).
 Frame make_frame(wire::Header header, std::span<const std::byte> body);
 
 }  // namespace playhouse::server

@@ -47,14 +47,14 @@ void OutQueue::count(std::uint64_t code, std::size_t waiting, std::uint64_t lost
   if (kind.waiting > 0) shares_.insert({kind.waiting, kind.lost, code});
 }
 
-// The newest of each kind always has room among the messages, though not among the bytes.
+// The newest message of each kind always fits by count, though not by bytes.
 bool OutQueue::over_limits() const {
   if (data_.empty()) return false;
   return data_bytes_ > limits::kSessionQueueBytes ||
          (data_.size() > limits::kSessionQueueMessages && shares_.begin()->waiting > 1);
 }
 
-// The kind with the most messages loses one; of several, that which has lost the fewest so far.
+// The kind with the most messages loses its oldest; ties go to the one with the fewest losses.
 void OutQueue::drop_one() {
   const std::uint64_t code = shares_.begin()->kind;
   const Kind& kind = kinds_.at(code);
@@ -92,7 +92,7 @@ void OutQueue::request_data(Frame answer) {
 
 void OutQueue::forget(std::uint16_t interf, std::uint16_t index) {
   const std::uint64_t first = Frame{.interf = interf, .index = index, .type = wire::MessageType{0}}.kind();
-  const std::uint64_t last = first | 0xFFFF;  // of every type and subtype
+  const std::uint64_t last = first | 0xFFFF;  // all types and subtypes
   for (auto next = kinds_.lower_bound(first); next != kinds_.end() && next->first <= last;) {
     while (next->second.waiting > 0) remove_data(next->second.oldest);
     next = kinds_.erase(next);
@@ -155,7 +155,7 @@ void OutQueue::take(std::vector<net::SharedBytes>& out, std::size_t max_bytes, d
   }
 }
 
-// An answer never waits for a round, and takes no data along that do.
+// Replies do not wait for a round, nor do they start one for data.
 bool OutQueue::may_send() const {
   return !answers_.empty() || may_tell() || may_send_data();
 }
@@ -168,8 +168,8 @@ bool OutQueue::may_tell() const {
   return !notices_.empty() && !awaited_ && (mode_ == DeliveryMode::kPush || data_requested_ || unasked_);
 }
 
-// The round holds what waited when its first data went out, so that it ends even if data comes faster than it
-// goes.
+// A round contains what was queued when its first data was sent,
+// so that it ends even if data arrives faster than it is sent.
 bool OutQueue::round_is_over() const {
   if (mode_ != DeliveryMode::kPull || !data_requested_ || !data_delivered_) return false;
   const bool answer_left = !answers_.empty() && answers_.front().number <= round_end_;
@@ -178,7 +178,7 @@ bool OutQueue::round_is_over() const {
   return !answer_left && !data_left && !notice_left;
 }
 
-// The oldest entry that may be sent now.
+// Pops the oldest entry that may be sent now.
 Frame OutQueue::pop() {
   constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
   const std::uint64_t answer = answers_.empty() ? kNone : answers_.front().number;
@@ -197,7 +197,7 @@ Frame OutQueue::pop() {
   return frame;
 }
 
-// Nothing of the device has to be counted any more.
+// Also drops the statistics of the retired device.
 Frame OutQueue::take_notice(std::uint64_t number) {
   const Notice notice = std::move(notices_.extract(number).mapped());
   notice_numbers_.erase({notice.interf, notice.index});

@@ -1,9 +1,9 @@
 #pragma once
 
-/// OutQueue: what one session still has to send, and the rules of the protocol for what may go out when: PUSH
-/// and PULL, replace rules, answers first, the SYNCH that ends a round, notices of devices that have retired
-/// (docs/server.md). Bounded: data over the limits pushes out old data, evenly over the kinds of it, and the
-/// loss is counted. No sockets, no clock; one thread.
+/// OutQueue: the send queue of one session, with the protocol's rules on what may be
+/// sent when: PUSH and PULL, replace rules, priority of replies, the SYNCH at the end of
+/// a round, notices of retired devices (docs/server.md). Bounded: over the limits old
+/// data is dropped, fairly across kinds, and counted. No sockets, no clock; one thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -27,38 +27,38 @@ class OutQueue {
   void set_mode(DeliveryMode mode) { mode_ = mode; }
   bool add_rule(const ReplaceRule& rule) { return rules_.add(rule); }
 
-  /// DATA or an answer, subject to the rules.
+  /// Queues DATA or a reply, subject to the rules.
   void add(Frame frame);
-  /// The client asks for a round of data: its answer overtakes everything and ignores the rules.
+  /// Starts a round in PULL mode: its reply goes to the front and ignores the rules.
   void request_data(Frame answer);
-  /// From now on rounds begin by themselves, so that everything goes out: for the end of the server.
+  /// Starts rounds automatically from now on, to flush everything at shutdown.
   void send_unasked() { unasked_ = true; }
-  /// Takes out the data of one device.
+  /// Removes the queued data of one device.
   void forget(std::uint16_t interf, std::uint16_t index);
-  /// Says, behind the data of a device, that it has retired. No rule leaves it out. It goes out where the
-  /// client waits for no answer that it could be taken for: not while one is awaited, and in PULL mode amid a
-  /// round.
+  /// Queues a notice that a device has retired, behind its data and
+  /// exempt from rules. Sent only when the client cannot mistake it for
+  /// a reply: not while one is pending, nor within a round in PULL mode.
   void add_notice(std::uint16_t interf, std::uint16_t index, Frame frame);
-  /// The client has not been told that a device at this address has retired.
+  /// True if a notice for this address is queued.
   bool has_notice(std::uint16_t interf, std::uint16_t index) const {
     return notice_numbers_.contains({interf, index});
   }
-  /// Some request of the client is not answered yet.
+  /// Whether a request of the client is pending.
   void set_awaited(bool awaited) { awaited_ = awaited; }
-  /// Another device takes the place of one that may have retired: data of the old one is taken out, and the
-  /// notice goes out before the next answer.
+  /// A new device takes over the address: data of the old one
+  /// is removed, and its notice is sent before the next reply.
   void replace_device(std::uint16_t interf, std::uint16_t index);
 
-  /// Moves what may go out now to the end of `out`, until it holds about `max_bytes`. `now` stamps the SYNCH.
+  /// Moves what may be sent now to the end of `out`, up to about `max_bytes`. `now` stamps the SYNCH.
   void take(std::vector<net::SharedBytes>& out, std::size_t max_bytes, double now);
 
-  /// take() would give something.
+  /// True if take() would return something.
   bool has_output() const { return may_send() || round_is_over(); }
-  /// Adds messages dropped upstream to the loss count.
+  /// Adds messages dropped upstream to the loss counter.
   void lose(std::uint64_t messages) { count_lost(messages); }
-  /// Drops all data, as over a limit.
+  /// Drops all data, like at a limit.
   void drop_data();
-  /// Takes out everything: nobody will read it.
+  /// Drops everything: the peer is gone.
   void clear();
 
   std::size_t waiting() const { return data_.size() + answers_.size(); }
@@ -67,14 +67,14 @@ class OutQueue {
   std::size_t answers_waiting() const { return answers_.size(); }
   std::size_t answer_bytes_waiting() const { return answer_bytes_; }
   std::size_t notices_waiting() const { return notices_.size(); }
-  /// Kinds of data that it counts.
+  /// Number of kinds of data with state.
   std::size_t kinds() const { return kinds_.size(); }
-  /// Data messages lost since the start: pushed out, or lost before.
+  /// Data messages lost so far, here or upstream.
   std::uint64_t dropped() const { return dropped_; }
 
  private:
   struct Entry {
-    std::uint64_t number = 0;  // order of arrival over both lists
+    std::uint64_t number = 0;  // arrival order over both lists
     Frame frame;
   };
   struct Message;
@@ -86,13 +86,13 @@ class OutQueue {
     std::uint16_t interf = 0, index = 0;  // of the device
     Frame frame;
   };
-  /// What waits of one Frame::kind().
+  /// Queued data of one Frame::kind().
   struct Kind {
     Place oldest, newest;
     std::size_t waiting = 0;
     std::uint64_t lost = 0;
   };
-  /// A kind's place among those that have data waiting: the first loses the next message.
+  /// Order of kinds with queued data: the first one loses the next message.
   struct Share {
     std::size_t waiting;
     std::uint64_t lost;
@@ -124,7 +124,7 @@ class OutQueue {
   std::deque<Entry> answers_;
   std::map<std::uint64_t, Notice> notices_;                                          // by number
   std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint64_t> notice_numbers_;  // by device
-  std::map<std::uint64_t, Kind> kinds_;  // that came since their device was opened
+  std::map<std::uint64_t, Kind> kinds_;  // since their device was opened
   std::set<Share> shares_;               // of the kinds in data_
   std::size_t data_bytes_ = 0, answer_bytes_ = 0, notice_bytes_ = 0;
   std::uint64_t next_number_ = 1;
@@ -134,7 +134,7 @@ class OutQueue {
   // A round: from the client's request to the SYNCH.
   bool data_requested_ = false, data_delivered_ = false;
   bool unasked_ = false, awaited_ = false;
-  std::uint64_t round_end_ = 0;  // what came up to this number belongs to it, once data_delivered_
+  std::uint64_t round_end_ = 0;  // last message of the round, once data_delivered_
 };
 
 }  // namespace playhouse::server

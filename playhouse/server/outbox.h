@@ -1,6 +1,6 @@
 #pragma once
 
-/// Outbox: hand-over 3. Drivers on any thread leave data and answers here; the io thread takes them in order, a portion at a time.
+/// Outbox: queue of data and replies from drivers on any thread to the io thread, in order, in batches.
 
 #include <cstddef>
 #include <cstdint>
@@ -24,16 +24,16 @@ class Outbox {
  public:
   using Item = std::variant<device::Publication, Answer>;
 
-  /// True if the io thread has to be woken: nothing was waiting. When the io thread is so far behind that
-  /// more than limits::kOutboxBytes or kOutboxMessages of data would wait, the data that waits is dropped for
-  /// the new; answers never are.
+  /// True if the io thread has to be woken: the outbox was empty. If the io
+  /// thread lags by more than limits::kOutboxBytes or kOutboxMessages of
+  /// data, queued data is dropped in favour of the new; replies never are.
   [[nodiscard]] bool put(std::vector<device::Publication> batch);
   [[nodiscard]] bool put(Answer answer);
-  /// Moves the oldest, at most this many, to `items`. True if more wait: who takes them has to come again
-  /// without being woken.
+  /// Moves the oldest items, at most this many, to `items`. True
+  /// if there are more: call again, no wake-up will follow.
   bool take(std::vector<Item>& items, std::size_t most);
   std::uint64_t data_dropped() const;
-  /// Messages dropped since the last call, by their device.
+  /// Messages dropped since the last call, by device.
   std::map<device::DeviceId, std::uint64_t> take_dropped();
 
  private:

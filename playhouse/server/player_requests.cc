@@ -19,9 +19,9 @@ namespace {
 
 namespace player = wire::player;
 
-constexpr std::string_view kLostProperty = "lost";  // data messages that this client should have got
+constexpr std::string_view kLostProperty = "lost";  // data messages lost for this client
 
-// Access codes of servers before version 3, when devices were opened like files. They travel as numbers.
+// Access codes before version 3, letters as for files; sent as numbers.
 constexpr std::uint8_t kReadLetter = 'r', kWriteLetter = 'w', kAllLetter = 'a', kCloseLetter = 'c';
 
 QueueAction queue_action(std::int32_t code) {
@@ -38,7 +38,7 @@ QueueAction queue_action(std::int32_t code) {
 }  // namespace
 
 void Session::player_message(const wire::Header& header, Body body) {
-  // Even commands get an answer here, as they always have.
+  // Even commands get a reply here, for compatibility.
   if (header.type != wire::MessageType::kReq)
     return refuse(header, Fault::kNotForServer, "only requests go there");
   switch (header.subtype) {
@@ -128,7 +128,7 @@ void Session::open_or_close(const wire::Header& header, Body body) {
   reply(header, true, wire::encode(answer));
 }
 
-// Returns the access code of the answer: the one asked for, or that of an error.
+// Returns the access code for the reply: the requested one, or that of an error.
 std::uint8_t Session::open(device::DeviceId device, Access access, std::uint8_t code) {
   const device::Address address = board_.devices[device].address;
   auto found = open_.find(device);
@@ -160,7 +160,7 @@ std::uint8_t Session::open(device::DeviceId device, Access access, std::uint8_t 
   return code;
 }
 
-// False if this session does not have the device open; nobody else notices such a close.
+// False if this session does not have the device open; without effect on others.
 bool Session::close(device::DeviceId device) {
   const auto found = open_.find(device);
   if (found == open_.end()) return false;
@@ -175,7 +175,7 @@ bool Session::close(device::DeviceId device) {
   return true;
 }
 
-/// In PULL mode SYNCH OVERFLOW says so unasked; in PUSH mode old clients take that for a fault.
+/// In PULL mode SYNCH OVERFLOW reports losses; in PUSH mode old clients would take that for an error.
 void Session::tell_lost(const wire::Header& header, Body body) {
   auto asked = wire::decode<wire::IntpropReq>(body);
   if (!asked || wire::text(asked->key) != kLostProperty)
@@ -190,7 +190,7 @@ void Session::set_data_mode(const wire::Header& header, Body body) {
   if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
   if (asked->mode == player::kDatamodePush) queue_.set_mode(DeliveryMode::kPush);
   if (asked->mode == player::kDatamodePull) queue_.set_mode(DeliveryMode::kPull);
-  reply(header, true);  // also for modes that do not exist, which change nothing
+  reply(header, true);  // unknown modes are acknowledged too, without effect
 }
 
 void Session::add_replace_rule(const wire::Header& header, Body body) {

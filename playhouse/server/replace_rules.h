@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a session's queue does with a message: the rules a client added, the first match decides. A value.
+/// Replace rules of a session's queue: the first matching rule decides. A value.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,11 +12,11 @@ namespace playhouse::server {
 
 enum class QueueAction : std::uint8_t {
   kAccept,   // append
-  kReplace,  // take out the newest message of the same kind, then append
-  kIgnore,   // leave out
+  kReplace,  // remove the newest message of the same kind, then append
+  kIgnore,   // drop
 };
 
-/// A negative field matches everything.
+/// A negative field matches anything.
 struct ReplaceRule {
   std::int32_t interf = -1;
   std::int32_t index = -1;
@@ -27,8 +27,8 @@ struct ReplaceRule {
 
 class ReplaceRules {
  public:
-  /// A rule with the same criteria gets the new action in its old place, else the rule goes to the end. False
-  /// if there are limits::kSessionRules already.
+  /// A rule with equal criteria gets the new action in its old position,
+  /// otherwise the rule is appended. False at limits::kSessionRules.
   bool add(const ReplaceRule& rule);
   /// kAccept if no rule matches.
   QueueAction action_for(const Frame& frame) const;

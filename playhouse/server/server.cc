@@ -21,11 +21,11 @@ namespace {
 
 constexpr std::size_t kWriteBytes = 256u
                                     << 10;  // of one gathered write; the rest stays where it can be replaced
-constexpr std::uint8_t kErrorLetter = 'e';  // an access code that answers to openings do not have
+constexpr std::uint8_t kErrorLetter = 'e';  // access code that replies to opens never have
 constexpr std::size_t kEverything = SIZE_MAX;
-constexpr double kLastRounds = 1;   // s; after the run, clients may ask so long for the rest of its data
-constexpr double kLastWrites = 1;   // s; and then, what nobody asked for may take so long to go out
-constexpr double kLastAnswers = 5;  // s; a client that will send no more waits so long for the next
+constexpr double kLastRounds = 1;   // s; after the run, for clients to request remaining data
+constexpr double kLastWrites = 1;   // s; then, to flush unrequested data
+constexpr double kLastAnswers = 5;  // s; timeout for the next reply to a client that has half-closed
 
 double wall_clock() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -43,7 +43,7 @@ net::SharedBytes make_banner(const std::string& version) {
   return std::make_shared<std::vector<std::byte>>(bytes.begin(), bytes.end());
 }
 
-/// What clients that have a device open hear when it retires: the answer to an opening that nobody asked for.
+/// Notice for clients with a retired device open: an unsolicited reply to an open request.
 Frame make_notice(device::Address address, const device::Driver& driver, double now) {
   wire::player::DeviceReq body;
   body.addr = {wire::kLocalhost, address.robot, address.interf, address.index};
@@ -109,17 +109,17 @@ class Server::Impl {
     void lost() override;
     void closed(const std::string& why) override;
 
-    /// Does a portion of what there is to do, sends what may go, and returns the number of messages that were
-    /// carried out. May remove this client.
+    /// Does one turn of work, sends output, and returns the
+    /// number of messages executed. May destroy this client.
     std::size_t advance();
-    /// Has said nothing yet.
+    /// True before its first message.
     bool silent() const { return silence_ != nullptr; }
-    /// Its network; nothing for this machine.
+    /// Its network; empty for this machine.
     const std::string& host() const { return host_; }
-    /// What it makes us keep until it reads.
+    /// Bytes that we hold until it reads.
     std::size_t held_bytes() const { return session_.output_bytes() + connection_->in_flight_bytes(); }
     bool stalled() const { return connection_->in_flight_bytes() > 0 && session_.messages_waiting() > 0; }
-    /// Logs what this client has not read.
+    /// Logs unread data.
     void tell_unread() const;
     std::uint32_t serial() const { return serial_; }
     Session& session() { return session_; }
@@ -140,7 +140,7 @@ class Server::Impl {
     std::vector<net::SharedBytes> parts_;
     bool input_over_ = false, lost_ = false;
     std::unique_ptr<net::Timer> silence_;  // until its first message
-    std::unique_ptr<net::Timer> end_;      // of a client that is lost, broken, or will send no more
+    std::unique_ptr<net::Timer> end_;      // timeout of a client that is lost, broken, or has half-closed
   };
   /// Connections from one address.
   struct Host {
@@ -154,8 +154,8 @@ class Server::Impl {
   void wake();
   void schedule();
   void turn();
-  /// Data and answers of drivers to the queues of clients: a portion, so that data that comes faster than it
-  /// can be delivered does not keep sockets waiting. The rest follows.
+  /// Moves data and replies from the outbox to clients' queues, in batches, so
+  /// that fast data does not starve sockets. The rest follows in another turn.
   void deliver_outbox(std::size_t most = limits::kTurnDeliveries);
   void deliver(const Answer& answer);
   std::size_t device_rows() const;
@@ -178,12 +178,12 @@ class Server::Impl {
   std::vector<std::unique_ptr<net::Listener>> listeners_;
   std::map<std::uint32_t, std::unique_ptr<Client>> clients_;
   std::function<void()> done_;                // set once the run is over
-  std::unique_ptr<net::Timer> last_moments_;  // of those that do not ask, and then of those that do not read
-  std::map<std::string, Host> hosts_;         // but this machine
+  std::unique_ptr<net::Timer> last_moments_;  // timeouts of shutdown: pending rounds, then pending writes
+  std::map<std::string, Host> hosts_;         // except this machine
   std::uint32_t next_serial_ = 1;
   std::uint64_t accepted_ = 0, refused_ = 0, silent_ = 0, broken_ = 0, turns_ = 0, retired_ = 0;
   bool full_ = false, told_of_lost_data_ = false, scheduled_ = false;
-  bool delivers_on_ = false;  // a wake() is on its way for what is left in the outbox
+  bool delivers_on_ = false;  // a wake() is pending for the rest of the outbox
 };
 
 // --- one client
@@ -191,7 +191,7 @@ class Server::Impl {
 
 void Server::Impl::Client::received(std::span<const std::byte> bytes) {
   session_.receive(bytes);
-  if (session_.has_message()) connection_->pause();  // until the session has done what it has
+  if (session_.has_message()) connection_->pause();  // back-pressure until the session has caught up
   server_.make_room();
   server_.schedule();
 }
@@ -210,7 +210,7 @@ void Server::Impl::Client::lost() {
   server_.schedule();
 }
 
-// The peer may have shut down its half alone, to read the answers to what it asked.
+// The peer may have half-closed, to read the remaining replies.
 void Server::Impl::Client::closed(const std::string& why) {
   log::debug("{}: {}", session_.peer(), why);
   input_over_ = true;
@@ -226,7 +226,7 @@ void Server::Impl::Client::begin_end() {
 std::size_t Server::Impl::Client::advance() {
   const std::size_t worked = session_.work();
   if (worked > 0) silence_.reset();
-  server_.deliver_outbox();  // drivers that answered at once
+  server_.deliver_outbox();  // drivers may have replied synchronously
   if (!session_.broken().empty() && !std::exchange(input_over_, true)) {
     log::warn("{}: closed: {}", session_.peer(), session_.broken());
     ++server_.broken_;
@@ -254,7 +254,7 @@ bool Server::Impl::Client::at_end() const {
   return !session_.waits_for_answers() && !session_.has_output() && connection_->in_flight_bytes() == 0;
 }
 
-// After the run: what waits in PULL mode is still to be asked for.
+// After the run: data in PULL mode still has to be requested.
 bool Server::Impl::Client::has_everything() const {
   return !session_.has_message() && session_.messages_waiting() == 0 && at_end();
 }
@@ -269,7 +269,7 @@ void Server::Impl::Client::remove() {
   server_.remove(serial_);
 }
 
-// With a write under way, `drained` comes back here.
+// If a write is pending, `drained` calls this again.
 void Server::Impl::Client::pump() {
   if (connection_->in_flight_bytes() > 0) return;
   parts_.clear();
@@ -282,7 +282,7 @@ void Server::Impl::Client::pump() {
 // -----------------------------------------------------------------------------------------------------
 
 Result<std::uint16_t> Server::Impl::listen(std::uint16_t port) {
-  // The acceptor learns its port from the listener, which knows it only once it listens.
+  // The acceptor needs the port, which is known only after listen().
   auto robot = std::make_shared<std::uint32_t>(port);
   auto listener = network_.listen(
       options_.bind, port,
@@ -357,7 +357,7 @@ void Server::Impl::wake() {
     if (alive.expired()) return;
     delivers_on_ = false;
     deliver_outbox();
-    make_output_room();  // data for clients that do not ask for them have no turn
+    make_output_room();  // idle clients with queued data have no turns
     schedule();
   });
 }
@@ -369,8 +369,8 @@ void Server::Impl::schedule() {
   });
 }
 
-// Round robin: a busy session goes to the end of the queue. After limits::kTurnWork the loop sees to the
-// sockets, and the next turn goes on.
+// Round robin: a busy session goes to the end of the queue. After
+// limits::kTurnWork the loop polls the sockets before the next turn.
 void Server::Impl::turn() {
   scheduled_ = false;
   deliver_outbox();
@@ -391,7 +391,7 @@ void Server::Impl::deliver_outbox(std::size_t most) {
   if (outbox_.take(items, most) && !std::exchange(delivers_on_, true)) wake();
   for (const Outbox::Item& item : items) {
     if (const auto* publication = std::get_if<device::Publication>(&item)) {
-      if (!board_.devices.has(publication->device)) continue;  // it has retired
+      if (!board_.devices.has(publication->device)) continue;  // retired
       const device::Address address = board_.devices[publication->device].address;
       board_.fanout.publish(*publication, address, board_.clock());
     } else {
@@ -401,7 +401,7 @@ void Server::Impl::deliver_outbox(std::size_t most) {
   tell_of_lost_data();
 }
 
-// Their number is in the status.
+// Warns once; the number is in the status.
 void Server::Impl::tell_of_lost_data() {
   const std::uint64_t lost = outbox_.data_dropped();
   if (lost > 0)
@@ -412,7 +412,7 @@ void Server::Impl::tell_of_lost_data() {
 
 void Server::Impl::deliver(const Answer& answer) {
   const auto found = clients_.find(static_cast<std::uint32_t>(answer.ticket >> 32));
-  if (found == clients_.end()) return;  // the client is gone
+  if (found == clients_.end()) return;  // disconnected
   found->second->session().answer(static_cast<std::uint32_t>(answer.ticket), answer.ack, answer.body);
 }
 
@@ -456,7 +456,7 @@ Result<void> Server::Impl::hold(device::DeviceId device, device::Driver* holder)
 }
 
 void Server::Impl::release(device::DeviceId device, device::Driver* holder) {
-  if (!board_.devices.has(device)) return;  // the hold has ended with it
+  if (!board_.devices.has(device)) return;  // retirement has ended the hold
   if (holder != nullptr) board_.uses.release(device, *holder);
   board_.devices.close(device);
 }
@@ -467,7 +467,7 @@ std::size_t Server::Impl::device_rows() const {
   return rows;
 }
 
-// Evicts the oldest incomplete message, with its client: a legitimate one takes moments.
+// Evicts the oldest incomplete message, with its client: a legitimate one takes moments to arrive.
 void Server::Impl::make_room() {
   while (board_.input_bytes > options_.input_bytes) {
     longest_unfinished()->session().give_up(fmt::format(
@@ -482,7 +482,7 @@ Server::Impl::Client* Server::Impl::longest_unfinished() {
     if (client->session().input_bytes() == 0) continue;
     if (!first || client->session().input_turn() < first->session().input_turn()) first = client.get();
   }
-  PLAYHOUSE_ASSERT(first);  // what is counted is some session's
+  PLAYHOUSE_ASSERT(first);  // counted bytes belong to a session
   return first;
 }
 
@@ -519,7 +519,7 @@ void Server::Impl::make_output_room() {
   if (!is_full()) return;
   for (Client* client : largest_holders()) {
     if (!is_full()) return;
-    client->session().drop_data();  // what others wait for as well is not freed yet
+    client->session().drop_data();  // shared frames are not freed yet
   }
   for (Client* client : largest_holders()) {
     if (!is_full()) return;
@@ -532,7 +532,7 @@ void Server::Impl::make_output_room() {
   }
 }
 
-// Those that hold anything, the largest first.
+// Clients with queued bytes, largest first.
 std::vector<Server::Impl::Client*> Server::Impl::largest_holders() const {
   std::vector<Client*> holders;
   for (const auto& [serial, client] : clients_)

@@ -1,9 +1,9 @@
 #pragma once
 
-/// Server: devices on TCP ports for every client of the Player 3 protocol. Accepts sessions, routes their
-/// commands and requests to drivers, and sends what drivers publish to whoever has the device open
-/// (docs/server.md). Devices may come and go all the time. Knows drivers only by their interface. Everything
-/// is for the io thread or for before the loop runs, but publish() and answer(), which are for any thread.
+/// Server: devices on TCP ports for clients of the Player 3 protocol. Accepts sessions,
+/// dispatches their commands and requests to drivers, and forwards published data to sessions
+/// with the device open (docs/server.md). Devices may be added and retired at any time.
+/// Threads: io thread, or before the loop runs, except publish() and answer(): any thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -26,86 +26,86 @@ struct ServerOptions {
   std::string bind = "127.0.0.1";  // numeric address; "0.0.0.0" and "::" mean every interface
   std::string version =
       "3.1.1 Playhouse " PLAYHOUSE_VERSION;       // clients see "Player v." and this, 31 bytes at most
-  std::size_t input_bytes = limits::kInputBytes;  // less in tests
+  std::size_t input_bytes = limits::kInputBytes;  // smaller in tests
   std::size_t output_bytes = limits::kOutputBytes;
 };
 
-/// What a person may want to see of a running server. Sums since the start unless said otherwise.
+/// Metrics of a running server. Totals since the start unless stated otherwise.
 struct ServerStatus {
   std::size_t sessions = 0;          // connected now
-  std::size_t stalled_sessions = 0;  // of these, with data waiting that their peers do not read
+  std::size_t stalled_sessions = 0;  // of these, with queued data that their peers do not read
   std::uint64_t sessions_accepted = 0;
   std::uint64_t sessions_refused = 0;  // over limits::kSessions or limits::kSessionsOfHost
-  std::uint64_t sessions_silent = 0;   // closed because they said nothing
-  std::uint64_t sessions_broken = 0;   // closed for frames that cannot be, or to make room for others' frames
-  std::uint64_t turns = 0;             // of sessions: how often the server looked at one
+  std::uint64_t sessions_silent = 0;   // closed: no message within the timeout
+  std::uint64_t sessions_broken = 0;   // closed for invalid frames, or to free input memory
+  std::uint64_t turns = 0;             // session turns: how often the server worked on one
   std::uint64_t messages_received = 0;
   std::uint64_t messages_sent = 0;
   std::uint64_t bytes_sent = 0;
-  std::uint64_t messages_encoded = 0;  // data messages, each once however many sessions got it
-  std::size_t output_bytes = 0;        // now: of answers and data that have not gone out
-  std::uint64_t data_dropped = 0;      // data that a full queue had no room for
-  std::uint64_t commands_dropped = 0;  // commands that no driver could be given
+  std::uint64_t messages_encoded = 0;  // data messages, each once for all sessions
+  std::size_t output_bytes = 0;        // now: bytes of unsent replies and data
+  std::uint64_t data_dropped = 0;      // data dropped by full queues
+  std::uint64_t commands_dropped = 0;  // commands not accepted by a driver
   std::uint64_t requests_refused = 0;  // requests answered NACK by the server itself
   std::size_t devices = 0;             // now
   std::uint64_t devices_retired = 0;
-  std::size_t device_rows = 0;  // now: entries about devices in the tables of the server and of its sessions
+  std::size_t device_rows = 0;  // now: entries for devices in tables of the server and its sessions
 };
 
 class Server final : public device::Publisher, public device::Outlet {
  public:
-  /// `network` outlives the server, and so do the drivers of devices that have not retired; repliers must not
-  /// be used after it is gone.
+  /// `network` must outlive the server, as must the drivers of devices
+  /// that have not retired; repliers must not be used afterwards.
   explicit Server(net::Network& network, ServerOptions options = {});
   /// Closes every session and stops the devices they had open.
   ~Server() override;
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  /// Opens one more port (0: any free one) and returns its number, which is the `robot` of its devices: each
-  /// port is a name space of its own.
+  /// Starts listening on one more port (0: any free one) and returns
+  /// it; it is the `robot` of its devices: each port is a name space.
   Result<std::uint16_t> listen(std::uint16_t port);
 
-  /// Makes a device known, also while clients are connected. Clients list devices in order of creation.
+  /// Registers a device, also while clients are connected. Clients list devices in order of registration.
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);
 
-  /// Takes a device out: what was published or answered for it before the call still counts, then it is as if
-  /// there had never been one at its address. Requests that its driver has not answered get NACK; clients
-  /// that have it open are told (docs/server.md); drivers that hold it get Driver::retired(); if it is open
-  /// its driver is told to stop. What comes for it later is dropped, and the driver may go when the call
-  /// returns. The address may be given to another device; what clients that are not told yet say to it
-  /// is refused. A device that has retired is left alone. Not from inside a call of a driver. From another
-  /// thread: network.post([&server, id] { server.retire_device(id); }), which keeps its place behind what
-  /// that thread published.
+  /// Retires a device: what was published or answered before still counts, afterwards
+  /// its address is empty. Pending requests get NACK; clients that have it open are
+  /// notified (docs/server.md); holders get Driver::retired(); if open, its driver is
+  /// told to stop. Later data for it is dropped, and the driver may be destroyed after
+  /// the call. The address may be reused; messages from clients that were not notified
+  /// yet are rejected. No effect on a retired device. Not from inside a driver call.
+  /// From another thread: network.post([&server, id] { server.retire_device(id); }),
+  /// which stays in order with what that thread published.
   void retire_device(device::DeviceId device);
 
-  /// Opens a device on behalf of the program, or of a driver that wants to hear when it retires, so that it
-  /// runs whoever closes it. release() undoes one hold() of the same holder; once the device has retired it
-  /// does nothing. A holder outlives its holds. Fails if the device cannot start, or has retired.
+  /// Opens a device on behalf of the program, or of a driver that wants to be notified of its
+  /// retirement. release() undoes one hold() of the same holder, without effect once the device has
+  /// retired. A holder must outlive its holds. Fails if the device cannot start, or has retired.
   Result<void> hold(device::DeviceId device, device::Driver* holder = nullptr);
   void release(device::DeviceId device, device::Driver* holder = nullptr);
 
-  /// The time in s that goes into answers; called on the io thread. Default: seconds since 1970.
+  /// Clock for timestamps of replies [s]; called on the io thread. Default: Unix time.
   void set_clock(std::function<double()> clock);
 
-  /// From now on what clients say that changes something is carried out in these turns; what waits for its
-  /// turn stays with its session. Before the loop runs; the turns end no earlier than the loop.
+  /// Executes clients' modifying messages in these turns from now on; messages out of turn
+  /// wait in their session. Before the loop runs; `turns` must outlive the loop's run.
   void take_turns(device::Turns& turns);
 
-  /// The run is over: takes no more clients, sends those it has what waits for them, and calls `done` when
-  /// they have it. For a second a client in PULL mode may ask for it, then it goes out unasked; who has not
-  /// read it another second later loses it, which is logged.
+  /// Graceful shutdown: accepts no more clients, flushes all queues, then calls
+  /// `done`. Clients in PULL mode have a second to ask for data before it is
+  /// sent unasked; what is unread after another second is lost, and logged.
   void finish(std::function<void()> done);
 
-  /// True while some session gets what the device publishes.
+  /// True if a session is subscribed to the device.
   bool has_readers(device::DeviceId device) const;
 
   ServerStatus status() const;
 
-  /// Sends each message to every session that has its device open for reading. Any thread; a batch wakes the
-  /// io thread once. Timestamps that do not increase are raised by the least step.
+  /// Sends each message to all sessions with its device open for reading. Any thread; one
+  /// wake-up per batch. Timestamps that do not increase are raised by the least step.
   void publish(std::vector<device::Publication> batch) override;
-  /// The answer to a request; a session that is gone does not hear it. Any thread.
+  /// Replies to a request; dropped if the session is gone. Any thread.
   void answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) override;
 
  private:

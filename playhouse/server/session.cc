@@ -26,8 +26,8 @@ std::string describe(const wire::Header& header) {
   return fmt::format("{} {} to {}", wire::name(header.type), header.subtype, device);
 }
 
-/// True for requests that leave the device as it is. Decided by message name: get_*, capabilities, and the
-/// exceptions below.
+/// True for requests without side effects. By message
+/// name: get_*, capabilities, and the exceptions below.
 bool only_reads(const wire::MessageDef& def) {
   constexpr std::array<std::string_view, 7> kReadersByOtherNames = {"ptz.req.geom",
                                                                     "ptz.req.status",
@@ -42,7 +42,7 @@ bool only_reads(const wire::MessageDef& def) {
              kReadersByOtherNames.end();
 }
 
-/// Also true if the claimed size exceeds the limit; the rest is then not awaited.
+/// Also true if the claimed size exceeds the limit: no need to wait for the rest.
 bool begins_with_message(std::span<const std::byte> input) {
   if (input.size() < limits::kHeaderBytes) return false;
   const std::uint32_t size = wire::decode_header(input.first<limits::kHeaderBytes>()).size;
@@ -103,13 +103,13 @@ std::size_t Session::device_rows() const {
 }
 
 std::size_t Session::owed_answers() const {
-  // Long requests and answers count for more, so that the limit holds in bytes too.
+  // Long requests and replies count more, so that the limit also bounds bytes.
   constexpr std::size_t kShare = limits::kSessionAnswerBytes / limits::kSessionAnswers;
   return std::max(pending_.size() + barriers_.size(), pending_bytes_ / kShare) +
          std::max(queue_.answers_waiting(), queue_.answer_bytes_waiting() / kShare);
 }
 
-// For what the driver was told just now and does not answer by itself.
+// For a message that the driver does not reply to: its barrier occupies a slot until then.
 void Session::take_credit(device::DeviceId device) {
   const std::uint32_t number = next_request_++;
   barriers_.insert(number);
@@ -165,11 +165,11 @@ bool Session::is_held_back() const {
          waits_for_turn(wire::decode_header(std::span(input_).first<limits::kHeaderBytes>()));
 }
 
-/// Reads, opens and closes are never delayed: no run depends on their timing.
+/// Reads, opens and closes are never delayed: the run does not depend on their timing.
 bool Session::waits_for_turn(const wire::Header& header) const {
   if (board_.turns == nullptr || header.interf == wire::player::kCode || !matters_without_peer(header))
     return false;
-  board_.held_back = true;  // before the question, so that no change is missed
+  board_.held_back = true;  // set before the check, so that no change is missed
   return !board_.turns->may_act(caller_);
 }
 
@@ -277,7 +277,7 @@ device::Address Session::address_of(const wire::Header& header) const {
   return {robot_, header.interf, header.index};
 }
 
-/// True if the client has not yet been told that the device at this address was removed.
+/// True if a retired device at this address has not been reported to the client yet.
 bool Session::means_one_that_retired(const wire::Header& header) const {
   return queue_.has_notice(header.interf, header.index);
 }
@@ -291,10 +291,10 @@ bool Session::opened_for_reading_only(device::DeviceId device) const {
 // ----------------------------------------------------------------------------------------------------------
 
 void Session::answer(std::uint32_t number, bool ack, std::span<const std::byte> body) {
-  mark_due();  // it may go on, whether the answer is heard or not
+  mark_due();  // a slot is free, even if the reply is dropped
   if (barriers_.erase(number) > 0) return;
   const auto found = pending_.find(number);
-  if (found == pending_.end()) return;  // answered before
+  if (found == pending_.end()) return;  // already replied
   const auto [header, device] = found->second;
   pending_.erase(found);
   pending_bytes_ -= header.size;

@@ -1,13 +1,13 @@
 #pragma once
 
-/// One client session: decodes its messages, calls drivers, queues its replies. Knows no sockets: Server
-/// feeds it what arrives and sends what it gives. One connection, one session; io thread.
+/// One client session: decodes messages, calls drivers, queues replies. Independent of
+/// sockets: Server feeds it input and sends its output. One per connection; io thread.
 ///
-/// work() handles at most limits::kTurnMessages messages per call, and the server goes round all sessions
-/// that have something to do: those that put themselves on its list (Switchboard::due). A session stops
-/// working on its input while it owes limits::kSessionAnswers answers, those of drivers that have yet to
-/// open, close or carry out what it told them included, so a client that asks without reading, or faster than
-/// the world turns, holds up itself and nobody else.
+/// work() handles at most limits::kTurnMessages messages per call, and the server
+/// serves all sessions with work round robin: those on its list (Switchboard::due).
+/// Back-pressure: a session stops reading input while it owes limits::kSessionAnswers
+/// replies, pending opens, closes and commands of drivers included, so that a client
+/// that asks without reading, or faster than the world ticks, blocks only itself.
 
 #include <cstddef>
 #include <cstdint>
@@ -27,88 +27,88 @@
 
 namespace playhouse::server {
 
-/// How a session has a device open.
+/// Access mode of an open device.
 enum class Access : std::uint8_t { kAll, kRead, kWrite };
 
 class Session final : public Reader {
  public:
-  /// `serial` numbers the sessions of a server, never reused; `robot` is the port the client came in by;
-  /// `peer` is for log lines.
+  /// `serial`: unique number of the session in its server;
+  /// `robot`: the port of the connection; `peer`: for the log.
   Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, std::string peer);
-  /// As leave().
+  /// Calls leave().
   ~Session() override;
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Bytes from the client, in any segmentation; work() takes them up.
+  /// Appends bytes from the client, in any segmentation, for work().
   void receive(std::span<const std::byte> bytes);
-  /// Carries out the next messages, as many as one turn allows, and returns their number.
+  /// Executes the next messages, at most one turn's worth, and returns their number.
   std::size_t work();
-  /// A message has come whole and is not carried out yet.
+  /// True if a complete message is buffered.
   bool has_message() const;
-  /// work() would do something: has_message(), and neither answers nor the turns of others hold it up.
+  /// True if work() would do something: has_message(), and not blocked by owed replies or by turns.
   bool can_work() const {
     return has_message() && owed_answers() < limits::kSessionAnswers && !is_held_back();
   }
-  /// The peer can no longer receive: only messages that change state are still processed (commands, requests
-  /// that set, devices opened and closed).
+  /// The peer cannot receive any more: only messages with side effects are
+  /// still executed (commands, requests that set, devices opened and closed).
   void lose_peer();
-  /// Closes every device the session has open.
+  /// Closes all devices that the session has open.
   void leave();
-  /// A device that it has open has retired: its subscription ends, and `notice` tells the client.
+  /// An open device has retired: ends its subscription; `notice` informs the client.
   void retire(device::DeviceId device, device::Address address, const Frame& notice);
-  /// Some driver has not answered yet.
+  /// True if requests to drivers are pending.
   bool waits_for_answers() const { return !pending_.empty(); }
-  /// take() would give something.
+  /// True if take() would return something.
   bool has_output() const { return queue_.has_output(); }
 
-  /// Puts the session on the list of those with something to do, unless it is there or is having its turn.
+  /// Appends the session to the list of those with work, unless it is there or being served.
   void mark_due();
-  /// The server took it from the list and has done what there was.
+  /// The server has removed it from the list and served it.
   void unmark_due() { due_ = false; }
 
-  /// Why the session has to be closed; empty while it need not.
+  /// Reason to close the session; empty if there is none.
   const std::string& broken() const { return broken_; }
 
-  /// Memory for a long message that has not come whole; up to limits::kSessionInputBytes it does not count.
+  /// Memory of an incomplete long message; up to limits::kSessionInputBytes it does not count.
   std::size_t input_bytes() const { return input_bytes_; }
-  /// Smaller for a message that began earlier, among all sessions.
+  /// Start order of such messages over all sessions.
   std::uint64_t input_turn() const { return input_turn_; }
-  /// From now on the session is broken().
+  /// Marks the session as broken().
   void give_up(std::string why);
 
-  /// A driver's answer to the request or the barrier with this number (the low 32 bits of its ticket).
+  /// A driver's reply to the request or barrier of this number (low 32 bits of its ticket).
   void answer(std::uint32_t number, bool ack, std::span<const std::byte> body);
   void deliver(const Frame& frame) override;
   void lose(std::uint64_t messages) override { queue_.lose(messages); }
 
-  /// Of answers and data that wait; data that others wait for too is counted for each.
+  /// Bytes of queued replies and data; shared data counts in each session.
   std::size_t output_bytes() const { return queue_.bytes_waiting(); }
-  /// Drops the data that waits, as if the queue were full.
+  /// Drops the queued data, like at a limit.
   void drop_data();
 
-  /// Moves what may be sent now to the end of `out`, until it holds about `max_bytes`.
+  /// Moves what may be sent now to the end of `out`, up to about `max_bytes`.
   void take(std::vector<net::SharedBytes>& out, std::size_t max_bytes);
 
   const std::string& peer() const { return peer_; }
   device::Caller& caller() { return caller_; }
-  /// Entries of its tables that are about some device.
+  /// Number of its table entries for devices.
   std::size_t device_rows() const;
   std::size_t messages_waiting() const { return queue_.waiting(); }
   std::size_t data_waiting() const { return queue_.data_waiting(); }
-  /// As OutQueue.
+  /// See OutQueue.
   void send_unasked() { queue_.send_unasked(); }
 
  private:
   struct OpenDevice {
     Access access = Access::kAll;
-    std::size_t opens = 0;  // closes that the client still owes
+    std::size_t opens = 0;  // opens minus closes
   };
   struct PendingRequest {
     wire::Header header;
     device::DeviceId device;
   };
-  /// Why something was not done; each is logged once per session.
+  /// Categories of errors; each is logged once per session.
   enum class Fault : std::uint8_t {
     kUnknownDevice,
     kUnknownMessage,
@@ -161,22 +161,22 @@ class Session final : public Reader {
   const std::string peer_;
   device::Caller caller_;
 
-  std::vector<std::byte> input_;  // begins at a header
+  std::vector<std::byte> input_;  // starts with a header
   std::size_t input_bytes_ = 0;
   std::uint64_t input_turn_ = 0;
   OutQueue queue_;
   std::map<device::DeviceId, OpenDevice> open_;
   std::map<std::uint32_t, PendingRequest> pending_;
   std::size_t pending_bytes_ = 0;     // of the requests in pending_
-  std::set<std::uint32_t> barriers_;  // that drivers have not answered
-  std::uint32_t next_request_ = 0;    // numbers both
+  std::set<std::uint32_t> barriers_;  // pending barriers
+  std::uint32_t next_request_ = 0;    // counter for both
   bool due_ = false, peer_lost_ = false;
   std::string broken_;
   std::set<Fault> logged_;
   std::uint64_t commands_dropped_ = 0;
 };
 
-/// The ticket of a session's request: what a driver hands back with its answer.
+/// The ticket of a session's request: returned by the driver with its reply.
 constexpr std::uint64_t make_ticket(std::uint32_t serial, std::uint32_t number) {
   return std::uint64_t{serial} << 32 | number;
 }

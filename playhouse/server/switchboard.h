@@ -1,6 +1,6 @@
 #pragma once
 
-/// Switchboard: what every session of a server shares. Io thread only.
+/// Switchboard: shared state of a server's sessions. Io thread only.
 
 #include <atomic>
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace playhouse::server {
 
-/// Sums over all sessions since the start.
+/// Totals over all sessions.
 struct Counters {
   std::uint64_t messages_received = 0;
   std::uint64_t messages_sent = 0;
@@ -30,21 +30,21 @@ struct Counters {
 };
 
 struct Switchboard {
-  DeviceUses uses;  // outlives the devices: drivers that are stopped release what they hold
+  DeviceUses uses;  // outlives the devices: drivers release their holds when stopped
   device::DeviceTable devices;
   FrameBytes frame_bytes = std::make_shared<std::size_t>(0);  // limits::kOutputBytes
   Fanout fanout{frame_bytes};
   Counters counters;
-  std::function<double()> clock;         // s; stamps answers
-  device::Outlet* outlet;                // where drivers send their answers
-  const device::Turns* turns = nullptr;  // of clients; none: everybody may act at any time
-  std::atomic<bool> held_back = false;   // somebody waits for its turn
-  std::deque<std::uint32_t> due;  // serials of the sessions with something to do, the longest waiting first
-  /// Bodies of the answers to "which devices are there", by port; forgotten when a device comes or goes.
+  std::function<double()> clock;         // s; timestamps of replies
+  device::Outlet* outlet;                // receives drivers' replies
+  const device::Turns* turns = nullptr;  // of clients; null: no ordering
+  std::atomic<bool> held_back = false;   // a session is waiting for its turn
+  std::deque<std::uint32_t> due;  // serials of the sessions with work, served in turn, longest waiting first
+  /// Cached bodies of device lists, by port; cleared when a device is added or retires.
   std::map<std::uint32_t, std::vector<std::byte>> device_lists;
 
-  std::size_t input_bytes = 0;  // of memory for long messages that have not come whole (limits::kInputBytes)
-  std::uint64_t input_turns = 0;  // numbers the moments at which such a message began
+  std::size_t input_bytes = 0;  // memory held by all long messages that are incomplete (limits::kInputBytes)
+  std::uint64_t input_turns = 0;  // counter for Session::input_turn()
 };
 
 }  // namespace playhouse::server

@@ -1,6 +1,6 @@
 #pragma once
 
-/// For the tests of this module: the client's side of the protocol, over the simulated network.
+/// Client side of the protocol over the simulated network, for tests of this module.
 
 #include <cstring>
 #include <optional>
@@ -60,7 +60,7 @@ inline std::uint8_t access_of(const Received& reply) {
   return body ? body->access : 0;
 }
 
-/// Whole messages at the front of `bytes`, which keeps the rest.
+/// Splits complete messages off the front of `bytes`.
 inline std::vector<Received> cut_messages(Bytes& bytes) {
   std::vector<Received> result;
   std::size_t at = 0;
@@ -88,7 +88,7 @@ class TestClient {
   }
 
   void send(const Bytes& bytes) { peer.send(bytes); }
-  /// Runs the network and returns what has arrived.
+  /// Runs the network and returns the messages received.
   std::vector<Received> read() {
     network_.run();
     const Bytes more = peer.take();
@@ -109,7 +109,7 @@ class TestClient {
   std::string banner;
 };
 
-/// "ACK 3" and the like, for comparing a conversation at a glance; data shows its device.
+/// Compact text of messages, "ACK 3"; data includes its interface.
 inline std::string outline(const std::vector<Received>& messages) {
   std::string text;
   for (const Received& received : messages) {

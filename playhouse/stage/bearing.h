@@ -7,7 +7,7 @@
 
 namespace playhouse::stage {
 
-/// rough_bearing() is better than this; see scan_test.cc.  [rad]
+/// Error bound of rough_bearing(); the test in scan_test.cc checks a tighter one.  [rad]
 inline constexpr double kBearingError = 1e-4;
 
 /// The bearing of v, in [-pi, pi], to within kBearingError and at a fraction of the cost of geom::atan2.

@@ -17,7 +17,7 @@ double signed_area(std::span<const Vec2> polygon) {
   return 0.5 * doubled;
 }
 
-/// Every corner of the counter-clockwise polygon turns left, and it goes round once.
+/// True if the counter-clockwise polygon turns left at every corner and has winding number 1.
 bool is_convex(std::span<const Vec2> polygon) {
   const std::size_t n = polygon.size();
   int upward_turns = 0;
@@ -30,7 +30,7 @@ bool is_convex(std::span<const Vec2> polygon) {
   return upward_turns <= 1;
 }
 
-/// The corners of the convex hull, counter-clockwise, without those on a side (Andrew's monotone chain).
+/// The convex hull, counter-clockwise, without collinear corners (Andrew's monotone chain).
 std::vector<Vec2> convex_hull(std::span<const Vec2> polygon) {
   std::vector<Vec2> points(polygon.begin(), polygon.end());
   std::ranges::sort(points, [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
@@ -51,8 +51,8 @@ std::vector<Vec2> convex_hull(std::span<const Vec2> polygon) {
   return hull;
 }
 
-/// The smallest distance between two parallel lines, one along a side of the hull, that hold the polygon. The
-/// farthest corner goes round with the side (rotating calipers), so the cost is that of sorting.
+/// The smallest distance between parallel supporting lines of the polygon, one along
+/// a side of the hull, by rotating calipers: O(n log n) for the hull, O(n) after.
 double width_of(std::span<const Vec2> polygon) {
   const std::vector<Vec2> hull = convex_hull(polygon);
   if (hull.size() < 3) return 0;
@@ -118,7 +118,7 @@ void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes,
     add_solid(solids, shape, desc, model, world.models.root[model], tree, first);
 }
 
-/// Those of p again, from the centre, as columns.
+/// Copies the corners of p relative to the center into columns.
 void put_corners(Solids& solids, std::size_t row) {
   constexpr std::size_t kEight = EightCorners::kCorners;
   const std::size_t count = solids.convex_corners(row);
@@ -134,7 +134,7 @@ void put_corners(Solids& solids, std::size_t row) {
   }
 }
 
-/// Room for the corners of what moves.
+/// Allocates the corner columns of movable solids.
 void make_room_for_corners(Solids& solids) {
   std::uint32_t count = 0;
   solids.first_corners.clear();
@@ -146,7 +146,7 @@ void make_room_for_corners(Solids& solids) {
   solids.corners.resize(count);
 }
 
-/// Room for where solids are, and where they are from row `first` on.
+/// Sizes the placement columns and places the solids from row `first` on.
 void put_in_place(Solids& solids, const world::Models& models, std::size_t first) {
   solids.center.resize(solids.size());
   solids.z_min.resize(solids.size());
@@ -162,7 +162,7 @@ bool stands_still(const world::Models& models, std::uint32_t row) {
   return models.mobility[row] == world::Mobility::kFixed;
 }
 
-/// A model and all attached to it, parents first, behind the others.
+/// Appends a model and all attached to it, parents first.
 void add_tree(Trees& trees, const world::World& world, std::uint32_t row) {
   const world::Models& models = world.models;
   trees.models.push_back(row);
@@ -200,7 +200,7 @@ const std::vector<Shape>& Shapes::of(std::uint32_t row) {
 
 Trees make_trees(const world::World& world) {
   const world::Models& models = world.models;
-  std::vector<std::uint8_t> can_move(models.size());  // of tops: that something of their tree can
+  std::vector<std::uint8_t> can_move(models.size());  // of roots: some model of the tree is movable
   for (std::uint32_t row = 0; row < models.size(); ++row)
     if (!stands_still(models, row)) can_move[models.root[row]] = 1;
   Trees trees;

@@ -1,10 +1,10 @@
 #pragma once
 
-/// Bodies: the solids of a world as columns. A solid is one closed polygon extruded in z; a block is one
-/// solid, every contour of a bitmap is one. What stands still comes first; solids of trees that can move
-/// follow, in the order of the trees, so that a tree's solids and vertices are consecutive and change
-/// without those that stand still. What stands still of a tree, such as walls with a door, is not among the
-/// tree's solids. Frames: W world, M the model that owns the solid.
+/// Bodies: the solids of a world as columns. A solid is one closed polygon extruded in z; a
+/// block is one solid, every contour of a bitmap is one. Static solids come first; solids of
+/// movable trees follow in tree order, so the solids and vertices of a tree are consecutive and
+/// can be rebuilt without the static ones. Static parts of a tree, such as the walls around a
+/// door, are not among the tree's solids. Frames: W world, M the model that owns the solid.
 
 #include <algorithm>
 #include <cstdint>
@@ -22,15 +22,15 @@ using geom::Pose;
 using geom::Rotation;
 using geom::Vec2;
 
-/// A model that moves by itself.
+/// A model that is driven by its own kinematics: a robot, an actuator, a custom model.
 struct Mover {
   std::uint32_t model, part;  // rows of world::Models and of its kind's table
   scene::ModelKind kind;
 };
 
-/// Trees of models that hold some that can move.
+/// Trees of models with at least one mover.
 struct Trees {
-  std::vector<std::uint32_t> root;                 // model row of the top, ascending             (t)
+  std::vector<std::uint32_t> root;                 // root model row, ascending                     (t)
   std::vector<std::uint32_t> first_model, models;  // rows, parents first: models[first_model[t] ..]
   std::vector<std::uint32_t> first_mover;          // movers[first_mover[t] ..], in the order of models
   std::vector<Mover> movers;
@@ -39,22 +39,22 @@ struct Trees {
   std::span<const std::uint32_t> models_of(std::uint32_t tree) const {
     return std::span(models).subspan(first_model[tree], first_model[tree + 1] - first_model[tree]);
   }
-  /// Row of the tree with this top.
+  /// Row of the tree with this root.
   std::uint32_t of_root(std::uint32_t top) const {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(root, top) - root.begin());
   }
 };
 
-/// What a solid of a model is, whichever model has it: made once for each row of SceneDesc::models.
+/// A solid in the frame of its model, made once per row of SceneDesc::models, shared by its instances.
 struct Shape {
   double z_min_M = 0, z_max_M = 0;  // m
   Vec2 center_M;                    // mean of the vertices                                    [m]
-  double radius = 0;                // of the circle about the centre that holds the solid     [m]
+  double radius = 0;                // bounding circle about the center                          [m]
   double width = 0;                 // smallest extent                                         [m]
   bool convex = false;
-  bool full = false;       // what is inside of it is solid: a block, not a line of a bitmap
-  bool hole = false;       // what is inside of it is free: an inner contour of a bitmap
-  std::uint32_t body = 0;  // the first of the shapes that are one body with it: those of a bitmap
+  bool full = false;       // its inside is solid: a block, not a contour of a bitmap
+  bool hole = false;       // its inside is free: an inner contour of a bitmap
+  std::uint32_t body = 0;  // first shape of the same body: contours of one bitmap share it
   std::vector<Vec2> p_M;   // counter-clockwise vertices, the first again at the end  [m]
 };
 
@@ -68,58 +68,58 @@ class Shapes {
   std::map<std::uint32_t, std::vector<Shape>> made_;
 };
 
-/// A convex body of more corners is looked at like one that is not convex.
+/// Convex polygons with more corners take the code path of concave ones.
 inline constexpr std::size_t kConvexCorners = 32;
 
-/// Eight corners of a convex polygon, the first one again in place of those that the last eight lack.
+/// Eight corners of a convex polygon, padded with its first corner.
 struct alignas(64) EightCorners {
   static constexpr std::size_t kCorners = 8;
   float x[kCorners], y[kCorners];  // m from the centre of the solid, along W's axes
 
-  /// More than how far, in single precision, the distance of a corner from the line of a ray is wrong, if
-  /// that is near a solid of this radius: seven roundings of numbers up to the radius, 2^-24 of it each, and
-  /// what the corner lost in W.  [m]
+  /// Bound on the single-precision error of the signed distance of a corner from a ray's
+  /// line, for a ray that passes near a solid of this radius: seven roundings of numbers
+  /// up to the radius, 2^-24 each, and what the corner lost to rounding in W. [m]
   static float error(double radius) { return static_cast<float>(0x1p-20 * radius + 1e-8); }
 };
 
 struct Solids {
-  // What a solid is.
+  // Constant: shape and owner.
   std::vector<std::uint32_t> model, root;  // rows of world::Models
-  std::vector<std::uint32_t> tree;         // row of Trees, or Row::kNone where it stands still
+  std::vector<std::uint32_t> tree;         // row of Trees, Row::kNone: static
   std::vector<double> z_min_M, z_max_M;    // m
   std::vector<Vec2> center_M;              // mean of the vertices                                    [m]
-  std::vector<double> radius;              // of the circle about the centre that holds the solid     [m]
+  std::vector<double> radius;              // bounding circle about the center                          [m]
   std::vector<double> width;               // smallest extent                                         [m]
   std::vector<std::uint8_t> convex;        // 1: a convex polygon
-  std::vector<std::uint8_t> full;          // 1: what is inside of it is solid, not only its outline
-  std::vector<std::uint8_t> hole;          // 1: what is inside of it is free, in the body of a bitmap
-  std::vector<std::uint32_t> body;         // row of the first of the solids that are one body with it
-  std::vector<Observers> seen_by;          // bits of those who see it, or are stopped by it
-  // Of its height, from below, what is within another solid of its tree (enclosure.h): kAll or less.      [m]
+  std::vector<std::uint8_t> full;          // 1: its inside is solid, not only its outline
+  std::vector<std::uint8_t> hole;          // 1: its inside is free: a hole in the body of a bitmap
+  std::vector<std::uint32_t> body;         // row of the first solid of the same body
+  std::vector<Observers> seen_by;          // visibility mask: observers that see it, or are blocked by it
+  // Height of its lowest part that another solid of its tree encloses (enclosure.h), kAll if all of it.  [m]
   std::vector<double> enclosed;
-  static constexpr double kAll = 1e300;     // far above everything
+  static constexpr double kAll = 1e300;     // above everything: enclosed all over
   std::vector<std::uint32_t> first_vertex;  // (n + 1)
   // Counter-clockwise vertices, the first of each polygon again at its end.                            [m]
   // (vertices)
   std::vector<Vec2> p_M;
-  std::size_t fixed = 0;  // rows below this stand still
+  std::size_t fixed = 0;  // rows below this are static
 
-  std::vector<Rotation> rotation;  // headings of models in W, kept by who moves them (models)
+  std::vector<Rotation> rotation;  // headings of models in W, written by: turn (models)
 
-  // Where it is.                              written by: place
+  // Placement in W.                           written by: place
   std::vector<Vec2> center;          // in W                                                    [m]
   std::vector<double> z_min, z_max;  // in W                                                    [m]
-  std::vector<Vec2> p;  // vertices in W, and kSpare more to read past the end           [m] (vertices)
+  std::vector<Vec2> p;  // vertices in W, padded by kSpare for vector loads           [m] (vertices)
   static constexpr std::size_t kSpare = 32;
-  // Of polygons with convex_corners(), one after the other.
+  // Corners of polygons with convex_corners(), polygon by polygon.
   std::vector<EightCorners> corners;
-  std::vector<std::uint32_t> first_corners;  // rows of corners                            (solids that move)
+  std::vector<std::uint32_t> first_corners;  // rows of corners                            (movable solids)
 
   std::size_t size() const { return model.size(); }
   std::size_t moving() const { return size() - fixed; }
-  /// The height from which on rays from outside of its tree meet it.  [m, in W]
+  /// The height from which on rays from other trees can hit it.  [m, in W]
   double z_free(std::size_t row) const { return z_min[row] + enclosed[row]; }
-  /// How many corners a convex polygon has, 0 if it is not convex or has more than kConvexCorners.
+  /// Number of corners of a convex polygon; 0 if concave or more than kConvexCorners.
   std::size_t convex_corners(std::size_t row) const {
     const std::size_t count = first_vertex[row + 1] - first_vertex[row] - 1;
     return convex[row] != 0 && count <= kConvexCorners ? count : 0;
@@ -131,19 +131,19 @@ struct Solids {
 };
 
 Trees make_trees(const world::World& world);
-/// The solids of everything that stands still, in place.
+/// The static solids, placed.
 Solids make_fixed_solids(const world::World& world, Shapes& shapes);
-/// Replaces the solids of trees by those of `trees`, in place; sets trees.first_solid.
+/// Replaces the movable solids by those of `trees`, placed; sets trees.first_solid.
 void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees);
 
-/// Turns the models of a tree, in solids.rotation, to where they head.
+/// Updates solids.rotation of the models of a tree from their headings in W.
 void turn(Solids& solids, const world::Models& models, std::span<const std::uint32_t> tree);
-/// Puts the solids [begin, end) where their models are; those have been turned.
+/// Places the solids [begin, end) in W by the poses of their models. Needs turn() for those models.
 void place(Solids& solids, const world::Models& models, std::size_t begin, std::size_t end);
 
-/// Where one tree would be: a proposal, or a step on the way to it. Rows count from the tree's first.
+/// A proposed configuration of one tree, or a substep towards it. Rows count from the tree's first.
 struct TreeShape {
-  std::span<Pose> moved;         // X_PM of those that move by themselves (movers of the tree)
+  std::span<Pose> moved;         // X_PM of the movers (movers of the tree)
   std::span<Pose> X_WM;          // (models of the tree)
   std::span<Rotation> rotation;  // of X_WM (models of the tree)
   std::span<Vec2> center, p;     // (solids of the tree), (their vertices)

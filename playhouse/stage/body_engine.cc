@@ -9,8 +9,8 @@
 namespace playhouse::stage {
 namespace {
 
-/// Moving solids by the heights they begin with: what overlaps in height, as bodies of robots do, is one
-/// layer, what only stands on top is another.
+/// Layers of movable solids by their lowest height: solids with overlapping height
+/// ranges, such as robot bodies, share a layer; what is stacked on top is in another.
 std::vector<std::uint8_t> layers_of(const Solids& solids) {
   constexpr std::size_t kMost = 8;
   std::vector<std::pair<double, double>> heights;
@@ -21,7 +21,7 @@ std::vector<std::uint8_t> layers_of(const Solids& solids) {
   double top = -1e300;
   for (const auto& [z_min, z_max] : heights) {
     if (z_min > top - kTouch) begins.push_back(z_min);
-    top = std::max({top, z_min, z_max});  // what is within others begins above its end
+    top = std::max({top, z_min, z_max});  // an enclosed solid has z_min > z_max
   }
   if (begins.size() > kMost) return {};
   std::vector<std::uint8_t> layer;
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> layers_of(const Solids& solids) {
   return layer;
 }
 
-/// Mean radius of the largest solids of trees. [m]
+/// Mean over trees of the radius of their largest solid. [m]
 double robot_radius(const Trees& trees, const Solids& solids) {
   double sum = 0;
   for (std::size_t tree = 0; tree < trees.size(); ++tree) {
@@ -108,7 +108,7 @@ void BodyEngine::ingest(std::span<const world::Change> changes) {
   }
 }
 
-/// True if a part of a rigid body was put elsewhere on it: what encloses what may be different.
+/// True if a rigidly attached part was moved on its body: enclosure has to be recomputed.
 bool BodyEngine::moves_within_body(const world::Change& change) const {
   const world::ModelRow model = world_.row(change.model);
   return change.kind == world::Change::Kind::kPlace && model &&
@@ -116,7 +116,7 @@ bool BodyEngine::moves_within_body(const world::Change& change) const {
          !world::moves(world_.models.kind[model.index]);
 }
 
-/// Solids of a tree that was put elsewhere.
+/// Updates the solids of a tree that was teleported.
 void BodyEngine::replace(const world::Change& change) {
   const world::ModelRow model = world_.row(change.model);
   if (change.kind != world::Change::Kind::kPlace || !model) return;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// BodyEngine: what engines share whose models are the extruded solids of bodies.h: their tables, kept up to
-/// date with who comes and goes, and the senses that measure among them. An engine adds how trees of models
-/// move. Thread: the tick thread.
+/// BodyEngine: what engines share whose models are the extruded solids of bodies.h: their
+/// tables, kept up to date as models are spawned and removed, and the senses that measure
+/// among them. A derived engine adds how trees of models move. Thread: the tick thread.
 
 #include "playhouse/behaviour/phased_engine.h"
 #include "playhouse/stage/generated/senses.h"
@@ -13,26 +13,26 @@ class BodyEngine : public behaviour::PhasedEngine {
  public:
   std::uint64_t rays() const override { return rays_; }
  protected:
-  /// The outlines of obstacles, as prisms.
+  /// The outlines of obstacles as prisms.
   world::PhysicsShapes shapes() const override;
-  /// Derived engines call populate(true) when they are made.
+  /// Derived engines call populate(true) in their constructors.
   BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
              const SenseMakers& makers = {});
 
-  /// The tables are new: trees_, solids_ and index_, and what stands still only if `fixed`.
+  /// trees_, solids_ and index_ were rebuilt; their static part only if `fixed`.
   virtual void populated(bool fixed) = 0;
-  /// A tree's solids were put elsewhere by others.
+  /// A tree was teleported: its solids have new places that move() did not make.
   virtual void replaced(std::uint32_t tree) = 0;
 
-  /// Makes every table anew that follows from who there is; those of what stands still only if `fixed`.
+  /// Rebuilds all tables from the population; those of static solids only if `fixed`.
   void populate(bool fixed);
-  /// To be called after solids have moved.
+  /// Rebuilds index_. To be called after solids have moved.
   void index();
 
   Shapes shapes_;
   Trees trees_;
   Solids solids_;
-  DiscIndex index_;  // solids that can move
+  DiscIndex index_;  // the movable solids
   Walls walls_;
 
  private:

@@ -1,5 +1,5 @@
-/// Bundles: the single rays of a ranger, looked at together. Bodies come first: they are found by a table, so
-/// the rays that go on to the walls, which is dearer, are short. Those wait for the rays of other rangers.
+/// Bundles: the single rays of a ranger, traced together. Bodies come first: their table lookup is cheap
+/// and shortens the rays for the more expensive wall traversal, which is batched with other rangers' rays.
 
 #include <algorithm>
 #include <bit>
@@ -14,7 +14,7 @@
 namespace playhouse::stage {
 namespace {
 
-/// Adds the rays of a bundle.
+/// Appends the rays of a bundle in W.
 PLAYHOUSE_INLINE Rays::Part put_rays(const Bundle& bundle, const Pose& X_WM, Rotation r,
                                      std::size_t first_beam, Rays& rays) {
   const std::size_t count = bundle.rays(), first = rays.count;
@@ -36,7 +36,7 @@ PLAYHOUSE_INLINE Rays::Part put_rays(const Bundle& bundle, const Pose& X_WM, Rot
   return rays.parts[rays.part_count++] = {X_WM.xy(), first, rays.count};
 }
 
-/// find_bodies() where rays reach further than units of DiscIndex do.
+/// find_bodies() for rays beyond the exact range of DiscIndex units: takes all bodies visible to rangers.
 std::size_t take_all(const Bundle& bundle, const DiscIndex& index, std::span<const DiscIndex::Run> runs,
                      const NearBodies& out) {
   std::size_t count = 0;
@@ -50,7 +50,7 @@ std::size_t take_all(const Bundle& bundle, const DiscIndex& index, std::span<con
   return count;
 }
 
-/// Keeps the first of what is known and the edge, for the rays of a part, behind which there are none.
+/// Shortens the rays of a part by their hits with an edge; the part must be the last of `rays`.
 PLAYHOUSE_INLINE void meet_edge(Vec2 a, Vec2 b, double row, const Rays::Part& part, Rays& rays) {
   FourTruths edge_on = {};
   for (std::size_t k = part.begin; k < part.end; k += kFour) {
@@ -74,7 +74,7 @@ PLAYHOUSE_INLINE void meet_edge(Vec2 a, Vec2 b, double row, const Rays::Part& pa
 
 }  // namespace
 
-/// The rays of a part, one after the other, for those that cannot march.
+/// Traces the rays of a part one by one, if they cannot march.
 void RangerSense::meet_walls_alone(const Space& space, const View& view, const Rays::Part& part, Rays& rays) {
   for (std::size_t k = part.begin; k < part.end; ++k) {
     const Vec2 p = rays.p(k), d = rays.d(k);
@@ -114,7 +114,7 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
     if (!walls.few().empty() && z_low == z_high)
       meet_few_walls(space, view, part, bundle.reach, rays);
     else if (can_march(walls, view, bundle.reach))
-      return;  // later, with those of other rangers
+      return;  // deferred, to be batched with those of other rangers
     else
       meet_walls_alone(space, view, part, rays);
   }

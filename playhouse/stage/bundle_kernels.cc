@@ -14,9 +14,9 @@
 namespace playhouse::stage {
 namespace {
 
-using Mask = std::uint32_t;  // bit i: the i-th of eight
+using Mask = std::uint32_t;  // bit i: lane i of eight
 
-/// The first `count` of eight.
+/// The first `count` lanes of eight.
 constexpr Mask first_of(std::size_t count) {
   return count >= 8 ? 0xff : (1u << count) - 1;
 }
@@ -66,7 +66,7 @@ namespace playhouse::stage::avx512 = plain;
 namespace playhouse::stage {
 namespace {
 
-/// The version for this processor, or for what was chosen.
+/// The version for the chosen instruction set.
 template <typename Kernel>
 Kernel* choose(Kernel* for_any, Kernel* for_avx2, Kernel* for_avx512) {
   if (wide_kernels == WideKernels::kAvx512) return for_avx512;

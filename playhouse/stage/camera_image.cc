@@ -12,13 +12,13 @@ namespace {
 
 using scene::ImageKind;
 
-constexpr double kDepthMost = 65535;  // mm, that a pixel can say
+constexpr double kDepthMost = 65535;  // mm, largest value of a depth pixel
 
 std::uint32_t brightness(std::uint32_t rgb) {
   return (299 * (rgb >> 16) + 587 * (rgb >> 8 & 0xff) + 114 * (rgb & 0xff) + 500) / 1000;
 }
 
-/// The value and an error, within 0 .. most.
+/// The value plus Gaussian noise, clamped to 0 .. most.
 std::uint32_t with_noise(double value, double deviation, double most, Rng& rng) {
   return static_cast<std::uint32_t>(std::lround(std::clamp(value + deviation * rng.gaussian(), 0.0, most)));
 }

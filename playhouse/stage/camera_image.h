@@ -1,9 +1,9 @@
 #pragma once
 
-/// What is the same of the cameras of all engines: where a lens is, the colours of what is no body, and an
-/// image of what its pixels see, with the camera's errors.
+/// What cameras of all engines share: the pose of the lens, background colours,
+/// and images from the samples of pixels with the camera's errors applied.
 ///
-/// In: what pixels see. Out: Cameras::pixels.
+/// In: what each pixel sees. Out: Cameras::pixels.
 /// Source: brightness by ITU-R BT.601.
 
 #include <cstdint>
@@ -13,26 +13,26 @@
 
 namespace playhouse::stage {
 
-/// 0xRRGGBB, of a world file's `sky`.
+/// Background colour 0xRRGGBB, from a world file's `sky`.
 std::uint32_t sky_color(const scene::WorldDesc& world);
 
-/// A pixel of an image of models that shows this one.
+/// Value of a pixel of a segmentation image that shows this model.
 constexpr std::uint32_t segment_of(world::ModelId model) {
   return (model.value + 1) & 0xffffff;
 }
 
-/// How high the lens is above the frame of the camera's body: in the middle of it.  [m]
+/// Height of the lens above the frame of the camera's body: half the body's height.  [m]
 inline double lens_height(const scene::ModelDesc& camera) {
   return 0.5 * camera.size.z;
 }
 
-/// What the pixels of a camera see, row by row from the top.
+/// Samples of a camera's pixels, row by row from the top.
 struct Seen {
-  std::span<const double> far;            // m along the way it looks, 0: nothing. Of images of distances
-  std::span<const std::uint32_t> sample;  // 0xRRGGBB, or segment_of(). Of all other images
+  std::span<const double> far;            // m of depth along the optical axis, 0: no hit. Depth images only
+  std::span<const std::uint32_t> sample;  // 0xRRGGBB, or segment_of(). Other images
 };
 
-/// Makes the image of a camera, row `camera` of world::Cameras, as it tells it at `tick`.
+/// Writes the image of a camera, row `camera` of world::Cameras, with its noise at `tick`.
 void expose(world::World& world, std::uint32_t camera, std::uint64_t tick, const Seen& seen);
 
 }  // namespace playhouse::stage

@@ -31,7 +31,7 @@ bool finite(const scene::ModelDesc& model) {
 }
 
 bool is_sound(const scene::ActuatorDesc& actuator) {
-  constexpr double kFarthest = 1e9;  // m or rad, as of poses
+  constexpr double kFarthest = 1e9;  // m or rad, the limit of poses
   for (const double value : {actuator.axis_x, actuator.axis_y, actuator.axis_z, actuator.max_speed})
     if (!std::isfinite(value)) return false;
   return actuator.max_speed >= 0 && -kFarthest <= actuator.min_position &&
@@ -79,7 +79,7 @@ Result<void> check_scene(const scene::SceneDesc& scene) {
   return {};
 }
 
-/// Robots drive through floorplans that say obstacle_return 0, as the map.inc that comes with Stage does.
+/// Warns of floorplans with obstacle_return 0, which robots drive through; map.inc of Stage has that.
 std::vector<std::string> oddities_of(const scene::SceneDesc& scene) {
   bool robots = false;
   for (const scene::ModelDesc& model : scene.models) robots |= model.kind == scene::ModelKind::kPosition;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What keeps a scene from being run by any engine.
+/// Checks of a scene before any engine runs it.
 
 #include <string>
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace playhouse::stage {
 
-/// Fails on a scene that no engine can run (an interval that is not positive, a kind without its description,
-/// numbers that are not finite).
+/// Fails on a scene that no engine can run: an interval that is not
+/// positive, a kind without its description, non-finite numbers.
 Result<void> check_scene(const scene::SceneDesc& scene);
 
-/// What is odd about a scene in any engine, and what the engine in the plane measures less of than the file
-/// asks for: lines as "file:line: text", of each kind one for the first.
+/// Warnings: oddities in any engine, and what the 2D engine leaves out of what the file
+/// asks for. Lines as "file:line: text", for each kind of warning its first case only.
 std::vector<std::string> oddities_of(const scene::SceneDesc& scene);
 std::vector<std::string> left_out_in_the_plane(const scene::SceneDesc& scene);
 

@@ -37,7 +37,7 @@ void DiscIndex::populate(std::size_t count, double mean_radius, std::vector<std:
   first_.assign(cells() + 1, 0);
 }
 
-/// As many blocks as pay for counting cells that often.
+/// Chooses the number of blocks: each has to be large enough to pay for its pass over the cells.
 void DiscIndex::begin(std::size_t count, const world::Workers& workers) {
   constexpr std::size_t kLeast = 2048;
   blocks_ = std::clamp<std::size_t>(count / kLeast, 1, workers.count());
@@ -54,7 +54,7 @@ void DiscIndex::begin(std::size_t count, const world::Workers& workers) {
   extents_.resize(blocks_ * layers_.size());
 }
 
-/// What a block has in each cell.
+/// Counts a block's discs per cell.
 void DiscIndex::count_up(std::size_t block) {
   std::uint32_t* const counts = next_.data() + block * cells();
   Extent* const extents = extents_.data() + block * layers_.size();
@@ -71,7 +71,7 @@ void DiscIndex::count_up(std::size_t block) {
   }
 }
 
-/// Blocks come one after the other within each cell, so that rows keep their order.
+/// Within a cell, entries are ordered by block, which keeps row order.
 void DiscIndex::sort(world::Workers& workers) {
   radius_max_ = 0;
   for (std::size_t l = 0; l < layers_.size(); ++l) {

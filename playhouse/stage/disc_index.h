@@ -1,9 +1,9 @@
 #pragma once
 
-/// DiscIndex: where things with a centre and a radius are, to find those near a place. Rebuilt by counting,
-/// at a cost linear in the number of things, on any number of workers; things of a cell keep their order of
-/// rows. Things are kept in layers by height, so that who looks at one height does not come across what is
-/// above or below.
+/// DiscIndex: broad phase of movable things, bounding circles in a hashed uniform
+/// grid (torus.h). Rebuilt by a parallel counting sort in linear time; entries of a
+/// cell stay in row order for any number of workers. Entries are split into layers by
+/// height, so that a query at one height skips what is entirely above or below it.
 
 #include <cstdint>
 #include <span>
@@ -20,20 +20,20 @@ class DiscIndex {
   struct alignas(64) Disc {
     geom::Vec2 center;    // m, in W
     double radius;        // m
-    double z_min, z_max;  // m, of what rays may meet: the rest is within others
-    std::uint32_t row;    // of whatever was indexed
-    std::uint32_t root;   // model row of the top of its tree
-    // Of a solid, so that who looks at it need not look it up.
+    double z_min, z_max;  // m, of the part that rays can hit: not enclosed (enclosure.h)
+    std::uint32_t row;    // of the indexed table
+    std::uint32_t root;   // model row of the root of its tree
+    // Copied from Solids, which saves a lookup per visit.
     std::uint32_t first_vertex = 0, vertices = 0;
     std::uint32_t first_corners = 0;  // row of Solids::corners
-    std::uint8_t convex = 0;          // corners of a convex polygon that has few (kConvexCorners), else 0
+    std::uint8_t convex = 0;          // corners of a convex polygon, 0: concave or > kConvexCorners
     Observers seen_by = 0;
   };
 
   DiscIndex() { populate(0, 0.25); }
 
-  /// Sizes the cells for `count` things of this mean radius. `layer` is that of each thing, or empty if there
-  /// is one. To be called again when things came or went, before rebuild().
+  /// Sizes the cells for `count` things of this mean radius. `layer` holds the layer of each
+  /// thing; empty: one layer. Call it before rebuild() when the population has changed.
   void populate(std::size_t count, double mean_radius, std::vector<std::uint8_t> layer = {});
 
   /// Replaces the contents. `disc(i)` gives thing i < count.
@@ -50,13 +50,13 @@ class DiscIndex {
 
   double radius_max() const { return radius_max_; }
 
-  /// Places begin .. end - 1 of places() and discs().
+  /// Entries begin .. end - 1 of places() and discs().
   struct Run {
     std::uint32_t begin, end;
   };
-  /// The runs, put into `room`, of all in layers that reach those heights and in cells that meet the box
-  /// about p, widened by the largest radius. A list, not a visitor: a loop over what is in the runs has to be
-  /// a part of a vector function itself, or it is compiled for any processor (vectors.h).
+  /// Writes to `room` the runs of all layers at those heights and all cells that intersect the box
+  /// about p, inflated by the largest radius. A list, not a visitor: a loop over a run must be
+  /// inlined into a vector function, otherwise it is compiled for the baseline processor (vectors.h).
   std::span<const Run> find_runs(geom::Vec2 p, double reach, double z_low, double z_high,
                                  std::vector<Run>& room) const {
     Run* const runs = room.data();
@@ -67,29 +67,29 @@ class DiscIndex {
     });
     return {runs, count};
   }
-  /// For how many runs there has to be room.
+  /// Upper bound on the number of runs, for sizing `room`.
   std::size_t most_runs() const { return 2 * layers_.size() * torus_.side() + 1; }
-  /// True if all in layers that reach those heights is at each of them, and seen by rangers.
+  /// True if everything in layers at those heights spans them and is visible to rangers: no test per disc.
   bool is_all_seen(double z_low, double z_high) const;
-  /// True if all in layers that reach those heights is a convex polygon of few corners.
+  /// True if everything in layers at those heights is a convex polygon of few corners.
   bool is_all_convex(double z_low, double z_high) const;
-  /// What is looked at for every disc near a place, as columns in the order of discs(); kSpare more rows may
-  /// be read.
+  /// The fields read for every disc of a run as columns,
+  /// in the order of discs(); padded by kSpare rows.
   struct Places {
     std::vector<double> x, y, z_min, z_max;      // m, in W
-    std::vector<std::int32_t> units_x, units_y;  // units() of x and y
-    // Whole units of height that rangers see it within; none where they do not.
+    std::vector<std::int32_t> units_x, units_y;  // units() of x, y
+    // Height range in height_units() in which rangers see it; an empty range if they do not.
     std::vector<std::int32_t> units_low, units_high;
   };
-  /// Whole numbers that say exactly how far things are from each other, wherever in the world, up to
-  /// kFarthest: they wrap round, so only differences count.
+  /// Fixed-point coordinates: differences are exact up to kFarthest, anywhere
+  /// in the world. They wrap around, so only differences mean anything.
   static constexpr double kPerMetre = 4096, kFarthest = 5e5;
   static std::int32_t units(double x) {
     constexpr double kFar = 1e15;
     const double scaled = kPerMetre * (x > kFar ? kFar : x < -kFar ? -kFar : x);
     return static_cast<std::int32_t>(static_cast<std::int64_t>(scaled));
   }
-  /// Of heights, which do not wrap round: what is higher is never less.
+  /// Fixed-point heights: they saturate instead of wrapping, so comparisons are valid.
   static std::int32_t height_units(double z) {
     constexpr double kFar = 1 << 30;
     const double scaled = kPerMetre * z;
@@ -99,8 +99,8 @@ class DiscIndex {
   const Places& places() const { return places_; }
   const Disc* discs() const { return discs_.data(); }
 
-  /// Calls visit(disc) for everything of find_runs(). The caller tests what it needs: there may be far things
-  /// among them.
+  /// Calls visit(disc) for everything in the runs of find_runs().
+  /// Conservative: the caller has to test distance, height and visibility.
   template <typename Visit>
   void near(geom::Vec2 p, double reach, double z_low, double z_high, const Visit& visit) const {
     each_run(p, reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
@@ -119,12 +119,12 @@ class DiscIndex {
     }
   }
 
-  /// What is in a layer.
+  /// Bounds of a layer's contents.
   struct Extent {
     double z_min = 1e300, z_max = -1e300, radius_max = 0;  // m
     double z_min_last = -1e300, z_max_first = 1e300;       // m: the highest z_min, the lowest z_max
-    bool is_convex = true;                                 // all of it, and of few corners
-    bool is_seen = true;                                   // all of it, by rangers
+    bool is_convex = true;                                 // all are convex, of few corners
+    bool is_seen = true;                                   // all are visible to rangers
 
     bool reaches(double z_low, double z_high) const { return z_min <= z_high && z_low <= z_max; }
 
@@ -156,10 +156,10 @@ class DiscIndex {
   Places places_;
   std::vector<std::uint32_t> cell_;   // of unsorted_
   std::vector<std::uint32_t> first_;  // first disc of a cell (layers x cells + 1)
-  // Things are counted in blocks of consecutive rows, one for each worker where there are so many.
+  // The counting sort counts blocks of consecutive rows, one per worker for large counts.
   std::size_t blocks_ = 1;
-  std::vector<std::uint32_t> next_;  // where a block puts its next disc of a cell (blocks x layers x cells)
-  std::vector<std::uint32_t> sums_;  // of discs in a share of the cells (blocks)
+  std::vector<std::uint32_t> next_;  // next slot of a block in a cell (blocks x layers x cells)
+  std::vector<std::uint32_t> sums_;  // discs in a share of the cells, for the prefix sum (blocks)
   std::vector<Extent> extents_;      // (blocks x layers)
 };
 

@@ -8,11 +8,11 @@
 namespace playhouse::stage {
 namespace {
 
-/// A tree of more solids is left alone: each is compared with each.
+/// Larger trees are skipped: the test is quadratic.
 constexpr std::size_t kMostSolids = 256;
 
-/// A solid in the frame C of the model that carries it: the nearest above it that moves by itself, or the
-/// top.
+/// A solid in the frame C of its carrier: the nearest
+/// ancestor (or itself) that is a mover, otherwise the root.
 struct Carried {
   std::uint32_t carrier;  // row of world::Models
   Pose X_CM;
@@ -35,7 +35,7 @@ std::span<const Vec2> corners_M(const Solids& solids, std::size_t row) {
   return {solids.p_M.data() + solids.first_vertex[row], solids.p_M.data() + solids.first_vertex[row + 1] - 1};
 }
 
-/// Every corner of `inner` is on the left of every edge of `outer`, by more than kMargin.
+/// True if every corner of `inner` is inside every edge of `outer` by more than kMargin.
 bool is_within(const Solids& solids, std::size_t inner, const Carried& of_inner, std::size_t outer,
                const Carried& of_outer) {
   const Pose X_OI = geom::compose(geom::inverse(of_outer.X_CM), of_inner.X_CM);
@@ -56,7 +56,7 @@ bool can_enclose(const Solids& solids, std::size_t row) {
   return solids.convex[row] != 0 && solids.full[row] != 0 && corners_M(solids, row).size() <= kConvexCorners;
 }
 
-/// How much of the height of `inner`, from below, is within `outer`.  [m]
+/// Height of the part of `inner`, from its bottom, that is within `outer`; kAll if all of it.  [m]
 double enclosed_by(const Solids& solids, std::size_t inner, const Carried& in, std::size_t outer,
                    const Carried& out) {
   const Vec2 apart = in.center - out.center;

@@ -9,7 +9,7 @@
 namespace playhouse::stage {
 namespace {
 
-/// Says that a file asks for what cameras of this engine do not show.
+/// Warns of scene features that cameras of this engine do not render.
 void tell_of_unseen_weather(const scene::SceneDesc& scene) {
   const scene::WorldDesc none;
   const bool has_sun = scene.sun_heading != none.sun_heading || scene.sun_elevation != none.sun_elevation ||
@@ -23,7 +23,7 @@ void tell_of_unseen_weather(const scene::SceneDesc& scene) {
         scene.path);
 }
 
-/// What a file says of shapes that are flat here: one line, for the first.
+/// Notes once that meshes are flattened to outlines in this engine.
 void tell_of_meshes(const scene::SceneDesc& scene) {
   const auto first =
       std::ranges::find_if(scene.models, [](const scene::ModelDesc& model) { return model.mesh != nullptr; });

@@ -17,8 +17,8 @@ struct EngineOptions {
   unsigned workers = 1;  // threads; the result does not depend on it
 };
 
-/// An engine at tick 0. The scene must outlive it. Fails on a scene that no engine can run (an interval that
-/// is not positive, a kind without its description, numbers that are not finite).
+/// An engine at tick 0. The scene must outlive it. Fails on a scene that no engine can run (check_scene.h).
+/// Thread: `workers` threads run inside a tick; calls come from one thread.
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
                                                    const EngineOptions& options);
 

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Fuzzing of engines. Any world that loads, within small limits, runs for some ticks: the text of the world
-/// file, a NUL, and what is asked of its models between ticks. Places stay finite and ranges stay between 0
-/// and what the sensor reaches.
+/// Fuzzing of engines. Any world that loads, within small limits, runs for some
+/// ticks. Input: the text of the world file, a NUL, commands between ticks.
+/// Checked: poses stay finite, ranges within 0 and the sensor's maximum.
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,7 @@ inline void expect_sense(const world::World& world) {
   }
 }
 
-/// `make(scene)` makes the engine.
+/// `make(scene)` returns a Result of an engine.
 template <typename Make>
 void run(const Make& make, const std::string& text, FuzzScript script) {
   scene::MemoryFiles files({{"w/plan", "P1 4 3 1111 1001 1101"}});

@@ -59,7 +59,7 @@ void Headroom::begin(double others) {
 
 void Headroom::measure(std::uint32_t tree, Vec2 p, double way, const Solids& solids, const DiscIndex& index,
                        const Walls& walls) {
-  constexpr double kTicks = 12;  // as many ticks are worth one look
+  constexpr double kTicks = 12;  // search radius, in ticks of motion: how long a query may last
   const double radius = radius_[tree];
   double room = kTicks * (way + others_);
   index.near(p, radius + room, -kFar, kFar, [&](const DiscIndex::Disc& disc) {

@@ -1,12 +1,12 @@
 #pragma once
 
-/// Headroom: how far a tree may go before anything could touch it, measured seldom and used up tick by tick.
-/// While some is left its motion cannot be blocked, whatever the outlines are.
+/// Headroom: a bound on how far a tree can move before anything could touch it, measured rarely and consumed
+/// tick by tick. While it lasts, the tree's motion needs no collision test, whatever the outlines are.
 ///
-/// In: the ways of trees in each tick; where solids are, when headroom is measured.
-/// Out: the trees that meet nothing in this tick. It says so only of trees that are free; which others it
-///   recognises depends on when it measured, and no result does.
-/// Cost: a subtraction for each tree that moves; a look into the index and the walls where headroom ran out.
+/// In: the displacements of trees in each tick; the places of solids when headroom is measured.
+/// Out: the trees that certainly hit nothing in this tick. Conservative: which free trees are recognised
+///   depends on when headroom was measured, but results of the simulation do not.
+/// Cost: a subtraction per moving tree; a query of the index and the walls when headroom is used up.
 
 #include <cstdint>
 #include <vector>
@@ -20,24 +20,24 @@ namespace playhouse::stage {
 class Headroom {
  public:
   void populate(const Trees& trees, const Solids& solids, const world::Models& models);
-  /// A tree was put elsewhere: nobody's headroom is known any more.
+  /// A tree was teleported: invalidates the headroom of all trees.
   void replaced(const Trees& trees, std::uint32_t tree, const Solids& solids, const world::Models& models);
 
-  /// The tree moves as a whole, by its top: only such a tree has headroom.
+  /// True if the tree moves as one rigid body, by its root: only such a tree has headroom.
   bool is_rigid(std::uint32_t tree) const { return rigid_[tree] != 0; }
-  /// No centre of its solids is further from the origin of its top. [m]
+  /// Upper bound on the distance from the origin of the root to the center of any solid. [m]
   double arm(std::uint32_t tree) const { return arm_[tree]; }
 
-  /// A tick begins in which no centre of a solid moves by more than `others`. [m]
+  /// Begins a tick in which no center of a solid moves by more than `others`. [m]
   void begin(double others);
-  /// Uses up what a rigid tree needs whose top goes `way` in this tick. True if there was so much: it meets
-  /// nothing, and nothing comes to where it was or will be.  [m]
+  /// Consumes the headroom of a rigid tree whose root is displaced by `way` in this tick.
+  /// True if enough was left: nothing can touch it at its old place or its new one. [m]
   bool spend(std::uint32_t tree, double way) {
     until_[tree] -= way;
     return until_[tree] > drift_;
   }
-  /// Measures the headroom of a tree as this tick began, for spend() to be asked again. `index` has the
-  /// solids that can move where they were then, the top of the tree was at p.
+  /// Measures the headroom of a tree at the start of this tick, for another spend().
+  /// `index` has the movable solids at that time; p is the root's position then.
   void measure(std::uint32_t tree, Vec2 p, double way, const Solids& solids, const DiscIndex& index,
                const Walls& walls);
 
@@ -46,11 +46,11 @@ class Headroom {
                      const world::Models& models);
 
   std::vector<std::uint8_t> rigid_;   // (trees)
-  std::vector<double> arm_, radius_;  // about the top's origin: centres, and all that blocks [m] (trees)
+  std::vector<double> arm_, radius_;  // bounds about the root's origin: of centers, of all that blocks [m]
   std::vector<std::uint32_t> root_;   // (trees)
-  std::vector<double> until_;         // value of drift_ at which there is none left  [m] (trees)
-  double drift_ = 0, others_ = 0;     // m: what others can have come nearer since the run began, and now
-  bool walls_block_ = false;          // something that stands still is in the way of motion
+  std::vector<double> until_;         // value of drift_ at which it is used up  [m] (trees)
+  double drift_ = 0, others_ = 0;     // m: approach of others at most, since the start and in this tick
+  bool walls_block_ = false;          // some static solid is an obstacle
 };
 
 }  // namespace playhouse::stage

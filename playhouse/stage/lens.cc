@@ -8,10 +8,10 @@ namespace {
 
 using geom::Rotation;
 
-/// Directions nearer to the horizon, or to the vertical, than this are taken for a bit off it.
+/// Directions closer than this to the horizon or the vertical are moved away from it.
 constexpr double kLeast = 1e-9;
 
-/// The direction of a pixel, by its distance 1 along the way the camera looks.
+/// The direction of a pixel, scaled to depth 1 along the optical axis.
 struct Sight {
   double ahead, left, up;
 };
@@ -40,7 +40,7 @@ class Image {
   Rotation tilt_;
 };
 
-/// Puts pixels into the slices `slice_of(row, column)`, in the order of the image.
+/// Assigns pixels to the slices `slice_of(row, column)`, in image order (counting sort).
 template <typename SliceOf>
 void sort_into_slices(const Image& image, const scene::CameraDesc& camera, const SliceOf& slice_of,
                       Lens& lens) {
@@ -76,7 +76,7 @@ void sort_into_slices(const Image& image, const scene::CameraDesc& camera, const
   });
 }
 
-/// One slice for each column.
+/// One slice per column, for a level camera.
 void slice_columns(const Image& image, const scene::CameraDesc& camera, Lens& lens) {
   for (std::uint32_t column = 0; column < image.width; ++column) {
     const Sight sight = image.sight(0, column);
@@ -87,7 +87,7 @@ void slice_columns(const Image& image, const scene::CameraDesc& camera, Lens& le
       image, camera, [](std::uint32_t, std::uint32_t column) { return column; }, lens);
 }
 
-/// Slices at equal angles over all bearings that pixels have.
+/// Slices at equal angles over the range of bearings of all pixels.
 void slice_bearings(const Image& image, double zoom, const scene::CameraDesc& camera, Lens& lens) {
   std::vector<double> bearing;
   for (std::uint32_t row = 0; row < image.height; ++row)
@@ -111,7 +111,7 @@ void slice_bearings(const Image& image, double zoom, const scene::CameraDesc& ca
 }  // namespace
 
 Lens make_lens(const scene::CameraDesc& camera, double tilt, double zoom) {
-  // A damaged saved run may hold any number.
+  // Values come from a loaded state, which may be corrupt.
   if (!(std::fabs(tilt) <= 1e5)) tilt = 0;
   if (!(zoom > 0 && zoom < geom::kPi)) zoom = camera.fov_horizontal;
   const Image image(camera, tilt, zoom);

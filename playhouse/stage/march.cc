@@ -8,7 +8,7 @@
 namespace playhouse::stage {
 namespace {
 
-/// The whole numbers at or below v.
+/// Floor of each lane.
 PLAYHOUSE_INLINE void floor_of(Eight& v) {
   float lane[kEight];
   store(lane, v);
@@ -16,21 +16,21 @@ PLAYHOUSE_INLINE void floor_of(Eight& v) {
   load(v, lane);
 }
 
-/// Rays in lanes: lengths in cells from a base cell, mirrored so that every ray goes right and up.
+/// Rays in lanes: lengths in cells relative to a base cell, mirrored so that all rays go in +x, +y.
 struct Lanes {
   static constexpr std::size_t kMost = Rays::kRoom;
 
   float x[kMost], y[kMost];            // origins
   float step_x[kMost], step_y[kMost];  // per metre along the ray
   float per_x[kMost], per_y[kMost];    // metres along the ray per cell; huge for a ray across that axis
-  float cell_x[kMost], cell_y[kMost];  // whole numbers: where the rays are
+  float cell_x[kMost], cell_y[kMost];  // whole numbers: current cells of the rays
   float range[kMost];                  // m, of the rays
-  std::int32_t flip_x[kMost], flip_y[kMost];  // -1 where mirrored: ~c is the cell that c was
+  std::int32_t flip_x[kMost], flip_y[kMost];  // -1 if mirrored: ~c is the original cell index
   std::int32_t base_x[kMost], base_y[kMost];  // of the torus
   std::int32_t quadrant[kMost];
-  std::int32_t place[kMost];  // 4 * index of the cell + quadrant; -1 where a ray has ended
-  std::int32_t hop[kMost];    // cells that they may cross at once
-  std::uint32_t ray[kMost];   // whose lane it is
+  std::int32_t place[kMost];  // 4 * cell index + quadrant; -1 once a ray has ended
+  std::int32_t hop[kMost];    // empty cells that can be skipped
+  std::uint32_t ray[kMost];   // index of the ray in this lane
 
   void copy(std::size_t from, std::size_t to) {
     for (float* column : {x, y, step_x, step_y, per_x, per_y, cell_x, cell_y, range})
@@ -40,7 +40,7 @@ struct Lanes {
   }
 };
 
-/// Where the rays of a part start, not mirrored yet.
+/// Sets the origins of the rays of a part, not mirrored yet.
 PLAYHOUSE_INLINE void put_origins(const Rays& rays, const Rays::Part& part, const Torus& torus,
                                   Lanes& lanes) {
   const double cell = torus.cell(), per_metre = 1.0 / cell;
@@ -56,7 +56,7 @@ PLAYHOUSE_INLINE void put_origins(const Rays& rays, const Rays::Part& part, cons
   }
 }
 
-/// Mirrors one axis of a ray that starts at *x and goes along d.
+/// Mirrors one axis of a ray with origin *x and direction component d.
 PLAYHOUSE_INLINE std::int32_t put_axis(double d, float cell, float per_metre, float* x, float* step,
                                        float* per) {
   constexpr float kNever = 1e30f;
@@ -82,7 +82,7 @@ PLAYHOUSE_INLINE void put_directions(const Rays& rays, const Torus& torus, Lanes
   }
 }
 
-/// Lanes of rays that are where edges are, and how many rays have not ended.
+/// Lanes whose current cell has edges, and the number of active rays.
 struct Found {
   std::uint32_t touch[Lanes::kMost];
   std::size_t touches = 0;
@@ -93,7 +93,7 @@ struct Found {
   }
 };
 
-/// Finds the place of eight rays from their cells, which they enter at t, and what is there.  [m]
+/// Looks up the cells of eight rays, entered at t: which have edges, which are empty.  [m]
 PLAYHOUSE_INLINE void look(const Torus& torus, const std::uint8_t* clearances, std::size_t k,
                            const Eight& cell_x, const Eight& cell_y, const Eight& t, Lanes& lanes,
                            Found& found) {
@@ -132,7 +132,7 @@ PLAYHOUSE_INLINE void begin(const Walls& walls, std::size_t count, Lanes& lanes,
   }
 }
 
-/// Moves the rays to where they leave the square of their hop.
+/// Advances the rays to where they leave their empty square.
 PLAYHOUSE_INLINE void advance(const Walls& walls, std::size_t count, Lanes& lanes, Found& found) {
   for (std::size_t k = 0; k < count; k += kEight) {
     Eight x, y, step_x, step_y, per_x, per_y, cell_x, cell_y;
@@ -154,14 +154,14 @@ PLAYHOUSE_INLINE void advance(const Walls& walls, std::size_t count, Lanes& lane
     Eight beside_x = x + t * step_x, beside_y = y + t * step_y;
     floor_of(beside_x);
     floor_of(beside_y);
-    beside_x = beside_x < cell_x ? cell_x : beside_x;  // rounding must not take it back
+    beside_x = beside_x < cell_x ? cell_x : beside_x;  // keeps progress monotonic despite rounding
     beside_y = beside_y < cell_y ? cell_y : beside_y;
     look(walls.torus(), walls.clearances(), k, t_x < t_y ? next_x : beside_x, t_x < t_y ? beside_y : next_y,
          t, lanes, found);
   }
 }
 
-/// Moves the `on` rays that go on to the front.
+/// Compacts the `on` active rays to the front.
 PLAYHOUSE_INLINE void close_up(std::size_t on, std::size_t used, Lanes& lanes) {
   std::uint32_t free[Lanes::kMost], late[Lanes::kMost];
   std::size_t gaps = 0, moves = 0;
@@ -176,7 +176,7 @@ PLAYHOUSE_INLINE void close_up(std::size_t on, std::size_t used, Lanes& lanes) {
   for (std::size_t i = 0; i < moves; ++i) lanes.copy(late[i], free[i]);
 }
 
-/// Fills the last eight lanes up with a ray that has ended.
+/// Pads the last vector with an ended ray.
 PLAYHOUSE_INLINE void fill_up(std::size_t count, Lanes& lanes) {
   for (std::size_t k = count; k % kEight != 0; ++k) {
     lanes.copy(0, k);
@@ -184,7 +184,7 @@ PLAYHOUSE_INLINE void fill_up(std::size_t count, Lanes& lanes) {
   }
 }
 
-/// The distance at which a ray meets the first of the edges, one after the other.
+/// The distance at which a ray hits the nearest edge of a group, scalar.
 [[gnu::noinline]] double edges_alone(const Walls::Group& group, Vec2 p, Vec2 d) {
   double first = kMiss;
   for (std::uint32_t i = 0; i < group.count; ++i)
@@ -192,7 +192,7 @@ PLAYHOUSE_INLINE void fill_up(std::size_t count, Lanes& lanes) {
   return first;
 }
 
-/// Keeps the first of what is known about ray k and the edges, without those that it sees edge-on.
+/// Shortens ray k by its hits with a group, except edges seen edge-on: those are left to the scalar path.
 /// Branch-free: hits are unpredictable.
 PLAYHOUSE_INLINE void meet(const Walls::Group& group, std::size_t k, FourTruths& edge_on, Rays& rays) {
   const double px = rays.px[k], py = rays.py[k];
@@ -210,7 +210,7 @@ PLAYHOUSE_INLINE void meet(const Walls::Group& group, std::size_t k, FourTruths&
   keep_first_alone(t[0], number_of(group.solid), rays.range[k], rays.solid[k]);
 }
 
-/// Calls meet(group, k) for the rays that are where edges are, and shortens them.
+/// Calls meet(group, k) for every ray in a cell with edges, and updates its range.
 template <typename Meet>
 PLAYHOUSE_INLINE void each_touch(const Walls& walls, Observers by, const Found& found, const Rays& rays,
                                  Lanes& lanes, const Meet& meet) {

@@ -1,19 +1,19 @@
 #pragma once
 
-/// March: many rays through the cells of the walls, all a step at a time, so that no ray waits for another's
-/// memory and the arithmetic is done in vectors. Which cells a ray crosses is worked out in single precision:
-/// over kFarthestMarch cells that errs by less than the border by which edges are listed in neighbouring
-/// cells, so that none is missed. Where an edge is met is exact.
+/// March: traverses the wall grid with many rays in step (DDA), which hides memory
+/// latency and vectorises the arithmetic. Cells along a ray are found in single
+/// precision: over kFarthestMarch cells the error stays below Walls::kBorder, within
+/// which edges are also listed in neighbouring cells, so none is missed. Hits are exact.
 
 #include "playhouse/stage/rays.h"
 #include "playhouse/stage/walls.h"
 
 namespace playhouse::stage {
 
-/// Rays that reach further go one by one.  [cells]
+/// Longer rays are traced one by one.  [cells]
 inline constexpr double kFarthestMarch = 8192;
 
-/// Shortens the rays to the walls that they meet, of those that these observers see.
+/// Shortens the rays to their nearest wall hits, among walls that these observers see.
 void march(const Walls& walls, Observers by, Rays& rays);
 
 }  // namespace playhouse::stage

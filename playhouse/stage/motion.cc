@@ -10,7 +10,7 @@
 namespace playhouse::stage {
 namespace {
 
-constexpr double kRounding = 1e-9;  // m; deeper by less than this is not deeper
+constexpr double kRounding = 1e-9;  // m; tolerance for a deeper penetration
 
 bool is_moving(const world::World& world, const Mover& mover) {
   return with_move(mover.kind, [&](auto move) { return move.is_moving(world, mover.part); });
@@ -24,7 +24,7 @@ struct Heights {
   double z_min, z_max;  // m
 };
 
-/// Where a mover whose pose is X_PM would be after this tick.
+/// The pose of a mover after this tick; X_PM is the present one.
 Pose moved_by(const world::World& world, const Mover& mover, const Pose& X_PM) {
   const double dt = world.scene().interval;
   return with_move(mover.kind, [&](auto move) { return move.after(world, mover.part, X_PM, dt); });
@@ -45,7 +45,7 @@ Outline outline_at(const Solids& solids, std::size_t row, Vec2 center, const Vec
   return {{p, vertices}, center, solids.convex[row] != 0};
 }
 
-/// Of a solid of a tree whose first is `first`.
+/// Height range of a solid in a configuration; `first` is its tree's first solid.
 Heights heights_in(const Solids& solids, std::size_t row, const TreeShape& shape, std::size_t first) {
   if (shape.z.empty()) return {solids.z_min[row], solids.z_max[row]};
   const double z = shape.z[row - first];
@@ -104,7 +104,7 @@ void Motion::populate(const Trees& trees, const Solids& solids, const world::Mod
     sweep.near.clear();
     sweep.near.reserve(solids.moving());
     sweep.conflicts.clear();
-    sweep.conflicts.reserve(8 * trees.size());  // what few workers meet is met by one
+    sweep.conflicts.reserve(8 * trees.size());  // work is unevenly shared: one sweep may get it all
   }
   moved_.resize(trees.movers.size());
   rotation_.resize(trees.size());
@@ -119,7 +119,7 @@ void Motion::add_parents(std::span<const std::uint32_t> rows, const world::Model
   for (std::size_t i = 0; i < rows.size(); ++i) is_run = is_run && rows[i] == rows[0] + i;
   if (is_run) return;
   first_parent_[tree] = static_cast<std::uint32_t>(parent_.size());
-  std::map<std::uint32_t, std::uint32_t> place;  // of a model in its tree
+  std::map<std::uint32_t, std::uint32_t> place;  // of a model: its row in its tree
   for (const std::uint32_t row : rows) {
     parent_.push_back(place.empty() ? 0 : place.at(models.parent[row]));
     place.emplace(row, static_cast<std::uint32_t>(place.size()));
@@ -137,7 +137,7 @@ TreeShape Motion::proposal(const Solids& solids, std::uint32_t tree, Sweep& swee
           {z_.data() + place_of(solid), lifts_[tree] ? last - solid : 0}};
 }
 
-/// The tree after `fraction` of this tick's motion.
+/// The configuration of a tree after `fraction` of this tick's motion.
 void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fraction,
                       const TreeShape& out) const {
   const world::Models& models = in.world.models;
@@ -178,7 +178,7 @@ void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fractio
   }
 }
 
-/// Of a rigid tree, only where its top would be: that says how far its solids can come to be.
+/// For a rigid tree only its root pose, enough to bound the displacement of its solids.
 void Motion::propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
   proposes_[tree] = stalls_[tree] = lifts_[tree] = free_[tree] = 0;
   reach_[tree] = 0;
@@ -210,7 +210,7 @@ TreeShape Motion::propose_shape(const Surroundings& in, std::uint32_t tree, Swee
   return shape;
 }
 
-/// Of a rigid tree that may meet something, the whole proposal.
+/// Completes the proposal of a rigid tree without headroom.
 void Motion::propose_rest(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
   if (!headroom_.is_rigid(tree) || lifts_[tree]) return;
   const double way = way_[tree];
@@ -226,13 +226,13 @@ void Motion::propose_rest(const Surroundings& in, std::uint32_t tree, Sweep& swe
     propose_shape(in, tree, sweep);
 }
 
-/// Steps so short that nothing is jumped: each moves no solid by more than half its width.
+/// Number of substeps such that no solid moves by more than half its width per substep: no tunnelling.
 unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
   const double dt = in.world.scene().interval;
   double turn = 0;
   for (const Mover& mover : movers_of(tree))
     turn += with_move(mover.kind, [&](auto move) { return move.turn_rate(in.world, mover.part); }) * dt;
-  // What a joint swings round in a tick may come near to where it was.
+  // A full turn of a joint in a tick has a large path but a small displacement.
   const auto swing = [&](Vec2 center) {
     double way = 0;
     for (const Mover& mover : movers_of(tree))
@@ -252,7 +252,7 @@ unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
   return static_cast<unsigned>(std::ceil(std::min(steps, static_cast<double>(limits::kMotionSteps))));
 }
 
-/// True if the outline reaches deeper into a wall than it did.
+/// True if the outline penetrates a wall deeper than before.
 bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const {
   const double radius = in.solids.radius[solid];
   const Vec2 center = then.outline.center;
@@ -270,7 +270,7 @@ bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Body& n
   return met;
 }
 
-/// True if a solid that rises or sinks comes into a block that stands still, whose outline may be far.
+/// True if a solid that rises or sinks enters a static block, even if it crosses none of its edges.
 bool Motion::meets_inside(const Surroundings& in, std::size_t solid, const Body& now,
                           const Body& then) const {
   const Solids& solids = in.solids;
@@ -292,8 +292,8 @@ bool Motion::Sweep::add(Conflict conflict) {
   return false;
 }
 
-/// True if the outline overlaps another tree's solid wherever that may come to be. Where it depends on
-/// whether that tree moves, that is a conflict. Two that overlap already may part.
+/// True if the outline overlaps a solid of another tree at all of that tree's possible
+/// places; if only at some, adds a conflict. Trees that overlap already may separate.
 bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Body& now, const Body& then,
                          std::size_t other, Sweep& sweep) const {
   const double reach = in.solids.radius[solid] + in.solids.radius[other];
@@ -311,7 +311,7 @@ bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Body& 
   return sweep.add({tree, meets_then});
 }
 
-/// The solids of other trees that a shape, all of which is within a circle, may meet.
+/// Broad phase: collects solids of other trees near a configuration within its bounding circle.
 void Motion::gather(const Surroundings& in, std::uint32_t tree, const Circle& all, Sweep& sweep) const {
   const std::uint32_t root = trees_->root[tree];
   const double reach = all.radius + reach_max_;
@@ -354,7 +354,7 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
     if (!shape.z.empty() && meets_inside(in, row, now, then)) return true;
     if (near_walls && meets_wall(in, row, now, then)) return true;
     const double reach = solids.radius[row] + reach_max_;
-    // Heights, like places, are those before this tick.
+    // Heights, like places, in the index are those before this tick.
     const Heights near{then.z_min - rise_max_, then.z_max + rise_max_};
     for (const DiscIndex::Disc* const disc : sweep.near)
       if (distance(disc->center, then.outline.center) < disc->radius + reach && z_overlaps(near, *disc) &&
@@ -364,7 +364,7 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
   return false;
 }
 
-/// True if the way of a tree is blocked whatever the trees before it do; else `sweep` has its conflicts.
+/// True if the way is blocked whatever earlier trees do; otherwise its conflicts are in `sweep`.
 bool Motion::is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
   const unsigned steps = steps_of(in, tree);
   const TreeShape last = proposal(in.solids, tree, sweep);
@@ -390,7 +390,7 @@ void Motion::follow(const Surroundings& in, std::uint32_t tree, std::uint32_t wo
                       static_cast<std::uint32_t>(sweep.conflicts.size())};
 }
 
-/// In row order, so that what a tree before this one does is known.
+/// Resolves conflicts in row order, so that the outcome for earlier trees is known.
 void Motion::decide() {
   for (std::size_t tree = 0; tree < trees_->size(); ++tree) {
     if (!proposes_[tree]) continue;
@@ -403,7 +403,7 @@ void Motion::decide() {
   }
 }
 
-/// Computes again where the parts of the proposal are: most memory would be theirs otherwise.
+/// Recomputes the poses of the tree's models instead of storing them: saves most of the proposal's memory.
 void Motion::put(world::Models& models, Solids& solids, std::uint32_t tree) const {
   const std::uint32_t first = trees_->first_model[tree];
   for (std::uint32_t i = trees_->first_mover[tree]; i < trees_->first_mover[tree + 1]; ++i)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// ActuatorMove: how an actuator moves itself and what it carries (motion.h). Rows are of world::Actuators.
+/// ActuatorMove: kinematics of an actuator and what it carries (motion.h). Rows are of world::Actuators.
 
 #include <cmath>
 
@@ -30,7 +30,7 @@ struct ActuatorMove {
     const bool turns = desc_of(world, actuator).type == scene::ActuatorType::kRotational;
     return turns ? std::fabs(world.actuators.velocity[actuator]) : 0;
   }
-  /// The speed of a point that it turns about an axis that may be far. [m/s]
+  /// The linear speed of a point due to the rotation, which matters for points far from the axis. [m/s]
   static double swing(const world::World& world, std::uint32_t actuator, geom::Vec2 p_W) {
     const geom::Vec2 arm = p_W - world.models.X_WM[world.actuators.model[actuator].index].xy();
     return turn_rate(world, actuator) * std::sqrt(geom::dot(arm, arm));

@@ -1,7 +1,7 @@
 #pragma once
 
-/// CustomMove: how the velocity that its library gives it moves a custom model and what is on it (motion.h).
-/// Rows are of world::Customs.
+/// CustomMove: kinematics of a custom model, by the velocity
+/// that its library sets (motion.h). Rows are of world::Customs.
 
 #include <cmath>
 
@@ -22,7 +22,7 @@ struct CustomMove {
   static double turn_rate(const world::World& world, std::uint32_t custom) {
     return std::fabs(velocity_of(world, custom).a);
   }
-  /// The speed of a point that it turns about its own frame, which may be far. [m/s]
+  /// The linear speed of a point due to the rotation about the model's frame. [m/s]
   static double swing(const world::World& world, std::uint32_t custom, geom::Vec2 p_W) {
     const geom::Vec2 arm = p_W - world.models.X_WM[world.customs.model[custom].index].xy();
     return turn_rate(world, custom) * std::sqrt(geom::dot(arm, arm));

@@ -1,6 +1,6 @@
 #pragma once
 
-/// PositionMove: how the wheels of a robot move it (motion.h). Rows are of world::Positions.
+/// PositionMove: kinematics of a robot base (motion.h). Rows are of world::Positions.
 
 #include <cmath>
 
@@ -8,7 +8,7 @@
 
 namespace playhouse::stage {
 
-/// Where a body driving at `velocity` is after `dt`: straight along its first heading, turned at the end.
+/// Explicit Euler step over `dt`: translates along the initial heading, then turns.
 inline geom::Pose driven(const geom::Pose& X_PM, const geom::Twist& velocity, double dt) {
   const geom::Vec2 p = geom::Rotation::of(X_PM.a) * geom::Vec2{velocity.x * dt, velocity.y * dt};
   return {X_PM.x + p.x, X_PM.y + p.y, X_PM.z, geom::normalize(X_PM.a + velocity.a * dt)};
@@ -23,7 +23,7 @@ struct PositionMove {
   static double turn_rate(const world::World& world, std::uint32_t robot) {
     return std::fabs(world.positions.velocity[robot].a);
   }
-  /// Wheels turn it about itself.
+  /// Its base turns about its own frame.
   static double swing(const world::World&, std::uint32_t, geom::Vec2) { return 0; }
   static geom::Pose after(const world::World& world, std::uint32_t robot, const geom::Pose& X_PM, double dt) {
     return driven(X_PM, world.positions.velocity[robot], dt);
@@ -32,7 +32,7 @@ struct PositionMove {
     world.positions.stall[robot] = stalls;
   }
 
-  /// What the robot believes after it has moved. Wheels of a stalled robot do not turn.
+  /// Updates odometry after a move. Wheels of a stalled robot do not turn, so it is not called for those.
   static void arrive(world::World& world, std::uint32_t robot) {
     world::Positions& positions = world.positions;
     const world::ModelRow model = positions.model[robot];

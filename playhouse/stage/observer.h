@@ -1,7 +1,7 @@
 #pragma once
 
-/// Who sees what: one bit of a solid for each kind of observer. A property of a model is looked up once, when
-/// its solids are made; whoever looks, or is in the way, tests the bit.
+/// Visibility masks: one bit of a solid for each kind of observer. A model's
+/// properties are looked up once, when its solids are made; queries test the bit.
 
 #include <cstdint>
 
@@ -10,18 +10,18 @@
 namespace playhouse::stage {
 
 enum class Observer : std::uint8_t {
-  kMotion,  // what drives: it is an obstacle
+  kMotion,  // motion: it is an obstacle
   kRanger,
-  kFiducial,  // a finder's line of sight ends there
-  kImage,     // cameras, that of a blobfinder too
+  kFiducial,  // it blocks a finder's line of sight
+  kImage,     // cameras and blobfinders
   kGripper,   // it can be lifted
   kBumper,    // it presses the switches of a bumper
-  kLight,     // light ends there
-  kRadio,     // radio waves get weaker there
+  kLight,     // it blocks light
+  kRadio,     // it attenuates radio
   kCount
 };
 
-/// Bits of observers.
+/// A mask of observers.
 using Observers = std::uint8_t;
 static_assert(static_cast<unsigned>(Observer::kCount) <= 8 * sizeof(Observers), "one more needs wider bits");
 
@@ -29,7 +29,7 @@ constexpr Observers bit(Observer observer) {
   return static_cast<Observers>(1u << static_cast<unsigned>(observer));
 }
 
-/// Who sees the solids of a model.
+/// The visibility mask of a model's solids.
 inline Observers observers_of(const scene::ModelDesc& model) {
   unsigned all = bit(Observer::kFiducial) | bit(Observer::kImage) | bit(Observer::kBumper) |
                  bit(Observer::kLight) | bit(Observer::kRadio);

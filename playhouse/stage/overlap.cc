@@ -9,7 +9,7 @@ namespace {
 
 using geom::Vec2;
 
-constexpr double kLength = 1e-9;  // m; shorter pieces are rounding
+constexpr double kLength = 1e-9;  // m; shorter pieces are rounding noise
 
 double length(Vec2 v) {
   return std::sqrt(geom::dot(v, v));
@@ -19,8 +19,8 @@ Vec2 corner_after(std::span<const Vec2> polygon, std::size_t i) {
   return polygon[i + 1 < polygon.size() ? i + 1 : 0];
 }
 
-/// Distance of p to the left of each edge, less kTouch, keeps the part [from, to] of the segment
-/// (Cyrus-Beck).
+/// Clips the segment to [from, to] against each
+/// edge, moved inwards by kTouch (Cyrus-Beck).
 double length_inside_convex(std::span<const Vec2> polygon, Vec2 a, Vec2 b) {
   double from = 0, to = 1;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -57,7 +57,7 @@ bool is_inside_any(std::span<const Vec2> polygon, Vec2 p) {
   return odd;
 }
 
-/// Where the segment a-b next meets the outline after `from`, or its end; both as a share of it.
+/// The parameter of the next intersection of the segment a-b with the outline after `from`; 1 if none.
 double next_cut(std::span<const Vec2> polygon, Vec2 a, Vec2 b, double from) {
   const Vec2 d = b - a;
   double next = 1;
@@ -71,7 +71,7 @@ double next_cut(std::span<const Vec2> polygon, Vec2 a, Vec2 b, double from) {
   return next;
 }
 
-/// Adds the pieces between two cuts whose middle is inside.
+/// Sums the pieces between intersections whose midpoint is inside.
 double length_inside_any(std::span<const Vec2> polygon, Vec2 a, Vec2 b) {
   const Vec2 d = b - a;
   double inside = 0;
@@ -89,7 +89,7 @@ bool outline_enters(const Outline& polygon, const Outline& other) {
   return false;
 }
 
-/// Whether a-b and c-d cross, each in its inside.
+/// True if the segments a-b and c-d properly intersect.
 bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const auto on_both_sides = [](Vec2 from, Vec2 to, Vec2 p, Vec2 q) {
     return (geom::cross(to - from, p - from) > 0) != (geom::cross(to - from, q - from) > 0);

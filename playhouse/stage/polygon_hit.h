@@ -1,7 +1,7 @@
 #pragma once
 
-/// Where a ray meets the outline of a polygon, four edges at a time; the rule is that of ray_edge.h.
-/// Polygons are those of Solids: the first corner again at the end, and Solids::kSpare more to read.
+/// Ray-polygon intersection, four edges at a time, by the rule of ray_edge.h. Polygons
+/// are those of Solids: closed by their first corner, padded by Solids::kSpare.
 
 #include <algorithm>
 
@@ -12,8 +12,8 @@ namespace playhouse::stage {
 
 static_assert(Solids::kSpare >= kConvexCorners);
 
-/// Four corners from `corner` on, relative to p: the first, the third, the second, the fourth, which spares
-/// the processor putting them in order.
+/// Four corners from `corner` on, relative to p, in the
+/// order 0, 2, 1, 3: loading them that way saves a shuffle.
 struct Corners {
   static constexpr Four kNumber = {0, 2, 1, 3};
   Four u, v;
@@ -25,13 +25,13 @@ struct Corners {
     u = __builtin_shufflevector(first, second, 0, 4, 2, 6) - p.x;
     v = __builtin_shufflevector(first, second, 1, 5, 3, 7) - p.y;
   }
-  /// Puts numbers of the corners in the order of the polygon.
+  /// Stores numbers of the corners in polygon order.
   PLAYHOUSE_INLINE static void store_in_order(const Four& numbers, double* to) {
     store(to, Four(__builtin_shufflevector(numbers, numbers, 0, 2, 1, 3)));
   }
 };
 
-/// The first of all edges that the ray from p along d meets, one after the other.
+/// The nearest hit of the ray from p along d among all edges, scalar.
 [[gnu::noinline]] inline double polygon_hit_alone(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d) {
   double first = kMiss;
   for (std::size_t i = 0; i < corners; ++i)
@@ -39,7 +39,7 @@ struct Corners {
   return first;
 }
 
-/// The first of all edges that the ray from p along d meets, as a part of the caller.
+/// The same in vectors, inlined; falls back to the scalar version if any edge is seen edge-on.
 PLAYHOUSE_INLINE double polygon_hit_here(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d) {
   const Four number = Corners::kNumber;
   Four best = {kMiss, kMiss, kMiss, kMiss};
@@ -55,8 +55,8 @@ PLAYHOUSE_INLINE double polygon_hit_here(const Vec2* polygon, std::size_t corner
   return std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
 }
 
-/// Where the ray enters a convex polygon: below 0 if that is behind p or by an edge that is seen edge-on, not
-/// a number if it passes by. It crosses one edge inwards, which spares the other divisions.
+/// The distance at which the ray enters a convex polygon: negative if behind p or by an edge
+/// seen edge-on, NaN if it misses. A ray enters by at most one edge, so one division serves all.
 PLAYHOUSE_INLINE double entry(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d) {
   const Four number = Corners::kNumber, none = {0, 0, 0, 0};
   Four areas = none, slopes = none;
@@ -75,20 +75,20 @@ PLAYHOUSE_INLINE double entry(const Vec2* polygon, std::size_t corners, Vec2 p, 
   return (((only < 0) & (only > -kEdgeOn)) ? -1 : t)[0];
 }
 
-/// entry() where it is known that the ray enters by the edge from w0 to w1.
+/// entry() for a known entry edge from w0 to w1.
 PLAYHOUSE_INLINE double enter(Vec2 w0, Vec2 w1, Vec2 d) {
   const Crossing<double> ends({d.x, d.y, w0.x, w0.y}, {d.x, d.y, w1.x, w1.y});
   const double area = 0.0 + geom::cross(w0, w1);  // +0 of -0, as a sum gives
   return ends.slope > -kEdgeOn ? -1 : area / ends.slope;
 }
 
-/// Where the ray from p along d meets a body of a tree that moves; kMiss or not a number if it does not.
+/// Distance at which the ray from p along d hits a movable body; kMiss or NaN if it misses.
 PLAYHOUSE_INLINE double body_hit_here(const Vec2* polygon, std::size_t corners, bool convex, Vec2 p, Vec2 d) {
   const double t = entry(polygon, corners, p, d);
   return t < 0 || !convex ? polygon_hit_here(polygon, corners, p, d) : t;
 }
 
-/// The same, where it is rare.
+/// The same, out of line, for cold paths.
 [[gnu::noinline]] inline double body_hit(const Vec2* polygon, std::size_t corners, bool convex, Vec2 p,
                                          Vec2 d) {
   return body_hit_here(polygon, corners, convex, p, d);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// PoseSense: what measures by the pose of its own body alone, and casts no rays.
+/// PoseSense: base of the sensors that measure only the pose of their own body and cast no rays.
 
 #include "playhouse/stage/sense_phase.h"
 
@@ -18,14 +18,14 @@ class PoseSense : public SensePhase {
   }
 
  protected:
-  /// Where the body of a model is: X_WB.
+  /// X_WB of the body of a model.
   static geom::SpatialPose body_pose(const world::World& world, world::ModelRow model) {
     return geom::compose({world.models.X_WM[model.index], world.models.tilt_WM[model.index]},
                          {world.desc(model).X_MB, geom::Tilt{}});
   }
 
  private:
-  /// Row `row` of its table, which no other call writes. On any worker.
+  /// Fills row `row` of its table; calls for different rows run in parallel.
   virtual void measure(world::World& world, std::uint32_t row, std::uint64_t tick) const = 0;
 };
 

@@ -32,7 +32,7 @@ double path_loss(const scene::WifiDesc& hears, double frequency, double distance
   return std::max(in_free_space, 0.0);
 }
 
-/// The loss never falls with the distance, so the limit is found by bisection.
+/// Path loss is monotonic in distance, so bisection finds the limit.
 double farthest_heard(const scene::WifiDesc& hears, double power, double frequency) {
   const double most =
       hears.propagation == scene::Propagation::kSimple ? std::min(hears.range, kFarthest) : kFarthest;

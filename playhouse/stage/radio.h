@@ -1,6 +1,6 @@
 #pragma once
 
-/// Radio waves: how much weaker they are at a distance, by each of the models that a radio may have.
+/// Radio propagation: path loss over distance, by each of the models that a radio may have.
 ///
 /// Source: free space, H. T. Friis 1946: 20 log10(d) + 20 log10(f) - 27.55 dB for metres and MHz; buildings,
 ///   ITU-R P.1238: 20 log10(f) + plc log10(d) - 28 dB; by the power of the distance, T. S. Rappaport,
@@ -10,15 +10,15 @@
 
 namespace playhouse::stage {
 
-/// What is lost between a radio that sends at `frequency` [MHz] and one that hears, without walls; not below
-/// 0. Of two in one place, what is lost over a centimetre. [dB]
+/// Path loss from a sender at `frequency` [MHz] to this receiver without walls,
+/// at least 0. Distances under a centimetre count as one centimetre. [dB]
 double path_loss(const scene::WifiDesc& hears, double frequency, double distance);
 
-/// The largest distance at which what is sent so strongly may be heard, without walls and with `fading` dB
-/// more than is said; 1e6 m where it is farther. [dBm, MHz, m]
+/// The largest distance at which a sender of this power may be received, without walls and with
+/// fading up to six standard deviations in its favour; at most 1e6 m, 0 if nowhere. [dBm, MHz, m]
 double farthest_heard(const scene::WifiDesc& hears, double power, double frequency);
 
-/// How far something of this level is above what is heard: 100 from 30 dB on. [dBm, %]
+/// Link quality by the margin of the level over the receiver's sensitivity; 100 from 30 dB on. [dBm, %]
 std::uint32_t link_quality(const scene::WifiDesc& hears, double level);
 
 }  // namespace playhouse::stage

@@ -10,7 +10,7 @@
 namespace playhouse::stage {
 namespace {
 
-constexpr std::uint32_t kScanBeams = 8;  // a sensor of fewer beams is a bundle of rays
+constexpr std::uint32_t kScanBeams = 8;  // sensors with fewer beams are traced as bundles
 
 Vec2 unit(double angle) {
   const geom::SinCos sc = geom::sincos(angle);
@@ -31,7 +31,7 @@ Scan make_scan(const scene::RangerSensorDesc& sensor, const Pose& X_MS, double z
     scan.x.push_back(d.x);
     scan.y.push_back(d.y);
   }
-  // Beams that meet nothing: what is written behind a scan's own may be those of the next one.
+  // NaN padding: vector loops write past a scan's beams, into those of the next, without changing them.
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   scan.x.resize(scan.count + Scan::kSpare, kNowhere);
   scan.y.resize(scan.count + Scan::kSpare, kNowhere);
@@ -53,8 +53,8 @@ double distance_to_ray(Vec2 center, Vec2 p, Vec2 d, double range) {
   return std::sqrt(geom::dot(off, off));
 }
 
-/// find_bodies() works in single precision, from whole units of DiscIndex.
-constexpr double kSinglePrecision = 1e-3;  // of the width of a cell; less of that of the square
+/// find_bodies() works in single precision, on fixed-point units of DiscIndex.
+constexpr double kSinglePrecision = 1e-3;  // share of a cell's width; a smaller one of the square's
 constexpr double kWholeUnits = 4 / DiscIndex::kPerMetre;  // m
 
 void finish_bundle(Bundle& bundle, double body_radius) {
@@ -110,7 +110,7 @@ RangerKind make_kind(const scene::ModelDesc& desc, double body_radius) {
   return kind;
 }
 
-/// Equal for rangers that are alike.
+/// Key of a ranger kind: equal for rangers with equal sensors.
 std::vector<double> signature(const scene::ModelDesc& desc) {
   std::vector<double> all{desc.X_MB.x, desc.X_MB.y, desc.X_MB.z, desc.X_MB.a};
   for (const scene::RangerSensorDesc& s : desc.sensors)

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What rangers are, apart from where: the scans and ray bundles of each kind of ranger, made once and shared
-/// by all rangers that are alike. Frames: M the ranger's model, S one sensor.
+/// Precomputed scans and ray bundles of each kind of ranger, independent of its pose; made once
+/// and shared by all rangers with equal sensors. Frames: M the ranger's model, S one sensor.
 
 #include <cstdint>
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace playhouse::stage {
 
-/// A sensor of many beams, evenly spread.
+/// A sensor of many evenly spaced beams.
 struct Scan {
   Pose X_MS;
   double z = 0;                  // m above M
@@ -19,11 +19,11 @@ struct Scan {
   std::uint32_t first_beam = 0;  // of the ranger
   double fov = 0, step = 0;      // rad
   std::vector<double> x, y;      // unit vectors of the beams in S
-  std::size_t count = 0;         // of beams; x and y have kSpare that meet nothing behind them
+  std::size_t count = 0;         // of beams; x and y are padded by kSpare that hit nothing
   static constexpr std::size_t kSpare = 8;
 };
 
-/// Numbers of equal rows, for loops that the compiler turns into vector instructions.
+/// Points as structure of arrays, for loops that compilers vectorise.
 struct Points {
   std::vector<double> x, y;
   std::size_t size() const { return x.size(); }
@@ -34,32 +34,32 @@ struct Points {
   Vec2 operator[](std::size_t i) const { return {x[i], y[i]}; }
 };
 
-/// Up to kRays single rays of one ranger, looked at together.
+/// Up to kRays single rays of one ranger. A grid about M gives the rays that may hit a body, by its center.
 struct Bundle {
   static constexpr std::size_t kRays = 16;
-  static constexpr std::size_t kCells = 96;         // each way, of the square that matters
-  static constexpr std::size_t kSide = kCells + 2;  // with a rim of empty cells about it
-  static constexpr std::uint32_t kRow = 128;        // cells from one row to the next
+  static constexpr std::size_t kCells = 96;         // cells along a side of the square within reach
+  static constexpr std::size_t kSide = kCells + 2;  // with a border of empty cells
+  static constexpr std::uint32_t kRow = 128;        // row stride of the grid, in cells
 
   Points p, d;                      // origins [m] and unit vectors in M
   std::vector<double> z;            // m above M
   std::vector<double> range_max;    // m
   std::vector<std::uint32_t> beam;  // of the ranger
   double z_min = 0, z_max = 0;      // m above M
-  double reach = 0;                 // m from M that any ray gets, and kMargin
+  double reach = 0;                 // m: longest distance from M of any ray, plus kMargin
   double cell = 0, half = 0;        // m: the square is +-half about M
   std::vector<std::uint16_t>
-      meets;  // bit k of a cell: ray k may meet a body whose centre is there (kSide * kRow and one to read)
+      meets;  // bit k of a cell: ray k may hit a body with its center there (kSide * kRow, padded by 1)
   std::size_t rays() const { return d.size(); }
 };
 
-/// A ray that is turned at random each time it is cast.
+/// A ray with angular noise: a new direction for each measurement.
 struct Jitter {
   Pose X_MS;
   double z = 0, range_max = 0;
-  double bearing = 0;                    // rad, before it is turned
+  double bearing = 0;                    // rad, without noise
   std::uint32_t beam = 0;                // of the ranger
-  std::uint32_t sensor = 0, sample = 0;  // which sensor of the ranger, and which of its beams
+  std::uint32_t sensor = 0, sample = 0;  // sensor of the ranger, beam of the sensor
 };
 
 struct RangerKind {
@@ -67,26 +67,26 @@ struct RangerKind {
   std::vector<Bundle> bundles;
   std::vector<Jitter> jitters;
   std::vector<double> range_min, range_max;  // m (beams)
-  bool noisy = false;                        // any sensor has noise along its beams
+  bool noisy = false;                        // any sensor has range noise
   std::uint32_t beams = 0;
 };
 
-/// Kinds of all rangers of a world, and of those that it had.
+/// The kinds of all rangers of a world, past ones included.
 class RangerKinds {
  public:
   std::vector<RangerKind> kinds;
   std::vector<std::uint32_t> of_ranger;  // row of kinds (rangers)
 
-  /// Finds the kind of every ranger; makes those that are new. `body_radius` is the largest radius of a body
-  /// that moves: tables are made again if it is larger than what they are good for.  [m]
+  /// Assigns a kind to every ranger, making new ones as needed. `body_radius` is the largest radius
+  /// of a movable body: tables are rebuilt if it exceeds the one that they were made for. [m]
   void populate(const world::World& world, double body_radius);
 
  private:
-  /// Row of kinds, of a new one if there is none like it.
+  /// Row of kinds, a new one if none matches.
   std::uint32_t find_kind(const scene::ModelDesc& desc);
 
-  std::map<std::vector<double>, std::uint32_t> known_;  // by what makes rangers alike: row of kinds
-  double body_radius_ = 0;                              // m, for which the tables are good
+  std::map<std::vector<double>, std::uint32_t> known_;  // key: all that distinguishes kinds; to its row
+  double body_radius_ = 0;                              // m, for which tables were made
 };
 
 }  // namespace playhouse::stage

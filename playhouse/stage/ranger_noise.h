@@ -1,7 +1,7 @@
 #pragma once
 
-/// The errors of rangers, the same in every engine. Random numbers are those of the ranger's id, the tick,
-/// the sensor and the beam.
+/// The noise of rangers, the same in every engine. Random numbers are
+/// a function of the ranger's id, the tick, the sensor and the beam.
 
 #include <cstdint>
 
@@ -12,15 +12,15 @@ namespace playhouse::stage {
 
 using scene::bearing_of;
 
-/// Which of its rings an engine measures.
+/// Rings of a 3D ranger that an engine measures: the level one or all.
 enum class Rings : std::uint8_t { kLevel, kAll };
 
-/// By how much a beam of a sensor with angular noise is turned.  [rad]
+/// Angular noise of a beam.  [rad]
 double turn_of(const world::World& world, world::ModelRow model, std::uint64_t tick, std::uint32_t sensor,
                std::uint32_t beam);
 
-/// Adds errors along the beams to what those of row `ranger` of world.rangers measured: `range`, m (beams).
-/// What met nothing has none.
+/// Adds range noise to the measurements of row `ranger` of
+/// world.rangers: `range`, m (beams). Beams without a hit get none.
 void add_range_noise(const world::World& world, std::uint32_t ranger, std::uint64_t tick, double* range,
                      Rings rings = Rings::kLevel);
 

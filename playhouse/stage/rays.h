@@ -1,7 +1,7 @@
 #pragma once
 
-/// Rays: single rays of bundles in W, while they get shorter. Those of several rangers go through the walls
-/// together, or each step would wait for the one before.
+/// Rays: a batch of single rays in W, shortened as hits are found. Rays of several
+/// rangers traverse the walls in one batch, which hides the latency of each step.
 
 #include "playhouse/stage/ranger_kinds.h"
 
@@ -9,15 +9,15 @@ namespace playhouse::stage {
 
 struct Rays {
   static constexpr std::size_t kMost = 128;
-  static constexpr std::size_t kSpare = 8;  // what is behind the last ray is worked on with it
+  static constexpr std::size_t kSpare = 8;  // padding: vector loops run past the last ray
   static constexpr std::size_t kRoom = kMost + kSpare;
 
   double px[kRoom], py[kRoom], dx[kRoom], dy[kRoom];  // m, unit vectors
   float ahead_x[kRoom], ahead_y[kRoom];               // dx, dy
-  double z[kRoom], range[kRoom];                      // m
-  double solid[kRoom];                                // what they meet there: number_of() a row of Solids
-  std::size_t beam[kMost];                            // of Scratch, where they come from
-  /// Rays of one bundle, which start near a place.
+  double z[kRoom], range[kRoom];                      // m; range to the nearest hit so far
+  double solid[kRoom];                                // nearest hit: number_of() a row of Solids
+  std::size_t beam[kMost];                            // of Scratch: where the result belongs
+  /// Rays of one bundle, with nearby origins.
   struct Part {
     Vec2 about;
     std::size_t begin, end;

@@ -1,7 +1,7 @@
-/// Scans: instead of following each beam, what is near a scanner is projected onto the beams it covers, and
-/// the nearest stays (a depth buffer of one row). Which beams a body may cover comes from a rough bearing,
-/// widened; whether a beam meets it, and where, is exact. Bodies come from near to far, so that most hidden
-/// ones are dropped at a glance.
+/// Scans: instead of tracing each beam, nearby bodies are projected onto the beams they
+/// cover, and the nearest hit is kept (a one-dimensional depth buffer). The range of beams
+/// that a body may cover comes from a conservative bearing; hits are exact. Bodies are
+/// sorted front to back, so that most occluded ones are rejected by an early depth test.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace playhouse::stage {
 namespace {
 
-/// Turns beams into W; what is behind the last one is no number and stays so.
+/// Rotates beams into W; padding is NaN and stays so.
 PLAYHOUSE_INLINE void turn_beams(Rotation r, std::size_t count, const double* __restrict x_S,
                                  const double* __restrict y_S, double* __restrict x, double* __restrict y) {
   for (std::size_t k = 0; k < count; ++k) {
@@ -24,8 +24,8 @@ PLAYHOUSE_INLINE void turn_beams(Rotation r, std::size_t count, const double* __
   }
 }
 
-/// Keeps the first of what is known and the edge from w0 to w1, which is to the right of w0 and which no beam
-/// sees edge-on, for the beams from `first` on up to `last`, and a few more.
+/// Projects the edge from w0 to w1, which is right of w0 and seen edge-on by
+/// no beam, onto beams `first` to `last`, and a few more (vector padding).
 PLAYHOUSE_INLINE void project(const Row& row, Vec2 w0, Vec2 w1, double seen, std::size_t first,
                               std::size_t last) {
   const double area = geom::cross(w0, w1);
@@ -42,14 +42,14 @@ PLAYHOUSE_INLINE void project(const Row& row, Vec2 w0, Vec2 w1, double seen, std
   }
 }
 
-/// All beams and an edge with which the scanner is in line.
+/// An edge collinear with the scanner: all beams, scalar.
 void project_in_line(const Row& row, Vec2 w0, Vec2 w1, double seen) {
   for (std::size_t k = 0; k <= row.last; ++k)
     keep_first(edge_hit(w0, w1, {row.x[k], row.y[k]}), seen, row.range[k], row.solid[k]);
 }
 
-/// Calls visit(first, last) for beams that hold all between two bearings, once for each turn by which those
-/// can meet the beams'.
+/// Calls visit(first, last) for the beams that cover a bearing
+/// interval, once for each full turn in which it overlaps the fov.
 template <typename Visit>
 void each_turn(const Row& row, double from, double to, const Visit& visit) {
   const auto turns = static_cast<int>(row.half / geom::kTwoPi) + 1;
@@ -75,7 +75,7 @@ void project_edge(Vec2 w0, Vec2 w1, Rotation rotation, double seen, const Row& r
   });
 }
 
-/// A body of any shape from anywhere, edge by edge.
+/// A body of any shape, seen from anywhere, edge by edge.
 void project_edges(std::span<const Vec2> polygon, Rotation rotation, double seen, const Row& row) {
   Vec2 before = polygon.back() - row.p;
   for (const Vec2 corner : polygon) {
@@ -85,7 +85,7 @@ void project_edges(std::span<const Vec2> polygon, Rotation rotation, double seen
   }
 }
 
-/// Replaces the rays by beams from the first on.
+/// Fills the batch with beams from `first` on.
 void put_beams(const Row& row, double range_max, double z, std::size_t first, Rays& rays) {
   rays.count = std::min(row.last + 1 - first, Rays::kMost);
   rays.parts[0] = {row.p, 0, rays.count};
@@ -101,7 +101,7 @@ void put_beams(const Row& row, double range_max, double z, std::size_t first, Ra
   }
 }
 
-/// Turns centres into the scanner's frame and measures their distances and rough bearings.
+/// Rotates centers into the scanner's frame; computes distances and approximate bearings.
 PLAYHOUSE_INLINE void find_distances(Rotation r, std::size_t count, double* __restrict x,
                                      double* __restrict y, double* __restrict distance,
                                      double* __restrict bearing) {
@@ -114,16 +114,16 @@ PLAYHOUSE_INLINE void find_distances(Rotation r, std::size_t count, double* __re
   }
 }
 
-/// Half the angle under which something is seen, by the ratio of its radius and its distance: not below
-/// asin(ratio), and kBearingError more.  [rad]
+/// Half of the angular extent of a circle, by the ratio of radius
+/// and distance: at least asin(ratio) + kBearingError. [rad]
 template <typename Number>
 PLAYHOUSE_INLINE void find_spread(const Number& ratio, Number& spread) {
   spread = ratio + 0.5708 * ratio * ratio * ratio + kBearingError;
 }
 
-/// Finds the beams that may meet each body, by its radius, distance and bearing: `last` is -1 where that is
-/// not easy to say, and the distance becomes kMiss where there are none. Four at a time, and up to three
-/// more.
+/// Conservative range of beams for each body, by its radius, distance and
+/// bearing: `last` is -1 if a cheap bound fails, and the distance becomes kMiss
+/// if no beam can hit. Vectors of four: writes up to three entries of padding.
 PLAYHOUSE_INLINE void find_beams(const Row& row, std::size_t count, const double* radius,
                                  const double* bearing, double* distance, std::int32_t* first,
                                  std::int32_t* last) {
@@ -155,7 +155,7 @@ PLAYHOUSE_INLINE void find_beams(const Row& row, std::size_t count, const double
 
 }  // namespace
 
-/// Puts the places of what may be seen into `order`, from near to far by rings; returns how many.
+/// Sorts candidates front to back into `order` by rings of distance (counting sort); returns their number.
 std::size_t RangerSense::Scratch::sort_by_distance(std::size_t count, double reach) {
   constexpr std::size_t kRings = 32;
   std::uint32_t first[kRings + 2] = {};
@@ -180,7 +180,7 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, Rotation rot
                 scratch.range.data() + scratch.first_beam, scratch.solid.data() + scratch.first_beam);
   const double radius_max = space.index.radius_max() + kMargin;
   Sector sector{X_WS.xy(), scan.range_max + kMargin, z, {0, 0}, 0};
-  if (scan.fov <= geom::kPi) {  // no beam points back, so none meets what is all behind
+  if (scan.fov <= geom::kPi) {  // no beam points backwards: culls what is entirely behind
     sector.ahead = {rotation.c, rotation.s};
     sector.behind = -radius_max;
   }
@@ -254,7 +254,7 @@ void RangerSense::scan_walls(const Space& space, const Pose& X_WS, Rotation rota
     });
     return;
   }
-  // So many edges: following the beams is cheaper.
+  // With this many edges, tracing the beams is cheaper.
   Rays rays;
   const bool marches = can_march(space.walls, view, scan.range_max);
   for (std::size_t first = 0; first < scan.count; first += Rays::kMost) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The inner loops of scans (scan.cc): bodies near a scanner, projected onto a row of beams.
+/// Inner loops of scans (scan.cc): projection of nearby bodies onto a row of beams.
 
 #include <algorithm>
 #include <bit>
@@ -13,12 +13,12 @@
 
 namespace playhouse::stage {
 
-// Beams are handled up to eight at a time; the columns of a row are that much longer than it.
+// Vector loops handle up to eight beams; the columns of a row are padded by that much.
 static_assert(Scan::kSpare >= kEight);
 
-/// The beams of a scan and what they have met so far.
+/// The beams of a scan and their nearest hits so far.
 struct Row {
-  Vec2 p;               // where they begin, in W
+  Vec2 p;               // origin in W
   const double *x, *y;  // unit vectors in W
   double *range, *solid;
   std::size_t last;  // beam
@@ -35,7 +35,7 @@ struct Row {
         half(0.5 * scan.fov),
         per_step(1.0 / scan.step) {}
 
-  /// The beam at or to the right of a bearing; 0 or the last one for those outside the fov.
+  /// The last beam at or to the right of a bearing, clamped to the first and last beam.
   std::size_t beam_right_of(double bearing) const {
     const double beam = (bearing + half) * per_step;
     return beam <= 0 ? 0 : std::min(static_cast<std::size_t>(beam), last);
@@ -43,7 +43,7 @@ struct Row {
   std::size_t beam_left_of(double bearing) const { return std::min(beam_right_of(bearing) + 1, last); }
 };
 
-/// A convex body from anywhere, beam by beam.
+/// A convex body seen from anywhere: one intersection per beam.
 PLAYHOUSE_INLINE void project_body(const Row& row, const Vec2* polygon, std::size_t corners, double seen,
                                    std::size_t first, std::size_t last) {
   for (std::size_t k = first; k <= last; ++k)
@@ -51,26 +51,26 @@ PLAYHOUSE_INLINE void project_body(const Row& row, const Vec2* polygon, std::siz
                      row.solid[k]);
 }
 
-/// True if each of these beams has met something at `nearest` or before.
+/// True if each of these beams has a hit at `nearest` or nearer: the body is occluded.
 PLAYHOUSE_INLINE bool is_hidden(const Row& row, double nearest, std::size_t first, std::size_t last) {
   bool hidden = true;
   for (std::size_t k = first; k <= last && hidden; ++k) hidden = row.range[k] <= nearest;
   return hidden;
 }
 
-/// A convex body from outside, at a distance of up to `farthest`, all within the beams first .. last:
-/// projects the edges that face the scanner, unless every beam has met something nearer than `nearest`.
+/// A convex body seen from outside, at up to `farthest` metres, within the beams
+/// first .. last: projects its front-facing edges, unless closer hits occlude it.
 PLAYHOUSE_INLINE void project_facing(const Row& row, const Vec2* __restrict polygon, std::size_t corners,
                                      double seen, double nearest, double farthest, std::size_t first,
                                      std::size_t last) {
   if (is_hidden(row, nearest, first, last)) return;
 
-  // Corners from where the scanner is and the areas of the edges from there, all of them twice.
+  // Corners relative to the scanner and cross products of edges, each twice: runs need no wrap-around.
   double u[2 * kConvexCorners], v[2 * kConvexCorners], area[2 * kConvexCorners];
   const Four number = Corners::kNumber;
   const double in_line = kEdgeOn * farthest;
   Four least = Four{} + kMiss;
-  FourTruths facing = {}, edge = {1, 4, 2, 8};  // those that go clockwise about the scanner: bits of edges
+  FourTruths facing = {}, edge = {1, 4, 2, 8};  // front-facing (clockwise about the scanner), a bit mask
   for (std::size_t i = 0; i < corners; i += kFour, edge <<= kFour) {
     const Corners w0(polygon + i, row.p), w1(polygon + i + 1, row.p);
     Four all;
@@ -84,7 +84,7 @@ PLAYHOUSE_INLINE void project_facing(const Row& row, const Vec2* __restrict poly
     Corners::store_in_order(all, area + i);
   }
   const auto faces = static_cast<std::uint32_t>((facing[0] | facing[1]) | (facing[2] | facing[3]));
-  // They follow each other, from one corner on.
+  // Front-facing edges are consecutive; more than one run means a degenerate view.
   const std::uint32_t begins = faces & ~(faces << 1 | faces >> (corners - 1));
   if (!std::has_single_bit(begins) ||
       std::min(std::min(least[0], least[1]), std::min(least[2], least[3])) <= in_line * in_line) {
@@ -102,7 +102,7 @@ PLAYHOUSE_INLINE void project_facing(const Row& row, const Vec2* __restrict poly
   }
   const auto begin = static_cast<std::size_t>(std::countr_zero(begins)),
              end = begin + static_cast<std::size_t>(std::popcount(faces));
-  // A beam enters a convex body by one edge: one division serves all.
+  // A beam enters a convex body by one edge, so one division serves all edges.
   const Four none = {0, 0, 0, 0};
   for (std::size_t k = first; k <= last; k += kFour) {
     Four x, y, range, solid, areas = none, slopes = none;
@@ -124,7 +124,7 @@ PLAYHOUSE_INLINE void project_facing(const Row& row, const Vec2* __restrict poly
   }
 }
 
-/// Where discs matter: within `reach` of p, at this height, and along `ahead` no further back than `behind`.
+/// Culling region: within `reach` of p, at height z, and not behind p along `ahead` by more than -`behind`.
 struct Sector {
   Vec2 p;
   double reach, z;
@@ -132,14 +132,14 @@ struct Sector {
   double behind = 0;
 };
 
-/// Centres from a sector's p along W's axes, and their places in the index.
+/// Centers relative to the sector's p along W's axes, and their places in the index.
 struct Gathered {
   double *x, *y;  // m
   std::uint32_t* place;
 };
 
-/// Finds what is in a sector, among what is in the runs; returns how many. Behind the last there is room for
-/// eight more.
+/// Collects the discs of the runs that intersect a sector;
+/// returns their number. `out` must have room for eight more.
 PLAYHOUSE_INLINE std::size_t gather(const Sector& sector, double radius_max, const DiscIndex::Places& places,
                                     std::span<const DiscIndex::Run> runs, const Gathered& out) {
   const double *const from_x = places.x.data(), *const from_y = places.y.data();
@@ -160,7 +160,7 @@ PLAYHOUSE_INLINE std::size_t gather(const Sector& sector, double radius_max, con
       const FourTruths is_in = (low <= s.z) & (high >= s.z) & (x * x + y * y <= far) &
                                (x * s.ahead.x + y * s.ahead.y >= s.behind) &
                                (number < static_cast<double>(run.end - i));
-      for (std::uint32_t lane = 0; lane < kFour; ++lane) {  // what is not in it is overwritten
+      for (std::uint32_t lane = 0; lane < kFour; ++lane) {  // compaction: rejected lanes are overwritten
         out.x[count] = x[lane];
         out.y[count] = y[lane];
         out.place[count] = i + lane;

@@ -1,11 +1,11 @@
-/// BlobfinderSense: the phase that finds patches of a colour in the image of cameras that are subscribed and
-/// due. A camera sees one row of columns, a ray each, of bodies at any height, as Stage's does.
+/// BlobfinderSense: the phase that finds blobs of a colour in the images of blobfinders that are subscribed
+/// and due. An image is one row of columns, a ray each, that hits bodies at any height, as in Stage.
 ///
 /// In: poses, bodies, colours of models; fov, pan, image, range, colours of each camera.
 /// Out: blobs, from right to left.
 /// Cost: a ray for each column of the image.
-/// Source: a pinhole's columns at equal angles; rows as if everything were kHeight high, with its middle at
-///   the height of the lens, which is what Stage does.
+/// Source: Stage: columns at equal angles; rows as if every body were kHeight high and centred at the height
+///   of the lens.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kHeight = 0.6;  // m
 
-/// Colours that differ less, as numbers from 0 to 1, are one.
+/// Tolerance for equal colours, components in 0 .. 1.
 constexpr float kSameColor = 1e-5f;
 
 bool same(const scene::Color& a, const scene::Color& b) {
@@ -25,14 +25,14 @@ bool same(const scene::Color& a, const scene::Color& b) {
          std::fabs(a.b - b.b) < kSameColor;
 }
 
-/// The colours that a camera looks for; none: any.
+/// The colours of interest of a blobfinder; none: any.
 std::span<const scene::Color> wanted(const scene::BlobfinderDesc& camera) {
   const std::size_t all = camera.colors.size();
   return std::span(camera.colors)
       .first(camera.colors_count > 0 ? std::min<std::size_t>(camera.colors_count, all) : all);
 }
 
-/// First and last row of something at this range.
+/// Sets the first and last row of a blob by its range.
 void add_rows(const scene::BlobfinderDesc& camera, world::Blob& blob) {
   const double half = geom::atan2(0.5 * kHeight, blob.range) / (camera.fov / camera.height);  // px
   const double middle = std::floor(0.5 * camera.height), off = std::floor(half);
@@ -89,11 +89,11 @@ class BlobfinderSense final : public SensePhase {
     if (run.columns > 0) finish(camera, count, run, blobs);
   }
 
-  /// Neighbouring columns of one colour, from the right.
+  /// Consecutive columns of one colour, from the right.
   struct Run {
     scene::Color color;
     std::uint32_t first = 0, columns = 0;
-    double range = 0;  // m, of all columns
+    double range = 0;  // m, sum over columns
   };
 
   static void finish(const scene::BlobfinderDesc& camera, std::uint32_t count, Run& run,

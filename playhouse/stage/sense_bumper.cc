@@ -1,13 +1,13 @@
-/// BumperSense: the phase that finds who presses the switches of bumpers that are subscribed and due.
+/// BumperSense: the phase that finds what presses the switches of bumpers that are subscribed and due.
 ///
 /// In: poses and bodies of models; bpose and blength of each bumper.
-/// Out: who presses each switch.
-/// Cost: a ray along the face of each switch, and one more to those that nobody meets.
-/// Source: as in Stage, the face of a switch is a segment, pressed by whatever of another tree has an outline
-///   across it, at any height; where models are in space, at those of its robot and its own. In Stage robots
-///   stop before they touch; here they drive up to a wall, and a straight face may be inside it, where no
-///   outline is. So an obstacle presses a switch as well by an outline between the middle of the robot and
-///   the middle of the face.
+/// Out: the model that presses each switch.
+/// Cost: a ray along the face of each switch, and another one if that misses.
+/// Source: as in Stage, the face of a switch is a segment, pressed by any body of another tree whose outline
+///   crosses it, at any height; in 3D at the heights of its robot and its own. Stage's robots stop before
+///   contact; here they drive up to a wall, and a straight face may be inside the wall, where no outline is.
+///   So an obstacle also presses a switch if its outline is between the centre of the robot and the centre
+///   of the face.
 
 #include <algorithm>
 #include <cmath>
@@ -18,21 +18,21 @@
 namespace playhouse::stage {
 namespace {
 
-/// What a switch is pressed by.  [m, in W]
+/// Height range in which a switch is pressed.  [m, in W]
 struct Heights {
   double low = -1e300, high = 1e300;
 };
 
-/// In Stage's worlds a bumper stands on its robot, like any part, and is meant to be around it: heights are
-/// those of both.
+/// In Stage's worlds a bumper is stacked on its robot like any
+/// part, but means a ring around it: the range covers both.
 Heights heights_of(const world::World& world, world::ModelRow bumper, std::uint32_t root) {
   if (world.upright) return {};
   const double own = world.models.X_WM[bumper.index].z, robot = world.models.X_WM[root].z;
   return {std::min(own, robot), std::max(own + world.desc(bumper).size.z, robot + world.desc({root}).size.z)};
 }
 
-/// The first solid that is on the way from a to b, or touched there, as the observer sees them; a row of
-/// Solids or kNone.
+/// The first solid on the segment from a to b, or touched by its
+/// end, that is visible to the observer; a row of Solids or kNone.
 std::uint32_t met(const Space& space, Vec2 a, Vec2 b, const Heights& heights, Observer by,
                   std::uint32_t root) {
   const Vec2 way = b - a;
@@ -43,7 +43,7 @@ std::uint32_t met(const Space& space, Vec2 a, Vec2 b, const Heights& heights, Ob
       .solid;
 }
 
-/// Who presses the switch that has its face at X_WS.
+/// The model that presses the switch whose face is at X_WS.
 std::uint32_t pressed_by(const Space& space, const Pose& X_WS, double length, const Heights& heights,
                          Vec2 middle, std::uint32_t root) {
   const Vec2 left = Rotation::of(X_WS.a) * Vec2{0, 0.5 * length};

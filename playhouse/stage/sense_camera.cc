@@ -1,13 +1,13 @@
-/// CameraSense: the phase that takes the images of cameras that are subscribed and due. A pixel shows the
-/// first body, or the floor, that the straight line through its middle enters; from within a body, what is
-/// behind it.
+/// CameraSense: the phase that takes images with cameras that are subscribed
+/// and due. A pixel shows the first body, or the floor, that the ray through
+/// its centre enters; a ray that starts inside a body sees what is behind it.
 ///
-/// In: poses, bodies, colours of models; where each camera looks, its lens.
+/// In: poses, bodies, colours of models; the pose and lens of each camera.
 /// Out: its pixels.
 /// Cost: for each slice of the lens the walls along it and the bodies near it (slice.h), and for each of its
-///   pixels a few operations for each stretch of a body, four pixels at a time.
-/// Source: a ray in an upright prism is where it is between the ends of the stretch and between its heights
-///   (slab test).
+///   pixels a few operations per stretch of a body, four pixels at a time.
+/// Source: slab test: the interval of a ray in an upright prism is the intersection of the stretch with the
+///   interval of its heights.
 
 #include <algorithm>
 #include <cmath>
@@ -28,23 +28,23 @@ namespace {
 using scene::CameraDesc;
 using scene::ImageKind;
 
-constexpr double kNothing = 1e300;  // m, to what a pixel does not show
+constexpr double kNothing = 1e300;  // m, distance of a pixel without a hit
 static_assert(Lens::kSpare >= kFour);
 
-/// What pixels of a slice see: how far away on the floor, and which of its things.
+/// Depth buffer of a slice: distance on the floor and number of the nearest thing, by pixel.
 struct SeenInSlice {
   double* distance;  // m
-  double* thing;     // a whole number
+  double* thing;     // whole number as double
 };
 
-/// A thing that a slice may show.
+/// Something drawn in a slice.
 struct Thing {
   double from, to, low, high;  // see Stretch
   double number;
 };
 
-/// Keeps the nearest of what pixels see already and a thing, where that is not nearer than `least`. Works on
-/// up to kFour - 1 pixels behind the last one.
+/// Draws a thing with a depth test, except nearer than the near plane
+/// `least`. Vectors of four: also writes up to kFour - 1 pixels of padding.
 PLAYHOUSE_INLINE void show(const Thing& thing, const double* run, const double* least, std::size_t pixels,
                            const SeenInSlice& seen) {
   for (std::size_t i = 0; i < pixels; i += kFour) {
@@ -88,17 +88,17 @@ class CameraSense final : public SensePhase {
   }
 
  private:
-  /// The lens of a description, as some camera of it had it last.
+  /// Cached lens of a camera description, for the last tilt and zoom.
   struct Fitted {
     double tilt = 0, zoom = 0;  // rad
     Lens lens;
   };
-  /// Scratch memory of one worker.
+  /// Scratch buffers of one worker.
   struct Scratch {
     std::map<std::uint32_t, Fitted> lenses;  // by row of SceneDesc::models
     Slicer slicer;
     std::vector<double> distance, thing;  // of the pixels of a slice
-    std::vector<double> far;              // m along the way it looks                    (image)
+    std::vector<double> far;              // m of depth                                     (image)
     std::vector<std::uint32_t> sample;    // see Seen                                    (image)
   };
 
@@ -132,7 +132,7 @@ class CameraSense final : public SensePhase {
     expose(world, row, tick, {scratch.far, scratch.sample});
   }
 
-  /// What the pixels of a slice see.
+  /// Fills the pixels of a slice.
   static void show_slice(const world::World& world, const Space& space, const std::vector<Stretch>& stretches,
                          const Lens& lens, std::size_t slice, const CameraDesc& camera, double eye,
                          Scratch& scratch) {

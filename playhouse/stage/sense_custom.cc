@@ -1,8 +1,8 @@
-/// CustomSense: the phase in which custom models that are subscribed and due measure, by their libraries.
+/// CustomSense: the phase in which custom models that are subscribed and due measure, by library code.
 ///
-/// In: what the library reads of the world, and its surroundings: bodies by a ray, places of all models.
+/// In: what the library reads of the world, and its surroundings: ray casts, nearby models.
 /// Out: customs.readings.
-/// Cost: what the library does; all models are put into an index once where any custom model is due.
+/// Cost: that of the library; and once per tick, if any custom model is due, an index of all models.
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@
 namespace playhouse::stage {
 namespace {
 
-/// Surroundings in the plane, for one worker.
+/// Surroundings in the 2D engine, for one worker.
 class PlaneSurroundings final : public world::Surroundings {
  public:
   PlaneSurroundings(const world::World& world, const Space& space, const DiscIndex& places,
@@ -88,7 +88,7 @@ class CustomSense final : public SensePhase {
   };
 
   DiscIndex places_;              // all models, as points
-  std::vector<Scratch> scratch_;  // of a worker
+  std::vector<Scratch> scratch_;  // per worker
 };
 
 }  // namespace

@@ -1,12 +1,12 @@
-/// DetectorSense: the phase that measures with detectors that are subscribed and due. A detector looks along
-/// straight lines; on each it meets bodies one after the other, tells of those that it is to see, and goes on
-/// behind what it sees through, until too many bodies are before it or too little is left of its budget.
+/// DetectorSense: the phase that measures with detectors that are subscribed and due. A detector traces
+/// straight lines; along each it hits bodies in order, reports those that match its filter, and passes
+/// through those that are transparent to it, until its limits on occluders or on attenuation are reached.
 ///
-/// In: poses, bodies, what models are and show; the words of each detector.
-/// Out: the nearest thing of each beam, and each thing that is found.
-/// Cost: for each direction on the floor the walls along it and the bodies near it (slice.h), for each layer
-///   of it a sort of the bodies met, and a condition for each of them.
-/// Source: losses add in dB; what comes back falls with the distance by 10 n log10(d / 1 m).
+/// In: poses, bodies, properties of models; the description of each detector.
+/// Out: the nearest hit of each beam, and each detection.
+/// Cost: for each horizontal direction the walls along it and the bodies near it (slice.h); for each layer a
+///   sort of the bodies hit, and a filter test for each of them.
+/// Source: attenuation adds in dB; spreading loss is 10 n log10(d / 1 m).
 
 #include <algorithm>
 #include <cmath>
@@ -28,14 +28,14 @@ using world::Echo;
 
 constexpr Observers kAnybody = static_cast<Observers>(~0u);
 
-/// What all detectors of a description have in common.
+/// Precomputed directions of all detectors of one description.
 struct Aim {
-  std::vector<Rotation> ahead;  // of lines from right to left, from the detector's heading
+  std::vector<Rotation> ahead;  // of lines from right to left, relative to the detector's heading
   struct Layer {
-    double slope;   // m that a line rises for each on the floor
-    double length;  // m of the line for each on the floor
+    double slope;   // m of rise per metre on the floor
+    double length;  // m of line per metre on the floor
   };
-  std::vector<Layer> layers;  // from below
+  std::vector<Layer> layers;  // bottom to top
   world::Conditions sees, through;
 };
 
@@ -51,25 +51,25 @@ Aim aim_of(const world::World& world, const DetectorDesc& detector) {
   return aim;
 }
 
-/// What is lost on the way there and back, beside what bodies take.  [m, dB]
+/// Two-way spreading loss, without attenuation by bodies.  [m, dB]
 double spread_loss(const DetectorDesc& detector, double distance) {
   return detector.spread > 0 && distance > 1 ? 10 * detector.spread * geom::log10(distance) : 0;
 }
 
-/// A body on a line.
+/// A body hit by a line.
 struct Met {
   double from, to;  // m on the floor
   std::uint32_t solid;
 };
 
-/// A thing that was seen, as the lines before told of it.
+/// A detection, accumulated over lines.
 struct Found {
   Detection told;
   std::uint32_t root = 0;
-  double cos = 0, sin = 0;  // sums of the directions in which it was seen, from the detector's heading
+  double cos = 0, sin = 0;  // sums of directions in which it was seen, relative to the heading
 };
 
-/// Scratch memory of one worker.
+/// Scratch buffers of one worker.
 struct Scratch {
   Slicer slicer;
   std::vector<Met> met;
@@ -115,7 +115,7 @@ class Look {
     return Rng(world_.seed(), tick_, {purpose, world_.serial(model_), part});
   }
 
-  /// Which bodies a line meets that rises by `slope`, the nearest first. One in which it begins is not met.
+  /// Lists the bodies that a line of this slope hits, nearest first, except one that it starts in.
   void meet(const std::vector<Stretch>& stretches, double slope) {
     scratch_.met.clear();
     for (const Stretch& stretch : stretches) {
@@ -132,7 +132,7 @@ class Look {
     std::ranges::sort(scratch_.met, {}, [](const Met& met) { return std::tuple(met.from, met.solid); });
   }
 
-  /// What is seen along a line that is `length` long for each metre on the floor.
+  /// Evaluates a line; `length` is metres of line per metre on the floor.
   void follow(double length, const Rotation& ahead, Echo& echo) {
     double lost = 0;  // dB
     std::uint32_t bodies = 0;
@@ -153,7 +153,7 @@ class Look {
 
   bool sees(std::uint32_t model) const { return aim_.sees.empty() || aim_.sees.hold(world_, model); }
 
-  /// Adds to what is found. False where the thing is not noticed in this measurement.
+  /// Adds a detection. False if the thing is missed in this measurement (probability `miss`).
   bool note(std::uint32_t model, double range, double level, std::uint32_t bodies, const Rotation& ahead) {
     const std::uint32_t root = world_.models.root[model];
     const world::ModelId target = world_.id({root});
@@ -179,13 +179,13 @@ class Look {
     return std::clamp(range, detector_.range_min, detector_.range_max);
   }
 
-  /// What was seen, with its errors.
+  /// Writes the detections, with noise.
   void tell(std::vector<Detection>& finds) const {
     finds.clear();
     for (const Found& found : scratch_.found) {
       Detection& told = finds.emplace_back(found.told);
       Rng rng = draw(Purpose::kDetection, world_.serial(told.target));
-      rng.bits();  // whether it was noticed
+      rng.bits();  // the first number decided on `miss`
       told.range = with_error(told.range, rng);
       told.bearing = geom::atan2(found.sin, found.cos);
       if (detector_.noise_angular > 0)
@@ -246,7 +246,7 @@ class DetectorSense final : public SensePhase {
     return *aims_[world.models.desc[world.detectors.model[row].index]];
   }
 
-  std::vector<std::optional<Aim>> aims_;  // of detectors (rows of SceneDesc::models)
+  std::vector<std::optional<Aim>> aims_;  // by description of detectors (rows of SceneDesc::models)
   std::vector<Scratch> scratch_;          // (workers)
 };
 

@@ -6,7 +6,7 @@
 namespace playhouse::stage {
 namespace {
 
-/// Nothing of another tree lies between the finder and the target's centre.
+/// True if nothing of another tree blocks the line of sight from the finder to the target's centre.
 bool in_sight(const Space& space, Vec2 from, double z, Vec2 to, double distance, std::uint32_t own,
               std::uint32_t target) {
   if (distance <= 0) return true;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// FiducialSense: the phase that finds marked models (fiducial_return not 0) in the field of view of finders
-/// that are subscribed and due.
+/// FiducialSense: the phase that finds models with fiducial_return !=
+/// 0 in the field of view of the finders that are subscribed and due.
 
 #include <vector>
 
@@ -20,8 +20,8 @@ class FiducialSense final : public SensePhase {
   void find(world::World& world, const Space& space, std::uint32_t finder) const;
 
   std::vector<double> z_min_,
-      z_max_;  // of the solids of a model's tree, from its top's z   [m] (models, if there is a finder)
-  std::vector<std::uint32_t> marked_;  // models of this tick
+      z_max_;  // height range of a model's tree, from its root's z   [m] (models, if there is a finder)
+  std::vector<std::uint32_t> marked_;  // models visible to finders in this tick
   DiscIndex targets_;                  // the marked models, as points
 };
 

@@ -1,8 +1,8 @@
-/// GpsSense: the phase in which satellite receivers that are subscribed and due tell where they are.
+/// GpsSense: the phase in which GNSS receivers that are subscribed and due measure.
 ///
-/// In: poses of models; errors that each receiver's words tell; what it noted when it measured before.
-/// Out: where it believes to be and how fast it moves, in the frame of the world.
-/// Cost: a hundred random numbers for a receiver that has noise.
+/// In: poses of models; the error parameters of each receiver; its state at the previous measurement.
+/// Out: measured position and velocity in W.
+/// Cost: a hundred random numbers for a receiver with noise.
 /// Source: errors are white noise and a Gauss-Markov process of first order, x(t + dt) = b x(t) + sqrt(1 -
 /// b^2) s n
 ///   with b = exp(-dt / T), deviation s and time T (Brown and Hwang, "Introduction to Random Signals and
@@ -23,7 +23,7 @@ using geom::Vec3;
 
 /// exp(-x) for x >= 0, from multiplications alone: the same bits everywhere. Error below 1e-12.
 double decay(double x) {
-  constexpr double kAll = 700;  // beyond it nothing is left
+  constexpr double kAll = 700;  // the result is below the smallest significant value
   if (x > kAll) return 0;
   int halvings = 0;
   for (; x > 0.125; x *= 0.5) ++halvings;

@@ -1,14 +1,14 @@
-/// GripperSense: the phase in which grippers that are subscribed and due look between their paddles: two
-/// beams from one paddle to the other, and a ray along the inner face of each. They see things for grippers
-/// alone, at any height from the bottom to the top of the gripper, and none of their own tree: what they hold
-/// breaks no beam, and touches both paddles.
+/// GripperSense: the phase in which grippers that are subscribed and due measure between
+/// their paddles: two beams from paddle to paddle, and a ray along the inner face of each
+/// paddle. They see only objects for grippers, at any height within the gripper's, and
+/// nothing of their own tree: a held object breaks no beam, and touches both paddles.
 ///
-/// In: poses, bodies; size, paddle size and paddles of each gripper.
+/// In: poses, bodies; size, paddle size and paddle positions of each gripper.
 /// Out: beams, contacts, touched.
 /// Cost: six rays.
-/// Source: where beams and contacts are is Stage's. A body that moves is met where a ray enters it
-///   (ray_edge.h), so beams go both ways, and contacts begin at the back of the gripper: what reaches into
-///   the base or beyond a paddle is met as well.
+/// Source: places of beams and contacts as in Stage. A movable body is hit where a ray enters it
+///   (ray_edge.h), so beams are cast in both directions, and contacts from the back of the gripper: objects
+///   that overlap the base or extend beyond a paddle are found as well.
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@
 namespace playhouse::stage {
 namespace {
 
-// How far behind the front a beam is, as a fraction of the size; paddles of another length have it there too.
+// Distance of a beam from the front as a fraction of the size, whatever the length of the paddles.
 constexpr double kInnerBeam = 0.75 * 0.66, kOuterBeam = 0.25 * 0.66;
 constexpr std::uint32_t kNone = world::ModelRow::kNone;
 constexpr std::uint32_t kInner = 1, kOuter = 2, kLeft = 1, kRight = 2;
@@ -39,7 +39,7 @@ class GripperSense final : public SensePhase {
   }
 
  private:
-  /// What a gripper looks with.
+  /// Ray casts in the frame of a gripper.
   struct Eye {
     const Space& space;
     Pose X_WB;
@@ -47,7 +47,7 @@ class GripperSense final : public SensePhase {
     double height;      // m
     std::uint32_t root;
 
-    /// Row of the model that is met first on the way from p_B along the unit vector d_B, or kNone.
+    /// Row of the first model hit from p_B along the unit vector d_B, or kNone.
     std::uint32_t meets(Vec2 p_B, Vec2 d_B, double range) const {
       const Hit hit = cast(space, {X_WB.xy() + rotation * p_B, rotation * d_B, X_WB.z, X_WB.z + height, range,
                                    bit(Observer::kGripper), root});

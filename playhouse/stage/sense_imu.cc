@@ -1,16 +1,16 @@
-/// ImuSense: the phase in which inertial measurement units that are subscribed and due feel how they moved
-/// since they measured before.
+/// ImuSense: the phase in which inertial measurement units that are
+/// subscribed and due measure the motion since their previous measurement.
 ///
-/// In: poses of models; errors that each unit's words tell; what it noted when it measured before.
-/// Out: specific force and turn rates with errors, and where the unit believes to be.
-/// Cost: a hundred random numbers for a unit that has noise.
-/// Source: specific force is the acceleration less that of gravity, in the frame of the body; both are means
-///   over the interval, so that what integrates them comes to where the unit is. White noise of density N has
-///   the deviation N / sqrt(dt) then, and a bias that wanders with density K moves by K sqrt(dt) (IEEE Std
-///   952, annex C). A level made of accelerometers is wrong by bias / g, a heading by the integral of the
-///   gyroscope's error about the vertical (Groves, "Principles of GNSS, Inertial, and Multisensor Integrated
-///   Navigation Systems", 2013, 5.6). Poses are those of the tick, so the acceleration is that of the
-///   measurement before.
+/// In: poses of models; the error parameters of each unit; its state at the previous measurement.
+/// Out: specific force and angular rates with errors, and the unit's own estimate of its pose.
+/// Cost: a hundred random numbers for a unit with noise.
+/// Source: specific force is acceleration minus gravity, in the body frame; force and rates are means over
+///   the interval, so that integrating them gives the true motion. White noise of density N then has the
+///   standard deviation N / sqrt(dt), and a bias random walk of density K moves by K sqrt(dt) (IEEE Std 952,
+///   annex C). Levelling by accelerometers has an error of bias / g, heading the integral of the gyroscope's
+///   error about the vertical (Groves, "Principles of GNSS, Inertial, and Multisensor Integrated Navigation
+///   Systems", 2013, 5.6). Poses are those of ticks, so the acceleration lags by one interval: it is that of
+///   the previous measurement.
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ Quaternion inverse(const Quaternion& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
 
-/// The axis times the angle of the shorter turn.  [rad]
+/// Rotation vector (axis times angle) of the shorter rotation.  [rad]
 Vec3 turn_of(const Quaternion& q) {
   const double sign = q.w < 0 ? -1 : 1, sine = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
   const double scale = sine > 0 ? sign * 2 * geom::atan2(sine, sign * q.w) / sine : 2;
@@ -66,7 +66,7 @@ class ImuSense final : public PoseSense {
                       const Vec3& f, double turn_error);
 };
 
-/// How a point of a tree moves: as its body does, or, in the plane, as the robot drives.  [m/s, in W]
+/// Velocity of a point of a tree: of its rigid body, or in the 2D engine by the robot's command.  [m/s, in W]
 Vec3 velocity_at(const world::World& world, std::uint32_t root, const Vec3& p) {
   const geom::Pose& X = world.models.X_WM[root];
   const Vec3 arm = p - Vec3{X.x, X.y, X.z};
@@ -77,7 +77,7 @@ Vec3 velocity_at(const world::World& world, std::uint32_t root, const Vec3& p) {
   return Vec3{v.x, v.y, driven.z} + cross(Vec3{0, 0, driven.a}, arm);
 }
 
-/// A unit that measures for the first time has been where it is, and moved as it does.
+/// First measurement: assumes that the unit has moved at its present velocity.
 void ImuSense::begin(world::World& world, std::uint32_t row, const geom::SpatialPose& X_WB, Rng& rng) {
   world::Imus& imus = world.imus;
   const scene::ImuDesc& imu = *world.desc(imus.model[row]).imu;
@@ -124,8 +124,8 @@ void ImuSense::measure(world::World& world, std::uint32_t row, std::uint64_t tic
   imus.tilt_WB[row] = X_WB.tilt;
   imus.v_WB[row] = v;
   imus.noted_tick[row] = tick;
-  // How it stands: its level is that of its accelerometers, where there is gravity, its heading that of its
-  // gyroscopes.
+  // Attitude estimate: roll and pitch from the accelerometers,
+  // if there is gravity, yaw from the gyroscopes.
   const Vec3 level_error = gravity > 0 ? (1 / gravity) * Vec3{bias.v.y, -bias.v.x, 0} : Vec3{};
   const Quaternion q_WE = about({0, 0, imus.heading_error[row]}) * q_WB * about(level_error);
   const geom::SpatialPose X_WE = geom::spatial_pose({}, q_WE);
@@ -133,7 +133,7 @@ void ImuSense::measure(world::World& world, std::uint32_t row, std::uint64_t tic
   imus.tilt_WE[row] = X_WB.tilt == geom::Tilt{} && bias.v == Vec3{} ? geom::Tilt{} : X_WE.tilt;
 }
 
-/// Integrates what it felt: velocities first, as the readings are differences of those.
+/// Dead reckoning: integrates the specific force; velocities first, as readings are their differences.
 void ImuSense::believe(world::World& world, std::uint32_t row, double dt, const Quaternion& q_WA,
                        const Vec3& f, double turn_error) {
   world::Imus& imus = world.imus;

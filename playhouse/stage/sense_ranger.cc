@@ -9,7 +9,7 @@
 namespace playhouse::stage {
 namespace {
 
-/// What beams report that met these solids.
+/// Intensities of the beams, by the solids that they hit.
 PLAYHOUSE_INLINE void report(const float* returns, const double* solid, std::size_t beams,
                              float* intensities) {
   std::size_t k = 0;
@@ -51,7 +51,7 @@ void RangerSense::populate(const world::World& world, const Space& space) {
 void RangerSense::Scratch::make_room(std::size_t beams, const Space& space) {
   const Solids& solids = space.solids;
   for (std::vector<double>* column : {&range, &solid, &beam_x, &beam_y}) column->resize(beams + Scan::kSpare);
-  const std::size_t bodies = solids.moving() + kEight;  // up to eight at a time
+  const std::size_t bodies = solids.moving() + kEight;  // padded for vectors of eight
   for (std::vector<double>* column : {&x, &y, &distance, &bearing, &radius}) column->resize(bodies);
   place.resize(bodies);
   order.resize(bodies);
@@ -111,7 +111,7 @@ void RangerSense::measure(world::World& world, const Space& space, std::uint32_t
   }
 }
 
-/// Noise, limits, and the columns that everyone reads.
+/// Applies noise and limits, and writes the public columns.
 void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_t tick,
                          Scratch& scratch) const {
   const RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];

@@ -1,8 +1,8 @@
 #pragma once
 
-/// RangerSense: the phase that fills the scans of all rangers that are subscribed and due. Every beam gets
-/// the exact distance to the nearest outline at its height, whichever way it is found: scans project bodies
-/// onto beams, bundles look their rays up by where a body is, both walk the walls.
+/// RangerSense: the phase that fills the scans of rangers that are subscribed and due. Every beam
+/// gets the exact distance to the nearest outline at its height. Three methods: scans project bodies
+/// onto beams, bundles find candidates in a table by the body's place, both traverse the wall grid.
 
 #include <span>
 #include <vector>
@@ -22,19 +22,19 @@ class RangerSense final : public SensePhase {
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
-  /// Scratch memory of one worker.
+  /// Scratch buffers of one worker.
   struct Scratch {
-    std::vector<double> range, solid;    // m, number_of() what was met: beams of the rangers of a batch
+    std::vector<double> range, solid;    // m and number_of() the solid hit: beams of a batch of rangers
     std::vector<double> beam_x, beam_y;  // unit vectors of a scan in W
-    std::size_t first_beam = 0;          // of the ranger that is measured
-    Rays rays;                           // still to go through the walls
-    // Moving solids near the ranger: centres from it along W's axes, then along its own; places in the index.
+    std::size_t first_beam = 0;          // of the current ranger
+    Rays rays;                           // waiting for the wall traversal
+    // Nearby movable solids: centers relative to the ranger in W, then in its own axes; places in the index.
     std::vector<double> x, y, distance, bearing, radius;  // m, m, m, rad, m
     std::vector<DiscIndex::Run> runs;                     // of the index, near the ranger
     std::vector<std::uint32_t> place, order, cell;
     std::vector<std::int32_t> ring, first, last;  // the last two: beams
-    std::vector<std::uint16_t> met_by;            // bit k: ray k of a bundle may meet it
-    std::vector<std::uint64_t> stamp;             // last scan that saw a wall edge (edges)
+    std::vector<std::uint16_t> met_by;            // bit k: ray k of a bundle may hit it
+    std::vector<std::uint64_t> stamp;             // last scan that visited a wall edge (edges)
     std::uint64_t scans = 0;
 
     void make_room(std::size_t beams, const Space& space);
@@ -65,20 +65,20 @@ class RangerSense final : public SensePhase {
                          Scratch& scratch);
 
   RangerKinds kinds_;
-  std::vector<float> returns_;         // what beams report that met a solid (solids); of none first
-  std::vector<std::uint8_t> is_wall_;  // 1: of a tree that stands still (models)
-  std::size_t scratch_beams_ = 0;      // room for beams in a Scratch
+  std::vector<float> returns_;         // return value of a beam that hit a solid (solids); of a miss first
+  std::vector<std::uint8_t> is_wall_;  // 1: of a static tree (models)
+  std::size_t scratch_beams_ = 0;      // capacity of a Scratch in beams
   std::vector<Scratch> scratch_;       // one per worker
 };
 
-/// From where a ranger looks, and what it does not see.
+/// The pose of a ranger, and what is invisible to it.
 struct RangerSense::View {
   static constexpr Observers kBy = bit(Observer::kRanger);
 
   Pose X_WM;
   Rotation rotation;  // of X_WM
   std::uint32_t root;
-  bool is_wall;  // of a tree that stands still: its own edges are among the walls
+  bool is_wall;  // of a static tree: its own edges are in the walls
 
   bool sees(const Solids& solids, std::size_t row, double z) const {
     return solids.root[row] != root && (solids.seen_by[row] & kBy) != 0 && at_height(solids, row, z);

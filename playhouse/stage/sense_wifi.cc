@@ -1,12 +1,12 @@
-/// WifiSense: the phase in which radios that are subscribed receive what others of their network send, and
-/// those that are due listen for the others.
+/// WifiSense: the phase that delivers messages to radios that are
+/// subscribed, and measures links of radios that are subscribed and due.
 ///
-/// In: places of all radios, what they are, the walls, the messages that wait to be sent.
-/// Out: for each that listens the radios that it hears, and how strongly; for each that is subscribed the
-///   messages that reach it. No message waits any more.
-/// Cost: the radios near it, a logarithm each; with model "raytrace" the cells of the walls on the way too.
-/// Of
-///   messages the same, with the radios that send alone.
+/// In: places and descriptions of all radios, the walls, outgoing messages.
+/// Out: for each due radio its links and their levels; for each subscribed radio the messages that reach it.
+///   The outgoing lists are empty afterwards.
+/// Cost: the radios in range, a logarithm each; with model "raytrace" also the wall cells between them;
+///   for messages the same, among the radios that send.
+///
 /// Source: radio.h.
 
 #include <algorithm>
@@ -33,7 +33,7 @@ class WifiSense final : public SensePhase {
     return {world.wifis.model, world.wifis.measured_tick};
   }
 
-  /// How far a radio may hear follows from the strongest that there is.
+  /// The receive range follows from the strongest sender in the world.
   void populate(const world::World& world, const Space&) override {
     double power = -1e300, frequency = 1e300;
     for (const world::ModelRow model : world.wifis.model) {
@@ -74,7 +74,7 @@ class WifiSense final : public SensePhase {
   }
 
  private:
-  /// Memory of a worker.
+  /// Scratch buffers of a worker.
   struct Scratch {
     std::vector<std::uint32_t> crossed;
     std::vector<world::WifiLink> links;
@@ -84,7 +84,7 @@ class WifiSense final : public SensePhase {
     return {world.models.X_WM[model.index].xy(), 0, 0, 0, model.index, world.models.root[model.index]};
   }
 
-  /// Takes all messages that wait to who receives them.
+  /// Delivers all outgoing messages.
   void carry(world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers) {
     world::Wifis& wifis = world.wifis;
     sending_.clear();
@@ -124,7 +124,7 @@ class WifiSense final : public SensePhase {
 
   static bool is_lost(const scene::WifiDesc& radio, Rng rng) { return 100 * rng.uniform() < radio.loss; }
 
-  /// Replaces `links` by those of `stations` that the radio hears, by id.
+  /// Replaces `links` by the radios of `stations` in range, sorted by id.
   void hear(const world::World& world, const Space& space, std::uint32_t row, const DiscIndex& stations,
             std::uint64_t tick, std::vector<world::WifiLink>& links,
             std::vector<std::uint32_t>& crossed) const {
@@ -156,7 +156,7 @@ class WifiSense final : public SensePhase {
 
   std::vector<double> reach_;           // of radios [m] (rows of SceneDesc::models)
   DiscIndex stations_;                  // all radios, as points
-  std::vector<std::uint32_t> sending_;  // radios that have messages to send (rows of wifis)
+  std::vector<std::uint32_t> sending_;  // radios with outgoing messages (rows of wifis)
   DiscIndex senders_;                   // these, as points
   std::vector<Scratch> scratch_;
 };

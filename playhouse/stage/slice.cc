@@ -28,7 +28,7 @@ void Slicer::stand(const Space& space, Vec2 p, double z, double reach, Observers
     const double least = disc.radius + reach;
     if (geom::dot(w, w) <= least * least && shows(space.solids, disc.row)) near_.push_back(disc.row);
   });
-  // What holds p is what a line to the edge of the world leaves first.
+  // Bodies that contain p: those that a line to the edge of the world leaves before it enters.
   beneath_.clear();
   crossings_.clear();
   cross_walls(space, {1, 0}, kEndless);
@@ -60,7 +60,7 @@ void Slicer::cross_walls(const Space& space, Vec2 d, double reach) {
   }
   const std::size_t before = crossings_.size();
   space.walls.along(p_, d, &reach, meet);
-  // An edge comes once for each of its cells.
+  // Removes duplicates: an edge is listed in each of its cells.
   const auto begin = crossings_.begin() + static_cast<std::ptrdiff_t>(before);
   std::ranges::sort(begin, crossings_.end(), {}, &Crossing::number);
   const auto same = [](const Crossing& a, const Crossing& b) { return a.number == b.number; };
@@ -107,7 +107,7 @@ const std::vector<Stretch>& Slicer::along(const Space& space, Vec2 d, double rea
   cross_walls(space, d, reach);
   cross_bodies(space, d, reach);
   pair_crossings(space.solids);
-  for (const std::uint32_t body : beneath_)  // whose end is beyond the reach
+  for (const std::uint32_t body : beneath_)  // their exit is beyond the reach
     if (!std::ranges::binary_search(crossings_, body, {}, &Crossing::body))
       add(space.solids, body, 0, kEndless);
   return stretches_;

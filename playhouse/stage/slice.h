@@ -1,13 +1,13 @@
 #pragma once
 
-/// Slice: what a vertical plane cuts out of the world on one side of a place: stretches of bodies, each from
-/// a distance to a distance and from a height to a height.
+/// Slice: the cross-section of the world with a vertical half-plane from a
+/// viewpoint: stretches of bodies, each a range of distances and a range of heights.
 ///
-/// In: outlines of what stands still along the plane, and of what moves near the place; their heights.
-/// Out: stretches, at heights from that of the eye.
-/// Cost: the cells of the walls along the plane, and the edges of what moves nearby.
-/// Source: a line enters and leaves a body by turns (even-odd rule, over all contours of a bitmap); where the
-///   first edge that it crosses is one by which it leaves, it began inside. Crossings: ray_edge.h.
+/// In: outlines of static solids along the plane and of movable ones near the viewpoint; their heights.
+/// Out: stretches, with heights relative to the eye.
+/// Cost: the wall cells along the plane, and the edges of nearby movable solids.
+/// Source: even-odd rule over all contours of a bitmap: a line enters and leaves a body alternately; if its
+///   first crossing leaves, it started inside. Crossings: ray_edge.h.
 
 #include <cstdint>
 #include <vector>
@@ -16,30 +16,30 @@
 
 namespace playhouse::stage {
 
-/// Where the plane is in a body.
+/// An interval of the plane that is inside a body.
 struct Stretch {
   double from = 0, to = 0;   // m, on the floor
   double low = 0, high = 0;  // m, from the height of the eye
   std::uint32_t solid = 0;   // row of Solids
 };
 
-/// Looks from one place in many directions. Scratch memory of one worker: keeps its capacity.
+/// Traces many directions from one viewpoint. Scratch buffer of one worker: keeps its capacity.
 class Slicer {
  public:
-  /// From p, at the height z; nothing that `by` does not see, nor of the tree `root`, and not farther than
-  /// `reach`.
+  /// Sets the viewpoint: p at height z. Ignores what `by` does
+  /// not see, the tree `root`, and what is beyond `reach`.
   void stand(const Space& space, Vec2 p, double z, double reach, Observers by, std::uint32_t root);
 
-  /// Stretches along the unit vector d up to `reach`, in no order. Valid until the next call.
+  /// Stretches along the unit vector d up to `reach`, unordered. Valid until the next call.
   const std::vector<Stretch>& along(const Space& space, Vec2 d, double reach);
 
  private:
-  /// An edge of a body on the way.
+  /// A crossing of the ray with an edge of a body.
   struct Crossing {
-    std::uint32_t body;  // the first solid of it
+    std::uint32_t body;  // row of its first solid
     double t;            // m
     bool enters;
-    std::uint32_t number;  // of the edge, to tell the same one in two cells
+    std::uint32_t number;  // of the edge, to drop duplicates from two cells
   };
 
   void cross_walls(const Space& space, Vec2 d, double reach);
@@ -53,8 +53,8 @@ class Slicer {
   double z_ = 0;  // m
   Observers by_ = 0;
   std::uint32_t root_ = 0;
-  std::vector<std::uint32_t> near_;     // solids that move
-  std::vector<std::uint32_t> beneath_;  // bodies that stand still and hold p, ascending
+  std::vector<std::uint32_t> near_;     // movable solids
+  std::vector<std::uint32_t> beneath_;  // static bodies that contain p, ascending
   std::vector<Crossing> crossings_;
   std::vector<Stretch> stretches_;
 };

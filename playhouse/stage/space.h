@@ -1,6 +1,6 @@
 #pragma once
 
-/// Space: every body and how to find those near a place; what the senses read. And one exact ray through it.
+/// Space: all bodies and their broad phase, read-only for the senses; and a single exact ray cast.
 
 #include "playhouse/stage/bodies.h"
 #include "playhouse/stage/disc_index.h"
@@ -10,15 +10,15 @@ namespace playhouse::stage {
 
 struct Space {
   const Solids& solids;
-  const DiscIndex& index;  // the moving solids, each by disc_of(); row: of Solids
-  const Walls& walls;      // the edges of the others
+  const DiscIndex& index;  // the movable solids as disc_of(); row: of Solids
+  const Walls& walls;      // the edges of the static ones
 };
 
-/// What circles about solids, and reaches, are widened by before they rule a hit out, so that rounding loses
-/// none.  [m]
+/// Inflation of bounding circles and reaches in culling
+/// tests, so that rounding never culls a hit. [m]
 inline constexpr double kMargin = 1e-6;
 
-/// A solid that moves as the index has it.
+/// The entry of a movable solid in the index.
 inline DiscIndex::Disc disc_of(const Solids& solids, std::size_t row) {
   const std::uint32_t vertex = solids.first_vertex[row];
   const std::uint32_t vertices = solids.first_vertex[row + 1] - vertex - 1;
@@ -36,21 +36,21 @@ inline DiscIndex::Disc disc_of(const Solids& solids, std::size_t row) {
 }
 
 struct Ray {
-  Vec2 p, d;               // from p towards the unit vector d, in W
-  double z_low = 0;        // m; what is at any height up to z_high is met
+  Vec2 p, d;               // origin, unit vector in W
+  double z_low = 0;        // m; heights z_low .. z_high are tested
   double z_high = 0;       // m
   double range = 0;        // m
-  Observers by = 0;        // whoever looks: solids that none of them sees are passed through
-  std::uint32_t root = 0;  // so are models of this tree
-  std::uint32_t also_root = world::ModelRow::kNone;  // and of this one
+  Observers by = 0;        // the observers: solids invisible to all of them are ignored
+  std::uint32_t root = 0;  // tree that is ignored
+  std::uint32_t also_root = world::ModelRow::kNone;  // another one
 };
 
 struct Hit {
-  double range = 0;                              // m; the ray's range if nothing was met
+  double range = 0;                              // m; the ray's range if it missed
   std::uint32_t solid = world::ModelRow::kNone;  // row of Solids, or kNone
 };
 
-/// What rays between these heights may meet.
+/// True if rays within these heights can hit it.
 inline bool at_height(const Solids& solids, std::size_t row, double z_low, double z_high) {
   return solids.z_free(row) <= z_high && z_low <= solids.z_max[row];
 }
@@ -58,7 +58,7 @@ inline bool at_height(const Solids& solids, std::size_t row, double z) {
   return at_height(solids, row, z, z);
 }
 
-/// The first solid that the ray meets, by the rule of ray_edge.h.
+/// The nearest hit of the ray, by the rule of ray_edge.h.
 Hit cast(const Space& space, const Ray& ray);
 
 }  // namespace playhouse::stage

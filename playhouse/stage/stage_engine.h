@@ -1,6 +1,6 @@
 #pragma once
 
-/// StageEngine: bodies that move in a plane, each tick in one go (motion.h). Thread: the tick thread.
+/// StageEngine: planar motion with collision by refusal (motion.h). Thread: the tick thread.
 
 #include "playhouse/stage/body_engine.h"
 #include "playhouse/stage/motion.h"

@@ -10,7 +10,7 @@
 
 namespace playhouse::stage::testing {
 
-/// Chooses one for a block.
+/// Scoped choice of an instruction set.
 class WithInstructionSet {
  public:
   explicit WithInstructionSet(InstructionSet set) { choose_instruction_set(set); }
@@ -22,8 +22,8 @@ class WithInstructionSet {
   InstructionSet before_ = instruction_set();
 };
 
-/// Runs `body` once with each set that this processor has; InstructionSets.are_all_tested_here tells of the
-/// others.
+/// Runs `body` once for each set that this processor supports; the
+/// test InstructionSets.are_all_tested_here reports the others.
 template <typename Body>
 void with_every_instruction_set(const Body& body) {
   for (const InstructionSet set : {InstructionSet::kPlain, InstructionSet::kAvx2, InstructionSet::kAvx512,

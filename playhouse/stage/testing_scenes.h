@@ -129,7 +129,7 @@ inline void add_gripper(scene::SceneDesc& scene, const std::string& name, int pa
   scene::make_body(model.size, model);
 }
 
-/// A thing that grippers take up, 0.08 m wide; robots drive through it.
+/// An object for grippers, 0.08 m wide; no obstacle, so robots drive through it.
 inline scene::ModelDesc puck(const Pose& X_WM) {
   scene::ModelDesc model = box("puck", X_WM, {0.08, 0.08, 0.1});
   model.gripper_return = true;
@@ -148,8 +148,8 @@ inline void add_arena(scene::SceneDesc& scene, double side) {
 
 enum class Sensing { kNone, kSonar, kLaser };
 
-/// Pioneers at random headings on a jittered square lattice, 0.39 to the square metre, between four walls.
-/// Each keeps on driving along its own arc.
+/// Pioneers at random headings on a jittered square lattice, 0.39 per
+/// square metre, between four walls. Each keeps driving along its own arc.
 inline scene::SceneDesc crowd(std::size_t robots, Sensing sensing) {
   scene::SceneDesc scene;
   scene.name = "crowd";
@@ -172,8 +172,8 @@ inline scene::SceneDesc crowd(std::size_t robots, Sensing sensing) {
   return scene;
 }
 
-/// Boxes that start apart, 3.7 to the square metre, and drive their own arcs, so slowly that a tick is one
-/// step: they are in each other's way all the time.
+/// Boxes without initial overlap, 3.7 per square metre, on slow arcs,
+/// so that a tick is one substep: dense traffic with constant blocking.
 inline scene::SceneDesc throng(std::size_t robots, std::uint64_t seed) {
   scene::SceneDesc scene;
   scene.name = "throng";

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Torus: square cells wrapped round in both directions, so that a world of any extent needs a fixed number
-/// of cells. Far apart places share a cell; whoever looks into a cell tests true coordinates anyway. Cells of
-/// a row are consecutive, so a box of cells is a few consecutive runs.
+/// Torus: a uniform grid whose cell coordinates wrap around in both directions, so that a
+/// world of any extent needs a fixed number of cells. Distant places share a cell, so callers
+/// test true coordinates. Cells of a row are consecutive: a box of cells is a few runs.
 
 #include <cmath>
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace playhouse::stage {
 class Torus {
  public:
   Torus() = default;
-  /// At least `cells` cells of `cell` metres, a power of two each way.
+  /// At least `cells` cells of side `cell` metres; the number per side is a power of two.
   Torus(double cell, std::size_t cells) : cell_(cell), per_metre_(1.0 / cell) {
     while (side() * side() < cells && bits_ < 12) ++bits_;
   }
@@ -24,9 +24,9 @@ class Torus {
   std::size_t side() const { return std::size_t{1} << bits_; }
   std::size_t cells() const { return side() * side(); }
 
-  /// The cell coordinate that holds x, not wrapped.
+  /// The unwrapped cell coordinate of x.
   std::int64_t along(double x) const {
-    constexpr double kFar = 1e15;  // beyond this a cell is as good as any other
+    constexpr double kFar = 1e15;  // saturates; any cell is correct there
     double scaled = x * per_metre_;
     scaled = scaled > kFar ? kFar : scaled < -kFar ? -kFar : scaled;
     const auto towards_zero = static_cast<std::int64_t>(scaled);

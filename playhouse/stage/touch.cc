@@ -14,7 +14,7 @@ struct Rows {
   std::size_t begin = 0, end = 0;
 };
 
-/// Solids among which those of a model are.
+/// A range of solids that includes those of a model.
 Rows solids_about(const Solids& solids, const Trees& trees, const world::Models& models,
                   std::uint32_t model) {
   if (models.mobility[model] == world::Mobility::kFixed) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Who touches whom, whether or not they are obstacles.
+/// Contact queries between bodies, whether or not they are obstacles.
 
 #include <cstdint>
 #include <span>
@@ -10,9 +10,9 @@
 
 namespace playhouse::stage {
 
-/// Appends the models of other trees whose bodies touch or overlap that of `model`, whatever their heights,
-/// and that are `wanted` (by row of the models): ascending, each once. The body of a model is its own,
-/// without what is attached to it. Cost: the bodies near it, and those that stand still.
+/// Appends the models of other trees whose bodies touch or overlap that of `model`, whatever their
+/// heights, and that are `wanted` (by row of the models): ascending, without duplicates. A model's
+/// body excludes attached models. Cost: linear in nearby movable bodies and in all static ones.
 void touching(const Space& space, const Trees& trees, const world::Models& models, world::ModelRow model,
               std::span<const std::uint8_t> wanted, std::vector<std::uint32_t>& out);
 

@@ -1,28 +1,28 @@
 #pragma once
 
-/// Vector functions: f(a, b) is written as a PLAYHOUSE_INLINE function and called as in_vectors<f>(a, b). It
-/// is compiled twice, for any processor and for those with AVX2, and instruction_set.h says which one runs.
-/// Both give the same bits: nothing is fused or reordered, only done four at a time. A lambda in a vector
-/// function is compiled for any processor, unless it becomes a part of it: loops belong into the function
-/// itself.
+/// Vector functions: f(a, b) is written as a PLAYHOUSE_INLINE function and called as
+/// in_vectors<f>(a, b). It is compiled twice, for the baseline processor and for
+/// AVX2, and dispatched at run time (instruction_set.h). Both give the same bits: no
+/// fused multiply-add, no reordering, only four lanes at a time. A lambda in it is
+/// compiled for the baseline unless it is inlined: keep loops in the function itself.
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 
-/// For vector functions and what they are made of: becomes a part of each version.
+/// For vector functions and what they call: inlined into each version.
 #define PLAYHOUSE_INLINE inline __attribute__((always_inline))
 
 namespace playhouse::stage {
 
-/// See instruction_set.h; here so that a call costs one look.
+/// See instruction_set.h; here so that dispatch is a single load.
 enum class WideKernels : std::uint8_t { kNone, kAvx512, kEmulated };
 extern bool vectors_use_avx2;
 extern WideKernels wide_kernels;
 
-/// What does the same with eight numbers at a time as a vector function does: kAvx512 and kEmulated, where it
-/// is worth while (wide.h).
+/// A hand-written eight-lane version of a vector function:
+/// kAvx512 and kEmulated, where it pays (wide.h).
 template <auto kFunction>
 struct Wide {
   static constexpr bool kExists = false;
@@ -43,7 +43,7 @@ struct Versions<kFunction> {
     return plain(arguments...);
   }
 #endif
-  /// Not a part of its callers: it has nothing to do but to jump on.
+  /// Out of line: only a tail call, not worth inlining.
   [[gnu::noinline]] static Value call(Arguments... arguments) {
     if constexpr (Wide<kFunction>::kExists) {
       if (wide_kernels == WideKernels::kAvx512) return Wide<kFunction>::kAvx512(arguments...);
@@ -51,7 +51,7 @@ struct Versions<kFunction> {
     }
     return narrow(arguments...);
   }
-  /// By the version for four numbers, whatever the processor has.
+  /// The four-lane version, even if AVX-512 is available.
   static Value narrow(Arguments... arguments) {
     return vectors_use_avx2 ? avx2(arguments...) : plain(arguments...);
   }
@@ -59,8 +59,8 @@ struct Versions<kFunction> {
 template <auto kFunction>
 inline constexpr auto in_vectors = Versions<kFunction>::call;
 
-/// Numbers that are worked on together, on any processor: four that are exact, or eight where half the digits
-/// do.
+/// Lanes of the vector types, on any
+/// processor: four doubles, or eight floats.
 inline constexpr std::size_t kFour = 4, kEight = 8;
 using Four = double __attribute__((vector_size(kFour * sizeof(double))));
 using Two = double __attribute__((vector_size(2 * sizeof(double))));

@@ -12,15 +12,15 @@ double length(const Walls::Edge& edge) {
   return std::sqrt(geom::dot(e, e));
 }
 
-/// Side of a cell in typical edges. In small cells a ray meets few edges in vain; but many of them are more
-/// memory than the processor's caches hold, and then fewer and larger ones are faster (docs/benchmarks.md).
+/// Side of a cell in multiples of a typical edge. Small cells mean few failed tests per ray; but once
+/// the grid outgrows the processor's caches, fewer and larger cells are faster (docs/benchmarks.md).
 double edges_across(std::size_t edges) {
   constexpr std::size_t kInCaches = 16384;
   return edges <= kInCaches ? 1.5 : 6;
 }
 
-/// Cells that hold a few typical edges, not so small that the long ones fill memory. Where all are long, as
-/// walls of rooms, cells are no larger than what a ray passes by at: it would meet every wall of its room.
+/// Side of a cell: a few typical edges, bounded below by memory for long edges. Bounded above
+/// for scenes of long edges such as rooms, where a large cell would list every wall of its room.
 double cell_for(double total_length, std::size_t edges) {
   constexpr double kLeast = 0.05, kMost = 0.5;  // m
   const double typical = total_length / static_cast<double>(edges);
@@ -28,7 +28,7 @@ double cell_for(double total_length, std::size_t edges) {
   return std::clamp(edges_across(edges) * typical, std::max(kLeast, affordable), std::max(kMost, affordable));
 }
 
-/// Enough that far apart places seldom share a cell: the whole extent where that is affordable.
+/// Number of cells: enough to make collisions on the torus rare, the whole extent if affordable.
 std::size_t cells_for(const geom::Box& box, std::size_t edges, double total_length, double cell) {
   const double across = std::max(box.x_max - box.x_min, box.y_max - box.y_min) / cell + 2;
   const double listings = static_cast<double>(edges) + total_length / cell;
@@ -37,7 +37,7 @@ std::size_t cells_for(const geom::Box& box, std::size_t edges, double total_leng
 
 }  // namespace
 
-/// The cells an edge touches, row by row.
+/// Visits the cells that an edge touches, row by row (conservative rasterisation).
 template <typename Visit>
 void Walls::rasterise(const Edge& edge, const Visit& visit) const {
   const Vec2 low = edge.a.y <= edge.b.y ? edge.a : edge.b, high = edge.a.y <= edge.b.y ? edge.b : edge.a;
@@ -84,13 +84,13 @@ Walls::Walls(const Solids& solids) {
   if (all.size() <= kFew) few_ = all;
 }
 
-/// Edges come in the order of their numbers, so that a group is never gone back to.
+/// Edges come in ascending order, so that each cell has at most one open group.
 void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   struct Last {
-    std::uint32_t solid = world::ModelRow::kNone, edges = 0, next = 0;  // of the group that is being filled
+    std::uint32_t solid = world::ModelRow::kNone, edges = 0, next = 0;  // of the open group
   };
-  // Calls visit(edge, index, is_new) for each edge and each of its cells; is_new if it begins a group there.
+  // Calls visit(edge, index, is_new) for each edge and each of its cells; is_new if it opens a group there.
   const auto each = [&](const auto& visit) {
     std::vector<Last> last(torus_.cells());
     for (const Edge& edge : edges)
@@ -127,8 +127,8 @@ void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
   });
 }
 
-/// A square is as large as the least of its three neighbours allows. What wraps is seen as far into the
-/// second time round as a square can reach.
+/// Dynamic programming: a square is one larger than the least of its three neighbours'
+/// squares. The sweep goes on beyond the wrap-around as far as a square can reach.
 void Walls::measure_clearance() {
   const std::size_t side = torus_.side(), last = side - 1,
                     farthest = std::min<std::size_t>(kFarthest, side / 2);

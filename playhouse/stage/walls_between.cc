@@ -21,7 +21,7 @@ int walls_between(const Space& space, const Pose& from_W, const Pose& to_W, Obse
     const Crossing<double> ends({d.x, d.y, w0.x, w0.y}, {d.x, d.y, w1.x, w1.y});
     if (ends.enters && edge_hit(w0, w1, d) < distance) crossed.push_back(edge.number);
   });
-  std::ranges::sort(crossed);  // an edge comes once for each cell
+  std::ranges::sort(crossed);  // removes duplicates: an edge is listed in each of its cells
   return static_cast<int>(std::unique(crossed.begin(), crossed.end()) - crossed.begin());
 }
 

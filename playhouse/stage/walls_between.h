@@ -1,6 +1,6 @@
 #pragma once
 
-/// How many walls are on a straight line: outlines of what stands still that it enters.
+/// Counts walls along a line segment: outlines of static bodies that it enters.
 
 #include <cstdint>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace playhouse::stage {
 
-/// From one place to the other, at the height of the first; bodies that `by` does not see are none. `crossed`
-/// is scratch memory.
+/// From one place to the other, at the height of the first; ignores
+/// bodies that `by` does not see. `crossed` is a scratch buffer.
 int walls_between(const Space& space, const Pose& from_W, const Pose& to_W, Observers by,
                   std::vector<std::uint32_t>& crossed);
 

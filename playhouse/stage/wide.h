@@ -1,12 +1,12 @@
 #pragma once
 
-/// Kernels of rays that work on eight numbers at a time, for processors with AVX-512: those of scan.h
-/// that take most of the time there, to the same bits. Compilers do not make use of its masks and
-/// packed stores, so these are written with intrinsics. Emulated, the same kernels run on any processor, so
-/// that they are tested on all.
+/// Eight-lane kernels of rays for processors with AVX-512: the hottest
+/// functions of scan.h, with the same bits. Compilers do not generate its
+/// masked compress-stores, so these use intrinsics. The emulated version
+/// runs the same kernels on any processor, so that they are always tested.
 ///
-/// In, Out: as of the functions of the same names in scan.h.
-/// Cost: bench laser takes 0.83 of the time that it takes with AVX2 (docs/benchmarks.md).
+/// In, Out: as for the functions of the same names in scan.h.
+/// Cost: bench laser takes 0.83 of its time with AVX2 (docs/benchmarks.md).
 
 #include "playhouse/stage/scan.h"
 

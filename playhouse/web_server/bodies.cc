@@ -65,7 +65,7 @@ void Bodies::remove(const Body& body) {
   if (!body.model) return;
   const auto change = [model = *body.model, desc = body.desc](world::World& world) {
     const world::ModelRow row = world.row(model);
-    if (!row || world.models.desc[row.index] != desc) return;  // it has gone already
+    if (!row || world.models.desc[row.index] != desc) return;  // removed already
     const Result<void> gone = world::despawn(world, model);
     if (!gone) log::warn("web: the body of somebody who left stays: {}", gone.error().text);
   };

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Bodies: the models that viewers have joined the world as, one each. They come and go with ticks, so that
-/// who leaves may do so before the body has come. Thread: web.
+/// Bodies: the avatars of viewers, at most one each. They are spawned and removed
+/// between ticks, so a viewer may leave before its body exists. Thread: web.
 
 #include <cstdint>
 #include <functional>
@@ -19,16 +19,16 @@
 
 namespace playhouse::web_server {
 
-/// Posts a change of the world. Fails where nobody may change it, and where the tick's queue is full.
+/// Queues a change of the world. Fails if changes are not allowed or the queue is full.
 Result<void> post_change(world::Control& control, std::function<void(world::World&)> change);
 
 class Bodies : public std::enable_shared_from_this<Bodies> {
  public:
-  /// Hears of a body that has come, and how it walks: JSON text for the page's prediction.
+  /// Called when a body has been spawned; `walk`: JSON parameters of its gait, for client-side prediction.
   using Came = std::function<void(std::uint32_t viewer, world::ModelId body, const std::string& walk)>;
 
-  /// What is referred to outlives this; `engine` is its name. Held by a shared_ptr: changes that were posted
-  /// find out whether it is gone.
+  /// References must outlive this; `engine` is its name. Must
+  /// be owned by a shared_ptr: queued changes hold a weak one.
   Bodies(net::IoLoop& loop, world::Control& control, const scene::SceneDesc& scene,
          const replicate::Prototypes& prototypes, std::string engine, Came came)
       : loop_(loop),
@@ -38,23 +38,23 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
         engine_(std::move(engine)),
         came_(std::move(came)) {}
 
-  /// A person comes for the viewer, under this name or one like it; the body that it had before goes. What
-  /// becomes known later goes to `tell`, on the tick thread.
+  /// Spawns a person for the viewer, under this name or one derived from it; replaces
+  /// its previous body. Later errors are passed to `tell`, on the tick thread.
   Result<void> join(const replicate::Join& join, std::uint32_t viewer, const std::string& name,
                     std::function<void(std::string)> tell);
   void leave(std::uint32_t viewer);
 
-  /// None: it has not joined, or its body has not come yet.
+  /// None if it has not joined or its body is not spawned yet.
   std::optional<world::ModelId> of(std::uint32_t viewer) const;
-  /// The same, unless the id names somebody else as far as viewers know: what a controller makes within a
-  /// tick may have it once the run began again.
+  /// The same, but none if the id names another model in `now`: after a
+  /// restart of the run, a model spawned by a controller may have it.
   std::optional<world::ModelId> of(std::uint32_t viewer, const replicate::Layout& now) const;
 
  private:
   struct Body {
-    std::optional<world::ModelId> model;  // none: it has not come yet
-    std::uint32_t desc = 0;               // what it was made from
-    bool is_left = false;                 // the viewer has gone, or has another one
+    std::optional<world::ModelId> model;  // none: not spawned yet
+    std::uint32_t desc = 0;               // its prototype
+    bool is_left = false;                 // the viewer has left or has a newer body
   };
 
   void came(std::uint32_t viewer, Body& body, world::ModelId model);
@@ -67,7 +67,7 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
   const replicate::Prototypes& prototypes_;
   const std::string engine_;
   const Came came_;
-  std::map<std::uint32_t, std::shared_ptr<Body>> bodies_;  // by the viewer's number
+  std::map<std::uint32_t, std::shared_ptr<Body>> bodies_;  // by viewer number
 };
 
 }  // namespace playhouse::web_server

@@ -36,7 +36,7 @@ void DrivenRobots::hold_until_deadline(world::ModelId robot, Held& held) {
   held.deadline = network_.after(limits::kViewerDriveSeconds, [this, robot] { let_go(robot); });
 }
 
-/// What the tick's queue has no room for is tried again.
+/// Retries if the queue is full.
 void DrivenRobots::let_go(world::ModelId robot) {
   Held& held = held_[robot];
   control_.drive(robot, {});

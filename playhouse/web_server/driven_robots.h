@@ -1,9 +1,9 @@
 #pragma once
 
-/// DrivenRobots: the robots that viewers drive by hand. A robot's wheels are open, as for a client that opens
-/// its device, from the first velocity until the viewer lets go, leaves, or sends nothing for
-/// limits::kViewerDriveSeconds; then they stop. Nothing is locked: the newest command counts, whoever gave
-/// it. Thread: web.
+/// DrivenRobots: the robots that viewers drive by hand. A robot is subscribed, as
+/// by a client that opens its device, from the first velocity until the viewer
+/// releases it, leaves, or sends nothing for limits::kViewerDriveSeconds; then it
+/// stops. No locking: the latest command from anyone applies. Thread: web.
 
 #include <cstdint>
 #include <map>
@@ -18,21 +18,21 @@ namespace playhouse::web_server {
 
 class DrivenRobots {
  public:
-  /// Who drives; only compared.
+  /// Identity of a viewer; compared only.
   using Driver = const void*;
 
   DrivenRobots(net::Network& network, world::Control& control) : network_(network), control_(control) {}
 
-  /// The model has wheels; if it has gone by the time of the tick nothing happens.
+  /// The model must have a drive; no effect if it is removed before the tick.
   void drive(const replicate::Drive& drive, Driver driver);
 
-  /// Stops what this driver was the last to drive.
+  /// Stops the robots last driven by this viewer.
   void left(Driver driver);
 
  private:
   struct Held {
     Driver driver = nullptr;
-    std::shared_ptr<world::Use> use;  // the tick thread's once it is posted; none: its queue was full
+    std::shared_ptr<world::Use> use;  // owned by the tick thread once posted; null: its queue was full
     std::unique_ptr<net::Timer> deadline;
   };
 

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 4> kRoles = {"observer", "driver", "human
 bool is_letter(unsigned char c) {
   return (c | 0x20) >= 'a' && (c | 0x20) <= 'z';
 }
-/// Of tokens, which stand in links.
+/// Characters of tokens, which are parts of links.
 bool is_word(std::string_view text) {
   return std::ranges::all_of(
       text, [](unsigned char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; });
@@ -39,7 +39,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
-/// What is wrong with a line, or nothing.
+/// Error in a line; empty if it is valid.
 std::string fault_of(const std::vector<std::string_view>& words) {
   if (std::ranges::find(kRoles, words[0]) == kRoles.end())
     return in_quotes(words[0]) + " is no role: observer, driver, human or admin" +

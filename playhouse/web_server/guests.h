@@ -1,7 +1,7 @@
 #pragma once
 
-/// Guests: who may open the page, and what each may do. A file has a line for each: role, token and name; the
-/// link by which somebody comes carries the token. docs/guests.md.
+/// Guests: access control of the page: roles, tokens and their rights. A guest file has a
+/// line for each: role, token and name; a guest's link contains the token. docs/guests.md.
 
 #include <cstdint>
 #include <initializer_list>
@@ -20,35 +20,35 @@ enum class Role : std::uint8_t { kObserver, kDriver, kHuman, kAdmin };
 
 std::string_view name_of(Role role);
 
-/// What a role may do besides looking.
+/// Permissions beyond watching.
 struct Rights {
   bool drives = false;   // any robot
-  bool joins = false;    // has a body, drives it and speaks
-  bool manages = false;  // pauses, rewinds, adds, moves, removes and saves; mutes others and sends them out
+  bool joins = false;    // has an avatar, drives it and speaks
+  bool manages = false;  // pauses, rewinds, adds, moves, removes, saves; mutes and kicks others
 };
 
 Rights rights_of(Role role);
 
 struct Guest {
   Role role = Role::kObserver;
-  std::string token;  // "*": whoever has none
-  std::string name;   // what they are called; empty: as they wish
+  std::string token;  // "*": guests without a token
+  std::string name;   // display name; empty: chosen by the guest
 };
 
-/// Who may come to a run, and who was sent out of it. A handle: copies speak of the same book, so that who
-/// was sent out of the page does not come back through another transport. Thread: one.
+/// Access list of a run, with those kicked. A handle: copies share
+/// one list, so that a kick applies to all transports. Thread: one.
 class GuestBook {
  public:
-  /// No guests: everybody may come, as an admin.
+  /// Without guests everybody is admitted, as an admin.
   GuestBook(std::vector<Guest> guests = {});
   GuestBook(std::initializer_list<Guest> guests) : GuestBook(std::vector<Guest>(guests)) {}
 
-  /// Who comes with this token ("*": with none) from this peer, "address:port"; nobody where they may not.
-  /// One who was sent out is not let in again: by the token, or by the address where everybody has the same.
+  /// The guest with this token ("*": none) from this peer, "address:port"; none if not admitted.
+  /// Kicked guests are rejected: by token, or by address if the token is shared by all.
   std::optional<Guest> admit(const std::string& token, const std::string& peer) const;
-  /// Whether that is why nobody is let in.
+  /// True if the guest was kicked.
   bool is_sent_out(const std::string& token, const std::string& peer) const;
-  /// Sends out whoever has this token, or comes from the peer's network where they have none.
+  /// Kicks the guest: by token, or by the peer's network if it has none.
   void send_out(const std::string& token, const std::string& peer);
 
   const std::vector<Guest>& guests() const { return book_->guests; }
@@ -56,22 +56,22 @@ class GuestBook {
  private:
   struct Book {
     std::vector<Guest> guests;
-    std::set<std::string, std::less<>> sent_out;  // tokens, and networks of those without one
+    std::set<std::string, std::less<>> sent_out;  // tokens, and networks of guests without one
   };
   std::shared_ptr<Book> book_;
 };
 
-/// What somebody reads who was sent out, then and when they come again.
+/// Message to a kicked guest, at the kick and on later attempts.
 inline constexpr const char* kSentOut = "an admin has sent you out";
 
-/// Longest file of guests.  [B]
+/// Limit on the size of a guest file.  [B]
 inline constexpr std::size_t kGuestFileBytes = 1 << 20;
 
-/// Reads `role token [name]` lines; # begins a comment, and the token ? is made at random. Fails with
-/// "path:line: what".
+/// Parses `role token [name]` lines; # begins a comment, and token
+/// ? is replaced by a random one. Fails with "path:line: what".
 Result<std::vector<Guest>> parse_guests(std::string_view text, const std::string& path);
 
-/// 26 letters and digits, 130 bits at random from the system.
+/// 26 letters and digits: 130 bits of entropy from the system.
 std::string random_token();
 
 }  // namespace playhouse::web_server

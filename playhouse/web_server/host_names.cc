@@ -10,7 +10,7 @@
 namespace playhouse::web_server {
 namespace {
 
-/// "host:port" or "host" to "host"; the brackets of an IPv6 address stay.
+/// Strips the port of "host:port"; brackets of IPv6 are kept.
 std::string_view without_port(std::string_view authority) {
   const std::size_t bracket = authority.find(']');
   return authority.substr(0, authority.find(':', bracket == std::string_view::npos ? 0 : bracket));
@@ -28,7 +28,7 @@ bool same_letters(std::string_view a, std::string_view b) {
       a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// True for "robo", "robo.local" and the whole name where the machine calls itself "robo.lab.example".
+/// For a machine named "robo.lab.example": true for that, "robo" and "robo.local".
 bool is_name_of(std::string_view machine, std::string_view host) {
   if (machine.empty()) return false;
   const std::string first(machine.substr(0, machine.find('.')));

@@ -1,7 +1,7 @@
 #pragma once
 
-/// HostNames: the names under which browsers may call this program, and which pages may control it. Whoever
-/// owns another name can make it point at us once their page is in somebody's browser (DNS rebinding).
+/// HostNames: allowed values of the Host header, and origins that may control the program.
+/// Protects against DNS rebinding: a page loaded from a foreign name that resolves to our address.
 
 #include <string>
 #include <string_view>
@@ -11,19 +11,19 @@ namespace playhouse::web_server {
 
 class HostNames {
  public:
-  /// `machine` is what the machine calls itself (empty: the system is asked); `further` are those that we
-  /// were told.
+  /// `machine` is the machine's host name (empty: ask
+  /// the system); `further` are configured names.
   HostNames(std::string machine, std::vector<std::string> further);
 
   const std::string& machine() const { return machine_; }
 
-  /// Whether an authority, "name" or "name:port", is ours: localhost, an address, the machine's own name or a
-  /// further one.
+  /// True for an authority, "name" or "name:port", that is ours:
+  /// localhost, an IP address, the machine's name or a further one.
   bool has(std::string_view authority) const;
 
-  /// Whether a page from `origin` may watch and control the program that its browser calls `host`: it came
-  /// from here, the same name and port. Another port is another program, whoever's that is. In front of a
-  /// further name there may be a proxy that speaks TLS.
+  /// Same-origin check: whether a page from `origin` may control the program
+  /// reached as `host`: same name and port. Another port may be another program.
+  /// For further names the scheme may be https: a TLS proxy in front of us.
   bool may_control(std::string_view origin, const std::string& host) const;
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The meshes of a world as files for browsers. Each is made when somebody asks for it first, and kept.
-/// Thread: the web thread.
+/// The meshes of a world as files for browsers, built
+/// on first request and cached. Thread: the web thread.
 
 #include <map>
 #include <memory>
@@ -15,15 +15,15 @@ namespace playhouse::web_server {
 
 class MeshFiles {
  public:
-  /// Of the prototypes of a world, which outlive this.
+  /// Meshes of a world's prototypes, which must outlive this.
   explicit MeshFiles(std::span<const std::shared_ptr<const mesh::Mesh>> meshes);
 
   struct File {
     std::shared_ptr<const std::string> bytes;  // binary glTF
     std::string etag;                          // quoted
   };
-  /// The file at an address "/meshes/0.glb"; null: there is none. Cost: that of its textures as PNG, the
-  /// first time.
+  /// The file at a path like "/meshes/0.glb"; null if there is
+  /// none. Cost: PNG compression of its textures, the first time.
   const File* find(std::string_view path);
 
  private:

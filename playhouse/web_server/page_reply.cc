@@ -10,9 +10,9 @@ constexpr std::string_view kNoPage =
     "This program was built without its web page. Build it (cd web && npm ci && npm run build), then build "
     "the program again.\n";
 
-/// The page loads its own files alone (textures of meshes are in files that it has, which is "blob:"), talks
-/// to this server alone, and is shown in nobody's frame, where a click meant for another site could drive a
-/// robot.
+/// CSP: the page loads only its own files (mesh textures are
+/// embedded, hence "blob:"), connects only to this server, and
+/// cannot be framed, since clickjacking could drive a robot.
 constexpr std::string_view kPagePolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self' "
     "blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -41,7 +41,7 @@ net::HttpReply file_reply(const PageFile& file, bool accepts_gzip) {
   reply.varies = !file.gzip.empty();
   reply.content_encoding = gzip ? "gzip" : "";
   reply.constant = gzip ? file.gzip : file.bytes;
-  // The build puts a hash of the contents into the names under /assets/.
+  // Names below /assets/ contain a content hash.
   if (file.path.starts_with("/assets/")) reply.cache_control = "public, max-age=31536000, immutable";
   return reply;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the page's addresses are answered with: its own files and the meshes of the world.
+/// HTTP replies for the page's files and the world's meshes.
 
 #include <span>
 
@@ -10,7 +10,7 @@
 
 namespace playhouse::web_server {
 
-/// Of a page without files the answer says how it is built. The reply may point into `page`.
+/// Without embedded files the reply explains how to build the page. The reply may refer to `page`.
 net::HttpReply page_reply(std::span<const PageFile> page, MeshFiles& meshes, const net::HttpRequest& request);
 
 }  // namespace playhouse::web_server

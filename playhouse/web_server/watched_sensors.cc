@@ -24,7 +24,7 @@ void WatchedSensors::select(std::set<world::ModelId> robots) {
   reconcile();
 }
 
-/// What the tick's queue has no room for is tried again.
+/// Retries if the queue is full.
 void WatchedSensors::reconcile() {
   bool done = true;
   for (const world::ModelId robot : selected_)
@@ -41,7 +41,7 @@ void WatchedSensors::reconcile() {
 }
 
 bool WatchedSensors::begin(world::ModelId robot) {
-  auto uses = std::make_shared<Measuring>();  // the tick thread's once it is posted
+  auto uses = std::make_shared<Measuring>();  // owned by the tick thread once posted
   const auto open = [robot, uses, &control = control_](world::World& world) {
     open_sensors(world, control, robot, *uses);
   };

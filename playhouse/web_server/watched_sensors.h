@@ -1,7 +1,7 @@
 #pragma once
 
-/// WatchedSensors: a selected robot's sensors measure while somebody looks at them, as if a client had opened
-/// them. Thread: web.
+/// WatchedSensors: subscribes the sensors of robots that viewers
+/// have selected, as if a client had opened them. Thread: web.
 
 #include <map>
 #include <memory>
@@ -17,13 +17,13 @@ class WatchedSensors {
  public:
   WatchedSensors(net::Network& network, world::Control& control) : network_(network), control_(control) {}
 
-  /// Those of these robots measure from now on, others no longer.
+  /// Subscribes the sensors of these robots and unsubscribes all others.
   void select(std::set<world::ModelId> robots);
-  /// Asks nothing more of the world.
+  /// Stops retrying.
   void close() { retry_.reset(); }
 
  private:
-  /// Subscriptions taken for a robot, so that exactly these are released.
+  /// The subscriptions taken for a robot, so that exactly those are released.
   using Measuring = std::vector<world::Use>;
 
   void reconcile();
@@ -33,7 +33,7 @@ class WatchedSensors {
   net::Network& network_;
   world::Control& control_;
   std::set<world::ModelId> selected_;
-  std::map<world::ModelId, std::shared_ptr<Measuring>> begun_;  // that the world was asked for
+  std::map<world::ModelId, std::shared_ptr<Measuring>> begun_;  // with subscriptions requested
   std::unique_ptr<net::Timer> retry_;
 };
 

@@ -109,7 +109,7 @@ class WebServer::Impl final : public net::HttpService,
  private:
   using Person = std::pair<std::string, std::uint32_t>;  // see person_at()
 
-  /// One turn: the newest snapshot for every viewer, and its next commands.
+  /// One turn: offers the newest snapshot to all viewers, and resumes their commands.
   void serve() {
     for (const auto& viewer : viewers_) viewer->new_turn();
     feed_.take(front_);
@@ -117,7 +117,7 @@ class WebServer::Impl final : public net::HttpService,
     look_at_past();
     offer();
     if (std::exchange(newest_, front_.layout) != front_.layout)
-      interest_changed();  // somebody who was selected may be gone
+      interest_changed();  // a selected model may be gone
   }
 
   /// At most once a second.
@@ -184,7 +184,7 @@ class WebServer::Impl final : public net::HttpService,
     return std::visit([&](const auto& each) { return execute(each, from); }, command);
   }
 
-  // One for each command: one that has none does not compile.
+  // An overload for each command; a missing one does not compile.
   Result<void> execute(const replicate::Pause&, WebViewer&) {
     control_.pause();
     return {};
@@ -201,7 +201,7 @@ class WebServer::Impl final : public net::HttpService,
     control_.set_speed(speed.times_real_time);
     return {};
   }
-  // What the viewer has set already (WebViewer::execute()).
+  // Handled by the viewer before (WebViewer::execute()).
   Result<void> execute(const replicate::Select&, WebViewer&) {
     interest_changed();
     return {};
@@ -212,7 +212,7 @@ class WebServer::Impl final : public net::HttpService,
   }
   Result<void> execute(const replicate::Acknowledge&, WebViewer&) { return {}; }
 
-  /// What somebody comes with; "*": nothing.
+  /// Token of a request; "*": none.
   static std::string token_of(const net::HttpRequest& request) {
     constexpr std::string_view kToken = "token=";
     return request.query.starts_with(kToken) ? request.query.substr(kToken.size()) : std::string("*");
@@ -231,13 +231,13 @@ class WebServer::Impl final : public net::HttpService,
     return fmt::format(" as {}{}{}", name_of(guest.role), guest.name.empty() ? "" : " ", guest.name);
   }
 
-  /// Why a viewer may not have this carried out; empty: it may.
+  /// Reason why a viewer may not do this; empty if it may.
   std::string why_not(const replicate::Command& command, const WebViewer& from) const {
     bool may = has_right(from.rights(), replicate::who_may(command));
     if (const auto* drive = std::get_if<replicate::Drive>(&command))
       may = may || (from.rights().joins && is_body(drive->model, from));
     if (const auto* remove = std::get_if<replicate::Remove>(&command))
-      may = may || is_body(remove->model, from);  // who leaves
+      may = may || is_body(remove->model, from);  // own body
     if (may && std::holds_alternative<replicate::Say>(command) && is_muted(from))
       return "an admin has muted you";
     return may ? std::string() : fmt::format("a guest who is {} may not do that", name_of(from.guest().role));
@@ -253,7 +253,7 @@ class WebServer::Impl final : public net::HttpService,
     return found == viewers_.end() ? nullptr : found->get();
   }
 
-  /// Of a guest with a token all pages, also later ones.
+  /// Mutes all pages of a guest with a token, later ones included.
   Result<void> execute(const replicate::Mute& mute, WebViewer&) {
     const WebViewer* const who = viewer(mute.viewer);
     if (!who) return Error{"", "nobody has this number"};
@@ -268,7 +268,7 @@ class WebServer::Impl final : public net::HttpService,
 
   bool is_muted(const WebViewer& viewer) const { return muted_.contains(person_at(viewer)); }
 
-  /// Who is at a page: a guest by the token; without one every page is somebody.
+  /// Identity behind a page: the guest's token; without one every page is its own.
   static Person person_at(const WebViewer& viewer) {
     const std::string& token = viewer.guest().token;
     return token == "*" ? Person{"", viewer.number()} : Person{token, 0};
@@ -278,12 +278,12 @@ class WebServer::Impl final : public net::HttpService,
     WebViewer* const out = viewer(kick.viewer);
     if (!out) return Error{"", "nobody has this number"};
     if (out == &from) return Error{"", "this is yourself"};
-    // Else it would shut the admin out, too.
+    // Otherwise the admin would be locked out too.
     const std::string &token = out->guest().token, &own = from.guest().token;
     const bool is_same =
         token == "*" ? net::network_of(out->peer()) == net::network_of(from.peer()) : token == own;
     if (!is_same) options_.guests.send_out(token, out->peer());
-    std::vector<std::uint32_t> pages;  // of theirs
+    std::vector<std::uint32_t> pages;  // of that guest
     for (const auto& other : viewers_)
       if (other.get() == out || options_.guests.is_sent_out(other->guest().token, other->peer()))
         pages.push_back(other->number());
@@ -294,7 +294,7 @@ class WebServer::Impl final : public net::HttpService,
     return {};
   }
 
-  /// To everybody: who watches, and what each may do.
+  /// Sends the list of viewers and their rights to all.
   void tell_people() {
     boost::json::array people;
     for (const auto& viewer : viewers_) {
@@ -317,9 +317,9 @@ class WebServer::Impl final : public net::HttpService,
     }
   }
 
-  /// Closes a viewer for one that comes: of the network with the most viewers, or else one that has
-  /// acknowledged nothing for long, as hidden pages do. False: all are busy, and no network has more than its
-  /// share.
+  /// Evicts a viewer for a new one: from the network with the most
+  /// viewers, otherwise one without acknowledgements for long, like hidden
+  /// pages. False: all are active, and no network exceeds its share.
   bool make_room(const std::string& network) {
     std::vector<std::string> networks;
     std::vector<net::Holder> holders;
@@ -348,8 +348,8 @@ class WebServer::Impl final : public net::HttpService,
     socket.close("there are as many viewers as this program serves");
   }
 
-  /// Does `then(row)` for the row of a model that a viewer names, and succeeds silently if it has been
-  /// removed. Fails for one that never was.
+  /// Calls `then(row)` for a model named by a viewer; silently succeeds
+  /// if it has been removed. Fails for an id that was never used.
   template <typename Then>
   Result<void> with_row(world::ModelId model, const Then& then) const {
     if (model.value >= ids_given_) return Error{"", "no such model"};
@@ -370,7 +370,7 @@ class WebServer::Impl final : public net::HttpService,
       if (!may_be_moved(row)) return Error{"", "this model may not be moved by hand"};
       return post_change([drag](world::World& world) {
         const world::ModelRow model = world.row(drag.model);
-        if (!model) return;  // it is gone
+        if (!model) return;  // removed
         geom::Pose X_PM = world.models.X_PM[model.index];
         X_PM.x = drag.x;
         X_PM.y = drag.y;
@@ -387,15 +387,15 @@ class WebServer::Impl final : public net::HttpService,
       if (drive.input != 0) tell_when_driven(drive, from);
       return {};
     };
-    if (is_body(drive.model, from)) return turn_wheels();  // it may be younger than the newest layout
+    if (is_body(drive.model, from)) return turn_wheels();  // may be newer than the latest layout
     return with_row(drive.model, [&](std::uint32_t row) -> Result<void> {
       if (!(newest_->traits[row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
       return turn_wheels();
     });
   }
 
-  /// Reports from which tick the input took effect, so that the page's prediction can estimate latency. Where
-  /// the queue is full the next input is reported.
+  /// Reports the tick in which the input took effect, so that the page can estimate
+  /// latency for prediction. If the queue is full, a later input is reported.
   void tell_when_driven(const replicate::Drive& drive, const WebViewer& from) {
     const auto tell = [input = drive.input, reach = reacher(from)](const world::World& world) {
       reach([input, tick = world.tick()](WebViewer& viewer) { viewer.driven(input, tick); });
@@ -500,8 +500,8 @@ class WebServer::Impl final : public net::HttpService,
     return web_server::post_change(control_, std::move(change));
   }
 
-  /// Does something with a viewer on the web thread, if it is still there. Any thread, and also when the
-  /// server is gone.
+  /// Returns a function that runs a task for a viewer on the web thread,
+  /// if it still exists. Any thread, even after the server's destruction.
   std::function<void(std::function<void(WebViewer&)>)> reacher(const WebViewer& viewer) {
     return [&loop = loop_, weak = weak_from_this(),
             number = viewer.number()](std::function<void(WebViewer&)> task) {
@@ -513,7 +513,7 @@ class WebServer::Impl final : public net::HttpService,
     };
   }
 
-  /// Tells a viewer a line.
+  /// Returns a function that sends a line to a viewer.
   std::function<void(std::string)> teller(const WebViewer& viewer) {
     return [reach = reacher(viewer)](std::string text) {
       reach([text = std::move(text)](WebViewer& other) { other.notice(text); });
@@ -550,7 +550,7 @@ class WebServer::Impl final : public net::HttpService,
     tell_people();
   }
 
-  /// The scene with its present population.
+  /// The scene text for the present population, cached.
   std::shared_ptr<const std::string> scene_text() {
     if (newest_ != scene_layout_) {
       scene_layout_ = newest_;
@@ -563,7 +563,7 @@ class WebServer::Impl final : public net::HttpService,
   replicate::ChangesTexts& changes_texts() override { return changes_texts_; }
   std::shared_ptr<const std::string> history() override { return history_text_; }
 
-  /// What all viewers look at, for the next capture; and what they selected, for the sensors.
+  /// Updates the union of interests for captures, and the selected sensors.
   void interest_changed() {
     replicate::Interest interest;
     std::set<world::ModelId> selected;
@@ -590,7 +590,7 @@ class WebServer::Impl final : public net::HttpService,
   replicate::SnapshotFeed feed_;
 
   // web thread
-  std::shared_ptr<const replicate::Layout> newest_;  // that viewers were told of
+  std::shared_ptr<const replicate::Layout> newest_;  // announced to viewers
   std::unique_ptr<net::Listener> listener_;
   std::vector<std::unique_ptr<WebViewer>> viewers_;
   std::unique_ptr<net::Timer> offer_timer_;
@@ -601,7 +601,7 @@ class WebServer::Impl final : public net::HttpService,
   std::shared_ptr<const replicate::Layout> scene_layout_;  // of scene_text_
   std::shared_ptr<const std::string> scene_text_;
   replicate::ChangesTexts changes_texts_;
-  std::uint32_t ids_given_;  // most ever: a run that went back had given more
+  std::uint32_t ids_given_;  // maximum so far: a rewound run had used more
   std::shared_ptr<const world::Past> past_;
   std::chrono::steady_clock::time_point past_time_;
   std::shared_ptr<const std::string> history_text_;  // of past_

@@ -1,10 +1,10 @@
 #pragma once
 
-/// WebServer: the page at http://bind:port/ and its viewers. Serves the built page from memory, sends every
-/// viewer the scene and then changes only (replicate), and carries out what viewers ask for through
-/// world::Control. Costs nothing while nobody watches. docs/viewer.md, docs/viewer-protocol.md. Threads:
-/// wants_show() and show() are for the tick thread or one that works for it, all else for the thread of the
-/// loop (the web thread) or for before it runs.
+/// WebServer: the page at http://bind:port/ and its viewers. Serves the page from memory,
+/// sends every viewer the scene and then deltas (replicate), and executes viewers' commands
+/// through world::Control. No cost without viewers. docs/viewer.md, docs/viewer-protocol.md.
+/// Threads: wants_show() and show() are for the tick thread or one that works for it, all
+/// else for the thread of the loop (the web thread), or before that runs.
 
 #include <chrono>
 #include <cstddef>
@@ -30,18 +30,18 @@ struct WebOptions {
   std::string bind = "127.0.0.1";  // numeric address
   std::uint16_t port = 8080;       // 0: any free one
   std::span<const PageFile> page;  // usually page_files()
-  std::string host_name;           // of this machine; empty: the system is asked
+  std::string host_name;           // of this machine; empty: ask the system
   std::chrono::milliseconds viewer_quiet = std::chrono::seconds(limits::kViewerQuietSeconds);  // for tests
-  std::vector<std::string> further_names;  // under which browsers may call us besides
-  GuestBook guests;                        // who may come
-  std::size_t viewers = limits::kViewers;  // at once, at most that
-  /// What physics takes bodies for now; tick thread. None: nobody can tell.
+  std::vector<std::string> further_names;  // further allowed host names
+  GuestBook guests;                        // access list
+  std::size_t viewers = limits::kViewers;  // limit on simultaneous viewers
+  /// Current collision shapes; tick thread. Empty: not available.
   std::function<world::PhysicsShapes()> physics_shapes;
 };
 
 struct WebStatus {
   std::size_t viewers = 0;            // connected now
-  std::uint64_t viewers_refused = 0;  // over the limit, with none that gave way
+  std::uint64_t viewers_refused = 0;  // at the limit, with no idle viewer to replace
   std::uint64_t frames_sent = 0;
   std::uint64_t bytes_sent = 0;  // of frames
   std::uint64_t commands = 0;
@@ -50,31 +50,31 @@ struct WebStatus {
 
 class WebServer {
  public:
-  /// Reads the world at once, so the first tick comes after; `devices` is asked now, and later by show() for
-  /// models that come. The scene, the loop and the control outlive the server; destroy it when the loop no
-  /// longer runs and show() is no longer called. A control that is still given changes (Control::post) may
-  /// carry them out later: they touch only the world and the loop.
+  /// Reads the world at once, so construct it before the first tick; `devices` is called now,
+  /// and later by show() for new models. The scene, the loop and the control must outlive the
+  /// server; destroy it when the loop has stopped and show() is no longer called. Changes
+  /// queued in the control may run later: they touch only the world and the loop.
   WebServer(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world,
             replicate::DeviceNames devices);
   ~WebServer();
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 
-  /// Opens the port and returns its number.
+  /// Starts listening; returns the port.
   Result<std::uint16_t> listen();
 
-  /// Whether viewers are to be given the world's present state: somebody watches, and the last time was 33 ms
-  /// of wall time ago. Ask after each tick, and while paused at least ten times a second, so that they see
-  /// what was dragged and that the program lives. Costs an atomic load while nobody watches.
+  /// True if a capture is due: there are viewers, and 33 ms of wall time have passed since
+  /// the last one. Call it after each tick, and while paused at 10 Hz or more, so that
+  /// dragging is visible and the connection stays alive. One atomic load without viewers.
   bool wants_show() const;
-  /// Gives it to them. The world stands still meanwhile.
+  /// Captures the world for viewers. The world must not change meanwhile.
   void show(const world::World& world, const world::Pace& pace);
 
   WebStatus status() const;
 
  private:
   class Impl;
-  std::shared_ptr<Impl> impl_;  // with the tasks posted to the io loop, which may outlive the server
+  std::shared_ptr<Impl> impl_;  // shared with tasks posted to the io loop, which may outlive the server
 };
 
 }  // namespace playhouse::web_server

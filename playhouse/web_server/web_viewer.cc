@@ -10,7 +10,7 @@
 namespace playhouse::web_server {
 namespace {
 
-/// A page that hears nothing for longer thinks that the program hangs.
+/// Without a message for longer, a page assumes that the program hangs.
 constexpr std::chrono::milliseconds kSignOfLife{1000};
 
 }  // namespace
@@ -59,7 +59,7 @@ void WebViewer::drained() {
 }
 
 void WebViewer::received(std::string_view text) {
-  // What comes over the budget of a turn waits with the system: nothing is lost, and only its sender notices.
+  // Back-pressure: excess commands stay in the socket; nothing is lost, and only the sender is delayed.
   if (++commands_ >= limits::kViewerCommandsPerTurn) socket_->pause();
   const Result<replicate::Command> command = replicate::parse_command(text);
   const Result<void> done = command ? execute(*command) : Result<void>(command.error());
@@ -86,7 +86,7 @@ Result<void> WebViewer::execute(const replicate::Command& command) {
 void WebViewer::send_frame() {
   if (!newest_ || socket_->messages_in_flight() > 0 || !viewer_.ready()) return;
   const auto now = std::chrono::steady_clock::now();
-  // Rows that wait for room in the next frame must not make it come sooner.
+  // Rows deferred to the next frame must not advance it.
   if (now - frame_time_ < replicate::kFramePeriod * 3 / 4) return owner_.waits();
   const auto emit = now - frame_time_ >= kSignOfLife ? replicate::Emit::kAlways : replicate::Emit::kIfChanged;
   const replicate::NextFrame next = viewer_.next_frame(*newest_, emit, owner_.changes_texts(), *frame_);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// WebViewer: one page's socket and what it was sent. Thread: web.
+/// WebViewer: the connection of one page: its socket and what was sent. Thread: web.
 
 #include <chrono>
 #include <cstdint>
@@ -19,21 +19,21 @@ namespace playhouse::web_server {
 
 class WebViewer;
 
-/// Who hears of a viewer's commands and its end.
+/// Callbacks of a viewer.
 class WebViewerOwner {
  public:
   virtual ~WebViewerOwner() = default;
-  /// Carries out a command for everyone (the viewer's own view and selection are set already). An error is
-  /// told to the viewer.
+  /// Executes a command that affects others (view and selection
+  /// are handled by the viewer). An error is sent to the viewer.
   virtual Result<void> carry_out(const replicate::Command& command, WebViewer& from) = 0;
   virtual void refused(const WebViewer& from, const std::string& why) = 0;
   virtual void sent_frame(std::size_t bytes) = 0;
   virtual replicate::ChangesTexts& changes_texts() = 0;
-  /// What to tell of the instants to go back to; none: nothing yet.
+  /// The keyframe list to send; null: none yet.
   virtual std::shared_ptr<const std::string> history() = 0;
-  /// Wants to be offered the newest snapshot again after replicate::kFramePeriod, also if it is the same one.
+  /// Requests another offer() after replicate::kFramePeriod, even of the same snapshot.
   virtual void waits() = 0;
-  /// May destroy the viewer.
+  /// The connection has closed. May destroy the viewer.
   virtual void left(WebViewer& viewer, const std::string& why) = 0;
 };
 
@@ -47,42 +47,42 @@ class WebViewer final : public net::WebSocketEvents {
         number_(number),
         guest_(std::move(guest)) {}
 
-  /// Sends the scene, which tells of the layout, and who watches, and begins to listen.
+  /// Sends the scene, which describes the layout, and the list of viewers; starts reading.
   void start(std::shared_ptr<const std::string> scene);
 
-  /// The newest snapshot, valid until the next call. A frame goes out now if the page keeps up, else as soon
-  /// as it has caught up, from what is newest then.
+  /// Offers the newest snapshot, valid until the next call. Sends a frame now, or,
+  /// under back-pressure, once the page has caught up, from the newest snapshot then.
   void offer(const replicate::Snapshot& snapshot);
 
-  /// The world has had time for what was asked of it: the page may ask for more.
+  /// Resets the rate limit of commands: the previous ones have been executed.
   void new_turn();
 
-  /// Tells the page why, and closes.
+  /// Closes the connection with a reason.
   void close(std::string why) { socket_->close(std::move(why)); }
 
-  /// When the page last took a picture in, or came.
+  /// Time of the page's last acknowledgement, or of the connection.
   std::chrono::steady_clock::time_point quiet_since() const { return quiet_since_; }
 
-  /// A line for the person at the page; dropped when many wait already.
+  /// A line of text for the user; dropped if many are queued.
   void notice(std::string_view text);
 
-  /// This model is the viewer's own now; `walk` is JSON text of how it walks.
+  /// Announces the viewer's own body; `walk` is JSON with its gait parameters.
   void joined(world::ModelId body, std::string_view walk);
 
-  /// The viewer's command of this number counts in the ticks after this one. Dropped when many texts wait.
+  /// Acknowledges input number `input`: it applies to ticks after this one. Dropped if many texts are queued.
   void driven(std::uint32_t input, std::uint64_t tick);
 
-  /// Who watches, as a text of docs/viewer-protocol.md: the newest goes out with the next frame.
+  /// Sets the list of viewers (docs/viewer-protocol.md): the latest is sent with the next frame.
   void tell_people(std::string text) { people_ = std::make_shared<const std::string>(std::move(text)); }
 
-  /// A large text is to come for this viewer. False: one is on its way already.
+  /// Reserves the slot for a large text. False: one is pending already.
   bool await_text() { return !std::exchange(awaits_text_, true); }
   void send_text(std::shared_ptr<const std::string> text);
   void expect_no_text() { awaits_text_ = false; }
 
   const replicate::Wish& wish() const { return viewer_.wish(); }
   const std::string& peer() const { return socket_->peer(); }
-  std::uint32_t number() const { return number_; }  // never another viewer's
+  std::uint32_t number() const { return number_; }  // never reused
   const Guest& guest() const { return guest_; }
   Rights rights() const { return rights_of(guest_.role); }
 
@@ -103,11 +103,11 @@ class WebViewer final : public net::WebSocketEvents {
   std::shared_ptr<const std::string> told_history_;
   std::shared_ptr<const std::string> people_, told_people_;
   bool awaits_text_ = false, text_is_under_way_ = false;
-  // With the socket while a frame is under way, else ours alone and reused.
+  // Owned by the socket while a frame is being sent, otherwise by us, and reused.
   std::shared_ptr<std::vector<std::byte>> frame_ = std::make_shared<std::vector<std::byte>>();
   std::chrono::steady_clock::time_point frame_time_;
   std::chrono::steady_clock::time_point quiet_since_ = std::chrono::steady_clock::now();
-  std::size_t commands_ = 0;  // of this turn
+  std::size_t commands_ = 0;  // since new_turn()
   std::size_t faults_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Functions of MessageDef for one payload type: the bridge between typed values and rows of the catalogue.
-/// Included by generated/*.cc only.
+/// Adapters from typed payloads to the functions
+/// of MessageDef. Included by generated/*.cc only.
 
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/messages.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Whole values to whole bodies and back. T is any struct of generated/; its read() and write() are found by name.
+/// Encoding and decoding of message bodies. T is any struct of generated/; its read(), write() come by ADL.
 
 #include <cstddef>
 #include <span>
@@ -16,23 +16,23 @@
 
 namespace playhouse::wire {
 
-/// The body that carries `value`. Arrays over their bound are a bug of the caller (asserted): text and lists that
-/// come from outside are cut or checked before they are put into a value.
+/// Encodes a value. Arrays over their bound are a bug of the caller (asserted):
+/// text and lists from outside have to be truncated or validated before.
 template <typename T>
 std::vector<std::byte> encode(const T& value) {
-  // A scratch buffer, so that the body is allocated once, at its size.
+  // Scratch buffer, so that the body is allocated once, with its exact size.
   thread_local std::vector<std::byte> scratch;
   scratch.clear();
   Writer writer(scratch);
   write(writer, value);
   PLAYHOUSE_ASSERT(writer.ok());
-  constexpr std::size_t kKept = 1 << 16;  // a map's bytes are not worth a copy, and not kept
+  constexpr std::size_t kKept = 1 << 16;  // larger bodies, such as maps, are moved out instead of copied
   if (scratch.size() > kKept) return std::exchange(scratch, {});
   return {scratch.begin(), scratch.end()};
 }
 
-/// The value that a body carries, or what is wrong with the body. Bytes after the value are tolerated, as the
-/// protocol says; an empty body is a fault here (it means "no payload", which only the caller can judge).
+/// Decodes a body, or fails. Trailing bytes are tolerated, as the protocol requires;
+/// an empty body is an error here (it means "no payload", which is up to the caller).
 template <typename T>
 Result<T> decode(std::span<const std::byte> body) {
   Reader reader(body);
@@ -42,10 +42,10 @@ Result<T> decode(std::span<const std::byte> body) {
   return value;
 }
 
-/// Text as the wire wants it: with its final NUL.
+/// Text in wire format: NUL-terminated.
 std::string c_string(std::string_view text);
 
-/// Text as people want it: up to the first NUL.
+/// Text up to the first NUL.
 std::string_view text(std::string_view raw);
 
 }  // namespace playhouse::wire

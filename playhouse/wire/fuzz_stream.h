@@ -1,6 +1,6 @@
 #pragma once
 
-/// For the fuzz targets: a stream of messages taken apart and put together again, as a session does it.
+/// For the fuzz targets: decodes and re-encodes a stream of messages, like a session.
 
 #include <cstddef>
 #include <span>
@@ -11,8 +11,8 @@
 
 namespace playhouse::wire {
 
-/// What must hold for any body of a known message: check and reencode agree, a second round changes nothing,
-/// and JSON never fails.
+/// Invariants for any body of a known message: check and
+/// reencode agree, reencode is idempotent, JSON never fails.
 inline void fuzz_body(const MessageDef& row, std::span<const std::byte> body) {
   const bool acceptable = row.check(body).empty();
   const auto once = row.reencode(body);
@@ -24,7 +24,7 @@ inline void fuzz_body(const MessageDef& row, std::span<const std::byte> body) {
   PLAYHOUSE_ASSERT(!json.empty());
 }
 
-/// Header, body, header, body, ... The last body may be cut short: it is then the bytes that are there.
+/// A sequence of header, body, header, body, ... The last body may be truncated.
 inline void fuzz_stream(std::span<const std::byte> stream) {
   while (stream.size() >= limits::kHeaderBytes) {
     const Header header = decode_header(stream.first<limits::kHeaderBytes>());

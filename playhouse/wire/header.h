@@ -1,6 +1,6 @@
 #pragma once
 
-/// The 40 bytes before every message body.
+/// The 40-byte header of every message.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace playhouse::wire {
 
-/// What a message is. Other numbers can arrive; they mean nothing.
+/// Type of a message. Other values can arrive and are invalid.
 enum class MessageType : std::uint8_t { kData = 1, kCmd, kReq, kAck, kSynch, kNack };
 
 /// "DATA", "CMD", "REQ", "ACK", "SYNCH", "NACK", or "?".
 std::string_view name(MessageType type);
 
-/// Host number that a server on this machine puts into what it sends: 127.0.0.1 with its bytes in memory order read
-/// as a big-endian number, as existing clients have always been told (wire bytes 01 00 00 7f).
+/// Host field in messages of a local server: 127.0.0.1 in memory order read as
+/// a big-endian number, as existing clients expect (wire bytes 01 00 00 7f).
 inline constexpr std::uint32_t kLocalhost = 0x0100007F;
 
 struct Header {
@@ -30,14 +30,14 @@ struct Header {
   std::uint8_t subtype = 0;
   double timestamp = 0;      // s
   std::uint32_t seq = 0;
-  std::uint32_t size = 0;    // bytes of body that follow, as claimed by the sender
+  std::uint32_t size = 0;    // bytes of body, as claimed by the sender
 
   friend bool operator==(const Header&, const Header&) = default;
 };
 
 void encode_header(const Header& header, std::span<std::byte, limits::kHeaderBytes> out);
 
-/// Never fails: of the four small fields only the low bits count. `size` is not checked here.
+/// Never fails: only the low bits of the four small fields count. `size` is not validated here.
 Header decode_header(std::span<const std::byte, limits::kHeaderBytes> bytes);
 
 }  // namespace playhouse::wire

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Appends values as JSON text: what generated to_json() functions are made of. Numbers are the shortest that read
-/// back the same; a number JSON cannot express (nan, inf) is null.
+/// JSON serialisation, used by generated to_json() functions. Numbers are the shortest
+/// that read back the same; numbers without a JSON form (nan, inf) become null.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace playhouse::wire {
 
-/// Longest byte array that is printed as numbers; a longer one is {"base64":"..."}.
+/// Longest byte array printed as numbers; longer ones become {"base64":"..."}.
 inline constexpr std::size_t kJsonByteNumbers = 1024;
 
 void json_value(std::string& out, char value);
@@ -25,7 +25,7 @@ void json_value(std::string& out, std::int64_t value);
 void json_value(std::string& out, float value);
 void json_value(std::string& out, double value);
 
-/// Up to the first NUL, quoted; bytes that are no UTF-8 become the Latin-1 characters of the same number.
+/// Up to the first NUL, quoted; invalid UTF-8 bytes are read as Latin-1.
 void json_text(std::string& out, std::string_view raw);
 
 void json_bytes(std::string& out, std::span<const std::uint8_t> bytes);
@@ -34,7 +34,7 @@ void json_bytes(std::string& out, std::span<const std::int8_t> bytes);
 /// `{"name":` or `,"name":`.
 void json_key(std::string& out, char opener, std::string_view name);
 
-/// Elements by the to_json() or json_value() of their type.
+/// Appends a JSON array; print(out, element) appends an element.
 template <typename Array, typename Print>
 void json_array(std::string& out, const Array& values, Print print) {
   out += '[';

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The catalogue: which (interface, type, subtype) carries which payload, and what can be done with a body without
-/// knowing its type. Constant tables; any thread.
+/// The message catalogue: payload of each (interface, type, subtype),
+/// with type-erased operations on bodies. Constant tables; any thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,15 +14,15 @@
 
 namespace playhouse::wire {
 
-/// What a new DATA or CMD message does to an older one of its kind that still waits.
+/// Effect of a new DATA or CMD message on a queued one of its kind.
 enum class Policy : std::uint8_t {
-  kNone,    // requests, answers and synchs: never replaced
-  kLatest,  // the new one stands for the old one
-  kQueue,   // every one counts: keep the order
+  kNone,    // requests, replies and synchs: never replaced
+  kLatest,  // the new one replaces the old one
+  kQueue,   // all are delivered in order
 };
 
 struct MessageDef {
-  std::uint16_t interf;      // 0 for the requests that any interface may get
+  std::uint16_t interf;      // 0 for universal requests
   MessageType type;
   std::uint8_t subtype;
   std::string_view name;     // "position2d.data.state"
@@ -30,34 +30,34 @@ struct MessageDef {
   bool has_payload;
   Policy policy;
 
-  /// "" if the body is acceptable, else what is wrong. A request or answer may have an empty body whatever its
-  /// payload, data and commands may not.
+  /// "" if the body is valid, else the error. Requests and replies may
+  /// have an empty body whatever their payload, data and commands may not.
   std::string (*check)(std::span<const std::byte> body);
-  /// Decoded and encoded again: canonical padding, counts and unused bits; no bytes after the value. Empty if the
-  /// body is empty or does not decode.
+  /// Decodes and re-encodes: canonical padding, counts and unused
+  /// bits; no trailing bytes. Empty if the body is empty or invalid.
   std::vector<std::byte> (*reencode)(std::span<const std::byte> body);
-  /// Appends a JSON object with every field by name; null if there is no payload or the body does not decode.
+  /// Appends a JSON object with all fields by name; null without a payload or if the body is invalid.
   void (*to_json)(std::span<const std::byte> body, std::string& out);
 };
 
 struct InterfaceDef {
   std::uint16_t code;
   std::string_view name;
-  std::span<const MessageDef> messages;  // by (type, subtype)
+  std::span<const MessageDef> messages;  // sorted by (type, subtype)
 };
 
-/// The row of a message, or null. ACK and NACK share the row of their request; the universal requests (247..255)
-/// come first and belong to every interface, known or not.
+/// Looks up a message; null if unknown. ACK and NACK share the row of their request;
+/// universal requests (247..255) come first and belong to every interface, known or not.
 const MessageDef* find_message(std::uint16_t interf, MessageType type, std::uint8_t subtype);
 
-/// Null if there is none.
+/// Null if unknown.
 const InterfaceDef* find_interface(std::uint16_t code);
 const InterfaceDef* find_interface(std::string_view name);
 
-/// Every interface, by code.
+/// All interfaces, by code.
 std::span<const InterfaceDef> interfaces();
 
-/// The requests that any interface may get, by subtype.
+/// Universal requests, by subtype.
 std::span<const MessageDef> universal_messages();
 
 }  // namespace playhouse::wire

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Reader: XDR bytes of one message body to values, big-endian, everything a multiple of four bytes (docs/wire.md).
-/// The first fault sticks: later reads give zeros and change nothing, so that a decoder checks ok() once, at its end.
-/// Memory taken is bounded by the bytes that are there, whatever the counts in them claim. Value type; one thread.
+/// Reader: decodes the XDR bytes of a message body: big-endian, 4-byte aligned (docs/wire.md).
+/// The error is sticky: later reads give zeros, so that a decoder checks ok() once at its end.
+/// Allocations are bounded by the available bytes, whatever counts claim. Value type; one thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,11 +15,11 @@ namespace playhouse::wire {
 
 class Reader {
  public:
-  /// Borrows `bytes` for its own life.
+  /// Borrows `bytes` for its lifetime.
   explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
   bool ok() const { return error_.empty(); }
-  /// What is wrong and at which byte of the body; "" while ok().
+  /// The error with its offset in the body; "" while ok().
   const std::string& error() const { return error_; }
   std::size_t offset() const { return offset_; }
   std::size_t remaining() const { return bytes_.size() - offset_; }
@@ -35,25 +35,25 @@ class Reader {
   void read(float& value);
   void read(double& value);
 
-  /// The length word of a dynamic array: at most `count`, the word that travelled before it, and no more than the
-  /// bytes left can hold. 0 after a fault. `name` is for the error.
+  /// Reads the length word of a dynamic array: at most `count`, the preceding count word, and
+  /// at most what the remaining bytes can hold. 0 after an error. `name` is for the error.
   std::size_t dynamic_length(std::string_view name, std::uint32_t count, std::size_t element_bytes);
-  /// The same for an array of at most `max` elements; the count word does not bound it.
+  /// The same for an array of at most `max` elements, regardless of the count word.
   std::size_t counted_length(std::string_view name, std::uint32_t max, std::size_t element_bytes);
 
-  /// `length` numbers, which a length function above has allowed.
+  /// Reads `length` numbers, as validated by a length function above.
   template <typename Number>
   void read_numbers(std::vector<Number>& out, std::size_t length) {
     out.resize(length);
     for (Number& number : out) read(number);
   }
 
-  /// Raw bytes of a known length, then the padding to four.
+  /// Reads bytes of known length, and padding to a multiple of four.
   void read_bytes(std::string& out, std::size_t length);
   void read_bytes(std::vector<std::uint8_t>& out, std::size_t length);
   void read_bytes(std::vector<std::int8_t>& out, std::size_t length);
 
-  /// Sets the error, unless there is one.
+  /// Sets the error if there is none.
   void fail(std::string_view what);
 
  private:

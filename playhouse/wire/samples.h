@@ -1,7 +1,7 @@
 #pragma once
 
-/// For tests: random payloads of every message, as bytes, so that a law is compiled once and not once per
-/// message.
+/// For tests: random payloads of every message as bytes, so that
+/// a property is compiled once rather than once per message.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,24 +13,24 @@ namespace playhouse::wire {
 
 enum class Floats {
   kFinite,   // equal to themselves
-  kAnyBits,  // infinities and every kind of nan among them
+  kAnyBits,  // including infinities and NaNs
 };
 
-/// One message that has a payload.
+/// A message with a payload.
 struct Sample {
   std::string_view name;  // as MessageDef::name
-  /// The encoding of the value that belongs to the seed.
+  /// The encoding of the seed's random value.
   std::vector<std::byte> (*encoded)(std::uint64_t seed, Floats floats);
-  /// True if `body` decodes to the finite value that belongs to the seed.
+  /// True if `body` decodes to the seed's finite value.
   bool (*decodes_to)(std::span<const std::byte> body, std::uint64_t seed);
-  /// True if `body` decodes to anything.
+  /// True if `body` can be decoded.
   bool (*decodes)(std::span<const std::byte> body);
 };
 
-/// One per message, in the order of the interfaces.
+/// All messages, by interface.
 const std::vector<Sample>& samples();
 
-/// Largest single allocation of the test program since it was last set to 0.
+/// Largest single allocation of the test program since it was reset to 0.
 extern std::size_t largest_allocation;
 
 }  // namespace playhouse::wire

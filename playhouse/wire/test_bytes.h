@@ -1,6 +1,6 @@
 #pragma once
 
-/// For tests: bytes written the way people read them.
+/// For tests: hexadecimal byte literals.
 
 #include <cstddef>
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace playhouse::wire {
 
-/// "00000001 ff00" -> {0, 0, 0, 1, 255, 0}; spaces do not count.
+/// "00000001 ff00" -> {0, 0, 0, 1, 255, 0}; spaces are ignored.
 inline std::vector<std::byte> bytes_of(std::string_view hex) {
   std::vector<std::byte> out;
   unsigned value = 0;

@@ -10,7 +10,7 @@ namespace {
 std::uint32_t turned(std::uint32_t word) { return __builtin_bswap32(word); }
 std::uint64_t turned(std::uint64_t word) { return __builtin_bswap64(word); }
 
-/// Words as they are in memory to the same words with their high bytes first.
+/// Copies words with byte order reversed to big-endian.
 template <typename Word>
 void copy_turned(std::span<const std::byte> from, std::byte* to) {
   for (std::size_t i = 0; i < from.size(); i += sizeof(Word)) {

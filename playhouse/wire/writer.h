@@ -1,7 +1,7 @@
 #pragma once
 
-/// Writer: values to XDR bytes, appended to a vector that the caller owns (docs/wire.md). The one fault it can meet
-/// is an array over its bound: it sticks, and what was appended is then worth nothing. One thread.
+/// Writer: encodes values as XDR, appended to the caller's vector (docs/wire.md). The only
+/// error is an array over its bound: it is sticky, and the output is invalid then. One thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@ class Writer {
   explicit Writer(std::vector<std::byte>& out) : out_(&out) {}
 
   bool ok() const { return error_.empty(); }
-  /// Which array is too long; "" while ok().
+  /// The array that is too long; "" while ok().
   const std::string& error() const { return error_; }
 
   void write(char value) { word(static_cast<std::uint32_t>(static_cast<std::int32_t>(static_cast<signed char>(value)))); }
@@ -32,7 +32,7 @@ class Writer {
   void write(float value);
   void write(double value);
 
-  /// A count or length word; more than `max` elements is the fault. `name` is for the error.
+  /// Writes a count or length word; more than `max` elements is an error. `name` is for the error.
   void write_length(std::string_view name, std::size_t length, std::uint32_t max);
 
   template <typename Number>
@@ -43,14 +43,14 @@ class Writer {
       for (const Number number : numbers) write(number);
   }
 
-  /// Raw bytes, then zeros up to a multiple of four.
+  /// Writes bytes, padded with zeros to a multiple of four.
   void write_bytes(std::span<const std::byte> bytes);
-  /// Exactly `length` bytes and their padding: zeros fill what `text` lacks; a longer text is the fault.
+  /// Writes exactly `length` bytes plus padding: short text is filled with zeros; longer text is an error.
   void write_fixed_text(std::string_view name, std::string_view text, std::size_t length);
 
  private:
   void word(std::uint32_t value);
-  /// Numbers of four or eight bytes each, as they are in memory.
+  /// Bulk path for numbers of four or eight bytes in memory order.
   void write_together(std::span<const std::byte> numbers, std::size_t bytes_each);
   void double_word(std::uint64_t value);
   void fail_length(std::string_view name, std::size_t length, std::size_t max);

@@ -18,9 +18,9 @@
 namespace playhouse::world {
 namespace {
 
-constexpr double kUpright = 0.01;  // rad; what rests on something is tilted by less
+constexpr double kUpright = 0.01;  // rad; contacts tilt resting bodies by less
 
-/// What a world file cannot say of where models are.
+/// Warnings about state that a world file cannot express.
 std::vector<std::string> left_out(const World& world) {
   std::size_t tilted = 0;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
@@ -42,24 +42,24 @@ class StandingScene {
   scene::SceneDesc make();
 
  private:
-  /// How a tree differs from its prototype beyond what each tree has for itself.
+  /// Difference of a tree from its prototype beyond per-tree values.
   enum class Change : std::uint8_t {
     kNone,
-    kTop,    // the top says something else, or has something attached to it
-    kParts,  // something inside it is another
+    kTop,    // its root differs, or has attached models
+    kParts,  // a part differs
   };
 
   void find_attached();
   void add_tree(std::uint32_t row);
   Change change_of(std::uint32_t row, std::uint32_t size) const;
   bool is_another(std::uint32_t row) const;
-  /// What a file says of where it is: an actuator's pose is that at position 0.
-  /// Who came during the run has no controllers, whatever its prototype says.
+  /// The pose for the file: an actuator's is that at position 0.
+  /// Models spawned at run time have no controllers, whatever their prototype has.
   bool came(std::uint32_t top) const { return Population::given(world_).contains(world_.models.id[top]); }
-  /// Descriptions of a model as it stands and of all inside it, behind those there are.
+  /// Appends descriptions of a model's present state, with its parts.
   void describe(std::uint32_t row, std::int32_t parent, std::string alias, bool came);
   void describe_children(std::uint32_t row, std::uint32_t desc, bool came);
-  /// Of one more child of its type.
+  /// The default name of another child of its type.
   using Siblings = std::map<std::string_view, int>;
   std::string unsaid_name(ModelRow row, std::string_view before, Siblings& siblings) const;
   void note_renamed(std::uint32_t row, std::uint32_t size);
@@ -67,8 +67,8 @@ class StandingScene {
   const World& world_;
   const scene::SceneDesc& from_;
   scene::SceneDesc scene_;
-  std::map<std::uint32_t, std::vector<std::uint32_t>> attached_;  // rows, by that of the parent
-  Siblings tops_{{"model", 1}};                                   // as files count them
+  std::map<std::uint32_t, std::vector<std::uint32_t>> attached_;  // rows, by row of the parent
+  Siblings tops_{{"model", 1}};                                   // counted as in files
 };
 
 scene::SceneDesc StandingScene::make() {
@@ -79,7 +79,7 @@ scene::SceneDesc StandingScene::make() {
   find_attached();
   for (std::uint32_t row = 0; row < world_.models.size(); ++row)
     if (!ModelRow{world_.models.parent[row]}) add_tree(row);
-  if (scene_.trees.empty()) scene_.models.clear();  // no list of trees would stand for one of each
+  if (scene_.trees.empty()) scene_.models.clear();  // an empty list of trees would instantiate each prototype
   return std::move(scene_);
 }
 
@@ -117,7 +117,7 @@ StandingScene::Change StandingScene::change_of(std::uint32_t row, std::uint32_t 
     return world_.models.say[model] != desc.say || (is_new && !desc.ctrl.empty()) ||
            say_rows(world_, {model});
   };
-  // A tree's own models are in rows one after the other.
+  // A tree's own models are consecutive rows.
   for (std::uint32_t part = row + 1; part < row + size; ++part)
     if (says_otherwise(part) || is_another(part) || attached_.contains(part)) return Change::kParts;
   return says_otherwise(row) || attached_.contains(row) ? Change::kTop : Change::kNone;
@@ -146,7 +146,7 @@ void StandingScene::describe(std::uint32_t row, std::int32_t parent, std::string
   desc.fiducial_return = world_.models.fiducial_return[row];
   desc.say = world_.models.say[row];
   if (came) desc.ctrl.clear();
-  if (say_rows(world_, {row}, &desc) && desc.moving_blocks > 0) {  // of the body of its kind
+  if (say_rows(world_, {row}, &desc) && desc.moving_blocks > 0) {  // also changes its kind's body
     desc.blocks.clear();
     scene::make_body(*scene::body_size(desc.size), desc);
   }
@@ -171,7 +171,7 @@ void StandingScene::describe_children(std::uint32_t row, std::uint32_t desc, boo
     for (const std::uint32_t child : attached->second) describe_one(child, this->came(child));
 }
 
-/// Parts of the tree that is about to become the last one.
+/// Records renamed parts of the next tree.
 void StandingScene::note_renamed(std::uint32_t row, std::uint32_t size) {
   if (from_.renamed.empty()) return;
   const auto tree = static_cast<std::uint32_t>(scene_.trees.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The scene of a world as it stands, to be written as a world file (scene/write_world.h).
+/// Export of a world's present state as a scene, to be written as a world file (scene/write_world.h).
 
 #include <string>
 
@@ -10,17 +10,17 @@
 
 namespace playhouse::world {
 
-/// Whoever is there, in the order of their ids, with their names, where they are, how they look, what they
-/// say and how they are set. Paddles of grippers are as they stand; those on their way are as their file has
-/// them. What is attached to a model is a part of it; who came has no controllers. All else is as the world's
-/// scene says it, with which trees that are still alike share their descriptions. Default names are those
-/// that a file gives them. A world that is made of it begins where this one is, at rest: what models do,
-/// believe, measure and remember is in saved runs. `warnings` tells what a world file cannot say: tilts.
-/// Cost: the population. Tick thread.
+/// All models, in the order of their ids, with their names, poses, colours, texts and settings.
+/// Paddles of grippers are at their present state; moving ones are as in their file. Attached
+/// models are parts of their parents; models spawned at run time have no controllers. Everything
+/// else is as in the world's scene, with which unchanged trees share their descriptions. Default
+/// names are those that a file would give. A world made from it starts at rest in the present
+/// configuration; velocities, odometry, measurements and controller memory are only in saved runs.
+/// `warnings` lists what a world file cannot express: tilts. Cost: the population. Tick thread.
 scene::SceneDesc as_scene(const World& world);
 
-/// The text of a world file at `path` (scene::write_world()) of a scene as it stood at `time` [s], which a
-/// comment tells. Any thread.
+/// The text of a world file at `path` (scene::write_world()) for the
+/// state at `time` [s], which a comment in it states. Any thread.
 Result<std::string> world_file(const scene::SceneDesc& standing, double time, const std::string& path);
 
 }  // namespace playhouse::world

@@ -10,7 +10,7 @@ const scene::CameraDesc& camera_of(const World& world, CameraRow camera) {
   return *world.desc(world.cameras.model[camera.index]).camera;
 }
 
-/// `wanted`, or the nearest that is allowed.
+/// Clamps `wanted`.
 double within(double wanted, double least, double most) {
   return std::max(least, std::min(wanted, most));
 }

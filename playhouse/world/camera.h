@@ -1,7 +1,7 @@
 #pragma once
 
-/// What cameras are told about where to look, and their images as bytes. Thread: the tick thread, between
-/// steps.
+/// Camera commands (pan, tilt, zoom) and conversion of
+/// images to bytes. Thread: the tick thread, between steps.
 
 #include <cstdint>
 #include <span>
@@ -11,26 +11,26 @@
 
 namespace playhouse::world {
 
-/// Where a camera shall look: to the left, up, and its horizontal field of view. [rad]
+/// Target of a camera: pan to the left, tilt up, horizontal field of view. [rad]
 struct Aim {
   double pan = 0, tilt = 0, zoom = 0;
 };
 
-/// Goes there, as near as the limits of its words let it; it moves while somebody subscribes it. A zoom of 0
-/// or less changes nothing. False, and nothing is changed, if a number is not finite.
+/// Position control: moves to the target, clamped to the camera's limits, while subscribed. A
+/// zoom of 0 or less keeps the present one. False, without effect, if a number is not finite.
 bool aim_camera(World& world, CameraRow camera, const Aim& aim);
 
-/// Turns so fast, no faster than it can, until it is told otherwise. [rad/s] False as above.
+/// Velocity control within the camera's limits, until the next command. [rad/s] False as above.
 bool turn_camera(World& world, CameraRow camera, double pan_speed, double tilt_speed);
 
-/// What commands mean from now on; a change stops it. kVelocity and kPosition alone.
+/// Sets the control mode; a change stops the camera. kVelocity and kPosition only.
 void set_camera_mode(World& world, CameraRow camera, ControlMode mode);
 
-/// How many bytes a pixel of such an image has.
+/// Bytes per pixel of an image of this kind.
 std::size_t bytes_per_pixel(scene::ImageKind image);
 
-/// Pixels one after the other: red, green, blue; brightness; ids plus 1 with the high byte first, as if they
-/// were colours; or distances [mm] with the low byte first, as they are in the memory of most clients.
+/// Pixel formats: RGB888; 8-bit brightness; segmentation: id + 1, big-endian,
+/// like colours; depth [mm], little-endian, the byte order of most clients.
 std::vector<std::uint8_t> image_bytes(scene::ImageKind image, std::span<const Pixel> pixels);
 
 }  // namespace playhouse::world

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Changes of who is in a world and of what is put where, as entries of one list that the engine, viewers,
-/// the device table, controllers and recordings read. The functions of population.h and world.h add to it.
+/// The change log of a world: spawns, removals, attachments, placements; one list, read by engine, viewers,
+/// device table, controllers and recordings. Written by the functions of population.h and world.h.
 
 #include <cstdint>
 #include <span>
@@ -11,41 +11,41 @@
 
 namespace playhouse::world {
 
-/// How a model comes to move. A tree of which the top is fixed may hold others that are not.
+/// Mobility of a model. A tree with a fixed root may have movable parts.
 enum class Mobility : std::uint8_t {
-  kFixed,   // stands still; the engine indexes it once
-  kLoose,   // is moved by others: pucks, and what came during the run
-  kDriven,  // moves by itself, or is carried by what does
+  kFixed,   // static: indexed once by the engine
+  kLoose,   // moved by others: pucks, and models spawned at run time
+  kDriven,  // a mover, or carried by one
 };
 
 struct Change {
   enum class Kind : std::uint8_t {
-    kSpawn,    // `model`, a top, came with all inside it
-    kDespawn,  // `model`, a top, went with all inside it: `count` ids from its own on, and no others
-    kAttach,   // `model` is part of `other` from now on
-    kDetach,   // `model` was part of `other` and is a top now
-    kPlace,    // `model` was put elsewhere in its parent
+    kSpawn,    // root `model` was added with all its parts
+    kDespawn,  // root `model` was removed with all its parts: exactly `count` ids from its own on
+    kAttach,   // `model` became a part of `other`
+    kDetach,   // `model` was a part of `other` and became a root
+    kPlace,    // `model` got a new pose in its parent
     kSet,      // a property of `model` was set
-    kReload,  // another state of the same run was loaded: anything may be another, but ids name whom they did
+    kReload,  // another state of the same run was loaded: anything may be different; ids name the same models
   };
   Kind kind;
   ModelId model, other;
   std::uint32_t count = 0;
-  /// Of `model` as it was when it changed; kFixed also where a part came to what stands still, which it no
-  /// longer does, or went from what does so again.
+  /// Mobility of `model` before the change; kFixed also if a part joined a fixed
+  /// tree that thereby became movable, or left one that thereby became fixed again.
   Mobility mobility = Mobility::kFixed;
   friend bool operator==(const Change&, const Change&) = default;
 };
 
-/// The list. Readers keep the number of the next entry they have not read.
+/// The change log. A reader keeps the number of the first entry that it has not read.
 class ChangeList {
  public:
   void add(const Change& change) { entries_.push_back(change); }
 
-  /// Number of the next entry that will be added; entries count from 0 for the life of a run.
+  /// Number of the next entry; entries are numbered from 0 over the whole run.
   std::uint64_t end() const { return first_ + entries_.size(); }
-  /// Entries from number `from` on that are still kept. The engine drops what was there before its last tick,
-  /// so a reader that looks after every tick and after changes between ticks misses none.
+  /// The retained entries from number `from` on. The engine drops entries from before its last
+  /// tick, so a reader that polls after every tick and after changes between ticks misses none.
   std::span<const Change> since(std::uint64_t from) const {
     const std::uint64_t at = from < first_ ? first_ : from;
     return std::span(entries_).subspan(static_cast<std::size_t>(at - first_));

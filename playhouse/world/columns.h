@@ -1,10 +1,10 @@
 #pragma once
 
-/// The columns of the world, each listed once: name, role, unit, frame, writer, member; those of the kinds'
-/// and traits' tables as kinds/*.toml have them (generated/table_columns.h). What is done with
-/// every column goes through these lists: rows that come and go, the hashes, save and load, comparison, the
-/// count of memory, the return to the start, the tests. A column or a table that is not listed does not
-/// compile.
+/// The columns of the world, each listed once: name, role, unit, frame, writer, member;
+/// those of kinds and traits are generated from kinds/*.toml (generated/table_columns.h).
+/// All that is done with every column iterates these lists: insertion and removal of
+/// rows, hashes, save and load, comparison, memory accounting, return to the start,
+/// tests. A column or table missing from the lists does not compile.
 
 #include <tuple>
 #include <type_traits>
@@ -14,27 +14,27 @@
 
 namespace playhouse::world {
 
-/// What a column is to the run.
+/// The role of a column decides whether it is hashed, saved and reset.
 enum class Role : std::uint8_t {
-  kPopulation,  // who there is and what it is part of                              hash, saved
-  kMotion,      // where things are and how they move; return_to_start() resets it  hash, saved
-  kMark,        // what things carry, show and say                                  hash, saved
-  kSensed,      // what sensors measured    sensed_hash, and hash where a controller reads the sensor; saved
-  kUse,         // who looks: joins and leaves with devices and controllers         sensed_hash
-  kDerived,     // follows from the population, the scene and the seed, or from poses; computed again
+  kPopulation,  // which models there are, and the tree structure                                  hash, saved
+  kMotion,      // poses and velocities; reset by return_to_start()                                hash, saved
+  kMark,        // flags, colours, texts and other properties                                      hash, saved
+  kSensed,      // measurements    sensed_hash, and hash if a controller subscribes the sensor; saved
+  kUse,         // subscriptions: change with devices and controllers            sensed_hash
+  kDerived,     // function of the population, the scene, the seed or poses; recomputed
 };
 inline constexpr bool is_saved(Role role) {
   return role != Role::kUse && role != Role::kDerived;
 }
-/// Part of hash() whoever looks.
+/// True if part of hash() regardless of subscriptions.
 inline constexpr bool is_done(Role role) {
   return role == Role::kPopulation || role == Role::kMotion || role == Role::kMark;
 }
 
-/// What a value of a column belongs to: a row of its table, or a beam of the row.
+/// Granularity of a column: one value per row, or per beam of a row.
 enum class Per : std::uint8_t { kRow, kBeam };
 
-/// `Of` is a vector or a SharedColumn.
+/// `Of` is a std::vector or a SharedColumn.
 template <typename Table, typename Of>
 struct Column {
   using Values = Of;
@@ -42,7 +42,7 @@ struct Column {
   Role role;
   const char* unit;    // "" for numbers, rows and texts
   const char* frame;   // of vectors and poses: P parent, W world, M the model, O odometry; else ""
-  const char* writer;  // phases and functions that write it once it is there
+  const char* writer;  // phases and functions that write it after creation
   Values Table::*values;
   Per per = Per::kRow;
 
@@ -106,13 +106,13 @@ void each_column_of(const Visit& visit) {
   std::apply([&](const auto&... column) { (visit(column), ...); }, kColumns<Table>);
 }
 
-/// Calls visit(table) for every table of a kind; visit is a template.
+/// Calls visit(table) for the table of every kind; visit is generic.
 template <typename Visit>
 void each_kind_table(const Visit& visit) {
   std::apply([&](auto... table) { (visit(table), ...); }, kKindTables);
 }
 
-/// Calls visit(table) for the table of a model's kind, if that has one; visit is a template.
+/// Calls visit(table) for the table of this kind, if any; visit is generic.
 template <typename Visit>
 void of_kind(scene::ModelKind kind, const Visit& visit) {
   each_kind_table([&]<typename Table>(Table Tables::*table) {
@@ -120,14 +120,14 @@ void of_kind(scene::ModelKind kind, const Visit& visit) {
   });
 }
 
-/// Calls visit(table) for every table of a trait; visit is a template.
+/// Calls visit(table) for the table of every trait; visit is generic.
 template <typename Visit>
 void each_trait_table(const Visit& visit) {
   std::apply([&](auto... table) { (visit(table), ...); }, kTraitTables);
 }
 
-/// Calls visit(column, values...) for every column of every table, with its values in each of the worlds
-/// given.
+/// Calls visit(column, values...) for every column of every
+/// table, with its values in each of the given worlds.
 template <typename Visit, typename... Worlds>
 void each_column(const Visit& visit, Worlds&... worlds) {
   const auto each_of = [&]<typename Table>(Table Tables::*table) {
@@ -141,8 +141,8 @@ struct Range {
   std::uint32_t begin = 0, end = 0;
 };
 
-/// Which values of each table's columns belong to a model: of a column per row, and of one per beam. The one
-/// place that knows how tables hang together.
+/// The range of a model's values in the columns of a table, per row or
+/// per beam. The only code that knows how tables refer to each other.
 template <typename Table>
 Range range_of(const Tables& tables, std::uint32_t model, Per per) {
   const Models& models = tables.models;
@@ -167,8 +167,8 @@ Range range_of(const Tables& tables, std::uint32_t model, Per per) {
   }
 }
 
-/// Calls visit(column, values..., range) for every column of every table in which a model has values;
-/// `tables` says which.
+/// Calls visit(column, values..., range) for every column in
+/// which a model has values; ranges are those of `tables`.
 template <typename Visit, typename... Worlds>
 void each_value_of(const Tables& tables, std::uint32_t model, const Visit& visit, Worlds&... worlds) {
   const auto each_of = [&]<typename Table>(Table Tables::*table) {

@@ -17,14 +17,14 @@ bool fits(const scene::Term& term, std::string_view text) {
   return term.prefix ? text.starts_with(term.text) : text == term.text;
 }
 
-/// Of what drives; 0 of all else.  [m/s]
+/// Speed of a driving model; 0 for others.  [m/s]
 double speed_of(const World& world, std::uint32_t model) {
   if (world.models.kind[model] != ModelKind::kPosition) return 0;
   const geom::Twist& v = world.positions.velocity[world.models.part[model]];
   return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
-/// A lamp that is lit is the model, or part of it.
+/// True if the model or a part of it is a lit lamp.
 bool has_light(const World& world, std::uint32_t model) {
   if (is_lit(world, model)) return true;
   for (std::uint32_t child = world.models.first_child[model]; child != ModelRow::kNone;
@@ -53,7 +53,7 @@ double number_of(const World& world, Property property, std::uint32_t model) {
   }
 }
 
-/// What a term wants, or with != and < does not.
+/// The test of a term; for != and < its negation.
 bool compares(const scene::Term& term, double number) {
   if (term.compare == Compare::kBelow) return number >= term.number;
   if (term.compare == Compare::kAbove) return number > term.number;

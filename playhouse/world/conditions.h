@@ -1,8 +1,8 @@
 #pragma once
 
-/// Conditions: which models are as a world file wants them (scene/condition.h). A term speaks of a model and
-/// of all that it is part of: it holds if one of them is as it says; with != if none has the value, with < if
-/// none has as much.
+/// Conditions: predicates on models, compiled from the texts of a world file
+/// (scene/condition.h). A term is tested on a model and its ancestors: it holds if it
+/// holds for one of them; with != if none has the value, with < if none has as much.
 
 #include <cstdint>
 #include <optional>
@@ -15,25 +15,25 @@
 
 namespace playhouse::world {
 
-/// Whether a lamp that can be switched is on; none for what has no switch.
+/// Whether a switchable lamp is on; none if the model has no switch.
 std::optional<bool> switch_of(const World& world, std::uint32_t model);
-/// Whether a model gives light: a lamp that can be switched, while it is on; any other that has candela.
+/// Whether a model emits light: a switchable lamp if it is on, any other with candela > 0.
 bool is_lit(const World& world, std::uint32_t model);
 
 class Conditions {
  public:
-  /// Texts that were read without an error before. Valid as long as the population is.
+  /// Compiles texts that parsed without error before. Valid until the population changes.
   Conditions(const World& world, std::span<const std::string> texts);
 
   bool empty() const { return conditions_.empty(); }
 
-  /// Whether one of them holds for the model in this row, at this moment. Allocates nothing.
+  /// True if any condition holds for the model in this row now. No allocation.
   bool hold(const World& world, std::uint32_t model) const;
 
  private:
   struct Term {
     scene::Term says;
-    std::vector<std::uint8_t> named;  // of a name: whether it is the model's                  (models)
+    std::vector<std::uint8_t> named;  // of a name: 1 for models that have it                        (models)
   };
   static bool holds(const World& world, const Term& term, std::uint32_t model);
   static bool has(const World& world, const Term& term, std::uint32_t model);

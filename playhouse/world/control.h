@@ -11,62 +11,62 @@
 
 namespace playhouse::world {
 
-/// How a running simulation relates to the wall clock.
+/// The rate of a running simulation.
 struct Pace {
   bool paused = false;
-  double speed = 1;             // wanted, times real time; 0: as fast as possible
+  double speed = 1;             // requested, times real time; 0: as fast as possible
   double real_time_factor = 0;  // measured over the last second
 };
 
-/// Instants of a run whose states are kept.
+/// The keyframes of a run: instants with a retained state.
 struct Past {
   std::vector<std::uint64_t> ticks;  // ascending
-  std::string why_none;              // that no state can be taken, as one line; else empty
+  std::string why_none;              // why no state can be retained, as one line; else empty
 };
 
-/// Control over a running simulation, for viewers and devices. Every function may be called from any thread
-/// and returns at once; what it asks for happens on the tick thread before the next tick, also while paused.
+/// Control of a running simulation, for viewers and devices. Functions are asynchronous and thread-safe
+/// unless stated otherwise: requests are executed on the tick thread before the next tick, also while paused.
 class Control {
  public:
   virtual ~Control() = default;
-  /// Why nobody may change the world, as one line; empty: people may.
+  /// Why users may not change the world, as one line; empty: they may.
   virtual std::string why_fixed() const { return {}; }
   virtual void pause() = 0;
   virtual void resume() = 0;
-  /// One tick, then paused.
+  /// Runs one tick, then pauses.
   virtual void step_once() = 0;
   virtual void set_speed(double times_real_time) = 0;
-  /// Sets the velocity of a robot's wheels, as a client's command would: the newest before a tick counts.
-  /// Finite.
+  /// Sets the commanded velocity of a robot, like a client's
+  /// command; the latest before a tick applies. Must be finite.
   virtual void drive(ModelId robot, const geom::Twist& velocity) = 0;
-  /// Runs `change` on the tick thread between two ticks. False: the queue is full (limits::kRequestQueue),
-  /// nothing happens. `robot`, if any, is whom the change concerns: what it was told before is carried out
-  /// before.
+  /// Executes `change` on the tick thread between two ticks. False, without
+  /// effect, if the queue is full (limits::kRequestQueue). `robot`, if any,
+  /// is the model concerned: its earlier commands are applied first.
   virtual bool post(std::function<void(World&)> change, ModelId robot = {}) = 0;
 
-  /// From now on states are kept, or no more; those that are there stay.
+  /// Starts or stops retaining states; retained ones stay.
   virtual void record(bool on) = 0;
-  /// The states that are kept. Never null.
+  /// The retained states. Never null.
   virtual std::shared_ptr<const Past> past() const = 0;
-  /// The world becomes that of the kept instant nearest to the tick, earlier or later than now, and goes on
-  /// from there: a kReload in its changes. Does nothing while no state is kept.
+  /// Loads the retained state nearest to the tick, past or future, and continues
+  /// from there; logged as kReload. No effect without retained states.
   virtual void rewind(std::uint64_t tick) = 0;
-  /// Incarnation count, incremented when rewind() re-creates the model: who used it before does so no more.
-  /// Tick thread.
+  /// Incarnation count, incremented when rewind() re-creates the
+  /// model: earlier subscriptions have ended then. Tick thread.
   virtual std::uint64_t life(ModelId model) const = 0;
 };
 
-/// One subscription of a model, which ends with the model, also where that comes back; or that of somebody
-/// who watches it. Tick thread.
+/// Handle of one subscription of a model, or of one watcher; it ends
+/// with the model, even if a rewind re-creates that. Tick thread.
 class Use {
  public:
-  /// Does nothing if there is no such model.
+  /// No effect if the model does not exist.
   void begin(World& world, const Control& control, ModelId model) { begin(world, control, model, subscribe); }
   void watch(World& world, const Control& control, ModelId model) {
     begin(world, control, model, world::watch);
     watches_ = true;
   }
-  /// The model; none if it has gone, or the use never began.
+  /// Ends the subscription. Returns the model; none if it is gone or the use never began.
   ModelRow end(World& world, const Control& control) {
     const ModelRow row = life_ && *life_ == control.life(model_) ? world.row(model_) : ModelRow{};
     life_.reset();
@@ -84,7 +84,7 @@ class Use {
   }
 
   ModelId model_;
-  std::optional<std::uint64_t> life_;  // in which it began; none: it has not
+  std::optional<std::uint64_t> life_;  // incarnation at begin(); none: not in use
   bool watches_ = false;
 };
 

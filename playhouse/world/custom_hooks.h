@@ -1,7 +1,7 @@
 #pragma once
 
-/// How engines call the code of custom models (custom_kind.h): what all of them have to do around a hook.
-/// Thread: any worker, for models of its own range.
+/// Calls of custom models' code (custom_kind.h), as all engines
+/// do them. Thread: any worker, for models of its own range.
 
 #include <cstdint>
 #include <exception>
@@ -13,18 +13,18 @@
 
 namespace playhouse::world {
 
-/// The code of a model; null if it has none.
+/// The code of a model; null if there is none.
 const CustomCode* custom_code(const World& world, ModelRow model);
 
-/// Logs what is wrong with a model, unless something of models like it was logged before.
+/// Logs an error of a model, once for all models that share its code.
 void complain(const World& world, ModelRow model, const CustomCode& code, const char* why);
 
 bool all_finite(std::span<const double> numbers);
 
-/// What every hook gets, for the state of `tick`.
+/// The common arguments of all hooks, for the state of `tick`.
 CustomModel custom_model(const World& world, CustomRow custom, std::uint64_t tick, Purpose purpose);
 
-/// Calls a hook of the model. False, and a complaint, if it throws.
+/// Calls a hook of a model. Returns false and logs if it throws.
 template <typename Hook>
 bool call_hook(const CustomModel& self, const CustomCode& code, const Hook& hook) {
   try {
@@ -38,7 +38,7 @@ bool call_hook(const CustomModel& self, const CustomCode& code, const Hook& hook
   return false;
 }
 
-/// Gives a model that has not begun its commands and its state. Does nothing for others.
+/// Initialises state and commands of a model that has not begun; no effect on others.
 void begin_custom(World& world, CustomRow custom);
 
 }  // namespace playhouse::world

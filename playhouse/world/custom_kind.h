@@ -1,8 +1,8 @@
 #pragma once
 
-/// CustomKind: the code of models and sensors from shared libraries (kind `custom`, kinds/custom.toml), as
-/// the engine calls it. A library includes custom_library.h, which has this and more; docs/libraries.md shows
-/// how.
+/// CustomKind: the interface between the engine and models or sensors of
+/// shared libraries (kind `custom`, kinds/custom.toml). A library includes
+/// custom_library.h, which includes this; docs/libraries.md is a tutorial.
 
 #include <atomic>
 #include <cstdint>
@@ -20,25 +20,25 @@ namespace playhouse::world {
 class Surroundings;
 class World;
 
-/// Raised whenever something in this header or in surroundings.h changes.
+/// ABI version: increment on any change to this header or surroundings.h.
 inline constexpr std::uint32_t kCustomVersion = 1;
 
-/// A model as its library's code sees it. Of the world, all columns may be read that an earlier phase wrote
-/// (columns.h says who writes what), but none of other rows of world.customs.
+/// The view of a model that its library's code gets. All columns that an earlier phase wrote
+/// may be read (writers are in columns.h), except those of other rows of world.customs.
 struct CustomModel {
   const World& world;
   ModelRow model;
-  double time = 0;                  // s, simulated, of the state that is made
+  double time = 0;                  // s, simulated, of the state being computed
   double dt = 0;                    // s, one tick
-  bool used = false;                // somebody other than people who only look has subscribed it
-  std::span<const double> command;  // what clients set last, each a number from CMD STATE of interface aio
-  Rng random{0};                    // differs for every model, hook and tick, and repeats with the seed
+  bool used = false;                // has a subscriber other than observers
+  std::span<const double> command;  // latest command, each number set by CMD STATE of interface aio
+  Rng random{0};                    // stream by model, hook and tick; reproducible from the seed
 };
 
 /// For act().
 struct CustomActor : CustomModel {
   std::span<double> state;
-  geom::Twist velocity;  // in M, for this tick; what is in the way stops it
+  geom::Twist velocity;  // in M, for this tick; blocked by obstacles
   bool stalled = false;  // its last motion was blocked
   scene::Color color;    // of its body
 };
@@ -47,45 +47,45 @@ struct CustomActor : CustomModel {
 struct CustomSensor : CustomModel {
   std::span<const double> state;
   const Surroundings& around;
-  std::span<double> readings;  // those of the last time, to begin with
+  std::span<double> readings;  // initially those of the previous measurement
 };
 
-/// One object for all models that are alike (of one row of SceneDesc::models), used by several threads at
-/// once: it keeps nothing that a hook changes. What a model remembers is its state, and so rewinding, saved
-/// runs, hashes and models that come and go need nothing here. A hook that throws, or leaves a number that is
-/// not finite, has changed nothing; the first time is logged.
+/// One object serves all models of one row of SceneDesc::models from several threads, so
+/// it must not hold mutable state. A model's memory is its `state` column; that makes
+/// rewinding, saved runs, hashes and population changes work without further code. A hook
+/// that throws or produces a non-finite number has no effect; the first failure is logged.
 class CustomKind {
  public:
-  /// How many numbers a model has of each; at most limits::kCustomNumbers.
+  /// Lengths of a model's arrays; each at most limits::kCustomNumbers.
   struct Sizes {
     std::uint32_t commands = 0, state = 0, readings = 0;
   };
 
   virtual ~CustomKind() = default;
 
-  /// Once, before anything else, with the words behind the library's name in the world file. Throw a
-  /// std::exception to refuse them; its text reaches the user.
+  /// Called once, before anything else, with the arguments after the library's name in the
+  /// world file. Throw a std::exception to reject them; its text is shown to the user.
   virtual Sizes configure(std::span<const std::string> arguments) = 0;
 
-  /// Fills the state and the commands, which are 0, of a model that begins: in the tick after it came, and
-  /// after a return to the start.
+  /// Initialises state and commands, which are 0, of a new model:
+  /// in the tick after its spawn, and after a return to the start.
   virtual void begin(const CustomModel& self, std::span<double> state, std::span<double> command) const {
     static_cast<void>(self), static_cast<void>(state), static_cast<void>(command);
   }
 
-  /// In every tick, before anything moves: from what it is told and the frozen world to its state, velocity
-  /// and colour. What it measured it must not read: people who look change that.
+  /// Called in every tick before motion: computes state, velocity and colour from commands and
+  /// the frozen world. It must not read its own measurements: those depend on who subscribes.
   virtual void act(CustomActor& self) const { static_cast<void>(self); }
 
-  /// When it is subscribed and its update_interval is over, after everything has moved.
+  /// Called after motion when the sensor is subscribed and its update_interval has elapsed.
   virtual void sense(CustomSensor& self) const { static_cast<void>(self); }
 };
 
-/// The code of models that are alike, with its library, which outlives it.
+/// The code of models that share a description, with its library, which outlives it.
 struct CustomCode {
   std::shared_ptr<const CustomKind> kind;
   CustomKind::Sizes sizes;
-  mutable std::atomic_flag complained;  // something went wrong, and that is logged
+  mutable std::atomic_flag complained;  // an error was logged already
 };
 
 }  // namespace playhouse::world

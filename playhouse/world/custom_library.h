@@ -1,11 +1,11 @@
 #pragma once
 
-/// What a shared library with a custom model includes: the class that it derives from, all that its hooks
-/// read, and the macro that names it. docs/libraries.md shows how.
-///
-/// Headers are those of the program: a library reads the same columns and calls the same functions as models
-/// that are built in. So it fits the program whose headers it is built with, and one that has other columns
-/// or descriptions refuses it with a line.
+/// The only header that a library with a custom model includes: the base class,
+/// all that its hooks read, and the macro that exports it. docs/libraries.md is
+/// a tutorial. Headers are those of the program: a library reads the same
+/// columns and calls the same functions as built-in models. So it works with
+/// the build whose headers it was compiled with; a program with other columns
+/// or descriptions rejects it with an error message.
 
 #include <tuple>
 #include <type_traits>
@@ -17,7 +17,7 @@
 
 namespace playhouse::world {
 
-/// A number that tells programs apart in which the state or the scene is laid out in other ways.
+/// ABI fingerprint: differs between builds with different layouts of the state or the scene.
 constexpr std::uint64_t layout() {
   std::uint64_t sum = mix64(sizeof(World)) ^ sizeof(scene::SceneDesc);
   const auto add = [&sum](std::uint64_t value) { sum = mix64(sum ^ value); };
@@ -37,7 +37,7 @@ constexpr std::uint64_t layout() {
 
 }  // namespace playhouse::world
 
-/// Names the class that a library provides; write it once, outside any namespace.
+/// Exports the class that a library provides; use it once, outside any namespace.
 #define PLAYHOUSE_CUSTOM_KIND(Type)                                                            \
   extern "C" __attribute__((visibility("default"))) std::uint32_t playhouse_custom_version() { \
     return ::playhouse::world::kCustomVersion;                                                 \

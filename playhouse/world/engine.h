@@ -8,7 +8,7 @@
 
 namespace playhouse::world {
 
-/// What the bridge and the program see of an engine, whichever it is. Thread: the tick thread.
+/// The interface of an engine to the program. Thread: the tick thread.
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -19,13 +19,13 @@ class Engine {
   /// The state; change it only between steps, with the functions of world.h.
   virtual World& world() = 0;
 
-  /// The threads that share the rows of a phase; between steps, for who has much to do with the state.
+  /// The thread pool of the phases; between steps also for other expensive work on the state.
   virtual Workers& workers() = 0;
 
   /// Rays cast since the start, for benches.
   virtual std::uint64_t rays() const = 0;
 
-  /// What it takes bodies for as they stand now; nothing where it does not tell. Between steps.
+  /// Collision shapes at their present poses; empty if the engine does not provide them. Between steps.
   virtual PhysicsShapes physics_shapes() { return {}; }
 };
 

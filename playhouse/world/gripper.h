@@ -1,6 +1,6 @@
 #pragma once
 
-/// What grippers are told, and what can be told of them. Thread: the tick thread, between steps.
+/// Commands and state of grippers. Thread: the tick thread, between steps.
 
 #include "playhouse/world/world.h"
 
@@ -8,19 +8,19 @@ namespace playhouse::world {
 
 enum class GripperCommand : std::uint8_t { kOpen, kClose, kRaise, kLower, kStop };
 
-/// What it is to do from now on; paddles and lift move while somebody subscribes it.
+/// Sets the command; paddles and lift move only while the gripper is subscribed.
 void command_gripper(World& world, GripperRow gripper, GripperCommand command);
 
 enum class PaddleState : std::uint8_t {
   kOpen,
-  kClosed,  // as far as they can, perhaps around a thing
+  kClosed,  // as far as possible, maybe around an object
   kMoving,
-  kStopped,  // between the two
+  kStopped,  // between open and closed
 };
 
 PaddleState paddle_state(const Grippers& grippers, GripperRow gripper);
 
-/// What it holds now; none also where that has gone, or was taken from it.
+/// The object it holds; none also if that was removed or taken away.
 ModelRow held_by(const World& world, GripperRow gripper);
 
 }  // namespace playhouse::world

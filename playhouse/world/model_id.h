@@ -5,10 +5,10 @@
 
 namespace playhouse::world {
 
-/// Identity of a model for the life of a run: its serial number, given when it comes into being and to no
-/// other model after it is gone. The same on any number of workers and after save and restore. Whoever names
-/// a model outside the tick (devices, viewers, streams of random numbers, recordings, logs) names it so: rows
-/// change as models come and go. The default is "none".
+/// Identity of a model in a run: a serial number assigned at creation and never reused.
+/// Independent of the number of workers, preserved by save and restore. Everything
+/// outside the tick (devices, viewers, random streams, recordings, logs) refers to models
+/// by id, since rows change when models are spawned or removed. The default is "none".
 struct ModelId {
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   std::uint32_t value = kNone;

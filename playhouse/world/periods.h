@@ -1,6 +1,6 @@
 #pragma once
 
-/// Times in whole ticks.
+/// Conversion of durations to whole ticks.
 
 #include <cstdint>
 
@@ -8,7 +8,7 @@
 
 namespace playhouse::world {
 
-/// Ticks of `interval` that take at least `seconds`, as well as rounding lets one tell; at least 1.
+/// Number of ticks of `interval` in `seconds`, rounded up with a tolerance for rounding errors; at least 1.
 std::uint64_t ticks_of(double seconds, double interval);
 
 /// Ticks between two updates of a model.

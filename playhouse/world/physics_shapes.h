@@ -1,7 +1,7 @@
 #pragma once
 
-/// What an engine takes bodies for where they touch, for people who want to see it and for programs that
-/// predict where a body will go. Frames: W world, B the top of a tree of models.
+/// Collision shapes of an engine, for display and for programs that
+/// predict motion. Frames: W world, B root of a tree of models.
 
 #include <vector>
 
@@ -10,17 +10,17 @@
 
 namespace playhouse::world {
 
-/// Corners of a solid: of an upright prism those of its bottom, one after the other, then those above them in
-/// the same order; of any other, which is convex, in no order.  [m]
+/// Corners of a solid: for an upright prism those of its bottom in order, then those
+/// of its top in the same order; for any other, which is convex, in any order. [m]
 using SolidCorners = std::vector<geom::Vec3>;
 
 struct PhysicsShapes {
   struct Body {
-    ModelId model;                     // the top of its tree
+    ModelId model;                     // the root of its tree
     std::vector<SolidCorners> solids;  // in B
   };
-  std::vector<SolidCorners> fixed;  // what stands still, in W
-  std::vector<Body> bodies;         // what may move, by id
+  std::vector<SolidCorners> fixed;  // static solids, in W
+  std::vector<Body> bodies;         // movable bodies, by id
 };
 
 }  // namespace playhouse::world

@@ -20,14 +20,14 @@ namespace playhouse::world {
 namespace {
 
 constexpr std::uint32_t kNone = ModelRow::kNone;
-constexpr std::size_t kUsualItems = 32;  // of a list; room for more is made once they are there
+constexpr std::size_t kUsualItems = 32;  // reserved list capacity
 
 template <typename T>
 std::uint32_t count32(const std::vector<T>& column) {
   return static_cast<std::uint32_t>(column.size());
 }
 
-/// A row of zeros at the end of a table; lists get room for what is usual.
+/// Appends a row of zeros to a table; reserves typical capacity for lists.
 template <typename Table>
 void add_row(Table& table) {
   each_column_of<Table>([&](const auto& column) {
@@ -36,13 +36,13 @@ void add_row(Table& table) {
   });
 }
 
-/// It moves by itself, or something above it does.
+/// True if it or an ancestor is a mover.
 bool is_driven(const Models& models, std::uint32_t row) {
   while (row != kNone && !moves(models.kind[row])) row = models.parent[row];
   return row != kNone;
 }
 
-/// The model, or one below it, is driven.
+/// True if the model or a descendant is driven.
 bool holds_driven(const World& world, std::uint32_t row) {
   if (world.models.mobility[row] == Mobility::kDriven) return true;
   for (const std::uint32_t child : world.children({row}))
@@ -50,7 +50,7 @@ bool holds_driven(const World& world, std::uint32_t row) {
   return false;
 }
 
-/// A part that a scene's tree did not have: it was attached.
+/// True for an attached model: a part that is a root in the scene.
 bool was_attached(const World& world, std::uint32_t row) {
   return world.models.parent_id[row].valid() && world.desc({row}).parent < 0;
 }
@@ -67,7 +67,7 @@ std::size_t pixels_of(const scene::ModelDesc& desc) {
   return desc.camera ? scene::pixels_of(*desc.camera) : 0;
 }
 
-/// What the models [begin, end) have of a table; nothing if they have nothing.
+/// Range of a table for the models [begin, end); empty if they have no rows.
 template <typename Table>
 Range range_of_run(const Tables& tables, std::uint32_t begin, std::uint32_t end, Per per) {
   Range all;
@@ -78,12 +78,12 @@ Range range_of_run(const Tables& tables, std::uint32_t begin, std::uint32_t end,
   return all;
 }
 
-/// Removes ranges, ascending or empty; each value that stays moves once.
+/// Removes ascending ranges, some empty; each remaining value moves once.
 template <typename T>
 void erase_ranges(std::vector<T>& values, std::span<const Range> ranges) {
   const auto at = [&](std::uint32_t index) { return values.begin() + index; };
   auto to = values.end();
-  std::uint32_t from = 0;  // where what stays begins, once something was left out
+  std::uint32_t from = 0;  // first remaining value after a removal
   for (const Range& range : ranges) {
     if (range.begin == range.end) continue;
     to = to == values.end() ? at(range.begin) : std::move(at(from), at(range.begin), to);
@@ -130,7 +130,7 @@ void Population::begin(std::span<const scene::TreeDesc> trees) {
   world_.models.V_WM.set_prototypes(std::vector<geom::SpatialVelocity>(descs.size()));
   world_.models.still.set_prototypes(std::vector<std::uint32_t>(descs.size()));
 
-  std::vector<std::size_t> count(descs.size());  // of trees, by row of their top
+  std::vector<std::size_t> count(descs.size());  // of trees, by row of their root
   for (const scene::TreeDesc& tree : trees) ++count[tree.top];
   std::size_t models = 0, sensors = 0, beams = 0;
   std::map<scene::ModelKind, std::size_t> of_kind;
@@ -186,7 +186,7 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
   models.watchers.push_back(0);
   models.fiducial_return.push_back(desc.fiducial_return);
   models.flags.push_back(0);
-  // What phases write, on any number of workers and without memory for it.
+  // Own values for columns written by phases: parallel and without allocation.
   if (top || moves(desc.kind)) models.X_PM.own(row.index);
   if (!desc.ctrl.empty()) models.say.own(row.index);
   world_.corners_ += corners_of(desc);
@@ -233,7 +233,7 @@ void Population::erase(std::span<const Rows> runs) {
     }
   std::vector<Range> rows, beams;
   const auto erase_from = [&]<typename Table>(Table Tables::*table) {
-    // Tables are in the order of the models, so what a run of models has is a run as well.
+    // Tables are in model order, so consecutive models have consecutive rows.
     rows.clear(), beams.clear();
     for (const Rows& run : runs) {
       rows.push_back(range_of_run<Table>(world_, run.begin, run.end, Per::kRow));
@@ -243,7 +243,7 @@ void Population::erase(std::span<const Rows> runs) {
       erase_ranges(world_.*table.*column.values, column.per == Per::kBeam ? beams : rows);
     });
   };
-  // From the last table to the models: what belongs to a model is found by tables that are listed before.
+  // In reverse order of tables: rows of later tables are found through earlier ones.
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     (erase_from(std::get<sizeof...(I) - 1 - I>(kTables)), ...);
   }
@@ -297,7 +297,7 @@ bool Population::derive_trees() {
 
 void Population::link(std::uint32_t first) {
   Models& models = world_.models;
-  // From the last row to the first, each put before its later siblings.
+  // In reverse order of rows, so that siblings end up ascending.
   for (std::uint32_t row = count32(models.id); row-- > first;) {
     const std::uint32_t parent = models.parent[row];
     if (parent == kNone) continue;
@@ -426,7 +426,7 @@ Result<ModelId> spawn_like(World& world, ModelRow model, geom::Pose X_WM, std::s
   if (name.empty()) name = fresh_name(world, world.name({top}));
   const Result<ModelId> came = spawn(world, world.models.desc[top], X_WM, std::move(name));
   if (!came) return came;
-  // What models that share a prototype have for themselves. Rows of those that were there stay.
+  // Copies the per-tree values.
   const ModelRow row = world.row(*came);
   set_color(world, row, world.models.color[top]);
   set_fiducial_return(world, row, world.models.fiducial_return[top]);
@@ -435,7 +435,7 @@ Result<ModelId> spawn_like(World& world, ModelRow model, geom::Pose X_WM, std::s
 
 namespace {
 
-/// Rows of top-level models that are to go, ascending.
+/// Rows of the roots to remove, ascending.
 Result<std::vector<std::uint32_t>> tops_to_go(const World& world, std::span<const ModelId> models) {
   std::vector<std::uint32_t> tops;
   for (const ModelId model : models) {
@@ -449,7 +449,7 @@ Result<std::vector<std::uint32_t>> tops_to_go(const World& world, std::span<cons
   return tops;
 }
 
-/// Makes what was attached to these trees, wherever in them, trees of their own.
+/// Detaches all models attached anywhere in these trees.
 void detach_from(World& world, std::span<const std::uint32_t> tops) {
   std::vector<ModelId> attached;
   for (std::uint32_t part = 0; part < world.models.size(); ++part) {
@@ -479,7 +479,7 @@ Result<void> despawn(World& world, std::span<const ModelId> models) {
     const std::uint32_t top = world.row(model).index;
     world.changes.add({Change::Kind::kDespawn, model, {}, count_of(top), world.models.mobility[top]});
   }
-  std::vector<Population::Rows> runs;  // what came together has ids, and so rows, in a run
+  std::vector<Population::Rows> runs;  // trees have consecutive ids, hence consecutive rows
   for (const std::uint32_t top : *tops) runs.push_back({top, top + count_of(top)});
   Population population(world);
   population.erase(runs);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Messages between radios: what somebody has a radio send waits in columns, as bytes of all messages and a
-/// list of how long each is, until the next tick carries it to those who hear it.
+/// Messages between radios: outgoing messages are queued in columns, the bytes
+/// of all of them and a list of lengths, until the next tick delivers them.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace playhouse::world {
 
-/// Messages [in order], and the bytes of all of them.
+/// A queue: messages in order, and their concatenated bytes.
 struct RadioMessages {
   const std::vector<RadioMessage>& messages;
   const std::vector<std::uint8_t>& bytes;
@@ -20,7 +20,7 @@ struct RadioMessages {
 RadioMessages outgoing_of(const Wifis& wifis, WifiRow radio);
 RadioMessages incoming_of(const Wifis& wifis, WifiRow radio);
 
-/// Whether the bytes are those of the messages, and no message is too long.
+/// True if the lengths add up to the bytes, and no message is too long.
 bool are_whole(const RadioMessages& messages);
 
 /// Calls visit(message, bytes) for each.
@@ -33,13 +33,13 @@ void each_message(const RadioMessages& all, const Visit& visit) {
   }
 }
 
-/// Has the radio send a message in the next tick: to one other, or, with none, to all who hear it. False, and
-/// nothing is sent, if it is longer than limits::kRadioMessageBytes or, which is counted, if
-/// limits::kRadioSends wait already.
+/// Queues a message for the next tick: to one radio, or broadcast if `to` is
+/// none. False, without effect, if it is longer than limits::kRadioMessageBytes
+/// or if limits::kRadioSends are queued already, which is counted.
 bool send_message(World& world, WifiRow radio, ModelId to, std::span<const std::uint8_t> bytes);
 
-/// The radio has received a message. At limits::kRadioReceives in a tick it is dropped, and counted.
-/// Allocates until its lists have their size.
+/// Appends a received message. Beyond limits::kRadioReceives per tick it is
+/// dropped and counted. Allocates until the lists have reached their size.
 void receive_message(Wifis& wifis, WifiRow radio, ModelId from, std::span<const std::uint8_t> bytes);
 
 }  // namespace playhouse::world

@@ -66,7 +66,7 @@ void fill_row(World&, Blinkenlights& lamps, const scene::ModelDesc&, ModelRow) {
   lamps.lit.back() = lamps.enabled.back();
 }
 
-/// The file's pose is where it would be at position 0.
+/// The file's pose is that at position 0.
 void fill_row(World& world, Actuators& actuators, const scene::ModelDesc& model, ModelRow row) {
   Models& models = world.models;
   const geom::Pose X_PJ = models.X_PM[row.index];

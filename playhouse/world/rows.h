@@ -1,9 +1,9 @@
 #pragma once
 
-/// What a row of a kind's or trait's table begins with, and how a description says it of a row as it stands:
-/// each the other's inverse. Columns with a `word` in kinds/*.toml need no code (generated/worded.h); here is
-/// the rest. Other columns begin with zeros, and have nothing to say. Then what rows do when their model is
-/// put elsewhere. A kind that differs from the others has an overload here, and nobody asks for its name.
+/// Conversion between descriptions and rows of kind and trait tables: initial values of a row
+/// from its description, and the inverse, for export. Columns with a `word` in kinds/*.toml need
+/// no code (generated/worded.h); others start at zero and are not exported. Also hooks of rows
+/// whose model was moved. Kinds with special behaviour have an overload; callers are generic.
 
 #include <cstdint>
 
@@ -11,7 +11,7 @@
 
 namespace playhouse::world {
 
-/// Fills the last row of a table, which is the model's and begins as its words say.
+/// Initialises the last row of a table from its model's description.
 template <typename Table>
 void fill_row(World&, Table&, const scene::ModelDesc&, ModelRow) {}
 void fill_row(World& world, Positions& positions, const scene::ModelDesc& model, ModelRow row);
@@ -22,41 +22,41 @@ void fill_row(World& world, Actuators& actuators, const scene::ModelDesc& model,
 void fill_row(World& world, Grippers& grippers, const scene::ModelDesc& model, ModelRow row);
 void fill_row(World& world, Cameras& cameras, const scene::ModelDesc& model, ModelRow row);
 
-/// Whether a description says other than what the row stands for; then `said`, a copy of it or null, is made
-/// to say that.
+/// True if the row's state differs from the description; then
+/// `said`, a copy of that or null, is updated to match the row.
 template <typename Table>
 bool say_row(const Table&, std::uint32_t, const scene::ModelDesc&, scene::ModelDesc*) {
   return false;
 }
 bool say_row(const Packs& packs, std::uint32_t row, const scene::ModelDesc& model, scene::ModelDesc* said);
-/// Paddles or a lift on their way are as the file has them.
+/// Moving paddles or lifts are exported as in the file.
 bool say_row(const Grippers& grippers, std::uint32_t row, const scene::ModelDesc& model,
              scene::ModelDesc* said);
 bool say_row(const Cameras& cameras, std::uint32_t row, const scene::ModelDesc& model,
              scene::ModelDesc* said);
 
-/// The same of all rows that a model has.
+/// The same for all rows of a model.
 bool say_rows(const World& world, ModelRow row, scene::ModelDesc* said = nullptr);
 
-/// The pose by which a description says where the model of a row is.
+/// The pose that a description should have for the model of a row.
 template <typename Table>
 const geom::Pose& pose_said(const World& world, const Table&, ModelRow row) {
   return world.models.X_PM[row.index];
 }
 const geom::Pose& pose_said(const World& world, const Actuators& actuators, ModelRow row);
-/// Of any model.
+/// For any model.
 const geom::Pose& pose_said(const World& world, ModelRow row);
 
-/// The model of a row was put elsewhere in its parent.
+/// Hook: the model of a row got a new pose in its parent.
 template <typename Table>
 void moved_in_parent(World&, Table&, ModelRow) {}
-/// What it counts its position from goes with it.
+/// Moves the origin of its joint position along.
 void moved_in_parent(World& world, Actuators& actuators, ModelRow row);
 
-/// The model of a row is elsewhere in the world, and did not drive there.
+/// Hook: the model of a row was teleported in the world.
 template <typename Table>
 void moved_in_world(World&, Table&, ModelRow) {}
-/// A robot with gps believes the truth.
+/// Odometry of a robot with gps follows.
 void moved_in_world(World& world, Positions& positions, ModelRow row);
 
 }  // namespace playhouse::world

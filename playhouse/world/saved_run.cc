@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kMagic = "playhouse saved run ";
 constexpr std::string_view kVersion = "4\n";
-constexpr std::size_t kHeadBytes = kMagic.size() + kVersion.size() + 8;  // and the hash of what follows
+constexpr std::size_t kHeadBytes = kMagic.size() + kVersion.size() + 8;  // plus the hash of the body
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {
   Hash hash;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// A saved run: all that a run needs to go on, as one file: the files of its scene, its engine, its
-/// seed and its state.
+/// A saved run: all that is needed to continue a run, as one file:
+/// the files of its scene, its engine, its seed and its state.
 /// docs/saved-runs.md draws the layout.
 
 #include <cstddef>
@@ -23,10 +23,10 @@ struct SavedRun {
 };
 
 std::vector<std::byte> encode(const SavedRun& run);
-/// The file with this body: its head, with the hash of the body, before it.
+/// The complete file: a header with the hash of the body, then the body.
 std::vector<std::byte> with_head(std::span<const std::byte> body);
 
-/// Fails on bytes that are no saved run, of another version, cut or changed; the error names no file.
+/// Fails on bytes that are no saved run, of another version, truncated or corrupt; errors name no file.
 Result<SavedRun> decode_saved_run(std::span<const std::byte> bytes);
 
 }  // namespace playhouse::world

@@ -1,8 +1,8 @@
 #pragma once
 
-/// SharedColumn: a column of which most rows have what their prototype says, kept once for all of them. Reads
-/// like a vector; who writes says so with own(). Thread: reads and writes of values that are a row's own may
-/// go on at once for different rows; a row gets one of its own between phases.
+/// SharedColumn: a copy-on-write column: rows share the value of their prototype until they get
+/// their own. Reads like a vector; writes go through own(). Thread: own values of different
+/// rows may be read and written in parallel; a row gets its own value between phases only.
 
 #include <algorithm>
 #include <cstddef>
@@ -19,10 +19,10 @@ class SharedColumn {
  public:
   using value_type = T;
 
-  /// Of the table in which this column is a row's row of SceneDesc::models.
+  /// `prototype`: the column of the same table that holds each row's row of SceneDesc::models.
   explicit SharedColumn(const std::vector<std::uint32_t>& prototype) : prototype_(prototype) {}
   SharedColumn(const SharedColumn&) = default;
-  /// The values of a table whose rows have the same prototypes.
+  /// Copies the values of a table whose rows have the same prototypes.
   SharedColumn& operator=(const SharedColumn& other) {
     shared_ = other.shared_;
     own_ = other.own_;
@@ -30,7 +30,7 @@ class SharedColumn {
     return *this;
   }
 
-  /// What the prototypes say, by row of SceneDesc::models. Before any row.
+  /// Sets the prototype values, by row of SceneDesc::models. Before any row.
   void set_prototypes(std::vector<T> values) { shared_ = std::move(values); }
 
   std::size_t size() const { return prototype_.size(); }
@@ -39,7 +39,7 @@ class SharedColumn {
     return is_own(row) ? own_[at_[row]] : shared_[prototype_[row]];
   }
   bool is_own(std::size_t row) const { return row < at_.size() && at_[row] != kShared; }
-  /// The row's own value, which is what it had until it is written.
+  /// The row's own value for writing; created as a copy of the prototype's.
   T& own(std::size_t row) {
     if (!is_own(row)) {
       own_.push_back(shared_[prototype_[row]]);
@@ -48,19 +48,19 @@ class SharedColumn {
     }
     return own_[at_[row]];
   }
-  /// Nothing becomes the row's own that it has already. By value: it may be another row's, and those move.
+  /// Writes only if the value differs. By value: the argument may refer to another row, which own() may move.
   void set(std::size_t row, T value) {
     if (is_own(row) || !is_same(operator[](row), value)) own(row) = std::move(value);
   }
 
-  /// Room for what rows have for themselves, if it is `rows` that have.
+  /// Reserves room for `rows` rows.
   void reserve(std::size_t rows) { at_.reserve(rows); }
   void clear() {
     at_.clear();
     own_.clear();
   }
-  /// What the rows of these ranges {begin, end}, ascending or empty, have for themselves goes; those behind
-  /// them move up.
+  /// Removes the rows of these ranges {begin, end},
+  /// ascending or empty, and moves the rows behind them up.
   template <typename Ranges>
   void erase(const Ranges& ranges) {
     std::size_t to = 0, from = 0;
@@ -83,18 +83,18 @@ class SharedColumn {
     own_ = std::move(kept);
   }
 
-  /// Calls visit(value) for every value that is kept.
+  /// Calls visit(value) for every stored value.
   template <typename Visit>
   void each_kept(const Visit& visit) const {
     for (const T& value : shared_) visit(value);
     for (const T& value : own_) visit(value);
   }
-  /// Memory of rows and values, without what values have elsewhere. [bytes]
+  /// Memory of rows and values, without what values allocate themselves. [bytes]
   std::size_t bytes() const {
     return at_.capacity() * sizeof(std::uint32_t) + (shared_.capacity() + own_.capacity()) * sizeof(T);
   }
 
-  /// The same values, whoever has them.
+  /// Compares row by row, whether shared or own.
   friend bool operator==(const SharedColumn& a, const SharedColumn& b) {
     if (a.size() != b.size()) return false;
     for (std::size_t row = 0; row < a.size(); ++row)
@@ -105,7 +105,7 @@ class SharedColumn {
  private:
   static constexpr std::uint32_t kShared = 0xFFFFFFFFu;
 
-  /// To the bit: -0 is not 0.
+  /// Bitwise: -0 differs from 0.
   static bool is_same(const T& a, const T& b) {
     if constexpr (std::is_trivially_copyable_v<T>) {
       return std::memcmp(&a, &b, sizeof(T)) == 0;
@@ -117,7 +117,7 @@ class SharedColumn {
   const std::vector<std::uint32_t>& prototype_;
   std::vector<T> shared_, own_;
   std::vector<std::uint32_t>
-      at_;  // row of own_, or kShared (rows up to the last that has something of its own)
+      at_;  // row of own_, or kShared for a shared value (rows up to the last one with an own value)
 };
 
 }  // namespace playhouse::world

@@ -52,10 +52,10 @@ void get(Unpacker& in, Number& number) {
   }
 }
 
-/// Headings are normalised, or what a scene made in code says.  [rad]
+/// Headings are normalised, except in scenes made in code.  [rad]
 constexpr double kMostTurn = 1e6;
 
-/// Values that arithmetic can go on with.
+/// True for values that are safe for arithmetic.
 template <typename T>
 bool is_good(const T& value) {
   if constexpr (std::is_same_v<T, geom::Pose>) return is_place(value) && std::fabs(value.a) <= kMostTurn;
@@ -69,7 +69,7 @@ bool is_good(const T& value) {
   return good;
 }
 
-/// False: the value is none that could be read again.
+/// False: load would reject the value.
 template <typename T>
 bool put_value(Packer& out, const T& value) {
   bool good = is_good(value);
@@ -82,7 +82,7 @@ bool put_value(Packer& out, const T& value) {
   return good;
 }
 
-/// False: the bytes end, or the value is none.
+/// False: truncated, or an invalid value.
 template <typename T>
 bool get_value(Unpacker& in, T& value) {
   if constexpr (kIsList<T>) {
@@ -111,7 +111,7 @@ Error damaged(std::string_view what) {
   return Error{{}, fmt::format("is damaged: {}", what)};
 }
 
-/// The head of a column, which must be the one that is expected, with its number of values.
+/// Reads the header of the expected column; returns its number of values.
 Result<std::uint64_t> get_head(Unpacker& in, const char* name) {
   const std::string found = in.text();
   const std::uint64_t size = in.varint();
@@ -124,7 +124,7 @@ Result<std::uint64_t> get_head(Unpacker& in, const char* name) {
   return size;
 }
 
-/// Values of a column, as many as are expected.
+/// Reads as many values as expected.
 template <typename Values>
 Result<void> get_values(Unpacker& in, const char* name, Values& values) {
   for (std::size_t row = 0; row < values.size(); ++row) {
@@ -147,14 +147,14 @@ Result<void> get_column(Unpacker& in, const char* name, std::vector<T>& values) 
   return get_values(in, name, values);
 }
 
-/// Who there is, as it is read and before it is believed.
+/// The population as read, before validation.
 struct Census {
   std::vector<ModelId> id, parent;
   std::vector<std::uint32_t> desc;
 };
 
-/// Whether the rows from `top` on are a whole tree as the scene has it: with ids, and so rows, in a run,
-/// which is what despawn() removes. `count` gets its size.
+/// True if the rows from `top` on are a complete tree of the scene, with
+/// consecutive ids, as despawn() requires. Sets `count` to its size.
 bool is_tree(const Census& census, std::size_t top, const scene::SceneDesc& scene, std::size_t& count) {
   const std::uint32_t first = census.desc[top];
   count = scene::tree_size(scene, first);
@@ -184,7 +184,7 @@ Result<void> check(const Census& census, std::uint32_t next_id, const Serials& s
   return {};
 }
 
-/// Subscribers of models that the new state has as well.
+/// Keeps subscriptions of models that are in both states.
 class KeptUsers {
   template <typename Of>
   static auto users_of(Of& models, std::uint32_t row) {
@@ -299,7 +299,7 @@ class Loader {
     return result ? check_says() : result;
   }
 
-  /// What was measured later than now would not be measured again for ages.
+  /// Rejects measurements in the future, which would block sensors until then.
   Result<void> check_ticks() {
     bool ahead = false;
     each_kind_table([&]<typename Table>(Table Tables::*table) {
@@ -352,7 +352,7 @@ class Loader {
   World& world_;
   Unpacker& in_;
   Population population_;
-  std::optional<std::uint64_t> seed_;  // in place of the state's
+  std::optional<std::uint64_t> seed_;  // overrides the saved seed
   std::uint64_t tick_ = 0;
   std::uint32_t next_id_ = 0;
   Serials serials_;
@@ -372,7 +372,7 @@ std::uint64_t hash_of(const World& world, const Decider& decider) {
   return hash.value();
 }
 
-/// The first column of a model, which has the same row in both, that differs.
+/// The first differing column of a model, in the same row of both worlds.
 std::optional<std::string> differing_column(const World& a, const World& b, std::uint32_t row) {
   std::optional<std::string> found;
   const bool sensed = a.models.controllers[row] > 0 || b.models.controllers[row] > 0;

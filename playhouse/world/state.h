@@ -1,8 +1,8 @@
 #pragma once
 
-/// The whole state of a world as bytes, made and read by the lists of columns: what a later tick depends on,
-/// with what controllers remember. Not in it: the scene, who looks, and what follows from the rest.
-/// docs/saved-runs.md draws the layout.
+/// Serialisation of a world's state by the lists of columns: all that later
+/// ticks depend on, with the memory of controllers. Not included: the scene,
+/// subscriptions, derived columns. docs/saved-runs.md specifies the layout.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,29 +16,29 @@
 
 namespace playhouse::world {
 
-/// Appends the state to `out`. Fails, with the controller's name, where one cannot say what it remembers, and
-/// on values that could not be read again: a robot that has left every scene behind.
+/// Appends the state to `out`. Fails, naming the controller, if one cannot be saved,
+/// and on values that load_state() would reject: a robot far outside any scene.
 Result<void> save_state(const World& world, std::vector<std::byte>& out);
 
-/// Makes the world the one that was saved: one of the same scene and seed, with the same controllers. Models
-/// that are in both keep their subscribers. Leaves a kReload entry in the list of changes, which the engine
-/// reads before its next tick. Fails, and the world is of no use then, on bytes that are no state of this
-/// scene.
+/// Replaces the world by the saved one, which must have the same scene, seed
+/// and controllers. Models in both keep their subscribers. Adds a kReload entry
+/// to the change log, which the engine processes before its next tick. Fails on
+/// bytes that are not a state of this scene; the world is unusable then.
 Result<void> load_state(World& world, std::span<const std::byte> state);
 
-/// The same with another seed from then on, for a state from which a run begins again: what follows from the
-/// seed alone follows from this one.
+/// The same with another seed, to restart a run from a state: all
+/// that derives from the seed alone is recomputed from this one.
 Result<void> load_state(World& world, std::span<const std::byte> state, std::uint64_t seed);
 
-/// Where two worlds differ.
+/// The first difference between two worlds.
 struct Difference {
-  ModelId model;       // none: the worlds as wholes, or a controller
+  ModelId model;       // none: a global value or a controller
   std::string column;  // "positions.X_OM", "tick", "controller wander"
   std::string text() const;
   friend bool operator==(const Difference&, const Difference&) = default;
 };
 
-/// The first difference in what hash() sees, by models and then by columns; none if there is no difference.
+/// The first difference in what hash() covers, by model, then by column; none if equal.
 std::optional<Difference> first_difference(const World& a, const World& b);
 
 }  // namespace playhouse::world

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Surroundings: what is around a place, whatever engine has the bodies: what sensors of shared libraries see
-/// (custom_kind.h). Thread: any worker, in the phase `sense` of the engine that gives it.
+/// Surroundings: queries of the space around a place, independent of the engine, for sensors of shared
+/// libraries (custom_kind.h). Thread: any worker, in the phase `sense` of the engine that provides it.
 
 #include <vector>
 
@@ -10,25 +10,25 @@
 
 namespace playhouse::world {
 
-/// Where a ray ends.
+/// Result of a ray cast.
 struct RayEnd {
-  double range = 0;  // m; that of the ray if it met nothing
-  ModelRow model;    // whose body it met, or none
+  double range = 0;  // m; the ray's length if it missed
+  ModelRow model;    // whose body was hit, or none
 };
 
 class Surroundings {
  public:
   virtual ~Surroundings() = default;
 
-  /// The first body on the level line from X_WS along its heading, of those that rangers see. Bodies of the
-  /// tree of `own`, which may be none, are passed through.
+  /// The first body visible to rangers on the horizontal ray from X_WS along
+  /// its heading. Bodies in the tree of `own`, which may be none, are ignored.
   virtual RayEnd cast(const geom::Pose& X_WS, double range, ModelRow own) const = 0;
 
-  /// Replaces `found` by all models whose own frame is within `radius` of p_W in space, ascending by row.
+  /// Replaces `found` by all models whose frame origin is within `radius` of p_W in 3D, ascending by row.
   virtual void near(const geom::Pose& p_W, double radius, std::vector<ModelRow>& found) const = 0;
 
-  /// How many bodies that stand still the straight line from one place to the other enters, at the height of
-  /// the first; a bitmap's contour counts each time.
+  /// Number of static bodies that the segment enters, at the
+  /// height of its start; each contour of a bitmap counts.
   virtual int walls_between(const geom::Pose& from_W, const geom::Pose& to_W) const = 0;
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 
-/// The types of values that columns have, each taken apart in one place: hash, save, load, checks and tests
-/// follow from each_number(). A type that is not here does not compile; bindings name all parts of a value,
-/// so that one more part does not compile either. Records are generated, with an each_part() that does so.
+/// The value types of columns, decomposed into numbers in one place: hash, save, load, checks and tests
+/// build on each_number(). An unsupported type does not compile; structured bindings name all members,
+/// so that an added member does not compile either. Records are generated, with such an each_part().
 
 #include <string>
 #include <type_traits>
@@ -12,7 +12,7 @@
 
 namespace playhouse::world {
 
-/// Values of any length: their size is a number as well, then come their elements.
+/// Values of variable length: the size counts as a number, followed by the elements.
 template <typename T>
 inline constexpr bool kIsList = false;
 template <>
@@ -25,7 +25,7 @@ inline constexpr bool kIsRow = false;
 template <typename Table>
 inline constexpr bool kIsRow<Row<Table>> = true;
 
-/// Calls visit(number) for every number of a value that is no list, const as the value is.
+/// Calls visit(number) for every number of a value that is no list; const if the value is.
 template <typename V, typename Visit>
 void each_number(V& value, const Visit& visit) {
   using T = std::remove_const_t<V>;

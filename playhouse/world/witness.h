@@ -4,16 +4,16 @@
 
 namespace playhouse::world {
 
-/// Who hears of all that happens to a world: every tick, and every batch of changes between two ticks, from
-/// whomever they come and whatever they do. Thread: tick.
+/// Observer of all changes to a world: every tick, and every batch of
+/// changes between two ticks, whatever their origin. Thread: tick.
 class Witness {
  public:
   virtual ~Witness() = default;
-  /// Something other than a tick is about to change the world.
+  /// Called before anything other than a tick changes the world.
   virtual void before_changes(const World& world) = 0;
-  /// It is done; nothing else happened meanwhile.
+  /// Called after it; nothing else happened in between.
   virtual void after_changes(const World& world) = 0;
-  /// A tick is done.
+  /// Called after a tick.
   virtual void ticked(const World& world) = 0;
 };
 

@@ -14,9 +14,9 @@
 
 namespace playhouse::world {
 
-// TBB orders what the caller wrote before the bodies, and what they wrote before the caller goes on; its
-// library is not instrumented, so the thread sanitizer learns it here. Between ranges of one phase there is
-// no order, and the sanitizer is told of none.
+// TBB orders the caller's writes before the bodies, and theirs before the
+// caller's return; since its library is not instrumented, this tells the thread
+// sanitizer. Ranges of one phase are unordered, which the sanitizer should see.
 #ifdef PLAYHOUSE_THREAD_SANITIZER
 static void leave(char* order) {
   __tsan_release(order);
@@ -25,7 +25,7 @@ static void enter(char* order) {
   __tsan_acquire(order);
 }
 
-// What TBB's threads do to memory of TBB alone, through functions the sanitizer replaces (memcmp, delete).
+// Accesses to TBB's internal memory through functions that the sanitizer intercepts (memcmp, delete).
 extern "C" const char* __tsan_default_suppressions() {
   return "called_from_lib:libtbb.so\n";
 }
@@ -34,8 +34,8 @@ static void leave(char*) {}
 static void enter(char*) {}
 #endif
 
-/// Lets TBB make as many threads as asked for, also on a machine with fewer cores. The least of all controls
-/// counts for the whole process, so there is one, for the most that anybody asked for.
+/// Allows as many TBB threads as requested, even beyond the number of cores. The minimum of all
+/// controls is effective process-wide, so there is a single one, for the maximum requested.
 static void allow(unsigned count) {
   using oneapi::tbb::global_control;
   static std::mutex mutex;
@@ -52,7 +52,7 @@ struct Workers::Arena {
   explicit Arena(unsigned count) : threads(static_cast<int>(count)) { allow(count); }
 
   oneapi::tbb::task_arena threads;
-  char started = 0;  // only addresses, of the two orders: caller before bodies, bodies before caller
+  char started = 0;  // only their addresses are used, for the two orderings
   char done = 0;
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Workers: the threads that share the rows of a phase. A phase gives a body that fills rows [begin, end) of
-/// its own columns from frozen ones; which thread takes which range must not matter, and does not where that
-/// is kept. Thread: the tick thread calls run(); the body runs on any worker.
+/// Workers: the thread pool of a phase. A phase passes a body that fills rows [begin,
+/// end) of its own columns from frozen ones; the result must not depend on which thread
+/// gets which range. Thread: the tick thread calls run(); the body runs on any worker.
 
 #include <cstddef>
 #include <memory>
@@ -11,14 +11,14 @@ namespace playhouse::world {
 
 class Workers {
  public:
-  /// `count` threads, the caller included; 1 runs everything in the caller. 0 counts as 1.
+  /// A pool of `count` threads including the caller; 0 counts as 1, which runs everything in the caller.
   explicit Workers(unsigned count);
   ~Workers();
 
   unsigned count() const { return count_; }
 
-  /// Calls body(begin, end) for ranges of about `grain` rows that cover [0, rows) once; returns when all are
-  /// done.
+  /// Parallel for: calls body(begin, end) for ranges of about `grain`
+  /// rows that cover [0, rows) once. Blocks until all are done.
   template <typename Body>
   void run(std::size_t rows, std::size_t grain, const Body& body) {
     if (count_ == 1 || rows <= grain) {
@@ -30,7 +30,7 @@ class Workers {
     });
   }
 
-  /// Number of the calling thread, below count(), for scratch memory inside a body.
+  /// Index of the calling thread, below count(), for scratch buffers.
   unsigned current() const;
 
  private:
@@ -39,7 +39,7 @@ class Workers {
   void run_ranges(std::size_t rows, std::size_t grain, const void* body, Call call);
 
   unsigned count_;
-  std::unique_ptr<Arena> arena_;  // none with one worker
+  std::unique_ptr<Arena> arena_;  // null with one worker
 };
 
 }  // namespace playhouse::world

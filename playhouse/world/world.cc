@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint32_t kNone = ModelRow::kNone;
 
-/// Memory that a value has elsewhere. [bytes]
+/// Heap memory of a value. [bytes]
 template <typename T>
 std::size_t bytes_of(const T& value) {
   if constexpr (std::is_same_v<T, std::string>) {
@@ -39,7 +39,7 @@ const scene::PositionDesc& drive_of(const World& world, PositionRow robot) {
   return *world.desc(world.positions.model[robot.index]).position;
 }
 
-/// Ends what a row of a kind that moves was told, and its motion.
+/// Clears command and motion of a row of a moving kind.
 template <typename Table>
 void stop(Table& table, std::uint32_t row) {
   table.mode[row] = ControlMode::kVelocity;
@@ -47,10 +47,10 @@ void stop(Table& table, std::uint32_t row) {
   table.velocity[row] = {};
   table.stall[row] = 0;
 }
-/// A custom model goes on as it was told: its code knows whether it is used.
+/// Custom models keep their commands: their code knows whether they are used.
 void stop(Customs&, std::uint32_t) {}
 
-/// For who listens; those who are there keep their memory.
+/// Records an utterance; entries keep their capacity.
 void utter(World& world, ModelRow model, const std::string& text) {
   Utterances& utterances = world.utterances;
   if (utterances.listeners == 0) return;
@@ -88,7 +88,7 @@ World::World(const scene::SceneDesc& scene, std::uint64_t seed) : scene_(&scene)
 
 ModelRow World::row(ModelId id) const {
   const std::vector<ModelId>& ids = models.id;
-  // While nothing below it went, a model's row is its id.
+  // If no lower id was removed, the row is the id.
   if (id.value < ids.size() && ids[id.value] == id) return {id.value};
   const auto found = std::ranges::lower_bound(ids, id);
   if (found == ids.end() || *found != id) return {};
@@ -120,7 +120,7 @@ std::uint32_t World::like(ModelRow row) const {
   const std::uint32_t id = models.id[row.index].value, desc = models.desc[row.index];
   const std::uint32_t tree = tree_with({id});
   if (tree != kNone && trees_[tree].top + (id - first_id_[tree]) == desc) return id;
-  // What came may be of a description that the scene's models do not have.
+  // A spawned model may have a description that no scene model has.
   return first_like_[desc] != kNone ? first_like_[desc] : ~desc;
 }
 
@@ -174,7 +174,7 @@ void World::index_names() const {
   add_names(0);
 }
 
-/// Those of the tops from row `first` on, which are the last.
+/// Adds the roots from row `first` on.
 void World::add_names(std::uint32_t first) const {
   for (std::uint32_t row = first; row < models.size(); ++row) {
     if (desc({row}).parent >= 0) continue;
@@ -184,7 +184,7 @@ void World::add_names(std::uint32_t first) const {
   }
 }
 
-/// Of a model that goes.
+/// Removes a model's names.
 void World::remove_names(ModelRow row) const {
   if (!names_known_ || desc(row).parent >= 0) return;
   const Origin from = origin(row);
@@ -192,7 +192,7 @@ void World::remove_names(ModelRow row) const {
   if (from.tree != ModelRow::kNone) by_alias_.erase({token_of(from, Token::kAlias), from.first});
 }
 
-/// The token of the top of a tree, which keeps it as long as it is there.
+/// Token of a tree's root; constant during its lifetime.
 std::string_view World::token_of(const Origin& from, Token which) const {
   if (from.tree != ModelRow::kNone)
     return which == Token::kName ? trees_[from.tree].name : trees_[from.tree].alias;
@@ -233,7 +233,7 @@ ModelRow World::find(std::string_view token, Token which) const {
   return found;
 }
 
-/// Given names win over default names, later ones over earlier ones.
+/// Given names take precedence over default names, later ones over earlier ones.
 ModelRow World::find(std::string_view name) const {
   if (!names_known_) index_names();
   const ModelRow given = find(name, Token::kName);
@@ -323,7 +323,7 @@ void place_tree(World& world, ModelRow model) {
 }
 
 bool is_place(const geom::Pose& X) {
-  constexpr double kFarthest = 1e9;  // m, as in world files: well inside all arithmetic
+  constexpr double kFarthest = 1e9;  // m, as in world files: without risk of overflow
   return finite(X.x, X.y, X.z, X.a) && std::fabs(X.x) <= kFarthest && std::fabs(X.y) <= kFarthest &&
          std::fabs(X.z) <= kFarthest;
 }
@@ -387,7 +387,7 @@ bool set_spatial_pose(World& world, ModelRow model, const geom::SpatialPose& X_P
 void return_to_start(World& world) {
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     const Result<void> detached = detach(world, world.models.id[row]);
-    static_cast<void>(detached);  // most are not attached to anything
+    static_cast<void>(detached);  // most are not attached
   }
   World start(world.scene(), world.seed());
   Population population(world), at_start(start);
@@ -437,7 +437,7 @@ void set_say(World& world, ModelRow model, std::string_view text) {
   if (world.models.say[model.index] == text) return;
   std::string& says = world.models.say.own(model.index);
   if (can_be_said(text)) {
-    says = text;  // as most are, into memory that is there
+    says = text;  // assigned: reuses memory
   } else {
     says = spoken(text);
   }

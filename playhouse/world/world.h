@@ -1,11 +1,11 @@
 #pragma once
 
-/// World: the state that both engines share, as tables of columns, and the few ways to change it from
-/// outside. An engine's step() turns commands and state N into state N+1; between steps everyone reads a
-/// const World. Rows are dense and in the order of the models' ids; they are for the tick and hold until the
-/// population changes (population.h). Everyone else names models by id. Units, frames, roles and writers of
-/// all columns are in columns.h. Thread: the tick thread, between steps. Frames: W world, P parent, M model,
-/// B body (M moved by the origin), O odometry.
+/// World: the state that both engines share, as tables of columns, and the functions that change
+/// it from outside. An engine's step() maps commands and state N to state N+1; between steps
+/// everyone reads a const World. Rows are dense, in the order of model ids, for use inside a
+/// tick, and valid until the population changes (population.h); others refer to models by id.
+/// Units, frames, roles and writers of columns: columns.h. Thread: the tick thread, between
+/// steps. Frames: W world, P parent, M model, B body (M moved by the origin), O odometry.
 
 #include <cmath>
 #include <map>
@@ -23,112 +23,112 @@
 
 namespace playhouse::world {
 
-/// What models began to say, for who listens; no state of a run.
+/// A ring buffer of texts that models began to say, for listeners; no part of the state.
 struct Utterances {
   struct One {
     ModelId model;
     std::string text;
   };
-  std::uint64_t count = 0;      // of all that were kept, ever
-  std::vector<One> newest;      // number n, from 0, is in row n % limits::kUtterances
-  std::uint32_t listeners = 0;  // while there are none, nothing is kept
+  std::uint64_t count = 0;      // total number of utterances recorded
+  std::vector<One> newest;      // utterance n, from 0, is in row n % limits::kUtterances
+  std::uint32_t listeners = 0;  // 0: nothing is recorded
 };
 
 class World : public Tables {
  public:
-  /// The models of the scene's trees, with ids from 0 in that order. The scene must outlive the world.
+  /// Instantiates the scene's trees, with ids from 0 in order. The scene must outlive the world.
   World(const scene::SceneDesc& scene, std::uint64_t seed);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   const scene::SceneDesc& scene() const { return *scene_; }
   const scene::ModelDesc& desc(ModelRow row) const { return scene_->models[models.desc[row.index]]; }
-  /// Where the files have it: its own line if it is a top of the scene's, else that of its prototype's.
+  /// Its line in the files: its own if it is a root of the scene, else that of its prototype.
   scene::SourceLine where(ModelRow row) const;
   std::uint64_t seed() const { return seed_; }
   std::uint64_t tick() const { return tick_; }
-  /// Simulated time, the number nearest to whole microseconds: 6.3, not 6.300000000000001. [s]
+  /// Simulated time, rounded to microseconds: 6.3, not 6.300000000000001. [s]
   double time() const { return time_of(tick_); }
   double time_of(std::uint64_t tick) const {
     return std::round(static_cast<double>(tick) * scene_->interval * 1e6) / 1e6;
   }
 
-  /// Another number whenever models come, go or become parts of each other.
+  /// Version of the population: changes when models are spawned, removed, attached or detached.
   std::uint64_t population() const { return population_; }
-  /// Another number whenever some model may say something else; who comes and goes is told by population().
+  /// Version of texts: changes when some model may say something else; spawn and removal change population().
   std::uint64_t said() const { return said_; }
 
   ModelId id(ModelRow row) const { return models.id[row.index]; }
-  /// Serial number of a model, for streams of random numbers and whatever else depends on identity by value.
+  /// Serial number of a model: for random streams, hashes and whatever else depends on identity by value.
   std::uint32_t serial(ModelId id) const { return serials_.of(id); }
   std::uint32_t serial(ModelRow row) const { return serials_.of(models.id[row.index]); }
-  /// None if there is no such model, or no more.
+  /// None if the model does not exist or no longer exists.
   ModelRow row(ModelId id) const;
-  /// Row of a robot's drive; none if there is no such model, no more, or it does not drive.
+  /// Row of a robot's drive; none if the model does not exist or does not drive.
   PositionRow position(ModelId id) const;
-  /// The model's name: the scene's, or, of a model that came during the run, what it was given with the rest
-  /// of the scene's behind it ("r7.ranger:0").
+  /// The model's name: from the scene, or, for a model spawned at run time,
+  /// the given name with the part's suffix from the scene ("r7.ranger:0").
   std::string name(ModelRow row) const;
-  /// What it would be called had nobody named it: "position:3"; of what came during the run as name() is.
+  /// Its default name: "position:3"; for models spawned at run time like name().
   std::string alias(ModelRow row) const;
-  /// Look-up by name or default name; none if there is no such model. The last of equal names wins.
+  /// Look-up by name or default name; none if there is no such model. Of duplicates the last one wins.
   ModelRow find(std::string_view name) const;
-  /// Rows of what is attached to it, ascending; for range-based for.
+  /// Rows of attached models, ascending; for range-based for.
   class Children;
   Children children(ModelRow row) const;
 
-  /// Hash of what robots do: of every column that a later tick depends on, what controllers sense and
-  /// remember, and the tick. What is only measured for people and clients is no part of it: whoever watches
-  /// changes nothing. A sum over models, so that neither their order nor who computed them matters.
+  /// Hash of the simulation: all columns that later ticks depend on, measurements and memory of
+  /// controllers, and the tick. Measurements for users and clients are excluded, so that watching
+  /// does not change it. A sum over models, independent of their order and of parallelism.
   std::uint64_t hash() const;
-  /// Hash of what all sensors measured, and of who had them measure.
+  /// Hash of all measurements, and of the subscriptions that caused them.
   std::uint64_t sensed_hash() const;
   /// Memory of all columns. [bytes]
   std::size_t bytes() const;
 
-  /// In-process controllers, in the order in which they decide (see controllers::attach).
+  /// In-process controllers, in their order of execution (see controllers::attach).
   std::vector<std::unique_ptr<Decider>> deciders;
-  /// Code of custom models, by row of SceneDesc::models (see libraries::attach_custom_kinds); null for
-  /// others. Empty: none was loaded, and custom models do nothing.
+  /// Code of custom models, by row of SceneDesc::models (see libraries::attach_custom_kinds);
+  /// null for others. Empty: none loaded, custom models are inert.
   std::vector<std::shared_ptr<const CustomCode>> custom_codes;
 
   ChangeList changes;
-  /// The name of the engine, as of --engine; whether it keeps every model upright: there are no tilts then;
-  /// and whether its cameras see by the light of the scene: sun, lamps, fog. Written by the engine, as it is
-  /// made.
+  /// Set by the engine at construction: its name as in --engine;
+  /// whether it keeps models upright, without tilts; whether its
+  /// cameras render the lighting of the scene: sun, lamps, fog.
   std::string engine = "stage";
   bool upright = true;
   bool has_light = false;
-  std::uint64_t tick_ = 0;  // written by: freeze (the engine) alone
+  std::uint64_t tick_ = 0;  // written by: freeze (the engine) only
   std::uint64_t said_ = 0;  // written by: set_say, load_state
-  Utterances utterances;    // written by: set_say, and who listens
+  Utterances utterances;    // written by: set_say, and listeners
 
  private:
   friend class Population;
 
-  /// What a top that came during the run was given.
+  /// Arguments of a spawn at run time.
   struct Given {
     std::string name;
-    geom::Pose X_WM;  // where it came
+    geom::Pose X_WM;  // where it was spawned
   };
-  /// The tree that a model came in.
+  /// The tree from which a model was instantiated.
   struct Origin {
-    std::uint32_t top = 0, place = 0;      // row of SceneDesc::models, and of the model behind it
-    ModelId first;                         // id of the top
-    std::uint32_t tree = ModelRow::kNone;  // row of trees_, of the scene's models
+    std::uint32_t top = 0, place = 0;      // row of SceneDesc::models, and offset of the model from it
+    ModelId first;                         // id of the root
+    std::uint32_t tree = ModelRow::kNone;  // row of trees_, for models of the scene
   };
   Origin origin(ModelRow row) const;
-  /// Row of trees_ of the one that holds the scene's model of this id, or kNone.
+  /// Row of trees_ that contains the scene's model of this id, or kNone.
   std::uint32_t tree_with(ModelId id) const;
-  /// Hash of the columns of one model that `is_in(column)` chooses, with the model's id.
+  /// Hash of those columns of a model for which `is_in(column)` holds, with the model's id.
   template <typename Choose>
   std::uint64_t hash_of(std::uint32_t model, const Choose& is_in) const;
-  /// Which of the two tokens that models have.
+  /// The two names of a model.
   enum class Token : std::uint8_t { kName, kAlias };
   std::string token(ModelRow row, Token which) const;
   ModelRow find(std::string_view token, Token which) const;
-  /// Its id if the scene describes the model of that id so, else that of the first model described so: what
-  /// hash() knows of descriptions, however many models share one.
+  /// Canonical number of a description for hash(), independent of sharing: the model's id if the
+  /// scene's model of that id has this description, else the id of the first model that has it.
   std::uint32_t like(ModelRow row) const;
   void index_names() const;
   void add_names(std::uint32_t first) const;
@@ -136,10 +136,10 @@ class World : public Tables {
   std::string_view token_of(const Origin& from, Token which) const;
 
   const scene::SceneDesc* scene_;
-  std::vector<scene::TreeDesc> made_;       // where the scene lists no trees
+  std::vector<scene::TreeDesc> made_;       // used if the scene lists no trees
   std::span<const scene::TreeDesc> trees_;  // of the scene
-  std::vector<std::uint32_t> first_id_;     // of each tree, and the first that is no more of the scene
-  std::vector<std::uint32_t> first_like_;   // id of the first model of each description of the scene
+  std::vector<std::uint32_t> first_id_;     // of each tree, then the first id past the scene's
+  std::vector<std::uint32_t> first_like_;   // id of the first model of each description
   std::uint64_t seed_;
   std::uint32_t next_id_ = 0;
   Serials serials_;
@@ -147,15 +147,15 @@ class World : public Tables {
   std::size_t pixels_ = 0;   // of the images of all cameras
   std::uint64_t population_ = 0;
   std::map<ModelId, Given> given_;
-  /// Tops by a token, in the order of tokens and then of ids.
+  /// Roots by token, then by id.
   struct Named {
     std::string_view token;
     ModelId id;
     auto operator<=>(const Named&) const = default;
   };
   mutable std::set<Named> by_name_, by_alias_;
-  mutable std::vector<std::uint32_t> odd_;  // descriptions of parts whose tokens do not begin with the top's
-  mutable bool names_known_ = false;        // the sets hold everyone; made when somebody asks
+  mutable std::vector<std::uint32_t> odd_;  // descriptions of parts whose tokens lack the root's as a prefix
+  mutable bool names_known_ = false;        // the sets are complete; built on first use
 };
 
 class World::Children {
@@ -190,69 +190,69 @@ inline World::Children World::children(ModelRow row) const {
   return {models, row.index};
 }
 
-/// Six degrees of freedom in one value: X_PM with tilt_PM, and X_WM with tilt_WM.
+/// Six degrees of freedom in one value: X_PM with tilt_PM, or X_WM with tilt_WM.
 geom::SpatialPose pose_in_parent(const Models& models, ModelRow model);
 geom::SpatialPose pose_in_world(const Models& models, ModelRow model);
 
 /// Recomputes X_WM and tilt_WM of one model from those of its parent.
 void place(Models& models, ModelRow model);
-/// Recomputes X_WM and tilt_WM of a model and everything attached to it from X_PM and tilt_PM; what robots
-/// with gps believe follows.
+/// Recomputes X_WM and tilt_WM of a model and everything attached to
+/// it from X_PM and tilt_PM, and the odometry of robots with gps.
 void place_tree(World& world, ModelRow model);
 
-/// Resets rest counters after a placement or removal.
+/// Wakes all bodies: resets rest counters after a placement or removal.
 inline void wake(Models& models) {
   models.still.clear();
 }
 
-/// False for poses of which sums and products may be no numbers any more: not finite, or beyond any scene.
+/// False for invalid poses: not finite, or so far away that arithmetic would overflow.
 bool is_place(const geom::Pose& X);
 
-// Ways to change the world between ticks. Non-finite numbers and poses that are no place are refused (false),
-// nothing changes then.
+// Changes of the world between ticks. Functions that return bool
+// reject non-finite numbers and invalid poses: false, without effect.
 
 bool command_velocity(World& world, PositionRow robot, const geom::Twist& velocity);
 bool command_position(World& world, PositionRow robot, const geom::Pose& goal_O);
-/// Drives at `speed` and turns to `heading_O` meanwhile. [m/s, rad]
+/// Drives at `speed` while turning to `heading_O`. [m/s, rad]
 bool command_heading(World& world, PositionRow robot, double speed, double heading_O);
-/// A car has no acceleration mode: false.
+/// False for a car, which has no acceleration mode.
 bool command_acceleration(World& world, PositionRow robot, const geom::Twist& acceleration);
-/// The robot believes from now on that it is at X_OM.
+/// Sets the odometry: the robot's estimated pose becomes X_OM.
 bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM);
-/// Puts a model somewhere in its parent's frame, without any collision check; children follow. It stays as
-/// tilted as it was.
+/// Teleports a model in its parent's frame, without
+/// collision check; attached models follow. Its tilt stays.
 bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM);
-/// The same with a tilt, which an engine that keeps models upright leaves out.
+/// The same with a tilt, ignored by engines that keep models upright.
 bool set_spatial_pose(World& world, ModelRow model, const geom::SpatialPose& X_PM);
-/// Puts every model where the scene has it; robots do and believe what they did at the start. Time goes on,
-/// and what controllers remember, colours and subscriptions stay.
+/// Resets every model to its pose in the scene, and robots' commands and odometry to their
+/// initial values. Time continues; memory of controllers, colours and subscriptions stay.
 void return_to_start(World& world);
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id);
 void set_color(World& world, ModelRow model, const scene::Color& color);
-/// What the model says from now on, as spoken() makes it (speech.h); "" for nothing.
+/// Sets the text that the model says, sanitised by spoken() (speech.h); "" for nothing.
 void set_say(World& world, ModelRow model, std::string_view text);
-/// Gives the model flags, or takes some, as far as it has them; it carries 0 to 2^31 - 1.
+/// Adds flags to a model, or takes some; the count is clamped to 0 .. 2^31 - 1.
 void add_flags(World& world, ModelRow model, std::int64_t flags);
-/// An actuator's velocity along its axis, from the next tick on; its speed and its ends limit it. False, and
-/// nothing changes, if it is not finite. [m/s or rad/s]
+/// Velocity command of an actuator along its axis, from the next tick on, within its
+/// limits on speed and position. False, without effect, if not finite. [m/s or rad/s]
 bool command_joint_velocity(World& world, ActuatorRow actuator, double velocity);
-/// Where an actuator goes: the nearest position that it can have. False, and nothing changes, if it is not
-/// finite. [m or rad]
+/// Position command of an actuator, clamped to its range.
+/// False, without effect, if not finite. [m or rad]
 bool command_joint_position(World& world, ActuatorRow actuator, double position);
-/// What a custom model is told: number `which` of its command. False, and nothing changes, if it has no such
-/// number or the value is not finite.
+/// Sets number `which` of a custom model's command. False, without
+/// effect, if there is no such number or the value is not finite.
 bool command_custom(World& world, CustomRow custom, std::uint32_t which, double value);
-/// Sensors measure and robots move only while subscribed (or alwayson). Calls are counted.
+/// Reference-counted: sensors measure and robots move only while subscribed (or alwayson).
 void subscribe(World& world, ModelRow model);
-/// The same for a controller, which stays: from then on what the sensor measures is part of hash().
+/// The same for a controller, permanently: the sensor's measurements become part of hash().
 void subscribe_controller(World& world, ModelRow model);
-/// The last unsubscribe of a robot or an actuator stops it: its command and velocity become zero.
+/// The last unsubscribe of a robot or an actuator stops it: command and velocity become zero.
 void unsubscribe(World& world, ModelRow model);
-/// Subscribes for somebody who only looks, at a model that does nothing but measure: it draws nothing from
-/// batteries for that, so that whoever watches changes nothing.
+/// Subscribes as a passive viewer a model that only measures: draws
+/// no battery power, so that watching does not change the run.
 void watch(World& world, ModelRow model);
 void unwatch(World& world, ModelRow model);
-/// Somebody other than watchers has subscribed it.
+/// True if subscribed by anybody other than watchers.
 bool is_used(const World& world, ModelRow model);
 
 }  // namespace playhouse::world

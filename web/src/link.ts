@@ -12,21 +12,21 @@ export interface LinkEvents {
   history(history: History): void;
   file(world: WorldFile): void;
   people(people: People): void;
-  /** The viewer's own body has come. */
+  /** The viewer's own body was spawned. */
   joined(joined: Joined): void;
   driven(driven: Driven): void;
   physics(shapes: PhysicsShapes): void;
   notice(text: string): void;
-  /** `why` the program ended the connection, where it said so. */
+  /** `why`: the server's reason for closing the connection, if it gave one. */
   state(state: LinkState, why: string): void;
 }
 
-const kSilentMs = 4000; // the program sends something every second
+const kSilentMs = 4000; // the server sends at least one message per second
 const kRetryMs = [300, 600, 1200, 2500, 5000];
 
 /**
- * The connection to the program: applies its packets, acknowledges them once they could be drawn (a page that
- * draws slowly gets fewer), and connects again by itself.
+ * The connection to the server: applies packets, acknowledges them per drawn frame
+ * (flow control: a page that draws slowly gets fewer packets), and reconnects.
  */
 export class Link {
   private socket: WebSocket | null = null;
@@ -115,7 +115,7 @@ export class Link {
     window.setTimeout(() => this.connect(), wait);
   }
 
-  // A hidden page draws nothing, so it acknowledges and hears nothing; that is no silence.
+  // A hidden page draws no frames, so it sends no acknowledgements and receives nothing: not a timeout.
   private listenForSilence(): void {
     if (document.hidden) this.lastHeard = performance.now();
     if (this.current === 'live' && performance.now() - this.lastHeard > kSilentMs) this.change('silent');

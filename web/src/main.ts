@@ -29,13 +29,13 @@ import { kDarkPage } from './view/theme';
 
 const kLookPeriodMs = 150;
 const kDrivePeriodMs = 50;
-const kNearScale = 60; // pixels per metre: near enough to see a robot's sensors
-const kSensorScale = 8; // pixels per metre: seen from farther away, fans are a fog
+const kNearScale = 60; // pixels per metre from which a robot's sensors are discernible
+const kSensorScale = 8; // pixels per metre below which sensor fans merge into fog
 const kNameKey = 'playhouse.name';
 const kNoticeMs = 4000;
 const kWaveMs = 2500;
 const kPauseMs = 250;
-const kPhysicsMs = 1000; // between two times that physics shapes are asked for
+const kPhysicsMs = 1000; // minimum interval between requests of physics shapes
 const kLinkTexts: Record<LinkState, string> = {
   connecting: 'connecting',
   live: 'connected',
@@ -43,7 +43,7 @@ const kLinkTexts: Record<LinkState, string> = {
   lost: 'Connection lost. Trying again … What you see is old.',
 };
 
-/** Where the program listens; the link by which somebody came has their token behind the #. */
+/** WebSocket address of the server; the fragment of the page's address is the access token. */
 function liveAddress(page: Location): string {
   const live = new URL('live', page.href.replace(/^http/, 'ws'));
   live.hash = '';
@@ -52,7 +52,7 @@ function liveAddress(page: Location): string {
   return live.href;
 }
 
-/** Everything on the page, and what one part tells the others. */
+/** The page: owns all parts and connects them. */
 class Page {
   private scene: Scene | null = null;
   private replica: Replica | null = null;
@@ -66,13 +66,13 @@ class Page {
   private wheels: number | null = null; // of the selected robot
   private live = false;
   private own: OwnBody | null = null;
-  private physicsAsked = false; // and not come yet
-  private physicsOld = false; // who is there has changed since they were asked for
-  private flown = 0; // ms, the last picture of a flight
+  private physicsAsked = false; // request pending
+  private physicsOld = false; // population changed since the last request
+  private flown = 0; // ms, time of the last frame in free flight
   private rights: People = { people: [], you: 0, drives: true, joins: true, manages: true, edits: true };
-  private sayings = 0; // of the own body, so far
-  private enters = false; // it is not known in the scene yet
-  private awaited = 0; // models that were asked for and have not come yet
+  private sayings = 0; // number of utterances of the own body
+  private enters = false; // joined, but not in the scene yet
+  private awaited = 0; // models requested but not spawned yet
   private readonly pointer: Pointer;
 
   private readonly view = new StageView(byId<HTMLCanvasElement>('picture'), byId<HTMLCanvasElement>('overlay'), margins);
@@ -87,8 +87,8 @@ class Page {
     driven: ({ input, tick }) => this.own?.counts(input, tick),
     physics: (shapes) => this.showPhysics(shapes),
     notice: (text) => {
-      this.awaited = 0; // it may tell why nobody comes
-      this.physicsAsked = false; // or why there are no shapes
+      this.awaited = 0; // the notice may be the reason of a refused spawn
+      this.physicsAsked = false; // or of refused shapes
       this.showNotice(text);
     },
     state: (state, why) => this.showLink(state, why),
@@ -163,7 +163,7 @@ class Page {
     requestAnimationFrame((now) => this.frame(now));
   }
 
-  /** What a test or a curious person may read in the console. */
+  /** State for tests and for inspection in the console. */
   inspect() {
     const { scene, replica, view } = this;
     const rowOf = (name: string) => scene?.models.findIndex((model) => model.name === name) ?? -1;
@@ -200,7 +200,7 @@ class Page {
     };
   }
 
-  /** What is on the screen of the world, as `cave.42.5s.png` by the world's name and its time. */
+  /** Downloads the drawn world as `cave.42.5s.png`: the world's name and the simulated time. */
   private async savePicture(): Promise<void> {
     const { scene, replica } = this;
     if (!scene || !replica) return;
@@ -241,7 +241,7 @@ class Page {
     this.select((selected === undefined ? undefined : replica.rows.get(selected)) ?? null);
   }
 
-  /** Robots came or went. */
+  /** The population has changed. */
   private showPopulation(scene: Scene, replica: Replica): void {
     const before = this.replica!;
     const now = (row: number) => replica.rows.get(before.scene.models[row].id) ?? null;
@@ -308,12 +308,12 @@ class Page {
     this.showWheels();
   }
 
-  /** Sends what only an admin may ask for; others are told so. */
+  /** Sends a command that needs admin rights; without them shows a notice instead. */
   private manage(command: Command): void {
     if (this.mayManage()) this.link.send(command);
   }
 
-  /** The same of what changes who is in the world, which nobody may in a recording. */
+  /** The same for commands that change the population, which recordings do not allow. */
   private edit(command: Command): void {
     if (this.mayEdit()) this.link.send(command);
   }
@@ -337,7 +337,7 @@ class Page {
     this.noticeTimer = window.setTimeout(() => (notice.hidden = true), kNoticeMs);
   }
 
-  /** What the keys drive: the wheels of the selected robot, if this viewer may. */
+  /** Chooses the base that the controls drive: that of the selected robot, if this viewer may. */
   private showWheels(): void {
     const { scene, view: { selected: row } } = this;
     const may = this.rights.drives || (row !== null && this.own !== null && scene?.models[row].id === this.own.id);
@@ -360,13 +360,13 @@ class Page {
     this.view.redraw();
   }
 
-  /** What keys, gamepad and stick want. */
+  /** Combined command of keys, gamepads and touch stick. */
   private hands(): Hands {
     const pads = document.hasFocus() ? (navigator.getGamepads?.() ?? []).filter((pad) => pad?.connected) : []; // some browsers want https for them
     return sum([this.heldKeys.hands(this.hurry), this.stick.hands(), ...pads.map((pad) => handsOfAxes(pad!.axes))]);
   }
 
-  /** The same, told to the program. */
+  /** Sends the command to the server. */
   private drive(): void {
     const hands = this.hands();
     const velocity = this.walking(hands) ?? velocityOf(hands);
@@ -376,7 +376,7 @@ class Page {
     this.driveBar.showVelocity(velocity);
   }
 
-  /** What a person through whose eyes one looks is to do; null: none does. */
+  /** Command for a person in first-person view; null: not in the view of a person. */
   private walking(hands: Hands): Velocity | null {
     const { seenBy, motion } = this.view;
     if (!seenBy || !motion || !this.scene) return null;
@@ -387,7 +387,7 @@ class Page {
     return walks ? eyes.walk(hands, motion.a[row]) : null;
   }
 
-  /** The mouse looks around once the picture has been clicked, until Esc. */
+  /** A click on the view captures the mouse for looking around, until Esc. */
   private listenForLooks(picture: HTMLElement): void {
     picture.addEventListener('click', () => {
       if (this.view.seenBy || this.view.flight) void picture.requestPointerLock();
@@ -403,7 +403,7 @@ class Page {
     });
   }
 
-  /** Through the eyes of the selected robot or person, or from above again. */
+  /** Toggles the first-person view of the selected robot or person. */
   private toggleEyes(): void {
     const { selected: row, motion } = this.view;
     if (this.view.seenBy || row === null || !motion) return this.leaveEyes();
@@ -418,7 +418,7 @@ class Page {
     this.toolbar.showFlies(false);
   }
 
-  /** Through the world as a camera that is nobody's, or from above again. */
+  /** Toggles free flight of the camera. */
   private toggleFlight(): void {
     if (this.view.flight) return this.leaveEyes();
     this.letGo();
@@ -441,7 +441,7 @@ class Page {
     this.toolbar.showJoin(own !== null || (this.rights.joins && (scene?.models.some((_, row) => isPerson(scene, row)) ?? false)), own !== null);
   }
 
-  /** Into the world as a person, in the middle of the picture; or out of it. */
+  /** Joins as a person at the centre of the view; or leaves. */
   private join(): void {
     if (this.own !== null) {
       this.link.send({ do: 'remove', model: this.own.id });
@@ -460,7 +460,7 @@ class Page {
     });
   }
 
-  /** The viewer's body is there. */
+  /** The viewer's body was spawned. */
   private joined(joined: Joined): void {
     if (!this.scene) return;
     this.own = new OwnBody(joined, this.scene.interval);
@@ -469,7 +469,7 @@ class Page {
     this.embody();
   }
 
-  /** Once both are known, the body and its row, in whichever order they come. */
+  /** Enters the body once both it and its row are known, in whichever order they arrive. */
   private embody(): void {
     const row = this.own === null ? undefined : this.replica?.rows.get(this.own.id);
     if (row === undefined || !this.enters) return;
@@ -480,14 +480,14 @@ class Page {
     this.toggleEyes();
   }
 
-  /** The own body, where what was told it takes it. */
+  /** Predicted pose of the own body. */
   private leadOwn(now: number): { row: number; x: number; y: number; a: number } | null {
     const row = this.own === null ? undefined : this.replica?.rows.get(this.own.id);
     const place = row === undefined || !this.live ? null : this.own!.at(now);
     return place && { row: row!, ...place };
   }
 
-  /** What physics takes bodies for, where that is of use here. */
+  /** Requests the physics shapes if they are needed. */
   private askPhysics(): void {
     if (!this.live || this.physicsAsked || (this.own === null && !this.view.layers.physics)) return;
     this.physicsAsked = true;
@@ -509,19 +509,19 @@ class Page {
     const row = replica?.rows.get(own.id);
     const again = text !== '' && row !== undefined && replica!.says.get(row) === text;
     if (!again) return this.link.send({ do: 'say', text });
-    // Others see changes only: the same words once more are said after a pause.
+    // Viewers see only changes: repeated text is cleared first and said again after a pause.
     this.link.send({ do: 'say', text: '' });
     window.setTimeout(() => this.link.send({ do: 'say', text }), kPauseMs);
   }
 
-  /** For a moment; what was said before is over. */
+  /** Waves for a moment; replaces the text said before. */
   private wave(): void {
     const { own } = this;
     if (own === null) return;
     this.say(kWave);
     const { sayings } = this;
     window.setTimeout(() => {
-      if (this.own === own && this.sayings === sayings) this.say(''); // unless they spoke meanwhile
+      if (this.own === own && this.sayings === sayings) this.say(''); // unless text was said meanwhile
     }, kWaveMs);
   }
 
@@ -530,14 +530,14 @@ class Page {
     this.stick.release();
   }
 
-  /** The floor in the middle of the picture. */
+  /** The floor point at the centre of the view. */
   private middle(): { x: number; y: number } | null {
     const { left, right, top, bottom } = margins();
     const { rig } = this.view;
     return rig.floorAt((left + rig.width - right) / 2, (top + rig.height - bottom) / 2);
   }
 
-  /** Another one of the scene's robots, in the middle of the picture. */
+  /** Spawns a robot of this type at the centre of the view. */
   private add(robot: number): void {
     const at = this.middle();
     if (!this.live || !at || !this.mayEdit()) return;
@@ -545,7 +545,7 @@ class Page {
     this.edit({ do: 'add', robot, x: at.x, y: at.y, a: 0 });
   }
 
-  /** Another one like the selected robot, beside it. */
+  /** Spawns a copy of the selected robot beside it. */
   private copy(): void {
     const { selected: row, motion } = this.view;
     if (row === null || !motion || !this.live || !this.mayEdit()) return;
@@ -622,7 +622,7 @@ class Page {
     };
   }
 
-  /** Tells the program what is on the screen, when that changed: it sends the sensors of those robots. */
+  /** Sends the visible area to the server when it has changed (interest management): it sends sensor data of robots there. */
   private tellView(now: number): void {
     if (!this.replica || now - this.lookTime < kLookPeriodMs) return;
     this.lookTime = now;
@@ -644,18 +644,18 @@ class Page {
   }
 }
 
-/** The row of the camera of a top-level model; null when it has none. */
+/** Row of the camera of a top-level model; null if it has none. */
 function cameraOf(scene: Scene, roots: Int32Array, row: number): number | null {
   const camera = scene.models.findIndex((model, part) => roots[part] === row && model.kind === 'camera');
   return camera < 0 ? null : camera;
 }
 
-/** The bar has a second line where the window is narrow; what is below it moves down. */
+/** Publishes the height of the toolbar, which wraps in narrow windows, as a CSS variable. */
 function showBarHeight(): void {
   document.documentElement.style.setProperty('--bar', `${byId('bar').offsetHeight}px`);
 }
 
-/** What lies over the picture at its sides. */
+/** Widths covered by panels at the sides of the view. */
 function margins(): Margins {
   const wide = window.innerWidth > 720;
   const panel = byId('panel');
@@ -668,7 +668,7 @@ function margins(): Margins {
   };
 }
 
-/** In place of the page, where the browser cannot draw it. */
+/** Replaces the page by an error if the browser lacks WebGL 2. */
 function sayWhyNot(): void {
   for (const id of ['bar', 'robots', 'clock']) byId(id).hidden = true;
   const banner = byId('lost');

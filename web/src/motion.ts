@@ -3,23 +3,23 @@ import { orientationOf, standingOf, type Standing } from './orientation';
 import { radiansOf, type Replica } from './protocol/replica';
 import { parentsFirst, type Scene } from './protocol/scene';
 
-const kJump = 1.0; // m: further than this between two packets is no motion to be drawn
-const kParts = 6; // of a pose
+const kJump = 1.0; // m: larger steps between two packets are teleports, not interpolated
+const kParts = 6; // components per pose
 const kPeriodMs = { least: 16, most: 250 };
 
 /**
- * Where everything is drawn: between the last two known poses, so that a world of ten ticks a second moves
- * smoothly. World poses of all models, in metres and radians, and how those stand that are not upright.
+ * Interpolation of drawn poses between the last two packets, so that a world at 10 ticks/s moves
+ * smoothly. World poses of all models, in metres and radians, and orientations of tilted ones.
  */
 export class Motion {
   readonly x: Float64Array;
   readonly y: Float64Array;
   readonly z: Float64Array;
   readonly a: Float64Array;
-  /** By row, in the world; who is not in it stands upright. */
+  /** By row, in the world frame; models not listed are upright. */
   readonly tilted = new Map<number, Quaternion>();
 
-  // Poses in the parent: where the motion began, and where it ends. Interleaved x, y, z, a, tilt x, tilt y.
+  // Poses in the parent's frame: start and end of the interpolation. Interleaved x, y, z, a, tilt x, tilt y.
   private readonly from: Float64Array;
   private readonly to: Float64Array;
   private readonly parent: Int32Array;
@@ -31,7 +31,7 @@ export class Motion {
   private led: { row: number; x: number; y: number; a: number } | null = null;
   private held: { row: number; x: number; y: number; a: number; until: number } | null = null;
 
-  /** `before` is the motion of another population of the same world: who stays goes on as it moved. */
+  /** `before`: motion of the previous population of the same world; models in both keep their motion. */
   constructor(
     scene: Scene,
     private readonly replica: Replica,
@@ -82,13 +82,13 @@ export class Motion {
     this.settled = false;
   }
 
-  /** Draws a model where the person's hand is, until the program's answer had time to come. */
+  /** Draws a dragged model at the pointer until the server's answer is due. */
   hold(row: number, x: number, y: number, a: number, now: number): void {
     this.held = { row, x, y, a, until: now + 400 };
     this.settled = false;
   }
 
-  /** Draws a model here from now on, wherever packets have it; null: as they have it. */
+  /** Overrides the drawn pose of one model; null: poses from packets only. */
   lead(led: { row: number; x: number; y: number; a: number } | null): void {
     const { led: before } = this;
     const same = led?.row === before?.row && led?.x === before?.x && led?.y === before?.y && led?.a === before?.a;
@@ -96,7 +96,7 @@ export class Motion {
     if (!same) this.settled = false;
   }
 
-  /** Poses for this moment; false when nothing moved since the last call. */
+  /** Poses at this time; false if nothing has moved since the last call. */
   update(now: number): boolean {
     if (this.settled) return false;
     const t = this.fraction(now);
@@ -198,7 +198,7 @@ export class Motion {
   }
 }
 
-/** The short way from one angle to another. */
+/** Signed difference of two angles, in [-pi, pi]. */
 export function turn(from: number, to: number): number {
   const turns = (to - from) / (2 * Math.PI);
   return (turns - Math.round(turns)) * 2 * Math.PI;

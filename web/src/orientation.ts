@@ -1,6 +1,6 @@
 import { Quaternion, Vector3 } from 'three';
 
-/** A rotation about a horizontal axis, before the heading: the axis times the angle [rad]. Mirrors playhouse/geom/orientation.h. */
+/** Rotation about a horizontal axis, applied before the heading: axis times angle [rad]. As in playhouse/geom/orientation.h. */
 export interface Standing {
   a: number; // heading
   tiltX: number;

@@ -4,7 +4,7 @@ import { byId } from './ui/dom';
 import type { Area } from './view/areas';
 import { StageView } from './view/stage_view';
 
-/** What a picture shows: its corner at the top left lies at `left`, `top` in the world; x goes right, y up. */
+/** View of an image: `left`, `top` is the world position of the top left corner; x points right, y up. */
 export interface View {
   width: number; // pixels
   height: number;
@@ -13,25 +13,25 @@ export interface View {
   scale: number; // pixels per metre
 }
 
-const kMomentMs = 1000; // between two packets, in which all motion between them ends
+const kMomentMs = 1000; // ms per packet: long enough that every interpolation has ended
 
 /**
- * The page as `playhouse picture` and `playhouse film` open it, in a browser that they started (docs/pictures.md): nothing
- * but the world, from above, drawn when the program says so. The program calls what is public here, in place of a link.
+ * The page for `playhouse picture` and `playhouse film`, in a headless browser (docs/pictures.md): only the
+ * world from above, drawn on request. The public functions are called by the server, in place of a link.
  */
 export class PicturePage {
   private readonly canvases = [byId<HTMLCanvasElement>('picture'), byId<HTMLCanvasElement>('overlay')];
   private readonly view = new StageView(this.canvases[0], this.canvases[1], () => ({ left: 0, right: 0, top: 0, bottom: 0 }));
   private replica: Replica | null = null;
-  private now = 0; // ms; there is no clock: moments come as fast as the program makes them
+  private now = 0; // ms; virtual time, advanced per packet
 
   constructor() {
     document.body.classList.add('picture');
-    Object.assign(this.view.layers, { sensors: false, fiducials: false }); // the program says what is seen
+    Object.assign(this.view.layers, { sensors: false, fiducials: false }); // the server chooses the areas seen by sensors
     this.view.applyLayers();
   }
 
-  /** A text message of the viewer protocol: the scene, or who came and went. */
+  /** Applies a text message of the viewer protocol: the scene, or changes of the population. */
   tell(text: string): void {
     const message = parseText(text);
     if ('scene' in message) {
@@ -45,14 +45,14 @@ export class PicturePage {
     }
   }
 
-  /** A packet, in base64. */
+  /** Applies a packet in base64. */
   apply(packet: string): void {
     this.held().apply(Uint8Array.from(atob(packet), (byte) => byte.charCodeAt(0)).buffer);
     this.now += kMomentMs;
     this.view.changed(this.now);
   }
 
-  /** The world as it was told last, with what sensors see, as a PNG file in base64. */
+  /** Draws the current world, with areas seen by sensors. Returns a PNG in base64. */
   async draw(view: View, seen: Area[]): Promise<string> {
     this.held();
     for (const { style } of this.canvases) Object.assign(style, { width: `${view.width}px`, height: `${view.height}px` });

@@ -1,7 +1,7 @@
-/// Follows a marker and keeps a metre away from it.
+/// Follows a marker at a distance of 1 m.
 ///     follow [HOST:PORT [INDEX [SECONDS [MARKER [FINDER]]]]]
-/// Robot INDEX (0), for SECONDS (0: until Ctrl-C), after the marker of number MARKER (the nearest of any
-/// number), seen by the fiducial finder FINDER (INDEX).
+/// Robot INDEX (0), for SECONDS (0: until Ctrl-C), follows the marker with id MARKER (default: the nearest of
+/// any id) as seen by fiducial FINDER (INDEX).
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr double kDistance = 1.0;  // m
 constexpr double kSpeed = 0.5;     // m/s
 constexpr double kTurn = 1.0;      // rad/s
 
-/// The nearest marker of the wanted number.
+/// The nearest marker with the wanted id.
 std::optional<Marker> choose(const std::vector<Marker>& markers, std::optional<int> wanted) {
   std::optional<Marker> nearest;
   for (const Marker& marker : markers) {
@@ -51,7 +51,7 @@ Result<void> follow(Client& client, std::uint16_t index, const example::Clock& c
     if (!*fresh) return robot->close();
     const auto marker = choose(finder->markers(), wanted);
     if (marker) lost_to_the_left = marker->pose.y > 0;
-    // Out of sight: it looks around, beginning where the marker was last.
+    // Marker lost: search, turning first to the side where it was last seen.
     const auto driven =
         marker ? step(*robot, *marker) : robot->drive(0, lost_to_the_left ? kTurn / 2 : -kTurn / 2);
     if (!driven) return driven;

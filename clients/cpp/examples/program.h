@@ -1,6 +1,6 @@
 #pragma once
 
-/// The command line that the examples share: PROGRAM [HOST:PORT [INDEX [SECONDS ...]]].
+/// Command line shared by the examples: PROGRAM [HOST:PORT [INDEX [SECONDS ...]]].
 
 #include <algorithm>
 #include <chrono>
@@ -19,8 +19,8 @@ namespace example {
 
 inline volatile std::sig_atomic_t interrupted = 0;  // the signal that asks the program to end; 0: none
 
-/// From now on the robot is stopped before the program ends by Ctrl-C, SIGTERM, or because its terminal was
-/// closed (SIGHUP), which nohup makes it ignore.
+/// Installs handlers for SIGINT, SIGTERM and SIGHUP, so that the program stops the robot before it exits. An
+/// ignored SIGHUP (nohup) stays ignored.
 inline void catch_signals() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     const auto before = std::signal(number, [](int caught) { interrupted = caught; });
@@ -28,10 +28,10 @@ inline void catch_signals() {
   }
 }
 
-/// How long the program may still run: until a time, or until a signal.
+/// Deadline of the program: a duration, or a termination signal.
 class Clock {
  public:
-  /// 0 seconds means without end.
+  /// `seconds` 0: no time limit.
   explicit Clock(double seconds)
       : seconds_(seconds > 0 ? seconds : std::numeric_limits<double>::infinity()) {}
   bool up() const {
@@ -47,7 +47,7 @@ class Clock {
 using Behaviour = playhouse::Result<void> (*)(playhouse::client::Client&, std::uint16_t index, const Clock&,
                                               const std::vector<int>& more);
 
-/// Seconds, or a whole number up to 65535; none if the text is something else.
+/// Parses a non-negative duration (`seconds`) or an integer up to 65535; none if the text is neither.
 inline std::optional<double> parse_number(const char* text, bool seconds) {
   char* end = nullptr;
   const double number = std::strtod(text, &end);
@@ -56,8 +56,8 @@ inline std::optional<double> parse_number(const char* text, bool seconds) {
   return number;
 }
 
-/// Connects and behaves; the exit code is 0 when done, 1 on an error, 2 on wrong arguments, and 128 and its
-/// number on a signal (130 on Ctrl-C).
+/// Connects and runs `behave`. Exit code: 0 done, 1 error, 2 wrong arguments, 128 + signal number when
+/// interrupted (130 for Ctrl-C).
 inline int run(int argc, char** argv, Behaviour behave) {
   const std::string address = argc > 1 ? argv[1] : "127.0.0.1:6665";
   std::vector<double> numbers;
@@ -82,7 +82,7 @@ inline int run(int argc, char** argv, Behaviour behave) {
   return !done ? 1 : interrupted != 0 ? 128 + interrupted : 0;
 }
 
-/// Reads until the device has new data; false when the time is up.
+/// Blocks until the device has new data; false when the time is up.
 inline playhouse::Result<bool> next_data(playhouse::client::Client& client, playhouse::client::Device& device,
                                          const Clock& clock) {
   while (!clock.up()) {

@@ -29,14 +29,14 @@ double turn_for(double aside) {
   return std::clamp(2.0 * aside, -kTurn, kTurn);
 }
 
-/// The same place in the frame of `origin`.
+/// Transforms a pose into the frame of `origin`.
 Pose seen_from(const Pose& origin, const Pose& pose) {
   const double dx = pose.x - origin.x, dy = pose.y - origin.y;
   const double c = std::cos(origin.a), s = std::sin(origin.a);
   return {c * dx + s * dy, c * dy - s * dx, normalized(pose.a - origin.a)};
 }
 
-/// Where odometry has the robot, once new data came; none when the time is up.
+/// The odometry pose after the next data; none when the time is up.
 Result<std::optional<Pose>> next_pose(Client& client, Position2d& robot, const example::Clock& clock) {
   for (;;) {
     const auto fresh = example::next_data(client, robot.device(), clock);
@@ -46,7 +46,7 @@ Result<std::optional<Pose>> next_pose(Client& client, Position2d& robot, const e
   }
 }
 
-/// One step towards a corner, or false when it is reached.
+/// One control step towards a corner; false once it is reached.
 Result<bool> approach(Position2d& robot, const Pose& here, const Point& corner) {
   const double ahead = corner.x - here.x, left = corner.y - here.y;
   const double distance = std::hypot(ahead, left);

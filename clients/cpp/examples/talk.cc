@@ -1,7 +1,7 @@
-/// Tells the other robots by radio where it is, twice a second, and prints what it hears of them.
+/// Broadcasts its position to other robots by radio every 0.5 s, and prints the messages it receives.
 ///     talk [HOST:PORT [INDEX [SECONDS]]]      robot INDEX (0) with radio INDEX, for SECONDS (0: until
 ///     Ctrl-C)
-/// Start it once for each robot that is to talk: it only looks at the robot, and whoever drives it goes on.
+/// Start one per robot that takes part: it only reads odometry, so another client can drive the robot.
 
 #include <array>
 #include <cstdio>
@@ -36,7 +36,7 @@ Result<void> talk(Client& client, std::uint16_t index, const example::Clock& clo
     if (!fresh) return fresh.error();
     if (!*fresh) return {};
     const std::optional<Position2d::State> state = robot->state();
-    if (!state) continue;  // something else came
+    if (!state) continue;  // data of another device
     for (const std::string& message : radio->take_messages())
       std::printf("%.1f s: %s\n", state->time, message.c_str());
     std::fflush(stdout);

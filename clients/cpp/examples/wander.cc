@@ -1,4 +1,4 @@
-/// Wanders about by laser and runs into nothing.
+/// Wanders by laser scanner, avoiding obstacles.
 ///     wander [HOST:PORT [INDEX [SECONDS]]]      robot and laser INDEX (0), for SECONDS (0: until Ctrl-C)
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr double kTurn = 0.8;   // rad/s
 constexpr double kFront = 0.5;  // rad to either side that the robot needs to pass
 constexpr double kNear = 0.6;   // m
 
-/// Drives by one scan; `turning` (rad/s) is the turn that it keeps until there is room.
+/// One control step for one scan; `turning` (rad/s) latches the turn until the way ahead is clear.
 Result<void> step(Position2d& robot, const Scan& scan, double& turning) {
   const double ahead = scan.nearest(-kFront, kFront);
   const double left = scan.nearest(kFront, 1.5), right = scan.nearest(-1.5, -kFront);
@@ -43,7 +43,7 @@ Result<void> wander(Client& client, std::uint16_t index, const example::Clock& c
     if (!fresh) return fresh.error();
     if (!*fresh) return robot->close();
     const std::optional<Scan> scan = laser->scan();
-    if (!scan) continue;  // something else came
+    if (!scan) continue;  // data of another device
     if (const auto driven = step(*robot, *scan, turning); !driven) return driven;
   }
 }

@@ -9,8 +9,8 @@ namespace camera = wire::camera;
 
 namespace {
 
-/// How a pixel lies in the data: so many values of so many bytes each. None of formats that pixel() does not
-/// take apart.
+/// Pixel layout: values per pixel and bytes per value. None for formats that pixel() does not
+/// support.
 struct Layout {
   std::size_t values = 0;
   std::size_t bytes = 0;

@@ -22,7 +22,7 @@ namespace player = wire::player;
 
 namespace {
 
-/// The devices on the connection's port, as the server lists them.
+/// The device list of the connection's port, in the server's order.
 Result<std::vector<DeviceAddress>> list_devices(Session& session) {
   const auto answer = session.request(player::kCode, 0, player::kReqDevlist, {});
   if (!answer) return answer.error();
@@ -35,7 +35,7 @@ Result<std::vector<DeviceAddress>> list_devices(Session& session) {
   return devices;
 }
 
-/// The place in the list of the model that each device shows. Devices of several models are the last one's.
+/// Maps each device to the row of its model. A device of several models maps to the last one.
 std::map<DeviceAddress, std::size_t> models_by_device(const std::vector<Model>& models) {
   std::map<DeviceAddress, std::size_t> rows;
   for (std::size_t row = 0; row < models.size(); ++row) {
@@ -44,7 +44,7 @@ std::map<DeviceAddress, std::size_t> models_by_device(const std::vector<Model>& 
   return rows;
 }
 
-/// Those of a model's devices that this connection can open.
+/// Appends the devices of a model that are on this connection's port.
 void append_devices(const Model& model, std::uint32_t port, std::vector<RobotDevice>& devices) {
   for (const DeviceAddress& device : model.devices) {
     if (device.port == port) devices.push_back({device, model.name});
@@ -151,12 +151,12 @@ Result<std::vector<Model>> Client::models() {
   return told_models(*listed);
 }
 
-/// Asks the first simulator among the devices.
+/// Requests the model list from the first simulation device.
 Result<std::vector<Model>> Client::told_models(const std::vector<DeviceAddress>& devices) {
   const auto simulator = std::ranges::find(devices, wire::simulation::kCode, &DeviceAddress::interf);
   if (simulator == devices.end())
     return Error{peer(), "the server tells no names: it has no simulation device"};
-  std::optional<Device> opened;  // a program that has it open keeps its access
+  std::optional<Device> opened;  // an open device is not reopened: that would change its access
   if (!session_->has_open(simulator->interf, simulator->index)) {
     Result<Device> device = Device::open(*this, simulator->interf, simulator->index, Access::kRead);
     if (!device) return device.error();

@@ -7,7 +7,7 @@ namespace playhouse::client {
 
 namespace {
 
-/// Taken bytes that are kept at the front of the buffer before what follows is moved down.
+/// Consumed bytes at the front of the buffer are compacted beyond this.
 constexpr std::size_t kCompactBytes = 65536;
 
 }  // namespace
@@ -65,7 +65,7 @@ bool Connection::has_message() const {
   return size > limits::kBodyBytes || unread() >= limits::kHeaderBytes + size;
 }
 
-/// True when `count` bytes are there, false when the deadline passes first.
+/// Buffers at least `count` bytes; false on timeout.
 Result<bool> Connection::fill(std::size_t count, Deadline deadline) {
   std::array<std::byte, 65536> chunk;
   while (unread() < count) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// One connection to a Player server: banner and framing. It knows no message but the header. One thread.
+/// One connection to a Player server: banner and framing; interprets only the header. Single-threaded.
 
 #include <optional>
 #include <span>
@@ -19,7 +19,7 @@ struct Message {
 
 class Connection {
  public:
-  /// Connects and takes the banner.
+  /// Connects and reads the banner.
   static Result<Connection> open(const std::string& host, std::uint16_t port, Deadline deadline);
 
   const std::string& banner() const { return banner_; }
@@ -27,13 +27,13 @@ class Connection {
   std::uint16_t port() const { return port_; }
   bool is_open() const { return socket_.is_open(); }
 
-  /// The header's size is taken from the body.
+  /// The body's size is filled into the header.
   Result<void> send(wire::Header header, std::span<const std::byte> body, Deadline deadline);
 
-  /// The next message; none when the deadline passes, and then what was read of one stays for the next call.
+  /// The next message; none on timeout, when a partly read message is kept for the next call.
   Result<std::optional<Message>> receive(Deadline deadline);
 
-  /// Whether a whole message has been read already, so that receive() returns without waiting.
+  /// Whether a whole message is buffered, so that receive() returns without waiting.
   bool has_message() const;
 
   void close(Deadline deadline) { socket_.close(deadline); }

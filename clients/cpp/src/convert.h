@@ -1,6 +1,6 @@
 #pragma once
 
-/// The wire's structs and the everyday ones of pose.h.
+/// Conversions between the wire structs and those of pose.h.
 
 #include "playhouse/wire/generated/common.h"
 #include "playhouse_client/pose.h"

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint8_t kCloseAccess = player::kCloseMode;
 
-/// Opens or closes a device: the driver's name, or why not.
+/// Requests an access mode (open or close); returns the driver's name, or the reason of a refusal.
 Result<std::string> set_access(Session& session, const Slot& slot, std::uint8_t access) {
   player::DeviceReq body;
   body.addr.interf = slot.interf;
@@ -163,7 +163,7 @@ Error Device::undecoded(std::uint8_t subtype, std::string_view what) const {
 
 namespace {
 
-/// Gets a property by the request of its type.
+/// Reads a property with the request of its type.
 template <typename Req>
 Result<Req> get(Device& device, std::uint8_t subtype, std::string_view key) {
   Req question;

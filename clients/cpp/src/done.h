@@ -1,18 +1,18 @@
 #pragma once
 
-/// What requests and bases have in common whose answers hold nothing.
+/// Helpers for requests without a result, and for closing bases.
 
 #include "playhouse_client/device.h"
 
 namespace playhouse::client {
 
-/// Whether a request was carried out, whatever was answered.
+/// Discards the answer's body: success, or the error.
 template <typename Answer>
 Result<void> done(const Result<Answer>& answer) {
   return answer ? Result<void>() : answer.error();
 }
 
-/// Closes the device of a base, which is stopped before if it moves. The first of two errors.
+/// Stops the base if it `moves`, then closes its device. Returns the first error.
 template <typename Base>
 Result<void> stop_and_close(Base& base, bool moves) {
   Device& device = base.device();

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Numbers that mean something to a server: it would drop a command with others without a word.
+/// Validation of numbers: servers silently drop commands with numbers that are not finite.
 
 #include <initializer_list>
 #include <string_view>
@@ -9,10 +9,10 @@
 
 namespace playhouse::client {
 
-/// An error for the first number that is not finite; `what` is the function that takes them.
+/// An error for the first number that is not finite; `what` names the calling function.
 Result<void> finite(const Device& device, std::string_view what, std::initializer_list<double> numbers);
 
-/// The same for numbers that travel as float: also for one that is finite as double only.
+/// The same for numbers sent as float: also an error if a finite double overflows float.
 Result<void> finite_floats(const Device& device, std::string_view what,
                            std::initializer_list<double> numbers);
 

@@ -18,7 +18,7 @@ Inertia inertia_of(const imu::DataCalib& data) {
           {data.magn_x, data.magn_y, data.magn_z}};
 }
 
-/// The subtype, of two, whose data came last.
+/// The subtype, of two, with the newer data.
 std::uint8_t newer(const Device& device, std::uint8_t a, std::uint8_t b) {
   return device.timestamp(b) > device.timestamp(a) ? b : a;
 }

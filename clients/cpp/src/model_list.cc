@@ -17,9 +17,9 @@ namespace simulation = wire::simulation;
 
 namespace {
 
-constexpr std::size_t kMostModels = 1u << 22;  // a server that tells more is none to believe
+constexpr std::size_t kMostModels = 1u << 22;  // sanity limit on untrusted input
 
-/// What stands before the next separator, which is taken away with it.
+/// Splits off the text before the next separator; the separator is consumed.
 std::string_view take(std::string_view& text, char separator) {
   const std::size_t end = text.find(separator);
   const std::string_view part = text.substr(0, end);
@@ -27,7 +27,7 @@ std::string_view take(std::string_view& text, char separator) {
   return part;
 }
 
-/// A name as it is, from one in which backslash, tab and end of line are \\, \t and \n.
+/// Unescapes a name: \\, \t and \n stand for backslash, tab and newline.
 std::string unescaped(std::string_view field) {
   std::string name;
   for (std::size_t i = 0; i < field.size(); ++i) {
@@ -47,7 +47,7 @@ bool parse_number(std::string_view text, Number& number) {
   return fault == std::errc() && end == text.data() + text.size();
 }
 
-/// "6665:position2d:12". None if it is something else, as an interface that this library does not know.
+/// Parses "6665:position2d:12". None if malformed, or if this library does not know the interface.
 std::optional<DeviceAddress> parse_device(std::string_view text) {
   DeviceAddress address;
   const std::string_view port = take(text, ':');
@@ -65,7 +65,7 @@ Error malformed(std::string_view line) {
 }  // namespace
 
 Result<void> read_model_list(std::string_view text, std::vector<Model>& models) {
-  std::map<std::string, std::size_t, std::less<>> rows;  // parents stand before their children
+  std::map<std::string, std::size_t, std::less<>> rows;  // parents precede children
   for (std::size_t row = 0; row < models.size(); ++row) rows[models[row].name] = row;
   while (!text.empty()) {
     const std::string_view line = take(text, '\n');

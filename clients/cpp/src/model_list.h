@@ -1,6 +1,6 @@
 #pragma once
 
-/// The simulator's list of models: asked for, and read from its text.
+/// The simulator's model list: request and parser.
 
 #include <cstdint>
 #include <optional>
@@ -15,13 +15,13 @@ namespace playhouse::client {
 
 class Session;
 
-/// Appends the models of one answer. `text` is from outside.
+/// Parses one answer and appends its models. `text` is untrusted.
 Result<void> read_model_list(std::string_view text, std::vector<Model>& models);
 
-/// Asks a simulation device, which must be open, for all models; none if it refuses.
+/// Requests all models from an open simulation device; none if it refuses.
 Result<std::optional<std::vector<Model>>> ask_models(Session& session, std::uint16_t simulation);
 
-/// The place in the list of the model at the top that carries model `row`, or is it.
+/// Row of the top-level ancestor of model `row` (itself if it is at the top).
 std::size_t top_of(const std::vector<Model>& models, std::size_t row);
 
 }  // namespace playhouse::client

@@ -12,9 +12,9 @@ namespace opaque = wire::opaque;
 
 namespace {
 
-constexpr std::size_t kLengthBytes = 8;  // before the bytes on the wire, which tells their number twice
+constexpr std::size_t kLengthBytes = 8;  // length prefix of the payload: the byte count, sent twice
 
-/// The message as the wire has it, or an error if that has no room for it.
+/// The message's payload, or an error if it exceeds the protocol's limit.
 Result<opaque::Data> on_wire(const Device& device, std::string_view bytes) {
   if (bytes.size() > limits::kBodyBytes - kLengthBytes)
     return Error{"", device.name() + ": a message of " + std::to_string(bytes.size()) +
@@ -48,7 +48,7 @@ Result<void> Opaque::send_to(std::string_view address, std::string_view message)
 std::vector<std::string> Opaque::take_messages() {
   std::vector<std::string> taken;
   for (const std::vector<std::byte>& body : device_.take_kept()) {
-    const opaque::Data data = *wire::decode<opaque::Data>(body);  // checked when it came
+    const opaque::Data data = *wire::decode<opaque::Data>(body);  // validated on arrival
     taken.emplace_back(data.data.begin(), data.data.end());
   }
   return taken;

@@ -10,16 +10,16 @@ namespace playhouse::client {
 
 namespace {
 
-/// How long closing waits for the server to read what was sent.
+/// Time limit of close() for the server to read what was sent.
 constexpr Seconds kCloseTime{1.0};
 
-/// Seconds since the epoch, which is what clients put into their headers.
+/// Seconds since the Unix epoch: the time base of client headers.
 double now() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// The access in an answer to an opening that nobody asked for: the device has retired. (Openings that fail
-/// say kErrorMode.)
+/// Access code of an unsolicited response to DeviceReq: the device was retired. (Failed openings use
+/// kErrorMode.)
 constexpr std::uint8_t kErrorLetter = 'e';
 
 bool is_answer(const wire::Header& header) {
@@ -45,7 +45,7 @@ Result<void> Session::set_mode(Mode mode) {
 Result<void> Session::send(const wire::Header& address, std::span<const std::byte> body) {
   wire::Header header = address;
   header.timestamp = now();
-  // As libplayerc does it: the port in what is meant for a device, nothing in what is meant for the server.
+  // As in libplayerc: the port for messages to a device, 0 for messages to the server.
   header.robot = header.interf == wire::player::kCode ? 0u : connection_.port();
   return connection_.send(header, body, deadline_after(timeout_));
 }
@@ -86,7 +86,7 @@ Result<Message> Session::exchange(std::uint16_t interf, std::uint16_t index, std
   return answer({interf, index, subtype}, deadline);
 }
 
-/// The answer to the request of this key, the last one sent.
+/// Waits for the answer to the newest request, identified by its key.
 Result<Message> Session::answer(const Key& key, Deadline deadline) {
   bool settled = false;
   for (;;) {
@@ -108,8 +108,8 @@ Result<Message> Session::answer(const Key& key, Deadline deadline) {
       settled = true;
     }
   }
-  // From now on requests are numbered, so that the answer to this one, should it still come, is not taken for
-  // another's. If an abandoned request of this kind got its answer meanwhile, the books are even.
+  // After a timeout, requests are numbered, so that a late answer is not mistaken for that of a newer
+  // request. If the answer to an abandoned request of this kind arrived meanwhile, the counts balance.
   ++sequence_;
   if (!settled) abandoned_.push_back(key);
   return Error{connection_.peer(), "no answer in time: " + describe(key)};
@@ -118,7 +118,7 @@ Result<Message> Session::answer(const Key& key, Deadline deadline) {
 Session::Match Session::match(const wire::Header& header, const Key& key) const {
   if (!is_answer(header) || key != Key{header.interf, header.index, header.subtype}) return Match::kOther;
   if (header.seq == sequence_ && sequence_ != 0) return Match::kOurs;
-  // Number 0 is what an old request had, and what servers send that do not return numbers.
+  // 0: the number of the requests before the first timeout, and of servers that do not echo numbers.
   return header.seq == 0 && !is_abandoned(key) ? Match::kOurs : Match::kLate;
 }
 
@@ -126,7 +126,7 @@ bool Session::is_abandoned(const Key& key) const {
   return std::find(abandoned_.begin(), abandoned_.end(), key) != abandoned_.end();
 }
 
-/// Puts a message that no request waits for where it belongs.
+/// Files a message that is no answer: notice, data to queue, or skipped.
 void Session::sort(Message message) {
   if (take_notice(message)) return;
   if (message.header.type == wire::MessageType::kData) {
@@ -143,7 +143,7 @@ void Session::sort(Message message) {
   }
 }
 
-/// False for anything but the notice that a device has retired, which its slots know from then on.
+/// Handles the notice that a device was retired by marking its slots; false for any other message.
 bool Session::take_notice(const Message& message) {
   const wire::Header& header = message.header;
   if (header.type != wire::MessageType::kAck || header.interf != wire::player::kCode) return false;
@@ -167,7 +167,7 @@ void Session::end_round(const Message& message) {
   overflow_count_ += lost ? std::max(lost->value, 1u) : 1u;
 }
 
-/// False when the deadline passes first.
+/// Receives and files one message; false on timeout.
 Result<bool> Session::sort_next(Deadline deadline) {
   Result<std::optional<Message>> got = connection_.receive(deadline);
   if (!got) return got.error();
@@ -190,7 +190,7 @@ Result<std::size_t> Session::read_round(Deadline deadline) {
   const bool here = std::exchange(round_waits_, false) && !waiting_.empty();
   std::size_t delivered = deliver();
   if (!round_open_ && !here) {
-    round_open_ = true;  // the request counts for the server, whatever happens to its answer
+    round_open_ = true;  // the server counts the request even if its answer is lost
     const auto begun = request(wire::player::kCode, 0, wire::player::kReqData, {}, deadline);
     if (!begun && (!connection_.is_open() || Clock::now() < deadline)) return begun.error();
     delivered += deliver();
@@ -222,7 +222,7 @@ void Session::deliver_pushed() {
   reading_ = false;
 }
 
-/// Hands the waiting data to the devices; how many messages found one.
+/// Dispatches the queued data; returns the number of messages that reached a device.
 std::size_t Session::deliver() {
   std::size_t count = 0;
   while (!waiting_.empty()) {
@@ -242,7 +242,7 @@ bool Session::deliver_one(const Message& message) {
   const wire::MessageDef* row = wire::find_message(header.interf, wire::MessageType::kData, header.subtype);
   if (row == nullptr || !row->check(message.body).empty()) return false;
   bool taken = false;
-  const bool is_open = has_open(header.interf, header.index);  // else it is the last of a device that is gone
+  const bool is_open = has_open(header.interf, header.index);  // else: last data of a retired device
   const std::vector<Slot*> slots = slots_;                     // a callback may open and close devices
   for (Slot* slot : slots) {
     if (std::find(slots_.begin(), slots_.end(), slot) == slots_.end()) continue;
@@ -272,7 +272,7 @@ void Session::remove(Slot& slot) {
   if (!slot.gone.empty() && !has_open(slot.interf, slot.index)) drop_waiting(slot.interf, slot.index);
 }
 
-/// Data of a device that is gone must not become those of the next one at its address.
+/// Data of a closed device must not reach the next one opened at its address.
 void Session::drop_waiting(std::uint16_t interf, std::uint16_t index) {
   skipped_count_ += std::erase_if(waiting_, [=](const Message& message) {
     return message.header.interf == interf && message.header.index == index;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// One conversation with a server: whose an answer is, which data wait, when a round of data is over, and
-/// which devices take the data. One thread.
+/// Session with a server: matches answers to requests, queues data, tracks
+/// rounds of pull mode, and dispatches data to devices. Single-threaded.
 
 #include <cstdint>
 #include <deque>
@@ -16,11 +16,11 @@
 
 namespace playhouse::client {
 
-/// Data that wait for the next read(); as many as libplayerc's ring holds. Older ones give way and are
-/// counted.
+/// Capacity of the queue of data for the next read(), as in libplayerc. Overflow drops the oldest and counts
+/// it.
 inline constexpr std::size_t kWaitingMessages = 512;
 
-/// An open device, as the session sees it.
+/// State of an open device in the session.
 struct Slot {
   std::uint16_t interf = 0;
   std::uint16_t index = 0;
@@ -32,9 +32,9 @@ struct Slot {
   std::map<std::uint8_t, Latest> latest;  // by subtype
   double timestamp = 0;                   // s
   bool fresh = false;
-  std::size_t kept_limit = 0;               // of bodies that stay until somebody takes them
-  std::deque<std::vector<std::byte>> kept;  // the newest, in the order in which they came
-  std::string gone;  // why nothing can be asked any more: the server retired the device; empty until then
+  std::size_t kept_limit = 0;               // capacity of `kept`
+  std::deque<std::vector<std::byte>> kept;  // the newest bodies, in order of arrival
+  std::string gone;  // the reason, once the server has retired the device; empty until then
   Device::OnData on_data;
 };
 
@@ -46,37 +46,37 @@ class Session {
   const Connection& connection() const { return connection_; }
   std::uint64_t overflow_count() const { return overflow_count_; }
   std::uint64_t skipped_count() const { return skipped_count_; }
-  /// Of overflow_count(), those that were lost here.
+  /// The part of overflow_count() that was dropped in this client.
   std::uint64_t unread_count() const { return unread_count_; }
   Seconds timeout() const { return timeout_; }
 
   Result<void> set_mode(Mode mode);
 
-  /// Sends without waiting for anything. `sequence` goes into the header.
+  /// Sends a message without waiting for an answer; fills in time and port.
   Result<void> send(const wire::Header& address, std::span<const std::byte> body);
 
-  /// Sends a request and waits for its ACK, whose body is the result. `what` names the request in errors.
+  /// Sends a request and waits for its ACK; returns its body. NACK and timeout are errors.
   Result<std::vector<std::byte>> request(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
                                          std::span<const std::byte> body);
   Result<std::vector<std::byte>> request(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
                                          std::span<const std::byte> body, Deadline deadline);
-  /// As request(), where a refusal is no error: none for NACK.
+  /// As request(), but a refusal is a result: none for NACK.
   Result<std::optional<std::vector<std::byte>>> ask(std::uint16_t interf, std::uint16_t index,
                                                     std::uint8_t subtype, std::span<const std::byte> body,
                                                     Deadline deadline);
 
-  /// The same with the whole answer, which is ACK or NACK.
+  /// As request(), but returns the whole answer, ACK or NACK.
   Result<Message> exchange(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
                            std::span<const std::byte> body, Deadline deadline);
 
   Result<std::size_t> read(Seconds patience);
-  /// In push mode, hands the data that have come to the devices without waiting for more.
+  /// Push mode: dispatches the data that have arrived, without waiting for more.
   void deliver_pushed();
 
-  /// `slot` must stay where it is until remove().
+  /// `slot` must keep its address until remove().
   void add(Slot& slot);
   void remove(Slot& slot);
-  /// One that has retired is not open.
+  /// False for retired devices.
   bool has_open(std::uint16_t interf, std::uint16_t index) const;
 
   void close();
@@ -106,16 +106,16 @@ class Session {
 
   Connection connection_;
   Seconds timeout_;
-  Mode mode_ = Mode::kPush;  // what a server starts with
+  Mode mode_ = Mode::kPush;  // the server's initial mode
   bool round_open_ = false;
-  bool round_waits_ = false;  // a round ended while a request waited: its data are in waiting_
+  bool round_waits_ = false;  // a round ended while a request was pending: its data are in waiting_
   bool reading_ = false;
-  bool told_ = false;  // in this read(), that a device has retired
+  bool told_ = false;  // this read() received notice that a device was retired
   std::uint64_t overflow_count_ = 0;
   std::uint64_t skipped_count_ = 0;
   std::uint64_t unread_count_ = 0;
   std::uint32_t sequence_ = 0;
-  std::vector<Key> abandoned_;  // requests whose answer did not come in time
+  std::vector<Key> abandoned_;  // requests that timed out
   std::deque<Message> waiting_;
   std::vector<Slot*> slots_;
 };

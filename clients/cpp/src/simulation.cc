@@ -17,7 +17,7 @@ namespace simulation = wire::simulation;
 
 namespace {
 
-/// Asks about a model: the answer, or an error that names it.
+/// Sends a request about a model; a refusal becomes an error that names the model.
 template <typename Req>
 Result<Req> ask(Device& device, std::uint8_t subtype, std::string_view model, const Req& question) {
   Result<std::optional<Req>> answer = device.ask<Req>(subtype, question);
@@ -26,7 +26,7 @@ Result<Req> ask(Device& device, std::uint8_t subtype, std::string_view model, co
   return Error{"", device.name() + " refused: it has no model " + in_quotes(model)};
 }
 
-/// Moves a model.
+/// Sets the pose of a model.
 template <typename Req>
 Result<void> move(Device& device, std::uint8_t subtype, std::string_view model, const Req& question,
                   std::initializer_list<double> numbers) {
@@ -39,7 +39,7 @@ Result<void> move(Device& device, std::uint8_t subtype, std::string_view model, 
   return Error{done.error().where, "cannot move model " + in_quotes(model) + ": " + done.error().text};
 }
 
-/// A value's bytes, in the order of a PC's.
+/// The value's bytes, little-endian.
 template <typename... Numbers>
 std::string raw(Numbers... numbers) {
   static_assert(std::endian::native == std::endian::little, "property values travel in a PC's byte order");
@@ -97,8 +97,8 @@ Seconds Simulation::patience() const {
   return device_.session_->timeout();
 }
 
-/// Sets a property that the server answers when it has done what that stands for; what it answers. A refusal
-/// is an error with its reason.
+/// Sets a property whose acknowledgement means completion, and returns the answer's text. A refusal is an
+/// error with the server's reason.
 Result<std::string> Simulation::ask_world(std::string_view name, std::string_view property, std::string value,
                                           Seconds patience) {
   if (const Result<void> fit = device_.usable(); !fit) return fit.error();

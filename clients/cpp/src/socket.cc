@@ -24,7 +24,7 @@ std::string reason(int code) {
   return std::generic_category().message(code);
 }
 
-/// Waits for `events`; false when the deadline passes first. One that has passed still sees what is ready.
+/// Polls for `events`; false on timeout. A deadline in the past still polls once.
 bool wait_for(int fd, short events, Deadline deadline) {
   for (;;) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
@@ -32,11 +32,11 @@ bool wait_for(int fd, short events, Deadline deadline) {
     const int ready = poll(&entry, 1, static_cast<int>(std::clamp<std::int64_t>(left, 0, INT_MAX)));
     if (ready > 0) return true;
     if (ready == 0) return false;
-    if (errno != EINTR) return true;  // the call that follows meets the fault and names it
+    if (errno != EINTR) return true;  // the next system call reports the error
   }
 }
 
-/// 0 or the errno of what went wrong.
+/// Connects with a deadline; returns 0 or errno.
 int connect_within(int fd, const addrinfo& address, Deadline deadline) {
   if (::connect(fd, address.ai_addr, address.ai_addrlen) == 0) return 0;
   if (errno != EINPROGRESS) return errno;

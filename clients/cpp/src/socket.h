@@ -1,6 +1,6 @@
 #pragma once
 
-/// A TCP connection with deadlines, on plain POSIX sockets. One thread.
+/// A TCP connection with deadlines, on POSIX sockets. Single-threaded.
 
 #include <chrono>
 #include <cstddef>
@@ -16,12 +16,12 @@ using Clock = std::chrono::steady_clock;
 using Deadline = Clock::time_point;
 using Seconds = std::chrono::duration<double>;
 
-/// Now and `patience`; patience beyond a year counts as a year.
+/// Now plus `patience`, clamped to one year.
 Deadline deadline_after(Seconds patience);
 
 class Socket {
  public:
-  /// Tries every address of the host. `host` is a name or a number.
+  /// Tries all addresses of the host in turn. `host` is a name or a numeric address.
   static Result<Socket> connect(const std::string& host, std::uint16_t port, Deadline deadline);
 
   Socket(Socket&& other) noexcept;
@@ -30,16 +30,16 @@ class Socket {
 
   bool is_open() const { return fd_ >= 0; }
 
-  /// All of it, or an error that closes the socket: what was sent in part cannot be continued.
+  /// Sends all bytes, or closes the socket with an error: a partly sent message cannot be resumed.
   Result<void> send(std::span<const std::byte> bytes, Deadline deadline);
 
-  /// At least one byte into `out`; 0 when the deadline passes. An error, the peer's end included, closes the
+  /// Receives at least one byte into `out`; 0 on timeout. An error, end of stream included, closes the
   /// socket.
   Result<std::size_t> receive(std::span<std::byte> out, Deadline deadline);
 
-  /// Ends the sending direction, waits until the peer has read everything and closed, or until the deadline,
-  /// and closes. Closing with unread bytes at once would make TCP throw away what is still on its way: a last
-  /// stop command, for instance.
+  /// Half-closes the connection, waits until the peer has read everything and closed (or until the deadline),
+  /// and closes. Closing at once with unread input would make TCP reset the connection and discard data in
+  /// flight: e.g. a last stop command.
   void close(Deadline deadline);
 
  private:

@@ -21,7 +21,7 @@ SpeechRecognition::SpeechRecognition(Device device) : device_(std::move(device))
 std::vector<std::string> SpeechRecognition::take_texts() {
   std::vector<std::string> taken;
   for (const std::vector<std::byte>& body : device_.take_kept()) {
-    const heard::Data data = *wire::decode<heard::Data>(body);  // checked when it came
+    const heard::Data data = *wire::decode<heard::Data>(body);  // validated on arrival
     taken.emplace_back(wire::text(data.text));
   }
   return taken;

@@ -1,6 +1,6 @@
-/// Prints every message of a recorded stream as one line of JSON, as the server and `playhouse watch` show
-/// it: playhouse_client_dump FILE. clients/python/tests/test_conformance.py compares the lines with Python's
-/// values.
+/// Prints every message of a recorded stream as a line of JSON, in the format of the server and `playhouse
+/// watch`: playhouse_client_dump FILE. clients/python/tests/test_conformance.py compares the lines with the
+/// values decoded in Python.
 
 #include <array>
 #include <cstdio>

@@ -38,7 +38,7 @@ std::optional<Received> Peer::receive() {
 void Peer::send(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t sent = ::send(fd_, bytes.data(), std::min(bytes.size(), piece_), MSG_NOSIGNAL);
-    if (sent <= 0) return;  // the client has seen enough
+    if (sent <= 0) return;  // the client has disconnected
     bytes = bytes.subspan(static_cast<std::size_t>(sent));
   }
 }

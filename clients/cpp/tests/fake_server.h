@@ -1,6 +1,6 @@
 #pragma once
 
-/// A server of a few lines for one client, in a thread of its own: a script says what it answers.
+/// A scripted server for one client, in a thread of its own.
 
 #include <cstdint>
 #include <functional>
@@ -16,7 +16,7 @@
 
 namespace playhouse::client {
 
-/// A message as it came.
+/// A received message.
 struct Received {
   wire::Header header;
   std::vector<std::byte> body;
@@ -27,7 +27,7 @@ class Peer {
  public:
   explicit Peer(int fd) : fd_(fd) {}
 
-  /// The client's next message; none at its end.
+  /// The client's next message; none at end of stream.
   std::optional<Received> receive();
   void send(std::span<const std::byte> bytes);
   void send(std::string_view text) { send(std::as_bytes(std::span(text))); }
@@ -40,10 +40,10 @@ class Peer {
   void synch();
   void overflow(std::uint32_t lost);
 
-  /// Acknowledges modes, openings and closings, and leaves the rest to `rest` until the client ends.
+  /// Acknowledges requests of mode and access, and passes the rest to `rest`, until the client disconnects.
   void serve(const std::function<void(const Received&)>& rest);
 
-  /// From now on every byte travels on its own.
+  /// From now on passes one byte per call of send(2).
   void dribble() { piece_ = 1; }
 
   std::vector<Received> received;  // everything so far

@@ -1,6 +1,6 @@
 #pragma once
 
-/// For programs that tests run: the first thing that fails ends them, with a line.
+/// For test programs: the first failure prints a line and exits.
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,7 +1,7 @@
-/// What programs do with radios, cameras, voices and inertial units of the real server, done with this
-/// library: playhouse_client_robots radio|camera|voice|inertia HOST:PORT, beside worlds/radio.world,
-/// camera.world, radio.world or outdoor.world. Says what is wrong and ends with 1;
-/// clients/python/tests/test_server.py runs it.
+/// Uses radio, camera, speech and IMU of the real server through this library:
+/// playhouse_client_robots radio|camera|voice|inertia HOST:PORT, with worlds/radio.world, camera.world,
+/// radio.world or outdoor.world respectively. Prints what fails and exits with 1. Run by
+/// clients/python/tests/test_server.py.
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ void must_refuse(const Result<void>& result, const std::string& what) {
     fail("the server should have refused " + what);
 }
 
-/// The network address of the radio that this one hears best.
+/// Network address of the radio with the best link to this one.
 std::string nearest(Client& client) {
   Device air = must(Device::open(client, wire::wifi::kCode, 0));
   while (!air.take_fresh()) must(client.read());

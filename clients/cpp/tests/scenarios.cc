@@ -1,6 +1,6 @@
-/// What the programs behind the recorded sessions did, done with this library: playhouse_client_scenarios
-/// NAME HOST:PORT. clients/python/tests/test_replay.py plays the recorded answers and compares what is sent;
-/// clients/python/tests/scenarios.py is the twin of this file.
+/// Repeats the programs behind the recorded sessions with this library: playhouse_client_scenarios
+/// NAME HOST:PORT. clients/python/tests/test_replay.py plays back the recorded answers and compares what the
+/// client sends; clients/python/tests/scenarios.py is the Python counterpart.
 
 #include <cmath>
 #include <cstdio>

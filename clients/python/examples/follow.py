@@ -27,7 +27,7 @@ def follow(client: Client, index: int, clock: Clock, more: List[int]) -> None:
                 break
             marker = choose(markers, wanted)
             if marker is None:
-                # It looks around, beginning where the marker was last.
+                # Marker lost: search, turning first to the side where it was last seen.
                 robot.drive(0.0, TURN / 2 if lost_to_the_left else -TURN / 2)
                 continue
             lost_to_the_left = marker.bearing > 0

@@ -9,7 +9,7 @@ from typing import Callable, List
 
 INTERRUPTIBLE = signal.getsignal(signal.SIGINT) is signal.default_int_handler  # not in the background of a script
 if INTERRUPTIBLE:
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # until run(): no robot moves yet, and a traceback helps nobody
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # until run(): no robot moves yet, and a traceback is of no use
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))  # runs in place, without an installation
 
 from playhouse_client import Client, PlayerError, connect  # noqa: E402
@@ -46,7 +46,7 @@ def catch_signals() -> None:
     caught = [number for number in (signal.SIGTERM, signal.SIGHUP) if signal.getsignal(number) != signal.SIG_IGN]
 
     def end(number: int, _: object) -> None:
-        for each in caught:  # a closed terminal may say so twice; the robot is being stopped
+        for each in caught:  # a closed terminal may signal twice; already stopping
             signal.signal(each, signal.SIG_IGN)
         sys.exit(128 + number)
 

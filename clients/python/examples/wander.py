@@ -25,7 +25,7 @@ def wander(client: Client, index: int, clock: Clock, _: List[int]) -> None:
             ahead = scan.nearest(-FRONT, FRONT)
             left, right = scan.nearest(FRONT, 1.5), scan.nearest(-1.5, -FRONT)
             if ahead < NEAR:
-                turning = turning or (TURN if left > right else -TURN)  # the same way until there is room
+                turning = turning or (TURN if left > right else -TURN)  # latched until the way ahead is clear
                 robot.drive(0.0, turning)
             else:
                 turning = 0.0

@@ -12,7 +12,7 @@
 namespace playhouse::drivers::gym {
 namespace {
 
-/// The columns, in the order of the table.
+/// The columns, in table order.
 enum : std::size_t {
   kActions,
   kReset,
@@ -31,7 +31,7 @@ void put(double* row, const geom::Pose& pose) {
   row[0] = pose.x, row[1] = pose.y, row[2] = pose.a;
 }
 
-/// The largest that one of its sensors tells.
+/// The largest range of its sensors.
 float range_most(const world::World& world, world::ModelRow ranger) {
   double most = 0;
   for (const scene::RangerSensorDesc& sensor : world.desc(ranger).sensors)
@@ -67,7 +67,7 @@ Result<void> Agents::begin() {
   for (std::size_t i = 0; i < agents_.size(); ++i)
     columns_.values<float>(kRangeMost)[i] = range_most(world, world.row(agents_[i].ranger));
   *columns_.values<double>(kInterval) = world.scene().interval;
-  // As every change, this one comes to the world where a recording sees it.
+  // Posted as a change, so that recordings see it.
   simulation_.post_always([this](world::World& changing) { use_all(changing); }, {});
   observe();
   return {};
@@ -80,7 +80,7 @@ void Agents::use_all(world::World& world) {
   }
 }
 
-/// Those of agents that came back have ended; of all others they are what they were.
+/// Renews subscriptions: those of re-created agents have ended; those of others are unchanged.
 void Agents::use_again(world::World& world) {
   for (Agent& agent : agents_) {
     agent.wheels.end(world, simulation_);
@@ -91,7 +91,7 @@ void Agents::use_again(world::World& world) {
 
 void Agents::find() {
   const world::World& world = simulation_.world();
-  std::vector<world::ModelRow> ranger_of(world.models.size());  // the first in each tree, by its top
+  std::vector<world::ModelRow> ranger_of(world.models.size());  // first ranger of each tree, by root
   for (const world::ModelRow ranger : world.rangers.model) {
     world::ModelRow& first = ranger_of[world.models.root[ranger.index]];
     if (!first) first = ranger;
@@ -125,7 +125,7 @@ void Agents::reset_all() {
   Rng rng(world.seed(), world.tick(), {Purpose::kAgentPlace});
   for (std::size_t i = place_of.size(); i > 1; --i) {
     const auto other = static_cast<std::size_t>(rng.uniform() * static_cast<double>(i));
-    // A place that holds one holds its like.
+    // Places are exchangeable between robots of equal size.
     if (agents_[place_of[other]].radius == agents_[place_of[i - 1]].radius)
       std::swap(place_of[other], place_of[i - 1]);
   }
@@ -145,7 +145,7 @@ void Agents::act() {
   auto* reset = columns_.values<std::uint8_t>(kReset);
   for (std::size_t i = 0; i < agents_.size(); ++i, action += 3) {
     const world::PositionRow robot = world.position(agents_[i].model);
-    if (!robot) continue;  // somebody took it out
+    if (!robot) continue;  // removed by a client
     if (reset[i] != 0) {
       place(i);
     } else {
@@ -164,7 +164,7 @@ void Agents::place(std::size_t i) {
     const geom::Pose& at = agents_[(first + tried) % agents_.size()].start;
     if (!is_free(at, i)) continue;
     world::set_pose(world, world.row(agent.model), at);
-    break;  // where all are taken it stays
+    break;  // if all are occupied it stays
   }
   stand(i);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Agents: the robots of a world as learning programs see them, all at once: a velocity each in, what each
-/// senses out, as columns in shared memory. An agent is a robot at the top of the world with a range finder.
-/// Thread: the tick thread.
+/// Agents: vectorised environment for learning programs: a velocity
+/// per robot in, observations out, as columns in shared memory. An
+/// agent is a root robot with a range finder. Thread: the tick thread.
 
 #include <cstdint>
 #include <vector>
@@ -18,24 +18,24 @@ class Agents {
  public:
   explicit Agents(Simulation& simulation) : simulation_(simulation) {}
 
-  /// Finds the agents, makes the columns and has the sensors measure from the first tick on. Fails where
-  /// there is no agent, and where their range finders have different numbers of beams.
+  /// Finds the agents, allocates the columns and subscribes the sensors from the first tick
+  /// on. Fails if there are no agents, or if their range finders differ in number of beams.
   Result<void> begin();
   const SharedColumns& columns() const { return columns_; }
 
-  /// Carries out the actions. Agents whose `reset` is set are put to a place of the start first, one that
-  /// nobody is at, chosen at random by seed and tick, and stand there.
+  /// Applies the actions. Agents whose `reset` is set are first
+  /// moved to a free start pose, random by seed and tick, at rest.
   void act();
-  /// Puts each agent to a place of its own, one of those of the start, by the seed; all stand there.
+  /// Resets all agents: assigns start poses to them, a permutation by the seed, at rest.
   void reset_all();
-  /// What everybody senses now, into the columns.
+  /// Writes the observations of all agents to the columns.
   void observe();
 
  private:
   struct Agent {
     world::ModelId model, ranger;
-    geom::Pose start;   // X_WM, in the world's file
-    double radius = 0;  // m, of a circle about its frame that holds it however it turns
+    geom::Pose start;   // X_WM in the world file
+    double radius = 0;  // m, bounding circle about its frame, at any heading
     std::uint32_t placed = 0;
     world::Use wheels, sensor;
   };

@@ -18,7 +18,7 @@ namespace {
 
 enum Verb : std::uint32_t { kStep = 1, kStartAgain = 2 };
 
-/// Before the text of the same length, which says why not; no text: done.
+/// Reply header, followed by the error text; without a text: success.
 struct Answer {
   std::uint32_t failed = 0;
   std::uint32_t bytes = 0;
@@ -28,8 +28,8 @@ struct Answer {
 
 struct Link::Request {
   std::uint32_t verb = 0;
-  std::uint32_t ticks = 0;  // of kStep
-  std::uint64_t seed = 0;   // of kStartAgain
+  std::uint32_t ticks = 0;  // for kStep
+  std::uint64_t seed = 0;   // for kStartAgain
 };
 
 Link::~Link() {
@@ -67,7 +67,7 @@ Result<void> Link::send_memory() const {
   return Error{"", "--socket: " + std::generic_category().message(errno)};
 }
 
-/// False at the end.
+/// False at end of stream.
 bool Link::receive(Request& request) const {
   auto* at = reinterpret_cast<char*>(&request);
   for (std::size_t left = sizeof request; left > 0;) {
@@ -85,7 +85,7 @@ void Link::listen() {
   simulation_.stop();
 }
 
-/// What is posted comes before the step that follows it.
+/// Posts the change, then the step that it precedes.
 void Link::carry_out(const Request& request) {
   const bool is_step = request.verb == kStep;
   if (!is_step && request.verb != kStartAgain) return answer("there is no such request");
@@ -100,7 +100,7 @@ void Link::carry_out(const Request& request) {
       agents_.reset_all();
     }
   };
-  // There is one at a time, and it counts also while others fill the queue.
+  // One at a time, so it may exceed the queue's limit.
   simulation_.post_always(change, {});
   simulation_.lock_step()->step(this, "the learning program", is_step ? request.ticks : 1,
                                 [this](const std::optional<std::string>& why_not) {
@@ -110,7 +110,7 @@ void Link::carry_out(const Request& request) {
                                 });
 }
 
-/// The other end reads what it waits for, so this does not block; whether it is there recv() tells.
+/// Does not block, since the peer is waiting for it; disconnection is detected by recv().
 void Link::answer(const std::string& why_not) const {
   const Answer head{!why_not.empty(), static_cast<std::uint32_t>(why_not.size())};
   std::vector<char> bytes(sizeof head + why_not.size());

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Link: a learning program at the other end of a socket, which steps the world. It is the one member of a
-/// world in lock-step; what it says is short, and the arrays are in shared memory (agents.h). docs/gym.md has
-/// the messages.
+/// Link: the socket of a learning program that steps the world. The
+/// only member of a world in lock-step; messages are small, arrays are
+/// in shared memory (agents.h). docs/gym.md specifies the messages.
 
 #include <string>
 #include <thread>
@@ -15,15 +15,15 @@ namespace playhouse::drivers::gym {
 
 class Link {
  public:
-  /// `simulation` is in lock-step, waits for one, and outlives the link. The socket, a stream of the Unix
-  /// domain, is closed with the link.
+  /// `simulation` must be in lock-step with one member, and must outlive
+  /// the link. The socket, a Unix domain stream, is closed with the link.
   Link(Simulation& simulation, int socket) : simulation_(simulation), socket_(socket), agents_(simulation) {}
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
   ~Link();
 
-  /// Hands the memory over and listens. Before Simulation::run(), which ends when the other end goes. Fails
-  /// on a world without agents, and where nobody is at the other end.
+  /// Sends the memory's descriptor and starts listening. Before Simulation::run(), which
+  /// returns when the peer disconnects. Fails on a world without agents, or without a peer.
   Result<void> start();
 
  private:
@@ -37,7 +37,7 @@ class Link {
   Simulation& simulation_;
   const int socket_;
   Agents agents_;
-  std::string why_not_;  // the change of the step under way was not made; tick thread
+  std::string why_not_;  // error of the change in the current step; tick thread
   std::thread listener_;
 };
 

@@ -11,13 +11,13 @@
 namespace playhouse::drivers::gym {
 namespace {
 
-constexpr std::size_t kAlignment = 64;  // of each column: a line of the cache
+constexpr std::size_t kAlignment = 64;  // of each column: a cache line
 constexpr char kMagic[8] = {'p', 'l', 'h', 's', 'g', 'y', 'm', '\0'};
 
 struct Head {
   char magic[8];
   std::uint32_t version, columns;
-  std::uint64_t bytes;  // of the whole memory
+  std::uint64_t bytes;  // total size
   std::uint64_t unused[5];
 };
 struct Entry {

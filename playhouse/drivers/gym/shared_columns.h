@@ -1,8 +1,8 @@
 #pragma once
 
-/// SharedColumns: arrays in memory that another process maps, with a table of them at its front, so that it
-/// finds them by name and copies nothing. docs/gym.md draws the layout. The memory has no name: it ends with
-/// the last who has it open.
+/// SharedColumns: arrays in shared memory, with a directory at its front, so that
+/// another process finds them by name without copying. docs/gym.md specifies the
+/// layout. The memory is anonymous: it is freed when the last process closes it.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,11 +18,11 @@ inline constexpr std::uint32_t kLayoutVersion = 1;
 
 class SharedColumns {
  public:
-  /// What one column holds; `dtype` is numpy's word for it ("<f4").
+  /// Description of a column; `dtype` is numpy's code ("<f4").
   struct Column {
     std::string_view name;
     std::string_view dtype;
-    std::uint32_t rows = 0, columns = 0;  // columns 0: one value a row, without a second dimension
+    std::uint32_t rows = 0, columns = 0;  // columns 0: a one-dimensional array
     std::size_t value_bytes = 0;
   };
 
@@ -31,12 +31,12 @@ class SharedColumns {
   SharedColumns& operator=(const SharedColumns&) = delete;
   ~SharedColumns();
 
-  /// Once. All values are 0. Fails where the system has no memory for it.
+  /// Allocates all columns, zeroed. Call once. Fails if the system is out of memory.
   Result<void> make(std::span<const Column> columns);
 
-  /// For the other process.
+  /// File descriptor for the other process.
   int descriptor() const { return descriptor_; }
-  /// Of the n-th column.
+  /// Values of the n-th column.
   template <typename T>
   T* values(std::size_t column) const {
     return reinterpret_cast<T*>(memory_ + offsets_[column]);

@@ -13,8 +13,8 @@
 namespace playhouse::drivers {
 namespace {
 
-constexpr double kFirstWait = 0.5, kLongestWait = 30;  // s between two attempts
-constexpr std::uint16_t kPlayerPort = 6665;            // of another host, where none is said
+constexpr double kFirstWait = 0.5, kLongestWait = 30;  // s between attempts (back-off)
+constexpr std::uint16_t kPlayerPort = 6665;            // default port of a remote host
 
 using Bytes = std::vector<std::byte>;
 
@@ -45,7 +45,7 @@ std::optional<RemoteDevice> Passthrough::there(device::DeviceId id) const {
   return found == relayed_.end() ? std::nullopt : std::optional(found->second.there);
 }
 
-// --- what is said here. Of one device it goes out in one order, whichever thread said it.
+// --- from our clients; order is kept per device, whichever the thread
 
 Result<void> Passthrough::start(device::DeviceId id) {
   if (!remote_.is_connected()) return Error{"", remote_.name() + " " + why_lost_};
@@ -57,7 +57,7 @@ Result<void> Passthrough::start(device::DeviceId id) {
 void Passthrough::stop(device::DeviceId id) {
   if (wanted_.erase(id) == 0) return;
   const std::optional<RemoteDevice> device = there(id);
-  // Behind the commands that came before.
+  // After earlier commands.
   site_.surroundings().post([this, id, device] {
     if (!wanted_.contains(id) && remote_.is_connected()) remote_.close(*device);
   });
@@ -83,7 +83,7 @@ device::Taken Passthrough::command(const device::Message& message) {
 void Passthrough::request(const device::Message& message, device::Replier replier) {
   const std::optional<RemoteDevice> device = there(message.device);
   if (!device) return;
-  auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function wants to be copied
+  auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
   site_.surroundings().post([this, shared, device = *device, subtype = message.subtype,
                              body = Bytes(message.body.begin(), message.body.end())] {
     remote_.ask(device, subtype, body, [shared](bool ack, std::span<const std::byte> answer) {
@@ -93,14 +93,14 @@ void Passthrough::request(const device::Message& message, device::Replier replie
   });
 }
 
-/// As far as can be told without asking.
+/// As far as known without asking the server.
 bool Passthrough::capable(device::DeviceId id, std::uint8_t type, std::uint8_t subtype) const {
   const std::optional<RemoteDevice> device = there(id);
   return device &&
          wire::find_message(device->interf, static_cast<wire::MessageType>(type), subtype) != nullptr;
 }
 
-// --- what is said there
+// --- from the server
 
 void Passthrough::connected() {
   if (wait_ > 0) log::info("passthrough: {} is connected again", remote_.name());
@@ -161,7 +161,7 @@ void Passthrough::gone(RemoteDevice device) {
 
 namespace {
 
-/// A section as it is read.
+/// A parsed section.
 struct Section {
   std::string host;
   std::uint16_t port = 0;
@@ -169,7 +169,7 @@ struct Section {
   std::vector<RemoteDevice> there;
 };
 
-/// The device as if it were one of this server, whose port stands for one that is not said.
+/// The address as if it were on this server, with its port as the default.
 Result<device::Address> resolved(const Site& site, scene::DeviceAddress address) {
   if (!address.host.empty() && !address.port) address.port = kPlayerPort;
   address.host.clear();
@@ -229,7 +229,7 @@ Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection
   for (std::size_t i = 0; i < read->here.size(); ++i)
     if (const Result<void> added = driver->add(read->here[i], read->there[i]); !added)
       return Error{section.at("provides"), added.error().text};
-  // Once the program runs, as may the other server, which may be this program.
+  // Deferred until the program runs, since the other server may be this program.
   site.surroundings().post([relay = driver.get()] { relay->connect(); });
   return std::unique_ptr<device::Driver>(std::move(driver));
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Passthrough: devices that are those of another Player server. What clients say to them goes there, and its
-/// data, answers and refusals come back byte for byte. A device is open there while somebody has it open
-/// here.
+/// Passthrough: proxies for devices of another Player server.
+/// Commands and requests are forwarded; data, replies and NACKs come
+/// back byte for byte. A remote device is open while its proxy is.
 
 #include <cstddef>
 #include <functional>
@@ -23,32 +23,32 @@ namespace playhouse::drivers {
 
 class Passthrough final : public device::Driver, private RemoteServer::Events {
  public:
-  /// What becomes of the devices when the server is lost.
+  /// What happens to the devices when the connection is lost.
   enum class AfterLoss : std::uint8_t {
     kRetire,   // they retire
-    kConnect,  // they stay, and are closed until it is there again
+    kConnect,  // they stay, closed until reconnected
   };
 
-  /// `site` outlives it; tasks of its surroundings run as long as it lives or never again.
+  /// `site` must outlive it, as must the task queue of its surroundings.
   Passthrough(Site& site, std::string host, std::uint16_t port, AfterLoss after_loss);
 
-  /// Makes a device known that stands for one of the server. Io thread, once it runs.
+  /// Adds a proxy for a device of the server. Io thread, once it runs.
   Result<void> add(device::Address address, RemoteDevice device);
-  /// Begins to connect. Io thread, once it runs.
+  /// Starts connecting. Io thread, once it runs.
   void connect() { remote_.connect(); }
 
-  /// For who uses the server beside the devices. Before connect().
+  /// Callbacks for users of the server other than the devices. Before connect().
   struct Watcher {
     std::function<void()> connected;
     std::function<void(const std::string& why)> lost;
-    std::function<void(RemoteDevice)> retired;  // a device of the server; it is none here any more
+    std::function<void(RemoteDevice)> retired;  // a device of the server has retired, and its proxy
   };
   void watch(Watcher watcher) { watcher_ = std::move(watcher); }
   /// Io thread.
   RemoteServer& remote() { return remote_; }
 
   std::string_view name() const override { return "passthrough"; }
-  /// Fails while there is no connection.
+  /// Fails without a connection.
   Result<void> start(device::DeviceId id) override;
   void stop(device::DeviceId id) override;
   void forget(device::DeviceId id) override;
@@ -66,7 +66,7 @@ class Passthrough final : public device::Driver, private RemoteServer::Events {
   void gone(RemoteDevice device) override;
 
   struct Relayed {
-    device::Address address;  // here
+    device::Address address;  // of the proxy
     RemoteDevice there;
   };
   std::optional<RemoteDevice> there(device::DeviceId id) const;  // any thread
@@ -77,19 +77,19 @@ class Passthrough final : public device::Driver, private RemoteServer::Events {
   RemoteServer remote_;
   Watcher watcher_;
   std::unique_ptr<net::Timer> retry_;
-  double wait_ = 0;  // s before the next attempt
+  double wait_ = 0;  // s until the next attempt (back-off)
   std::string why_lost_ = "is not connected yet";
-  std::set<device::DeviceId> wanted_;  // that are open here
+  std::set<device::DeviceId> wanted_;  // open proxies
   std::map<RemoteDevice, device::DeviceId> here_;
-  std::set<RemoteDevice> told_;  // whose broken data was told of
+  std::set<RemoteDevice> told_;  // malformed data was logged for these
   std::vector<device::Publication> batch_;
 
   mutable std::mutex mutex_;  // guards what follows
   std::map<device::DeviceId, Relayed> relayed_;
 };
 
-/// Of a configuration file: `requires` names the devices of one other server, `provides` as many here, in the
-/// same order; `reconnect` 1 keeps them when the server is lost.
+/// From a configuration section: `requires` lists devices of one other server, `provides`
+/// as many here, in the same order; `reconnect` 1 keeps them when the connection is lost.
 Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection& section, Site& site);
 
 }  // namespace playhouse::drivers

@@ -15,7 +15,7 @@ using wire::MessageType;
 
 constexpr RemoteDevice kServer{player::kCode, 0};
 constexpr std::string_view kGreeting = "Player v.";
-constexpr std::uint8_t kPush = 1;                            // of DATAMODE
+constexpr std::uint8_t kPush = 1;                            // mode of DATAMODE
 constexpr std::uint8_t kOpen = 1, kClose = 2, kEnded = 'e';  // access
 constexpr std::size_t kUnderWay = limits::kSessionAnswerBytes;
 
@@ -77,7 +77,7 @@ void RemoteServer::closed(const std::string& why) {
   fail(why == "closed" ? "closed the connection" : why);
 }
 
-// --- what comes
+// --- input
 
 void RemoteServer::received(std::span<const std::byte> bytes) {
   input_.insert(input_.end(), bytes.begin(), bytes.end());
@@ -98,7 +98,7 @@ bool RemoteServer::greet() {
   return true;
 }
 
-/// What is told may end the connection, and with it the input.
+/// Handlers may close the connection, and clear the input.
 void RemoteServer::take_messages() {
   std::size_t at = 0;
   while (greeted_ && input_.size() - at >= limits::kHeaderBytes) {
@@ -131,7 +131,7 @@ void RemoteServer::take(const wire::Header& header, std::span<const std::byte> b
   }
 }
 
-/// The notice that nobody asked for: a device that was open has retired (docs/server.md).
+/// Unsolicited notice that an open device has retired (docs/server.md).
 bool RemoteServer::tells_of_end(const wire::Header& header, std::span<const std::byte> body) {
   if (header.interf != player::kCode || header.subtype != player::kReqDev || header.type != MessageType::kAck)
     return false;
@@ -141,8 +141,8 @@ bool RemoteServer::tells_of_end(const wire::Header& header, std::span<const std:
   return true;
 }
 
-/// Requests of one kind to one device are answered in their order. Where the number of the request comes
-/// back, those before it were not answered and will not be.
+/// Requests of one kind to one device are answered in order. When a reply
+/// matches a later request by its number, earlier ones will not be answered.
 void RemoteServer::take_answer(const wire::Header& header, std::span<const std::byte> body) {
   const auto found = asked_.find({{header.interf, header.index}, header.subtype});
   if (found == asked_.end()) return;
@@ -169,7 +169,7 @@ void RemoteServer::drained() {
   connection_->send(parts);
 }
 
-// --- what goes
+// --- output
 
 void RemoteServer::open(RemoteDevice device) {
   request_of_server(player::kReqDev, access_request(device, port_, kOpen),
@@ -203,7 +203,7 @@ void RemoteServer::command(RemoteDevice device, std::uint8_t subtype, std::span<
   if (greeted_) send(MessageType::kCmd, device, subtype, body);
 }
 
-/// What the device was told before it is asked, or closed.
+/// Sends held commands of the device before a request or a close.
 void RemoteServer::send_held(RemoteDevice device) {
   std::vector<net::SharedBytes> parts;
   std::erase_if(held_, [&](auto& held) {

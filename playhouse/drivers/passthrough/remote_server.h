@@ -1,7 +1,7 @@
 #pragma once
 
-/// RemoteServer: another Player server as its clients see it. One connection in PUSH mode, over which any
-/// number of devices are opened, commanded and asked. Bodies pass as they are. Io thread.
+/// RemoteServer: client side of a connection to another Player server, in
+/// PUSH mode, for any number of devices. Bodies are not decoded. Io thread.
 
 #include <compare>
 #include <cstddef>
@@ -20,7 +20,7 @@
 
 namespace playhouse::drivers {
 
-/// A device there.
+/// A device of that server.
 struct RemoteDevice {
   std::uint16_t interf = 0, index = 0;
   friend constexpr auto operator<=>(const RemoteDevice&, const RemoteDevice&) = default;
@@ -31,23 +31,23 @@ class RemoteServer final : private net::ConnectionEvents {
   class Events {
    public:
     virtual ~Events() = default;
-    /// Requests and commands go out from now on.
+    /// The handshake is complete: requests and commands are sent from now on.
     virtual void connected() = 0;
-    /// There is no connection, or no more: what was asked has got NACK, and nothing is open there.
+    /// The connection failed or closed: pending requests got NACK, and no device is open.
     virtual void lost(const std::string& why) = 0;
-    /// `body` is valid for the call.
+    /// `body` is valid during the call.
     virtual void data(RemoteDevice device, const wire::Header& header, std::span<const std::byte> body) = 0;
-    /// After data() of all that arrived together.
+    /// Called after data() for everything that arrived together.
     virtual void caught_up() = 0;
-    /// The server does not open the device.
+    /// The server refused to open the device.
     virtual void refused(RemoteDevice device) = 0;
-    /// The device was open, and is no more.
+    /// The device was open and has retired.
     virtual void gone(RemoteDevice device) = 0;
   };
-  /// Called once with the answer.
+  /// Called once with the reply.
   using Heard = std::function<void(bool ack, std::span<const std::byte> body)>;
 
-  /// `network` and `events` outlive it.
+  /// `network` and `events` must outlive it.
   RemoteServer(net::Network& network, std::string host, std::uint16_t port, Events& events);
   RemoteServer(const RemoteServer&) = delete;
   RemoteServer& operator=(const RemoteServer&) = delete;
@@ -56,21 +56,21 @@ class RemoteServer final : private net::ConnectionEvents {
   const std::string& name() const { return name_; }
   bool is_connected() const { return greeted_; }
 
-  /// Begins to connect, unless that is under way or done. Events tell how it goes.
+  /// Starts connecting unless connecting or connected. The outcome is reported to Events.
   void connect();
-  /// Ends the connection once what was sent is out. No event follows.
+  /// Closes the connection after flushing. No event follows.
   void disconnect();
 
-  // Nothing happens without a connection; what is asked then gets NACK at once.
+  // Without a connection these have no effect, and requests get NACK at once.
   void open(RemoteDevice device);
   void close(RemoteDevice device);
-  /// Where the server takes nothing a newer command replaces an older one of its kind, unless the device was
-  /// asked something in between: what one device is told and asked goes out in its order.
+  /// Under back-pressure a newer command replaces an older one of its kind, unless a request
+  /// to the device came in between: commands and requests of one device keep their order.
   void command(RemoteDevice device, std::uint8_t subtype, std::span<const std::byte> body);
   void ask(RemoteDevice device, std::uint8_t subtype, std::span<const std::byte> body, Heard heard);
 
  private:
-  using Key = std::pair<RemoteDevice, std::uint8_t>;  // of an answer or a command: its device and subtype
+  using Key = std::pair<RemoteDevice, std::uint8_t>;  // device and subtype of a reply or command
   struct Asked {
     std::uint32_t seq = 0;
     Heard heard;
@@ -82,7 +82,7 @@ class RemoteServer final : private net::ConnectionEvents {
   void closed(const std::string& why) override;
 
   void made(Result<std::unique_ptr<net::Connection>> connection);
-  /// False where those are no bytes of a Player server; true also while there are too few of them.
+  /// False if the peer is not a Player server; true also while the banner is incomplete.
   bool greet();
   void take_messages();
   void take(const wire::Header& header, std::span<const std::byte> body);
@@ -103,13 +103,13 @@ class RemoteServer final : private net::ConnectionEvents {
 
   std::unique_ptr<net::Attempt> attempt_;
   std::unique_ptr<net::Connection> connection_;
-  std::unique_ptr<net::Timer> patience_;  // for the greeting
+  std::unique_ptr<net::Timer> patience_;  // timeout of the greeting
   bool greeted_ = false;
-  std::vector<std::byte> input_;  // begins at a header once greeted
+  std::vector<std::byte> input_;  // starts with a header once greeted
   std::uint32_t seq_ = 0;
   std::map<Key, std::deque<Asked>> asked_;
-  std::size_t waiting_ = 0;               // in asked_
-  std::map<Key, net::SharedBytes> held_;  // commands that wait until the server takes what is under way
+  std::size_t waiting_ = 0;               // number of entries in asked_
+  std::map<Key, net::SharedBytes> held_;  // commands held back under back-pressure
 };
 
 }  // namespace playhouse::drivers

@@ -18,7 +18,7 @@ namespace lsr = wire::laser;
 
 namespace {
 
-constexpr std::size_t kRanger = 0;  // of the client's devices
+constexpr std::size_t kRanger = 0;  // index among the client's devices
 constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq);
 
 lsr::Config laser_config(const rng::Config& config) {
@@ -44,7 +44,7 @@ lsr::Geom laser_geom(const rng::Geom& geom) {
   return laser;
 }
 
-/// The answer to a laser's request from that to the ranger's: decoded, converted, encoded.
+/// Converts the reply of a ranger's request to that of the laser's.
 template <typename From, typename Convert>
 void convert_answer(device::Replier& replier, const std::optional<std::vector<std::byte>>& body,
                     Convert convert) {
@@ -54,7 +54,7 @@ void convert_answer(device::Replier& replier, const std::optional<std::vector<st
   replier.ack(wire::encode(convert(*value)));
 }
 
-/// A laser shows the scan of one sensor. What is no ranger of the simulated world is not looked into.
+/// A laser exposes one sensor. Rangers outside the simulated world are not checked.
 Result<void> check_sensors(const Site& site, const std::string& where, device::Address ranger) {
   const world::World& world = site.simulation()->world();
   const world::ModelRow model = world.row(site.simulation()->directory().model_of(ranger));
@@ -107,7 +107,7 @@ void RangerToLaser::stop(device::DeviceId) {
 
 void RangerToLaser::request(const device::Message& message, device::Replier replier) {
   if (!capable(message.device, message.type, message.subtype)) return;
-  auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function wants to be copied
+  auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
   switch (message.subtype) {
     case lsr::kReqGetGeom:
       client_.ask(kRanger, rng::kReqGetGeom, {}, [shared](const std::optional<std::vector<std::byte>>& body) {
@@ -120,7 +120,7 @@ void RangerToLaser::request(const device::Message& message, device::Replier repl
                     convert_answer<rng::Config>(*shared, body, laser_config);
                   });
       return;
-    default:  // POWER, which both have with the same payload
+    default:  // POWER, with the same payload in both
       client_.forward(kRanger, rng::kReqPower, message.body, std::move(*shared));
   }
 }

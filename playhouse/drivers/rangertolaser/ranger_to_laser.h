@@ -1,8 +1,8 @@
 #pragma once
 
-/// The .cfg driver "rangertolaser": shows a ranger device of any driver as a laser, for programs that know no
-/// rangers. Each scan becomes one message with its intensities; geometry and configuration are asked of the
-/// ranger.
+/// The .cfg driver "rangertolaser": presents a ranger device of any driver as a
+/// laser, for programs without support for rangers. Each scan becomes one message
+/// with its intensities; geometry and configuration are requested from the ranger.
 
 #include <cstdint>
 #include <memory>
@@ -22,7 +22,7 @@ namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSection& section, Site& site);
 
-/// One scan as a laser knows it. `intensities` may be empty.
+/// Converts a scan to the laser format. `intensities` may be empty.
 wire::laser::Data laser_scan(const wire::ranger::Config& config, const wire::ranger::DataRange& ranges,
                              const wire::ranger::DataIntns& intensities, std::uint32_t id);
 
@@ -52,7 +52,7 @@ class RangerToLaser final : public device::Driver {
   device::DeviceId laser_;
 
   std::mutex mutex_;                            // guards what follows
-  std::optional<wire::ranger::Config> config_;  // known while the laser is open
+  std::optional<wire::ranger::Config> config_;  // while the laser is open
   std::uint32_t scans_ = 0;
 };
 

@@ -13,12 +13,12 @@ namespace {
 namespace act = wire::actarray;
 using wire::MessageType;
 
-/// The only one, or all.
+/// The only joint, or all.
 bool is_joint(std::int32_t joint) {
   return joint == 0 || joint == -1;
 }
 
-/// Where the joint is on the robot, or in the world if nothing carries it, when its position is 0.
+/// Pose of the joint at position 0 in its robot, in the world if none carries it.
 geom::Pose rest_on_robot(const world::World& world, world::ModelRow model) {
   const world::Models& models = world.models;
   geom::Pose X = world.actuators.X_PJ[models.part[model.index]];
@@ -139,7 +139,7 @@ class Actarray final : public SimulatedDevice {
  private:
   bool can_go_at(float speed) const { return speed > 0 && speed <= static_cast<float>(desc_.max_speed); }
 
-  /// Answers ACK with what `question(actuators, row)` gives, NACK if the actuator has gone.
+  /// Replies with `question(actuators, row)`, or NACK if the actuator was removed.
   template <typename Question>
   void ask_joint(device::Replier replier, Question question) const {
     ask_world(std::move(replier),
@@ -165,7 +165,7 @@ class Actarray final : public SimulatedDevice {
     };
   }
 
-  /// What a command means; empty if it makes no sense.
+  /// The change that a command requests; empty if invalid.
   Change meaning(const device::Message& message) const {
     switch (message.subtype) {
       case act::kCmdPos:

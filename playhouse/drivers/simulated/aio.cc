@@ -1,5 +1,5 @@
-/// A custom model as interface aio: its readings are the voltages of inputs, its commands those of outputs
-/// (docs/drivers.md).
+/// A custom model as interface aio: readings are voltages of
+/// inputs, commands voltages of outputs (docs/drivers.md).
 
 #include "playhouse/wire/generated/aio.h"
 
@@ -25,7 +25,7 @@ class Aio final : public SimulatedDevice {
   }
   void request(const device::Message&, device::Replier) override {}
 
-  /// Each command sets one output, so none replaces another that waits.
+  /// Commands set different outputs, so they are queued rather than replaced.
   device::Taken command(const device::Message& message) override {
     const auto value = wire::decode<aio::Cmd>(message.body);
     if (!value || !std::isfinite(value->voltage) || value->id >= limits::kCustomNumbers)

@@ -38,7 +38,7 @@ void AutoDevices::follow(const world::World& world, const world::Change& change)
     for (std::uint32_t part = 0; part < change.count; ++part) go(world, {change.model.value + part});
   if (change.kind != Kind::kSpawn) return;
   const world::ModelRow top = world.row(change.model);
-  // Else it went again before anybody could look, or came with what it is attached to.
+  // Otherwise it was removed again already, or spawned with its parent.
   if (top && !knows(change.model, change.count)) come(world, {{top}});
 }
 
@@ -62,8 +62,8 @@ void AutoDevices::go(const world::World& world, world::ModelId model) {
   for (const MappedDevice& device : given->second.devices) map_.retire(device, world.time());
 }
 
-/// A model that is there has its addresses to itself, in any state that was kept: whoever got one of them
-/// later came when it had gone, and is not there with it.
+/// An existing model owns its addresses in any retained state: they were
+/// given to others only after its removal, so both never exist together.
 void AutoDevices::go_and_come_back(const world::World& world) {
   map_.go_back(world.time());
   for (auto& [model, given] : given_) {
@@ -96,7 +96,7 @@ void AutoDevices::make(const world::World& world, std::span<const MappedDevice> 
   }
   if (made.empty()) return;
   site_.surroundings().post([this, made = std::move(made)] {
-    // An address that the map gives is nobody else's.
+    // Addresses from the map are unused.
     for (const auto& [address, device] : made) driver_.add(*site_.add_device(address, driver_), device);
   });
 }
@@ -105,14 +105,14 @@ void AutoDevices::remember(const world::World& world, std::span<const MappedDevi
   for (const MappedDevice& mapped : devices) {
     if (!mapped.model) continue;
     Given& given = given_[world.id(mapped.model)];
-    // Another model had this id in a run that was taken back or began again, and comes back no more.
+    // The id was used by another model before a rewind or restart, which cannot come back.
     if (given.gone) given = {};
     given.devices.push_back(mapped);
   }
 }
 
-/// Amortised cleanup of entries that no kept instant can restore: of models that were gone at the first of
-/// them.
+/// Amortised clean-up of entries that no retained state can
+/// restore: of models removed before the first of them.
 void AutoDevices::forget_who_cannot_come_back() {
   constexpr std::size_t kLeast = 1024;
   if (given_.size() < std::max(kLeast, forget_at_)) return;

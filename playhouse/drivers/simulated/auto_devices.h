@@ -1,9 +1,9 @@
 #pragma once
 
-/// AutoDevices: the devices of a world when nobody wrote a .cfg file: those of AutoMap, of a driver "stage".
-/// Models that come during the run get theirs before anybody is shown the world with them; devices of models
-/// that go retire as all do (Site), and have the same addresses again should they come back (kReload).
-/// Addresses are decided on the tick thread, in the order of the changes.
+/// AutoDevices: the devices of a world without a .cfg file: those of AutoMap, served by a
+/// driver "stage". Models spawned during the run get devices before anybody sees the world with
+/// them; devices of removed models retire (Site), and get the same addresses if the models come
+/// back (kReload). Addresses are assigned on the tick thread, in the order of the change log.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,23 +21,23 @@ namespace playhouse::drivers {
 
 class AutoDevices {
  public:
-  /// On `port`, of the site's world, which is open. Outlives the run. `indices`: of an interface; less in
-  /// tests.
+  /// Devices on `port`, for the site's open world. Must outlive
+  /// the run. `indices`: per interface; smaller in tests.
   AutoDevices(Site& site, std::uint16_t port, std::size_t indices = AutoMap::kIndices);
   AutoDevices(const AutoDevices&) = delete;
   AutoDevices& operator=(const AutoDevices&) = delete;
 
-  /// Makes those of the world as it is; before the run. Fails where an address is taken.
+  /// Adds the devices of the present world, before the run. Fails if an address is taken.
   Result<void> add_all();
 
-  /// Those that got no address (AutoMap).
+  /// Number of devices without an address (AutoMap).
   std::size_t left_out() const { return map_.left_out(); }
   const SimulatedDriver& driver() const { return driver_; }
 
  private:
   void follow(const world::World& world, const world::Change& change);
   void come(const world::World& world, std::span<const world::ModelRow> tops);
-  /// Some of `count` models from this one on have devices.
+  /// True if some of `count` models from this one on have devices.
   bool knows(world::ModelId first, std::uint32_t count) const;
   void go(const world::World& world, world::ModelId model);
   void go_and_come_back(const world::World& world);
@@ -54,11 +54,11 @@ class AutoDevices {
   AutoMap map_;
   struct Given {
     std::vector<MappedDevice> devices;
-    std::optional<std::uint64_t> gone;  // the tick after which the model was there no more
+    std::optional<std::uint64_t> gone;  // the tick after which the model was removed
   };
-  /// Of every model that is there or can come back.
+  /// Of every model that exists or can come back.
   std::map<world::ModelId, Given> given_;
-  std::size_t forget_at_ = 0;  // so many of given_
+  std::size_t forget_at_ = 0;  // size of given_ that triggers clean-up
   bool warned_ = false;
 };
 

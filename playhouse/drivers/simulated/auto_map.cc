@@ -10,7 +10,7 @@ namespace {
 using scene::Index;
 using scene::KindInterface;
 
-/// Calls visit(code) for every interface whose indices are the robots' numbers.
+/// Calls visit(code) for every interface indexed by robot numbers.
 template <typename Visit>
 void each_numbered(const Visit& visit) {
   for (const scene::Kind& kind : scene::kinds()) {
@@ -19,9 +19,9 @@ void each_numbered(const Visit& visit) {
   }
 }
 
-constexpr std::uint16_t kNumbers = 0;  // no interface has this code
+constexpr std::uint16_t kNumbers = 0;  // not a valid code
 
-/// Where retired indices of an interface wait: under its code, or under kNumbers.
+/// Pool of retired indices for an interface: its code, or kNumbers.
 std::uint16_t place_of(std::uint16_t interf) {
   std::uint16_t place = interf;
   each_numbered([&](std::uint16_t numbered) {
@@ -46,7 +46,7 @@ std::vector<MappedDevice> AutoMap::of_world(const world::World& world) {
 
 std::vector<MappedDevice> AutoMap::of_trees(const world::World& world,
                                             std::span<const world::ModelRow> tops) {
-  // All numbers of robots first: what comes in addition has the indices behind them.
+  // Robot numbers first: further devices are indexed behind them.
   std::vector<std::pair<world::ModelRow, std::size_t>> robots;
   for (const world::ModelRow top : tops)
     if (is_robot(world, top)) robots.emplace_back(top, next_robot(world.time()));
@@ -58,7 +58,7 @@ std::vector<MappedDevice> AutoMap::of_trees(const world::World& world,
   return std::exchange(out_, {});
 }
 
-/// indices_ if there is none.
+/// indices_ if there is none left.
 std::size_t AutoMap::next_robot(double time) {
   std::size_t number = 0;
   each_numbered([&](std::uint16_t interf) { number = std::max(number, next_[interf]); });
@@ -66,7 +66,7 @@ std::size_t AutoMap::next_robot(double time) {
   return number < indices_ ? number : retired_[kNumbers].take(time).value_or(indices_);
 }
 
-/// indices_ if there is none.
+/// indices_ if there is none left.
 std::size_t AutoMap::next_index(std::uint16_t interf, double time) {
   std::size_t& next = next_[interf];
   return next < indices_ ? next++ : retired_[place_of(interf)].take(time).value_or(indices_);

@@ -1,4 +1,4 @@
-/// A lamp, or a light that is only on or off, as interface blinkenlight (docs/drivers.md).
+/// A lamp, or a steady light, as interface blinkenlight (docs/drivers.md).
 
 #include <cmath>
 
@@ -19,19 +19,19 @@ wire::Color color_of(const scene::Color& color) {
   return {byte(0), byte(24), byte(16), byte(8)};
 }
 
-/// Player's clients leave the alpha at 0: the model keeps its own.
+/// Player clients send alpha 0: keeps the model's.
 void set_color(world::World& world, world::ModelRow model, const wire::Color& color) {
   world::set_color(world, model,
                    {static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255,
                     static_cast<float>(color.blue) / 255, world.models.color[model.index].a});
 }
 
-/// Numbers of a flash that can be made.
+/// True for valid flash parameters.
 bool is_flash(float period, float dutycycle) {
   return std::isfinite(period) && period >= 0 && dutycycle >= 0 && dutycycle <= 1;
 }
 
-/// What all lights have: a color.
+/// Common part of lights: colour.
 class Light : public SimulatedDevice {
  public:
   Light(Simulation& simulation, world::ModelRow model)
@@ -40,7 +40,7 @@ class Light : public SimulatedDevice {
 
   void request(const device::Message&, device::Replier) final {}
 
-  /// Each command sets another part of the light, so none replaces another that waits.
+  /// Commands set different properties, so they are queued rather than replaced.
   device::Taken command(const device::Message& message) final {
     const Setting setting = meaning(message);
     if (!setting) return device::Taken::kNo;
@@ -62,9 +62,9 @@ class Light : public SimulatedDevice {
  protected:
   using Setting = std::function<void(world::World&, world::ModelRow)>;
 
-  /// What a command means; empty if it makes no sense. There is one light, of number 0.
+  /// The setting that a command requests; empty if invalid. The only light has number 0.
   virtual Setting meaning(const device::Message& message) const = 0;
-  /// What row `light` of its table says.
+  /// Data of row `light` of its table.
   virtual bl::Data data_of(const world::World& world, std::uint32_t light) const = 0;
 
   static Setting color(const device::Message& message) {
@@ -136,7 +136,7 @@ class Blinkenlight final : public Light {
   }
 };
 
-/// It burns steadily.
+/// A light that never blinks.
 class Lightindicator final : public Light {
  public:
   using Light::Light;

@@ -11,7 +11,7 @@ namespace {
 namespace bumper = wire::bumper;
 using wire::MessageType;
 
-/// Where the faces of a bumper's switches are on the robot.
+/// Poses of a bumper's switch faces on the robot.
 bumper::Geom geometry(const world::World& world, world::ModelRow model) {
   const scene::BumperDesc& desc = *world.desc(model).bumper;
   const geom::Pose X_RB = pose_on_robot(world, model);

@@ -9,7 +9,7 @@ namespace {
 namespace cam = wire::camera;
 using wire::MessageType;
 
-/// The newest image of a camera that has one.
+/// The latest image of a camera.
 cam::Data newest_image(const world::World& world, world::ModelRow model) {
   return image_of(*world.desc(model).camera, world.cameras.pixels[world.models.part[model.index]]);
 }

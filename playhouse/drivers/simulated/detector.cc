@@ -1,5 +1,5 @@
-/// A detector as interfaces ranger, what each beam tells, and fiducial, the things that it finds
-/// (docs/detectors.md).
+/// A detector as interface ranger, by beam, and as
+/// interface fiducial, by detection (docs/detectors.md).
 
 #include "playhouse/drivers/simulated/fiducial.h"
 #include "playhouse/drivers/simulated/ranger.h"
@@ -11,7 +11,7 @@ namespace {
 namespace fid = wire::fiducial;
 namespace rng = wire::ranger;
 
-/// The row of a detector that has measured in this very tick.
+/// Row of a detector, if it measured in this very tick.
 std::optional<std::uint32_t> fresh_row(const world::World& world, world::ModelId id) {
   const world::ModelRow model = world.row(id);
   if (!model) return std::nullopt;
@@ -25,7 +25,7 @@ rng::Geom geometry(const world::World& world, world::ModelRow model) {
   return {pose3d(pose_on_robot(world, model)), bbox3d(desc.size), {pose3d(geom::Pose{})}, {bbox3d(desc.size)}};
 }
 
-/// Beams look from the middle of the rightmost share of the field of view to that of the leftmost.
+/// Beams point at the centres of equal shares of the field of view, rightmost first.
 rng::Config configuration(const world::World& world, world::ModelRow model) {
   const scene::DetectorDesc& detector = *world.desc(model).detector;
   const double share = detector.fov / detector.samples;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The devices of simulated models, a class for each interface.
+/// Factory of the devices of simulated models, a class for each interface.
 
 #include <cstdint>
 #include <memory>
@@ -13,12 +13,12 @@
 
 namespace playhouse::drivers {
 
-/// The device; `model` fits the interface (asserted), or is none for the interface simulation.
+/// `model` must fit the interface (asserted), or be none for the interface simulation.
 std::unique_ptr<SimulatedDevice> make_device(Simulation& simulation, std::uint16_t interf,
                                              world::ModelRow model);
 
-/// Makes the device of a model, or of the world, known under an address: to clients, to its driver and to the
-/// directory. Fails if the address is taken.
+/// Registers the device of a model, or of the world, at an address: with
+/// the server, its driver and the directory. Fails if the address is taken.
 Result<void> add_simulated_device(Site& site, SimulatedDriver& driver, device::Address address,
                                   world::ModelRow model);
 

@@ -20,7 +20,7 @@ std::string name_within_port(device::Address address) {
   return fmt::format("{}:{}", interf->name, address.index);
 }
 
-/// A name from a file, so that tabs and ends of lines are those of the list.
+/// Escapes a name, so that tabs and line ends are unambiguous separators.
 std::string escaped_field(std::string_view name) {
   std::string text;
   for (const char c : name) {
@@ -50,7 +50,7 @@ std::string line_of(const world::World& world, const Directory& directory, world
   return line += '\n';
 }
 
-/// The first row of a model with this id or a later one.
+/// The first row with this id or a later one.
 std::size_t first_row_from(const world::World& world, world::ModelId id) {
   const auto& ids = world.models.id;
   return static_cast<std::size_t>(std::ranges::lower_bound(ids, id) - ids.begin());

@@ -79,7 +79,7 @@ void FiducialDevice::request(const device::Message& message, device::Replier rep
   }
 }
 
-/// Sets the id if the message is SET_ID; answers with the id either way.
+/// Sets the id if the message is SET_ID; replies with the id in any case.
 void FiducialDevice::exchange_id(const device::Message& message, device::Replier replier) {
   std::optional<std::int32_t> wanted;
   if (message.subtype == fid::kReqSetId) {

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What tells which things it sees and where, as interface fiducial (docs/drivers.md). A kind of model that
-/// does has a subclass.
+/// Base of devices that report detected objects, as interface
+/// fiducial (docs/drivers.md); a subclass for each kind of model.
 
 #include <optional>
 
@@ -19,7 +19,7 @@ class FiducialDevice : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
 
  private:
-  /// What was seen in this very tick; none where it did not look.
+  /// The detections of this very tick; none if it did not measure.
   virtual std::optional<wire::fiducial::Data> read(const world::World& world) const = 0;
 
   void exchange_id(const device::Message& message, device::Replier replier);
@@ -27,7 +27,7 @@ class FiducialDevice : public SimulatedDevice {
   Bytes geometry_, field_of_view_;
 };
 
-/// A thing in view, from the pose of what sees it.  [m, rad]
+/// A detection; the pose is relative to the sensor.  [m, rad]
 wire::fiducial::Item fiducial_item(std::int32_t id, double range, double bearing, double heading);
 
 }  // namespace playhouse::drivers

@@ -1,5 +1,5 @@
-// Whether a robot that joins would stand in something: outlines, not discs, so that a place beside a wall is
-// free.
+// Overlap test of a robot to be spawned: by outlines,
+// not circles, so that a place beside a wall is free.
 
 #include <algorithm>
 #include <span>
@@ -11,7 +11,7 @@
 namespace playhouse::drivers {
 namespace {
 
-/// A solid prism in the world.
+/// A prism in W.
 struct Solid {
   std::vector<geom::Vec2> p;
   double bottom = 0, top = 0;
@@ -53,7 +53,7 @@ bool meets_blocks(const Solid& solid, std::span<const Solid> others) {
   });
 }
 
-/// An edge of the loops reaches into the outline, or all of it lies within them by the even-odd rule.
+/// True if an edge of the loops penetrates the outline, or if that is inside by the even-odd rule.
 bool meets_contours(const Solid& solid, const scene::Contours& contours, const geom::Pose& X_WB) {
   if (!meet_in_height(solid, X_WB.z + contours.z_min, X_WB.z + contours.z_max)) return false;
   geom::Vec2 sum{};

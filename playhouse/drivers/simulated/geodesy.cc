@@ -12,16 +12,16 @@ namespace {
 
 // WGS84: equatorial radius and flattening.
 constexpr double kRadius = 6378137.0, kFlattening = 1 / 298.257223563;
-constexpr double kSquared = kFlattening * (2 - kFlattening);  // of the eccentricity
-constexpr double kScale = 0.9996;                             // of UTM, on the central meridian
+constexpr double kSquared = kFlattening * (2 - kFlattening);  // eccentricity squared
+constexpr double kScale = 0.9996;                             // of UTM at the central meridian
 constexpr double kFalseEasting = 500e3, kFalseNorthing = 10000e3;
-constexpr double kSteepest = 89.9999999;  // degrees; at a pole itself there is no meridian
+constexpr double kSteepest = 89.9999999;  // degrees; at a pole the meridian is undefined
 
 struct Spatial {
-  double x = 0, y = 0, z = 0;  // m from the middle of the earth, x to longitude 0, z to the north pole
+  double x = 0, y = 0, z = 0;  // m, earth-centred: x to longitude 0, z to the north pole
 };
 
-/// Radius of curvature across the meridian.  [m]
+/// Radius of curvature in the prime vertical.  [m]
 double across(double latitude) {
   const double s = std::sin(latitude);
   return kRadius / std::sqrt(1 - kSquared * s * s);
@@ -69,7 +69,7 @@ Utm utm_of(const Geodetic& place) {
   const double longitude = geom::normalize(place.longitude - geom::radians(6 * zone - 183));
   const double steepest = geom::radians(kSteepest),
                latitude = std::clamp(place.latitude, -steepest, steepest);
-  // The conformal latitude, then the sphere's transverse Mercator, then the ellipsoid's from that.
+  // Conformal latitude, spherical transverse Mercator, then the series for the ellipsoid.
   const double e = std::sqrt(kSquared), tau = std::tan(latitude), root = std::hypot(1.0, tau);
   const double sigma = std::sinh(e * std::atanh(e * tau / root));
   const double conformal = tau * std::hypot(1.0, sigma) - sigma * root;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Between a plane that touches the earth, latitudes and longitudes, and the grid of UTM.
+/// Conversion between a local tangent plane, geodetic coordinates and UTM.
 ///
-/// In: metres to the east, to the north and upwards of a point on the ellipsoid WGS84.
+/// In: metres east, north and up from a point on the WGS84 ellipsoid.
 ///
 /// Out: latitude, longitude and height; easting and northing.
 ///
@@ -14,22 +14,22 @@
 
 namespace playhouse::drivers {
 
-/// A place on the earth, by WGS84.
+/// A position in geodetic coordinates (WGS84).
 struct Geodetic {
-  double latitude = 0, longitude = 0;  // rad, positive to the north and to the east
+  double latitude = 0, longitude = 0;  // rad, north and east positive
   double height = 0;                   // m above the ellipsoid
 };
 
-/// A place on the grid of UTM.
+/// A position in UTM coordinates.
 struct Utm {
-  int zone = 0;                      // 1 to 60; below 0 on the southern half of the earth
+  int zone = 0;                      // 1 to 60; negative on the southern hemisphere
   double easting = 0, northing = 0;  // m, with the false origins of the zone
 };
 
-/// The place that is so far to the east, to the north and upwards of `origin`, along the plane there. [m]
+/// The position at this offset from `origin` in its tangent plane. [m]
 Geodetic place_on_earth(const Geodetic& origin, double east, double north, double up);
 
-/// Zones are those of longitudes alone, also in Norway and Svalbard.
+/// Zones by longitude only: without the exceptions for Norway and Svalbard.
 Utm utm_of(const Geodetic& place);
 
 }  // namespace playhouse::drivers

@@ -1,4 +1,4 @@
-/// A satellite receiver as interface gps (docs/drivers.md).
+/// A GNSS receiver as interface gps (docs/drivers.md).
 
 #include "playhouse/wire/generated/gps.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 namespace gps = wire::gps;
 
-constexpr std::uint32_t kLeastSatellites = 4;  // that a fix in space takes
+constexpr std::uint32_t kLeastSatellites = 4;  // minimum for a 3D fix
 
 std::int32_t whole(double value) {
   constexpr double kLeast = std::numeric_limits<std::int32_t>::min(),
@@ -22,7 +22,7 @@ std::int32_t whole(double value) {
   return static_cast<std::int32_t>(std::clamp(std::round(value), kLeast, kMost));
 }
 
-/// Clockwise from north, in [0, 2 pi).  [rad]
+/// Course: clockwise from north, in [0, 2 pi).  [rad]
 double course_of(const geom::Vec3& velocity) {
   const double course = std::atan2(velocity.x, velocity.y);
   return course < 0 ? course + geom::kTwoPi : course;

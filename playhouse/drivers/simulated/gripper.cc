@@ -15,7 +15,7 @@ using wire::MessageType;
 using world::GripperCommand;
 using world::PaddleState;
 
-constexpr std::uint32_t kBeams = 2, kFirstBeam = 4;  // bits of beams begin there, the inner one first
+constexpr std::uint32_t kBeams = 2, kFirstBeam = 4;  // bits of beams start there, inner beam first
 
 std::uint8_t state_of(PaddleState state) {
   switch (state) {
@@ -31,7 +31,7 @@ std::uint8_t state_of(PaddleState state) {
   return grip::kStateError;
 }
 
-/// Between the open paddles.
+/// Size of the gap between open paddles.
 geom::Size gap_of(const scene::ModelDesc& desc) {
   const scene::GripperDesc& gripper = *desc.gripper;
   return {gripper.paddle_length * desc.size.x, 2 * scene::paddle_face(gripper, desc.size, 0),

@@ -50,7 +50,7 @@ void History::make_room() {
   const std::uint64_t newest = instants_.back().tick;
   while (instants_.front().tick + span_ < newest) drop(0);
   while (bytes_ > most_bytes_) {
-    // The one that leaves the smallest gap for its age; the first and the last say how far back it goes.
+    // Drops the keyframe that leaves the smallest gap relative to its age; keeps the first and the last.
     std::size_t least_missed = 0;
     double least = INFINITY;
     for (std::size_t i = 1; i + 1 < instants_.size(); ++i) {

@@ -1,9 +1,9 @@
 #pragma once
 
-/// History: states of a run at instants of its last minutes, for Simulation::rewind(). An instant every
-/// kHistoryPeriodSeconds, of the last kHistorySeconds, in kHistoryBytes (base/limits.h): what has no room
-/// gives way so that instants lie the farther apart the longer ago they are. Recording takes a hundredth of
-/// the wall time at most. Thread: tick.
+/// History: keyframes of the last minutes of a run, for Simulation::rewind(). One
+/// every kHistoryPeriodSeconds, of the last kHistorySeconds, within kHistoryBytes
+/// (base/limits.h): when full, old keyframes are thinned out, so that spacing
+/// grows with age. Recording takes at most a hundredth of wall time. Thread: tick.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,26 +21,26 @@ namespace playhouse::drivers {
 
 class History {
  public:
-  /// `interval` is one tick [s], `clock` a steady one [s], `most_bytes` the limit of all states.
+  /// `interval` is one tick [s], `clock` is monotonic [s], `most_bytes` the limit on all states.
   History(double interval, std::function<double()> clock, std::size_t most_bytes = limits::kHistoryBytes);
 
-  /// Takes the world's state where one is due. Call it after each tick.
+  /// Takes a keyframe if one is due. Call it after each tick.
   void record(const world::World& world);
-  /// Takes the world's state, unless there is one of its tick.
+  /// Takes a keyframe, unless there is one of this tick.
   void take(const world::World& world);
 
   bool empty() const { return instants_.empty(); }
-  /// The state of the instant nearest to a tick, the earlier one of two; valid until the next change. There
-  /// is one.
+  /// The keyframe nearest to a tick, the earlier one of
+  /// two; valid until the next change. There must be one.
   std::span<const std::byte> nearest(std::uint64_t tick) const;
-  /// Forgets what lies after a tick: the run goes another way from there.
+  /// Drops keyframes after a tick, as the run continues differently from there.
   void drop_after(std::uint64_t tick);
-  /// Forgets everything: another run begins.
+  /// Drops all keyframes: a new run begins.
   void clear();
-  /// Forgets everything, and takes nothing any more.
+  /// Drops all keyframes and takes no more.
   void give_up(std::string why);
 
-  /// What there is, for people; another one whenever that changes. Never null.
+  /// The list of keyframes for viewers; a new object after each change. Never null.
   std::shared_ptr<const world::Past> past();
 
  private:
@@ -56,10 +56,10 @@ class History {
   const std::size_t most_bytes_;
   std::vector<Instant> instants_;  // by tick
   std::size_t bytes_ = 0;
-  double rest_until_ = 0;  // wall clock: what the last one took, times a hundred, has passed
-  std::string why_none_;   // empty: states can be taken
+  double rest_until_ = 0;  // wall clock: a hundred times the cost of the last keyframe has passed
+  std::string why_none_;   // empty: keyframes can be taken
   bool given_up_ = false;
-  std::shared_ptr<const world::Past> past_;  // null: to be made
+  std::shared_ptr<const world::Past> past_;  // null: outdated
 };
 
 }  // namespace playhouse::drivers

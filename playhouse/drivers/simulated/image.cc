@@ -12,7 +12,7 @@ namespace {
 namespace cam = wire::camera;
 using scene::ImageKind;
 
-/// An image as a JPEG file; empty if the library cannot, which is when memory ran out.
+/// Compresses to JPEG; empty if the library is out of memory.
 std::vector<std::uint8_t> compressed(const std::vector<std::uint8_t>& bytes, int width, int height,
                                      bool in_color, int quality) {
   const std::unique_ptr<void, int (*)(tjhandle)> library(tjInitCompress(), tjDestroy);

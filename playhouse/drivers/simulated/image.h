@@ -1,6 +1,6 @@
 #pragma once
 
-/// Images of cameras as interface camera has them.
+/// Camera images in the format of interface camera.
 
 #include "playhouse/scene/scene_desc.h"
 #include "playhouse/wire/generated/camera.h"
@@ -8,8 +8,8 @@
 
 namespace playhouse::drivers {
 
-/// Colours as RGB888, brightness as MONO8, distances as MONO16 [mm] with the low byte first, as they are in
-/// the memory of most clients, models as RGB888; or a JPEG file of the first two, if the camera sends that.
+/// Colour as RGB888, brightness as MONO8, depth as MONO16 [mm, little-endian, as in most
+/// clients' memory], segmentation as RGB888; the first two as JPEG if the camera is set to that.
 wire::camera::Data image_of(const scene::CameraDesc& camera, std::span<const world::Pixel> pixels);
 
 }  // namespace playhouse::drivers

@@ -20,11 +20,11 @@ Quaternion inverse(const Quaternion& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
 
-/// How it believes to stand, before its reference.
+/// Estimated attitude, before the reference is applied.
 Quaternion attitude(const world::Imus& imus, std::uint32_t row) {
   return geom::orientation(imus.X_WE[row].a, imus.tilt_WE[row]);
 }
-/// The same as it is told.
+/// Attitude relative to the reference, as published.
 Quaternion told_attitude(const world::Imus& imus, std::uint32_t row) {
   return inverse(geom::orientation(imus.reference_heading[row], imus.reference_tilt[row])) *
          attitude(imus, row);
@@ -36,8 +36,8 @@ void set_reference(world::Imus& imus, std::uint32_t row, const Quaternion& q) {
   imus.reference_tilt[row] = X.tilt;
 }
 
-/// The direction of the field of a magnet along the earth's axis, in W (Campbell, "Introduction to
-/// Geomagnetic Fields", 2003: tan(inclination) = 2 tan(latitude)).
+/// Direction in W of the field of an axial dipole (Campbell, "Introduction
+/// to Geomagnetic Fields", 2003: tan(inclination) = 2 tan(latitude)).
 Vec3 field(double latitude) {
   const double s = std::sin(latitude), scale = 1 / std::sqrt(1 + 3 * s * s);
   return {0, scale * std::cos(latitude), -2 * scale * s};
@@ -66,7 +66,7 @@ class Imu final : public SimulatedDevice {
   void closed(world::World&, world::ModelRow) override { datatype_ = imu::kDataState; }
 
  private:
-  /// Runs `change` on the row of this unit; NACK where it has not measured yet.
+  /// Applies `change` to this unit's row; NACK if it has not measured yet.
   template <typename Change>
   void ask_unit(device::Replier replier, const Change& change) const {
     ask_world(std::move(replier), [id = model(), change](world::World& world) -> std::optional<Bytes> {
@@ -79,7 +79,7 @@ class Imu final : public SimulatedDevice {
   imu::DataCalib calibrated(const world::Imus& imus, std::uint32_t row) const;
 
   Vec3 field_W_;
-  std::atomic<std::uint8_t> datatype_{imu::kDataState};  // which message is sent
+  std::atomic<std::uint8_t> datatype_{imu::kDataState};  // type of message to send
 };
 
 void Imu::request(const device::Message& message, device::Replier replier) {

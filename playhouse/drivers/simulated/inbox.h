@@ -1,9 +1,9 @@
 #pragma once
 
-/// Inbox: hand-over 1, from the io thread to the tick thread. Commands are latest-value slots, one per
-/// model and interface; everything else is a bounded queue of changes. What one model is told arrives in the
-/// order it was said: a change of a model closes its slots, so a command before it is carried out before it,
-/// and a later one after it.
+/// Inbox: hand-over from the io thread to the tick thread. Commands are
+/// latest-value slots, one per model and interface; everything else is a bounded
+/// queue of changes. Per model the order is kept: a change seals the model's
+/// slots, so earlier commands are executed before it and later ones after it.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,33 +21,33 @@ using Change = std::function<void(world::World&)>;
 
 class Inbox {
  public:
-  /// Where a model's commands wait: each interface of it has a slot.
+  /// Key of a command slot: one per interface of a model.
   struct Slot {
     world::ModelId model;
     std::uint16_t interf = 0;
     auto operator<=>(const Slot&) const = default;
   };
 
-  /// Replaces the command that waits in the slot, or waits as a new one.
+  /// Replaces the command in the slot, or appends it.
   void command(Slot slot, Change command);
 
-  /// False when limits::kRequestQueue changes are waiting, or after close(); nothing is taken then. `model`,
-  /// if any, is whom the change concerns.
+  /// False, without effect, if limits::kRequestQueue changes are
+  /// queued, or after close(). `model`, if any, is the model concerned.
   bool post(Change change, world::ModelId model = {});
 
-  /// As post(), for a change that concerns every model.
+  /// As post(), for a change that concerns all models.
   bool post_to_all(Change change);
 
-  /// As post(), and refused after close() only: for what must not be lost and is bounded by its sender (the
-  /// close of a device).
+  /// As post(), but rejected only after close(): for changes that must
+  /// not be lost and are bounded by their sender (closing a device).
   void post_always(Change change, world::ModelId model = {});
 
-  /// Moves everything that waits to `out` (cleared first), in order.
+  /// Moves all entries to `out` (cleared first), in order.
   void take(std::vector<Change>& out);
 
   bool empty() const;
 
-  /// Nobody will take what is posted from now on: it is refused. What waits stays for take().
+  /// Rejects everything from now on. Queued entries stay for take().
   void close();
   bool closed() const;
 
@@ -56,7 +56,7 @@ class Inbox {
 
   mutable std::mutex mutex_;
   std::vector<Change> entries_;
-  std::map<Slot, std::size_t> slots_;  // those with a command that may be replaced: where it is in entries_
+  std::map<Slot, std::size_t> slots_;  // replaceable commands: index in entries_
   std::size_t changes_ = 0;
   bool closed_ = false;
 };

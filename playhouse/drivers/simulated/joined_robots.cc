@@ -13,7 +13,7 @@
 namespace playhouse::drivers {
 namespace {
 
-constexpr std::size_t kRobotsOfClient = 1024;  // that one client asks for, those that left again included
+constexpr std::size_t kRobotsOfClient = 1024;  // total per client, including robots that have left
 
 std::vector<std::byte> answer(wire::simulation::PropertyReq body, std::string_view value) {
   body.value = wire::c_string(value);
@@ -29,7 +29,7 @@ JoinedRobots::JoinedRobots(Simulation& simulation) : simulation_(simulation) {
       });
 }
 
-/// Of a robot that somebody takes out, the sensors go before the next tick.
+/// Removes the sensors of a robot that has been removed, before the next tick.
 void JoinedRobots::follow(Simulation& simulation, Brought& brought, const world::Change& change) {
   if (change.kind != world::Change::Kind::kDespawn) return;
   const auto found = brought.find(change.model);
@@ -51,7 +51,7 @@ std::shared_ptr<JoinedRobots::Owned> JoinedRobots::owned_by(device::Caller& call
   caller.when_gone(
       [&simulation = simulation_, owners = owners_, who = &caller, owned = owned, name = caller.name()] {
         owners->erase(who);
-        // Behind the changes by which they came.
+        // After the changes that spawned them.
         simulation.post_always(
             [owned, name](world::World& world) {
               for (const Joined& each : owned->robots) leave(world, each);
@@ -73,7 +73,7 @@ void JoinedRobots::join(const wire::simulation::PropertyReq& request, device::Ca
   if (owned->asked_for >= kRobotsOfClient)
     return replier.nack(answer(request, fmt::format("a client brings {} robots at most", kRobotsOfClient)));
   ++owned->asked_for;
-  auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function wants to be copied
+  auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
   const bool posted = simulation_.post(
       [owned, brought = brought_, shared, request, wanted = std::move(*wanted)](world::World& world) {
         Result<Joined> joined = drivers::join(world, wanted);

@@ -1,8 +1,8 @@
 #pragma once
 
-/// JoinedRobots: robots that clients add to the running world, and that leave it with them. Their sensors go
-/// with them, also where somebody else takes a robot out. Io thread; the robots come and go on the tick
-/// thread, as all changes.
+/// JoinedRobots: robots that clients spawn in the running world and that are removed when the
+/// client disconnects. Their sensors are removed with them, even if another client removes the
+/// robot. Io thread; spawns and removals run on the tick thread like all changes.
 
 #include <cstddef>
 #include <map>
@@ -21,18 +21,18 @@ class JoinedRobots {
   /// Before simulation.run().
   explicit JoinedRobots(Simulation& simulation);
 
-  /// Adds a robot of the type `request.name`, as its value says, and ties it to the caller: it leaves when
-  /// that has gone, however it went. ACK tells its name, NACK why not.
+  /// Spawns a robot of type `request.name`, described by its value, and ties its
+  /// lifetime to the caller's connection. ACK returns its name, NACK the reason.
   void join(const wire::simulation::PropertyReq& request, device::Caller* caller, device::Replier replier);
 
  private:
-  /// Of one client.
+  /// Robots of one client.
   struct Owned {
     std::size_t asked_for = 0;   // io thread
     std::vector<Joined> robots;  // tick thread
   };
   std::shared_ptr<Owned> owned_by(device::Caller& caller);
-  /// Tick thread; by the robot.
+  /// Tick thread; by robot.
   using Brought = std::map<world::ModelId, std::shared_ptr<Owned>>;
   static void follow(Simulation& simulation, Brought& brought, const world::Change& change);
 

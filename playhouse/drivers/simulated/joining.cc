@@ -22,7 +22,7 @@ namespace {
 
 using world::World;
 
-constexpr std::size_t kMostSensors = 64;  // that one robot brings
+constexpr std::size_t kMostSensors = 64;  // limit for one robot
 
 /// "TYPE" or "TYPE X Y HEADING" [m, rad].
 Result<JoinRequest::Sensor> parse_sensor(const std::string& text) {
@@ -41,13 +41,13 @@ Result<JoinRequest::Sensor> parse_sensor(const std::string& text) {
   return sensor;
 }
 
-/// A type: a prototype, and the model that stands for it where it is one that the world has.
+/// A resolved type: a prototype, and the model to copy, if it is named by a model.
 struct Type {
   std::uint32_t prototype = 0;
   world::ModelRow like;
 };
 
-/// Words for an error line: of robots, or of what is none.
+/// Suggestions for an unknown type, of robots or of other models.
 std::string nearest_types(const World& world, std::string_view word, bool robots) {
   std::set<std::string> names;
   for (const scene::ModelDesc& desc : world.scene().models)
@@ -89,7 +89,7 @@ Result<scene::Color> color_of(const std::string& name) {
   return *color;
 }
 
-/// Where a sensor is on a robot: as world files say, on its top where that stacks.
+/// Pose of a sensor on a robot: as in world files, on its top if that stacks.
 geom::Pose place_on(const World& world, const Joined& joined, const Type& type,
                     const JoinRequest::Sensor& sensor) {
   const scene::ModelDesc& robot = world.desc(world.row(joined.robot));
@@ -147,7 +147,7 @@ Result<JoinRequest> parse_join_request(std::string_view type, std::string_view v
 Result<Joined> join(World& world, const JoinRequest& request) {
   const Result<Type> type = find_type(world, request.type, true);
   if (!type) return type.error();
-  // All that is asked for is looked at before anything comes.
+  // Validates everything before the first spawn: atomic.
   for (const JoinRequest::Sensor& sensor : request.sensors)
     if (const Result<Type> known = find_type(world, sensor.type, false); !known) return known.error();
   std::optional<scene::Color> color;
@@ -177,7 +177,7 @@ Result<Joined> join(World& world, const JoinRequest& request) {
   return joined;
 }
 
-/// A run that started again may have given the id of the robot to another.
+/// After a restart another model may have the robot's id.
 void leave(World& world, const Joined& joined) {
   const world::ModelRow robot = world.row(joined.robot);
   const bool is_it = robot && world.name(robot) == joined.name;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// What a robot that joins a running world is made of: a type, a place, and sensors that it carries. A type
-/// is the word of a define that the world file lists in robot_types, or the name of a model, which is copied.
-/// Thread: the tick thread, between steps.
+/// Spawning of client robots: a type, a pose, and sensors to attach. A
+/// type is a define listed in the world file's robot_types, or the name
+/// of a model, which is copied. Thread: the tick thread, between steps.
 
 #include <optional>
 #include <string>
@@ -15,38 +15,38 @@
 
 namespace playhouse::drivers {
 
-/// Of the wire, docs/robot-client.md.
+/// Wire format: docs/robot-client.md.
 struct JoinRequest {
   struct Sensor {
     std::string type;
-    std::optional<geom::Pose> X_RS;  // in the robot; z counts from its top. None: as the type says.
+    std::optional<geom::Pose> X_RS;  // in the robot; z counts from its top. None: from the type.
   };
   std::string type;
-  geom::Pose X_WR;    // z is the type's
-  std::string name;   // "": the type's, or one like it
-  std::string color;  // of X11; "": the type's
+  geom::Pose X_WR;    // z is from the type
+  std::string name;   // "": that of the type, or one derived from it
+  std::string color;  // X11 name; "": that of the type
   std::vector<Sensor> sensors;
 };
 
-/// Reads what a client says. Fails with a text for it.
+/// Parses a client's request. Fails with a message for the client.
 Result<JoinRequest> parse_join_request(std::string_view type, std::string_view value);
 
-/// A robot in the world, and what was attached to it.
+/// A spawned robot and its attached sensors.
 struct Joined {
   world::ModelId robot;
   std::string name;
   std::vector<world::ModelId> sensors;
 };
 
-/// All of it comes, or nothing. Fails with a text for the person who asked: an unknown type, a name that is
-/// taken, a place where something stands, a full world.
+/// Atomic. Fails with a message for the client: unknown
+/// type, name in use, place occupied, world full.
 Result<Joined> join(world::World& world, const JoinRequest& request);
 
-/// What of it is still there goes.
+/// Removes the robot and its sensors as far as they still exist.
 void leave(world::World& world, const Joined& joined);
 
-/// Whether a tree of the prototype whose top is at this row of SceneDesc::models, at X_WM, meets nothing
-/// solid.
+/// True if a tree of the prototype whose root is at this
+/// row of SceneDesc::models would hit no obstacle at X_WM.
 bool is_free(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM);
 
 }  // namespace playhouse::drivers

@@ -28,7 +28,7 @@ lsr::Config configuration(const world::World& world, world::ModelRow model,
   return config;
 }
 
-/// Clipped to what a byte holds, without branches, so that the loop becomes vector instructions.
+/// Clamps to a byte, branch-free, so that the loop is vectorised.
 void put_intensities(std::span<const float> intensities, std::uint8_t* __restrict to) {
   const float* __restrict const from = intensities.data();
   for (std::size_t i = 0; i < intensities.size(); ++i) {

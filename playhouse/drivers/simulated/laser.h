@@ -10,7 +10,7 @@ namespace playhouse::drivers {
 
 class Laser final : public SimulatedDevice {
  public:
-  /// `model` is a ranger that has a scanner (scanner_of() finds one).
+  /// `model` is a ranger with a scanner (see scanner_of()).
   Laser(Simulation& simulation, world::ModelRow model);
 
   std::span<const Served> served() const override;
@@ -18,10 +18,10 @@ class Laser final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
 
  private:
-  std::uint32_t scanner_;  // which of the ranger's sensors
+  std::uint32_t scanner_;  // index among the ranger's sensors
   const scene::RangerSensorDesc& sensor_;
   Bytes geometry_, configuration_;
-  wire::laser::Data scan_;  // the newest; kept for what does not change, and its memory
+  wire::laser::Data scan_;  // the latest; reused for its constant fields and capacity
 };
 
 }  // namespace playhouse::drivers

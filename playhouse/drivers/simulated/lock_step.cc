@@ -12,7 +12,7 @@
 namespace playhouse::drivers {
 namespace {
 
-/// Silence that is told first; then whenever it has doubled. [s]
+/// First report of silence; then at every doubling. [s]
 constexpr double kFirstTold = 5;
 
 }  // namespace
@@ -87,7 +87,7 @@ LockStep::Done LockStep::take_out(Who who) {
   if (member == nullptr) return {};
   Done done = std::move(member->done);
   members_.erase(members_.begin() + (member - members_.data()));
-  if (members_.empty()) complete_ = false;  // who comes next is as the first
+  if (members_.empty()) complete_ = false;  // the next member starts anew
   return done;
 }
 
@@ -120,7 +120,7 @@ bool LockStep::is_due() const {
   return complete_ && awaited() == nullptr;
 }
 
-/// The first that has not asked for the next tick.
+/// The first member without a pending step.
 const LockStep::Member* LockStep::awaited() const {
   const auto found = std::ranges::find_if(members_, [](const Member& member) { return !member.done; });
   return found == members_.end() ? nullptr : &*found;
@@ -153,7 +153,7 @@ void LockStep::look_for_silence(double now, bool paused) {
     silent = fmt::format("lock-step: client {} has been silent for {:.1f} s{}", member->text(), seconds,
                          dropped ? "; the others go on without it" : ", and the world waits for it");
     silence_.told_after *= 2;
-    if (dropped) take_out(who);  // it waits for no step
+    if (dropped) take_out(who);  // it has no pending step
   }
   log::warn("{}", silent);
   if (dropped) tell();

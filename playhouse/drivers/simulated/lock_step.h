@@ -1,10 +1,10 @@
 #pragma once
 
-/// LockStep: a world that goes on only when each of its members has said by how many ticks. Members are
-/// clients, by name or not, or a part of the program. Between two ticks they have turns, in the order of
-/// their names: who comes later may change the world only when those before have asked for their step, so
-/// that what several change is carried out in an order that does not depend on whose bytes were faster.
-/// Every function may be called from any thread; answers and tasks run without a lock held.
+/// LockStep: barrier synchronisation: the world advances only when every member has
+/// requested ticks. Members are clients, named or not, or a part of the program. Between two
+/// ticks they take turns in the order of names: a member may change the world only after
+/// those before it have requested their step, so that the order of changes does not depend
+/// on network timing. All functions are thread-safe; callbacks run without a lock held.
 
 #include <cstdint>
 #include <functional>
@@ -21,50 +21,50 @@ namespace playhouse::drivers {
 class LockStep final : public device::Turns {
  public:
   struct Options {
-    std::size_t members = 1;      // that the first tick waits for
-    std::set<std::string> names;  // if not empty: theirs, and nobody else's
-    double timeout = 0;  // s that the others wait for a silent one, which is dropped then; 0: for ever
+    std::size_t members = 1;      // required for the first tick
+    std::set<std::string> names;  // if not empty: only these may join
+    double timeout = 0;  // s that the others wait for a silent member before it is dropped; 0: for ever
   };
   /// Opaque member identity, compared only.
   using Who = const void*;
-  /// Called once: the ticks are done and their data published (nothing), or why they never will be.
+  /// Called once: without a reason when the ticks are done and published, else with the reason why not.
   using Done = std::function<void(std::optional<std::string> why_not)>;
 
   explicit LockStep(Options options) : options_(std::move(options)) {}
 
-  /// Who has not joined by name joins with its first step(). `shown` is for log lines. Gives why it may not;
-  /// empty if it may. Joining again by the same name does nothing.
+  /// An unnamed member joins implicitly with its first step(). `shown` is for the log. Returns
+  /// why it may not join; empty if it may. Joining again under the same name has no effect.
   std::string join(Who who, std::string name, std::string shown);
-  /// The world may go on by `ticks`, as far as this member is concerned.
+  /// Requests `ticks` ticks on behalf of this member.
   void step(Who who, std::string shown, std::uint64_t ticks, Done done);
-  /// No member any more; nothing if it was none. Its step is given up.
+  /// Removes a member, if it is one, and cancels its step.
   void leave(Who who);
   bool has(Who who) const;
 
   bool may_act(const device::Caller& caller) const override;
-  /// To be called before the run; every task is called then.
+  /// Callbacks on every change of turns; add them before the run.
   void when_changed(std::function<void()> changed) override { changed_.push_back(std::move(changed)); }
 
   // Tick thread.
 
-  /// All who have to have asked for the next tick.
+  /// True if all required members have requested the next tick.
   bool is_due() const;
-  /// The tick is done, but not published: members that have all their ticks may act again. Gives what is to
-  /// be called once it is.
+  /// The tick is done, but not published: members without remaining
+  /// ticks may act again. Returns the callbacks to run after publishing.
   std::vector<Done> ticked();
-  /// To be called every now and then while no tick is due: tells of who is silent, and drops it when its
-  /// time is over. `now` [s] is that of a steady clock; while the world is paused nobody is late.
+  /// Poll while no tick is due: logs silent members, and drops them after the
+  /// timeout. `now` [s] is a monotonic clock; time paused does not count.
   void look_for_silence(double now, bool paused);
-  /// The run is over: what waits is refused with this reason, as is everything that comes.
+  /// The run is over: pending and later requests fail with this reason.
   void close(const std::string& why);
 
  private:
   struct Member {
     Who who = nullptr;
-    std::string name;  // empty: it has none
+    std::string name;  // empty: unnamed
     std::string shown;
-    std::uint64_t joined = 0;  // a number that grows
-    std::uint64_t until = 0;   // the tick that it has asked for; those behind are in its step
+    std::uint64_t joined = 0;  // sequence number
+    std::uint64_t until = 0;   // last tick requested; while behind it, a member is in its step
     Done done;                 // set while it waits
     std::string text() const;
   };
@@ -80,18 +80,18 @@ class LockStep final : public device::Turns {
   std::vector<std::function<void()>> changed_;
 
   mutable std::mutex mutex_;     // guards what follows
-  std::vector<Member> members_;  // by name, and then as they joined
-  bool complete_ = false;        // all that the first tick waits for have joined
-  std::uint64_t ticks_ = 0;      // done
+  std::vector<Member> members_;  // by name, then by `joined`
+  bool complete_ = false;        // all members required for the first tick have joined
+  std::uint64_t ticks_ = 0;      // completed
   std::uint64_t next_joined_ = 0;
-  std::string closed_;  // why; empty: it is not
+  std::string closed_;  // the reason; empty: open
 
   // Tick thread.
   struct Silence {
     Who who = nullptr;
     std::uint64_t ticks = 0;
     double since = 0;       // s
-    double told_after = 0;  // s of silence that the next line is due after
+    double told_after = 0;  // s of silence until the next log line
   };
   Silence silence_;
 };

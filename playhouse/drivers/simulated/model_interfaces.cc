@@ -11,7 +11,7 @@ using scene::Need;
 
 std::span<const KindInterface> interfaces_of(const world::World& world, world::ModelRow model) {
   const scene::ModelKind kind = world.models.kind[model.index];
-  const scene::Kind& row = scene::kinds()[static_cast<std::size_t>(kind)];  // they are in the numbers' order
+  const scene::Kind& row = scene::kinds()[static_cast<std::size_t>(kind)];  // kinds are in numeric order
   PLAYHOUSE_ASSERT(row.simulated && row.kind == kind);
   return row.interfaces;
 }

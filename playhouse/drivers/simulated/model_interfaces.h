@@ -1,6 +1,6 @@
 #pragma once
 
-/// Through which interfaces a simulated model can be seen, as kinds/ defines it (scene/kinds.h).
+/// Interfaces of simulated models, as defined in kinds/ (scene/kinds.h).
 
 #include <cstdint>
 #include <span>
@@ -10,13 +10,13 @@
 
 namespace playhouse::drivers {
 
-/// Those of a model's kind, its own first: further ones show the same in other shapes.
+/// Those of a model's kind, the primary one first: further ones expose the same data in other formats.
 std::span<const scene::KindInterface> interfaces_of(const world::World& world, world::ModelRow model);
 
-/// Those of models of every kind.
+/// Those available for every kind.
 std::span<const scene::KindInterface> interfaces_of_every_kind();
 
-/// Calls visit(interface) for those of a model's kind, of every kind, and then of its traits.
+/// Calls visit(interface) for those of a model's kind, of every kind, and of its traits.
 template <typename Visit>
 void each_interface(const world::World& world, world::ModelRow model, const Visit& visit) {
   for (const scene::KindInterface& each : interfaces_of(world, model)) visit(each);
@@ -28,20 +28,20 @@ void each_interface(const world::World& world, world::ModelRow model, const Visi
   }
 }
 
-/// A position model at the top level.
+/// True for a root position model.
 bool is_robot(const world::World& world, world::ModelRow model);
 
-/// Whether a model has what an interface needs.
+/// Whether a model satisfies an interface's requirement.
 bool has(const world::World& world, world::ModelRow model, scene::Need need);
 
-/// True when a model can be seen through an interface: its kind or a trait has it, and the model what it
-/// needs. Never for interfaces that belong to the whole world.
+/// True if a model can be exposed through an interface: its kind or a trait has
+/// it, and its requirement is met. Never for interfaces of the whole world.
 bool fits(const world::World& world, world::ModelRow model, std::uint16_t interf);
 
-/// True where several devices of a configuration file may be of one model.
+/// True if several devices of a configuration file may share one model.
 bool is_shared(std::uint16_t interf);
 
-/// True for interfaces of anything that is simulated.
+/// True for interfaces of any simulated kind or trait.
 bool is_simulated(std::uint16_t interf);
 
 }  // namespace playhouse::drivers

@@ -26,8 +26,8 @@ bool send(world::World& world, world::ModelRow radio, world::ModelId to,
   return false;
 }
 
-/// Has the radio send to the one of that network address, to all where there is none. False: there is no such
-/// radio, or no room.
+/// Queues a message to the radio with this IP, or
+/// a broadcast. False: no such radio, or no room.
 bool send_to(world::World& world, world::ModelRow radio, const std::string& ip,
              std::span<const std::uint8_t> bytes) {
   if (ip.empty()) return send(world, radio, {}, bytes);
@@ -46,7 +46,7 @@ class Opaque final : public SimulatedDevice {
     return kServed;
   }
 
-  /// To all who hear it.
+  /// Broadcast.
   device::Taken command(const device::Message& message) override {
     auto value = wire::decode<op::Data>(message.body);
     if (!value || value->data.size() > limits::kRadioMessageBytes) return device::Taken::kNo;
@@ -56,7 +56,7 @@ class Opaque final : public SimulatedDevice {
     return simulation().post(change, model()) ? device::Taken::kQueued : device::Taken::kNo;
   }
 
-  /// To whom the bytes up to the first NUL name.
+  /// Unicast: the bytes up to the first NUL are the address.
   void request(const device::Message& message, device::Replier replier) override {
     const auto value = wire::decode<op::Data>(message.body);
     if (!value) return;

@@ -15,7 +15,7 @@ namespace {
 namespace cloud = wire::pointcloud3d;
 using geom::Vec3;
 
-/// From where a beam begins, and its unit vector, in the ranger.
+/// Origin and unit vector of a beam, in the ranger.
 struct Line {
   Vec3 p, d;
 };
@@ -27,7 +27,7 @@ Line line_of(const scene::RangerSensorDesc& sensor, std::uint32_t sample, double
           {up.cos * across.cos, up.cos * across.sin, up.sin}};
 }
 
-/// The beams of a sensor, first those of its rings, then those that are level.
+/// Beams of a sensor: ring by ring, then level ones.
 std::vector<Line> lines_of(const scene::RangerSensorDesc& sensor) {
   std::vector<Line> lines;
   for (std::uint32_t ring = 0; ring <= sensor.rings; ++ring) {
@@ -77,7 +77,7 @@ class PointCloud final : public SimulatedDevice {
         ring_ranges = ring_ranges.subspan(count);
         ring_intensities = ring_intensities.subspan(count);
         add_points(lines, all, static_cast<double>(static_cast<float>(sensor.range_max)), data);
-      } else {  // an engine, or a sensor, of level beams alone
+      } else {  // an engine or a sensor with level beams only
         add_points(lines.subspan(count), beams(world, {row}),
                    static_cast<double>(static_cast<float>(sensor.range_max)), data);
       }

@@ -20,7 +20,7 @@ bool are_finite(Number... number) {
   return (std::isfinite(number) && ...);
 }
 
-/// Keeps a speed and a heading in the frame of its odometry. [m/s, rad]
+/// Speed and heading control in the odometry frame. [m/s, rad]
 Change heading_command(world::ModelId robot, double speed, double heading_O) {
   return [=](world::World& world) {
     if (const world::PositionRow row = world.position(robot))
@@ -110,7 +110,7 @@ void Position2d::request(const device::Message& message, device::Replier replier
       return;
     case p2d::kReqPositionMode:
       replier.ack();
-      return;  // the command itself says how it is meant
+      return;  // the command implies the mode
     case p2d::kReqResetOdom:
       set_odometry({}, std::move(replier));
       return;
@@ -129,7 +129,7 @@ void Position2d::request(const device::Message& message, device::Replier replier
       }
       return;
     default:
-      return;  // the replier answers NACK
+      return;  // the replier sends NACK
   }
 }
 

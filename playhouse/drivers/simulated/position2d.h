@@ -1,18 +1,18 @@
 #pragma once
 
-/// A robot's wheels as interface position2d: velocities, goals and odometry (docs/drivers.md).
+/// A robot's drive as interface position2d: velocities, goals and odometry (docs/drivers.md).
 
 #include "playhouse/drivers/generated/device_makers.h"
 
 namespace playhouse::drivers {
 
-/// Drives at a velocity, if the robot is still there. Finite. [m/s, rad/s, in the robot's frame]
+/// Sets a velocity, if the robot still exists. Must be finite. [m/s, rad/s, in the robot's frame]
 Change velocity_command(world::ModelId robot, const geom::Twist& velocity);
-/// Goes to a pose in the frame of its odometry. [m, rad]
+/// Sets a goal pose in the frame of its odometry. [m, rad]
 Change goal_command(world::ModelId robot, const geom::Pose& goal_O);
-/// What its odometry shall say now; false if it is gone or that is no place. [m, rad]
+/// Sets its odometry; false if it no longer exists or the pose is invalid. [m, rad]
 bool set_odometry_of(world::World& world, world::ModelId robot, const geom::Pose& X_OM);
-/// False if it is gone.
+/// False if it no longer exists.
 bool set_motor(world::World& world, world::ModelId robot, bool on);
 
 class Position2d final : public SimulatedDevice {
@@ -28,7 +28,7 @@ class Position2d final : public SimulatedDevice {
   void closed(world::World& world, world::ModelRow model) override;
 
  private:
-  /// What a command means; empty if it makes no sense.
+  /// The change that a command requests; empty if it is invalid.
   Change meaning(const device::Message& message) const;
   void set_odometry(const geom::Pose& X_OM, device::Replier replier);
 

@@ -1,4 +1,4 @@
-/// A robot as interface position3d: what position2d has, and heights, rolls and pitches (docs/drivers.md).
+/// A robot as interface position3d: position2d plus height, roll and pitch (docs/drivers.md).
 
 #include "playhouse/wire/generated/position3d.h"
 
@@ -16,14 +16,14 @@ namespace p3d = wire::position3d;
 using geom::Vec3;
 using wire::MessageType;
 
-/// Turns its odometry has not: those of the robot in the world, but for its heading.
+/// Odometry with the true height and tilt, which it does not estimate.
 wire::Pose3d believed(const world::World& world, world::ModelRow model, std::uint32_t row) {
   geom::SpatialPose X{world.positions.X_OM[row], world.models.tilt_WM[model.index]};
   X.X.z = world.models.X_WM[model.index].z;
   return pose3d(X);
 }
 
-/// As its body moves, in its own frame; in the plane, as it drives.
+/// Velocity in its own frame: of its body in 3D, as commanded in 2D.
 wire::Pose3d moving(const world::World& world, world::ModelRow model, std::uint32_t row) {
   const geom::Twist& driven = world.positions.velocity[row];
   if (world.upright || world.models.root[model.index] != model.index)
@@ -75,7 +75,7 @@ std::span<const Served> Position3d::served() const {
   return kServed;
 }
 
-/// The newest command counts, whether it came through this interface or through position2d.
+/// Shares the command slot with position2d: the latest command applies.
 device::Taken Position3d::command(const device::Message& message) {
   Change command = meaning(message);
   if (!command) return device::Taken::kNo;
@@ -100,7 +100,7 @@ void Position3d::request(const device::Message& message, device::Replier replier
       return replier.ack(geometry_);
     case p3d::kReqVelocityMode:
     case p3d::kReqPositionMode:
-      return replier.ack();  // the command itself says how it is meant
+      return replier.ack();  // the command implies the mode
     case p3d::kReqResetOdom:
       return set_odometry({}, std::move(replier));
     case p3d::kReqSetOdom:

@@ -12,7 +12,7 @@ namespace {
 namespace pow = wire::power;
 using wire::MessageType;
 
-/// Whether the model, or something inside it that draws from the same battery, can be charged.
+/// True if the model, or a part supplied by the same battery, can be charged.
 bool can_be_charged(const world::World& world, world::ModelRow model) {
   if (world.desc(model).take_watts > 0) return true;
   for (const std::uint32_t child : world.children(model)) {
@@ -56,7 +56,7 @@ class Power final : public SimulatedDevice {
 
  private:
   static std::uint32_t pack_of(const world::World& world, world::ModelRow model) {
-    return world::trait_row(world.packs, model.index);  // a model keeps its traits
+    return world::trait_row(world.packs, model.index);  // traits never change
   }
 
   static void set_policy(world::World& world, world::ModelRow model, bool takes, bool gives) {

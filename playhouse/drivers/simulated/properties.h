@@ -1,7 +1,7 @@
 #pragma once
 
-/// Properties of models that clients of interface simulation read and write by name. Values are raw bytes,
-/// numbers in the order of bytes of a PC (little-endian), as existing clients put them there from memory.
+/// Properties of models, read and written by name through interface simulation. Values
+/// are raw bytes, numbers little-endian, as existing clients copy them from memory.
 
 #include <optional>
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace playhouse::drivers {
 
-/// The value of a property; none if there is no such property or model.
-///   "color"  four float32: red, green, blue, alpha in 0..1     "time"   uint64: simulated time [us]; of any
-///   model "name"   text, with its NUL                                "model"  its type as the world file
-///   says, with its NUL
+/// The value of a property, as bytes; none if the property or model does not exist.
+///   "color"          four float32: red, green, blue, alpha in 0..1
+///   "time"           uint64: simulated time [us]; `model` is ignored
+///   "name", "model"  NUL-terminated text: the model's name; its type as in the world file
 std::optional<std::string> get_property(const world::World& world, std::string_view model,
                                         std::string_view property);
 
-/// Only "color" can be set. False: no such property or model, or the value has the wrong size.
+/// Only "color" is writable. False if the property or model does not exist, or the size is wrong.
 bool set_property(world::World& world, std::string_view model, std::string_view property,
                   std::string_view value);
 

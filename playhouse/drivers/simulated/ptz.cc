@@ -84,7 +84,7 @@ class Ptz final : public SimulatedDevice {
     publish(world, ptz::kDataState, data, out);
   }
 
-  /// Who opens it next begins with control by position, as at the start.
+  /// Resets to position control for the next client.
   void closed(world::World& world, world::ModelRow model) override {
     world::set_camera_mode(world, world::CameraRow{world.models.part[model.index]}, ControlMode::kPosition);
   }

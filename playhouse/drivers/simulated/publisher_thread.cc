@@ -5,7 +5,7 @@
 namespace playhouse::drivers {
 namespace {
 
-/// Parts that pay for waking another thread while the tick thread goes on with them itself.
+/// Minimum number of parts that pays for waking another thread.
 constexpr std::size_t kMany = 5;
 
 }  // namespace
@@ -96,7 +96,7 @@ void PublisherThread::did(const Part& part) {
   if (++works_ended_ == works_.size()) ended_.notify_one();
 }
 
-/// Whether more than the caller alone has something to do.
+/// True if there is work for more than the caller.
 bool PublisherThread::many_left() const {
   const std::lock_guard lock(mutex_);
   std::size_t left = 0;

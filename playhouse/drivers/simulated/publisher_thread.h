@@ -1,11 +1,11 @@
 #pragma once
 
-/// PublisherThread: does what only reads the world, while that stands between two ticks, beside the tick
-/// thread: encoding of messages, copies for viewers. The tick thread goes on to wait for its next tick, and
-/// before anything changes the world again it finishes what is under way: it takes over what nobody has begun
-/// and waits for the rest. So nothing is copied for the other thread, one tick's work at most is under way,
-/// and all of a tick is out before the next thing happens to the world. Thread: tick, but for what is said
-/// otherwise.
+/// PublisherThread: runs read-only work on the world between two ticks in parallel
+/// to the tick thread: encoding of messages, copies for viewers. The tick thread
+/// goes on to wait for its next tick; before anything changes the world it calls
+/// finish(), takes over what has not started and waits for the rest. So no copy of
+/// the world is needed, at most one tick's work is in progress, and all output of
+/// a tick precedes the next change. Thread: tick, unless stated otherwise.
 
 #include <condition_variable>
 #include <cstddef>
@@ -22,8 +22,8 @@ namespace playhouse::drivers {
 
 class PublisherThread {
  public:
-  /// Parts 0 to parts - 1, each done once, on any thread, beside others. When all are done `end`, if there is
-  /// one, is called once, on the thread that did the last.
+  /// Parts 0 to parts - 1, each run once, on any thread, in parallel. After the
+  /// last one `end`, if set, is called once, on the thread that finished it.
   struct Work {
     std::size_t parts = 1;
     std::function<void(std::size_t part)> run;
@@ -31,19 +31,19 @@ class PublisherThread {
   };
 
   PublisherThread() = default;
-  /// Nothing is under way.
+  /// Needs that nothing is in progress.
   ~PublisherThread();
   PublisherThread(const PublisherThread&) = delete;
   PublisherThread& operator=(const PublisherThread&) = delete;
 
-  /// Nothing is under way, and `works`, at least one, stay as they are until finish(). Many parts are shared
-  /// from now on; few are not worth waking another thread, unless the caller has time.
+  /// Needs that nothing is in progress; `works`, at least one, must not change until finish().
+  /// Many parts are shared at once; few are not worth waking a thread, unless go_on() is called.
   void begin(std::span<const Work> works);
-  /// The caller is about to wait for something else: what is under way goes on without it.
+  /// The caller is about to block: the thread continues without it.
   void go_on();
-  /// Begun and not finished.
+  /// Between begin() and finish().
   bool under_way() const { return under_way_; }
-  /// Returns when all is done; `workers` help with what nobody has begun.
+  /// Blocks until all is done; `workers` help with parts that have not started.
   void finish(world::Workers& workers);
 
  private:
@@ -51,7 +51,7 @@ class PublisherThread {
     std::size_t begun = 0, done = 0;  // parts
   };
   struct Part {
-    const Work* work = nullptr;  // which stays while one of its parts is not done
+    const Work* work = nullptr;  // valid until all its parts are done
     Progress* progress = nullptr;
     std::size_t number = 0;
   };
@@ -72,7 +72,7 @@ class PublisherThread {
   std::size_t works_ended_ = 0;
   bool ending_ = false;
 
-  std::thread thread_;  // from the first work on
+  std::thread thread_;  // started by the first work
 };
 
 }  // namespace playhouse::drivers

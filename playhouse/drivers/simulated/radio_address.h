@@ -1,6 +1,6 @@
 #pragma once
 
-/// Addresses of radios: what their file gives them, else what follows from their number.
+/// Network addresses of radios: from the world file, otherwise derived from the radio's number.
 
 #include <string>
 #include <string_view>
@@ -9,13 +9,13 @@
 
 namespace playhouse::drivers {
 
-/// "02:00:00:xx:yy:zz", by its number, where the file gives none.
+/// "02:00:00:xx:yy:zz" unless the file gives an address.
 std::string mac_of(const world::World& world, world::ModelRow radio);
 
-/// "10.x.y.z", by its number, where the file gives none.
+/// "10.x.y.z" unless the file gives an address.
 std::string ip_of(const world::World& world, world::ModelRow radio);
 
-/// The first radio of this network address; none if there is no such radio. Looks at all radios.
+/// The first radio with this IP address; none if there is none. Linear in the number of radios.
 world::ModelId radio_with_ip(const world::World& world, std::string_view ip);
 
 }  // namespace playhouse::drivers

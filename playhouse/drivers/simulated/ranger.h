@@ -1,7 +1,7 @@
 #pragma once
 
-/// What tells ranges along beams, as interface ranger: one scanner, or an array of transducers
-/// (docs/drivers.md). A kind of model that does has a subclass.
+/// Base of devices that report ranges, as interface ranger: one scanner, or an
+/// array of transducers (docs/drivers.md); a subclass for each kind of model.
 
 #include "playhouse/drivers/generated/device_makers.h"
 #include "playhouse/drivers/simulated/scan.h"
@@ -19,14 +19,14 @@ class RangerDevice : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
 
  private:
-  /// Replaces `out` by what was measured in this very tick. False where that is nothing.
+  /// Replaces `out` by the measurements of this very tick. False if there are none.
   virtual bool read(const world::World& world, std::vector<Reading>& out) const = 0;
 
   Bytes geometry_, configuration_;
-  std::vector<Reading> readings_;  // kept for its memory
+  std::vector<Reading> readings_;  // reused for its capacity
 };
 
-/// How often a model measures.  [Hz]
+/// Update rate of a model.  [Hz]
 double measuring_frequency(const world::World& world, world::ModelRow model);
 
 }  // namespace playhouse::drivers

@@ -7,7 +7,7 @@ Reading reading(const world::Sensors& sensors, std::uint32_t beam) {
   return {static_cast<double>(sensors.ranges[beam]), static_cast<double>(sensors.intensities[beam])};
 }
 
-/// A sonar hears the first echo of its cone, whichever of its beams that was.
+/// A sonar reports the nearest echo within its cone.
 Reading nearest(const world::Sensors& sensors, std::uint32_t sensor) {
   const std::uint32_t first = sensors.first_beam[sensor];
   Reading best = reading(sensors, first);

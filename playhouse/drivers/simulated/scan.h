@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a ranger measured, in the shapes that the interfaces ranger, laser and sonar want.
+/// Measurements of a ranger, in the formats of interfaces ranger, laser and sonar.
 
 #include <optional>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace playhouse::drivers {
 
-/// A ranger and the sensor rows that belong to it.
+/// A ranger and its rows in the sensor table.
 struct RangerRows {
   world::RangerRow ranger;
   std::uint32_t first_sensor = 0;
@@ -20,26 +20,26 @@ struct RangerRows {
 /// `model` is of kind kRanger.
 RangerRows ranger_rows(const world::World& world, world::ModelRow model);
 
-/// Those of a model, if it is still there and has measured in this very tick with any sensors.
+/// Those of a model, if it still exists and any of its sensors has measured in this very tick.
 std::optional<RangerRows> fresh_rows(const world::World& world, world::ModelId model);
 
-/// The first of its sensors with more than one sample; none if there is no such sensor.
+/// The first of its sensors with more than one sample; none if there is none.
 world::SensorRow scanner_of(const world::World& world, world::ModelRow model);
 
 /// Angle between neighbouring beams [rad]; the whole field of view for a single beam.
 double angular_resolution(const scene::RangerSensorDesc& sensor);
 
-/// One reading of a ranger: a distance [m] and what came back [1].
+/// One reading of a ranger: a distance [m] and an intensity [1].
 struct Reading {
   double range = 0;
   double intensity = 0;
 };
 
-/// One sensor: all its beams, rightmost first. Several sensors: the nearest reading of each, in the file's
-/// order.
+/// One sensor: all its beams, rightmost first. Several
+/// sensors: the nearest reading of each, in file order.
 void readings(const world::World& world, const RangerRows& rows, std::vector<Reading>& out);
 
-/// What the beams of a sensor measured: distances [m] and what came back [1].
+/// Measurements of a sensor's beams: distances [m] and intensities [1].
 struct Beams {
   std::span<const float> ranges, intensities;
 };

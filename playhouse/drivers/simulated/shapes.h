@@ -1,7 +1,7 @@
 #pragma once
 
-/// Between the world's poses and sizes and the wire's, and what every device of a model needs to know about
-/// time and place.
+/// Conversion of the world's poses and sizes to the
+/// wire's, and other common code of model devices.
 
 #include <cstdint>
 
@@ -23,12 +23,12 @@ inline wire::Pose3d pose3d(const geom::SpatialPose& X) {
   const geom::RollPitchYaw turns = geom::roll_pitch_yaw(X.X.a, X.tilt);
   return {X.X.x, X.X.y, X.X.z, turns.roll, turns.pitch, turns.yaw};
 }
-/// Width is across (y), length along (x).
+/// Width is along y, length along x.
 inline wire::Bbox3d bbox3d(const geom::Size& size) {
   return {size.y, size.x, size.z};
 }
 
-/// The pose of a model's body and sensor frame in the robot that carries it; in the world if nothing does.
+/// Pose of a model's body, the sensor frame, in the robot that carries it; in the world if none does.
 geom::Pose pose_on_robot(const world::World& world, world::ModelRow model);
 
 }  // namespace playhouse::drivers

@@ -1,8 +1,8 @@
 #pragma once
 
-/// SimulatedDevice: one model seen as one Player device. A subclass per interface says which messages it
-/// knows and how columns become bytes. What never changes (geometry, configuration) is encoded once, when the
-/// device is made, and answered at once; what needs the world is posted to the tick thread.
+/// SimulatedDevice: one model exposed as one Player device. A subclass per interface defines
+/// its messages and their encoding. Constant replies (geometry, configuration) are encoded
+/// at construction and sent at once; what needs the world is posted to the tick thread.
 
 #include <algorithm>
 #include <cstdint>
@@ -23,7 +23,7 @@ namespace playhouse::drivers {
 /// An encoded message body.
 using Bytes = std::vector<std::byte>;
 
-/// A message that a device understands.
+/// A message type that a device handles.
 struct Served {
   wire::MessageType type;
   std::uint8_t subtype;
@@ -37,10 +37,10 @@ class SimulatedDevice : public Source {
   SimulatedDevice& operator=(const SimulatedDevice&) = delete;
 
   world::ModelId model() const { return model_; }
-  /// The robot whose commands must keep their order with opening and closing; none for sensors.
+  /// The robot whose commands must stay in order with open and close; none for sensors.
   virtual world::ModelId robot() const { return {}; }
   void set_id(device::DeviceId id) { id_ = id; }
-  /// Tick thread: the device is open, or no more.
+  /// Tick thread: the device was opened, closed.
   void begin(world::World& world) {
     use_.begin(world, simulation_, model_);
     opened(world);
@@ -50,7 +50,7 @@ class SimulatedDevice : public Source {
     ended(world);
   }
 
-  // Any thread. Only messages of served() arrive.
+  // Any thread. Only messages in served() are passed.
   virtual std::span<const Served> served() const = 0;
   bool serves(std::uint8_t type, std::uint8_t subtype) const {
     return std::ranges::any_of(served(), [=](const Served& each) {
@@ -67,21 +67,21 @@ class SimulatedDevice : public Source {
   }
   /// Called on the tick thread after the first open.
   virtual void opened(world::World& world) { static_cast<void>(world); }
-  /// Called on the tick thread after the last close, if the model is still there.
+  /// Called on the tick thread after the last close, if the model still exists.
   virtual void closed(world::World& world, world::ModelRow model) {
     static_cast<void>(world), static_cast<void>(model);
   }
 
-  /// Called on the tick thread after the last close, whether the model is there or not.
+  /// Called on the tick thread after the last close, even if the model is gone.
   virtual void ended(world::World& world) { static_cast<void>(world); }
 
  protected:
   Simulation& simulation() const { return simulation_; }
 
-  /// Runs on the tick thread; the answer is ACK with the bytes, or NACK for none.
+  /// Runs on the tick thread; returns the body of the ACK, or none for NACK.
   using Question = std::function<std::optional<Bytes>(world::World&)>;
   void ask_world(device::Replier replier, Question question) const {
-    auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function wants to be copied
+    auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
     simulation_.post(
         [shared, question = std::move(question)](world::World& world) {
           if (std::optional<Bytes> body = question(world)) {

@@ -22,7 +22,7 @@ std::size_t SimulatedDriver::device_count() const {
   return devices_.size();
 }
 
-/// None once it has retired: a driver that uses it may not have heard yet.
+/// None once it has retired: a driver that uses it may not have been notified yet.
 SimulatedDriver::Device SimulatedDriver::find(device::DeviceId id) const {
   const std::lock_guard lock(mutex_);
   const auto found = devices_.find(id);
@@ -36,7 +36,7 @@ Result<void> SimulatedDriver::start(device::DeviceId id) {
     simulation.add_source(device);
     device->begin(world);
   };
-  // A device opened as the run ends is no failure: its client is told of the end next.
+  // Opening a device at the end of a run is no error: the client is notified of the end next.
   if (!simulation_.post(open, device->robot()) && !simulation_.discarded())
     return Error{"", "too many requests are waiting for the tick"};
   return {};
@@ -71,7 +71,7 @@ bool SimulatedDriver::capable(device::DeviceId id, std::uint8_t type, std::uint8
 }
 
 void SimulatedDriver::barrier(device::Replier replier) {
-  auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function wants to be copied
+  auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
   simulation_.post_always([shared](world::World&) { shared->ack(); }, {});
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// SimulatedDriver: the code behind the devices of a simulated world, as the server sees it. Routes each
-/// message to its device, and lets a model be simulated while its device is open.
+/// SimulatedDriver: the driver of all devices of a simulated world. Dispatches
+/// messages to devices, and subscribes a model while its device is open.
 
 #include <cstddef>
 #include <map>
@@ -16,11 +16,11 @@ namespace playhouse::drivers {
 
 class SimulatedDriver final : public device::Driver {
  public:
-  /// `name` is what clients are told.
+  /// `name` is reported to clients.
   SimulatedDriver(Simulation& simulation, std::string name)
       : simulation_(simulation), name_(std::move(name)) {}
 
-  /// The device answers at `id` from now on, until it is to be forgotten. Io thread too.
+  /// Registers a device at `id`, until forget(). Io thread too.
   void add(device::DeviceId id, std::shared_ptr<SimulatedDevice> device);
   std::size_t device_count() const;  // any thread
 
@@ -34,7 +34,7 @@ class SimulatedDriver final : public device::Driver {
   void barrier(device::Replier replier) override;
 
  private:
-  using Device = std::shared_ptr<SimulatedDevice>;  // shared with what waits for the tick thread
+  using Device = std::shared_ptr<SimulatedDevice>;  // shared with changes queued for the tick thread
   Device find(device::DeviceId id) const;
 
   Simulation& simulation_;

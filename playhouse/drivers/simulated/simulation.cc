@@ -30,10 +30,10 @@ Clock::time_point wall_time(double seconds) {
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
 }
 
-/// While paused, the world is shown again this often. [s]
+/// Refresh period while paused. [s]
 constexpr double kPausedShow = 0.1;
 
-/// A clock cannot wait for ever: at a tiny speed the next tick is due after the end of its numbers. [s]
+/// Upper bound of a wait: at tiny speeds the due time would overflow the clock. [s]
 constexpr double kLongestWait = 3600;
 
 /// Ticks until `duration` has been simulated: the first tick at or after it.
@@ -77,9 +77,9 @@ void Simulation::run() {
   }
   bool has_ticked = false;
   for (;;) {
-    // Looked at first: what members said before they asked for the tick is in the inbox then.
+    // Checked first: what members sent before requesting the tick is then in the inbox.
     const bool asked_for = lock_step_ == nullptr || lock_step_->is_due();
-    // What members say behind the last tick comes before the end or after it: it never counts.
+    // Requests after the last tick arrive before the end or after it: they never apply.
     const bool is_over = lock_step_ != nullptr && has_ticked && world.tick() >= end_tick_;
     if (!is_over && woken_.exchange(false)) {
       finish_publishing();
@@ -91,7 +91,7 @@ void Simulation::run() {
     if (!ends && !wait_for_tick(asked_for)) continue;
     if (publisher_thread_.under_way()) {
       finish_publishing();
-      continue;  // drivers that read the data may have posted something for this very tick
+      continue;  // drivers may have posted in reaction to this tick's data
     }
     if (ends) return;
     tick();
@@ -99,8 +99,8 @@ void Simulation::run() {
   }
 }
 
-/// True when a tick is due; else waits until it is, somebody wakes this thread, or a world that stands should
-/// be shown again.
+/// True if a tick is due; otherwise waits for that,
+/// a wake-up, or the next refresh while paused.
 bool Simulation::wait_for_tick(bool asked_for) {
   const bool stands = !asked_for || (now_.paused && now_.steps == 0);
   const double now = clock_();
@@ -144,7 +144,7 @@ void Simulation::tick() {
   if (last_step) answer_steps();
 }
 
-/// Of wanted_ as well, which has these and those that were asked for since.
+/// Also in wanted_, which includes later requests.
 void Simulation::count_step() {
   --now_.steps;
   const std::lock_guard lock(mutex_);
@@ -160,7 +160,7 @@ void Simulation::answer_steps() {
   for (const LockStep::Done& each : done) each({});
 }
 
-/// Few messages are encoded and sent at once; many are work for the publisher thread.
+/// A few messages are encoded at once; many are queued for the publisher thread.
 void Simulation::encode() {
   const std::size_t ranges = sources_.ranges();
   const auto encode_range = [this](std::size_t range) { sources_.emit_range(engine_->world(), range); };
@@ -185,7 +185,7 @@ void Simulation::follow_changes() {
   followed_ = world.changes.end();
 }
 
-/// The world as it stands, to all who want to see it; starts what `works_` has.
+/// Passes the present world to watchers and listeners; starts the queued works.
 void Simulation::show() {
   shown_pace_ = {now_.paused, now_.speed, now_.paused ? 0 : pacer_.real_time_factor()};
   for (const Watcher& watcher : watchers_) {
@@ -198,7 +198,7 @@ void Simulation::show() {
   for (const Listener& listener : listeners_) listener(engine_->world(), shown_pace_);
 }
 
-/// Before anything but a tick's data leaves the tick thread, or changes the world.
+/// Before anything changes the world, or is sent other than a tick's data.
 void Simulation::finish_publishing() {
   publisher_thread_.finish(engine_->workers());
   works_.clear();
@@ -207,14 +207,14 @@ void Simulation::finish_publishing() {
 void Simulation::take_wanted() {
   {
     const std::lock_guard lock(mutex_);
-    if (!wanted_.paused) wanted_.steps = 0;  // a world that runs takes them without being asked
+    if (!wanted_.paused) wanted_.steps = 0;  // a running world does not need them
     now_ = wanted_;
     wanted_.pace_changed = false;
     wanted_.instant.reset();
   }
   if (now_.recording && history_.empty()) history_.record(engine_->world());
   show_past();
-  if (now_.steps == 0) answer_steps();  // somebody let the world go on
+  if (now_.steps == 0) answer_steps();  // the world was resumed
   if (!now_.pace_changed) return;
   pacer_.change(clock_(), now_.speed, now_.paused);
   show();
@@ -230,15 +230,15 @@ void Simulation::take_inbox() {
     follow_changes();
   }
   taken_.clear();
-  // Who came has what its controllers remember by the time that anybody saves the state.
+  // Initialises controllers of spawned models, so that the state is complete when saved.
   world::World& world = engine_->world();
   for (const std::unique_ptr<world::Decider>& decider : world.deciders) decider->follow(world);
   if (witness_) witness_->after_changes(engine_->world());
   show();
 }
 
-/// After a rewind or a reset, ids go on from the highest that was ever given, so that none names two models.
-/// The gap is part of the state (world/serials.h), so it is made only by a change that spawns something.
+/// After a rewind or reset, ids continue beyond all used before, so that no id names two models. The gap is
+/// part of the state (world/serials.h), so it is added only when something is spawned.
 void Simulation::carry_out(const Change& change) {
   world::Population population(engine_->world());
   const std::uint32_t before = population.next_id();
@@ -250,13 +250,13 @@ void Simulation::carry_out(const Change& change) {
   population.serials().remove_last();
 }
 
-/// Before another state of the run is loaded.
+/// Before another state is loaded.
 void Simulation::keep_ids() {
   ids_given_ = std::max(ids_given_, world::Population::next_id(engine_->world()));
 }
 
-/// Whoever used a model that was there before and has gone, or came back, does so no more: within a tick, ids
-/// are given as in a run that was never taken back.
+/// Ends subscriptions of models that the loaded state removed or re-created;
+/// within a tick, ids are assigned as if there had been no rewind.
 void Simulation::end_lives_of_others(const std::vector<world::ModelId>& before) {
   std::vector<world::ModelId> others;
   std::ranges::set_symmetric_difference(before, engine_->world().models.id, std::back_inserter(others));
@@ -267,7 +267,7 @@ void Simulation::go_back(std::uint64_t tick) {
   world::World& world = engine_->world();
   if (history_.empty()) return;
   finish_publishing();
-  history_.take(world);  // so that there is a way back
+  history_.take(world);  // so that this state can be returned to
   if (witness_) witness_->before_changes(world);
   const std::vector<world::ModelId> before = world.models.id;
   keep_ids();
@@ -281,7 +281,7 @@ void Simulation::go_back(std::uint64_t tick) {
   show();
 }
 
-/// A controller that does not take back what it said leaves the world where it is, and is heard no more.
+/// If a controller rejects its state, the world stays, and the controller is not called any more.
 void Simulation::load(std::uint64_t tick) {
   world::World& world = engine_->world();
   const std::uint64_t now = world.tick();
@@ -293,10 +293,10 @@ void Simulation::load(std::uint64_t tick) {
   history_.give_up("the state " + loaded.error().text);
 }
 
-/// Lets any thread know which instants there are.
+/// Publishes the list of keyframes to other threads.
 void Simulation::show_past() {
   std::shared_ptr<const world::Past> past = history_.past();
-  if (past == past_) return;  // no other thread writes it
+  if (past == past_) return;  // written by this thread only
   const std::lock_guard lock(mutex_);
   past_ = std::move(past);
 }
@@ -309,7 +309,7 @@ void Simulation::wake() {
   changed_.notify_one();
 }
 
-/// False: the edit, which says so, has changed nothing.
+/// False: rejected by `edit`, without effect.
 template <typename Edit>
 bool Simulation::want(Edit edit) {
   {

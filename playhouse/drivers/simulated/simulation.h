@@ -1,9 +1,9 @@
 #pragma once
 
-/// Simulation: one engine, run against the wall clock, with everybody who wants something of it: devices post
-/// commands and changes, viewers pause and drag, and each tick's new data go out in one batch. The only place
-/// where wall time meets simulated time. Threads: run() is the tick thread; every other function says who may
-/// call it.
+/// Simulation: runs one engine against the wall clock and serves its users: devices
+/// post commands and changes, viewers pause and drag, and each tick's data are
+/// published in one batch. The only place where wall time meets simulated time.
+/// Threads: run() is the tick thread; every other function states its callers.
 
 #include <atomic>
 #include <condition_variable>
@@ -37,23 +37,23 @@ class Simulation final : public world::Control {
     double speed = 1;  // times real time; 0: as fast as possible
     bool paused = false;
     double duration = std::numeric_limits<double>::infinity();  // simulated seconds until run() returns
-    std::function<double()> clock = {};  // s; steady, called on the tick thread; by default, the system's
-    std::optional<LockStep::Options> lock_step = {};  // none: time goes on by itself
+    std::function<double()> clock = {};  // s; monotonic, called on the tick thread; default: the system's
+    std::optional<LockStep::Options> lock_step = {};  // none: free-running
   };
-  /// Called after every tick, when its data are out, after changes between ticks, and at 10 Hz while paused;
-  /// on the tick thread, which waits for it.
+  /// Called after every tick once its data are published, after changes between
+  /// ticks, and at 10 Hz while paused; on the tick thread, synchronously.
   using Listener = std::function<void(const world::World&, const world::Pace&)>;
 
-  /// Who copies something of the world on those occasions, and changes nothing.
+  /// Copies something of the world on those occasions; read-only.
   struct Watcher {
-    std::function<bool()> wants;  // asked each time, on the tick thread: cheap
-    /// Any thread, one call after another; wants() is not asked meanwhile.
+    std::function<bool()> wants;  // asked each time on the tick thread: must be cheap
+    /// Any thread, calls never overlap; wants() is not called meanwhile.
     std::function<void(const world::World&, const world::Pace&)> look;
   };
 
-  /// Called for every entry of world.changes, in their order, on the tick thread: between any two changes
-  /// that were posted, and before the data of a tick and the listeners. So what it decides is the same in
-  /// every run.
+  /// Called for every entry of world.changes in order, on the tick thread:
+  /// between any two posted changes, and before the data of a tick and the
+  /// listeners, so that its decisions are the same in every run.
   using Follower = std::function<void(const world::World&, const world::Change&)>;
 
   Simulation(std::unique_ptr<world::Engine> engine, Options options);
@@ -63,23 +63,23 @@ class Simulation final : public world::Control {
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
   void add_watcher(Watcher watcher) { watchers_.push_back(std::move(watcher)); }
   void add_follower(Follower follower) { followers_.push_back(std::move(follower)); }
-  /// Who hears of every tick and of every change between two. Outlives run().
+  /// Observes every tick and every change between ticks. Must outlive run().
   void show_to(world::Witness& witness) { witness_ = &witness; }
-  /// What happens when a client wants the world saved as it stands, on the tick thread. Without it nothing
-  /// does: which file a client may write, if any, is for whoever runs the program to say.
+  /// Handles a client's request to save the world, on the tick thread. Default: none, requests
+  /// have no effect; which file a client may write, if any, is the operator's decision.
   using Saver = std::function<void(const world::World&)>;
   void save_by(Saver saver) { saver_ = std::move(saver); }
 
-  /// Ticks until the duration is over or stop() is called. The calling thread is the tick thread; with no
-  /// wall clock to keep (speed 0), nothing posted and nobody who reads or watches, no lock is taken and no
-  /// other thread is involved.
+  /// Ticks until the duration is over or stop() is called, on the calling
+  /// thread, the tick thread. At speed 0 with an empty inbox and no
+  /// readers or viewers it takes no lock and involves no other thread.
   void run();
   /// Makes run() return before the next tick. Any thread.
   void stop();
-  /// Before run(), or between two: lets it do `ticks` more than it did so far.
+  /// Before run(), or between two calls: allows `ticks` further ticks.
   void extend(std::uint64_t ticks) { end_tick_ = engine_->world().tick() + ticks; }
-  /// After the last run(): refuses what is still waiting and whatever comes, while those who would hear the
-  /// answers live. The calling thread is the tick thread.
+  /// After the last run(): rejects pending and later requests
+  /// while their callers still exist. Called on the tick thread.
   void discard();
   bool discarded() const { return inbox_.closed(); }  // any thread
 
@@ -87,9 +87,9 @@ class Simulation final : public world::Control {
   void pause() override;
   void resume() override;
   void step_once() override { step(1, {}); }
-  /// So many single steps; the world is paused then. `done`, if any, is called on the tick thread when their
-  /// data are published; with a reason, at once, where more than limits::kSingleSteps would wait: nothing
-  /// happens then.
+  /// Runs so many single steps, then pauses. `done`, if set, is called on the
+  /// tick thread when their data are published; or at once with a reason, and
+  /// without effect, if more than limits::kSingleSteps would be pending.
   void step(std::uint64_t ticks, LockStep::Done done);
   void set_speed(double times_real_time) override;
   void drive(world::ModelId robot, const geom::Twist& velocity) override;
@@ -100,41 +100,41 @@ class Simulation final : public world::Control {
   std::uint64_t life(world::ModelId model) const override;
 
   // For devices; any thread.
-  /// What a model is told by an interface. A newer command replaces one that the tick has not taken yet.
+  /// Command to a model by an interface. Replaces one that the tick has not consumed yet.
   void command(Inbox::Slot slot, Change command);
   bool post_to_all(Change change);
   void post_always(Change change, world::ModelId robot);
-  /// Simulated time of the newest tick. [s]
+  /// Simulated time of the latest tick. [s]
   double time() const { return time_.load(std::memory_order_relaxed); }
   world::Pace pace() const;
-  /// Who the world waits for; null: for nobody.
+  /// The barrier of a world in lock-step; null: free-running.
   LockStep* lock_step() const { return lock_step_.get(); }
   /// Empty: clients may not save.
   const Saver& saver() const { return saver_; }
 
   // Tick thread only (inside a Change), or while run() is not running.
-  /// The world becomes what it was when this was made, with another seed, as in a new run: its models are
-  /// those of then, and have their ids. Who comes later has an id that nobody had before. Fails where no such
-  /// state is kept: without lock-step, and with a controller that cannot say what it remembers.
+  /// Restarts: loads the initial state with another seed, as in a new run, with the
+  /// initial models and ids; later models get ids never used before. Fails if the initial
+  /// state was not kept: without lock-step, or with a controller that cannot be saved.
   Result<void> start_again(std::uint64_t seed);
   void add_source(std::shared_ptr<Source> source) { sources_.add(std::move(source)); }
   void remove_source(const Source& source) { sources_.remove(source); }
   std::size_t source_count() const { return sources_.size(); }
-  /// Which devices show which model.
+  /// The devices of each model.
   Directory& directory() { return directory_; }
   world::Engine& engine() { return *engine_; }
   const world::World& world() const { return engine_->world(); }
 
  private:
-  /// What was asked for; read by the tick thread when it is woken.
+  /// Requests, read by the tick thread when woken.
   struct Wanted {
     double speed = 1;
     bool paused = false;
     bool stop = false;
     bool pace_changed = true;
-    std::uint64_t steps = 0;  // single steps to do although paused; in wanted_, all that are not done
+    std::uint64_t steps = 0;  // single steps although paused; in wanted_: all that are not done
     bool recording = false;
-    std::optional<std::uint64_t> instant;  // to go back to
+    std::optional<std::uint64_t> instant;  // to rewind to
   };
 
   void wake();
@@ -174,10 +174,10 @@ class Simulation final : public world::Control {
   mutable std::mutex
       mutex_;  // guards wanted_, past_, steppers_ and, with changed_, the sleep of the tick thread
   std::condition_variable changed_;
-  std::atomic<bool> woken_ = true;  // something was asked for that the tick thread has not looked at
+  std::atomic<bool> woken_ = true;  // there are requests that the tick thread has not seen
   Wanted wanted_;
   std::shared_ptr<const world::Past> past_;
-  std::vector<LockStep::Done> steppers_;  // who asked for the single steps that are not done
+  std::vector<LockStep::Done> steppers_;  // callbacks of single steps that are not done
   std::unique_ptr<LockStep> lock_step_;
   std::atomic<double> time_ = 0;
   std::atomic<double> factor_ = 0;
@@ -187,17 +187,17 @@ class Simulation final : public world::Control {
   std::function<double()> clock_;
   Pacer pacer_;
   History history_;
-  std::map<world::ModelId, std::uint64_t> lives_;  // of models that came back
-  std::uint32_t ids_given_ = 0;   // before another state was loaded: none of them is given to another model
-  std::vector<std::byte> start_;  // the state at the start, where it is kept
-  std::string why_no_start_;      // else
+  std::map<world::ModelId, std::uint64_t> lives_;  // incarnations of models that came back
+  std::uint32_t ids_given_ = 0;   // ids used before a state was loaded: never assigned to other models
+  std::vector<std::byte> start_;  // the initial state, if kept
+  std::string why_no_start_;      // otherwise the reason
   std::vector<Change> taken_;
-  std::uint64_t followed_;  // changes that the followers know
+  std::uint64_t followed_;  // number of changes passed to the followers
   Sources sources_;
   std::vector<device::Publication> batch_;
-  world::Pace shown_pace_;                    // of the newest show()
+  world::Pace shown_pace_;                    // of the last show()
   std::vector<PublisherThread::Work> works_;  // for the publisher thread
-  PublisherThread publisher_thread_;          // reads what is above
+  PublisherThread publisher_thread_;          // reads all of the above
 };
 
 }  // namespace playhouse::drivers

@@ -28,14 +28,14 @@ world::ModelRow SimulationDevice::find_or_warn(const world::World& world, const 
   const std::string_view name = wire::text(raw_name);
   const world::ModelRow row = world.find(name);
   if (row || unknown_names_.size() >= kUnknownNames) return row;
-  const std::string shown = in_quotes(name);  // what a client makes up is of any length and any bytes
+  const std::string shown = in_quotes(name);  // untrusted: arbitrary length and bytes
   if (unknown_names_.insert(shown).second)
     log::warn("simulation: a client asked for model {}, which is not in this world", shown);
   return row;
 }
 
-/// Poses in requests are in the parent's frame, with z from the top of a parent that stacks, as in world
-/// files. From a pose in the plane the model keeps its height and tilt.
+/// Poses in requests are in the parent's frame, with z from the top of a
+/// parent that stacks, as in world files. A 2D pose keeps height and tilt.
 bool SimulationDevice::move(world::World& world, const std::string& name, const wire::Pose2d& pose) {
   const world::ModelRow row = find_or_warn(world, name);
   return row && world::set_pose(world, row, {pose.px, pose.py, world.models.X_PM[row.index].z, pose.pa});
@@ -83,7 +83,7 @@ device::Taken SimulationDevice::reset() {
   return device::Taken::kQueued;
 }
 
-/// As with resets, the newest of many alone counts.
+/// As with resets, superseded saves are skipped.
 device::Taken SimulationDevice::save() {
   if (!simulation().saver()) {
     log::warn("simulation: a client asked to save the world, which --save-world FILE allows");
@@ -150,7 +150,7 @@ void SimulationDevice::pose_3d(const device::Message& message, device::Replier r
     if (!row) return std::nullopt;
     r.pose = pose3d(world::pose_in_parent(world.models, row));
     r.pose.pz -= world.desc(row).stacked;
-    r.simtime = world.time() * 1e6;  // Stage's clients know microseconds here
+    r.simtime = world.time() * 1e6;  // microseconds, as in Stage
     return wire::encode(r);
   });
 }
@@ -181,7 +181,7 @@ void SimulationDevice::property(const device::Message& message, device::Replier 
   });
 }
 
-/// Of a model and all inside it.
+/// Devices of a model and its parts.
 void SimulationDevice::list_devices(const sim::PropertyReq& request, device::Replier replier) {
   ask_world(std::move(replier), [this, r = request](world::World& world) mutable -> std::optional<Bytes> {
     const world::ModelRow row = find_or_warn(world, r.name);
@@ -195,14 +195,14 @@ void SimulationDevice::list_models(std::uint32_t first, device::Replier replier)
   ask_world(std::move(replier), [this, first](world::World& world) { return model_page(world, first); });
 }
 
-/// The pages that clients go through are kept until models come or go.
+/// Cached pages of the model list, until the population changes.
 std::optional<Bytes> SimulationDevice::model_page(const world::World& world, std::uint32_t first) {
   if (pages_of_ != world.population()) model_pages_.clear();
   pages_of_ = world.population();
   const auto kept = model_pages_.find(first);
   if (kept != model_pages_.end() && !kept->second.empty()) return kept->second;
   ModelList list = drivers::list_models(world, simulation().directory(), first);
-  if (list.text.size() > kLongestList) return std::nullopt;  // one name alone is as long as a message
+  if (list.text.size() > kLongestList) return std::nullopt;  // a single name is as long as a message
   Bytes page = wire::encode(
       sim::PropertyReq{wire::c_string(""), wire::c_string("models"), list.next, std::move(list.text)});
   if (first == 0 || kept != model_pages_.end()) {

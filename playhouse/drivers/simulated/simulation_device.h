@@ -1,7 +1,7 @@
 #pragma once
 
-/// The whole world as interface simulation: poses and properties of models by name, pausing, starting over
-/// and saving (docs/drivers.md).
+/// The whole world as interface simulation: poses and properties of
+/// models by name, pausing, resetting and saving (docs/drivers.md).
 
 #include <atomic>
 #include <cstdint>
@@ -36,17 +36,17 @@ class SimulationDevice final : public SimulatedDevice {
   void list_devices(const wire::simulation::PropertyReq& request, device::Replier replier);
 
   JoinedRobots joined_;
-  std::atomic<std::uint64_t> newest_reset_ = 0, newest_save_ = 0;  // that was posted
+  std::atomic<std::uint64_t> newest_reset_ = 0, newest_save_ = 0;  // sequence numbers of the latest requests
 
   // Tick thread.
   std::optional<Bytes> model_page(const world::World& world, std::uint32_t first);
-  /// Answers to list_models() by their first id, those that follow from id 0; empty until asked for.
+  /// Cached pages of list_models() by first id, consecutive from id 0; empty until requested.
   std::map<std::uint32_t, Bytes> model_pages_;
-  std::uint64_t pages_of_ = 0;  // the population that they show
+  std::uint64_t pages_of_ = 0;  // the population they list
   world::ModelRow find_or_warn(const world::World& world, const std::string& raw_name);
   bool move(world::World& world, const std::string& name, const wire::Pose2d& pose);
   bool move(world::World& world, const std::string& name, const wire::Pose3d& pose);
-  std::set<std::string> unknown_names_;  // as shown in the log; at most kUnknownNames
+  std::set<std::string> unknown_names_;  // already logged; at most kUnknownNames
 };
 
 }  // namespace playhouse::drivers

@@ -18,7 +18,7 @@ class Sonar final : public SimulatedDevice {
 
  private:
   Bytes geometry_;
-  std::vector<Reading> readings_;  // kept for its memory
+  std::vector<Reading> readings_;  // reused for its capacity
 };
 
 }  // namespace playhouse::drivers

@@ -7,7 +7,7 @@
 namespace playhouse::drivers {
 namespace {
 
-/// Sources that encode as one: enough to pay for handing them to another thread.
+/// Sources per range: enough work to hand to another thread.
 constexpr std::size_t kRange = 64;
 
 }  // namespace

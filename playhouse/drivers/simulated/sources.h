@@ -1,8 +1,8 @@
 #pragma once
 
-/// Sources: the devices that somebody has open, and what they have to say after a tick. Ranges of them encode
-/// into lists of their own, on any threads, and the batch is the same to the byte whichever those are.
-/// Thread: the tick thread, but for what is said otherwise.
+/// Sources: the open devices, which publish after a tick. Ranges of them
+/// encode in parallel into separate lists; the batch is byte-identical for
+/// any number of threads. Thread: the tick thread, unless stated otherwise.
 
 #include <cstddef>
 #include <memory>
@@ -14,12 +14,12 @@
 
 namespace playhouse::drivers {
 
-/// Something with data to publish after a tick: a simulated device that is open.
+/// Publishes data after a tick: an open simulated device.
 class Source {
  public:
   virtual ~Source() = default;
-  /// Appends what is new in this tick's world, encoded. Called on any thread, while others emit: it may write
-  /// what is its own and nothing else, and take no lock. The world stays as it is meanwhile.
+  /// Appends this tick's new data, encoded. Called on any thread, in parallel with others:
+  /// it may write only its own state, and take no lock. The world does not change meanwhile.
   virtual void emit(const world::World& world, std::vector<device::Publication>& out) = 0;
 };
 
@@ -31,20 +31,20 @@ class Sources {
   }
   std::size_t size() const { return all_.size(); }
 
-  /// So many calls of emit_range(), for 0 and so on, make what all have. No more than one: it is not worth
-  /// another thread.
+  /// Number of ranges: call emit_range() for each.
+  /// At most one if parallel encoding would not pay.
   std::size_t ranges() const;
-  /// Any thread; ranges at the same time, while add() and remove() are not called.
+  /// Any thread; ranges in parallel, but not during add() or remove().
   void emit_range(const world::World& world, std::size_t range);
-  /// Appends what all ranges made since the last call, in the order in which the sources were added. The
-  /// thread that knows that they are done.
+  /// Appends the output of all ranges since the last call, in the order
+  /// in which sources were added. Call it after all ranges are done.
   void join(std::vector<device::Publication>& out);
 
  private:
   using Batch = std::vector<device::Publication>;
 
   std::vector<std::shared_ptr<Source>> all_;
-  std::vector<Batch> parts_;  // of each range there ever was
+  std::vector<Batch> parts_;  // of each range, reused
 };
 
 }  // namespace playhouse::drivers

@@ -25,7 +25,7 @@ class Speech final : public SimulatedDevice {
   device::Taken command(const device::Message& message) override {
     const auto value = wire::decode<wire::speech::Cmd>(message.body);
     if (!value) return device::Taken::kNo;
-    // What set_say() would cut off does not wait, however much a client sends.
+    // Truncated by set_say() anyway: limits the queue's memory.
     const auto say = [id = model(), text = world::spoken(value->string)](world::World& world) {
       if (const world::ModelRow row = world.row(id)) world::set_say(world, row, text);
     };

@@ -1,4 +1,4 @@
-/// What others in the world say, as interface speech_recognition (docs/drivers.md).
+/// Speech of other models, as interface speech_recognition (docs/drivers.md).
 
 #include "playhouse/wire/generated/speech_recognition.h"
 
@@ -18,7 +18,7 @@ class SpeechRecognition final : public SimulatedDevice {
   std::span<const Served> served() const override { return {}; }
   void request(const device::Message&, device::Replier) override {}
 
-  /// What was said before is not heard.
+  /// Skips earlier utterances.
   void opened(world::World& world) override {
     ++world.utterances.listeners;
     heard_ = world.utterances.count;
@@ -40,7 +40,7 @@ class SpeechRecognition final : public SimulatedDevice {
   }
 
  private:
-  std::uint64_t heard_ = 0;  // the number of the next utterance
+  std::uint64_t heard_ = 0;  // next utterance
 };
 
 }  // namespace

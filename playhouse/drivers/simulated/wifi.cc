@@ -15,9 +15,9 @@ namespace {
 namespace wf = wire::wifi;
 using wire::MessageType;
 
-constexpr std::uint32_t kNoise = static_cast<std::uint32_t>(-100);  // dBm, of a receiver; told as it is
+constexpr std::uint32_t kNoise = static_cast<std::uint32_t>(-100);  // dBm, constant noise level of a receiver
 
-/// As much of it as an address may be long.
+/// Truncated to the length of an address.
 std::vector<std::uint8_t> text_of(const std::string& text) {
   constexpr std::size_t kMost = 32;
   return {text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(text.size(), kMost))};

@@ -24,7 +24,7 @@ namespace sim = wire::simulation;
 
 static_assert(std::endian::native == std::endian::little, "property values travel in a PC's byte order");
 
-/// One question and the right to answer it, which may be copied with tasks.
+/// A request with its replier, copyable into tasks.
 struct Asked {
   sim::PropertyReq request;
   std::shared_ptr<device::Replier> replier;
@@ -39,7 +39,7 @@ struct Asked {
     body.value = wire::c_string(why);
     replier->nack(wire::encode(body));
   }
-  /// As the end of a step is told.
+  /// As the callback of a step.
   LockStep::Done when_done() const {
     return [asked = *this](std::optional<std::string> why_not) {
       if (why_not) return asked.nack(*why_not);
@@ -48,7 +48,7 @@ struct Asked {
   }
 };
 
-/// A number of 4 or 8 bytes; nothing for a value of another size.
+/// A number of 4 or 8 bytes; none for other sizes.
 std::optional<std::uint64_t> number(std::string_view value) {
   if (value.size() == sizeof(std::uint32_t)) {
     std::uint32_t number = 0;
@@ -61,7 +61,7 @@ std::optional<std::uint64_t> number(std::string_view value) {
   return number;
 }
 
-/// A member that goes is one no more, whatever it was waiting for.
+/// Removes a member when its client disconnects, whatever it waits for.
 void watch(LockStep& lock_step, device::Caller& caller) {
   if (lock_step.has(&caller))
     caller.when_gone_once(&lock_step, [&lock_step, who = &caller] { lock_step.leave(who); });
@@ -105,7 +105,7 @@ void reset(Simulation& simulation, const Asked& asked) {
   if (!posted) asked.nack("too many requests are waiting");
 }
 
-/// Three numbers of float64: x, y [m], heading [rad]; and behind them the name, if any.
+/// Payload: x, y [m], heading [rad] as float64, then an optional name.
 void spawn(Simulation& simulation, const Asked& asked) {
   double place[3];
   const std::string& value = asked.request.value;

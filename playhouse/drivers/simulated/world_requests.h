@@ -1,7 +1,7 @@
 #pragma once
 
-/// What clients ask of the world as a whole by setting properties of it: steps, to join those that it waits
-/// for, a new start; and models that come and go (docs/lock-step.md).
+/// Requests to the world as a whole, encoded as properties: lock-step membership
+/// and steps, restart, spawn and removal of models (docs/lock-step.md).
 
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/simulated/simulation.h"
@@ -9,8 +9,8 @@
 
 namespace playhouse::drivers {
 
-/// False, and `replier` is as it was: this is a property of another sort. Else it is answered, with ACK when
-/// done, or with NACK and, as the property's value, one line that says why. Io thread. `caller` may be none.
+/// False, with `replier` untouched, if it is another property. Otherwise replies: ACK when done,
+/// or NACK with a one-line reason as the property's value. Io thread. `caller` may be null.
 bool ask_for_world(Simulation& simulation, const wire::simulation::PropertyReq& request,
                    device::Caller* caller, device::Replier& replier);
 

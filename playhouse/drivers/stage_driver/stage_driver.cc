@@ -16,8 +16,8 @@
 namespace playhouse::drivers {
 namespace {
 
-/// Interfaces that Stage's driver has for any model, and this one not yet: such a device is left out with a
-/// warning.
+/// Interfaces of Stage's driver that are not supported
+/// yet: such devices are skipped with a warning.
 constexpr std::array<std::string_view, 2> kForLater = {"graphics2d", "graphics3d"};
 
 Result<void> open_world(const scene::CfgSection& section, Site& site) {
@@ -36,13 +36,13 @@ Result<void> open_world(const scene::CfgSection& section, Site& site) {
   }
   const Result<void> opened = site.open_world(path);
   if (opened) return opened;
-  // A fault inside the world has its own line; one of the whole world is where the world is named.
+  // Errors inside the world have a line of their own; others are reported where the world is named.
   const Error& fault = opened.error();
   if (fault.where.empty()) return Error{section.at("worldfile"), fault.text};
   return fault.where == escaped(path) ? Error{section.at("worldfile"), "world file " + fault.line()} : fault;
 }
 
-/// The model that the section's devices belong to; none when it names none.
+/// The model that a section names; none if it names none.
 Result<world::ModelRow> section_model(const scene::CfgSection& section, const world::World& world) {
   const std::string name = section.text("model", "");
   if (name.empty()) return world::ModelRow{};

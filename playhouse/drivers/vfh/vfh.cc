@@ -17,16 +17,16 @@ namespace p2d = wire::position2d;
 
 namespace {
 
-// Of the client's devices.
+// Indices of the client's devices.
 constexpr std::size_t kRobot = 0;
 constexpr std::size_t kLaser = 1;
 
-constexpr std::size_t kStatesKept = 64;  // of one batch, all of which pass on
-constexpr std::uint64_t kDelay = 1;      // ticks from a scan to the command that follows from it
+constexpr std::size_t kStatesKept = 64;  // per batch; all are forwarded
+constexpr std::uint64_t kDelay = 1;      // ticks from a scan to its command
 
 using Body = std::optional<std::vector<std::byte>>;
 
-/// The answer to a question for T; nothing if there is none that can be used.
+/// Decodes a reply to T; none on NACK or an invalid body.
 template <typename T>
 std::optional<T> value_of(const Body& body) {
   if (!body) return std::nullopt;
@@ -75,7 +75,7 @@ void Vfh::ask_geometry() {
 }
 
 void Vfh::stop(device::DeviceId) {
-  if (set_goal(std::nullopt)) drive(0, 0);  // the robot may go on without us
+  if (set_goal(std::nullopt)) drive(0, 0);  // stop: the robot may stay open for others
   client_.close();
   const std::lock_guard lock(mutex_);
   state_.reset();
@@ -88,11 +88,11 @@ void Vfh::rewound() {
 }
 
 device::Taken Vfh::command(const device::Message& message) {
-  if (!client_.is_open()) return device::Taken::kNo;  // a goal must not wait for whoever opens it next
+  if (!client_.is_open()) return device::Taken::kNo;  // a goal must not wait for the next client
   if (message.subtype != p2d::kCmdPos) {
     const bool was_driving = set_goal(std::nullopt);
     const device::Taken taken = client_.command(kRobot, message.subtype, message.body);
-    if (was_driving && taken == device::Taken::kNo) drive(0, 0);  // nobody steers any more
+    if (was_driving && taken == device::Taken::kNo) drive(0, 0);  // stop: no longer controlled
     return taken;
   }
   const Result<p2d::CmdPos> command = wire::decode<p2d::CmdPos>(message.body);
@@ -101,7 +101,7 @@ device::Taken Vfh::command(const device::Message& message) {
   return device::Taken::kLatest;
 }
 
-/// Replaces the goal, if any; true if there was one. No command for the old one comes afterwards.
+/// Replaces or clears the goal; true if there was one. No command for the old goal follows.
 bool Vfh::set_goal(std::optional<geom::Pose> X_OG) {
   bool had_one = false;
   {

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The .cfg driver "vfh": a robot that drives to goals round what a laser sees. It is a position2d in front
-/// of another one: goals are its own (vfh_step.h, on a thread of its own), everything else passes through.
+/// The .cfg driver "vfh": drives a robot to goals with obstacle avoidance by laser. A position2d in front of
+/// another one: goals are handled here (vfh_step.h, on a thread of its own), everything else is forwarded.
 
 #include <cstdint>
 #include <memory>
@@ -37,7 +37,7 @@ class Vfh final : public device::Driver {
   Result<void> start(device::DeviceId device) override;
   void stop(device::DeviceId device) override;
   void retired(device::DeviceId) override { stop(device_); }
-  /// The world is that of another time: what was computed counts no more, the goal stays. Tick thread.
+  /// The world was rewound: discards computed results, keeps the goal. Tick thread.
   void rewound();
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
@@ -68,10 +68,10 @@ class Vfh final : public device::Driver {
   std::optional<Goal> goal_;
   std::uint64_t goals_ = 0;  // so far
   std::optional<wire::position2d::Data> state_;
-  std::optional<double> radius_;    // m; once the robot has told its size
-  std::optional<geom::Pose> X_RS_;  // once the laser has told its place
+  std::optional<double> radius_;    // m; once the robot's geometry is known
+  std::optional<geom::Pose> X_RS_;  // once the laser's geometry is known
 
-  AlgorithmThread thread_;  // last: it ends before what it uses
+  AlgorithmThread thread_;  // last member: joined before what it uses is destroyed
 };
 
 }  // namespace playhouse::drivers

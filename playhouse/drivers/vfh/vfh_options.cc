@@ -8,7 +8,7 @@
 namespace playhouse::drivers {
 namespace {
 
-/// Reads fields of one section; the first value out of bounds is kept as fault().
+/// Reads fields of a section; the first value out of range is kept as fault().
 class Fields {
  public:
   explicit Fields(const scene::CfgSection& section) : section_(section) {}
@@ -80,7 +80,7 @@ Result<VfhOptions> vfh_options(const scene::CfgSection& section) {
   options.escape_speed = section.length("escape_speed", options.escape_speed);
   options.escape_time = fields.number("escape_time", options.escape_time);
   options.escape_turn_rate = fields.angle("escape_max_turnrate", options.escape_turn_rate);
-  section.flag("synchronous", false);  // the result of a run does not depend on threads here
+  section.flag("synchronous", false);  // runs are deterministic regardless of threads
   if (const Result<void> fault = fields.fault(); !fault) return fault.error();
   return options;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The fields of a section of driver "vfh": names, units and defaults of the original (docs/drivers.md).
+/// The options of a section of driver "vfh": names, units and defaults as in the original (docs/drivers.md).
 
 #include "playhouse/base/result.h"
 #include "playhouse/drivers/vfh/vfh_step.h"
@@ -8,7 +8,7 @@
 
 namespace playhouse::drivers {
 
-/// Fails with "file:line" on a value that makes no sense.
+/// Parses the options. Fails with "file:line" on an invalid value.
 Result<VfhOptions> vfh_options(const scene::CfgSection& section);
 
 }  // namespace playhouse::drivers

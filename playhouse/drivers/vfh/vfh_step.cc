@@ -12,22 +12,22 @@ using geom::kPi;
 using geom::normalize;
 using geom::Vec2;
 
-constexpr double kSight = 3;                        // m; nothing beyond it counts
-constexpr double kWideOpening = geom::radians(80);  // one of less is narrow
-constexpr double kFullTurn = geom::radians(45);     // from this far off on it turns as fast as it may
-constexpr double kNoForward = geom::radians(90);    // from this far off on it does nothing but turn
-constexpr double kRest = 0.01;                      // m/s; slower it turns on the spot
+constexpr double kSight = 3;                        // m; range of consideration
+constexpr double kWideOpening = geom::radians(80);  // smaller openings are narrow
+constexpr double kFullTurn = geom::radians(45);     // heading error with the maximum turn rate
+constexpr double kNoForward = geom::radians(90);    // heading error from which it turns in place
+constexpr double kRest = 0.01;                      // m/s; below: turning in place
 
-constexpr double kNothing = 1e9;  // m; range of a beam that hits nothing
+constexpr double kNothing = 1e9;  // m; range of a miss
 
-/// A part of the window that an obstacle fills or hides.
+/// A window cell that is occupied or hidden by an obstacle.
 struct Cell {
   Vec2 p_RC;
   double distance = 0;
-  double magnitude = 0;  // what it adds to the histogram in its directions
+  double magnitude = 0;  // contribution to the histogram
 };
 
-/// The beams of a scan, by their angle.
+/// A scan with access by angle.
 class Scan {
  public:
   explicit Scan(const VfhIn& in)
@@ -37,16 +37,16 @@ class Scan {
         middle_(in.first_angle + span(in) / 2),
         span_(span(in)) {}
 
-  /// False for one that shows nothing: no beams, or angles that are no angles.
+  /// False for an unusable scan: no beams, or invalid angles.
   bool valid() const {
     return !ranges_.empty() && (ranges_.size() == 1 || step_ > 0) && std::isfinite(span_) && span_ <= 7 &&
            std::isfinite(middle_);
   }
-  /// Whether something at this bearing, give or take `tolerance`, would be seen.
+  /// True if this bearing, within `tolerance`, is inside the field of view.
   bool shows(double bearing, double tolerance) const {
     return std::abs(normalize(bearing - middle_)) <= span_ / 2 + tolerance;
   }
-  /// The least range within `half` of a bearing, and in any case at the beam next to it.
+  /// Minimum range within `half` of a bearing, at least of the nearest beam.
   double range(double bearing, double half) const {
     if (ranges_.size() == 1) return beam(0);
     const double place = (normalize(bearing - middle_) + span_ / 2) / step_;
@@ -65,7 +65,7 @@ class Scan {
   double beam(std::size_t index) const {
     const double range = ranges_[index];
     if (range >= max_range_) return kNothing;
-    return range >= 0 ? range : 0;  // a NaN is no number either
+    return range >= 0 ? range : 0;  // also for NaN
   }
 
   std::span<const float> ranges_;
@@ -73,7 +73,7 @@ class Scan {
   double step_, middle_, span_;  // rad
 };
 
-/// What is filled or hidden and not further away than `reach`.
+/// Occupied and hidden cells within `reach`.
 std::vector<Cell> filled_cells(const VfhOptions& options, const VfhRobot& robot, const Scan& scan,
                                double reach) {
   const geom::Rotation R_RS = geom::Rotation::of(robot.X_RS.a);
@@ -97,14 +97,14 @@ std::vector<Cell> filled_cells(const VfhOptions& options, const VfhRobot& robot,
   return cells;
 }
 
-/// Which way a sector points, seen from the robot. Sectors are fixed in O, so that they mean the same in the
-/// next step.
+/// Bearing of a sector from the robot. Sectors are
+/// fixed in O, to be comparable between steps.
 double bearing_of(int sector, const VfhOptions& options, const VfhIn& in) {
   return normalize(sector * geom::kTwoPi / options.sectors - in.X_OR.a);
 }
 
-/// What is in the way in each direction: a cell is, where the robot, `radius` wide on both sides, would touch
-/// its middle.
+/// Polar histogram of obstacles: a cell counts in a direction
+/// if the robot, enlarged by `radius`, would touch its centre.
 std::vector<double> histogram(const VfhOptions& options, const VfhIn& in, std::span<const Cell> cells,
                               double radius) {
   std::vector<double> sums(static_cast<std::size_t>(options.sectors));
@@ -119,7 +119,7 @@ std::vector<double> histogram(const VfhOptions& options, const VfhIn& in, std::s
   return sums;
 }
 
-/// How far to each side the robot can turn while it moves, before one of its turning circles meets a cell.
+/// Limits of heading changes while moving, by collision of the turning circles with cells.
 struct Turns {
   double right = -kPi, left = kPi;  // rad, about its heading
 };
@@ -139,7 +139,7 @@ Turns possible_turns(const VfhOptions& options, std::span<const Cell> cells, dou
   return turns;
 }
 
-/// Where the robot may go next: free, seen, and within reach of its wheel. Updates what is blocked.
+/// Candidate sectors: free, visible and reachable. Updates `blocked` (hysteresis).
 std::vector<std::uint8_t> open_sectors(const VfhOptions& options, const VfhRobot& robot, const VfhIn& in,
                                        const Scan& scan, std::span<const Cell> cells, double radius,
                                        std::vector<std::uint8_t>& blocked) {
@@ -167,7 +167,7 @@ struct Candidate {
   double max_speed = 0;  // m/s
 };
 
-/// The directions that an opening offers, from its right edge to its left one.
+/// Candidate directions of an opening, from its right edge to its left.
 void add_candidates(const VfhOptions& options, double right, double left, double wanted,
                     std::vector<Candidate>& candidates) {
   if (left - right < kWideOpening) {
@@ -188,7 +188,7 @@ std::vector<Candidate> find_candidates(const VfhOptions& options, std::span<cons
   const auto first_shut = static_cast<std::size_t>(std::ranges::find(open, 0) - open.begin());
   if (first_shut == count) return {{wanted, options.max_speed_wide}};
   std::vector<Candidate> candidates;
-  std::size_t length = 0;  // of the opening that is being looked at, in sectors
+  std::size_t length = 0;  // of the current opening, in sectors
   for (std::size_t i = first_shut + 1; i <= first_shut + count; ++i) {
     if (open[i % count] != 0) {
       ++length;
@@ -212,7 +212,7 @@ std::optional<Candidate> choose(const VfhOptions& options, std::span<const Candi
   return *best;
 }
 
-/// Towards a bearing, the faster the further it is off; on the spot not too slowly.
+/// Turn rate proportional to the heading error, with a minimum when turning in place.
 double turn_rate(const VfhOptions& options, double off, double speed) {
   const double most = std::max(0.0, options.max_turn_rate.at(speed));
   const double rate = std::clamp(off / kFullTurn, -1.0, 1.0) * most;
@@ -221,12 +221,12 @@ double turn_rate(const VfhOptions& options, double off, double speed) {
   return off > 0 ? std::max(rate, least) : std::min(rate, -least);
 }
 
-/// The speed from which the robot can stop within `room`.
+/// The highest speed that allows stopping within `room`.
 double stopping_speed(const VfhOptions& options, double room) {
   return std::sqrt(2 * options.max_acceleration * std::max(0.0, room));
 }
 
-/// How far straight ahead nothing is in the way.
+/// Free distance straight ahead.
 double room_ahead(std::span<const Cell> cells, double radius) {
   double room = kSight;
   for (const Cell& cell : cells)
@@ -240,7 +240,7 @@ VfhOut turn_to_goal(const VfhOptions& options, const VfhIn& in) {
   return {0, turn_rate(options, off, 0)};
 }
 
-/// Nowhere to go: it looks round, on towards the side to which it turns.
+/// No free direction: turns in place, keeping the present sense.
 VfhOut look_round(const VfhOptions& options, const VfhMemory& memory, double wanted) {
   const double side = memory.turn_rate != 0 ? memory.turn_rate : wanted;
   return {0, side < 0 ? -options.max_turn_rate.at_rest : options.max_turn_rate.at_rest};
@@ -271,7 +271,7 @@ VfhOut drive_to_goal(const VfhOptions& options, const VfhRobot& robot, const Vfh
   return {speed, turn_rate(options, off, speed)};
 }
 
-/// A blind way out of a stall, to one side and then to the other.
+/// Escape manoeuvre from a stall, alternating sides.
 std::optional<VfhOut> escape(const VfhOptions& options, const VfhIn& in, VfhMemory& memory) {
   if (options.escape_speed == 0 || options.escape_time <= 0) return std::nullopt;
   if (in.stall && in.time >= memory.escape_end) {

@@ -1,13 +1,13 @@
 import { isStill, kStill, type Velocity } from './hands';
 
-const kRenewMs = 150; // the program stops a robot whose velocity is not renewed for half a second
-const kLeastMs = 40; // between two velocities of a stick on its way
+const kRenewMs = 150; // the server stops a robot whose velocity command is not renewed within 0.5 s
+const kLeastMs = 40; // minimum interval between commands of a moving stick
 
 export interface Order extends Velocity {
   model: number;
 }
 
-/** What to tell the program of one robot that is driven: changes at once, the same again before it ends, and one stop. */
+/** Commands for the driven robot: changes at once, renewal before the server's timeout, and one stop. */
 export class Driver {
   private last: Order | null = null; // null: nothing is driven
   private lastTime = 0;
@@ -16,7 +16,7 @@ export class Driver {
     return this.last?.model ?? null;
   }
 
-  /** Orders to send now, for what the hands want of this model; null: of none. */
+  /** Commands to send now for the wanted velocity of this model; null: no model is driven. */
   next(model: number | null, velocity: Velocity, now: number): Order[] {
     const orders: Order[] = [];
     if (this.last && this.last.model !== model) orders.push(...this.stop());
@@ -29,7 +29,7 @@ export class Driver {
     return orders;
   }
 
-  /** The connection is gone: nobody is there to be told. */
+  /** The connection is lost: drop the state, there is no server to send a stop to. */
   forget(): void {
     this.last = null;
   }

@@ -1,13 +1,13 @@
 import type { Hands, Velocity } from './hands';
 
-const kPerPixel = 0.0025; // rad
-const kUpMost = 1.4; // rad, up or down
+const kPerPixel = 0.0025; // rad per pixel of mouse movement
+const kUpMost = 1.4; // pitch limit [rad]
 const kTurnGain = 6; // 1/s
 const kTurnMost = 3; // rad/s
-const kTurnLeast = 0.01; // rad; nearer than this is there
-const kWalk: Velocity = { forward: 2, sideways: 0.8, turn: 1.8 }; // at full hands
+const kTurnLeast = 0.01; // rad: deadband of the heading controller
+const kWalk: Velocity = { forward: 2, sideways: 0.8, turn: 1.8 }; // at full deflection
 
-/** Where somebody looks who sees the world through a model's eyes: by the mouse at once, and the body follows. */
+/** View direction of a first-person view: the mouse turns it at once, the body's heading follows. */
 export class Eyes {
   yaw: number; // rad, in the world
   pitch = 0; // rad, up
@@ -16,18 +16,18 @@ export class Eyes {
     this.yaw = heading;
   }
 
-  /** The mouse moved by so many pixels. */
+  /** Mouse movement in pixels. */
   look(dx: number, dy: number): void {
     this.yaw -= dx * kPerPixel;
     this.pitch = Math.min(Math.max(this.pitch - dy * kPerPixel, -kUpMost), kUpMost);
   }
 
-  /** Looks where the body heads: it is turned otherwise than by the mouse. */
+  /** Adopts the body's heading while something other than the mouse turns it. */
   follow(heading: number): void {
     this.yaw = heading;
   }
 
-  /** What a body of this heading is to do: it walks as the hands want, A and D aside, and turns to where one looks. */
+  /** Velocity command for a body of this heading: keys walk (A and D strafe), and the body turns to the view direction. */
   walk(hands: Hands, heading: number): Velocity {
     const off = Math.atan2(Math.sin(this.yaw - heading), Math.cos(this.yaw - heading));
     const turn = hands.sideways !== 0 ? hands.sideways * kWalk.turn : Math.abs(off) < kTurnLeast ? 0 : Math.min(Math.max(kTurnGain * off, -kTurnMost), kTurnMost);

@@ -1,4 +1,4 @@
-/** What a person's hands want of a robot: each from -1 to 1, full speed. */
+/** Normalised command from keys, gamepad and touch stick: each component in [-1, 1], 1: full speed. */
 export interface Hands {
   forward: number;
   sideways: number; // 1: left
@@ -14,9 +14,9 @@ export interface Velocity {
 
 export const kStill: Velocity = { forward: 0, sideways: 0, turn: 0 };
 
-const kFull: Velocity = { forward: 0.6, sideways: 0.6, turn: 1.6 }; // robots have limits of their own
-const kUnhurried = 0.5; // of it, by keys without Shift
-const kDeadZone = 0.15; // of a stick's way: no stick rests exactly in its middle
+const kFull: Velocity = { forward: 0.6, sideways: 0.6, turn: 1.6 }; // robots clamp to their own limits
+const kUnhurried = 0.5; // fraction of full speed, for keys without Shift
+const kDeadZone = 0.15; // fraction of full deflection: sticks do not rest exactly at zero
 
 const kKeys: Record<string, Partial<Hands>> = {
   w: { forward: 1 },
@@ -31,7 +31,7 @@ const kKeys: Record<string, Partial<Hands>> = {
   e: { sideways: -1 },
 };
 
-/** The keys that are down. A key is known by its place, so that it is found again when Shift changed its letter meanwhile. */
+/** The pressed keys by physical position (KeyboardEvent.code), so that Shift in between does not lose a release. */
 export class HeldKeys {
   private readonly held = new Map<string, Partial<Hands>>();
 
@@ -55,14 +55,14 @@ export class HeldKeys {
   }
 }
 
-/** The left stick drives and turns, the right one goes sideways. */
+/** Left stick: drive and turn; right stick: sideways. */
 export function handsOfAxes(axes: readonly number[]): Hands {
   const [x, y] = pastDeadZone(axes[0] ?? 0, axes[1] ?? 0);
   const [side] = pastDeadZone(axes[2] ?? 0, 0);
   return { forward: 0 - y, sideways: 0 - side, turn: 0 - x };
 }
 
-/** Nothing within the dead zone, and from its edge on all the way to 1. */
+/** Radial dead zone: zero inside, rescaled to [0, 1] outside. */
 export function pastDeadZone(x: number, y: number): [number, number] {
   const way = Math.hypot(x, y);
   if (!(way > kDeadZone)) return [0, 0];
@@ -70,13 +70,13 @@ export function pastDeadZone(x: number, y: number): [number, number] {
   return [x * scale, y * scale];
 }
 
-/** What several hands want together. */
+/** Sum of several commands, clamped to [-1, 1]. */
 export function sum(all: Partial<Hands>[]): Hands {
   const total = (part: keyof Hands) => Math.min(Math.max(all.reduce((so_far, hands) => so_far + (hands[part] ?? 0), 0), -1), 1);
   return { forward: total('forward'), sideways: total('sideways'), turn: total('turn') };
 }
 
-/** To a millimetre and a milliradian a second. */
+/** Velocity, rounded to 1 mm/s and 1 mrad/s. */
 export function velocityOf(hands: Hands): Velocity {
   const round = (value: number) => Math.round(value * 1000) / 1000 + 0;
   return { forward: round(hands.forward * kFull.forward), sideways: round(hands.sideways * kFull.sideways), turn: round(hands.turn * kFull.turn) };

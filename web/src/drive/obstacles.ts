@@ -1,24 +1,24 @@
 import type { PhysicsSolid } from '../protocol/scene';
 
 const kCell = 2; // m
-const kSlop = 0.005; // m that who walks may be inside of something: poses come in whole millimetres
+const kSlop = 0.005; // m of tolerated penetration of a walker: poses are sent in whole millimetres
 
 type Points = number[]; // x, y, x, y, ...
 
-/** What stands still, from above: convex outlines, and single edges of those that are not convex. */
+/** Static obstacle in plan view: a convex outline, or a single edge of a concave one. */
 interface Obstacle {
   points: Points;
   z: [min: number, max: number];
 }
 
-/** Out of an obstacle: along this unit vector, so far. */
+/** Minimum translation out of an obstacle: unit vector and depth. */
 export interface Push {
   x: number;
   y: number;
   depth: number; // m
 }
 
-/** What stands still in the way of who walks, by where it is. */
+/** Static obstacles in a uniform grid, for collision of a walker. */
 export class Obstacles {
   private readonly cells = new Map<string, Obstacle[]>();
 
@@ -26,7 +26,7 @@ export class Obstacles {
     for (const solid of solids) for (const obstacle of obstaclesOf(solid)) this.add(obstacle);
   }
 
-  /** The way out of what the convex outline, which is so high, is in deepest; null where it is free. */
+  /** The deepest penetration of a convex outline with this height range; null if it is free. */
   push(outline: Points, z: [min: number, max: number]): Push | null {
     let deepest: Push | null = null;
     const box = boxOf(outline);
@@ -69,7 +69,7 @@ function edges(loop: Points): Points[] {
   });
 }
 
-/** Whether it turns one way only, and once around. */
+/** Whether the loop turns in one direction only, exactly once around. */
 export function isConvex(loop: Points): boolean {
   let turned = 0;
   for (let i = 0, n = loop.length; i < n; i += 2) {
@@ -101,7 +101,7 @@ function cross(o: number[], a: number[], b: number[]): number {
   return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 }
 
-/** The shortest way that takes a convex outline out of another one, or off an edge (separating axes); null: they do not meet. */
+/** Minimum translation between two convex outlines, or outline and edge (separating axes); null: no overlap. */
 function apart(mine: Points, other: Points): Push | null {
   let best: Push | null = null;
   for (const points of [mine, other]) {

@@ -5,7 +5,7 @@ import { Obstacles } from './obstacles';
 import { Prediction, type Place } from './prediction';
 import { Walker } from './walker';
 
-/** The body that the viewer has joined as, drawn where their commands take it before the program shows it there. */
+/** The viewer's own body, drawn at its predicted pose, ahead of the server's updates. */
 export class OwnBody {
   readonly id: number;
   private readonly walker: Walker;
@@ -17,7 +17,7 @@ export class OwnBody {
     this.prediction = new Prediction(this.walker, interval);
   }
 
-  /** The order as it is to be sent: with its number where it is for this body. */
+  /** The command to send, with an input number if it is for this body. */
   number(order: Order, now: number): Order & { input?: number } {
     return order.model === this.id ? { ...order, input: this.prediction.command(order, now / 1000) } : order;
   }
@@ -26,7 +26,7 @@ export class OwnBody {
     this.prediction.counts(input, tick);
   }
 
-  /** What physics takes bodies for. */
+  /** Sets the collision shapes of the body and of static obstacles. */
   meet({ fixed, bodies }: PhysicsShapes): void {
     const own = bodies.find(({ model }) => model === this.id);
     if (own) this.walker.meet(own.solids, new Obstacles(fixed));
@@ -41,13 +41,13 @@ export class OwnBody {
     this.prediction.correct({ tick, x, y, z, a: radiansOf(replica.a[row]), tickSeconds: tickSecondsOf(replica, this.interval) }, now / 1000);
   }
 
-  /** Where to draw it. */
+  /** Pose to draw. */
   at(now: number): Place | null {
     return this.prediction.at(now / 1000);
   }
 }
 
-/** Seconds of the wall clock that a tick takes; 0: time stands still. */
+/** Wall-clock seconds per tick; 0: time stands still. */
 function tickSecondsOf({ paused, speed, realTimeFactor }: Replica, interval: number): number {
   const behind = realTimeFactor > 0 && realTimeFactor < 0.9 * speed;
   const rate = speed === 0 || behind ? realTimeFactor : speed;

@@ -2,14 +2,14 @@ import { turn } from '../motion';
 import { isStill, kStill, type Velocity } from './hands';
 import type { Walker, Walking } from './walker';
 
-const kStep = 0.01; // s, the longest
-const kSmooth = 0.12; // s in which an error of the prediction is drawn a third as large
-const kSnap = 1; // m: a larger one is no error, the body was put elsewhere
-const kHorizonMost = 1; // s that is predicted ahead of the program
-const kDrift = 0.1; // of what a further command tells of the delay
-const kAgrees = 0.03; // m: nearer to what was predicted than that, the body moved as predicted
+const kStep = 0.01; // s, maximum integration step
+const kSmooth = 0.12; // s: time constant of the decay of prediction errors
+const kSnap = 1; // m: a larger error is a teleport, which is not smoothed
+const kHorizonMost = 1; // s, maximum prediction ahead of the server
+const kDrift = 0.1; // gain of the delay estimate per command
+const kAgrees = 0.03; // m: below this distance the body moved as predicted
 const kTraceMost = 300; // steps
-const kToldMost = 200; // commands, where the program never says that they count
+const kToldMost = 200; // maximum of unacknowledged commands
 const kLeast = 1e-9; // s
 
 /** A pose in the plane. */
@@ -19,45 +19,45 @@ export interface Place {
   a: number;
 }
 
-/** The own body as the program shows it in some tick. */
+/** The own body in a server update. */
 export interface Shown extends Place {
   tick: number;
   z: number;
-  /** Local seconds that a tick takes; 0: time stands still. */
+  /** Wall-clock seconds per tick; 0: time stands still. */
   tickSeconds: number;
 }
 
-/** What the body was told, and when: here, and in ticks of the program once that has said so. */
+/** A command: its local time, and the server tick it took effect in, once acknowledged. */
 interface Told {
   input: number;
   velocity: Velocity;
   at: number; // s, local
-  tick: number | null; // it counts in the ticks after this one
+  tick: number | null; // takes effect in the ticks after this one
 }
 
 /**
- * The own body before the program shows it: commands move it at once by the same kinematics. Each pose that comes is where
- * commands up to some number had brought it (the program tells which), and what was told since is carried out again
- * from there. Where that comes out otherwise than drawn, the difference fades.
+ * Client-side prediction with server reconciliation: commands move the body at once by the server's
+ * kinematics. Each update includes the commands up to some number (acknowledged by the server);
+ * later commands are replayed from there. The remaining difference to the drawn pose decays.
  */
 export class Prediction {
-  private told: Told[] = []; // the first is the newest that counts in what was shown last
+  private told: Told[] = []; // the first is the newest command included in the last update
   private given = 0;
   private body: Walking | null = null;
   private time = 0; // s, local: of the body
   private z = 0;
   private before: Shown | null = null;
   private trace: (Walking & { time: number })[] = []; // where the body was, ascending
-  private off: Place = { x: 0, y: 0, a: 0 }; // drawn so far from the body
-  private faded = 0; // s, local
-  private anchor: { at: number; tick: number } | null = null; // what the program did in this tick was told then
+  private off: Place = { x: 0, y: 0, a: 0 }; // offset of the drawn pose from the body
+  private faded = 0; // s, local: time of the last decay
+  private anchor: { at: number; tick: number } | null = null; // a server tick and the local time of the command applied in it
 
   constructor(
     private readonly walker: Walker,
-    private readonly interval: number, // s of the program, a tick
+    private readonly interval: number, // s of simulated time per tick
   ) {}
 
-  /** The body is told to move so from now on. Returns the command's number. */
+  /** Applies a velocity command from now on. Returns its input number. */
   command(velocity: Velocity, now: number): number {
     this.advance(now);
     this.told.push({ input: ++this.given, velocity, at: now, tick: null });
@@ -65,7 +65,7 @@ export class Prediction {
     return this.given;
   }
 
-  /** The program tells that a command counts in the ticks after this one. */
+  /** Acknowledgement: a command takes effect in the ticks after this one. */
   counts(input: number, tick: number): void {
     for (const told of this.told) if (told.input <= input && told.tick === null) this.date(told, tick);
   }
@@ -75,12 +75,12 @@ export class Prediction {
     const before = this.told[this.told.indexOf(told) - 1];
     const period = this.before?.tickSeconds ?? 0;
     const known = this.anchor ? this.anchor.at + (tick - this.anchor.tick) * period : told.at;
-    // From a stand the delay is what this command had; while it walks, sudden changes would be seen.
+    // From standstill, take over the delay of this command; while walking, filter it, as jumps would be visible.
     const at = !before || isStill(before.velocity) ? told.at : known + kDrift * (told.at - known);
     this.anchor = { at, tick };
   }
 
-  /** What the program shows. */
+  /** Reconciles with a server update. */
   correct(shown: Shown, now: number): void {
     const drawn = this.at(now);
     if (this.before && shown.tick < this.before.tick) this.forget();
@@ -96,7 +96,7 @@ export class Prediction {
     this.fade(drawn, now);
   }
 
-  /** Where to draw the body now; null until it was shown. */
+  /** Pose to draw now; null before the first update. */
   at(now: number): Place | null {
     if (!this.body) return null;
     this.advance(now);
@@ -107,7 +107,7 @@ export class Prediction {
     return { x: x + this.off.x, y: y + this.off.y, a: a + this.off.a };
   }
 
-  /** When what the program shows was told here: between the newest command that counts in it and the next. */
+  /** Local time of the commands in a server update: between the newest one included and the next one. */
   private timeOf({ tick, tickSeconds }: Shown, now: number): number {
     if (tickSeconds <= 0) return now;
     const counts = this.told.length > 0 && this.told[0].tick !== null && this.told[0].tick < tick;
@@ -116,7 +116,7 @@ export class Prediction {
     return Math.min(Math.max(known, counted?.at ?? -Infinity, now - kHorizonMost), next?.at ?? now, now);
   }
 
-  /** How it moves: as predicted for then where it is there, else as it moved from the tick shown before. [m/s] */
+  /** World velocity [m/s]: the predicted one if the prediction agrees, else by difference to the previous update. */
   private velocityOf(shown: Shown): [number, number] {
     const then = this.trace.findLast(({ time }) => time <= this.time + kLeast);
     if (then && Math.hypot(then.x - shown.x, then.y - shown.y) < kAgrees) return [then.vx, then.vy];
@@ -130,7 +130,7 @@ export class Prediction {
     const { body, before } = this;
     if (!body || !before) return;
     if (before.tickSeconds <= 0 || now - this.time > 2 * kHorizonMost) this.time = now;
-    const rate = this.interval / before.tickSeconds; // of the program's time
+    const rate = this.interval / before.tickSeconds; // simulated seconds per wall-clock second
     while (this.time < now - kLeast) {
       const [velocity, until] = this.wanted(this.time);
       const seconds = Math.min(kStep, now - this.time, until - this.time);
@@ -141,7 +141,7 @@ export class Prediction {
     }
   }
 
-  /** What counts at a moment, and until when. */
+  /** The velocity command in effect at a time, and the time of the next command. */
   private wanted(time: number): [Velocity, number] {
     const k = this.told.findLastIndex(({ at }) => at <= time + kLeast);
     return [this.told[k]?.velocity ?? kStill, this.told[k + 1]?.at ?? Infinity];
@@ -155,7 +155,7 @@ export class Prediction {
     if (Math.hypot(this.off.x, this.off.y) > kSnap) this.off = { x: 0, y: 0, a: 0 };
   }
 
-  /** Time went back: nothing that was told counts any more. */
+  /** Time went backwards: discards all commands and the trace. */
   private forget(): void {
     this.told = [];
     this.trace = [];

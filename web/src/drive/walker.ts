@@ -2,7 +2,7 @@ import type { Velocity } from './hands';
 import { hullOf, type Obstacles } from './obstacles';
 import type { PhysicsSolid } from '../protocol/scene';
 
-/** How a body walks, as the program says when somebody joins. */
+/** Walking limits of a body, sent by the server on join. */
 export interface Walk {
   engine: string;
   ahead: [min: number, max: number]; // m/s
@@ -10,7 +10,7 @@ export interface Walk {
   turn: [min: number, max: number]; // rad/s
 }
 
-/** Where a body is and how it moves, in the world. */
+/** Pose and velocity of a body in the world frame. */
 export interface Walking {
   x: number;
   y: number;
@@ -19,22 +19,22 @@ export interface Walking {
   vy: number;
 }
 
-const kGrip = 9.81; // m/s², what friction of feet on concrete gives (playhouse/arena/body_plan.cc, kShoe)
-const kRub = 0.36; // friction of a body along a wall, both of no stated material (playhouse/arena/surface.cc)
-const kPushes = 3; // out of obstacles that touch each other, a step
+const kGrip = 9.81; // m/s², maximum acceleration: friction of shoes on concrete (playhouse/arena/body_plan.cc, kShoe)
+const kRub = 0.36; // friction of body and wall, both of default material (playhouse/arena/surface.cc)
+const kPushes = 3; // collision iterations per step
 
 /**
- * The kinematics by which engines move who walks, for a page that shows its own body before the program does. The arena's
- * friction bounds how fast the velocity changes, and bodies slide along walls; in the stage engine they obey at once and stop.
+ * The engines' kinematics of walking, for client-side prediction. Arena: friction bounds
+ * acceleration, and bodies slide along walls. Stage: bodies obey at once and stop on collision.
  */
 export class Walker {
-  private outline: number[] = []; // convex, in the body's frame; nothing: it is not known yet
+  private outline: number[] = []; // convex, in the body's frame; empty: unknown
   private height: [number, number] = [0, 0]; // of the outline, above the body's ground
   private obstacles: Obstacles | null = null;
 
   constructor(private readonly walk: Walk) {}
 
-  /** What physics takes the body and what stands still for. */
+  /** Sets the collision shape of the body, and the static obstacles. */
   meet(body: PhysicsSolid[], obstacles: Obstacles): void {
     const points = body.flatMap((solid) => ('loop' in solid ? solid.loop : solid.corners.filter((_, k) => k % 3 !== 2)));
     const heights = body.flatMap((solid) => ('z' in solid ? solid.z : solid.corners.filter((_, k) => k % 3 === 2)));
@@ -43,7 +43,7 @@ export class Walker {
     this.obstacles = obstacles;
   }
 
-  /** On by a short time at a wanted velocity in the body's frame; z is the ground that it stands on. */
+  /** One step at a wanted velocity in the body's frame; z: height of the ground under the body. */
   step(body: Walking, wanted: Velocity, z: number, seconds: number): void {
     const { walk } = this;
     const [ahead, left] = [within(wanted.forward, walk.ahead), within(wanted.sideways, walk.aside)];
@@ -70,7 +70,7 @@ export class Walker {
     body.vy += share * dy;
   }
 
-  /** Out of what it has walked into; what of its motion went there is lost, and some of the rest by friction. */
+  /** Resolves penetrations: removes the normal velocity, and reduces the tangential one by friction. */
   private slide(body: Walking, z: number): void {
     for (let k = 0; k < kPushes; ++k) {
       const push = this.pushOf(body, z);

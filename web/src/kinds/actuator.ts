@@ -9,11 +9,11 @@ import type { Drawing, KindPage, PanelTools, Stage } from './kind_page';
 export default { kind: 'actuator', panel, drawings: (stage) => [new Ways(stage)] } satisfies KindPage;
 
 const kWay = new Color(0xe8590c);
-const kTurn = Math.PI / 32; // between two corners of an arc
+const kTurn = Math.PI / 32; // step of an arc
 
 const turns = ({ joint }: Model) => joint === 'rotational';
 
-/** The way along which each actuator of the selected robot goes, or what it turns through, between its ends. */
+/** The path or the arc of each actuator of the selected robot, between its limits. */
 class Ways implements Drawing {
   readonly object = new Group();
   private readonly lines = new Painted('lines', 6, { depthTest: false });
@@ -61,7 +61,7 @@ class Ways implements Drawing {
     }
   }
 
-  /** At a place in the model's frame. */
+  /** Adds a vertex at a point of the model's frame. */
   private corner(row: number, x: number, y: number, z: number): void {
     const { motion } = this.stage;
     const [c, s] = [Math.cos(motion.a[row]), Math.sin(motion.a[row])];

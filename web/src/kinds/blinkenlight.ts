@@ -18,7 +18,7 @@ function shade(state: number): number {
   return isLit(state) ? 1 : kDark;
 }
 
-/** A glow about each lamp that is lit: lamps are small. */
+/** A glow around each lit lamp: the lamps themselves are small. */
 class Glows implements Drawing {
   readonly object = new Group();
   private readonly fill = new Painted('triangles', 2);

@@ -14,7 +14,7 @@ function bearingOf({ fov = 0, pan = 0, image: [width] = [1, 1] }: Model, column:
   return pan + (width > 1 ? fov * (0.5 - column / (width - 1)) : 0);
 }
 
-/** What cameras see: a wedge to each patch, in its colour. */
+/** Colour blobs: a wedge per blob, in its colour. */
 class Wedges implements Drawing {
   readonly layer = 'sensors';
   readonly object = new Group();

@@ -15,7 +15,7 @@ const kPressed = new Color(0xe03131);
 
 const isPressed = ({ hit }: { hit: number }) => hit >= 0;
 
-/** The faces of switches: a line each, and a bar for those that are pressed; also within what presses them. */
+/** Faces of bumper switches: a line each, and a bar if pressed; drawn over the bodies that press them. */
 class Faces implements Drawing {
   readonly layer = 'sensors';
   readonly object = new Group();

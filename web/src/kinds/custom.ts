@@ -9,7 +9,7 @@ const kListed = 16; // in the panel
 /** Readings come in thousandths; 0.001 times a whole number may show its rounding. */
 export const readingText = (reading: number) => `${Number(reading.toFixed(3))}`;
 
-/** What a library's model measured, number by number: only the library knows what they mean. */
+/** Readings of a library's model, number by number: only the library knows their meaning. */
 function panel(model: Model, { replica, row, refresh, codes }: PanelTools): Node[] {
   const table = el('table', { 'data-testid': 'readings' });
   refresh(() => {

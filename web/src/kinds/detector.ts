@@ -13,7 +13,7 @@ const kSteps = 24; // of a circle
 const kListed = 12; // in the panel
 const kInk = new Color(0x9c36b5);
 
-/** The field of view of each detector, and a line to each thing that it finds, broken where bodies are before it. */
+/** Field of view of each detector, and a line to each detection, broken where bodies occlude it. */
 class Fields implements Drawing {
   readonly layer = 'sensors';
   readonly object = new Group();
@@ -74,7 +74,7 @@ class Fields implements Drawing {
 
 type Eye = ReturnType<typeof frameOf>;
 
-/** From where a detector looks: half its height above its pose. */
+/** Origin of a detector's rays: half its height above its pose. */
 function eyeOf(motion: Motion, row: number, model: Model): Eye {
   const at = frameOf(motion, row, model.origin);
   at.z += (model.size?.[2] ?? 0) / 2;

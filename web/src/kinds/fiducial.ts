@@ -10,7 +10,7 @@ export default { kind: 'fiducial', panel, drawings: (stage) => [new Sightings(st
 const kRing = 20; // corners
 const kInk = new Color(0xe08a00);
 
-/** What fiducial finders see: a line to each marker, a ring where it stands and a tick for its heading. */
+/** Fiducial detections: a line to each marker, a ring at its position and a tick for its heading. */
 class Sightings implements Drawing {
   readonly layer = 'fiducials';
   readonly object = new Group();

@@ -4,7 +4,7 @@ import type { KindPage, PanelTools } from './kind_page';
 
 export default { kind: 'gps', panel } satisfies KindPage;
 
-/** Where a satellite receiver believes to be, in the frame of the world. */
+/** Estimated position of a satellite receiver, in the world frame. */
 function panel(model: Model, { replica, row, line, codes }: PanelTools): Node[] {
   const now = () => replica().views('gps').get(row(model.id));
   return [

@@ -18,12 +18,12 @@ const kInsets = [0.75 * 0.66, 0.25 * 0.66];
 const kFree = new Color(0x2f9e63);
 const kBroken = new Color(0xd5372c);
 
-/** How far from the middle the inner faces of the paddles are. [m] */
+/** Distance of the inner paddle faces from the centre line. [m] */
 export function faceOf({ size, paddle: [, width] = [0, 0, 0] }: Model, closed: number): number {
   return (1 - closed) * Math.max(0, 0.5 - width) * size[1];
 }
 
-/** What the paddles do, as a person says it. */
+/** State of the paddles in words. */
 export function paddlesText({ paddles, closing, held }: GripperView): string {
   const done = `${Math.round(paddles * 100)} %`;
   if (closing < 0) return `opening, ${done}`;
@@ -37,12 +37,12 @@ export function liftText({ lift, rising }: GripperView): string {
   return lift >= 1 ? 'up' : lift > 0 ? `stopped, ${Math.round(lift * 100)} %` : 'down';
 }
 
-/** The first name for bit 1, the second for bit 2. */
+/** Names of the set bits: the first for bit 1, the second for bit 2. */
 export function bitsText(bits: number, names: [string, string]): string {
   return bits === 0 ? 'none' : names.filter((_, k) => bits & (1 << k)).join(', ');
 }
 
-/** The paddles of grippers that have the body of their kind, where they are. */
+/** Paddles of grippers with the default body, at their current positions. */
 class Paddles implements Drawing {
   readonly object = new Group();
   private readonly rows: number[];
@@ -84,7 +84,7 @@ class Paddles implements Drawing {
     (this.edges.material as LineBasicMaterial).dispose();
   }
 
-  /** Of a box from 0 to 1 along each axis. */
+  /** Transform of a unit box [0, 1]^3 to a paddle. */
   private paddleMatrix(row: number, side: number, closed: number, lift: number): Matrix4 {
     const model = this.stage.scene.models[row];
     const { size: [sx, sy, sz], paddle: [length, width, height] = [0, 0, 0] } = model;
@@ -103,7 +103,7 @@ class Paddles implements Drawing {
   }
 }
 
-/** The beams between paddles that somebody uses. */
+/** Break beams between the paddles of grippers in use. */
 class Beams implements Drawing {
   readonly layer = 'sensors';
   readonly object = new Group();

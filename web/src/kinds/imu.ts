@@ -7,7 +7,7 @@ export default { kind: 'imu', panel } satisfies KindPage;
 
 const three = (x: number, y: number, z: number) => [x, y, z].map((each) => each.toFixed(2)).join('  ');
 
-/** What an inertial unit feels, along and about its own axes. */
+/** Measurements of an inertial unit, in its own frame. */
 function panel(model: Model, { replica, row, line, codes }: PanelTools): Node[] {
   const now = () => replica().views('imu').get(row(model.id));
   return [

@@ -6,32 +6,32 @@ import type { Model, Scene } from '../protocol/scene';
 import type { Layers } from '../view/stage_view';
 import type { Theme } from '../view/theme';
 
-/** What the page does with models of a kind, or with a trait, beyond their bodies: a file of this folder each, found by itself. */
+/** Panel and drawings of a kind or trait; one file of this folder each, found by the bundler. */
 export interface KindPage {
   kind: Kind | Trait;
-  /** What the panel says of one model. */
+  /** Content of the panel for one model. */
   panel?(model: Model, panel: PanelTools): Node[];
-  /** What is drawn beside bodies, of all models of the kind. */
+  /** Drawings besides the bodies, for all models of the kind. */
   drawings?(stage: Stage): Drawing[];
-  /** How bright a body is drawn, from 0 to 1, by the bits of its state. */
+  /** Brightness of a body, 0 to 1, from its state bits. */
   shade?(state: number): number;
 }
 
-/** What a panel's lines are made of. Texts are asked for again after every packet. */
+/** Building blocks of panels. Texts are evaluated again after every packet. */
 export interface PanelTools {
-  /** What this viewer holds now; rows in it move when robots come or go. */
+  /** This viewer's current replica; its rows change when the population does. */
   replica(): Replica;
-  /** Row of a model now. */
+  /** Current row of a model. */
   row(id: number): number;
   /** Runs after every packet. */
   refresh(what: () => void): void;
   line(name: string, text: () => string, id?: string): HTMLElement;
   detail(text: () => string, id?: string): HTMLElement;
-  /** The devices of a part, as a client opens them. */
+  /** Devices of a part, in the notation of clients. */
   codes(model: Model): HTMLElement[];
 }
 
-/** What drawings read; of one population. */
+/** Inputs of drawings; valid for one population. */
 export interface Stage {
   scene: Scene;
   replica: Replica;
@@ -40,10 +40,10 @@ export interface Stage {
 }
 
 export interface Drawing {
-  /** Which layer it is shown with; without one it always is. */
+  /** The layer that shows it; none: always visible. */
   layer?: keyof Layers;
   object: Object3D;
-  /** Lays it anew; called before a picture when the layer is shown. */
+  /** Rebuilds the geometry; called before a frame if the layer is visible. */
   draw(): void;
   dispose(): void;
 }

@@ -13,20 +13,20 @@ import type { Drawing, KindPage, PanelTools, Stage } from './kind_page';
 export default { kind: 'ranger', panel, drawings: (stage) => [new Fans(stage)] } satisfies KindPage;
 
 const kConeSteps = 6;
-const kSensorsManyMost = 1500; // beyond, cones are plain triangles
-const kLayersMost = 1; // scans on top of each other; beyond, they get fainter, so that robots stay visible
-const kRoom = 8; // m, of floor around them
+const kSensorsManyMost = 1500; // above this number, sonar cones are single triangles
+const kLayersMost = 1; // scan overlap above which scans are faded, to keep robots visible
+const kRoom = 8; // m, margin around the outermost sensors
 const kSonarValuesMost = 64; // numbers in the panel
-const kGap = 0.4; // m: a longer step between two beams is no surface
+const kGap = 0.4; // m: a larger step between adjacent beams is a gap, not a surface
 
-/** Where a sensor's beams begin at this moment. */
+/** Current frame of a sensor's beams. */
 function beamsFrame(motion: Motion, model: number, origin: Pose | undefined, sensor: Sensor): Frame {
   const frame = frameOf(motion, model, origin, sensor.pose);
   frame.z += sensor.size[2] / 2;
   return frame;
 }
 
-/** How much floor scans cover, and how often. */
+/** Overlap of scans on the floor: total area and bounding box. */
 class Cover {
   private area = 0; // m^2, of all scans
   private left = Infinity;
@@ -45,21 +45,21 @@ class Cover {
     this.high = Math.max(this.high, at.y);
   }
 
-  /** On average, between the outermost sensors; a few robots close together are not a crowd. */
+  /** Average overlap within the bounding box; the margin keeps a few close robots from counting as a crowd. */
   layers(): number {
     const floor = (this.right - this.left + kRoom) * (this.high - this.low + kRoom);
     return this.area > 0 ? this.area / floor : 0;
   }
 }
 
-/** Laser scans as filled fans, outlined where they met something; sonar pings as cones. */
+/** Laser scans as filled fans, outlined along surfaces hit; sonar pings as cones. */
 class Fans implements Drawing {
   readonly layer = 'sensors';
   readonly object = new Group();
   private readonly fill = new Painted('triangles', 2);
   private readonly outline = new Painted('lines', 3);
   private readonly colors: Float32Array[] = [];
-  private fade = 1; // of this frame's paint; from how much floor the last frame's scans covered
+  private fade = 1; // fade of this frame; from the overlap of the last frame
 
   constructor(private readonly stage: Stage) {
     this.object.add(this.fill.object, this.outline.object);
@@ -113,7 +113,7 @@ class Fans implements Drawing {
 
   private cone(at: Frame, sensor: Sensor, beam: number, color: Float32Array, steps: number): void {
     const range = (beam * sensor.range[1]) / 65535;
-    // A ping that heard nothing says little; it is drawn fainter.
+    // A ping without an echo carries little information: drawn fainter.
     const alpha = (beam === 65535 ? color[3] * 0.45 : color[3]) * this.fade;
     let px = 0;
     let py = 0;
@@ -138,7 +138,7 @@ class Fans implements Drawing {
   }
 }
 
-/** The sensor's own colour, lifted where the page is dark; alpha within what lets the world shine through. */
+/** The sensor's colour, lightened in the dark theme; alpha clamped so that the world shows through. */
 function paintOf(rgba: Rgba, theme: Theme): Float32Array {
   const color = new Color().setRGB(rgba[0], rgba[1], rgba[2], 'srgb');
   if (theme.dark) color.lerp(new Color(0xffffff), 0.35);

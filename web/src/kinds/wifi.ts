@@ -10,7 +10,7 @@ const kListed = 12; // in the panel
 const kWeak = new Color(0xe03131);
 const kStrong = new Color(0x2f9e44);
 
-/** Which radios are heard: a line to each, the greener the better it is heard. */
+/** Radio links: a line to each radio in range, green for a strong signal. */
 class Links implements Drawing {
   readonly layer = 'sensors';
   readonly object = new Group();

@@ -1,6 +1,6 @@
 const kDecoder = new TextDecoder('utf-8', { fatal: true });
 
-/** Reads a packet's numbers and texts; throws RangeError at the end of the bytes, TypeError at what is no UTF-8. The formats: playhouse/replicate/delta.h. */
+/** Decoder of packets; throws RangeError beyond the end, TypeError on invalid UTF-8. Format: playhouse/replicate/delta.h. */
 export class ByteReader {
   private at = 0;
   private readonly view: DataView;
@@ -35,7 +35,7 @@ export class ByteReader {
     return value;
   }
 
-  /** Up to 2^53: multiplied, since shifts stop at 32 bits. */
+  /** Up to 2^53: multiplied, as JavaScript's shifts are 32-bit. */
   varint(): number {
     let value = 0;
     let scale = 1;
@@ -48,7 +48,7 @@ export class ByteReader {
     }
   }
 
-  /** UTF-8, its length in bytes in front. */
+  /** Length-prefixed UTF-8. */
   text(): string {
     const length = this.varint();
     if (length > this.view.byteLength - this.at) throw new RangeError('a text without end');

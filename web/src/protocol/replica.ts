@@ -20,7 +20,7 @@ export function radiansOf(turn: number): number {
   return ((turn > 32768 ? turn - 65536 : turn) / 65536) * 2 * Math.PI;
 }
 
-/** What this viewer holds of the world: the baseline that the program's packets change. Mirrors delta.h. */
+/** This viewer's replica of the world: the baseline that delta packets update. Mirrors delta.h. */
 export class Replica {
   tick = 0;
   frame = 0;
@@ -30,7 +30,7 @@ export class Replica {
   speed = 1;
   realTimeFactor = 0;
 
-  // Per model, in the parent's frame: mm, mm, mm, 1/65536 turn; bits; 0xRRGGBBAA; tokens that it carries; 1/65536 turn, twice.
+  // Per model, in the parent's frame: mm, mm, mm, 1/65536 turn; state bits; 0xRRGGBBAA; flags carried; tilt in 1/65536 turn.
   readonly x: Int32Array;
   readonly y: Int32Array;
   readonly z: Int32Array;
@@ -41,18 +41,18 @@ export class Replica {
   readonly tiltX: Uint16Array;
   readonly tiltY: Uint16Array;
 
-  /** By model row, what it says; those that say nothing are not there. */
+  /** By model row: its current text; silent models are absent. */
   readonly says = new Map<number, string>();
   /** By sensor row: ranges as fractions of the sensor's range_max, times 65535. */
   readonly scans = new Map<number, Uint16Array>();
-  /** Where each sensor row is. */
+  /** Pose of each sensor row. */
   readonly sensors: SensorPlace[] = [];
-  /** Per model with sensors, its first sensor row. */
+  /** First sensor row of each model with sensors. */
   readonly firstSensor = new Map<number, number>();
   /** Model rows by id. */
   readonly rows: Map<number, number>;
 
-  /** Per kind, by model row. */
+  /** View data per kind, by model row. */
   private readonly viewed = kViews.map(() => new Map<number, unknown>());
 
   constructor(readonly scene: Scene) {
@@ -76,7 +76,7 @@ export class Replica {
     });
   }
 
-  /** What this replica holds, for another population of the same world: `came` are ids whose start counts. */
+  /** Carries the replica over to another population: models in `came` start from the scene's initial state. */
   followedBy(scene: Scene, came: Set<number>): Replica {
     const next = new Replica(scene);
     const { tick, frame, paused, rowsWait, beamsFull, speed, realTimeFactor } = this;
@@ -97,12 +97,12 @@ export class Replica {
     return next;
   }
 
-  /** What came of models of a kind, by row. */
+  /** View data of one kind, by model row. */
   views<K extends keyof Views>(kind: K): ReadonlyMap<number, Views[K]> {
     return this.viewed[kViews.findIndex((view) => view.kind === kind)] as Map<number, Views[K]>;
   }
 
-  /** Applies one packet. Throws when the bytes are none; the replica is then of no use any more. */
+  /** Applies a packet. Throws if it is malformed; the replica is then invalid. */
   apply(packet: ArrayBuffer): void {
     const bytes = new ByteReader(packet);
     if (bytes.u8() !== 3) throw new Error('not a packet of this program');

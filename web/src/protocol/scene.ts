@@ -1,4 +1,4 @@
-/** The scene as the program describes it once, and who comes and goes later (docs/viewer-protocol.md). Metres and radians. */
+/** The scene, sent once, and changes of its population (docs/viewer-protocol.md). Metres and radians. */
 
 import type { Walk } from '../drive/walker';
 import type { Kind, KindStart } from './generated/views';
@@ -7,22 +7,22 @@ export type { Sensor } from './generated/views';
 export type Pose = [x: number, y: number, z: number, a: number];
 export type Rgba = [r: number, g: number, b: number, a: number];
 
-/** A prism: loops of x, y, x, y, ...; solid where an odd number of loops holds a point. */
+/** A prism: loops of x, y, x, y, ... filled by the even-odd rule. */
 export interface Solid {
   z: [min: number, max: number];
   loops: number[][];
 }
 
-/** A light of a mesh, in the frame of the body; a spot has a way. */
+/** A light of a mesh, in the frame of the body; a spot light has a direction. */
 export interface MeshLight {
   p: [x: number, y: number, z: number];
   candela: [r: number, g: number, b: number];
   way?: [x: number, y: number, z: number]; // unit
-  inner?: number; // rad from the way: full light
-  outer?: number; // and none
+  inner?: number; // rad from the direction: full intensity up to here
+  outer?: number; // rad: zero intensity from here
 }
 
-/** What models that look alike have in common. */
+/** Properties shared by models of the same appearance. */
 export interface Prototype extends KindStart {
   type: string;
   kind: Kind;
@@ -30,26 +30,26 @@ export interface Prototype extends KindStart {
   origin?: Pose;
   size: [number, number, number];
   shape?: number; // row of shapes
-  mesh?: string; // address of a binary glTF of the body, from that of the page
-  lights?: MeshLight[]; // that the mesh has
-  lamp?: number; // cd, in its color, every way alike
-  shine?: [metallic: number, roughness: number]; // of what it is made of
-  smoke?: boolean; // a cloud in place of a body
-  moving?: number; // how many of its solids, the last, its kind draws
+  mesh?: string; // address of a binary glTF file, relative to the page
+  lights?: MeshLight[]; // lights of the mesh
+  lamp?: number; // cd, isotropic, in the model's colour
+  shine?: [metallic: number, roughness: number]; // material
+  smoke?: boolean; // smoke cloud instead of a body
+  moving?: number; // number of trailing solids that are drawn by the kind
   movable?: boolean;
-  nose?: boolean; // what it wants drawn beside its body
+  nose?: boolean; // draws a heading mark
   outline?: boolean;
   grid?: boolean;
 }
 
-/** What is a model's own. */
+/** Properties of an individual model. */
 interface Words {
   id: number;
   name: string;
   alias?: string;
   devices?: string[]; // as Player clients address them
   start: [x_mm: number, y_mm: number, z_mm: number, turn: number, state: number, color: number, flags: number];
-  tilt?: [x_turn: number, y_turn: number]; // at the start; none: upright
+  tilt?: [x_turn: number, y_turn: number]; // initial tilt; none: upright
   fiducial?: number;
 }
 
@@ -60,19 +60,19 @@ interface ModelText extends Words {
 
 export interface Model extends Prototype, Words {
   parentId: number | null;
-  parent: number; // row, or -1; what is carried may come before who carries it
+  parent: number; // row, or -1; children may precede parents
 }
 
-/** What shines on a scene. Colors are shares of what a screen shows, from 0 to 1. */
+/** Lighting of a scene. Colours are in display units, 0 to 1. */
 export interface Light {
   to_sun: [x: number, y: number, z: number]; // unit
-  sun: number; // how bright it makes a white face that is square to it
-  ambient: number; // and the light from everywhere
-  day: number; // share of the colors of sky and fog
-  white_lux: number; // of lamps that make a white face as bright as 1
+  sun: number; // brightness of a white face perpendicular to the sun
+  ambient: number; // brightness by ambient light
+  day: number; // factor on the colours of sky and fog
+  white_lux: number; // illuminance at which a white face is drawn with brightness 1
   sky: [r: number, g: number, b: number];
   fog: [r: number, g: number, b: number];
-  visibility: number; // m, at which fog leaves 5 % of a contrast; 0: there is no fog
+  visibility: number; // m, distance at which fog leaves 5 % contrast; 0: no fog
   floor: number; // 0xRRGGBB
 }
 
@@ -91,11 +91,11 @@ export interface Scene {
   light: Light | null; // null: the engine has none
   shapes: Solid[][];
   prototypes: Prototype[];
-  addable: string[]; // names of what a person may add
+  addable: string[]; // names of the models that can be spawned
   models: Model[]; // by id
 }
 
-/** Who has gone, and who came or has another parent. */
+/** Removed models, and models spawned or reparented. */
 export interface Changes {
   gone: number[]; // ids
   models: ModelText[];
@@ -103,18 +103,18 @@ export interface Changes {
 
 type SceneText = Omit<Scene, 'models'> & { models: ModelText[] };
 
-/** The ticks of the instants that the run can go back to, ascending; or why there are none. */
+/** Ticks of the keyframes that the run can be rewound to, ascending; or why there are none. */
 export type History = { ticks: number[] } | { none: string };
 
 type HistoryText = { first: number; steps: [gap: number, times: number][] } | { none: string };
 
-/** The world as it stands, to be kept under this name. */
+/** The current world as a world file, with its file name. */
 export interface WorldFile {
   file: string;
   text: string;
 }
 
-/** Somebody who watches; `body` is the id of the model that they have joined as. */
+/** A connected viewer; `body`: id of the model it has joined as. */
 export interface Person {
   viewer: number;
   role: string;
@@ -124,7 +124,7 @@ export interface Person {
 }
 
 /**
- * Who watches, and what this viewer may do: drive robots, join, change how the world runs, change who is in it and save it.
+ * Connected viewers, and the rights of this one: drive robots, join, control the run, change and save the population.
  */
 export interface People {
   people: Person[];
@@ -135,21 +135,21 @@ export interface People {
   edits: boolean;
 }
 
-/** What physics takes something for: an upright prism, or the corners of what is convex. [m] */
+/** Collision shape: an upright prism, or the vertices of a convex hull. [m] */
 export type PhysicsSolid = { z: [min: number, max: number]; loop: number[] } | { corners: number[] };
 
 export interface PhysicsShapes {
-  fixed: PhysicsSolid[]; // in the world
-  bodies: { model: number; solids: PhysicsSolid[] }[]; // by id, in the frame of the model
+  fixed: PhysicsSolid[]; // in the world frame
+  bodies: { model: number; solids: PhysicsSolid[] }[]; // by model id, in the model's frame
 }
 
-/** The viewer's own body, and how it walks. */
+/** The viewer's own body, and its walking limits. */
 export interface Joined {
   joined: number; // id
   walk: Walk;
 }
 
-/** A command of the viewer's, by its number, counts in the ticks after this one. */
+/** Acknowledges a drive command by number: it takes effect in the ticks after this one. */
 export interface Driven {
   input: number;
   tick: number;
@@ -157,7 +157,7 @@ export interface Driven {
 
 type Message = { scene: Scene } | { people: People } | { changes: Changes } | { history: History } | { world: WorldFile } | Joined | { driven: Driven } | { physics: PhysicsShapes } | { notice: string };
 
-/** A text message: the scene, changes of its population, instants to go back to, a file, or a line for the person who watches. */
+/** Parses a text message: the scene, population changes, keyframes, a file, or a notice for the user. */
 export function parseText(text: string): Message {
   const message: unknown = JSON.parse(text);
   if (typeof message !== 'object' || message === null) throw new Error('not a message of this program');
@@ -184,11 +184,11 @@ export function sceneOf(text: SceneText): Scene {
   return { ...text, models: inRows(text.models.map((model) => modelOf(model, text.prototypes))) };
 }
 
-/** The scene with another population; rows move, ids do not. */
+/** The scene with another population: rows change, ids do not. */
 export function withChanges(scene: Scene, changes: Changes): Scene {
   const gone = new Set(changes.gone);
   const came = changes.models.map((model) => modelOf(model, scene.prototypes));
-  // Models that stay are copied: their rows belong to the scene that was.
+  // Models that stay are copied: the previous scene keeps its rows.
   const stay = scene.models.filter((model) => !gone.has(model.id)).map((model) => ({ ...model }));
   return { ...scene, models: inRows([...stay, ...came].sort((a, b) => a.id - b.id)) };
 }
@@ -208,7 +208,7 @@ export function rowsOf(models: Model[]): Map<number, number> {
   return new Map(models.map((model, row) => [model.id, row]));
 }
 
-/** The row of the wheels of a top-level model; null when it has none. */
+/** Row of the base of a top-level model; null if it has none. */
 export function wheelsOf(scene: Scene, roots: Int32Array, row: number): number | null {
   const wheels = scene.models.findIndex((model, part) => roots[part] === row && model.kind === 'position');
   return wheels < 0 ? null : wheels;
@@ -219,12 +219,12 @@ export function devicesOf(scene: Scene, roots: Int32Array, row: number): string[
   return scene.models.flatMap((model, part) => (roots[part] === row ? (model.devices ?? []) : []));
 }
 
-/** "guest", or "guest (marker 13)" for somebody whose finder reads it. */
+/** "guest", or "guest (marker 13)" if it has a fiducial marker. */
 export function nameWithMarker(model: Model): string {
   return model.fiducial ? `${model.name} (marker ${model.fiducial})` : model.name;
 }
 
-/** Row of the top-level model above each model. */
+/** Row of the top-level ancestor of each model. */
 export function rootsOf(scene: Scene): Int32Array {
   return Int32Array.from(scene.models, (_, row) => {
     let top = row;
@@ -233,7 +233,7 @@ export function rootsOf(scene: Scene): Int32Array {
   });
 }
 
-/** All rows, parents before what they carry. */
+/** All rows, parents before children. */
 export function parentsFirst(scene: Scene): Int32Array {
   const depths = scene.models.map((_, row) => {
     let depth = 0;

@@ -13,7 +13,7 @@ export class Ask {
     dialog.append(form);
   }
 
-  /** Calls `done` with the answer, unless the dialog is closed without one. The browser tells `rule` of an answer that is not of the pattern. */
+  /** Calls `done` with the answer unless the dialog is dismissed. `rule`: the hint for input that violates `pattern`. */
   open(question: string, { value = '', pattern = '', rule = '', most = 1000 }: { value?: string; pattern?: string; rule?: string; most?: number }, done: (text: string) => void): void {
     this.question.textContent = question;
     this.input.value = value;

@@ -4,19 +4,19 @@ import { el } from './dom';
 import { clockText } from './texts';
 
 const kLinesMost = 200;
-const kTextMost = 1000; // letters
+const kTextMost = 1000; // characters
 
 interface Heard {
   tick: number;
   line: HTMLElement;
 }
 
-/** What was said in the world since the page was opened, by whom and when; and a field for who has joined. */
+/** Chat log since the page was opened: text, speaker and time; and an input field for viewers who have joined. */
 export class Chat {
   private readonly lines = el('ol', { 'data-testid': 'chat-lines', tabindex: '0' });
   private readonly field = el('input', { type: 'text', autocomplete: 'off', maxlength: `${kTextMost}`, placeholder: 'Say something (Enter)', 'data-testid': 'say', 'aria-label': 'Say' });
   private heard: Heard[] = [];
-  private said = new Map<number, string>(); // by id of the model, what it says now
+  private said = new Map<number, string>(); // current text, by model id
   private speaks = false;
   private wanted = true;
 
@@ -37,7 +37,7 @@ export class Chat {
     this.show();
   }
 
-  /** Who may only read has no field. */
+  /** Viewers without the right to speak have no input field. */
   showSpeaks(speaks: boolean): void {
     this.speaks = speaks;
     this.show();
@@ -55,7 +55,7 @@ export class Chat {
     this.field.focus();
   }
 
-  /** Another world: what was said in the one before is of no interest. */
+  /** A new world was loaded: discards the log. */
   clear(): void {
     this.heard = [];
     this.said.clear();
@@ -63,7 +63,7 @@ export class Chat {
     this.show();
   }
 
-  /** Takes over what is said now. */
+  /** Logs the changes of the models' texts. */
   listen(replica: Replica, interval: number): void {
     const { tick, scene } = replica;
     while (this.heard.length > 0 && this.heard[this.heard.length - 1].tick > tick) this.heard.pop()!.line.remove();

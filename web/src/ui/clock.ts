@@ -4,7 +4,7 @@ import { el, setText } from './dom';
 import { Past, type PastEvents } from './past';
 import { clockText } from './texts';
 
-/** Simulated time, how fast it passes, and the way back. */
+/** Simulated time, real-time factor, and the rewind slider. */
 export class Clock {
   private readonly time = el('span', { class: 'time', 'data-testid': 'time' });
   private readonly factor = el('span', { class: 'factor', 'data-testid': 'factor' });
@@ -18,7 +18,7 @@ export class Clock {
     bar.append(this.time, this.past.slider, el('span', { class: 'pace' }, this.factor, this.mode), this.tick);
   }
 
-  /** Which instants the run can go back to. */
+  /** Sets the keyframes the run can be rewound to. */
   follow(history: History): void {
     this.past.follow(history);
   }

@@ -13,13 +13,13 @@ export interface PanelEvents {
 
 type Refresh = () => void;
 
-/** The devices of the selected robot, live. */
+/** Live values of the selected robot's devices. */
 export class DevicePanel {
   private refreshers: Refresh[] = [];
   private followButton: HTMLElement | null = null;
   private row: number | null = null;
-  private replica!: Replica; // set before anything is shown
-  private parts: number[] = []; // ids of the robot and all that is shown of it
+  private replica!: Replica; // set before the first use
+  private parts: number[] = []; // ids of the robot and its parts in the panel
   private readonly tools: PanelTools = {
     replica: () => this.replica,
     row: (id) => this.at(id),
@@ -39,7 +39,7 @@ export class DevicePanel {
     this.row = row;
     const rows = [...scene.models.keys()].filter((part) => roots[part] === row);
     const parts = [scene.models[row].id, ...rows.map((part) => scene.models[part].id)];
-    // The same robot in another population: its nodes stay, one may be about to be clicked.
+    // The same robot in another population: keeps its nodes, as one may be about to be clicked.
     const same = !this.box.hidden && parts.length === this.parts.length && parts.every((id, k) => id === this.parts[k]);
     this.parts = parts;
     if (same) return this.update();
@@ -58,7 +58,7 @@ export class DevicePanel {
     return [...(panelOf(model.kind) ?? plain()), ...(model.traits ?? []).flatMap((trait) => panelOf(trait) ?? [])];
   }
 
-  /** Row of a model now. */
+  /** Current row of a model. */
   private at(id: number): number {
     return this.replica.rows.get(id)!;
   }
@@ -109,7 +109,7 @@ export class DevicePanel {
     return el('header', {}, swatch, name, close, tags, edits);
   }
 
-  /** The flags that a model carries and what it says, while it does. */
+  /** Flags carried by a model, and its current text. */
   private speech(model: Model): HTMLElement[] {
     const flags = el('span', { class: 'tag', 'data-testid': 'flags' });
     const says = el('q', { 'data-testid': 'says' });
@@ -149,7 +149,7 @@ export class DevicePanel {
   }
 }
 
-/** The devices of a part, as a client opens them. */
+/** Devices of a part, in the notation of clients. */
 function codes(model: Model): HTMLElement[] {
   return (model.devices ?? []).map((device) => el('code', { 'data-device': device }, device));
 }

@@ -22,14 +22,14 @@ export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
   return node as T;
 }
 
-/** Writes only what differs, so that live values cost nothing while they stand still. */
+/** Writes only if changed, so that constant values cost no layout. */
 export function setText(node: Node, text: string): void {
   if (node.textContent !== text) node.textContent = text;
 }
 
-const kFetchMs = 60000; // in which the browser has taken a file
+const kFetchMs = 60000; // the object URL is revoked after this time
 
-/** Gives the person at the page a file. */
+/** Offers a file for download. */
 export function download(name: string, content: Blob): void {
   const url = URL.createObjectURL(content);
   el('a', { href: url, download: name }).click();

@@ -4,7 +4,7 @@ import { el, setText } from './dom';
 
 const kHint = ['W', 'A', 'S', 'D'];
 
-/** Says how to drive the selected robot, and how fast it is told to go. */
+/** Shows the keys for driving the selected robot, and the commanded velocity. */
 export class DriveBar {
   private readonly who = el('b', { 'data-testid': 'drives' });
   private readonly speed = el('span', { class: 'speed', 'data-testid': 'wanted' });

@@ -2,7 +2,7 @@ import type { HeldKeys } from '../drive/hands';
 
 const kSliderKeys = ['Home', 'End', 'PageUp', 'PageDown'];
 
-/** Whether keys are somebody else's: text is typed, a choice is made, a dialog is open. */
+/** Whether another element handles the key: text input, a select, a slider, an open dialog. */
 function isTaken(event: KeyboardEvent): boolean {
   const { target, key } = event;
   if (document.querySelector('dialog[open]') || event.ctrlKey || event.metaKey || event.altKey) return true;
@@ -11,7 +11,7 @@ function isTaken(event: KeyboardEvent): boolean {
   return target instanceof HTMLInputElement && target.type !== 'checkbox';
 }
 
-/** One key, one action. */
+/** Binds keys to actions. */
 export function listenForKeys(actions: Record<string, () => void>): void {
   window.addEventListener('keydown', (event) => {
     if (isTaken(event)) return;
@@ -23,8 +23,8 @@ export function listenForKeys(actions: Record<string, () => void>): void {
 }
 
 /**
- * Tells which keys are down, for as long as they are. Whatever could hide that a key goes up (another window, a field to
- * type in, a dialog, a chord of the system's) lets go of all of them. `changed` says whether Shift is down.
+ * Tracks the pressed keys. Releases all of them on any event that could hide a keyup (loss
+ * of focus, a text field, a dialog, a system shortcut). `changed`: whether Shift is down.
  */
 export function listenForHeldKeys(keys: HeldKeys, changed: (fast: boolean) => void): void {
   const letGo = () => {
@@ -33,7 +33,7 @@ export function listenForHeldKeys(keys: HeldKeys, changed: (fast: boolean) => vo
   };
   window.addEventListener('keydown', (event) => {
     if (isTaken(event)) return letGo();
-    // A key that still repeats after it was let go of must be pressed anew.
+    // Key repeat after a forced release does not count: the key must be pressed anew.
     if (!event.repeat) keys.press(event.code, event.key);
     changed(event.shiftKey);
     if (event.key.startsWith('Arrow')) event.preventDefault();

@@ -4,34 +4,34 @@ import { el } from './dom';
 import { clockText } from './texts';
 
 export interface PastEvents {
-  /** The world is to be as it was at this instant. */
+  /** Rewinds the run to this tick. */
   rewind(tick: number): void;
   pause(): void;
   goOn(): void;
 }
 
-const kPeriodMs = 100; // between two instants that are asked for
-const kKeysMs = 700; // after the last key the run goes on
-const kPage = 10; // instants
+const kPeriodMs = 100; // minimum interval between rewind requests
+const kKeysMs = 700; // the run resumes this long after the last key
+const kPage = 10; // keyframes per page key
 const kNoPast = 'There is no way back in this run: ';
 
-/** The last minutes of the run: a slider over the instants that it can go back to. */
+/** Rewind slider over the keyframes of the last minutes. */
 export class Past {
   readonly slider = el('input', { type: 'range', class: 'past', 'data-testid': 'past', 'aria-label': 'Time', title: 'Drag to go back, and on from there', hidden: true });
   private ticks: number[] = [];
-  /** Where a run that stood was taken back from: the program keeps that, and tells so within a second or two. */
+  /** Ticks left by rewinding a paused run: kept by the server, which lists them within 1 to 2 s. */
   private left: number[] = [];
   private replica: Replica | null = null;
   private interval = 1;
   private live = false;
-  private held = false; // the run stands while somebody looks for an instant
-  private resumes = false; // it went when that began
-  private asked: number | null = null; // the newest instant that is wanted
-  private sent: number | null = null; // the newest that the program was asked for
-  private waiting = false; // for the time between two
+  private held = false; // paused while the slider is in use
+  private resumes = false; // was running before
+  private asked: number | null = null; // the newest tick requested by the user
+  private sent: number | null = null; // the newest tick sent to the server
+  private waiting = false; // for the minimum interval
   private keysTimer = 0;
 
-  /** `whyNot`: where the page says that there is no way back. */
+  /** `whyNot`: element for the reason why there is no rewind. */
   constructor(
     private readonly events: PastEvents,
     private readonly whyNot: HTMLElement,
@@ -39,7 +39,7 @@ export class Past {
     const { slider } = this;
     slider.onpointerdown = () => this.hold();
     slider.oninput = () => this.seek(nearest(this.ticks, Number(slider.value)));
-    // Arrows belong to the slider while it has the focus: used with a mouse, it gives them back to who drives.
+    // The focused slider handles the arrow keys: after use by mouse it loses the focus, so that they drive again.
     slider.onpointerup = slider.onpointercancel = () => {
       this.release();
       slider.blur();
@@ -110,7 +110,7 @@ export class Past {
     this.send();
   }
 
-  /** Asks for the newest instant, now or when the last one had its time. */
+  /** Sends the newest requested tick, rate-limited. */
   private send(): void {
     if (this.waiting || !this.held || this.asked === null || this.asked === this.sent) return;
     this.sent = this.asked;
@@ -134,7 +134,7 @@ export class Past {
   }
 }
 
-/** Instants that a list does not have, of those that it could have. */
+/** Ticks missing from a list, among those it could contain. */
 export function untold(instants: number[], told: number[]): number[] {
   return instants.filter((each) => told.length > 0 && each > told[0] && !told.includes(each));
 }
@@ -147,7 +147,7 @@ export function nearest(ticks: number[], tick: number): number {
   return ticks.reduce((best, each) => (Math.abs(each - tick) < Math.abs(best - tick) ? each : best));
 }
 
-/** Where a key leads from a tick, the tick itself where nothing is that way; null for other keys. */
+/** The tick a key leads to (unchanged at an end); null for other keys. */
 export function neighbour(ticks: number[], tick: number, key: string): number | null {
   const earlier = ticks.filter((each) => each < tick);
   const later = ticks.filter((each) => each > tick);

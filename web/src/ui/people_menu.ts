@@ -4,11 +4,11 @@ import { el, setText } from './dom';
 export interface PeopleEvents {
   mute(viewer: number, on: boolean): void;
   kick(viewer: number): void;
-  /** What a model is called, by its id. */
+  /** Name of a model, by id. */
   nameOf(model: number): string | undefined;
 }
 
-/** Who watches the world: a button with their number, which unfolds a sheet with their names. */
+/** Connected viewers: a button with their number, which opens a list of names. */
 export class PeopleMenu {
   readonly button = el('button', { class: 'desk', 'aria-haspopup': 'true', 'aria-expanded': 'false', 'data-testid': 'people', title: 'Who is here' });
   readonly sheet = el('div', { class: 'sheet people', hidden: true, 'data-testid': 'people-sheet' });

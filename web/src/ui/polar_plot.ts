@@ -3,7 +3,7 @@ import { bearingOf } from '../view/beams';
 
 const kConeSteps = 4;
 
-/** A ranger's sensors from above, robot in the middle looking up: every scan as an outline, with range rings. */
+/** Polar plot of a ranger's sensors, robot frame pointing up: an outline per scan, and range rings. */
 export class PolarPlot {
   private readonly pen: CanvasRenderingContext2D;
 

@@ -2,13 +2,13 @@ import { kStalled, type Replica } from '../protocol/replica';
 import { rootsOf, type Scene } from '../protocol/scene';
 import { css, el, setText } from './dom';
 
-const kRowsMost = 300; // shown at once; the search finds the rest
+const kRowsMost = 300; // rows shown at once; the search finds the rest
 
 interface Robot {
   id: number;
   row: number;
   name: string;
-  devices: string[]; // of all its parts, its wheels' first
+  devices: string[]; // of all its parts, the base's first
 }
 
 interface Entry {
@@ -28,7 +28,7 @@ function robotsOf(scene: Scene): Robot[] {
   return scene.models.flatMap((model, row) => (model.parent < 0 && model.kind === 'position' ? [{ id: model.id, row, name: model.name, devices: devices[row] }] : []));
 }
 
-/** The robots by name, with a search. */
+/** List of robots by name, with search. */
 export class RobotList {
   private readonly search = el('input', { type: 'search', placeholder: 'Find a robot or device', 'aria-label': 'Find a robot', 'data-testid': 'search' });
   private readonly count = el('div', { class: 'count', 'data-testid': 'count' });
@@ -56,7 +56,7 @@ export class RobotList {
     this.search.select();
   }
 
-  /** Another scene, or another population. */
+  /** Sets another scene or population. */
   show(scene: Scene, replica: Replica): void {
     if (this.replica?.scene.name !== scene.name) this.entries = [];
     this.replica = replica;
@@ -69,7 +69,7 @@ export class RobotList {
     for (const entry of this.entries) entry.button.setAttribute('aria-current', String(entry.row === row));
   }
 
-  /** Takes over what changed of the robots in the list. */
+  /** Updates state and colour of the listed robots. */
   update(): void {
     const { replica } = this;
     if (!replica) return;
@@ -86,7 +86,7 @@ export class RobotList {
   private fill(): void {
     const wanted = this.search.value.trim().toLowerCase();
     const found = this.robots.filter(({ name, devices }) => [name, ...devices].some((text) => text.toLowerCase().includes(wanted)));
-    // Entries of robots that stay are kept: one may be about to be clicked.
+    // Reuses the entries of robots that stay: one may be about to be clicked.
     const known = new Map(this.entries.map((entry) => [entry.id, entry]));
     this.entries = found.slice(0, kRowsMost).map((robot) => this.entry(robot, known.get(robot.id)));
     const items = this.entries.map((entry) => entry.item);

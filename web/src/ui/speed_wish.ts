@@ -1,9 +1,9 @@
 const kFaster = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50];
-const kWaitMs = 2000; // the program's answer takes a packet or two; after this it was refused, or somebody else chose
+const kWaitMs = 2000; // timeout: an answer takes one or two packets; later the request was refused or overridden
 
 /**
- * The speed that this page asked for last. Until the program has it, the next key counts from here: what packets say is older
- * than the keys of somebody who presses quickly.
+ * Optimistic display of the requested speed: until the server confirms it, further
+ * key presses count from the request, as packets lag behind fast key presses.
  */
 export class SpeedWish {
   private wish: { speed: number; until: number } | null = null;
@@ -12,7 +12,7 @@ export class SpeedWish {
     this.wish = { speed, until: now + kWaitMs };
   }
 
-  /** The speed to show and to count from, when the program says this one. */
+  /** Speed to show and to step from, given the server's current speed. */
   over(said: number, now: number): number {
     const { wish } = this;
     if (wish && (now > wish.until || Math.fround(wish.speed) === Math.fround(said))) this.wish = null;
@@ -20,7 +20,7 @@ export class SpeedWish {
   }
 }
 
-/** The speed so many steps from this one; 0 (as fast as possible) counts as the fastest. */
+/** The speed `steps` away from this one; 0 (as fast as possible) counts as the fastest. */
 export function fasterBy(steps: number, speed: number): number {
   const now = speed || kFaster[kFaster.length - 1];
   const nearest = kFaster.reduce((best, other, k) => (Math.abs(Math.log(other / now)) < Math.abs(Math.log(kFaster[best] / now)) ? k : best), 0);

@@ -1,7 +1,7 @@
 import { handsOfAxes, type Hands } from '../drive/hands';
 import { el } from './dom';
 
-/** A stick for a thumb, where there are no keys. */
+/** Touch joystick for devices without a keyboard. */
 export class Stick {
   private readonly knob = el('span', { class: 'knob' });
   private axes: [number, number] = [0, 0];

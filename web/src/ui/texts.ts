@@ -1,4 +1,4 @@
-/** Numbers as the page writes them. */
+/** Formatting of numbers and names. */
 
 export function metres(value: number): string {
   return `${value.toFixed(2)} m`;
@@ -13,7 +13,7 @@ export function shortName(name: string): string {
   return name.slice(name.lastIndexOf('.') + 1);
 }
 
-/** The name, with a number behind where somebody has it; of at most `most` letters. */
+/** A unique name of at most `most` characters: with a number appended if it is taken. */
 export function freeName(name: string, taken: ReadonlySet<string>, most: number): string {
   for (let number = 1; ; ++number) {
     const tail = number === 1 ? '' : String(number);

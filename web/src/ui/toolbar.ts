@@ -12,17 +12,17 @@ export interface ToolbarEvents {
   tilt(): void;
   fit(): void;
   toggleList(): void;
-  /** Another one of the scene's robots, by its place in the list. */
+  /** Spawns a robot, by its index in the list. */
   add(robot: number): void;
-  /** Comes into the world as a person, or leaves it. */
+  /** Joins as a person, or leaves. */
   join(): void;
   /** Waves a hand. */
   wave(): void;
-  /** Flies through the world, or looks from above again. */
+  /** Toggles free flight of the camera. */
   fly(): void;
-  /** The world as it stands, as a file. */
+  /** Saves the current world as a file. */
   save(): void;
-  /** What is on the screen, as a file. */
+  /** Saves the current view as an image. */
   picture(): void;
   help(): void;
 }
@@ -38,7 +38,7 @@ const kLayers: [keyof Layers, string, string][] = [
   ['physics', 'Physics shapes', 'X'],
 ];
 
-const kEdge = 8; // px, that a sheet stays away from the edge of the window
+const kEdge = 8; // px, margin of a sheet to the window's edge
 const kNarrow = window.matchMedia('(max-width: 1100px)');
 
 function speedText(speed: number): string {
@@ -46,17 +46,17 @@ function speedText(speed: number): string {
   return speed === 0 ? 'as fast as possible' : `${speed}× real time`;
 }
 
-/** Whether the choices of a select are unfolded; older browsers cannot tell. */
+/** Whether a select's list is open; older browsers cannot tell (then false). */
 function isOpen(select: HTMLSelectElement): boolean {
   return CSS.supports('selector(:open)') && select.matches(':open');
 }
 
-/** A world that has no name of its own is called by its file's path; people know the file. */
+/** Title of a world: its name, or the file name if the world has no name of its own. */
 export function worldTitle(name: string): string {
   return name.endsWith('.world') ? name.slice(name.lastIndexOf('/') + 1, -'.world'.length) : name;
 }
 
-/** The bar at the top: what world, how it runs, how it is looked at. */
+/** Toolbar at the top: world, run control, view. */
 export class Toolbar {
   private readonly dot = el('span', { class: 'dot', 'data-testid': 'link' });
   private readonly world = el('span', { class: 'world', 'data-testid': 'world' });
@@ -75,7 +75,7 @@ export class Toolbar {
   private paused: boolean | null = null;
   private live = false;
   private rights: Pick<People, 'manages' | 'edits'> = { manages: true, edits: true };
-  private addable = 0; // sorts of robots
+  private addable = 0; // number of spawnable robot types
 
   constructor(
     bar: HTMLElement,
@@ -99,7 +99,7 @@ export class Toolbar {
     picture.onclick = events.picture;
     this.tiltButton.onclick = events.tilt;
     this.speeds.onchange = () => events.speed(Number(this.speeds.value));
-    // Arrows belong to the choice while it has the focus: chosen with a mouse, it gives them back to who drives.
+    // The focused select handles the arrow keys: after a choice by mouse it loses the focus, so that they drive again.
     this.speeds.onpointerup = () => this.speeds.addEventListener('change', () => this.speeds.blur(), { once: true });
     this.showSpeed(1);
     bar.append(
@@ -151,7 +151,7 @@ export class Toolbar {
     }));
   }
 
-  /** Whether somebody can join, and whether the viewer has. */
+  /** Shows whether joining is possible, and whether the viewer has joined. */
   showJoin(possible: boolean, joined: boolean): void {
     this.joinButton.hidden = !possible;
     this.waveButton.hidden = !joined;
@@ -204,7 +204,7 @@ export class Toolbar {
     return this.menu(button, this.sheet);
   }
 
-  /** A button that unfolds a sheet. */
+  /** A button that opens a sheet. */
   private menu(button: HTMLElement, sheet: HTMLElement): HTMLElement {
     const show = (open: boolean) => {
       sheet.hidden = !open;

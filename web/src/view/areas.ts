@@ -2,12 +2,12 @@ import { Color } from 'three';
 import type { Rgba } from '../protocol/scene';
 import { Painted } from './painted';
 
-/** Parts of a plane at a height, in one color: all that can be seen from the first corner of an outline of x, y, x, y, ... */
+/** Visible region of a plane at a height, in one colour: a polygon x, y, ... star-shaped about its first corner. */
 export type Area = [color: Rgba, z: number, outline: number[]];
 
-const kLift = 0.001; // m, over what is as high
+const kLift = 0.001; // m, offset above coplanar surfaces
 
-/** Areas that one can see through. */
+/** Translucent areas. */
 export class Areas {
   private readonly fill = new Painted('triangles', 5);
   readonly object = this.fill.object;

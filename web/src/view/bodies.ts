@@ -13,25 +13,25 @@ import { edgesOf, geometryOf, heightOf } from './shapes';
 import { darkOf, disposeAll, isLamp, isLit, surfaceOf, type Shine } from './surfaces';
 import type { Theme } from './theme';
 
-/** Models that look alike, drawn in one call. */
+/** Instanced models of the same appearance, one draw call. */
 interface Batch {
   mesh: InstancedMesh;
   edges: LineSegments | null; // outlines
   rows: number[];
   origins: Pose[];
-  file?: MeshBatch; // how they look, where that is more than their shape
-  hidden?: boolean; // the file is drawn instead
+  file?: MeshBatch; // the glTF mesh, if there is one
+  hidden?: boolean; // hidden: the mesh is drawn instead
   shade?: KindPage['shade'];
 }
 
 const kOutlineScale = 10; // pixels per metre
 
-/** The bodies of all models but people and smoke, without what their kinds draw, extruded, in their colours; and a point ahead of each that drives or wants one. */
+/** Extruded bodies, except of people, smoke and solids drawn by kinds; heading marks of models that move or request one. */
 export class Bodies {
   readonly group = new Group();
   private readonly batches: Batch[] = [];
   private readonly noses: Batch | null;
-  private readonly shown: Uint32Array; // colours on the screen
+  private readonly shown: Uint32Array; // colours currently uploaded
   private readonly matrix = new Matrix4();
   private readonly color = new Color();
   private shine: Shine | null = null;
@@ -41,7 +41,7 @@ export class Bodies {
     private readonly replica: Replica,
     private readonly motion: Motion,
     theme: Theme,
-    /** Called when something looks otherwise by itself: a file has come. */
+    /** Called when the appearance changes asynchronously: a mesh was loaded. */
     private readonly changed: () => void,
   ) {
     this.shown = new Uint32Array(scene.models.length);
@@ -61,17 +61,17 @@ export class Bodies {
     this.move();
   }
 
-  /** How many files are there and drawn. */
+  /** Number of meshes loaded and drawn. */
   get files(): number {
     return this.batches.filter(({ hidden }) => hidden).length;
   }
 
-  /** When all files are there. */
+  /** Resolves when all meshes are loaded. */
   async filesThere(): Promise<void> {
     await Promise.all(this.batches.map(({ file }) => file?.ready));
   }
 
-  /** Moves every body to where the motion says. */
+  /** Updates the transforms of all bodies from the interpolated motion. */
   move(): void {
     for (const batch of this.batches) {
       batch.rows.forEach((row, k) => {
@@ -88,13 +88,13 @@ export class Bodies {
     mesh.instanceMatrix.needsUpdate = true;
   }
 
-  /** Leaves out outlines where they would be most of what is seen. */
+  /** Hides outlines at scales where they would dominate. */
   adapt(pixelsPerMetre: number): void {
     const outlined = !this.shine && pixelsPerMetre >= kOutlineScale;
     for (const { edges, hidden } of this.batches) if (edges) edges.visible = !hidden && outlined;
   }
 
-  /** Shows bodies in this light; null: plainly, with outlines, as on a map. */
+  /** Sets the lighting; null: flat shading with outlines, as on a map. */
   shineBy(shine: Shine | null): void {
     if (shine === this.shine) return;
     this.shine = shine;
@@ -103,7 +103,7 @@ export class Bodies {
       mesh.material = this.surfaceFor(rows[0]);
       file?.shineBy(shine);
     }
-    if (this.noses) this.noses.mesh.visible = !shine; // no part of the body
+    if (this.noses) this.noses.mesh.visible = !shine; // not part of the body
     this.shown.fill(0);
     this.paint();
   }
@@ -112,7 +112,7 @@ export class Bodies {
     return surfaceOf(this.scene.models[row], (this.replica.color[row] & 0xff) / 255, this.shine);
   }
 
-  /** Takes over the colours that changed. */
+  /** Uploads changed colours. */
   paint(): void {
     const { color } = this.replica;
     for (const batch of this.batches) {
@@ -143,7 +143,7 @@ export class Bodies {
   dispose(): void {
     for (const { mesh, edges, file } of [...this.batches, ...(this.noses ? [this.noses] : [])]) {
       file?.dispose();
-      mesh.geometry.dispose(); // of the graphics card's memory; a cached one is sent there again
+      mesh.geometry.dispose(); // frees GPU memory; a cached geometry is uploaded again
       mesh.dispose();
       disposeAll(mesh.material);
       edges?.geometry.dispose();
@@ -168,7 +168,7 @@ export class Bodies {
     if (address !== undefined) this.addFile(batch, address);
   }
 
-  /** Draws the file instead of the shape, which is its outline in the plane, from when it is there. */
+  /** Draws the mesh instead of the extruded shape once it is loaded. */
   private addFile(batch: Batch, address: string): void {
     batch.file = new MeshBatch(address, batch.rows.length, this.shine, () => {
       batch.hidden = true;
@@ -186,7 +186,7 @@ export class Bodies {
     });
     if (rows.length === 0) return null;
     const geometry = new BufferGeometry();
-    // A point ahead of a body of size 1.
+    // Heading mark ahead of a body of size 1.
     const points = new Float32Array([0.74, 0, 0, 0.54, 0.26, 0, 0.54, -0.26, 0]);
     geometry.setAttribute('position', new BufferAttribute(points, 3));
     geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(points, (_, i) => (i % 3 === 2 ? 1 : 0)), 3));
@@ -212,12 +212,12 @@ export class Bodies {
   }
 }
 
-/** What makes bodies of a model's kind darker. */
+/** Brightness function of a model's kind. */
 function shadeOf({ kind }: Model): KindPage['shade'] {
   return kKindPages.find((page) => page.kind === kind)?.shade;
 }
 
-/** A colour, 0xRRGGBBAA, at so much of its brightness. */
+/** Scales the brightness of a colour 0xRRGGBBAA. */
 function darkened(color: number, brightness: number): number {
   const part = (shift: number) => Math.round(((color >>> shift) & 0xff) * brightness) << shift;
   return (part(24) | part(16) | part(8) | (color & 0xff)) >>> 0;
@@ -228,7 +228,7 @@ interface Drawn {
   edges: BufferGeometry;
 }
 
-/** By shape and how many solids are left out: walls of a bitmap take long to make, and stay while robots come and go. */
+/** Cache by shape and number of omitted solids: bitmap walls are slow to extrude, and survive population changes. */
 const kDrawn = new WeakMap<Solid[], Map<number, Drawn>>();
 
 function drawnOf(solids: Solid[], leftOut: number): Drawn {
@@ -240,10 +240,10 @@ function drawnOf(solids: Solid[], leftOut: number): Drawn {
   return known;
 }
 
-/** Lines that follow the instances of a mesh: they share its matrices. */
+/** Instanced outlines that share a mesh's matrices. */
 export function followers(geometry: BufferGeometry, mesh: InstancedMesh, alpha: number, theme: Theme): LineSegments {
   const material = new LineBasicMaterial({ color: theme.edge, transparent: true, opacity: alpha < 1 ? 0.25 : 0.55 });
-  // three.js draws instances of whatever carries these; it only offers the class for meshes.
+  // three.js instances any object with these members, but offers a class only for meshes.
   const lines = Object.assign(new LineSegments(geometry, material), {
     isInstancedMesh: true,
     instanceMatrix: mesh.instanceMatrix,

@@ -11,15 +11,15 @@ const kLinesMost = 4;
 const kLine = 16; // px
 const kPadding = 8; // px
 const kTail = 7; // px
-const kBodyLeast = 9; // px: what is smaller would vanish behind its bubble
+const kBodyLeast = 9; // px: smaller bodies would vanish behind their bubble
 const kBubblesMost = 150;
-const kTokensMost = 5; // drawn one by one; more are a number
+const kTokensMost = 5; // drawn individually; larger numbers as text
 const kToken = { width: 9, height: 14, step: 11 }; // px
 
-/** What models say, in bubbles above them, and the flags that they carry, written over the picture and the names. */
+/** Speech bubbles above models, and the flags they carry, drawn on the overlay above the names. */
 export class Bubbles {
   shown = true;
-  /** What is on the screen, by row. */
+  /** Texts on the screen, by row. */
   readonly spoken = new Map<number, string>();
   readonly tokens = new Map<number, number>();
   private readonly places = new Places();
@@ -36,7 +36,7 @@ export class Bubbles {
     this.pen = canvas.getContext('2d')!;
   }
 
-  /** The canvas is laid out and empty but for names; the emphasized rows speak first, however small they are. */
+  /** The overlay holds only names at this point; emphasised rows are placed first, whatever their size. */
   draw(emphasized: (number | null)[]): void {
     this.spoken.clear();
     this.tokens.clear();
@@ -52,7 +52,7 @@ export class Bubbles {
     }
   }
 
-  /** The top of a model on the screen; null where it is too small, or somewhere else. */
+  /** Top of a model in pixels; null if too small or off screen. */
   private topOf(row: number, strong: boolean): { x: number; y: number } | null {
     const { motion, rig } = this;
     const { size } = this.scene.models[row];
@@ -79,7 +79,7 @@ export class Bubbles {
     lines.forEach((line, k) => pen.fillText(line, x, bottom - height + kPadding / 2 + (k + 0.75) * kLine));
   }
 
-  /** A box with round corners whose tail points to who speaks. */
+  /** A rounded box whose tail points to the speaker. */
   private outline(x: number, bottom: number, width: number, height: number): void {
     const { pen, theme } = this;
     pen.beginPath();
@@ -94,7 +94,7 @@ export class Bubbles {
     pen.fill();
   }
 
-  /** Little pennants in a row above the model; of more than a few one, and how many there are. */
+  /** A row of pennants above the model; beyond the limit, one and the number. */
   private carry(row: number, count: number): void {
     const at = this.topOf(row, false);
     if (!at) return;
@@ -132,7 +132,7 @@ function pennant(pen: CanvasRenderingContext2D, x: number, foot: number, theme: 
   pen.stroke();
 }
 
-/** A text in lines that are not too wide, broken between words where there are any; what is too much ends with "…". */
+/** Wraps text to the maximum width, at word boundaries if possible; excess text ends with "…". */
 export function linesOf(text: string, widthOf: (line: string) => number): string[] {
   const lines: string[] = [];
   let rest = text.trim();

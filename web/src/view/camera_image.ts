@@ -1,6 +1,6 @@
 /**
- * Writes the pixels of a camera as red, green, blue and alpha. Distances [mm] are the brighter the nearer; models have a color each, the
- * same in every image; black is nothing.
+ * Converts a camera's samples to RGBA. Depth [mm]: nearer is
+ * brighter. Segmentation: a fixed colour per model. Black: nothing.
  */
 export function paint(samples: number[], image: string, out: Uint8ClampedArray): void {
   const farthest = image === 'depth' ? samples.reduce((most, sample) => Math.max(most, sample), 1) : 1;
@@ -13,7 +13,7 @@ export function paint(samples: number[], image: string, out: Uint8ClampedArray):
   });
 }
 
-/** 0xRRGGBB for a number that stands for a model: neighbouring ones differ clearly, 0 is black. */
+/** Colour 0xRRGGBB of a segmentation id: adjacent ids differ clearly; 0 is black. */
 function colorOf(number: number): number {
   if (number === 0) return 0;
   const mixed = Math.imul(number, 0x9e3779b1) >>> 8;

@@ -2,10 +2,10 @@ import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'thr
 
 const kFov = (35 * Math.PI) / 180;
 const kScale = { least: 0.5, most: 2000 }; // pixels per metre
-const kEyeFov = 70; // degrees, up and down
-const kEyeReach = 20; // m: what is sent of the world to who stands in it
+const kEyeFov = 70; // degrees, vertical field of view
+const kEyeReach = 20; // m: range of the world sent to a first-person view
 const kFitSteps = 8;
-const kHighest = 1000; // m: what is drawn from above, however near one looks
+const kHighest = 1000; // m: far plane from above, at any zoom
 const kPitchMost = (78 * Math.PI) / 180;
 export const kTilted = (50 * Math.PI) / 180;
 
@@ -16,17 +16,17 @@ export interface Box {
   y_max: number;
 }
 
-/** Where an eye is and looks: metres and radians, the pitch up. */
+/** Pose of a camera: metres and radians, pitch positive up. */
 export interface Eye {
   x: number;
   y: number;
   z: number;
   yaw: number;
   pitch: number;
-  fov?: number; // rad, up and down; none: as people see
+  fov?: number; // rad, vertical; none: that of a person
 }
 
-/** Pixels at each side of the screen. */
+/** Margins of the view covered by panels, in pixels. */
 export interface Margins {
   left: number;
   right: number;
@@ -35,18 +35,18 @@ export interface Margins {
 }
 
 /**
- * How the world is looked at: a point on the floor, pixels per metre there, a turn about the vertical and a tilt. Straight
- * from above the projection is orthographic, tilted it is a perspective one that agrees at the looked-at point.
+ * Camera of the view: target point on the floor, scale there, rotation about the vertical, and tilt.
+ * Vertical views are orthographic; tilted ones use a perspective with the same scale at the target.
  */
 export class CameraRig {
   x = 0;
   y = 0;
   scale = 50;
   yaw = 0;
-  pitch = 0; // 0: from above
+  pitch = 0; // 0: vertical
   width = 1;
   height = 1;
-  /** Through whose eye the world is seen, in place of all this; none: from above. */
+  /** Overrides the view by a first-person or free camera; null: from above. */
   eye: Eye | null = null;
 
   private readonly eyes = new PerspectiveCamera(kEyeFov);
@@ -64,12 +64,12 @@ export class CameraRig {
     this.height = Math.max(height, 1);
   }
 
-  /** On its way to somewhere. */
+  /** Whether an animated move is in progress. */
   get gliding(): boolean {
     return this.glide !== null;
   }
 
-  /** Moves on towards where it was sent; false when it stands still. */
+  /** Advances the animated move; false when at rest. */
   update(seconds: number): boolean {
     const { glide } = this;
     if (glide) {
@@ -92,14 +92,14 @@ export class CameraRig {
     this.glide = { ...now, ...to };
   }
 
-  /** From straight above, with this corner of the world at the top left. Not on its way any more. */
+  /** Vertical view with this world point at the top left corner. Cancels an animated move. */
   showFrom(left: number, top: number, scale: number): void {
     this.glide = null;
     Object.assign(this, { x: left + this.width / 2 / scale, y: top - this.height / 2 / scale, scale, yaw: 0, pitch: 0 });
     this.place();
   }
 
-  /** The whole box within what the margins leave of the screen. */
+  /** Fits a box into the view inside the margins. */
   fit(box: Box, margins: Margins, mode: 'glide' | 'jump'): void {
     const trial = new CameraRig();
     trial.resize(this.width, this.height);
@@ -114,7 +114,7 @@ export class CameraRig {
     else Object.assign(this, { x, y, scale });
   }
 
-  /** Perspective enlarges what is near, the more so the nearer the eye: so the box is looked at from where it was found last. */
+  /** Perspective scale depends on the distance, which changes with the target: refines the fit from the previous one. */
   private fitBetter(box: Box, margins: Margins): void {
     this.place();
     const corners = [[box.x_min, box.y_min], [box.x_max, box.y_min], [box.x_max, box.y_max], [box.x_min, box.y_max]].map(([x, y]) => this.pixelOf(x, y, 0));
@@ -123,12 +123,12 @@ export class CameraRig {
     const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     const free = { x: this.width - margins.left - margins.right, y: this.height - margins.top - margins.bottom };
     const middle = this.floorAt((left + right) / 2, (top + bottom) / 2);
-    const least = this.scale; // a point has no size: at least a metre is shown
+    const least = this.scale; // a degenerate box is shown at a size of at least 1 m
     const scale = clamp(least * Math.min(free.x / Math.max(right - left, least), free.y / Math.max(bottom - top, least)), kScale.least, kScale.most);
     if (middle) Object.assign(this, { ...this.centreFor(middle.x, middle.y, scale, margins), scale });
   }
 
-  /** Where to look at so that a point on the floor is in the middle of what the margins leave of the screen. */
+  /** Target point for which a floor point is at the centre of the view inside the margins. */
   centreFor(x: number, y: number, scale: number, margins: Margins): { x: number; y: number } {
     const [s, c] = [Math.sin(this.yaw), Math.cos(this.yaw)];
     const right = (margins.right - margins.left) / 2 / scale;
@@ -142,7 +142,7 @@ export class CameraRig {
     if (this.glide) Object.assign(this.glide, { x, y });
   }
 
-  /** Keeps the floor point under the pointer where it is. */
+  /** Zooms about the floor point under the pointer. */
   zoom(factor: number, px: number, py: number): void {
     this.glide = null;
     const before = this.floorAt(px, py);
@@ -163,12 +163,12 @@ export class CameraRig {
     this.place();
   }
 
-  /** Where the ray through a pixel meets the floor; null when it does not. */
+  /** Intersection of a pixel's ray with the floor; null if there is none. */
   floorAt(px: number, py: number): Vector3 | null {
     return this.rayAt(px, py)(0);
   }
 
-  /** The ray through a pixel, as a function from a height to where it meets it. */
+  /** The ray of a pixel, as a function from height z to its point there. */
   rayAt(px: number, py: number): (z: number) => Vector3 | null {
     const [x, y] = [(px / this.width) * 2 - 1, 1 - (py / this.height) * 2];
     const near = new Vector3(x, y, -1).unproject(this.camera);
@@ -179,14 +179,14 @@ export class CameraRig {
     };
   }
 
-  /** Pixel of a point, or null behind the eye. */
+  /** Projection of a point to pixels; null outside the depth range. */
   pixelOf(x: number, y: number, z: number): { x: number; y: number } | null {
     const p = new Vector3(x, y, z).project(this.camera);
     if (p.z < -1 || p.z > 1) return null;
     return { x: ((p.x + 1) / 2) * this.width, y: ((1 - p.y) / 2) * this.height };
   }
 
-  /** Pixels per metre at a point, about. */
+  /** Approximate pixels per metre at a point. */
   scaleAt(x: number, y: number, z: number): number {
     if (this.camera === this.flat) return this.scale;
     const camera = this.eye ? this.eyes : this.deep;
@@ -194,7 +194,7 @@ export class CameraRig {
     return this.height / 2 / far / Math.tan((camera.fov * Math.PI) / 360);
   }
 
-  /** The part of the floor that is on the screen; clipped where the view reaches the horizon. */
+  /** Bounding box of the visible floor; clipped if the view reaches the horizon. */
   view(): Box {
     if (this.eye) {
       const { x, y } = this.eye;
@@ -214,7 +214,7 @@ export class CameraRig {
     return box;
   }
 
-  /** An eye that sees what is in the middle now from the same side, as near as a person would have to be. */
+  /** A camera with the same target and direction, at the distance of equal scale in a person's field of view. */
   eyeHere(): Eye {
     if (this.eye) return { ...this.eye, fov: undefined };
     const pitch = Math.max(this.pitch - Math.PI / 2, -1.5);

@@ -5,14 +5,14 @@ import {
 import type { Light } from '../protocol/scene';
 import { sunOf, type Shine } from './surfaces';
 
-const kReach = 14; // m: how far to each side of what is looked at shadows fall
-const kAhead = 10; // m: that is so far before the eye
-const kHigh = 40; // m: what is higher above it throws no shadow
+const kReach = 14; // m, half extent of the shadow map's frustum
+const kAhead = 10; // m, offset of the frustum's centre ahead of the eye
+const kHigh = 40; // m, height of the frustum: higher bodies cast no shadow
 const kTexels = 2048; // of the shadow map
-const kDome = 400; // m, within what the eye sees
-const kContrast = 0.05; // that fog leaves at the visibility (Koschmieder)
+const kDome = 400; // m, radius of the sky dome; less than the far plane
+const kContrast = 0.05; // contrast at the visibility (Koschmieder)
 
-// Fog as it is, by Beer's law and the distance; that of three.js falls with the square of the depth.
+// Fog by Beer's law over distance; that of three.js is exponential in the squared depth.
 const kFogChunks = ['fog_pars_vertex', 'fog_vertex', 'fog_pars_fragment', 'fog_fragment'] as const;
 for (const name of kFogChunks) {
   ShaderChunk[name] = ShaderChunk[name]
@@ -29,7 +29,7 @@ const kDirection = `
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   }`;
 
-/** What one sees above the horizon: the sky, paler low down, the sun, and fog towards the horizon. */
+/** Sky shader: paler near the horizon, sun disc, and fog towards the horizon. */
 const kSky = `
   uniform vec3 sky, fog, toSun;
   uniform float sun, fogged;
@@ -43,7 +43,7 @@ const kSky = `
     #include <colorspace_fragment>
   }`;
 
-/** Light that comes from everywhere, in the color of the sky from above and of the floor from below. */
+/** Ambient environment: sky colour from above, floor colour from below. */
 const kAround = `
   uniform vec3 above, below;
   varying vec3 way;
@@ -52,18 +52,18 @@ const kAround = `
   }`;
 
 /**
- * The light of a scene, as cameras in it see it (playhouse/render/shaders.cc): sun with shadows, sky, what both reflect,
- * fog. It shines from show() to hide().
+ * Daylight of a scene, as in camera images (playhouse/render/shaders.cc): sun with
+ * shadows, sky, environment reflections and fog. Active from show() to hide().
  */
 export class Daylight {
   readonly group = new Group();
-  /** Slabs of one metre, for a floor. */
+  /** Floor texture of 1 m slabs. */
   readonly slabs = slabs();
   private readonly sun = new DirectionalLight();
   private readonly everywhere = new HemisphereLight();
   private readonly dome: Mesh<SphereGeometry, ShaderMaterial>;
   private shine: Shine | null = null;
-  private mirrored: WebGLRenderTarget | null = null; // what metals mirror
+  private mirrored: WebGLRenderTarget | null = null; // environment map
 
   constructor(
     private readonly renderer: WebGLRenderer,
@@ -97,7 +97,7 @@ export class Daylight {
     uniforms.toSun.value = new Vector3(...light.to_sun);
     uniforms.sun.value = sun > 0 ? 1 : 0;
     uniforms.fogged.value = light.visibility > 0 ? 1 : 0;
-    this.sun.intensity = Math.PI * sun; // a white face returns 1 / pi of it
+    this.sun.intensity = Math.PI * sun; // Lambertian: radiance = irradiance / pi
     this.sun.castShadow = sun > 0;
     const most = Math.max(sky.r, sky.g, sky.b, 0.01);
     const above = new Color(1, 1, 1).lerp(sky.clone().multiplyScalar(1 / most), 0.5).multiplyScalar(light.ambient);
@@ -117,14 +117,14 @@ export class Daylight {
     this.group.visible = false;
   }
 
-  /** Sky and shadows go with who looks. */
+  /** Centres sky dome and shadow frustum on the camera. */
   follow(camera: Camera): void {
     const { shine, sun } = this;
     if (!shine) return;
     this.dome.position.copy(camera.position);
     const ahead = camera.getWorldDirection(new Vector3()).setZ(0);
     if (ahead.lengthSq() > 0) ahead.setLength(kAhead);
-    // In steps of a texel, so that the edges of shadows stand still.
+    // Snapped to shadow map texels, so that shadow edges do not shimmer.
     const step = (2 * kReach) / kTexels;
     const middle = camera.position.clone().setZ(0).add(ahead).divideScalar(step).round().multiplyScalar(step);
     sun.target.position.copy(middle);
@@ -147,7 +147,7 @@ export class Daylight {
   }
 }
 
-/** A slab of a metre with joints, that is laid again and again. */
+/** Tiling texture of a 1 m slab with joints. */
 function slabs(): CanvasTexture {
   const size = 256; // pixels
   const canvas = Object.assign(document.createElement('canvas'), { width: size, height: size });

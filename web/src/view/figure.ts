@@ -4,11 +4,11 @@ import { pose } from './figure_pose';
 import type { Gait } from './gait';
 import { makeBones } from './skeleton';
 
-const kNear = 110; // pixels that the figure is high, from which on it is drawn fine
+const kNear = 110; // height in pixels above which the fine mesh is used
 const kFine = makeFigure({ corners: 18, full: true });
 const kCoarse = makeFigure({ corners: 7, full: false });
 
-/** One person: a skin over bones, fine or coarse, in the shirt of the model's colour. */
+/** A person: skinned mesh at two levels of detail, its shirt in the model's colour. */
 export class Figure {
   readonly object = new Group();
   private readonly bones: Bone[] = makeBones();
@@ -40,13 +40,13 @@ export class Figure {
     pose(this.bones, gait, wave);
   }
 
-  /** Fine when it is so many pixels high. */
+  /** Selects the level of detail by the height in pixels. */
   adapt(pixels: number): void {
     this.meshes[0].visible = pixels >= kNear;
     this.meshes[1].visible = pixels < kNear;
   }
 
-  /** Geometry is shared by all and stays. */
+  /** The geometry is shared and not disposed of. */
   dispose(): void {
     this.skeleton.dispose();
     this.shirt.dispose();

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, Color, Matrix4, SphereGeometry, Vector3 } from 'three';
 import { kBoneIndex, kSides, type BoneName } from './skeleton';
 
-/** What a part of the figure wears: a shirt in the model's colour, or one of these. */
+/** Material of a part of the figure; the shirt has the model's colour. */
 export type Cloth = 'shirt' | 'collar' | 'skin' | 'trousers' | 'belt' | 'shoes' | 'soles' | 'hair' | 'white' | 'dark' | 'lips';
 
 const kColors: Record<Cloth, number> = {
@@ -11,7 +11,7 @@ const kColors: Record<Cloth, number> = {
 
 type Weights = [BoneName, number][];
 
-/** A ring around the middle of a limb: an ellipse with half axes ahead and aside, at a height. */
+/** Cross-section of a limb: an ellipse with half axes ahead and aside, at a height. */
 interface Ring {
   z: number;
   ahead: number;
@@ -20,19 +20,19 @@ interface Ring {
   y?: number;
 }
 
-/** How fine it is: corners of a ring, and whether every ring and a face are there. */
+/** Level of detail: vertices per ring, and whether all rings and the face are included. */
 export interface Detail {
   corners: number;
   full: boolean;
 }
 
-/** Triangles with their bones, those of the model's own colour apart. */
+/** Skinned triangles; those in the model's own colour are a separate group. */
 class Mesh {
   readonly positions: number[] = [];
   readonly colors: number[] = [];
   readonly bones: number[] = [];
   readonly weights: number[] = [];
-  readonly own: number[] = []; // corners of triangles
+  readonly own: number[] = []; // triangle indices
   readonly rest: number[] = [];
   private readonly color = new Color();
 
@@ -66,7 +66,7 @@ class Mesh {
   }
 }
 
-/** From one bone to the next along a limb, by height: each pair is where it begins to be the next one's, and where it is. */
+/** Skin weights by height along a chain of bones: each pair is the blend range [from, to] to the next bone. */
 function chain(first: BoneName, ...next: [BoneName, from: number, to: number][]): (z: number) => Weights {
   return (z) => {
     let weights: Weights = [[first, 1]];
@@ -79,7 +79,7 @@ function chain(first: BoneName, ...next: [BoneName, from: number, to: number][])
   };
 }
 
-/** Skin around rings, closed at both ends. */
+/** Lofted tube over rings, capped at both ends. */
 function tube(mesh: Mesh, { corners, full }: Detail, rings: Ring[], cloth: Cloth, weightsAt: (z: number) => Weights): void {
   const kept = full ? rings : rings.filter((_, k) => k % 2 === 0 || k === rings.length - 1);
   const rows = kept.map(({ z, ahead, aside, x = 0, y = 0 }) =>
@@ -108,7 +108,7 @@ function tube(mesh: Mesh, { corners, full }: Detail, rings: Ring[], cloth: Cloth
   }
 }
 
-/** A ball or a part of one, on a single bone. */
+/** A sphere or a part of one, rigidly bound to one bone. */
 function ball(mesh: Mesh, cloth: Cloth, bone: BoneName, geometry: SphereGeometry, place: Matrix4): void {
   geometry.applyMatrix4(place);
   const { position } = geometry.attributes;
@@ -119,14 +119,14 @@ function ball(mesh: Mesh, cloth: Cloth, bone: BoneName, geometry: SphereGeometry
 }
 
 function placed(x: number, y: number, z: number, ahead: number, aside: number, up: number, back = 0): Matrix4 {
-  // A sphere of three.js has its poles along y; here they are upright, leant back by an angle.
+  // A three.js sphere has its poles along y; here they point up, tilted back by an angle.
   return new Matrix4().makeTranslation(new Vector3(x, y, z))
     .multiply(new Matrix4().makeScale(ahead, aside, up))
     .multiply(new Matrix4().makeRotationY(-back))
     .multiply(new Matrix4().makeRotationX(Math.PI / 2));
 }
 
-/** A person of 1.75 m who stands, arms down. Fine for who is near, coarse for who is far. */
+/** A standing person, 1.75 m, arms down. */
 export function makeFigure(detail: Detail): BufferGeometry {
   const mesh = new Mesh();
   torso(mesh, detail);
@@ -192,7 +192,7 @@ function leg(mesh: Mesh, detail: Detail, side: 'Left' | 'Right', y: number): voi
   shoe(mesh, detail, foot, y);
 }
 
-/** Slices across, from the heel to the toes: a flat sole and a round top. */
+/** Cross-sections from heel to toes: a flat sole and a round top. */
 function shoe(mesh: Mesh, { corners, full }: Detail, foot: BoneName, y: number): void {
   const slices = [
     [-0.085, 0.014, 0.035], [-0.08, 0.03, 0.075], [-0.05, 0.04, 0.125], [-0.01, 0.043, 0.13], [0.025, 0.044, 0.105], [0.06, 0.046, 0.08], [0.1, 0.049, 0.064], [0.135, 0.046, 0.054],

@@ -2,38 +2,38 @@ import type { Bone } from 'three';
 import { smooth, strideOf, type Gait } from './gait';
 import { kBoneIndex, kHip, kJoints, kShin, kSides, kSole, kThigh, type BoneName } from './skeleton';
 
-const kLeg = 0.8185; // m, of a leg that stands: hardly bent
+const kLeg = 0.8185; // m, length of the slightly bent standing leg
 const kLegRun = 0.79;
-const kLift = 0.09; // m that a foot is raised, walking
+const kLift = 0.09; // m, foot clearance when walking
 const kLiftRun = 0.2;
 const kWaveRate = 1.7; // 1/s
 
 interface Foot {
-  x: number; // m, of the ankle from the hip
+  x: number; // m, of the ankle relative to the hip
   y: number;
-  z: number; // m above where it stands
+  z: number; // m above its position at rest
   pitch: number; // rad, toes up
 }
 
-/** A foot at a moment of a stride: on the ground it goes back as fast as the body goes on; then it swings ahead. */
+/** Foot trajectory: stance at ground speed backwards, then swing ahead. */
 function footOf(gait: Gait, phase: number, y: number): Foot {
   const { walking, running, stepping } = gait;
   const turns = phase / (2 * Math.PI);
   const u = turns - Math.floor(turns);
-  const reach = strideOf(gait.pace) / 4; // the ground passes half a stride below a standing foot
+  const reach = strideOf(gait.pace) / 4; // a standing foot travels half a stride relative to the body
   const swings = u >= 0.5;
   const t = (u - 0.5) * 2;
   const along = walking * reach * (swings ? -1 + 2 * smooth(t) : 1 - 4 * u);
   const lift = (walking * (kLift + running * (kLiftRun - kLift)) + 0.06 * stepping) * (swings ? Math.sin(Math.PI * t) ** 2 : 0);
   const pace = Math.max(gait.pace, 1e-6);
-  // Toes point down behind, as the foot leaves, and up ahead, as it lands.
+  // Toes point down at lift-off and up at landing.
   const tip = walking * (gait.speed / pace) * (swings ? -0.55 * Math.sin(Math.PI * Math.min(2 * t, 1)) * (1 - t) + 0.25 * Math.sin(Math.PI * t) * t : 0);
   return { x: (along * gait.speed) / pace, y: y + (0.45 * along * gait.aside) / pace, z: lift, pitch: tip };
 }
 
 /**
- * Puts bones as somebody stands, breathes, walks, runs or turns, and waves so much (0 to 1). The pelvis is as high as the
- * leg that stands is long.
+ * Poses the bones by gait (standing, breathing, walking, running, turning in
+ * place) and `wave` (0 to 1). The pelvis height follows from the standing leg.
  */
 export function pose(bones: Bone[], gait: Gait, wave: number): void {
   const { walking, running, stepping, age, phase } = gait;
@@ -71,7 +71,7 @@ export function pose(bones: Bone[], gait: Gait, wave: number): void {
   if (wave > 0) waveRight(bone, wave, age);
 }
 
-/** The right arm goes up, and the forearm to and fro. */
+/** Raises the right arm and waves the forearm. */
 function waveRight(bone: (name: BoneName) => Bone, wave: number, age: number): void {
   const blend = (name: BoneName, x: number, y: number, z: number) => {
     const { rotation } = bone(name);
@@ -91,7 +91,7 @@ interface Hips {
   twist: number;
 }
 
-/** Two bones from the hip to where the ankle is to be (law of cosines); the knee bends ahead. */
+/** Two-bone inverse kinematics of hip and ankle (law of cosines); the knee bends ahead. */
 function bendLeg(thigh: Bone, shin: Bone, foot: Bone, to: Foot, hips: Hips): void {
   const [dx, dy, dz] = [to.x - hips.x, to.y - hips.y, to.z + kSole - hips.z];
   const far = Math.min(Math.hypot(dx, dy, dz), kThigh + kShin - 1e-4);

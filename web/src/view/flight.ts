@@ -3,16 +3,16 @@ import type { Eye } from './camera_rig';
 
 const kPerPixel = 0.0025; // rad
 const kUpMost = 1.5; // rad, up or down
-const kSpeed = { usual: 4, least: 0.2, most: 200 }; // m/s at full hands
+const kSpeed = { usual: 4, least: 0.2, most: 200 }; // m/s at full deflection
 const kLowest = 0.05; // m above the ground
 
-/** A camera that flies: to where it looks, aside, up and down; it is nobody's, so that nobody sees it and nothing stops it. */
+/** Free camera: no body in the world, no collision, invisible to others. */
 export class Flight {
   speed = kSpeed.usual;
 
   constructor(readonly eye: Eye) {}
 
-  /** The mouse moved by so many pixels. */
+  /** Mouse movement in pixels. */
   look(dx: number, dy: number): void {
     const { eye } = this;
     eye.yaw -= dx * kPerPixel;
@@ -23,7 +23,7 @@ export class Flight {
     this.speed = Math.min(Math.max(this.speed * factor, kSpeed.least), kSpeed.most);
   }
 
-  /** As the hands want for so long: A and D aside, Q and E up and down. False when it stands. */
+  /** Moves by the command for this time: A and D sideways, Q and E vertically. False if at rest. */
   move(hands: Hands, seconds: number): boolean {
     const { eye } = this;
     const way = this.speed * seconds;

@@ -6,17 +6,17 @@ import { Painted } from './painted';
 
 type Line = [x0: number, y0: number, x1: number, y1: number];
 
-const kLinesMost = 200; // per side of a box: larger ones have coarser grids
-const kFlat = 0.05; // m: what is no higher is a part of the floor
+const kLinesMost = 200; // per side of a box; coarser spacing above
+const kFlat = 0.05; // m: bodies up to this height count as floor
 const kAbove = 0.002; // m
 
-/** The edges of a model's box, in its own frame. [m] */
+/** Rectangle of a model's size, in its own frame. [m] */
 export function outlineOf({ size: [length, width] }: Pick<Model, 'size'>): Line[] {
   const [x, y] = [length / 2, width / 2];
   return [[-x, -y, x, -y], [x, -y, x, y], [x, y, -x, y], [-x, y, -x, -y]];
 }
 
-/** A line per metre from its middle on, as far as the box goes; per ten, hundred, ... where it is large. [m] */
+/** Grid over a model's size, centred, with 1 m spacing; 10, 100, ... m for large models. [m] */
 export function gridOf({ size: [length, width] }: Pick<Model, 'size'>): Line[] {
   let spacing = 1;
   while (Math.max(length, width) / spacing > kLinesMost) spacing *= 10;
@@ -28,12 +28,12 @@ export function gridOf({ size: [length, width] }: Pick<Model, 'size'>): Line[] {
   return [...steps(x).map((at): Line => [at, -y, at, y]), ...steps(y).map((at): Line => [-x, at, x, at])];
 }
 
-/** How high above a model's foot its marks are: on top of what would hide them and is itself a floor. [m] */
+/** Height of a model's marks above its base: on top of it if it is flat. [m] */
 export function markHeight({ size: [, , height] }: Pick<Model, 'size'>): number {
   return (height <= kFlat ? height : 0) + kAbove;
 }
 
-/** Outlines and grids of the models that want some (`gui_outline`, `gui_grid`). */
+/** Outlines and grids of models with `gui_outline` or `gui_grid`. */
 export class FloorMarks implements Drawing {
   private readonly lines = new Painted('lines', 1);
   readonly object = this.lines.object;

@@ -11,7 +11,7 @@ export interface Frame {
   a: number;
 }
 
-/** Where a part of a model is at this moment: the pose of the model, then those of frames inside it, the outermost first. */
+/** Current world frame of a part: the model's pose, then nested frames, outermost first. */
 export function frameOf(motion: Motion, row: number, ...inside: (Pose | undefined)[]): Frame {
   let { x, y, z, a } = { x: motion.x[row], y: motion.y[row], z: motion.z[row], a: motion.a[row] };
   for (const pose of inside) {
@@ -25,7 +25,7 @@ export function frameOf(motion: Motion, row: number, ...inside: (Pose | undefine
   return { x, y, z, a };
 }
 
-/** From the frame of a model's body to the world, as it stands or lies at this moment; written to `to`. */
+/** Current transform from a model's body frame to the world; written to `to`. */
 export function bodyMatrix(motion: Motion, row: number, [x, y, z, a]: Pose, to: Matrix4): Matrix4 {
   const tilted = motion.tilted.get(row);
   if (tilted) {

@@ -1,16 +1,16 @@
 const kSettle = 6; // 1/s
-const kJump = 0.5; // m between two pictures: that is no step
+const kJump = 0.5; // m between two frames: a larger step is a teleport
 const kStill = 0.02; // m/s
 const kStillTurn = 0.05; // rad/s
-const kTurnStep = 1.3; // rad of turning in place, for two steps
+const kTurnStep = 1.3; // rad of turning in place per two steps
 
-/** How somebody walks: where in a stride they are, and how fast. All of it follows from where they were drawn. */
+/** Gait of a walker: stride phase and smoothed velocity, derived from the drawn poses. */
 export class Gait {
-  phase = 0; // rad; a stride, which is two steps, is a turn
+  phase = 0; // rad; 2 pi per stride of two steps
   speed = 0; // m/s ahead, smoothed
   aside = 0; // m/s to the left, smoothed
   turning = 0; // rad/s to the left, smoothed
-  age = 0; // s, of who breathes
+  age = 0; // s, phase of breathing
 
   constructor(
     private x: number,
@@ -18,7 +18,7 @@ export class Gait {
     private a: number,
   ) {}
 
-  /** Has come to x, y, heading a, after so many seconds. False when it stands still. */
+  /** Updates from a new pose after `seconds`. False at rest. */
   walk(x: number, y: number, a: number, seconds: number): boolean {
     const [dx, dy] = [x - this.x, y - this.y];
     const turned = Math.atan2(Math.sin(a - this.a), Math.cos(a - this.a));
@@ -37,22 +37,22 @@ export class Gait {
     return this.pace > kStill || Math.abs(this.turning) > kStillTurn;
   }
 
-  /** How fast, whatever the direction. [m/s] */
+  /** Speed, in any direction. [m/s] */
   get pace(): number {
     return Math.hypot(this.speed, this.aside);
   }
 
-  /** How much of a walk it is, 0 to 1. */
+  /** Weight of walking, 0 to 1. */
   get walking(): number {
     return smooth(this.pace / 0.4);
   }
 
-  /** How much of a run, 0 to 1. */
+  /** Weight of running, 0 to 1. */
   get running(): number {
     return smooth((this.pace - 1.5) / 0.6);
   }
 
-  /** How much of turning in place, 0 to 1. */
+  /** Weight of stepping in place, 0 to 1. */
   get stepping(): number {
     return (1 - this.walking) * smooth(Math.abs(this.turning) / 0.6);
   }
@@ -62,7 +62,7 @@ export function gaitOf(x: number, y: number, a = 0): Gait {
   return new Gait(x, y, a);
 }
 
-/** The way of two steps of a person of 1.75 m at a speed. [m] */
+/** Stride length (two steps) of a person of 1.75 m at a speed. [m] */
 export function strideOf(speed: number): number {
   return Math.min(0.5 + 0.55 * speed, 2.4);
 }

@@ -5,7 +5,7 @@ import type { Theme } from './theme';
 const kLinesMost = 400;
 const kPixelsLeast = 8;
 
-/** A grid on the floor: a line per metre, stronger ones every five; coarser where the world is large. */
+/** Floor grid: a line per metre, every fifth emphasised; coarser in large worlds. */
 export class Ground {
   readonly group = new Group();
   private readonly lines: LineSegments[] = [];
@@ -26,7 +26,7 @@ export class Ground {
     this.add(box, spacing, theme.axis, (k) => k % 5 === 0);
   }
 
-  /** Lines that would lie closer than a few pixels are left out. */
+  /** Hides lines that would be closer than a few pixels. */
   adapt(pixelsPerMetre: number): void {
     this.lines[0].visible = pixelsPerMetre * this.spacing >= kPixelsLeast;
   }

@@ -5,7 +5,7 @@ import { Places } from './places';
 import type { Theme } from './theme';
 
 export const kLine = 14; // px
-const kBodyLeast = 9; // px: smaller robots than this would vanish behind their names
+const kBodyLeast = 9; // px: smaller robots would be hidden by their names
 const kLabelsMost = 250;
 
 interface Label {
@@ -15,19 +15,19 @@ interface Label {
   size: number; // m, of the body
   robot: boolean;
   name: string;
-  long: string; // with its marker
+  long: string; // with its marker's number
 }
 
-/** How far a name stands above the middle of a body of this size, in pixels. */
+/** Offset of a name above the centre of a body of this size, in pixels. */
 export function nameHeight(size: number, scale: number): number {
   return Math.min(Math.max(size * scale * 0.62, 10), 46);
 }
 
-/** Names of robots and of what carries a marker, written over the picture where there is room. */
+/** Names of robots and of models with fiducial markers, drawn on the overlay where there is room. */
 export class Labels {
   names = true;
   markers = true;
-  /** Rows whose names were written last; they go first, so that names do not flicker where not all have room. */
+  /** Rows named in the last frame; they have priority, to avoid flicker where space is short. */
   written = new Set<number>();
   private readonly labels: Label[] = [];
   private readonly places = new Places();
@@ -51,7 +51,7 @@ export class Labels {
     });
   }
 
-  /** The emphasized rows are always named, in full. */
+  /** Emphasised rows are always named, in full. */
   draw(emphasized: (number | null)[]): void {
     const { pen, canvas, rig } = this;
     const ratio = window.devicePixelRatio;

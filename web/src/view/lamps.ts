@@ -5,23 +5,23 @@ import type { MeshLight, Pose, Scene } from '../protocol/scene';
 import { bodyMatrix } from './frames';
 import { isLit } from './surfaces';
 
-const kMost = 16; // of each sort, as many as cameras have in all
+const kMost = 16; // maximum per type, as for camera images
 const kMid: Pose = [0, 0, 0, 0];
 
-/** A lamp that is lit: where it is, its color times its candela, and where it shines if that is not every way. */
+/** A lit lamp: position, colour times candela, and the cone of a spot light. */
 export interface Shining {
   at: Vector3;
   light: Color;
   spot?: { way: Vector3; inner: number; outer: number }; // unit vector; rad
 }
 
-/** The lamps of a scene that are brightest where the eye is. */
+/** The lamps of a scene that contribute most at the eye. */
 export class Lamps {
   readonly group = new Group();
   private points: PointLight[] = [];
   private spots: SpotLight[] = [];
 
-  /** As many lights as the scene may need: another number of them has every shader compiled again. */
+  /** Allocates lights for the scene up front: a change of their number recompiles all shaders. */
   prepare(scene: Scene): void {
     const { points, spots } = lightsOf(scene);
     if (points === this.points.length && spots === this.spots.length) return;
@@ -33,10 +33,10 @@ export class Lamps {
     for (const light of this.spots) this.group.add(light, light.target);
   }
 
-  /** Puts the lights where the lamps are that are lit now. */
+  /** Assigns the lights to lit lamps. */
   place(scene: Scene, replica: Replica, motion: Motion, eye: { x: number; y: number; z: number }): void {
     if (!scene.light || this.points.length + this.spots.length === 0) return;
-    const intensity = Math.PI / scene.light.white_lux; // a white face returns 1 / pi of it
+    const intensity = Math.PI / scene.light.white_lux; // Lambertian: radiance = irradiance / pi
     const from = new Vector3(eye.x, eye.y, eye.z);
     const shining = shiningIn(scene, replica, motion);
     const points = brightest(shining.filter(({ spot }) => !spot), from, this.points.length);
@@ -88,14 +88,14 @@ function shiningIn(scene: Scene, replica: Replica, motion: Motion): Shining[] {
   return shining;
 }
 
-/** Where a light of a mesh is whose body is there. */
+/** World position of a mesh's light, given its body's transform. */
 export function ofMesh({ p, candela, way, inner, outer }: MeshLight, body: Matrix4): Shining {
   const shining: Shining = { at: new Vector3(...p).applyMatrix4(body), light: new Color(...candela) };
   if (way) shining.spot = { way: new Vector3(...way).transformDirection(body), inner: inner ?? 0, outer: outer ?? 0 };
   return shining;
 }
 
-/** The first `most` by how bright they are at the eye. */
+/** The `most` lamps with the highest illuminance at the eye. */
 export function brightest(lamps: Shining[], eye: Vector3, most: number): Shining[] {
   if (lamps.length <= most) return lamps;
   const there = ({ at, light }: Shining) => (light.r + light.g + light.b) / Math.max(at.distanceToSquared(eye), 1e-4);

@@ -2,15 +2,15 @@ import { DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh, MeshStandardMate
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { Shine } from './surfaces';
 
-/** One surface of a file, in the body's frame. */
+/** One mesh primitive of a glTF file, in the body's frame. */
 interface Surface {
   geometry: BufferGeometry;
   material: Material;
 }
 
 /**
- * The material of a file in this light; null: on the map, where there is nothing that metals could mirror, so that they would be
- * black: they have their color there.
+ * A file's material in this light; null: map view, where metalness
+ * is 0, as metals would be black without an environment to reflect.
  */
 export function materialIn(shine: Shine | null, of: Material): Material {
   const material = of.clone();
@@ -20,14 +20,14 @@ export function materialIn(shine: Shine | null, of: Material): Material {
   return material;
 }
 
-/** By address: a file is loaded once, however often who is in the world changes. */
+/** Cache by address: a file is loaded once, across population changes. */
 const kLoaded = new Map<string, Promise<Surface[]>>();
 
 function surfacesAt(address: string): Promise<Surface[]> {
   const known = kLoaded.get(address);
   if (known) return known;
   const loading = new GLTFLoader().loadAsync(address).then(({ scene }) => {
-    // The file has y up, as glTF has it; bodies have z up.
+    // glTF is y-up; bodies are z-up.
     const toBody = new Matrix4().makeRotationX(Math.PI / 2);
     const surfaces: Surface[] = [];
     scene.updateMatrixWorld(true);
@@ -39,20 +39,20 @@ function surfacesAt(address: string): Promise<Surface[]> {
     return surfaces;
   });
   kLoaded.set(address, loading);
-  loading.catch(() => kLoaded.delete(address)); // to be tried again
+  loading.catch(() => kLoaded.delete(address)); // so that it is retried
   return loading;
 }
 
-/** Models that look as one file does, once that is there. */
+/** Instances of a glTF file, once it is loaded. */
 export class MeshBatch {
   readonly group = new Group();
-  /** When the file is there, or is known not to come. */
+  /** Resolves when the file is loaded or has failed. */
   readonly ready: Promise<void>;
   private parts: InstancedMesh<BufferGeometry, Material>[] = [];
   private surfaces: Surface[] = [];
   private isGone = false;
 
-  /** `shown` is called when the file is there. */
+  /** `shown` is called when the file is loaded. */
   constructor(
     address: string,
     private readonly count: number,
@@ -65,7 +65,7 @@ export class MeshBatch {
         this.add(surfaces);
         shown();
       },
-      (fault) => console.warn(`mesh ${address}: ${fault}`), // bodies stay as they are drawn without
+      (fault) => console.warn(`mesh ${address}: ${fault}`), // the extruded shape stays
     );
   }
 
@@ -81,7 +81,7 @@ export class MeshBatch {
     if (this.parts.length > 0) this.group.add(...this.parts);
   }
 
-  /** Shows them in this light; null: as on a map. */
+  /** Sets the lighting; null: map view. */
   shineBy(shine: Shine | null): void {
     this.shine = shine;
     this.parts.forEach((part, k) => {
@@ -101,7 +101,7 @@ export class MeshBatch {
   dispose(): void {
     this.isGone = true;
     for (const part of this.parts) {
-      part.dispose(); // what was loaded stays, for the next population
+      part.dispose(); // the cached geometry stays, for the next population
       part.material.dispose();
     }
   }

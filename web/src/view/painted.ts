@@ -3,7 +3,7 @@ import {
   type MaterialParameters, MeshBasicMaterial, type Object3D,
 } from 'three';
 
-/** Triangles or lines that are laid anew for every picture, in world coordinates, with a colour and an alpha per corner. */
+/** Dynamic triangles or lines, rebuilt per frame, in world coordinates, with RGBA per vertex. */
 export class Painted {
   readonly object: Object3D;
   private positions = new Float32Array(3 * 1024);

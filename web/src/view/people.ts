@@ -7,20 +7,20 @@ import { Figure } from './figure';
 import { gaitOf, smooth, type Gait } from './gait';
 import { kHeight } from './skeleton';
 
-/** Who says this waves meanwhile: a person at a page, a robot's program by `speech`, a world file by `say`. */
+/** Text that makes a person wave, whether said from a page, by `speech` or by `say` in a world file. */
 export const kWave = '*waves*';
-const kRaise = 0.3; // s, until the arm is up
+const kRaise = 0.3; // s, time to raise the arm
 
-/** Somebody who walks: kept while others come and go. */
+/** Animation state of a walker, kept across population changes. */
 interface Life {
   gait: Gait;
   wave: number; // 0 to 1
 }
 
-/** Everybody who walks, as a figure that steps as fast as it moves, breathes, turns and waves. */
+/** People as animated figures: gait by the drawn motion, breathing, turning, waving. */
 export class People {
   readonly group = new Group();
-  /** Who is not drawn: the one through whose eyes one looks. */
+  /** Row of the person not drawn: the origin of the first-person view. */
   hidden: number | null = null;
 
   private readonly rows: number[];
@@ -49,7 +49,7 @@ export class People {
     this.move(0);
   }
 
-  /** Figures where the motion says, after so much time; false when nobody's limbs move but to breathe. */
+  /** Advances all figures by `seconds`; false if nothing but breathing moves. */
   move(seconds: number): boolean {
     const { motion, replica } = this;
     const passed = replica.paused ? 0 : seconds;
@@ -69,13 +69,13 @@ export class People {
     return moves;
   }
 
-  /** As fine as they are large on the screen. */
+  /** Selects the levels of detail by the size on screen. */
   adapt(rig: CameraRig): void {
     const { motion, scene } = this;
     this.rows.forEach((row, k) => this.figures[k].adapt(rig.scaleAt(motion.x[row], motion.y[row], motion.z[row]) * scene.models[row].size[2]));
   }
 
-  /** Takes over the colours that changed. */
+  /** Applies changed colours. */
   paint(): void {
     this.rows.forEach((row, k) => (this.figures[k].color = this.replica.color[row] >>> 8));
   }

@@ -8,7 +8,7 @@ import type { PhysicsShapes as Shapes, PhysicsSolid } from '../protocol/scene';
 const kFixed = 0x00a36c;
 const kMoving = 0xff2d95;
 
-/** What physics takes bodies for, as edges over the picture: what stands still, and what moves with its model. */
+/** Wireframes of collision shapes, drawn over the view: static ones, and those that move with their models. */
 export class PhysicsShapes {
   readonly group = new Group();
   private readonly materials = [kFixed, kMoving].map((color) => new LineBasicMaterial({ color, depthTest: false, transparent: true, opacity: 0.85 }));
@@ -33,7 +33,7 @@ export class PhysicsShapes {
     }
   }
 
-  /** To where the models are; those that are no more are not drawn. */
+  /** Moves the shapes with their models; shapes of removed models are hidden. */
   move(replica: Replica, motion: Motion): void {
     for (const [id, lines] of this.bodies) {
       const row = replica.rows.get(id);
@@ -60,7 +60,7 @@ export class PhysicsShapes {
   }
 }
 
-/** Pairs of points, x, y, z each. */
+/** Line segments: pairs of x, y, z. */
 export function edgesOf(solid: PhysicsSolid): number[] {
   if ('corners' in solid) return edgesOfHull(solid.corners);
   const { loop, z } = solid;

@@ -1,14 +1,14 @@
 const kCell = 64; // px
-const kGap = { x: 10, y: 6 }; // px between two texts
+const kGap = { x: 10, y: 6 }; // px, spacing of texts
 
 interface Place {
-  x: number; // middle
+  x: number; // centre
   y: number;
   width: number;
   height: number;
 }
 
-/** What of the screen is written on: texts that would touch each other find no place. */
+/** Occupancy of the screen by texts, to prevent overlaps. */
 export class Places {
   private readonly cells = new Map<number, Place[]>();
 
@@ -16,7 +16,7 @@ export class Places {
     this.cells.clear();
   }
 
-  /** False: something is there already. */
+  /** Reserves a rectangle; false if it overlaps another. */
   take(x: number, y: number, width: number, height: number): boolean {
     const place = { x, y, width, height };
     const keys = this.keysOf(place);

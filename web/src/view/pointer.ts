@@ -2,12 +2,12 @@ import type { StageView } from './stage_view';
 
 export interface PointerEvents {
   select(row: number | null): void;
-  /** A person carries a model to here. */
+  /** The user drags a model to this pose. */
   carry(row: number, x: number, y: number, a: number): void;
   looked(): void;
-  /** So fast from now on. [m/s] */
+  /** Sets the flight speed. [m/s] */
   flies(speed: number): void;
-  /** A click on what cannot be selected: what it is. */
+  /** Describes a clicked object that cannot be selected. */
   describe(what: string): void;
   mayCarry(row: number): boolean;
 }
@@ -17,18 +17,18 @@ const kCarryPeriodMs = 33;
 const kHoverPeriodMs = 80;
 const kTurnStep = Math.PI / 18;
 const kMouseReach = 5; // px
-const kFingerReach = 18; // px: less precise
-const kFaster = 1.25; // by a notch of the wheel, in flight
+const kFingerReach = 18; // px: touch is less precise
+const kFaster = 1.25; // speed factor per wheel notch, in flight
 const kCloseScale = 140; // pixels per metre
 
 interface Carried {
   row: number;
-  dx: number; // from the grip to the model
+  dx: number; // offset of the model from the grab point
   dy: number;
   a: number;
 }
 
-/** Mouse, pen and fingers: pan, zoom, turn, pick and carry. */
+/** Pointer input (mouse, pen, touch): pan, zoom, rotate, pick and drag. */
 export class Pointer {
   private readonly down = new Map<number, { x: number; y: number }>();
   private start = { x: 0, y: 0 };
@@ -38,7 +38,7 @@ export class Pointer {
   private carriedAt = { x: 0, y: 0 };
   private lastCarry = 0;
   private lastHover = 0;
-  private resting: { x: number; y: number } | null = null; // where a mouse is, with no button down
+  private resting: { x: number; y: number } | null = null; // position of a mouse without a pressed button
 
   constructor(
     private readonly canvas: HTMLElement,
@@ -58,7 +58,7 @@ export class Pointer {
     });
   }
 
-  /** Things move under a mouse that rests: whether it is over one is asked again. */
+  /** Repeats the hover test: models move under a resting mouse. */
   update(now: number): void {
     if (now - this.lastHover < kHoverPeriodMs) return;
     this.lastHover = now;
@@ -69,7 +69,7 @@ export class Pointer {
     this.view.redraw();
   }
 
-  /** Rows have moved: what is carried is elsewhere in the scene, or gone. */
+  /** The population has changed: updates the dragged row, or drops it. */
   follow(rowNow: (row: number) => number | null): void {
     const row = this.carried && rowNow(this.carried.row);
     if (this.carried && row !== null) this.carried.row = row;
@@ -129,13 +129,13 @@ export class Pointer {
     this.carried = null;
   }
 
-  /** Who looks around from inside of the world, by dragging too. */
+  /** The first-person or free camera, which dragging rotates; null: from above. */
   private get looks(): { look(dx: number, dy: number): void } | null {
     return this.view.flight ?? this.view.seenBy?.eyes ?? null;
   }
 
   private click(event: PointerEvent): void {
-    if (this.looks) return; // it has the mouse look around
+    if (this.looks) return; // a click captures the mouse
     const row = this.pick(event);
     this.events.select(row);
     const what = row === null ? this.view.describe(event.offsetX, event.offsetY) : null;

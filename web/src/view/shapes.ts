@@ -6,10 +6,10 @@ type Loop = number[]; // x, y, x, y, ...
 
 const kUprightsMost = 40; // corners
 const kStairsLeast = 12; // corners
-const kThinMost = 2.5; // pixels: walls as thin as that would cross themselves when their sides are moved
-const kStepMost = 6; // pixels: a longer edge is a wall, not a step
+const kThinMost = 2.5; // pixels: smoothing would make thinner walls self-intersect
+const kStepMost = 6; // pixels: longer edges are walls, not stair steps
 
-/** A shape of the scene as one geometry in the body's frame; null when it encloses nothing. */
+/** Extrudes a shape into one geometry in the body's frame; null if it is empty. */
 export function geometryOf(solids: Solid[]): BufferGeometry | null {
   const parts: BufferGeometry[] = [];
   for (const solid of solids) {
@@ -22,7 +22,7 @@ export function geometryOf(solids: Solid[]): BufferGeometry | null {
   return parts.length === 0 ? null : mergeGeometries(parts);
 }
 
-/** The outlines of a shape as pairs of points: the rims, and the uprights of corners where there are few. */
+/** Outlines of a shape as line segments: rims, and vertical edges if there are few corners. */
 export function edgesOf(solids: Solid[]): BufferGeometry {
   const points: number[] = [];
   for (const solid of solids) {
@@ -40,12 +40,12 @@ export function edgesOf(solids: Solid[]): BufferGeometry {
   return new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(points), 3));
 }
 
-/** The loops of a solid as they are drawn. */
+/** Loops for drawing: smoothed, unless the walls are thin. */
 export function drawnLoops(solid: Solid): Loop[] {
   return isThin(solid.loops) ? solid.loops : solid.loops.map(smoothed);
 }
 
-/** Whether a traced bitmap is a plan of lines, hardly a pixel wide: its area over half its outline is the mean width. */
+/** Whether a traced bitmap is a line drawing with walls about 1 pixel wide: mean width = area / (perimeter / 2). */
 function isThin(loops: Loop[]): boolean {
   const pixel = Math.min(...loops.map((loop) => stairsPixel(loop) || Infinity));
   if (!Number.isFinite(pixel)) return false;
@@ -55,8 +55,8 @@ function isThin(loops: Loop[]): boolean {
 }
 
 /**
- * A loop as it is drawn. Outlines traced from a bitmap are stairs along its pixels: the middles of their steps lie on the
- * line that was meant. Corners between long straight edges stay.
+ * Smooths a loop traced from a bitmap, which is a staircase along pixels: the midpoints
+ * of the steps lie on the intended line. Corners between long straight edges stay.
  */
 export function smoothed(loop: Loop): Loop {
   const pixel = stairsPixel(loop);
@@ -74,7 +74,7 @@ export function smoothed(loop: Loop): Loop {
   return thinned(middles, pixel / 2);
 }
 
-/** The side of a pixel when every edge runs along an axis and there are many; else 0. */
+/** Pixel size, if the loop has many edges and all are axis-parallel; else 0. */
 function stairsPixel(loop: Loop): number {
   if (loop.length < kStairsLeast * 2) return 0;
   let pixel = Infinity;
@@ -90,13 +90,13 @@ function distance(a: number[], b: number[]): number {
   return Math.hypot(b[0] - a[0], b[1] - a[1]);
 }
 
-/** The point this far from a towards b. */
+/** The point at this distance from a towards b. */
 function between(a: number[], b: number[], far: number): number[] {
   const t = far / distance(a, b);
   return [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
 }
 
-/** Without the points that are hardly off the line between their neighbours. */
+/** Removes points within `tolerance` of the line between their neighbours. */
 function thinned(loop: Loop, tolerance: number): Loop {
   const count = loop.length / 2;
   const half = Math.floor(count / 2);
@@ -107,7 +107,7 @@ function thinned(loop: Loop, tolerance: number): Loop {
   return loop.filter((_, i) => kept[i >> 1]);
 }
 
-/** Marks what must stay between two points that do (Ramer 1972; Douglas and Peucker 1973). */
+/** Marks the points to keep between two kept ones (Ramer 1972; Douglas and Peucker 1973). */
 function thin(loop: Loop, first: number, last: number, tolerance: number, kept: Uint8Array): void {
   const open: [number, number][] = [[first, last]];
   const at = (k: number, axis: number) => loop[(2 * k + axis) % loop.length];
@@ -127,12 +127,12 @@ function thin(loop: Loop, first: number, last: number, tolerance: number, kept: 
   }
 }
 
-/** Highest point above the body's frame. */
+/** Height above the body's frame. */
 export function heightOf(solids: Solid[]): number {
   return solids.reduce((height, solid) => Math.max(height, solid.z[1]), 0);
 }
 
-/** Loops sorted into outlines with their holes: a loop inside an odd number of others is a hole of the smallest. */
+/** Groups loops into outlines with holes: a loop inside an odd number of others is a hole of the smallest one. */
 export function outlinesOf(loops: Loop[]): Shape[] {
   const usable = loops.filter((loop) => loop.length >= 6);
   const areas = usable.map((loop) => Math.abs(areaOf(loop)));

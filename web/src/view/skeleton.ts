@@ -4,7 +4,7 @@ export type Side = 'Left' | 'Right';
 export const kSides: [Side, 1 | -1][] = [['Left', 1], ['Right', -1]];
 export type BoneName = 'pelvis' | 'spine' | 'chest' | 'neck' | 'head' | `${'arm' | 'forearm' | 'hand' | 'thigh' | 'shin' | 'foot'}${Side}`;
 
-export const kHeight = 1.75; // m, of the figure; others are scaled
+export const kHeight = 1.75; // m, of the reference figure; others are scaled
 export const kHip = 0.9; // m above the ground
 export const kThigh = 0.42; // m
 export const kShin = 0.4; // m
@@ -12,7 +12,7 @@ export const kSole = 0.08; // m from the ankle down
 
 type Joint = [name: BoneName, parent: BoneName | null, x: number, y: number, z: number];
 
-/** Joints of a person who stands: x ahead, y left, z up, the ground at 0. [m] */
+/** Joints of a standing person: x ahead, y left, z up, ground at 0. [m] */
 export const kJoints: Joint[] = [
   ['pelvis', null, 0, 0, 0.96],
   ['spine', 'pelvis', 0, 0, 1.06],
@@ -31,13 +31,13 @@ export const kJoints: Joint[] = [
 
 export const kBoneIndex = new Map(kJoints.map(([name], k) => [name, k]));
 
-/** Bones in the order of the joints; the first one carries all. */
+/** Bones in the order of kJoints; the first is the root. */
 export function makeBones(): Bone[] {
   const bones: Bone[] = [];
   for (const [name, parent, x, y, z] of kJoints) {
     const bone = new Bone();
     bone.name = name;
-    bone.rotation.order = 'ZXY'; // turn, then lean aside, then ahead
+    bone.rotation.order = 'ZXY'; // yaw, then roll, then pitch
     const above = parent === null ? null : kBoneIndex.get(parent)!;
     const [, , px, py, pz] = above === null ? [0, 0, 0, 0, 0] : kJoints[above];
     bone.position.set(x - px, y - py, z - pz);

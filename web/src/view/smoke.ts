@@ -8,10 +8,10 @@ import type { Light, Scene } from '../protocol/scene';
 import { bodyMatrix } from './frames';
 import { sunOf } from './surfaces';
 
-const kSlices = { within: 12, onMap: 4 }; // software renderers draw them, too
-const kOnMap = 0.9; // how bright it is where there is no light
+const kSlices = { within: 12, onMap: 4 }; // few enough for software renderers
+const kOnMap = 0.9; // brightness in map view
 
-// A slice faces the eye, at one distance from it, and is as wide as the box may be from any side.
+// View-aligned slices through the box's bounding sphere.
 const kVertex = `
   attribute float slice;  // 0: the farthest
   uniform mat4 toWorld;
@@ -28,7 +28,7 @@ const kVertex = `
     #include <fog_vertex>
   }`;
 
-// Grains of two sizes that drift up, thinner towards the sides of the box (as playhouse/render/shaders.cc has it).
+// Two octaves of noise drifting up, fading towards the box's sides (as in playhouse/render/shaders.cc).
 const kFragment = `
   uniform vec3 halfSize, color;
   uniform float opacity, seconds, bright, slices;
@@ -63,7 +63,7 @@ const kFragment = `
     #include <fog_fragment>
   }`;
 
-/** Clouds of smoke, each in the box of its model: slices from far to near, so that what is in one is partly hidden. */
+/** Smoke clouds in the boxes of their models, as view-aligned slices drawn back to front. */
 export class Smoke {
   readonly group = new Group();
   private readonly rows: number[];
@@ -92,7 +92,7 @@ export class Smoke {
     if (this.clouds.length > 0) this.group.add(...this.clouds);
   }
 
-  /** Null: as on a map. */
+  /** Null: map view. */
   set light(light: Light | null) {
     const bright = light ? light.ambient + 0.5 * sunOf(light) : kOnMap;
     const slices = light ? kSlices.within : kSlices.onMap;
@@ -100,7 +100,7 @@ export class Smoke {
     for (const { material } of this.clouds) Object.assign(material.uniforms, { bright: { value: bright }, slices: { value: slices } });
   }
 
-  /** Where the motion has them, as they drift by now. */
+  /** Updates transforms and the drift of the noise. */
   draw(): void {
     const { replica, motion, scene } = this;
     this.rows.forEach((row, k) => {

@@ -27,8 +27,8 @@ import { thingAt } from './things';
 import { themeNow, type Theme } from './theme';
 import { Trails } from './trails';
 
-const kEyeHeight = 0.93; // of a person
-const kAbove = 0.05; // m above a robot
+const kEyeHeight = 0.93; // fraction of a person's height
+const kAbove = 0.05; // m above a robot's top
 const kFloor = 2000; // m
 const kTooLarge = 'the picture is too large for this browser';
 
@@ -37,12 +37,12 @@ export interface Layers {
   fiducials: boolean;
   trails: boolean;
   names: boolean;
-  speech: boolean; // what models say, and flags that they carry
+  speech: boolean; // texts of models, and flags they carry
   grid: boolean;
-  physics: boolean; // what physics takes bodies for
+  physics: boolean; // wireframes of collision shapes
 }
 
-/** Everything that is drawn of one scene. */
+/** All drawings of one population. */
 class Drawn {
   readonly group = new Group();
   readonly bodies: Bodies;
@@ -76,7 +76,7 @@ class Drawn {
     this.group.add(this.ground.group, this.trails.object, this.bodies.group, this.people.group, this.smoke.group, ...this.drawings.map(({ object }) => object));
   }
 
-  /** Shows everything in this light; null: plainly, as on a map. */
+  /** Sets the lighting; null: map view. */
   shineBy(shine: Shine | null): void {
     this.bodies.shineBy(shine);
     this.smoke.light = shine?.light ?? null;
@@ -87,18 +87,18 @@ class Drawn {
   }
 }
 
-/** The picture: draws the world when something in it changed, and answers what is under the pointer. */
+/** The view: redraws the world on change, and picks models under the pointer. */
 export class StageView {
   readonly rig = new CameraRig();
   readonly layers: Layers = { sensors: true, fiducials: true, trails: true, names: true, speech: true, grid: true, physics: false };
   selected: number | null = null;
   hovered: number | null = null;
   followed: number | null = null;
-  /** Through whose eyes the world is seen, and where they look. */
+  /** First-person view: row of the model, and view direction. */
   seenBy: { row: number; eyes: Eyes } | null = null;
-  /** Where a model is drawn before packets say so; asked for before each picture. */
+  /** Source of a predicted pose that overrides a model's drawn pose; called before each frame. */
   lead: (now: number) => { row: number; x: number; y: number; a: number } | null = () => null;
-  /** Who flies through the world, and sees it from there. */
+  /** The free camera, when in flight. */
   flight: Flight | null = null;
   readonly physics = new PhysicsShapes();
   motion: Motion | null = null;
@@ -107,7 +107,7 @@ export class StageView {
   private readonly renderer: WebGLRenderer;
   private readonly picture = new Picture();
   private readonly ring: LineLoop;
-  private readonly plain = new Group(); // light where the scene's does not shine
+  private readonly plain = new Group(); // lighting of the map view
   private readonly daylight: Daylight;
   private readonly lamps = new Lamps();
   private readonly areas = new Areas();
@@ -120,7 +120,7 @@ export class StageView {
   constructor(
     canvas: HTMLCanvasElement,
     private readonly overlay: HTMLCanvasElement,
-    /** How much of the picture other things lie over. */
+    /** Margins of the view covered by panels. */
     private readonly margins: () => Margins,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'low-power' });
@@ -140,7 +140,7 @@ export class StageView {
     this.applyTheme();
   }
 
-  /** How many files of meshes are drawn. */
+  /** Number of meshes drawn. */
   get meshes(): number {
     return this.drawn?.bodies.files ?? 0;
   }
@@ -149,7 +149,7 @@ export class StageView {
     await this.drawn?.bodies.filesThere();
   }
 
-  /** Shows another scene; the camera stays when it is the same world again. */
+  /** Shows another scene; keeps the camera if it is the same world. */
   show(scene: Scene, replica: Replica): void {
     const again = this.drawn?.scene.name === scene.name;
     if (!this.flight) this.seeThrough(null);
@@ -158,7 +158,7 @@ export class StageView {
     if (!again) this.frameAsTheFileWants();
   }
 
-  /** Shows another population of the scene: what stays goes on as it was. */
+  /** Shows another population of the scene; models in both keep their state. */
   follow(scene: Scene, replica: Replica): void {
     const { drawn, motion } = this;
     const now = (row: number | null) => (row === null || !drawn ? null : (replica.rows.get(drawn.scene.models[row].id) ?? null));
@@ -216,17 +216,17 @@ export class StageView {
     this.dirty = true;
   }
 
-  /** Texts in the bubbles that are on the screen, by row. */
+  /** Texts in the visible bubbles, by row. */
   get spoken(): Iterable<[number, string]> {
     return this.drawn?.bubbles.spoken ?? [];
   }
 
-  /** Flags on the screen, by row of who carries them. */
+  /** Numbers of visible flags, by row of the carrier. */
   get tokens(): Iterable<[number, number]> {
     return this.drawn?.bubbles.tokens ?? [];
   }
 
-  /** Rows whose names are on the screen. */
+  /** Rows with visible names. */
   get labelled(): Iterable<number> {
     return this.drawn?.labels.written ?? [];
   }
@@ -242,7 +242,7 @@ export class StageView {
     this.dirty = true;
   }
 
-  /** The world as a model of this row sees it, who looks there; null: from above. */
+  /** Switches to the first-person view of a model; null: from above. */
   seeThrough(seenBy: { row: number; eyes: Eyes } | null): void {
     this.seenBy = seenBy;
     this.flight = null;
@@ -251,7 +251,7 @@ export class StageView {
     this.applyTheme();
   }
 
-  /** Flies from where the world is looked at now. */
+  /** Switches to free flight, from the current view. */
   fly(): void {
     const eye = this.rig.eyeHere();
     this.seeThrough(null);
@@ -262,13 +262,13 @@ export class StageView {
     this.applyTheme();
   }
 
-  /** Physics takes bodies for other shapes. */
+  /** Replaces the collision shapes. */
   showPhysics(shapes: Parameters<PhysicsShapes['show']>[0]): void {
     this.physics.show(shapes);
     this.dirty = true;
   }
 
-  /** At the eyes of a person, in the lens of a camera, on top of a robot. */
+  /** Places the camera: at a person's eyes, at a camera's lens, or on top of a robot. */
   private placeEye(): void {
     const { seenBy, motion, drawn } = this;
     if (drawn) drawn.people.hidden = seenBy?.row ?? null;
@@ -284,18 +284,18 @@ export class StageView {
     this.rig.eye = { x: motion.x[row], y: motion.y[row], z: motion.z[row] + height, yaw: eyes.yaw, pitch: eyes.pitch };
   }
 
-  /** Lays these over the floor and what is as high as they are, in place of those before. */
+  /** Replaces the areas drawn over floor and surfaces at their height. */
   showAreas(areas: Area[]): void {
     this.areas.lay(areas);
     this.dirty = true;
   }
 
-  /** Draws if anything changed since the last call. */
+  /** Draws if anything has changed since the last call. */
   frame(now: number): void {
     if (this.advance(now)) this.draw();
   }
 
-  /** Everything as it is at this moment, not drawn yet; false: as it was at the last call. */
+  /** Updates all state to this time without drawing; false if nothing has changed. */
   advance(now: number): boolean {
     const seconds = Math.min((now - this.last) / 1000, 0.1);
     this.last = now;
@@ -316,8 +316,8 @@ export class StageView {
   }
 
   /**
-   * The top-level model within `reach` pixels of a pixel: the nearest robot, else what else may be moved; null for floor
-   * and walls.
+   * Picks the top-level model within `reach` pixels: the nearest robot,
+   * else the nearest other movable model; null for floor and walls.
    */
   pick(px: number, py: number, reach: number): number | null {
     const { drawn, motion } = this;
@@ -346,7 +346,7 @@ export class StageView {
     return best;
   }
 
-  /** Name and type of what is drawn at a pixel and cannot be selected; null for the bare floor. */
+  /** Name and type of the unselectable object at a pixel; null for the bare floor. */
   describe(px: number, py: number): string | null {
     const { drawn, motion } = this;
     const row = drawn && motion ? thingAt(drawn.scene, motion, this.rig.rayAt(px, py)) : null;
@@ -355,7 +355,7 @@ export class StageView {
     return `${name}, a ${type}`;
   }
 
-  /** Looks at a model, in the middle of what nothing else lies over. */
+  /** Moves the view to a model, centred inside the margins. */
   goTo(row: number, scaleLeast: number): void {
     if (!this.motion) return;
     const scale = Math.max(this.rig.scale, scaleLeast);
@@ -363,7 +363,7 @@ export class StageView {
     this.dirty = true;
   }
 
-  /** The same, at the same scale, if something lies over the model now. */
+  /** The same at the current scale, if the model is covered by panels or off screen. */
   reveal(row: number): void {
     const at = this.motion && this.rig.pixelOf(this.motion.x[row], this.motion.y[row], 0);
     const { left, right, top, bottom } = this.margins();
@@ -371,9 +371,9 @@ export class StageView {
     if (!free) this.goTo(row, 0);
   }
 
-  /** The picture as it is on the screen, with names and bubbles, as a PNG file. */
+  /** The current view with names and bubbles, as a PNG file. */
   picturePng(): Promise<Blob> {
-    this.draw(); // a drawing buffer lasts until the browser has shown it, so it is copied at once
+    this.draw(); // the drawing buffer is valid only until the browser composites it: copy at once
     const { domElement } = this.renderer;
     const { drawingBufferWidth, drawingBufferHeight } = this.renderer.getContext();
     if (drawingBufferWidth < domElement.width || drawingBufferHeight < domElement.height) return Promise.reject(new Error(kTooLarge));
@@ -436,7 +436,7 @@ export class StageView {
     this.rig.update(0);
   }
 
-  /** Who stands or flies in the world sees it by its light, if it has any; from above it is a map. */
+  /** Scene lighting in first-person and free views, if any; null: map view. */
   private get light(): Light | null {
     return this.seenBy || this.flight ? (this.drawn?.scene.light ?? null) : null;
   }
@@ -454,7 +454,7 @@ export class StageView {
     this.applyLayers();
   }
 
-  /** The floor of who stands on it: of slabs in the light of the scene, where the grid is wanted. */
+  /** Material of the ground plane: lit slabs if the scene has lighting and the grid is shown. */
   private paintFloor(): void {
     const { light, theme, floor } = this;
     disposeAll(floor.material);
@@ -477,7 +477,7 @@ export class StageView {
   }
 }
 
-/** The floor that the scene's bodies cover now: robots may have been carried beyond the walls. */
+/** Current bounding box of the scene's bodies: robots may be outside of the walls. */
 function extentOf(scene: Scene, motion: Motion): Box {
   const box = { x_min: Infinity, y_min: Infinity, x_max: -Infinity, y_max: -Infinity };
   scene.models.forEach((model, row) => {

@@ -2,18 +2,18 @@ import { MeshBasicMaterial, MeshLambertMaterial, MeshStandardMaterial, type Mate
 import { kBits } from '../protocol/generated/views';
 import type { Light, Model } from '../protocol/scene';
 
-const kDull = 0.5; // what is rougher shines no more than cloth
+const kDull = 0.5; // rougher surfaces are drawn purely diffuse
 const kGamma = 2.2;
 
-/** The light in which surfaces are seen, and what of it they mirror. */
+/** Lighting of surfaces, and the environment map for reflections. */
 export interface Shine {
   light: Light;
   around: Texture;
 }
 
 /**
- * The surface of a body: in the light of its scene as what it is made of shines, and lamps as what shines itself; on the
- * map, where there is no light, plain. Only what is smooth pays for more than its color: software renderers draw it, too.
+ * Material of a body: lit by the scene, lamps emissive; flat in map view. Only smooth
+ * surfaces use a physically based material, for the sake of software renderers.
  */
 export function surfaceOf(model: Model, alpha: number, shine: Shine | null): Material {
   const seenThrough = { transparent: alpha < 1, opacity: alpha, depthWrite: alpha >= 1 };
@@ -24,29 +24,29 @@ export function surfaceOf(model: Model, alpha: number, shine: Shine | null): Mat
   return new MeshStandardMaterial({ ...seenThrough, metalness, roughness, envMap });
 }
 
-/** What gives light, always or when it is switched on. */
+/** Whether a model emits light, permanently or switchable. */
 export function isLamp(model: Model): boolean {
   return model.lamp !== undefined || switchOf(model) !== null;
 }
 
-/** Whether a lamp gives light now, by the bits of its state. */
+/** Whether a lamp is lit, by its state bits. */
 export function isLit(model: Model, state: number): boolean {
   const lit = switchOf(model);
   return lit === null ? model.lamp !== undefined : (state & lit) !== 0;
 }
 
-/** The bit of its state that says whether it is lit; null for what has no switch. */
+/** The state bit for "lit"; null for models without a switch. */
 function switchOf({ kind }: Model): number | null {
   const bits = (kBits as Record<string, number | Record<string, number>>)[kind];
   return typeof bits === 'object' && 'lit' in bits ? bits.lit : null;
 }
 
-/** How bright a face of a lamp is that is not lit, as a share of its color on a screen: what light there is falls on it. */
+/** Display brightness of an unlit lamp's face, as a factor on its colour: it reflects the scene's light. */
 export function darkOf(light: Light): number {
   return Math.min(light.ambient + 0.5 * sunOf(light), 1) ** (1 / kGamma);
 }
 
-/** The light of a sun that is up. */
+/** The sun's brightness; 0 below the horizon. */
 export function sunOf({ sun, to_sun }: Light): number {
   return to_sun[2] > 0 ? sun : 0;
 }

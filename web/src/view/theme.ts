@@ -1,4 +1,4 @@
-/** Colours of the drawn world, for a light and for a dark page. */
+/** Colours of the map view, for light and dark pages. */
 export interface Theme {
   floor: number;
   sky: number;

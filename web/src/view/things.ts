@@ -3,9 +3,9 @@ import type { Motion } from '../motion';
 import type { Scene, Solid } from '../protocol/scene';
 import { heightOf } from './shapes';
 
-const kHeights = [1, 0.75, 0.5, 0.25, 0]; // of a body, where a ray at a slant is asked
+const kHeights = [1, 0.75, 0.5, 0.25, 0]; // height fractions sampled by oblique rays
 
-/** The model whose body a ray meets highest; null when it meets none. */
+/** The model with the highest intersection of its body and the ray; null if there is none. */
 export function thingAt(scene: Scene, motion: Motion, ray: (z: number) => Vector3 | null): number | null {
   let found: number | null = null;
   let highest = -Infinity;
@@ -31,7 +31,7 @@ function turned(x: number, y: number, a: number): [number, number] {
   return [Math.cos(a) * x - Math.sin(a) * y, Math.sin(a) * x + Math.cos(a) * y];
 }
 
-/** An odd number of loops around a point means solid. */
+/** Point in solid by the even-odd rule. */
 export function holds({ loops }: Solid, x: number, y: number): boolean {
   let inside = false;
   for (const loop of loops) {

@@ -4,7 +4,7 @@ import type { Scene } from '../protocol/scene';
 import { Painted } from './painted';
 
 const kSpacing = 0.06; // m between two points
-const kJump = 1.5; // m: a longer step starts a new trail
+const kJump = 1.5; // m: a larger step is a teleport, which starts a new trail
 const kLengthMost = 200; // points
 const kRobotsMost = 400;
 const kWidth = 0.03; // m, half
@@ -13,10 +13,10 @@ interface Trail {
   row: number;
   length: number;
   points: number[]; // x, y, ...
-  ticks: number[]; // when it was there
+  ticks: number[]; // tick of each point
 }
 
-/** Where robots have been: a ribbon on the floor that fades. */
+/** Trails of robots: a fading ribbon on the floor. */
 export class Trails {
   private readonly ribbon = new Painted('triangles', 1);
   private readonly trails: Trail[] = [];
@@ -36,11 +36,11 @@ export class Trails {
     });
   }
 
-  /** Takes down where everyone is; call for every packet. */
+  /** Records the positions; call once per packet. */
   record(): void {
     const { tick } = this.replica;
     for (const { row, length, points, ticks } of this.trails) {
-      // A run that went back has not been there yet.
+      // After a rewind, drop the points of the future.
       while (ticks.length > 0 && ticks[ticks.length - 1] > tick) ticks.pop();
       points.length = 2 * ticks.length;
       const [x, y] = [this.replica.x[row] / 1000, this.replica.y[row] / 1000];
@@ -69,7 +69,7 @@ export class Trails {
     this.ribbon.dispose();
   }
 
-  /** A band along the points, which share their edges, so that it has no gaps in its turns. */
+  /** A ribbon with shared edges (mitred), so that turns have no gaps. */
   private lay(points: number[], color: number[]): void {
     const count = points.length / 2;
     const z = 0.004;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Analog inputs and outputs; of Playhouse a custom model: its readings are inputs, its commands outputs.
+/// Analog I/O. In Playhouse, a custom model: its readings are the inputs, its commands the outputs.
 
 #include <cstdint>
 #include <vector>
@@ -14,11 +14,11 @@ class Aio {
  public:
   static Result<Aio> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// One per input, in V; empty before the first data.
+  /// One voltage per input [V]; empty before the first data.
   std::vector<double> voltages() const;
 
-  /// Sets one output, in V. An error if that is no finite number or more than a float holds; nothing is sent
-  /// then.
+  /// Sets one output [V]. An error, and nothing is sent, if the voltage is not finite or exceeds the range of
+  /// float.
   Result<void> set(std::uint32_t output, double voltage);
 
   Device& device() { return device_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Switches that feel a touch. SI units and radians.
+/// Contact switches. SI units and radians.
 
 #include "playhouse/wire/generated/bumper.h"
 #include "playhouse_client/client.h"
@@ -8,7 +8,7 @@
 
 namespace playhouse::client {
 
-/// Where a switch is touched.
+/// Geometry of one switch.
 struct Face {
   Pose3d pose;        // of its middle, on the robot; it looks along yaw
   double length = 0;  // m, across
@@ -19,9 +19,9 @@ class Bumper {
  public:
   static Result<Bumper> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// One per switch, in the order of faces(); empty before the first data.
+  /// One state per switch, in the order of faces(); empty before the first data.
   std::vector<bool> pressed() const;
-  /// Where the switches sit on the robot.
+  /// Poses of the switches in the robot's frame.
   Result<std::vector<Face>> faces();
 
   Device& device() { return device_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Client: a program's connection to a Player server. One thread per client and all its devices.
+/// Client: a connection to a Player server. Single-threaded: one thread per client and all its devices.
 
 #include <chrono>
 #include <cstddef>
@@ -18,18 +18,18 @@ namespace playhouse::client {
 
 inline constexpr std::uint16_t kDefaultPort = 6665;
 
-/// When the server sends data: at once, or in rounds that the client asks for.
+/// Data delivery: pushed by the server at once, or in rounds requested by the client.
 enum class Mode : std::uint8_t { kPush = 1, kPull = 2 };
 
 struct Options {
   Mode mode = Mode::kPull;
-  Seconds timeout{5.0};  // patience of connecting, of every request and of read()
+  Seconds timeout{5.0};  // timeout of connect, of every request and of read()
 };
 
-/// What happens to a message for this client when one like it is still waiting in the server.
+/// What the server does with a message for this client while a similar one is still queued.
 enum class Rule : std::int32_t { kAccept = 0, kReplace = 1, kIgnore = 2 };
 
-/// The messages that a rule is about; -1 stands for any.
+/// The messages a rule applies to; -1: any.
 struct RuleScope {
   std::int32_t interf = -1;
   std::int32_t index = -1;
@@ -41,8 +41,8 @@ struct RuleScope {
 struct DeviceEntry {
   DeviceAddress address;
   std::string driver;
-  std::string model;  // that it shows, by its full name; empty where the server tells no names
-  std::string robot;  // the model at the top that carries that one, or is it
+  std::string model;  // represented by the device, by full name; empty if the server publishes no names
+  std::string robot;  // the top-level ancestor of that model, or itself
 
   /// "position2d:0".
   std::string name() const { return address.name(); }
@@ -61,46 +61,46 @@ class Client {
   /// As close(). Devices may outlive the client; they are then of no use, and harmless.
   ~Client();
 
-  /// What the server said first, "Player v.3.1" for instance.
+  /// The server's greeting, e.g. "Player v.3.1".
   const std::string& banner() const;
   /// "127.0.0.1:6665".
   const std::string& peer() const;
-  /// False once the server is gone or this client closed.
+  /// False once the server has disconnected or this client has closed.
   bool connected() const;
 
-  /// What the server offers, in its own order, with the driver behind each device and the model it shows.
+  /// The server's devices in its own order, each with its driver and the model it represents.
   Result<std::vector<DeviceEntry>> devices();
 
-  /// Every model of the simulated world, parents before children. An error where the server tells no names:
-  /// it simulates nothing, or is not this program.
+  /// All models of the simulated world, parents before children. An error if the
+  /// server publishes no model names: it simulates nothing, or is not Playhouse.
   Result<std::vector<Model>> models();
-  /// The models at the top that have a device on this port, themselves or by what they carry; their order is
-  /// the world file's. An error as with models(). Needs robot.h.
+  /// The top-level models with a device on this port, themselves or in their subtree,
+  /// in the order of the world file. An error as with models(). Needs robot.h.
   Result<std::vector<Robot>> robots();
-  /// The model of this full name and what it carries, for opening its devices. Of equal names the last is
-  /// meant. Needs robot.h.
+  /// The model of this full name with its subtree, for opening its devices. If names are equal, the last one
+  /// is taken. Needs robot.h.
   Result<Robot> robot(std::string_view name);
 
   Result<void> set_mode(Mode mode);
   Result<void> set_replace_rule(Rule rule, const RuleScope& scope = {});
 
-  /// Waits for the next data and hands them to the devices; how many messages there were, 0 if none came in
-  /// time, or before it was told that a device is gone (Device::gone()). In pull mode this is one round:
-  /// everything the server holds for this client; a round that is not complete in time goes on in the next
-  /// call. In push mode it is what has arrived. The only errors are a lost connection, a refusing server and
-  /// a call from inside a callback.
+  /// Waits for the next data and dispatches them to the devices. Returns the number of
+  /// messages: 0 on timeout, or if a device was retired before any came (Device::gone()).
+  /// Pull mode: one round, i.e. everything the server has queued for this client; a round
+  /// that times out is continued by the next call. Push mode: whatever has arrived. Errors:
+  /// only a lost connection, a server that refuses, and a call from inside a callback.
   Result<std::size_t> read();
   Result<std::size_t> read(Seconds patience);
 
-  /// Data messages that were lost because they were not read in time, here or in the server.
+  /// Data messages dropped because they were not read in time, in this client or in the server.
   std::uint64_t overflow_count() const;
-  /// Asks how many data messages were lost on their way to this client, in any mode: the server's number, and
-  /// those that were not read here in time. An error where the server does not tell.
+  /// Requests the number of data messages lost on the way to this client, in either mode: the server's count
+  /// plus those dropped here. An error if the server does not support it.
   Result<std::uint64_t> lost_count();
-  /// Messages that nobody waited for or that made no sense.
+  /// Messages without a receiver, and malformed ones.
   std::uint64_t skipped_count() const;
 
-  /// Ends the connection; waits up to a second until the server has read everything that was sent.
+  /// Closes the connection; waits up to 1 s until the server has read everything that was sent.
   void close();
 
  private:
@@ -111,7 +111,7 @@ class Client {
   std::shared_ptr<Session> session_;
 };
 
-/// "host:port" or "[ipv6]:port" and its parts with their defaults, or an error that says what is wrong.
+/// "host:port" or "[ipv6]:port" split into its parts, with defaults; an error says what is wrong.
 struct Address {
   std::string host = "127.0.0.1";  // not localhost, which a machine without /etc/hosts cannot resolve
   std::uint16_t port = kDefaultPort;

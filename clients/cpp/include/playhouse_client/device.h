@@ -1,8 +1,8 @@
 #pragma once
 
-/// Device: one open device of any interface. The proxies (position2d.h, ranger.h, ...) are made of it.
-/// Values are those of playhouse/wire/generated: SI units, radians. One thread per client and all its
-/// devices.
+/// Device: one open device of any interface; the proxies (position2d.h, ranger.h, ...) wrap one. Payloads are
+/// the structs of playhouse/wire/generated: SI units, radians. Single-threaded: one thread per client and all
+/// its devices.
 
 #include <chrono>
 #include <cstdint>
@@ -30,16 +30,16 @@ struct Slot;
 
 using Seconds = std::chrono::duration<double>;
 
-/// What a program wants to do with a device. The character codes are those of Player's first servers.
+/// Requested access to a device. The character codes are those of the first Player servers.
 enum class Access : std::uint8_t { kAll = 1, kRead = 'r', kWrite = 'w' };
 
-/// A payload for messages that have none.
+/// An empty payload.
 struct Nothing {};
 
 class Device {
  public:
-  /// Data as they come, from inside Client::read(): the subtype, a body that decodes as the message of that
-  /// subtype, and the server's time (s).
+  /// Data callback, invoked inside Client::read(): subtype, a body that
+  /// decodes as the message of that subtype, and the server's time [s].
   using OnData = std::function<void(std::uint8_t subtype, std::span<const std::byte> body, double timestamp)>;
 
   /// Opens a device. An error if the server has no such device or refuses it.
@@ -48,16 +48,16 @@ class Device {
 
   Device(Device&&) noexcept;
   Device& operator=(Device&&) noexcept;
-  /// Closes the device, if it is open and the server still there.
+  /// Closes the device if it is open and the server is still connected.
   ~Device();
 
-  /// False after close() and in what was moved from.
+  /// False after close() and after a move from this object.
   bool is_open() const { return slot_ != nullptr; }
-  /// Client::read() was told that the server has retired the device. Requests and commands are errors from
-  /// then on, the last data stay, and close() has nothing to do. Until read() comes to it the server refuses
-  /// requests and drops commands.
+  /// True once Client::read() has received the notice that the server retired the device.
+  /// From then on requests and commands are errors, the last data stay, and close() is a
+  /// no-op. Before read() receives it, the server refuses requests and drops commands.
   bool gone() const;
-  /// False once the server is gone or the client closed.
+  /// False once the server has disconnected or the client has closed.
   bool connected() const;
   std::uint16_t interf() const;
   std::uint16_t index() const;
@@ -66,35 +66,35 @@ class Device {
   /// Name of the driver behind the device.
   std::string driver() const;
 
-  /// Asks and waits for the answer: Reply as it decodes, or nothing for Reply = Nothing. NACK, silence and a
-  /// lost connection are errors.
+  /// Sends a request and waits for its answer, decoded as Reply (ignored for Reply = Nothing). NACK, timeout
+  /// and a lost connection are errors.
   template <typename Reply = Nothing, typename Payload = Nothing>
   Result<Reply> request(std::uint8_t subtype, const Payload& payload = {});
 
-  /// As request(), for questions that a server may well refuse: none for NACK.
+  /// As request(), where a refusal is an expected result: none for NACK.
   template <typename Reply, typename Payload = Nothing>
   Result<std::optional<Reply>> ask(std::uint8_t subtype, const Payload& payload = {});
 
-  /// Sends a command; the server carries it out without an answer.
+  /// Sends a command; the server does not acknowledge commands.
   template <typename Payload = Nothing>
   Result<void> command(std::uint8_t subtype, const Payload& payload = {});
 
-  /// The last data of a subtype: none before the first, or if they are no T.
+  /// The newest data of a subtype; none before the first, or if they do not decode as T.
   template <typename T>
   std::optional<T> latest(std::uint8_t subtype) const;
 
-  /// The server's time (s) at the last data; 0 before the first.
+  /// The server's time [s] of the newest data; 0 before the first.
   double timestamp() const;
-  /// The same at the last data of a subtype.
+  /// The same for the newest data of a subtype.
   double timestamp(std::uint8_t subtype) const;
 
-  /// Whether data have come since the last call of this function.
+  /// Whether data have arrived since the last call; resets the flag.
   bool take_fresh();
 
-  /// Replaces the callback; an empty one ends it.
+  /// Replaces the data callback; an empty one removes it.
   void on_data(OnData callback);
 
-  /// Properties, by key. The server refuses keys it does not have.
+  /// Properties by key; the server refuses unknown keys.
   Result<bool> get_bool(std::string_view key);
   Result<std::int32_t> get_int(std::string_view key);
   Result<double> get_double(std::string_view key);
@@ -104,7 +104,7 @@ class Device {
   Result<void> set_double(std::string_view key, double value);
   Result<void> set_string(std::string_view key, std::string_view value);
 
-  /// Whether the driver says that it understands a kind of message. Many drivers never say so.
+  /// Whether the driver reports support for a kind of message. Many drivers never report any.
   bool has_capability(wire::MessageType type, std::uint8_t subtype);
 
   /// Closes the device; a second call does nothing.
@@ -123,7 +123,7 @@ class Device {
   Result<std::optional<Bytes>> ask_bytes(std::uint8_t subtype, std::span<const std::byte> body);
   Result<void> command_bytes(std::uint8_t subtype, std::span<const std::byte> body);
   const std::vector<std::byte>* latest_bytes(std::uint8_t subtype) const;
-  /// Bodies of data stay until take_kept(), the newest so many, in the order in which they came.
+  /// Queues bodies of data for take_kept(): the newest `most`, in order of arrival.
   void keep(std::size_t most);
   std::deque<Bytes> take_kept();
   Error undecoded(std::uint8_t subtype, std::string_view what) const;

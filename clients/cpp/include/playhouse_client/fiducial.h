@@ -1,6 +1,6 @@
 #pragma once
 
-/// A finder of markers. SI units and radians.
+/// Marker detector. SI units and radians.
 
 #include <cstdint>
 
@@ -10,7 +10,7 @@
 
 namespace playhouse::client {
 
-/// A marker in sight: its number and where it is, seen from the sensor.
+/// A visible marker: its id and its pose in the sensor's frame.
 struct Marker {
   std::int32_t id = 0;
   Pose3d pose;
@@ -23,7 +23,7 @@ class Fiducial {
  public:
   static Result<Fiducial> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// What is in sight; empty before the first data.
+  /// The visible markers; empty before the first data.
   std::vector<Marker> markers() const;
 
   Result<wire::fiducial::Fov> field_of_view();

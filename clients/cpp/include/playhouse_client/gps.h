@@ -1,6 +1,6 @@
 #pragma once
 
-/// A satellite receiver.
+/// Satellite navigation receiver.
 
 #include <cstdint>
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace playhouse::client {
 
-/// Where on the earth a receiver believes to be (WGS84). `quality` is 0 where it has no fix, and then the
-/// rest means nothing.
+/// Measured position (WGS84). `quality` is 0 without a fix; all other members are then
+/// meaningless.
 struct Fix {
   double latitude = 0, longitude = 0;  // degrees
   double altitude = 0;                 // m above the ellipsoid
@@ -26,7 +26,7 @@ class Gps {
  public:
   static Result<Gps> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// What the last Client::read() brought; none before the first data.
+  /// The newest fix received; none before the first data.
   std::optional<Fix> fix() const;
 
   Device& device() { return device_; }

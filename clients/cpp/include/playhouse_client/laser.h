@@ -1,6 +1,6 @@
 #pragma once
 
-/// A laser scanner; its data say where the beams point. SI units and radians.
+/// Laser scanner; its data include the beam directions. SI units and radians.
 
 #include <optional>
 
@@ -15,9 +15,9 @@ class Laser {
  public:
   static Result<Laser> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// The last scan; none before the first data.
+  /// The newest scan; none before the first data.
   std::optional<Scan> scan() const;
-  /// One per range, in the device's own unit; empty if it has none.
+  /// One intensity per range, in the device's own unit; empty if it measures none.
   std::vector<std::uint8_t> intensities() const;
 
   Result<wire::laser::Config> config();

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Messages of bytes: of a simulated radio, those between robots; of other drivers what they make of them.
+/// Byte messages: radio messages between robots for a simulated radio; driver-defined for other drivers.
 
 #include <cstddef>
 #include <string>
@@ -14,22 +14,22 @@ namespace playhouse::client {
 
 class Opaque {
  public:
-  /// Messages kept for take_messages(); of more the oldest are lost.
+  /// Capacity of the queue for take_messages(); overflow drops the oldest.
   static constexpr std::size_t kWaiting = 1024;
 
   static Result<Opaque> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  // Messages hold any bytes, NUL as well.
+  // Messages are arbitrary bytes, NUL included.
 
-  /// To the driver; a radio sends it to all who hear it. An error, and nothing is sent, if it is longer than
-  /// the wire takes (32 MiB).
+  /// Sends to the driver; a radio broadcasts it to all radios in range. An error, and nothing is sent, if it
+  /// exceeds the protocol's limit (32 MiB).
   Result<void> send(std::string_view message);
 
-  /// Of a radio: to the one of this network address, "" for all who hear it. Returns when it waits to be
-  /// sent. An error if there is no such radio, if the message is too long, or if too many wait.
+  /// Radio only: sends to the radio of this network address; "" broadcasts. Returns once the message
+  /// is queued. An error if there is no such radio, the message is too long, or the queue is full.
   Result<void> send_to(std::string_view address, std::string_view message);
 
-  /// Those that Client::read() brought since the last call, in their order.
+  /// The messages received by Client::read() since the last call, in order.
   std::vector<std::string> take_messages();
 
   Device& device() { return device_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Points in space, as of a lidar with several rings.
+/// Point clouds, as of a multi-ring lidar.
 
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace playhouse::client {
 
-/// In m, in the frame of the sensor; red, green, blue and alpha from 0 to 255.
+/// Position in m, in the sensor's frame; red, green, blue and alpha, 0 to 255.
 struct CloudPoint {
   double x = 0, y = 0, z = 0;
   std::array<std::uint8_t, 4> color{};
@@ -21,7 +21,7 @@ class PointCloud3d {
  public:
   static Result<PointCloud3d> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// What the last Client::read() brought; empty before the first data.
+  /// The newest cloud; empty before the first data.
   std::vector<CloudPoint> points() const;
 
   Device& device() { return device_; }

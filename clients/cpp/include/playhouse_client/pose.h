@@ -1,23 +1,23 @@
 #pragma once
 
-/// Places, velocities and sizes as programs use them, under the same names in both languages
+/// Poses, velocities and sizes of the client API, under the same names in C++ and Python
 /// (docs/clients.md). SI units and radians; x forward, y left, z up, angles counter-clockwise.
 
 namespace playhouse::client {
 
-/// A place in the plane: x and y in m, a in rad.
+/// A planar pose: x and y in m, a in rad.
 struct Pose {
   double x = 0, y = 0, a = 0;
   friend bool operator==(const Pose&, const Pose&) = default;
 };
 
-/// In the robot's own frame: x and y in m/s, a in rad/s.
+/// In the robot's frame: x and y in m/s, a in rad/s.
 struct Velocity {
   double x = 0, y = 0, a = 0;
   friend bool operator==(const Velocity&, const Velocity&) = default;
 };
 
-/// A place in space: m and rad.
+/// A pose in space: m and rad.
 struct Pose3d {
   double x = 0, y = 0, z = 0;
   double roll = 0, pitch = 0, yaw = 0;
@@ -36,7 +36,7 @@ struct Size {
   friend bool operator==(const Size&, const Size&) = default;
 };
 
-/// Where a device sits on its robot (for a base: its own centre), and how big it is.
+/// Pose of a device on its robot (for a base: its own centre), and its extents.
 struct Geometry {
   Pose3d pose;
   Size size;

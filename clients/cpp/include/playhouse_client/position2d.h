@@ -1,6 +1,6 @@
 #pragma once
 
-/// A mobile base. SI units and radians; x forward, y left, angles counter-clockwise.
+/// Mobile base in the plane. SI units and radians; x forward, y left, angles counter-clockwise.
 
 #include <optional>
 
@@ -12,9 +12,9 @@ namespace playhouse::client {
 
 class Position2d {
  public:
-  /// Odometry: where the base believes to be, how it moves, and whether it is blocked.
+  /// Odometry: estimated pose, velocity, and whether the base is stalled.
   struct State {
-    Pose pose;  // from where odometry started
+    Pose pose;  // in the odometry frame
     Velocity velocity;
     bool stalled = false;
     double time = 0;  // the server's, of these data [s]
@@ -27,29 +27,29 @@ class Position2d {
   /// As close().
   ~Position2d();
 
-  /// What the last Client::read() brought; none before the first data.
+  /// The newest state; none before the first data.
   std::optional<State> state() const;
 
-  // Commands with a number that is not finite are errors, and nothing is sent.
+  // Commands: an error, and nothing is sent, if a number is not finite.
 
-  /// Forward and to the left (m/s), turning (rad/s), until the next command.
+  /// Velocity until the next command: forward and left (m/s), turn rate (rad/s).
   Result<void> drive(double vx, double va, double vy = 0.0);
   Result<void> stop() { return drive(0.0, 0.0); }
 
-  /// A base that steers like a car: m/s, and rad to the left.
+  /// Command of a car-like base: speed in m/s, steering angle in rad, positive left.
   Result<void> drive_car(double speed, double steering);
 
-  /// To a pose in odometry's frame, with the driver's own planning; speed 0 is the driver's choice.
+  /// Goal pose in the odometry frame, planned by the driver; speed 0: the driver's default.
   Result<void> go_to(const Pose& pose, double speed = 0.0);
 
   Result<void> set_motor_power(bool on);
 
-  /// Says where the base is from now on; the robot does not move.
+  /// Sets the odometry pose; the robot does not move.
   Result<void> set_odometry(const Pose& pose);
   Result<void> reset_odometry();
   Result<Geometry> geometry();
 
-  /// Stops the robot if the last command moved it, and closes the device.
+  /// Stops the robot if the last command was a motion, and closes the device.
   Result<void> close();
 
   Device& device() { return device_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A mobile base in space. SI units and radians; x forward, y left, z up.
+/// Mobile base in space. SI units and radians; x forward, y left, z up.
 
 #include <optional>
 
@@ -12,7 +12,7 @@ namespace playhouse::client {
 
 class Position3d {
  public:
-  /// Where the base believes to be and how it stands, how it moves, and whether it is blocked.
+  /// Estimated pose and velocity, and whether the base is stalled.
   struct State {
     Pose3d pose;
     Pose3d velocity;  // m/s and rad/s along and about its own axes
@@ -27,26 +27,26 @@ class Position3d {
   /// As close().
   ~Position3d();
 
-  /// What the last Client::read() brought; none before the first data.
+  /// The newest state; none before the first data.
   std::optional<State> state() const;
 
-  // Commands with a number that is not finite are errors, and nothing is sent.
+  // Commands: an error, and nothing is sent, if a number is not finite.
 
-  /// Forward, to the left and upwards (m/s), turning (rad/s), until the next command.
+  /// Velocity until the next command: forward, left and up (m/s), turn rate (rad/s).
   Result<void> drive(double vx, double va, double vy = 0.0, double vz = 0.0);
   Result<void> stop() { return drive(0.0, 0.0); }
 
-  /// To a pose in the frame of State::pose, with the driver's own planning.
+  /// Goal pose in the frame of State::pose, planned by the driver.
   Result<void> go_to(const Pose3d& pose);
 
   Result<void> set_motor_power(bool on);
 
-  /// What State::pose says from now on; the robot does not move.
+  /// Sets State::pose; the robot does not move.
   Result<void> set_odometry(const Pose3d& pose);
   Result<void> reset_odometry();
   Result<Geometry> geometry();
 
-  /// Stops the robot if the last command moved it, and closes the device.
+  /// Stops the robot if the last command was a motion, and closes the device.
   Result<void> close();
 
   Device& device() { return device_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A mount that turns and zooms a camera. SI units and radians.
+/// Pan-tilt-zoom unit of a camera. SI units and radians.
 
 #include <optional>
 
@@ -10,7 +10,7 @@
 
 namespace playhouse::client {
 
-/// Where a camera looks: to the left, up, and its horizontal field of view, in rad; how fast it turns, in
+/// Pan (left), tilt (up) and horizontal field of view (zoom), in rad; angular speeds in
 /// rad/s.
 struct View {
   double pan = 0, tilt = 0, zoom = 0;
@@ -22,17 +22,17 @@ class Ptz {
  public:
   static Result<Ptz> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// Where it looks now; none before the first data.
+  /// The current view; none before the first data.
   std::optional<View> view() const;
 
-  // Commands with a number that is not finite, or more than a float holds, are errors, and nothing is sent.
+  // Commands: an error, and nothing is sent, if a number is not finite or exceeds the range of float.
 
-  /// Turns there (rad), as position control has it; a zoom of 0 leaves the field of view as it is.
+  /// Position control: pan and tilt in rad; zoom 0 leaves the field of view unchanged.
   Result<void> look(double pan, double tilt = 0.0, double zoom = 0.0);
-  /// Turns at these speeds (rad/s); wants set_velocity_control(true) before.
+  /// Velocity control (rad/s); needs set_velocity_control(true) first.
   Result<void> turn(double pan_speed, double tilt_speed = 0.0);
 
-  /// Whether commands mean velocities from now on, or places.
+  /// Selects velocity or position control for the commands that follow.
   Result<void> set_velocity_control(bool on);
   Result<Geometry> geometry();
 

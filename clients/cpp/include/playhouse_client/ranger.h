@@ -1,6 +1,6 @@
 #pragma once
 
-/// A device that measures distances: a laser scanner, or a ring of sonars. SI units and radians.
+/// Range sensor: laser scanner or sonar ring. SI units and radians.
 
 #include <optional>
 
@@ -13,24 +13,24 @@ namespace playhouse::client {
 
 class Ranger {
  public:
-  /// Asks for set-up and geometry at once; a device that tells neither is still opened, and its scans point
-  /// nowhere.
+  /// Requests configuration and geometry at once. A device that reports
+  /// neither is still opened; its scans then have no directions.
   static Result<Ranger> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// In m, in the order of measurement; empty before the first data.
+  /// Ranges in m, in the order of measurement; empty before the first data.
   std::vector<double> ranges() const;
   std::vector<double> intensities() const;
 
-  /// Ranges with directions: each element's own if there is one per range, else spread over the field of
-  /// view. None before the first data.
+  /// Ranges with directions: each element's own pose if there is one per range, else spread evenly over the
+  /// field of view. None before the first data.
   std::optional<Scan> scan() const;
 
   const wire::ranger::Config& config() const { return config_; }
-  /// The wire's own geometry, with the poses and sizes of the elements.
+  /// Geometry as on the wire, with poses and sizes of all elements.
   const wire::ranger::Geom& geom() const { return geom_; }
   Geometry geometry() const;
 
-  /// Asks for another set-up; config() then shows what the device made of it.
+  /// Requests a configuration; config() is then what the device accepted.
   Result<void> set_config(const wire::ranger::Config& config);
   Result<void> set_power(bool on);
   Result<void> set_intensities(bool on);

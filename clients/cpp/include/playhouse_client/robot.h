@@ -1,6 +1,6 @@
 #pragma once
 
-/// A robot by its name: the devices of a model and of all that it carries.
+/// A robot by name: the devices of a model and its subtree.
 
 #include <cstddef>
 #include <memory>
@@ -28,22 +28,22 @@
 
 namespace playhouse::client {
 
-/// A device of a robot, and the model that it shows.
+/// A device of a robot, and the model it represents.
 struct RobotDevice {
   DeviceAddress address;
   std::string model;
 };
 
-/// Client::robot() and Client::robots() make them. A robot may outlive its client; it then opens nothing.
+/// Made by Client::robot() and Client::robots(). May outlive its client; opening then fails.
 class Robot {
  public:
   const std::string& name() const { return name_; }
-  /// Its type, whatever macro made it: "position".
+  /// Base type of the model, after macro expansion: "position".
   const std::string& type() const { return type_; }
-  /// On the port of the connection: the model's own, then those of what it carries, in the file's order.
+  /// Devices on the connection's port: the model's own, then those of its subtree, in file order.
   const std::vector<RobotDevice>& devices() const { return devices_; }
 
-  /// Opens its n-th device of an interface, n from 0. An error says which devices there are.
+  /// Opens the n-th device of an interface, n from 0. An error lists the devices there are.
   Result<Position2d> position2d(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Laser> laser(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Ranger> ranger(std::size_t n = 0, Access access = Access::kAll) const;
@@ -60,7 +60,7 @@ class Robot {
   Result<PointCloud3d> pointcloud3d(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Speech> speech(std::size_t n = 0, Access access = Access::kAll) const;
   Result<SpeechRecognition> speech_recognition(std::size_t n = 0, Access access = Access::kAll) const;
-  /// Any interface, by its name.
+  /// Opens a device of any interface, by the interface's name.
   Result<Device> device(std::string_view interf, std::size_t n = 0, Access access = Access::kAll) const;
 
  private:

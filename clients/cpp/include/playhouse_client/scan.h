@@ -7,22 +7,22 @@
 
 namespace playhouse::client {
 
-/// Distances (m) and their directions (rad, counter-clockwise from the sensor's front), one for one, in the
-/// order of measurement.
+/// Ranges (m) and their directions (rad, counter-clockwise from the sensor's x axis), element by element, in
+/// the order of measurement.
 struct Scan {
   std::vector<double> ranges;
   std::vector<double> angles;
   double max_range = 0;  // m
   double time = 0;       // the server's, of the measurement [s]
 
-  /// The shortest range between two directions; max_range if nothing is measured there.
+  /// The shortest range between two directions; max_range if there is no measurement.
   double nearest(double low, double high) const;
 
-  /// Where the beams end, in the sensor's frame.
+  /// End points of the beams, in the sensor's frame.
   std::vector<Point> points() const;
 };
 
-/// `count` angles from `low` to `high`.
+/// `count` angles evenly spaced from `low` to `high`.
 std::vector<double> spread_angles(double low, double high, std::size_t count);
 
 }  // namespace playhouse::client

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The simulator itself: poses of models by their full names, each in its parent's frame, which is the world
-/// for a model that nothing carries. SI units and radians.
+/// The simulator: poses of models by full name, each in its parent's frame (the world frame for top-level
+/// models). SI units and radians.
 
 #include <cstdint>
 #include <string>
@@ -17,36 +17,36 @@ class Simulation {
  public:
   static Result<Simulation> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// An error, which names it, if there is no such model.
+  /// An error if there is no model of this name.
   Result<Pose> pose(std::string_view model);
-  /// An error also if a number of the pose is not finite.
+  /// Also an error if a number of the pose is not finite.
   Result<void> set_pose(std::string_view model, const Pose& pose);
   Result<Pose3d> pose3d(std::string_view model);
   Result<void> set_pose3d(std::string_view model, const Pose3d& pose);
 
-  /// Stops the clock, or lets it go on.
+  /// Pauses or resumes the clock (toggles).
   Result<void> pause();
-  /// Everything back to where the world file has it, while time goes on.
+  /// Restores the poses of the world file; the clock goes on.
   Result<void> reset();
-  /// Has the program write the world as it stands into the file that `playhouse run --save-world` names;
-  /// without that option nothing happens.
+  /// Has the server save the current world to the file given by `playhouse run --save-world`; without that
+  /// option it does nothing.
   Result<void> save();
 
-  /// This client is one of those that a world in lock-step waits for, by this name, until its connection
-  /// ends. Open devices first. An error says why it may not.
+  /// Joins the lock-step of the world under this name, until the connection ends: the world waits for this
+  /// client. Open devices first. An error says why it was refused.
   Result<void> join(std::string_view name);
-  /// Lets the world go on by so many ticks and waits until they are done, in lock-step for as long as the
-  /// others take. In push mode all data of the ticks have been handed to the devices then; in pull mode they
-  /// wait for Client::read(). Without lock-step the world is paused afterwards.
+  /// Advances the world by `ticks` and waits until they are done; in lock-step this includes waiting
+  /// for the other members. Push mode: all data of the ticks have been dispatched on return. Pull
+  /// mode: they are queued for Client::read(). Without lock-step the world is paused afterwards.
   Result<void> step(std::uint32_t ticks = 1);
   Result<void> step(std::uint32_t ticks, Seconds patience);
-  /// The run begins again with this seed: at tick 0, with the models of then and their ids. An error where
-  /// the server does not keep the start, as without lock-step.
+  /// Restarts the run with this seed: at tick 0, with the initial models and their ids.
+  /// An error if the server does not keep the initial state, as without lock-step.
   Result<void> reset(std::uint64_t seed);
-  /// Adds a robot like the model of that name, at a place in the world; gives its name, which the server
-  /// chooses if it is given none.
+  /// Spawns a copy of the robot `like` at a pose in the world frame.
+  /// Returns its name, chosen by the server if `name` is empty.
   Result<std::string> spawn(std::string_view like, const Pose& pose, std::string_view name = {});
-  /// Takes a model at the top out of the world, with what it carries.
+  /// Removes a top-level model with its subtree.
   Result<void> remove(std::string_view name);
 
   Device& device() { return device_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A ring of sonars. SI units and radians.
+/// Sonar ring. SI units and radians.
 
 #include "playhouse/wire/generated/sonar.h"
 #include "playhouse_client/client.h"
@@ -12,9 +12,9 @@ class Sonar {
  public:
   static Result<Sonar> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// In m, one per sonar, in the order of poses(); empty before the first data.
+  /// One range per sonar [m], in the order of poses(); empty before the first data.
   std::vector<double> ranges() const;
-  /// Where the sonars sit on the robot.
+  /// Poses of the sonars in the robot's frame.
   Result<std::vector<Pose3d>> poses();
   Result<void> set_power(bool on);
 

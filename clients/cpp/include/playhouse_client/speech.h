@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a robot says.
+/// Speech output of a robot.
 
 #include <string_view>
 
@@ -13,7 +13,7 @@ class Speech {
  public:
   static Result<Speech> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// In place of what it said; "" says nothing.
+  /// Replaces the current text; "" clears it.
   Result<void> say(std::string_view text);
 
   Device& device() { return device_; }

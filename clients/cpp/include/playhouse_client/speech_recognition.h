@@ -1,6 +1,6 @@
 #pragma once
 
-/// What others say, as a robot hears it.
+/// Speech input of a robot: the texts it hears from others.
 
 #include <cstddef>
 #include <string>
@@ -13,12 +13,12 @@ namespace playhouse::client {
 
 class SpeechRecognition {
  public:
-  /// Texts kept for take_texts(); of more the oldest are lost.
+  /// Capacity of the queue for take_texts(); overflow drops the oldest.
   static constexpr std::size_t kWaiting = 1024;
 
   static Result<SpeechRecognition> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// Those that Client::read() brought since the last call, in their order.
+  /// The texts received by Client::read() since the last call, in order.
   std::vector<std::string> take_texts();
 
   Device& device() { return device_; }
