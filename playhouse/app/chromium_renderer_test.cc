@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "playhouse/stage/engine.h"
 #include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/stage/engine.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/population.h"
 

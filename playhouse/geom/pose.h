@@ -1,7 +1,7 @@
 #pragma once
 
-/// Points and poses of the 2.5-D world: x forward, y left, z up; headings counter-clockwise about z, in (-pi, pi].
-/// X_AB is the pose of frame B in A, p_AP a point in A; compose(X_AB, X_BC) is X_AC. Metres and radians.
+/// Points and poses of the 2.5-D world: x forward, y left, z up; headings counter-clockwise about z, in (-pi,
+/// pi]. X_AB is the pose of frame B in A, p_AP a point in A; compose(X_AB, X_BC) is X_AC. Metres and radians.
 
 #include <algorithm>
 #include <utility>
@@ -19,8 +19,12 @@ struct Vec2 {
   friend constexpr bool operator==(Vec2, Vec2) = default;
 };
 
-constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+constexpr double dot(Vec2 a, Vec2 b) {
+  return a.x * b.x + a.y * b.y;
+}
+constexpr double cross(Vec2 a, Vec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
 
 struct Pose {
   double x = 0, y = 0, z = 0;  // m
@@ -65,7 +69,9 @@ inline Pose inverse(const Pose& X_AB) {
 }
 
 /// p_AP from p_BP.
-inline Vec2 transform(const Pose& X_AB, Vec2 p_BP) { return X_AB.xy() + Rotation::of(X_AB.a) * p_BP; }
+inline Vec2 transform(const Pose& X_AB, Vec2 p_BP) {
+  return X_AB.xy() + Rotation::of(X_AB.a) * p_BP;
+}
 
 /// Axis-aligned box. Empty when x_min > x_max.
 struct Box {

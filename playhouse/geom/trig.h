@@ -1,7 +1,7 @@
 #pragma once
 
-/// sin, cos and atan2 from additions and multiplications only, so that every compiler, library and optimisation
-/// level gives the same bits; the simulation uses these and never <cmath>'s. Angles in radians.
+/// sin, cos and atan2 from additions and multiplications only, so that every compiler, library and
+/// optimisation level gives the same bits; the simulation uses these and never <cmath>'s. Angles in radians.
 /// Source: Taylor series on [-pi/4, pi/4] after Cody-Waite reduction; errors are measured in trig_test.cc.
 
 namespace playhouse::geom {
@@ -22,7 +22,11 @@ double atan2(double y, double x);
 /// Normalises an angle to (-pi, pi].
 double normalize(double angle);
 
-constexpr double radians(double degrees) { return degrees * (kPi / 180.0); }
-constexpr double degrees(double radians) { return radians * (180.0 / kPi); }
+constexpr double radians(double degrees) {
+  return degrees * (kPi / 180.0);
+}
+constexpr double degrees(double radians) {
+  return radians * (180.0 / kPi);
+}
 
 }  // namespace playhouse::geom

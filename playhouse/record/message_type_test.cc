@@ -46,8 +46,8 @@ TEST(MessageType, of_a_list_of_messages_has_a_row_for_each) {
 }
 
 TEST(MessageType, has_the_fields_behind_a_list_whatever_they_are_called) {
-  const MessageType type = *MessageType::parse(
-      "a/Item[] list\nuint32 list.more\nuint32 last\n===\nMSG: a/Item\nuint32 value\n");
+  const MessageType type =
+      *MessageType::parse("a/Item[] list\nuint32 list.more\nuint32 last\n===\nMSG: a/Item\nuint32 value\n");
   EXPECT_THAT(type.fields(), ElementsAre("list.value", "list.more", "last"));
   CdrWriter message;
   for (const std::uint32_t number : {2u, 10u, 20u, 7u, 8u}) message.number(number);

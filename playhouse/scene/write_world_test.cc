@@ -201,7 +201,8 @@ TEST(WriteWorld, every_word_of_every_kind_is_read_back_with_its_value) {
       for (const Word& word : some) {
         if (word.use == Use::kOld || (word.use == Use::kSilent && word.type.empty())) continue;
         if (word.name == "mesh" && kind.name == "gripper") continue;  // has paddles
-        if (word.name == "robot_types") continue;  // of defines, which written files don't keep (docs/robot-client.md)
+        if (word.name == "robot_types")
+          continue;  // of defines, which written files don't keep (docs/robot-client.md)
         const bool is_counted = !word.counted_by.empty();
         const std::string count = is_counted ? std::string(word.counted_by) + " 2 " : "";
         const std::string said = count + std::string(word.name) + " " + any_value(word);

@@ -12,6 +12,7 @@ namespace playhouse::stage {
 class BodyEngine : public behaviour::PhasedEngine {
  public:
   std::uint64_t rays() const override { return rays_; }
+
  protected:
   /// The outlines of obstacles as prisms.
   world::PhysicsShapes shapes() const override;

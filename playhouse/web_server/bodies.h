@@ -13,8 +13,8 @@
 
 #include "playhouse/net/io_loop.h"
 #include "playhouse/replicate/command.h"
-#include "playhouse/replicate/prototypes.h"
 #include "playhouse/replicate/layout.h"
+#include "playhouse/replicate/prototypes.h"
 #include "playhouse/world/control.h"
 
 namespace playhouse::web_server {

@@ -37,8 +37,14 @@ void body_to_json(std::span<const std::byte> body, std::string& out) {
   }
 }
 
-inline std::string check_nothing(std::span<const std::byte>) { return {}; }
-inline std::vector<std::byte> reencode_nothing(std::span<const std::byte>) { return {}; }
-inline void nothing_to_json(std::span<const std::byte>, std::string& out) { out += "null"; }
+inline std::string check_nothing(std::span<const std::byte>) {
+  return {};
+}
+inline std::vector<std::byte> reencode_nothing(std::span<const std::byte>) {
+  return {};
+}
+inline void nothing_to_json(std::span<const std::byte>, std::string& out) {
+  out += "null";
+}
 
 }  // namespace playhouse::wire

@@ -28,9 +28,9 @@ struct Header {
   std::uint16_t index = 0;
   MessageType type = MessageType::kData;
   std::uint8_t subtype = 0;
-  double timestamp = 0;      // s
+  double timestamp = 0;  // s
   std::uint32_t seq = 0;
-  std::uint32_t size = 0;    // bytes of body, as claimed by the sender
+  std::uint32_t size = 0;  // bytes of body, as claimed by the sender
 
   friend bool operator==(const Header&, const Header&) = default;
 };

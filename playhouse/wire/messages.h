@@ -22,7 +22,7 @@ enum class Policy : std::uint8_t {
 };
 
 struct MessageDef {
-  std::uint16_t interf;      // 0 for universal requests
+  std::uint16_t interf;  // 0 for universal requests
   MessageType type;
   std::uint8_t subtype;
   std::string_view name;     // "position2d.data.state"

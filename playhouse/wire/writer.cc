@@ -7,8 +7,12 @@
 namespace playhouse::wire {
 namespace {
 
-std::uint32_t turned(std::uint32_t word) { return __builtin_bswap32(word); }
-std::uint64_t turned(std::uint64_t word) { return __builtin_bswap64(word); }
+std::uint32_t turned(std::uint32_t word) {
+  return __builtin_bswap32(word);
+}
+std::uint64_t turned(std::uint64_t word) {
+  return __builtin_bswap64(word);
+}
 
 /// Copies words with byte order reversed to big-endian.
 template <typename Word>

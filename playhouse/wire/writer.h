@@ -21,7 +21,9 @@ class Writer {
   /// The array that is too long; "" while ok().
   const std::string& error() const { return error_; }
 
-  void write(char value) { word(static_cast<std::uint32_t>(static_cast<std::int32_t>(static_cast<signed char>(value)))); }
+  void write(char value) {
+    word(static_cast<std::uint32_t>(static_cast<std::int32_t>(static_cast<signed char>(value))));
+  }
   void write(std::int8_t value) { word(static_cast<std::uint32_t>(static_cast<std::int32_t>(value))); }
   void write(std::uint8_t value) { word(value); }
   void write(std::int16_t value) { word(static_cast<std::uint32_t>(static_cast<std::int32_t>(value))); }

@@ -22,7 +22,8 @@ std::optional<std::uint32_t> fresh_row(const world::World& world, world::ModelId
 
 rng::Geom geometry(const world::World& world, world::ModelRow model) {
   const scene::ModelDesc& desc = world.desc(model);
-  return {pose3d(pose_on_robot(world, model)), bbox3d(desc.size), {pose3d(geom::Pose{})}, {bbox3d(desc.size)}};
+  return {
+      pose3d(pose_on_robot(world, model)), bbox3d(desc.size), {pose3d(geom::Pose{})}, {bbox3d(desc.size)}};
 }
 
 /// Beams point at the centres of equal shares of the field of view, rightmost first.
