@@ -102,13 +102,27 @@ struct Physics::Impl {
   }
   ~Impl() { take_out(); }
 
+  /// Calls visit(body, group, mask) for all bodies in numeric order.
+  template <typename Visit>
+  void each_body(const Visit& visit) {
+    visit(*ground, kGround, kMoving);
+    for (const Fixed& part : fixed) visit(*part.body, kFixed, kMoving);
+    for (const auto& moving : bodies)
+      visit(*moving->body, kMoving, kFixed | kMoving | (moving->is_on_wheels() ? 0 : kGround));
+  }
+  /// Drops pairs of bodies with their contacts and impulses.
+  void drop_pairs() {
+    struct Every final : btOverlapCallback {
+      bool processOverlap(btBroadphasePair&) override { return true; }
+    } every;
+    broadphase.getOverlappingPairCache()->processAllOverlappingPairs(&every, &dispatcher);
+  }
   /// Removes all bodies from Bullet's world, and with them cached contacts.
   void take_out() {
     if (!is_in) return;
     is_in = false;
-    for (const auto& moving : bodies) world.removeRigidBody(moving->body.get());
-    for (const Fixed& part : fixed) world.removeRigidBody(part.body.get());
-    world.removeRigidBody(ground.get());
+    drop_pairs();
+    each_body([this](btRigidBody& body, int, int) { world.removeRigidBody(&body); });
   }
   /// Adds all bodies in numeric order, with fresh solver state.
   void put_in() {
@@ -116,13 +130,26 @@ struct Physics::Impl {
     is_in = true;
     broadphase.resetPool(&dispatcher);
     solver.reset();
-    world.addRigidBody(ground.get(), kGround, kMoving);
-    for (const Fixed& part : fixed) world.addRigidBody(part.body.get(), kFixed, kMoving);
-    for (const auto& moving : bodies) {
-      world.addRigidBody(moving->body.get(), kMoving,
-                         kFixed | kMoving | (moving->is_on_wheels() ? 0 : kGround));
+    each_body([this](btRigidBody& body, int group, int mask) { world.addRigidBody(&body, group, mask); });
+    for (const auto& moving : bodies)
       if (moving->is_vehicle()) moving->body->setGravity({0, 0, 0});  // for its wheels to integrate
-    }
+  }
+  /// The same as take_out() and put_in(), to the bit, without Bullet's linear searches for each body.
+  void start_anew() {
+    if (!is_in) return;
+    drop_pairs();
+    each_body([this](btRigidBody& body, int, int) {
+      broadphase.destroyProxy(body.getBroadphaseHandle(), &dispatcher);
+    });
+    broadphase.resetPool(&dispatcher);
+    solver.reset();
+    each_body([this](btRigidBody& body, int group, int mask) {
+      const btCollisionShape& shape = *body.getCollisionShape();
+      btVector3 low, high;
+      shape.getAabb(body.getWorldTransform(), low, high);
+      body.setBroadphaseHandle(
+          broadphase.createProxy(low, high, shape.getShapeType(), &body, group, mask, &dispatcher));
+    });
   }
   void find_footing(Moving& moving, std::size_t i) const;
   void find_footings(std::uint32_t number);
@@ -387,7 +414,7 @@ void Physics::drive(std::uint32_t body, const geom::Twist& velocity) {
 }
 
 void Physics::forget() {
-  impl_->take_out();
+  impl_->start_anew();
   for (const auto& moving : impl_->bodies) std::ranges::fill(moving->impulses, WheelImpulse{});
 }
 
