@@ -96,7 +96,7 @@ int serve_devices(const scene::CfgFile& file, const std::string& bind, std::uint
   std::vector<std::uint16_t> ports;
   DeviceService service(bind);
   std::uint16_t default_port = port;
-  for (const std::uint16_t wanted : ports_of(file)) {
+  for (const std::uint16_t wanted : ports_of(file, port)) {
     const Result<std::uint16_t> listening = service.listen(wanted == 0 ? port : wanted);
     if (!listening) return fail(port_error(listening.error(), wanted == 0, port_option));
     if (wanted == 0) default_port = *listening;
@@ -116,12 +116,13 @@ std::string shown_host(const std::string& bind) {
   return bind.find(':') == std::string::npos ? bind : "[" + bind + "]";
 }
 
-std::set<std::uint16_t> ports_of(const scene::CfgFile& file) {
+std::set<std::uint16_t> ports_of(const scene::CfgFile& file, std::uint16_t default_port) {
   std::set<std::uint16_t> ports;
   for (const scene::CfgSection& section : file.drivers) {
     for (const scene::DeviceAddress& address : section.addresses("provides"))
       ports.insert(address.port.value_or(0));
   }
+  if (default_port != 0 && ports.contains(0)) ports.erase(default_port);  // named as well: one port
   return ports;
 }
 

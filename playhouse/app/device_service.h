@@ -66,8 +66,8 @@ int serve_devices(const scene::CfgFile& file, const std::string& bind, std::uint
 /// the first address of this machine reachable from outside.
 std::string shown_host(const std::string& bind);
 
-/// The ports of a configuration file; 0 stands for the default port.
-std::set<std::uint16_t> ports_of(const scene::CfgFile& file);
+/// The ports of a configuration file, each once; 0 stands for the default port.
+std::set<std::uint16_t> ports_of(const scene::CfgFile& file, std::uint16_t default_port);
 
 /// Error message for a port that cannot be opened.
 Error port_error(const Error& error, bool is_default, const std::string& port_option);

@@ -180,7 +180,7 @@ const scene::CfgFile* Service::file_without_world() const {
 }
 
 Result<void> Service::open_ports() {
-  const std::set<std::uint16_t> wanted = cfg_ ? ports_of(*cfg_) : std::set<std::uint16_t>{0};
+  const std::set<std::uint16_t> wanted = cfg_ ? ports_of(*cfg_, serving_.port) : std::set<std::uint16_t>{0};
   for (const std::uint16_t port : wanted) {
     const Result<std::uint16_t> opened = server_->listen(port == 0 ? serving_.port : port);
     if (!opened) return port_error(opened.error(), port == 0, serving_.port_option);

@@ -48,6 +48,20 @@ Affine turn(const Vec3& axis, double degrees) {
 
 }  // namespace
 
+std::string with_trimmed_colors(std::string_view bytes) {
+  constexpr std::string_view kSpace = " \t\r\n", kColor = "<color";
+  std::string trimmed;
+  std::size_t kept = 0;
+  for (std::size_t at = bytes.find(kColor); at != bytes.npos; at = bytes.find(kColor, at + kColor.size())) {
+    const std::size_t end = bytes.find('>', at);
+    if (end == bytes.npos) break;
+    const std::size_t first = std::min(bytes.find_first_not_of(kSpace, end + 1), bytes.size());
+    trimmed += bytes.substr(kept, end + 1 - kept);
+    kept = first;
+  }
+  return trimmed += bytes.substr(kept);
+}
+
 std::vector<double> numbers_of(const pugi::xml_node& element, std::size_t most) {
   std::vector<double> numbers;
   const char* at = element.text().get();

@@ -44,6 +44,8 @@ class ColladaDocument {
   Affine X_FC_;
 };
 
+/// The text of a COLLADA file without white space in front of numbers of colors, which Assimp refuses.
+std::string with_trimmed_colors(std::string_view bytes);
 /// Parses the numbers in an element's text, at most `most`.
 std::vector<double> numbers_of(const pugi::xml_node& element, std::size_t most);
 /// Parses one number; none if there is none.

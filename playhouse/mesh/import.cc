@@ -142,6 +142,7 @@ bool mark_primitives(aiScene& scene) {
 /// Loads the scene, owned by the importer: triangulated, with normals.
 Result<const aiScene*> scene_of(Assimp::Importer& importer, const std::string& name) {
   bool drops_triangles = false;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);  // none in place of missing triangles
   Listener::begin(drops_triangles);
   const aiScene* scene = importer.ReadFile(std::string(kFolder) + name, 0);
   Listener::end();
@@ -171,6 +172,8 @@ Result<MeshFile> import(const std::string& path, std::string_view bytes, const R
   importer.SetIOHandler(files);  // takes ownership
   const std::string folder = path.substr(0, path.rfind('/') + 1), name = path.substr(folder.size());
   const Colors colors = colors_of(path);
+  constexpr std::string_view kFirstGlb("glTF\x01\0\0\0", 8);
+  if (bytes.starts_with(kFirstGlb)) return Error{{}, "cannot be read: it is glTF 1.0, and only 2.0 is read"};
   if (colors == Colors::kGltf)
     if (const Result<void> checked = check_gltf_extensions(bytes); !checked) return checked.error();
   const Result<const aiScene*> scene = scene_of(importer, name);

@@ -68,10 +68,14 @@ Result<Image> image_of(const aiTexture& from, std::size_t most_pixels) {
 Result<Image> image_beside(const std::string& name, const std::string& folder, const ReadFile& read,
                            std::size_t most_pixels) {
   Error why{{}, "is not beside the mesh"};
-  for (const std::string& place : places_beside(name)) {
+  std::vector<std::string> places = places_beside(name);
+  // Of a model of Gazebo, beside the folder of its meshes.
+  if (!places.empty())
+    places.push_back("../materials/textures/" + places.back().substr(places.back().rfind('/') + 1));
+  for (const std::string& place : places) {
     const Result<std::string> bytes = read(folder + place);
     if (bytes) return decode_image(*bytes, most_pixels);
-    why = bytes.error();
+    if (place == places.front()) why = bytes.error();
   }
   return why;
 }
@@ -88,6 +92,9 @@ float Look::light(float channel) const {
 void Look::set_opacity(const aiMaterial& from, Material& to) const {
   if (colors_ != Colors::kGltf) to.base[3] = number(from, AI_MATKEY_OPACITY).value_or(1);
   to.base[3] = std::clamp(to.base[3], 0.0f, 1.0f);
+  // Nobody models what cannot be seen: old exporters of Blender write a transparency of 0 for opaque
+  // materials.
+  if (colors_ == Colors::kCollada && to.base[3] == 0) to.base[3] = 1;
   if (colors_ != Colors::kGltf) {
     to.opacity = to.base[3] < 1 ? Opacity::kClear : Opacity::kHoles;
     return;

@@ -15,6 +15,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/mesh_limits.h"
 #include "playhouse/mesh/check_mesh.h"
+#include "playhouse/mesh/collada_document.h"
 #include "playhouse/mesh/collada_physics.h"
 #include "playhouse/mesh/import.h"
 #include "playhouse/mesh/own_process.h"
@@ -98,6 +99,7 @@ Result<MeshFile> read_checked(const std::string& path, const ReadFile& read) {
     Result<std::optional<Physics>> said = collada_physics(*bytes);  // validates more than Assimp
     if (!said) return said.error();
     physics = std::move(*said);
+    bytes = with_trimmed_colors(*bytes);
   }
   Result<MeshFile> file = import(path, *bytes, read);
   if (!file) return file;

@@ -177,6 +177,26 @@ TEST(ReadMesh, shows_a_constant_effect_by_its_emission_alone) {
   EXPECT_NEAR(material.emission[1], 1, 1e-5);
 }
 
+TEST(ReadMesh, reads_colors_of_collada_with_white_space_in_front) {
+  TestCollada spaced;
+  spaced.effect = "<diffuse><color sid=\"d\">\n\t  0.5 0 1 1  </color></diffuse>";
+  const Material plain = material_of(read_collada()), same = material_of(read_collada(spaced));
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(same.base[i], plain.base[i]);
+}
+
+TEST(ReadMesh, shows_materials_of_collada_that_would_be_invisible) {
+  const auto alpha = [](const char* transparency) {
+    TestCollada clear;
+    clear.effect =
+        "<diffuse><color>0.5 0 1 1</color></diffuse><transparent><color>1 1 1 1</color></transparent>"
+        "<transparency><float>" +
+        std::string(transparency) + "</float></transparency>";
+    return material_of(read_collada(clear)).base[3];
+  };
+  EXPECT_EQ(alpha("0.0"), 1) << "as old exporters of Blender write opaque ones";
+  EXPECT_NEAR(alpha("0.25"), 0.25, 1e-6);
+}
+
 const std::string kTexture = R"(,"images":[{"uri":"sub/t.png"}],"textures":[{"source":0}])";
 const std::string kTextured = R"(,"baseColorTexture":{"index":0})";
 
@@ -222,6 +242,19 @@ TEST(ReadMesh, reads_textures_of_the_folder) {
   EXPECT_EQ(file.mesh.materials.at(file.mesh.surfaces.at(0).material).texture, 0u);
 }
 
+TEST(ReadMesh, reads_textures_of_a_model_of_gazebo) {
+  for (const char* uri : {"../materials/textures/t.png", "t.png", "../../m/materials/textures/t.png"}) {
+    const std::string texture =
+        R"(,"images":[{"uri":")" + std::string(uri) + R"("}],"textures":[{"source":0}])";
+    const MeshFile file =
+        read("m/meshes/box.gltf", {{"m/meshes/box.gltf", test_gltf("box.bin", "", texture, kTextured)},
+                                   {"m/meshes/box.bin", test_gltf_buffer()},
+                                   {"m/meshes/../materials/textures/t.png", test_png()}});
+    EXPECT_THAT(file.warnings, testing::IsEmpty());
+    EXPECT_EQ(file.mesh.images.size(), 1u) << uri;
+  }
+}
+
 TEST(ReadMesh, warns_of_a_texture_that_is_missing_or_none) {
   const std::map<std::string, std::string> files{{"box.gltf", test_gltf("box.bin", "", kTexture, kTextured)},
                                                  {"box.bin", test_gltf_buffer()}};
@@ -247,7 +280,9 @@ TEST(ReadMesh, opens_no_file_outside_of_its_folder) {
   const Result<MeshFile> file = read_mesh("d/box.gltf", files);
   ASSERT_TRUE(file) << file.error().line();
   for (const std::string& path : asked)
-    EXPECT_TRUE(path == "d/box.gltf" || path == "d/box.bin" || path == "d/passwd") << path;
+    EXPECT_TRUE(path == "d/box.gltf" || path == "d/box.bin" || path == "d/passwd" ||
+                path == "d/../materials/textures/passwd")
+        << path;
 }
 
 TEST(ReadMesh, tells_in_one_line_what_is_wrong) {
@@ -255,6 +290,8 @@ TEST(ReadMesh, tells_in_one_line_what_is_wrong) {
   EXPECT_THAT(error_of("a.dae", "no xml"), HasSubstr("a.dae: cannot be read: "));
   EXPECT_THAT(error_of("a.obj", "v 1 2 3\n"), HasSubstr("a.obj: "));
   EXPECT_THAT(error_of("a.glb", "glTF\2"), HasSubstr("a.glb: cannot be read: "));
+  EXPECT_EQ(error_of("a.glb", std::string("glTF\1\0\0\0", 8)),
+            "a.glb: cannot be read: it is glTF 1.0, and only 2.0 is read");
   EXPECT_THAT(error_of("a.gltf", test_gltf()), HasSubstr("a.gltf: cannot be read: "));  // without its buffer
   TestCollada broken;
   broken.triangles = "0 1 99";
@@ -331,6 +368,14 @@ TEST(ReadMesh, leaves_out_faces_of_obj_with_one_or_two_corners) {
   for (const char* face : {"f 1\n", "f 1 2\n", "f 1 2\nf 3\nf 1 1 1\n", "p 1\nl 1 2 3\n"})
     expect_box(read("box.obj", {{"box.obj", test_obj() + face}}).mesh);
   EXPECT_EQ(error_of("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"), "a.obj: has no triangles");
+  TestCollada lamps;
+  lamps.node = "<node id=\"a\"><matrix>1 0 0 5 0 1 0 0 0 0 1 3 0 0 0 1</matrix></node><node id=\"b\"/>";
+  std::string bare = test_collada(lamps);
+  const std::size_t begin = bare.find("<instance_geometry"), end = bare.find("<node id=\"a\"");
+  bare.erase(begin, end - begin);
+  bare.erase(bare.find("<library_geometries"),
+             bare.find("</library_geometries>") + 21 - bare.find("<library_geometries"));
+  EXPECT_EQ(error_of("a.dae", bare), "a.dae: has no triangles");
 }
 
 TEST(OwnProcess, tells_how_it_ended) {

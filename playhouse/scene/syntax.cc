@@ -1,5 +1,7 @@
 #include "playhouse/scene/syntax.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "playhouse/base/in_quotes.h"
@@ -206,7 +208,28 @@ Result<void> Parser::parse_tuple(Field& field, SourceLine opened) {
 
 }  // namespace
 
+namespace {
+
+/// What a file is that is obviously of another program, or nothing.
+std::string_view foreign_format(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (text.starts_with("#VRML_SIM")) return "a world of Webots";
+  if (text.starts_with("version https://git-lfs.github.com/"))
+    return "a pointer of Git LFS, in place of the file; `git lfs pull` fetches it";
+  if (!text.starts_with('<')) return {};
+  const std::string_view head = text.substr(0, 4096);
+  if (head.find("<sdf") != head.npos || head.find("<gazebo") != head.npos) return "a world of Gazebo (SDF)";
+  return "XML";
+}
+
+}  // namespace
+
 Result<Document> parse_document(Format format, const std::string& path, std::string text, FileReader& files) {
+  if (const std::string_view other = foreign_format(text); !other.empty())
+    return Error{escaped(path) + ":1",
+                 fmt::format("this is {}, and no {} of Player/Stage", other,
+                             format == Format::kWorld ? "world file" : "configuration file")};
   Document document;
   const Result<std::uint32_t> row = document.sources.add(path, std::move(text));
   if (!row) return Error{escaped(path), row.error().text};

@@ -123,6 +123,12 @@ TEST(WorldText, faults_are_one_line_with_the_place) {
   EXPECT_EQ(error_of("\n\nmodel( player (\n)"), "w/t.world:3: \"model\" lacks its closing \")\"");
   EXPECT_EQ(error_of("model( ))"), "w/t.world:1: \")\" without its \"(\"");
   EXPECT_EQ(error_of("model( player\n)"), "w/t.world:1: \"player\" needs a value or \"(\"");
+  EXPECT_EQ(error_of("\xef\xbb\xbf<?xml version=\"1.0\"?>\n<sdf version=\"1.6\">"),
+            "w/t.world:1: this is a world of Gazebo (SDF), and no world file of Player/Stage");
+  EXPECT_EQ(error_of("#VRML_SIM R2021b utf8\nWorldInfo {\n}"),
+            "w/t.world:1: this is a world of Webots, and no world file of Player/Stage");
+  EXPECT_EQ(error_of("<html>"), "w/t.world:1: this is XML, and no world file of Player/Stage");
+  EXPECT_THAT(error_of("version https://git-lfs.github.com/spec/v1\noid"), HasSubstr("`git lfs pull`"));
   EXPECT_EQ(error_of("model( ( ) )"), "w/t.world:1: expected a name or \")\", found \"(\"");
   EXPECT_EQ(error_of("model( name \"x )\n"), "w/t.world:1: string without its closing quote on this line");
   EXPECT_THAT(error_of("define x (\n)"),

@@ -299,6 +299,15 @@ class Configured(HouseTest):
             with Client(free) as client:
                 self.assertEqual(client.devices(), [(POSITION2D, 0)])
 
+    def test_the_default_port_may_be_named_as_well(self):
+        self.world()
+        with House("run", self.world(), "--port", 0, "--headless") as other:
+            free = other.port()
+        cfg = self.CFG.replace('"position2d:1"', f'"{free}:position2d:1"')
+        with House("serve", self.write("test.cfg", cfg), "--port", free, "--headless") as house:
+            with Client(house.port()) as client:
+                self.assertIn((POSITION2D, 1), client.devices())
+
 
 if __name__ == "__main__":
     unittest.main()
