@@ -14,11 +14,11 @@ using geom::Pose;
 using world::ModelRow;
 
 constexpr double kLongestStep = 0.01;  // s, substep of Physics
-constexpr unsigned kStepsKept = 10;    // between two calls of Physics::forget(), which looks 0.1 s ahead
+constexpr unsigned kStepsKept = 10;    // between calls of Physics::clear_contacts(): 0.1 s at most
 // Sleeping: thresholds of velocity and time.
 constexpr double kSlow = 0.005;      // m/s
 constexpr double kSlowTurn = 0.02;   // rad/s
-constexpr double kRestAfter = 0.5;   // s
+constexpr double kSleepAfter = 0.5;  // s
 constexpr double kLeastTilt = 1e-6;  // rad; tilts below this are set to zero
 constexpr double kStalled = 0.2;     // share of the commanded motion; a robot with less stalls
 // A kinematic part stalls if it penetrates deeper than this, and than the expected lag of what it pushes.
@@ -136,7 +136,7 @@ void ArenaEngine::move() {
   const auto trees = static_cast<std::uint32_t>(trees_.size());
   for (std::uint32_t tree = 0; tree < trees; ++tree) load(tree);
   for (unsigned step = 0; step < steps; ++step) {
-    if (step % kStepsKept == 0) physics_.forget();
+    if (step % kStepsKept == 0) physics_.clear_contacts();
     physics_.step(dt / steps, workers_);
   }
   find_blocked(steps);
@@ -152,7 +152,7 @@ void ArenaEngine::load(std::uint32_t tree) {
   if (body.part == Part::kGuided) return load_guided(tree);
   const std::uint32_t top = trees_.root[tree];
   const double still = world_.models.still[top] * world_.scene().interval;
-  physics_.put(body.number, state_of(world_.models, top), still >= kRestAfter && !is_driven(tree));
+  physics_.put(body.number, state_of(world_.models, top), still >= kSleepAfter && !is_driven(tree));
   if (body.part == Part::kVehicle)
     physics_.drive(body.number, world_.positions.velocity[world_.models.part[top]]);
 }
@@ -197,13 +197,14 @@ void ArenaEngine::find_blocked(unsigned steps) {
   blocked_.assign(trees_.movers.size(), 0);
   if (!has_parts_) return;
   const double lag = lag_after(steps);
-  for (const Press& press : physics_.presses(kPressed)) {
-    const std::uint32_t tree = tree_of_[press.body];
+  for (const Penetration& penetration : physics_.penetrations(kPressed)) {
+    const std::uint32_t tree = tree_of_[penetration.body];
     for (const stage::Mover& mover : parts_of(tree)) {
-      if (!is_moving(world_, mover) || !carries(world_.models, mover.model, bodies_[tree].models[press.hull]))
+      if (!is_moving(world_, mover) ||
+          !carries(world_.models, mover.model, bodies_[tree].models[penetration.hull]))
         continue;
-      const double closing = dot(way_of(press.p, mover), press.out);
-      if (closing > 0 && press.depth > kPressed + kCare * lag * closing)
+      const double closing = dot(way_of(penetration.p, mover), penetration.out);
+      if (closing > 0 && penetration.depth > kPressed + kCare * lag * closing)
         blocked_[&mover - trees_.movers.data()] = 1;
     }
   }
@@ -243,7 +244,7 @@ void ArenaEngine::store(std::uint32_t tree) {
 /// Copies the state of a body to columns. False if it slept, or left the valid range: then it stays.
 bool ArenaEngine::store_state(std::uint32_t tree) {
   const Body& body = bodies_[tree];
-  if (physics_.rests(body.number)) return false;
+  if (physics_.is_sleeping(body.number)) return false;
   world::Models& models = world_.models;
   const std::uint32_t top = trees_.root[tree];
   const BodyState state = physics_.state(body.number);
@@ -254,13 +255,13 @@ bool ArenaEngine::store_state(std::uint32_t tree) {
     return false;
   }
   const bool is_slow = length(state.v) < kSlow && length(state.w) < kSlowTurn && !is_driven(tree) &&
-                       physics_.may_rest(body.number);
+                       physics_.may_sleep(body.number);
   const std::uint32_t still = is_slow ? models.still[top] + 1 : 0;
-  const bool rests = still * world_.scene().interval >= kRestAfter;
+  const bool is_sleeping = still * world_.scene().interval >= kSleepAfter;
   models.still.set(top, still);
   models.X_PM.own(top) = X.X;
   models.tilt_PM.set(top, X.tilt);
-  models.V_WM.set(top, rests ? geom::SpatialVelocity{} : geom::SpatialVelocity{state.v, state.w});
+  models.V_WM.set(top, is_sleeping ? geom::SpatialVelocity{} : geom::SpatialVelocity{state.v, state.w});
   return true;
 }
 

@@ -216,7 +216,7 @@ model( name "parcel" pose [0 0 0.8 0] size [0.2 0.2 0.2] gripper_return 1 mass 2
   run(20);
   ASSERT_NEAR(pose("shaft.lift").z, 2, 0.2);
   const world::ModelRow crate = world().find("crate");
-  ASSERT_GE(world().models.still[crate.index], 5u) << "it rests";
+  ASSERT_GE(world().models.still[crate.index], 5u) << "it sleeps";
   ASSERT_TRUE(world::command_joint_velocity(world(), row, -3));
   run(5);
   EXPECT_NEAR(pose("crate").z, pose("shaft.lift").z + 0.1, 0.01);

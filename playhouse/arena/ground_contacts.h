@@ -8,7 +8,7 @@
 ///
 /// Replaces Bullet's own algorithm, which adds one corner per step and finds others by perturbing the
 /// rotation about the body's axes: for a box on its side it finds one edge only, about which gravity then
-/// tips the box. Contacts cannot accumulate over ticks here: Physics::forget() drops the manifolds.
+/// tips the box. Contacts cannot accumulate over ticks here: Physics::clear_contacts() drops the manifolds.
 
 #include <btBulletDynamicsCommon.h>
 

@@ -8,7 +8,7 @@
 namespace playhouse::arena {
 namespace {
 
-constexpr double kForesight = 0.1;  // s of look-ahead between two calls of Physics::forget()
+constexpr double kForesight = 0.1;  // s of look-ahead between two calls of Physics::clear_contacts()
 
 }  // namespace
 
@@ -61,7 +61,7 @@ void Moving::write() {
   body->setWorldTransform(btTransform(bullet(state.q), bullet(state.p + arm)));
   body->setInterpolationWorldTransform(body->getWorldTransform());
   body->setDeactivationTime(0);
-  body->forceActivationState(rests ? ISLAND_SLEEPING : DISABLE_DEACTIVATION);
+  body->forceActivationState(is_sleeping ? ISLAND_SLEEPING : DISABLE_DEACTIVATION);
   if (is_guided()) return;
   body->setLinearVelocity(bullet(state.v + cross(state.w, arm)));
   body->setAngularVelocity(bullet(state.w));
@@ -70,8 +70,8 @@ void Moving::write() {
 
 void Moving::read() {
   if (is_guided()) return;
-  rests = !body->isActive();
-  if (rests) return;
+  is_sleeping = !body->isActive();
+  if (is_sleeping) return;
   const btTransform& X = body->getWorldTransform();
   const btQuaternion q = X.getRotation();
   state.q = {q.w(), q.x(), q.y(), q.z()};

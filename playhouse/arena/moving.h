@@ -21,7 +21,7 @@ struct Moving {
   Inertia inertia;
   BodyState state;
   double low = 1e300, reach = 0;  // m: height of its lowest corner; radius about its upright axis
-  bool rests = false, is_woken = false;
+  bool is_sleeping = false, is_woken = false;
   geom::Twist velocity;  // commanded
   std::vector<Footing> footings;
   std::vector<WheelImpulse> impulses;
@@ -47,7 +47,7 @@ struct Moving {
   /// Copies the state from Bullet, unless the body is kinematic.
   void read();
   void wake() {
-    rests = false;
+    is_sleeping = false;
     write();
   }
   /// Integrates a kinematic body over a step.

@@ -154,7 +154,7 @@ struct Physics::Impl {
   void find_footing(Moving& moving, std::size_t i) const;
   void find_footings(std::uint32_t number);
   void find_supports();
-  void wake_beside(const Moving& guided);
+  void wake_neighbours(const Moving& guided);
   void find_loads();
   void wake();
   void roll(Moving& moving, double dt) const;
@@ -196,21 +196,21 @@ void Physics::Impl::find_footings(std::uint32_t number) {
   if (!moving.is_vehicle()) return;
   supports.find(moving.footprint(), moving.below);
   std::erase(moving.below, number);
-  const auto moves = [this](std::uint32_t below) { return !bodies[below]->rests; };
-  if (moving.rests && std::ranges::none_of(moving.below, moves)) return moving.below.clear();
+  const auto moves = [this](std::uint32_t below) { return !bodies[below]->is_sleeping; };
+  if (moving.is_sleeping && std::ranges::none_of(moving.below, moves)) return moving.below.clear();
   for (std::size_t i = 0; i < moving.footings.size(); ++i) find_footing(moving, i);
   let_casters_give_way(moving.desc, moving.footings);
 }
 
 /// Wakes sleeping bodies on or beside a kinematic body, before it leaves them.
-void Physics::Impl::wake_beside(const Moving& guided) {
+void Physics::Impl::wake_neighbours(const Moving& guided) {
   Box box = guided.box();
   box.low = box.low - Vec3{kBeside, kBeside, kBeside};
   box.high = box.high + Vec3{kBeside, kBeside, kBeside};
   supports.find(box, near);
   for (const std::uint32_t number : near) {
     Moving& other = *bodies[number];
-    if (!other.rests || other.is_guided()) continue;
+    if (!other.is_sleeping || other.is_guided()) continue;
     other.wake();
     other.is_woken = true;
   }
@@ -219,12 +219,12 @@ void Physics::Impl::wake_beside(const Moving& guided) {
 /// A vehicle that carries loose bodies has its wheels solved as Bullet constraints, with its load.
 void Physics::Impl::find_loads() {
   for (const auto& load : bodies) {
-    if (load->is_guided() || load->is_vehicle() || load->rests) continue;
+    if (load->is_guided() || load->is_vehicle() || load->is_sleeping) continue;
     const Box box = load->box();
     supports.find(box, near);
     for (const std::uint32_t number : near) {
       Moving& below = *bodies[number];
-      if (!below.is_vehicle() || below.rests) continue;
+      if (!below.is_vehicle() || below.is_sleeping) continue;
       const Box under = below.box();
       if (box.low.z > 0.5 * (under.low.z + under.high.z)) below.is_held = true;
     }
@@ -244,8 +244,8 @@ void Physics::Impl::wake() {
   for (const auto& moving : bodies) {
     if (moving->below.empty()) continue;
     for (const std::uint32_t below : moving->supports) {
-      if (below == kNobody || moving->rests == bodies[below]->rests) continue;
-      Moving& sleeper = moving->rests ? *moving : *bodies[below];
+      if (below == kNobody || moving->is_sleeping == bodies[below]->is_sleeping) continue;
+      Moving& sleeper = moving->is_sleeping ? *moving : *bodies[below];
       if (sleeper.is_guided()) continue;
       sleeper.wake();
       if (&sleeper != moving.get()) find_footings(below);
@@ -274,7 +274,7 @@ bool Physics::Impl::is_pushed(const Moving& vehicle, std::uint32_t support) cons
 /// Applies reaction impulses to supports.
 void Physics::Impl::push_supports(double dt) {
   for (const auto& moving : bodies) {
-    if (moving->below.empty() || moving->rests) continue;
+    if (moving->below.empty() || moving->is_sleeping) continue;
     for (std::size_t i = 0; i < moving->supports.size(); ++i) {
       if (!is_pushed(*moving, moving->supports[i])) continue;
       moving->is_held = bodies[moving->supports[i]]->is_held = true;
@@ -391,19 +391,19 @@ BodyState Physics::state(std::uint32_t body) const {
   return impl_->bodies[body]->state;
 }
 
-void Physics::put(std::uint32_t body, const BodyState& state, bool rests) {
+void Physics::put(std::uint32_t body, const BodyState& state, bool is_sleeping) {
   Moving& moving = *impl_->bodies[body];
   moving.state = state;
-  moving.rests = rests;
+  moving.is_sleeping = is_sleeping;
   moving.is_woken = false;
   moving.write();
 }
 
-bool Physics::rests(std::uint32_t body) const {
-  return impl_->bodies[body]->rests;
+bool Physics::is_sleeping(std::uint32_t body) const {
+  return impl_->bodies[body]->is_sleeping;
 }
 
-bool Physics::may_rest(std::uint32_t body) const {
+bool Physics::may_sleep(std::uint32_t body) const {
   const Moving& moving = *impl_->bodies[body];
   const auto is_sunk = [](const Footing& footing) { return footing.is_near && footing.gap < -kSunk; };
   return !moving.is_woken && std::ranges::none_of(moving.footings, is_sunk);
@@ -413,7 +413,7 @@ void Physics::drive(std::uint32_t body, const geom::Twist& velocity) {
   impl_->bodies[body]->velocity = velocity;
 }
 
-void Physics::forget() {
+void Physics::clear_contacts() {
   impl_->start_anew();
   for (const auto& moving : impl_->bodies) std::ranges::fill(moving->impulses, WheelImpulse{});
 }
@@ -425,13 +425,13 @@ void Physics::step(double dt, world::Workers& workers) {
   bool has_vehicles = false, has_guided = false;
   for (const auto& moving : bodies) {
     has_vehicles = has_vehicles || moving->is_vehicle();
-    has_guided = has_guided || (moving->is_guided() && !moving->rests);
+    has_guided = has_guided || (moving->is_guided() && !moving->is_sleeping);
   }
   if (has_guided) {
     impl_->find_supports();
     for (const auto& moving : bodies) {
-      if (!moving->is_guided() || moving->rests) continue;
-      impl_->wake_beside(*moving);
+      if (!moving->is_guided() || moving->is_sleeping) continue;
+      impl_->wake_neighbours(*moving);
       moving->advance(dt);
     }
   }
@@ -443,7 +443,7 @@ void Physics::step(double dt, world::Workers& workers) {
     impl_->wake();
     workers.run(bodies.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        if (bodies[i]->is_vehicle() && !bodies[i]->rests) impl_->roll(*bodies[i], dt);
+        if (bodies[i]->is_vehicle() && !bodies[i]->is_sleeping) impl_->roll(*bodies[i], dt);
     });
     impl_->push_supports(dt);
   }
@@ -452,14 +452,14 @@ void Physics::step(double dt, world::Workers& workers) {
   for (const auto& moving : bodies) moving->read();
 }
 
-std::vector<Press> Physics::presses(double depth) const {
-  std::vector<Press> presses;
+std::vector<Penetration> Physics::penetrations(double depth) const {
+  std::vector<Penetration> penetrations;
   const auto add = [&](const btCollisionObject& body, int hull, const btManifoldPoint& at,
                        const btVector3& out) {
     if (body.getUserIndex() < 0) return;  // static
-    presses.push_back({static_cast<std::uint32_t>(body.getUserIndex()),
-                       static_cast<std::size_t>(std::max(hull, 0)), from(at.getPositionWorldOnB()), from(out),
-                       -at.getDistance()});
+    penetrations.push_back({static_cast<std::uint32_t>(body.getUserIndex()),
+                            static_cast<std::size_t>(std::max(hull, 0)), from(at.getPositionWorldOnB()),
+                            from(out), -at.getDistance()});
   };
   for (int i = 0; i < impl_->dispatcher.getNumManifolds(); ++i) {
     const btPersistentManifold& manifold = *impl_->dispatcher.getManifoldByIndexInternal(i);
@@ -472,7 +472,7 @@ std::vector<Press> Physics::presses(double depth) const {
       add(b, at.m_index1, at, at.m_normalWorldOnB);
     }
   }
-  return presses;
+  return penetrations;
 }
 
 }  // namespace playhouse::arena

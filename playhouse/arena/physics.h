@@ -1,7 +1,7 @@
 #pragma once
 
 /// Physics: rigid bodies with contacts by Bullet in double precision, and wheels by a
-/// solver of our own (wheels.h). A step is a function of body states alone: forget() drops
+/// solver of our own (wheels.h). A step is a function of body states alone: clear_contacts() drops
 /// Bullet's cached contacts, so that a run resumed from a saved state is bit-identical.
 /// Frames: W world, B body. Call from one thread at a time; step() runs on workers.
 
@@ -25,7 +25,7 @@ struct FixedSolid {
 };
 
 /// A penetration of a body into another.
-struct Press {
+struct Penetration {
   std::uint32_t body = 0;
   std::size_t hull = 0;  // of the body
   Vec3 p;                // in W
@@ -53,21 +53,21 @@ class Physics {
   void set_hulls(std::uint32_t body, std::span<const Hull> hulls);
   BodyState state(std::uint32_t body) const;
   /// Sets the state. A body that rests (sleeps) does not move until another one touches it.
-  void put(std::uint32_t body, const BodyState& state, bool rests);
-  bool rests(std::uint32_t body) const;
+  void put(std::uint32_t body, const BodyState& state, bool is_sleeping);
+  bool is_sleeping(std::uint32_t body) const;
   /// False if a kinematic body has woken it since put(), as its support may be about to leave;
   /// and for a vehicle whose wheels are pressed into the ground, as its load may have left.
-  bool may_rest(std::uint32_t body) const;
+  bool may_sleep(std::uint32_t body) const;
   /// Sets the commanded velocity of a vehicle, of B in B.  [m/s, rad/s]
   void drive(std::uint32_t body, const geom::Twist& velocity);
 
   /// Drops state cached between steps: contacts and their impulses (warm start).
-  void forget();
+  void clear_contacts();
   /// Advances by `dt` seconds. The result does not depend on the number of workers.
   void step(double dt, world::Workers& workers);
   /// After a step: penetrations deeper than
   /// `depth`, except between two kinematic bodies.
-  std::vector<Press> presses(double depth) const;
+  std::vector<Penetration> penetrations(double depth) const;
 
  private:
   struct Impl;

@@ -36,7 +36,7 @@ class PhysicsTest : public testing::Test {
  protected:
   void run(double seconds) {
     for (int i = 0; i < std::lround(seconds / kStep); ++i) {
-      if (i % 10 == 0) physics_.forget();
+      if (i % 10 == 0) physics_.clear_contacts();
       physics_.step(kStep, workers_);
     }
   }
@@ -150,7 +150,7 @@ double slide(const Surface& ground, const Surface& surface, double gravity, cons
   const std::uint32_t body = physics.add(desc);
   physics.put(body, {.v = 2 * d}, false);
   for (int i = 0; i < 1000; ++i) {
-    if (i % 10 == 0) physics.forget();
+    if (i % 10 == 0) physics.clear_contacts();
     physics.step(kStep, workers);
   }
   const Vec3 p = physics.state(body).p;
@@ -217,10 +217,10 @@ TEST_F(PhysicsTest, a_vehicle_that_rests_falls_when_what_it_stands_on_is_pulled_
   physics_.put(slab_body, {}, true);
   run(1);
   EXPECT_EQ(physics_.state(body).p.z, 0.3) << "to the bit";
-  EXPECT_TRUE(physics_.rests(body));
+  EXPECT_TRUE(physics_.is_sleeping(body));
   physics_.put(slab_body, {.v = {3, 0, 0}}, false);
   run(1.5);
-  EXPECT_FALSE(physics_.rests(body));
+  EXPECT_FALSE(physics_.is_sleeping(body));
   EXPECT_GT(physics_.state(slab_body).p.x, 2.5);
   EXPECT_NEAR(physics_.state(body).p.z, 0, 5e-3);
 }
@@ -331,9 +331,9 @@ TEST_F(PhysicsTest, a_vehicle_that_is_woken_from_above_goes_on_whatever_was_befo
     physics.step(kStep, workers_);
     physics.put(below, {}, true);
     physics.put(above, {.p = {0, 0, 0.22}}, false);
-    physics.forget();
+    physics.clear_contacts();
     physics.step(kStep, workers_);
-    EXPECT_FALSE(physics.rests(below));
+    EXPECT_FALSE(physics.is_sleeping(below));
     return physics.state(below).p.z;
   };
   EXPECT_EQ(step_from(0), step_from(2)) << "on the ground, or in the air";
