@@ -19,7 +19,7 @@
 #include "playhouse/app/bench_figures.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/scenarios/scenario.h"
-#include "playhouse/world/witness.h"
+#include "playhouse/world/run_listener.h"
 
 namespace playhouse::app {
 namespace {
@@ -71,7 +71,7 @@ Result<void> watch_in_turn(const Ports& ports, std::size_t robots, double second
 }
 
 /// CPU times of whole ticks, by phase. [s]
-class TickTimes final : public world::Witness {
+class TickTimes final : public world::RunListener {
  public:
   explicit TickTimes(const Board& board) : board_(board) {}
 
@@ -125,7 +125,7 @@ int bench_watched(const BenchOptions& options) {
             watch_in_turn(ports, robots, options.duration > 0 ? options.duration : kSeconds, *board);
         return done ? kDone : fail(done.error());
       },
-      [&](Service& service) { service.simulation().show_to(times); });
+      [&](Service& service) { service.simulation().set_run_listener(times); });
   if (code != kDone) return code;
   if (!times.in_all_phases())
     return fail({"--duration", "too short: not one whole tick of each of the three"});

@@ -11,12 +11,12 @@ namespace {
 /// Maximum number of keyframes for the page's slider: spacing grows with the length.
 constexpr std::uint64_t kMoments = 3600;
 
-std::shared_ptr<const world::Past> moments(std::uint64_t first, std::uint64_t last, double interval) {
-  auto past = std::make_shared<world::Past>();
+std::shared_ptr<const world::Timeline> moments(std::uint64_t first, std::uint64_t last, double interval) {
+  auto timeline = std::make_shared<world::Timeline>();
   const std::uint64_t step = std::max(world::ticks_of(1, interval), (last - first) / kMoments + 1);
-  for (std::uint64_t tick = first; tick < last; tick += step) past->ticks.push_back(tick);
-  past->ticks.push_back(last);
-  return past;
+  for (std::uint64_t tick = first; tick < last; tick += step) timeline->ticks.push_back(tick);
+  timeline->ticks.push_back(last);
+  return timeline;
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ std::shared_ptr<const world::Past> moments(std::uint64_t first, std::uint64_t la
 Playback::Playback(drivers::Simulation& simulation, record::Rerun& rerun)
     : simulation_(simulation),
       rerun_(rerun),
-      past_(moments(rerun.first_tick(), rerun.last_tick(), rerun.world().scene().interval)) {}
+      timeline_(moments(rerun.first_tick(), rerun.last_tick(), rerun.world().scene().interval)) {}
 
 void Playback::rewind(std::uint64_t tick) {
   simulation_.post([this, tick](world::World&) { rerun_.seek(tick); });

@@ -28,14 +28,14 @@ class Playback final : public world::Control {
   /// Accepts the change and drops it.
   bool post(std::function<void(world::World&)>, world::ModelId) override { return true; }
   void record(bool) override {}
-  std::shared_ptr<const world::Past> past() const override { return past_; }
+  std::shared_ptr<const world::Timeline> timeline() const override { return timeline_; }
   void rewind(std::uint64_t tick) override;
-  std::uint64_t life(world::ModelId) const override { return 0; }
+  std::uint64_t generation(world::ModelId) const override { return 0; }
 
  private:
   drivers::Simulation& simulation_;
   record::Rerun& rerun_;
-  std::shared_ptr<const world::Past> past_;
+  std::shared_ptr<const world::Timeline> timeline_;
   bool told_ = false;
 };
 

@@ -162,7 +162,7 @@ Result<void> Service::record(const std::string& file, const std::string& only) {
   recorder_ = std::make_unique<record::Recorder>(*record_file_, std::move(*selection), simulation());
   simulation().add_follower(
       [this](const world::World& world, const world::Change& change) { recorder_->follow(world, change); });
-  simulation().show_to(*recorder_);
+  simulation().set_run_listener(*recorder_);
   return recorder_->begin(simulation().world(), sources_);
 }
 

@@ -140,7 +140,7 @@ void Recorder::look_around(const world::World& world) {
   for (std::uint32_t row = 0; row < world.models.size(); ++row) add_model(world, {row});
   const bool all_watched = std::ranges::all_of(measuring_, [&](world::ModelId model) {
     const auto found = watched_.find(model);
-    return found != watched_.end() && found->second == control_.life(model);
+    return found != watched_.end() && found->second == control_.generation(model);
   });
   // Retries at the next tick if the queue is full.
   if (!all_watched && !control_.post([this](world::World& changing) { watch_all(changing); })) known_ = false;
@@ -205,9 +205,9 @@ void Recorder::add_ranger(const world::World& world, world::ModelRow model) {
 void Recorder::watch_all(world::World& world) {
   for (const world::ModelId model : measuring_) {
     const world::ModelRow row = world.row(model);
-    const auto [found, is_new] = watched_.try_emplace(model, control_.life(model));
-    if (!row || (!is_new && found->second == control_.life(model))) continue;
-    found->second = control_.life(model);
+    const auto [found, is_new] = watched_.try_emplace(model, control_.generation(model));
+    if (!row || (!is_new && found->second == control_.generation(model))) continue;
+    found->second = control_.generation(model);
     world::watch(world, row);
   }
 }

@@ -16,7 +16,7 @@
 #include "playhouse/record/selection.h"
 #include "playhouse/scene/source_text.h"
 #include "playhouse/world/control.h"
-#include "playhouse/world/witness.h"
+#include "playhouse/world/run_listener.h"
 
 namespace playhouse::record {
 
@@ -26,7 +26,7 @@ inline constexpr const char* kStartName = "start.run";
 /// Simulated time between two keyframes of a recording. [s]
 inline constexpr double kStatePeriod = 10;
 
-class Recorder final : public world::Witness {
+class Recorder final : public world::RunListener {
  public:
   /// Both must outlive the recorder. Selected sensors are subscribed as a
   /// watcher from the first tick on, without side effects (world::watch).

@@ -54,17 +54,18 @@ std::string scene_text(const scene::SceneDesc& scene, std::string_view light, co
       models);
 }
 
-std::string history_text(const world::Past& past) {
-  if (past.ticks.empty()) return fmt::format("{{\"history\":{{\"none\":{}}}}}\n", quoted(past.why_none));
+std::string history_text(const world::Timeline& timeline) {
+  if (timeline.ticks.empty())
+    return fmt::format("{{\"history\":{{\"none\":{}}}}}\n", quoted(timeline.why_none));
   std::string steps;
-  for (std::size_t i = 1, times = 0; i < past.ticks.size(); ++i) {
-    const std::uint64_t gap = past.ticks[i] - past.ticks[i - 1];
+  for (std::size_t i = 1, times = 0; i < timeline.ticks.size(); ++i) {
+    const std::uint64_t gap = timeline.ticks[i] - timeline.ticks[i - 1];
     ++times;
-    if (i + 1 < past.ticks.size() && past.ticks[i + 1] - past.ticks[i] == gap) continue;
+    if (i + 1 < timeline.ticks.size() && timeline.ticks[i + 1] - timeline.ticks[i] == gap) continue;
     fmt::format_to(std::back_inserter(steps), "{}[{},{}]", steps.empty() ? "" : ",", gap,
                    std::exchange(times, 0));
   }
-  return fmt::format("{{\"history\":{{\"first\":{},\"steps\":[{}]}}}}\n", past.ticks.front(), steps);
+  return fmt::format("{{\"history\":{{\"first\":{},\"steps\":[{}]}}}}\n", timeline.ticks.front(), steps);
 }
 
 std::string world_file_text(std::string_view name, std::string_view text) {

@@ -22,7 +22,7 @@ std::string scene_text(const scene::SceneDesc& scene, std::string_view light, co
 std::string changes_text(const Layout& from, const Layout& to);
 
 /// The instants to which a viewer can rewind, or why there are none.
-std::string history_text(const world::Past& past);
+std::string history_text(const world::Timeline& timeline);
 
 /// A world file for a viewer to download under this name.
 std::string world_file_text(std::string_view name, std::string_view text);

@@ -32,9 +32,11 @@ class AtOnce final : public world::Control {
     return true;
   }
   void record(bool) override {}
-  std::shared_ptr<const world::Past> past() const override { return std::make_shared<world::Past>(); }
+  std::shared_ptr<const world::Timeline> timeline() const override {
+    return std::make_shared<world::Timeline>();
+  }
   void rewind(std::uint64_t) override {}
-  std::uint64_t life(world::ModelId) const override { return 0; }
+  std::uint64_t generation(world::ModelId) const override { return 0; }
   bool full = false;
 
  private:

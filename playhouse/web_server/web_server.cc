@@ -124,11 +124,11 @@ class WebServer::Impl final : public net::HttpService,
   void look_at_past() {
     const auto now = std::chrono::steady_clock::now();
     if (now - past_time_ < kPastPeriod) return;
-    auto past = control_.past();
-    if (past == past_ || (past->ticks.empty() && past->why_none.empty())) return;
-    past_ = std::move(past);
+    auto timeline = control_.timeline();
+    if (timeline == timeline_ || (timeline->ticks.empty() && timeline->why_none.empty())) return;
+    timeline_ = std::move(timeline);
     past_time_ = now;
-    history_text_ = std::make_shared<const std::string>(replicate::history_text(*past_));
+    history_text_ = std::make_shared<const std::string>(replicate::history_text(*timeline_));
   }
 
   void offer() {
@@ -358,9 +358,9 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   Result<void> execute(const replicate::Rewind& rewind, WebViewer&) {
-    const auto past = control_.past();
-    if (!past->why_none.empty()) return Error{"", "this run cannot go back: " + past->why_none};
-    if (past->ticks.empty()) return Error{"", "no moment of this run is kept yet"};
+    const auto timeline = control_.timeline();
+    if (!timeline->why_none.empty()) return Error{"", "this run cannot go back: " + timeline->why_none};
+    if (timeline->ticks.empty()) return Error{"", "no moment of this run is kept yet"};
     control_.rewind(rewind.tick);
     return {};
   }
@@ -602,9 +602,9 @@ class WebServer::Impl final : public net::HttpService,
   std::shared_ptr<const std::string> scene_text_;
   replicate::ChangesTexts changes_texts_;
   std::uint32_t ids_given_;  // maximum so far: a rewound run had used more
-  std::shared_ptr<const world::Past> past_;
+  std::shared_ptr<const world::Timeline> timeline_;
   std::chrono::steady_clock::time_point past_time_;
-  std::shared_ptr<const std::string> history_text_;  // of past_
+  std::shared_ptr<const std::string> history_text_;  // of timeline_
   WebStatus status_;
   std::uint64_t hosts_refused_ = 0, origins_refused_ = 0, turned_away_ = 0;
   std::uint32_t viewers_ever_ = 0;

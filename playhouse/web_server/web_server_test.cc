@@ -43,15 +43,15 @@ class Notes final : public world::Control {
   }
   void record(bool on) override { recording = on; }
   void rewind(std::uint64_t tick) override { note("rewind " + std::to_string(tick)); }
-  std::shared_ptr<const world::Past> past() const override {
+  std::shared_ptr<const world::Timeline> timeline() const override {
     const std::lock_guard lock(mutex_);
-    return past_;
+    return timeline_;
   }
-  void set_past(world::Past past) {
+  void set_past(world::Timeline timeline) {
     const std::lock_guard lock(mutex_);
-    past_ = std::make_shared<const world::Past>(std::move(past));
+    timeline_ = std::make_shared<const world::Timeline>(std::move(timeline));
   }
-  std::uint64_t life(world::ModelId) const override { return 0; }
+  std::uint64_t generation(world::ModelId) const override { return 0; }
   bool post(std::function<void(world::World&)> change, world::ModelId = {}) override {
     const std::lock_guard lock(mutex_);
     if (full_) {
@@ -100,7 +100,7 @@ class Notes final : public world::Control {
  private:
   mutable std::mutex mutex_;
   std::string all_;
-  std::shared_ptr<const world::Past> past_ = std::make_shared<const world::Past>();
+  std::shared_ptr<const world::Timeline> timeline_ = std::make_shared<const world::Timeline>();
   std::vector<std::function<void(world::World&)>> changes_;
   bool full_ = false;
   int refused_ = 0;

@@ -19,7 +19,7 @@ struct Pace {
 };
 
 /// The keyframes of a run: instants with a retained state.
-struct Past {
+struct Timeline {
   std::vector<std::uint64_t> ticks;  // ascending
   std::string why_none;              // why no state can be retained, as one line; else empty
 };
@@ -47,13 +47,13 @@ class Control {
   /// Starts or stops retaining states; retained ones stay.
   virtual void record(bool on) = 0;
   /// The retained states. Never null.
-  virtual std::shared_ptr<const Past> past() const = 0;
+  virtual std::shared_ptr<const Timeline> timeline() const = 0;
   /// Loads the retained state nearest to the tick, past or future, and continues
   /// from there; logged as kReload. No effect without retained states.
   virtual void rewind(std::uint64_t tick) = 0;
-  /// Incarnation count, incremented when rewind() re-creates the
+  /// Generation count, incremented when rewind() re-creates the
   /// model: earlier subscriptions have ended then. Tick thread.
-  virtual std::uint64_t life(ModelId model) const = 0;
+  virtual std::uint64_t generation(ModelId model) const = 0;
 };
 
 /// Handle of one subscription of a model, or of one watcher; it ends
@@ -68,8 +68,9 @@ class Use {
   }
   /// Ends the subscription. Returns the model; none if it is gone or the use never began.
   ModelRow end(World& world, const Control& control) {
-    const ModelRow row = life_ && *life_ == control.life(model_) ? world.row(model_) : ModelRow{};
-    life_.reset();
+    const ModelRow row =
+        generation_ && *generation_ == control.generation(model_) ? world.row(model_) : ModelRow{};
+    generation_.reset();
     if (row) watches_ ? unwatch(world, row) : unsubscribe(world, row);
     return row;
   }
@@ -80,11 +81,11 @@ class Use {
     if (!row) return;
     join(world, row);
     model_ = model;
-    life_ = control.life(model);
+    generation_ = control.generation(model);
   }
 
   ModelId model_;
-  std::optional<std::uint64_t> life_;  // incarnation at begin(); none: not in use
+  std::optional<std::uint64_t> generation_;  // at begin(); none: not in use
   bool watches_ = false;
 };
 

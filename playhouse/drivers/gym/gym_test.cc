@@ -53,7 +53,7 @@ TEST_F(Gym, an_agent_that_comes_back_with_the_start_is_used_again) {
   carry_out([](world::World& world) { EXPECT_TRUE(world::despawn(world, kB)); });
   for (int time = 0; time < 2; ++time) {
     carry_out([&](world::World&) {
-      ASSERT_TRUE(simulation_.start_again(7));
+      ASSERT_TRUE(simulation_.restart(7));
       agents.reset_all();
     });
     EXPECT_EQ(subscribers(kB), 1u);
@@ -86,7 +86,7 @@ class LinkedGym : public Gym {
     ASSERT_EQ(send(program_, &request, sizeof request, MSG_NOSIGNAL), ssize_t{sizeof request});
   }
   void step(std::uint32_t ticks) { ask(1, ticks, 0); }
-  void start_again(std::uint64_t seed) { ask(2, 0, seed); }
+  void restart(std::uint64_t seed) { ask(2, 0, seed); }
   /// Why not; empty: done.
   std::string answer() {
     std::uint32_t head[2] = {1, 0};
@@ -112,7 +112,7 @@ TEST_F(LinkedGym, begins_again_also_while_others_fill_the_queue) {
   }));
   while (simulation_.post([](world::World&) {})) {
   }
-  start_again(9);
+  restart(9);
   while (!simulation_.lock_step()->is_due()) std::this_thread::yield();
   is_full = true;
   EXPECT_EQ(answer(), "");

@@ -94,7 +94,7 @@ void Link::carry_out(const Request& request) {
   const auto change = [this, is_step, seed = request.seed](world::World&) {
     why_not_.clear();
     if (is_step) return agents_.act();
-    if (const Result<void> started = simulation_.start_again(seed); !started) {
+    if (const Result<void> started = simulation_.restart(seed); !started) {
       why_not_ = started.error().line();
     } else {
       agents_.reset_all();

@@ -65,7 +65,7 @@ void AutoDevices::go(const world::World& world, world::ModelId model) {
 /// An existing model owns its addresses in any retained state: they were
 /// given to others only after its removal, so both never exist together.
 void AutoDevices::go_and_come_back(const world::World& world) {
-  map_.go_back(world.time());
+  map_.rewind_to(world.time());
   for (auto& [model, given] : given_) {
     if (given.gone) given.gone = std::min(*given.gone, world.tick());
     if (!world.row(model)) go(world, model);
@@ -116,7 +116,7 @@ void AutoDevices::remember(const world::World& world, std::span<const MappedDevi
 void AutoDevices::forget_who_cannot_come_back() {
   constexpr std::size_t kLeast = 1024;
   if (given_.size() < std::max(kLeast, forget_at_)) return;
-  const std::vector<std::uint64_t>& instants = simulation_.past()->ticks;
+  const std::vector<std::uint64_t>& instants = simulation_.timeline()->ticks;
   std::erase_if(given_, [&](const auto& each) {
     const std::optional<std::uint64_t>& gone = each.second.gone;
     return gone && (instants.empty() || *gone < instants.front());

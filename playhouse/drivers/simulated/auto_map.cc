@@ -111,8 +111,8 @@ void AutoMap::come_back(const MappedDevice& device) {
   retired_[place_of(device.interf)].hold(device.index);
 }
 
-void AutoMap::go_back(double time) {
-  for (auto& [place, indices] : retired_) indices.go_back(time);
+void AutoMap::rewind_to(double time) {
+  for (auto& [place, indices] : retired_) indices.rewind_to(time);
 }
 
 }  // namespace playhouse::drivers

@@ -54,7 +54,7 @@ class AutoMap {
   void retire(const MappedDevice& device, double time);
   void come_back(const MappedDevice& device);
   /// The run was rewound to `time` [s].
-  void go_back(double time);
+  void rewind_to(double time);
 
   /// Number of devices without an index: an interface has 65536 of them and none was free.
   std::size_t left_out() const { return left_out_; }

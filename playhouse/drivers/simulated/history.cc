@@ -37,12 +37,12 @@ void History::take(const world::World& world) {
   rest_until_ = end + kRest * (end - start);
   std::string why_none = saved ? std::string() : saved.error().line();
   if (instant.state.size() > most_bytes_) why_none = "a state of it is too large to be kept";
-  if (std::exchange(why_none_, std::move(why_none)) != why_none_) past_.reset();
+  if (std::exchange(why_none_, std::move(why_none)) != why_none_) timeline_.reset();
   if (!why_none_.empty()) return;
   instant.state.shrink_to_fit();
   bytes_ += instant.state.size();
   instants_.insert(later, std::move(instant));
-  past_.reset();
+  timeline_.reset();
   make_room();
 }
 
@@ -67,7 +67,7 @@ void History::make_room() {
 void History::drop(std::size_t place) {
   bytes_ -= instants_[place].state.size();
   instants_.erase(instants_.begin() + static_cast<std::ptrdiff_t>(place));
-  past_.reset();
+  timeline_.reset();
 }
 
 std::span<const std::byte> History::nearest(std::uint64_t tick) const {
@@ -86,7 +86,7 @@ void History::drop_after(std::uint64_t tick) {
 void History::clear() {
   instants_.clear();
   bytes_ = 0;
-  past_.reset();
+  timeline_.reset();
 }
 
 void History::give_up(std::string why) {
@@ -95,12 +95,12 @@ void History::give_up(std::string why) {
   clear();
 }
 
-std::shared_ptr<const world::Past> History::past() {
-  if (past_) return past_;
-  auto past = std::make_shared<world::Past>();
-  for (const Instant& instant : instants_) past->ticks.push_back(instant.tick);
-  past->why_none = why_none_;
-  return past_ = std::move(past);
+std::shared_ptr<const world::Timeline> History::timeline() {
+  if (timeline_) return timeline_;
+  auto timeline = std::make_shared<world::Timeline>();
+  for (const Instant& instant : instants_) timeline->ticks.push_back(instant.tick);
+  timeline->why_none = why_none_;
+  return timeline_ = std::move(timeline);
 }
 
 }  // namespace playhouse::drivers

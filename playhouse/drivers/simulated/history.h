@@ -41,7 +41,7 @@ class History {
   void give_up(std::string why);
 
   /// The list of keyframes for viewers; a new object after each change. Never null.
-  std::shared_ptr<const world::Past> past();
+  std::shared_ptr<const world::Timeline> timeline();
 
  private:
   struct Instant {
@@ -59,7 +59,7 @@ class History {
   double rest_until_ = 0;  // wall clock: a hundred times the cost of the last keyframe has passed
   std::string why_none_;   // empty: keyframes can be taken
   bool given_up_ = false;
-  std::shared_ptr<const world::Past> past_;  // null: outdated
+  std::shared_ptr<const world::Timeline> timeline_;  // null: outdated
 };
 
 }  // namespace playhouse::drivers

@@ -46,14 +46,14 @@ TEST_F(HistoryTest, has_an_instant_at_once_and_then_every_whole_second) {
   EXPECT_TRUE(history.empty());
   world_.tick_ = 4;
   run_to(history, 35);
-  EXPECT_EQ(history.past()->ticks, (Ticks{5, 10, 20, 30}));
-  EXPECT_EQ(history.past()->why_none, "");
+  EXPECT_EQ(history.timeline()->ticks, (Ticks{5, 10, 20, 30}));
+  EXPECT_EQ(history.timeline()->why_none, "");
 }
 
 TEST_F(HistoryTest, gives_the_state_of_the_nearest_instant) {
   History history(scene_.interval, clock_);
   run_to(history, 30);
-  EXPECT_EQ(history.past()->ticks, (Ticks{1, 10, 20, 30}));
+  EXPECT_EQ(history.timeline()->ticks, (Ticks{1, 10, 20, 30}));
   EXPECT_EQ(nearest(history, 0), 1u);
   EXPECT_EQ(nearest(history, 10), 10u);
   EXPECT_EQ(nearest(history, 15), 10u);
@@ -65,7 +65,7 @@ TEST_F(HistoryTest, of_any_length_has_the_last_minutes_alone) {
   History history(scene_.interval, clock_);
   const auto span = static_cast<std::uint64_t>(limits::kHistorySeconds) * kSecond;
   run_to(history, 3 * span);
-  const Ticks& ticks = history.past()->ticks;
+  const Ticks& ticks = history.timeline()->ticks;
   EXPECT_EQ(ticks.size(), static_cast<std::size_t>(limits::kHistorySeconds) + 1);
   EXPECT_EQ(ticks.front(), 2 * span);
   EXPECT_EQ(ticks.back(), 3 * span);
@@ -77,7 +77,7 @@ TEST_F(HistoryTest, without_room_is_sparser_the_longer_ago) {
   const auto span = static_cast<std::uint64_t>(limits::kHistorySeconds) * kSecond;
   for (std::uint64_t end = span / 2; end <= 4 * span; end += 7 * kSecond) {
     run_to(history, end);
-    const Ticks& ticks = history.past()->ticks;
+    const Ticks& ticks = history.timeline()->ticks;
     ASSERT_LE(ticks.size(), kRoom);
     ASSERT_GE(ticks.size(), kRoom / 2);
     ASSERT_GE(world_.tick() - ticks.front(), end < span ? end - 1 : span * 3 / 4) << "it reaches far back";
@@ -93,12 +93,12 @@ TEST_F(HistoryTest, forgets_what_lies_after_a_tick) {
   History history(scene_.interval, clock_);
   run_to(history, 30);
   history.drop_after(20);
-  EXPECT_EQ(history.past()->ticks, (Ticks{1, 10, 20}));
+  EXPECT_EQ(history.timeline()->ticks, (Ticks{1, 10, 20}));
   history.drop_after(19);
-  EXPECT_EQ(history.past()->ticks, (Ticks{1, 10}));
+  EXPECT_EQ(history.timeline()->ticks, (Ticks{1, 10}));
   world_.tick_ = 10;
   run_to(history, 20);
-  EXPECT_EQ(history.past()->ticks, (Ticks{1, 10, 20}));
+  EXPECT_EQ(history.timeline()->ticks, (Ticks{1, 10, 20}));
 }
 
 TEST_F(HistoryTest, takes_a_moment_out_of_turn_in_its_place_and_once) {
@@ -107,17 +107,17 @@ TEST_F(HistoryTest, takes_a_moment_out_of_turn_in_its_place_and_once) {
   world_.tick_ = 13;
   history.take(world_);
   history.take(world_);
-  EXPECT_EQ(history.past()->ticks, (Ticks{1, 10, 13, 20}));
+  EXPECT_EQ(history.timeline()->ticks, (Ticks{1, 10, 13, 20}));
 }
 
 TEST_F(HistoryTest, is_the_same_list_until_it_changes) {
   History history(scene_.interval, clock_);
   run_to(history, 11);
-  const auto past = history.past();
+  const auto timeline = history.timeline();
   run_to(history, 19);
-  EXPECT_EQ(history.past(), past);
+  EXPECT_EQ(history.timeline(), timeline);
   run_to(history, 20);
-  EXPECT_NE(history.past(), past);
+  EXPECT_NE(history.timeline(), timeline);
 }
 
 TEST_F(HistoryTest, costs_a_hundredth_of_the_time_at_most) {
@@ -127,7 +127,7 @@ TEST_F(HistoryTest, costs_a_hundredth_of_the_time_at_most) {
     run_to(history, static_cast<std::uint64_t>(tick));
     now_ += 0.01;
   }
-  const std::size_t states = history.past()->ticks.size();
+  const std::size_t states = history.timeline()->ticks.size();
   EXPECT_LE(static_cast<double>(states) * 0.01, now_ / 100 + 0.01);
   EXPECT_GE(states, 8u);
 }
@@ -149,30 +149,30 @@ TEST_F(HistoryTest, says_why_there_is_none) {
   world_.deciders.push_back(std::make_unique<Mute>());
   run_to(history, 20);
   EXPECT_TRUE(history.empty());
-  EXPECT_EQ(history.past()->why_none, "controller mute cannot be saved");
+  EXPECT_EQ(history.timeline()->why_none, "controller mute cannot be saved");
 
   History lost(scene_.interval, clock_);
   world_.deciders.clear();
   world_.models.X_PM.own(0).x = 1e10;
   run_to(lost, 30);
   EXPECT_TRUE(lost.empty()) << "it could not be loaded";
-  EXPECT_NE(lost.past()->why_none, "");
+  EXPECT_NE(lost.timeline()->why_none, "");
   world_.models.X_PM.own(0).x = 0;
   run_to(lost, 40);
   EXPECT_FALSE(lost.empty());
-  EXPECT_EQ(lost.past()->why_none, "");
+  EXPECT_EQ(lost.timeline()->why_none, "");
 
   History small(scene_.interval, clock_, 10);
   run_to(small, 50);
   EXPECT_TRUE(small.empty());
-  EXPECT_NE(small.past()->why_none, "");
+  EXPECT_NE(small.timeline()->why_none, "");
 
   History ended(scene_.interval, clock_);
   run_to(ended, 60);
   ended.give_up("for a reason");
   run_to(ended, 80);
-  EXPECT_TRUE(ended.past()->ticks.empty());
-  EXPECT_EQ(ended.past()->why_none, "for a reason");
+  EXPECT_TRUE(ended.timeline()->ticks.empty());
+  EXPECT_EQ(ended.timeline()->why_none, "for a reason");
 }
 
 }  // namespace

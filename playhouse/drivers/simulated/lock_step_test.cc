@@ -206,10 +206,10 @@ TEST(Simulation, starts_again_with_the_models_and_ids_of_the_start_and_another_s
   const std::uint64_t hash = world.hash(), seed = world.seed();
   ASSERT_TRUE(world::spawn(world, 0, {1, 2, 0, 0}));
   simulation.engine().step();
-  ASSERT_TRUE(simulation.start_again(seed).ok());
+  ASSERT_TRUE(simulation.restart(seed).ok());
   EXPECT_EQ(world.tick(), 0u);
   EXPECT_EQ(world.hash(), hash);
-  ASSERT_TRUE(simulation.start_again(7).ok());
+  ASSERT_TRUE(simulation.restart(7).ok());
   EXPECT_EQ(world.seed(), 7u);
   EXPECT_EQ(world.models.size(), 1u);
   EXPECT_EQ(world.hash(), world::World(scene, 7).hash());
@@ -225,8 +225,8 @@ TEST(Simulation, gives_no_id_a_second_time_after_it_started_again) {
     simulation.run();
     return id;
   };
-  const auto start_again = [&] {
-    simulation.post_to_all([&](world::World&) { EXPECT_TRUE(simulation.start_again(7)); });
+  const auto restart = [&] {
+    simulation.post_to_all([&](world::World&) { EXPECT_TRUE(simulation.restart(7)); });
     simulation.post([](world::World&) {});
     simulation.run();
     EXPECT_EQ(simulation.world().hash(), world::World(scene, 7).hash()) << "nobody came yet";
@@ -234,7 +234,7 @@ TEST(Simulation, gives_no_id_a_second_time_after_it_started_again) {
   std::vector<world::ModelId> came;
   for (int run = 0; run < 3; ++run) {
     came.push_back(come());
-    start_again();
+    restart();
   }
   EXPECT_LT(came[0], came[1]);
   EXPECT_LT(came[1], came[2]);
@@ -247,7 +247,7 @@ TEST(Simulation, is_after_a_new_start_the_run_of_a_fresh_one_also_where_models_c
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),
                         {.speed = 0, .duration = 0, .lock_step = LockStep::Options{}});
   for (int run = 0; run < 3; ++run) {
-    simulation.post_to_all([&](world::World&) { EXPECT_TRUE(simulation.start_again(7)); });
+    simulation.post_to_all([&](world::World&) { EXPECT_TRUE(simulation.restart(7)); });
     simulation.post([](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {1, 2, 0, 0})); });
     simulation.run();
     const world::World& world = simulation.world();
@@ -258,7 +258,7 @@ TEST(Simulation, is_after_a_new_start_the_run_of_a_fresh_one_also_where_models_c
 
 TEST(Simulation, without_lock_step_keeps_no_start) {
   testing::StillSimulation still(kRobot);
-  EXPECT_FALSE(still.simulation.start_again(1).ok());
+  EXPECT_FALSE(still.simulation.restart(1).ok());
 }
 
 TEST(Simulation, in_lock_step_tells_when_the_data_of_many_devices_are_out) {

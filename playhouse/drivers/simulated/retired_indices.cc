@@ -28,7 +28,7 @@ std::optional<std::size_t> RetiredIndices::take(double time) {
   return index;
 }
 
-void RetiredIndices::go_back(double time) {
+void RetiredIndices::rewind_to(double time) {
   for (auto& [number, retired] : order_) retired.time = std::min(retired.time, time);
 }
 

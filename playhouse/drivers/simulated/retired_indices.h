@@ -28,7 +28,7 @@ class RetiredIndices {
   /// The longest retired index, if it has rested at `time` [s]; the caller has to hold() it.
   std::optional<std::size_t> take(double time);
   /// The run was rewound to `time` [s]: later retirements are moved to that time.
-  void go_back(double time);
+  void rewind_to(double time);
 
   /// Number of retired indices.
   std::size_t size() const { return order_.size(); }

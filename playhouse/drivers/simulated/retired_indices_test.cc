@@ -39,7 +39,7 @@ TEST(RetiredIndices, of_models_that_came_back_wait_no_more) {
   indices.hold(2);
   indices.release(1, 50);
   indices.release(2, 90);
-  indices.go_back(40);
+  indices.rewind_to(40);
   indices.hold(1);
   EXPECT_EQ(indices.size(), 1u);
   EXPECT_EQ(indices.take(kRest + 40), 2u) << "which rests from when the run was taken back";

@@ -55,7 +55,7 @@ Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
       followed_(engine_->world().changes.end()) {
   wanted_.speed = std::max(0.0, options.speed);
   wanted_.paused = options.paused;
-  past_ = history_.past();
+  timeline_ = history_.timeline();
   if (!options.lock_step) return;
   lock_step_ = std::make_unique<LockStep>(*options.lock_step);
   lock_step_->when_changed([this] { wake(); });
@@ -85,7 +85,7 @@ void Simulation::run() {
       finish_publishing();
       take_wanted();
       take_inbox();
-      if (now_.instant) go_back(*std::exchange(now_.instant, std::nullopt));
+      if (now_.instant) rewind_to(*std::exchange(now_.instant, std::nullopt));
     }
     const bool ends = is_over || now_.stop || world.tick() >= end_tick_;
     if (!ends && !wait_for_tick(asked_for)) continue;
@@ -134,9 +134,9 @@ void Simulation::tick() {
   const world::World& world = engine_->world();
   time_.store(world.time(), std::memory_order_relaxed);
   follow_changes();
-  if (witness_) witness_->ticked(world);
+  if (run_listener_) run_listener_->ticked(world);
   if (now_.recording) history_.record(world);
-  show_past();
+  publish_timeline();
   encode();
   show();
   if (!done.empty() || last_step) finish_publishing();
@@ -213,7 +213,7 @@ void Simulation::take_wanted() {
     wanted_.instant.reset();
   }
   if (now_.recording && history_.empty()) history_.record(engine_->world());
-  show_past();
+  publish_timeline();
   if (now_.steps == 0) answer_steps();  // the world was resumed
   if (!now_.pace_changed) return;
   pacer_.change(clock_(), now_.speed, now_.paused);
@@ -224,7 +224,7 @@ void Simulation::take_inbox() {
   inbox_.take(taken_);
   if (taken_.empty()) return;
   finish_publishing();
-  if (witness_) witness_->before_changes(engine_->world());
+  if (run_listener_) run_listener_->before_changes(engine_->world());
   for (const Change& change : taken_) {
     carry_out(change);
     follow_changes();
@@ -233,7 +233,7 @@ void Simulation::take_inbox() {
   // Initialises controllers of spawned models, so that the state is complete when saved.
   world::World& world = engine_->world();
   for (const std::unique_ptr<world::Decider>& decider : world.deciders) decider->follow(world);
-  if (witness_) witness_->after_changes(engine_->world());
+  if (run_listener_) run_listener_->after_changes(engine_->world());
   show();
 }
 
@@ -257,27 +257,27 @@ void Simulation::keep_ids() {
 
 /// Ends subscriptions of models that the loaded state removed or re-created;
 /// within a tick, ids are assigned as if there had been no rewind.
-void Simulation::end_lives_of_others(const std::vector<world::ModelId>& before) {
+void Simulation::end_generations(const std::vector<world::ModelId>& before) {
   std::vector<world::ModelId> others;
   std::ranges::set_symmetric_difference(before, engine_->world().models.id, std::back_inserter(others));
-  for (const world::ModelId model : others) ++lives_[model];
+  for (const world::ModelId model : others) ++generations_[model];
 }
 
-void Simulation::go_back(std::uint64_t tick) {
+void Simulation::rewind_to(std::uint64_t tick) {
   world::World& world = engine_->world();
   if (history_.empty()) return;
   finish_publishing();
   history_.take(world);  // so that this state can be returned to
-  if (witness_) witness_->before_changes(world);
+  if (run_listener_) run_listener_->before_changes(world);
   const std::vector<world::ModelId> before = world.models.id;
   keep_ids();
   load(tick);
-  end_lives_of_others(before);
+  end_generations(before);
   time_.store(world.time(), std::memory_order_relaxed);
   pacer_.start(clock_(), now_.speed, now_.paused);
-  show_past();
+  publish_timeline();
   follow_changes();
-  if (witness_) witness_->after_changes(world);
+  if (run_listener_) run_listener_->after_changes(world);
   show();
 }
 
@@ -294,11 +294,11 @@ void Simulation::load(std::uint64_t tick) {
 }
 
 /// Publishes the list of keyframes to other threads.
-void Simulation::show_past() {
-  std::shared_ptr<const world::Past> past = history_.past();
-  if (past == past_) return;  // written by this thread only
+void Simulation::publish_timeline() {
+  std::shared_ptr<const world::Timeline> timeline = history_.timeline();
+  if (timeline == timeline_) return;  // written by this thread only
   const std::lock_guard lock(mutex_);
-  past_ = std::move(past);
+  timeline_ = std::move(timeline);
 }
 
 void Simulation::wake() {
@@ -326,18 +326,18 @@ bool Simulation::want(Edit edit) {
   return true;
 }
 
-Result<void> Simulation::start_again(std::uint64_t seed) {
+Result<void> Simulation::restart(std::uint64_t seed) {
   if (start_.empty())
     return Error{{}, why_no_start_.empty() ? "only a run with --lock-step keeps its start" : why_no_start_};
   world::World& world = engine_->world();
   keep_ids();
   const std::vector<world::ModelId> before = world.models.id;
   if (const Result<void> loaded = world::load_state(world, start_, seed); !loaded) return loaded;
-  end_lives_of_others(before);
+  end_generations(before);
   history_.clear();
   time_.store(world.time(), std::memory_order_relaxed);
   pacer_.start(clock_(), now_.speed, now_.paused);
-  show_past();
+  publish_timeline();
   return {};
 }
 
@@ -407,18 +407,18 @@ void Simulation::record(bool on) {
   want([=](Wanted& wanted) { wanted.recording = on; });
 }
 
-std::shared_ptr<const world::Past> Simulation::past() const {
+std::shared_ptr<const world::Timeline> Simulation::timeline() const {
   const std::lock_guard lock(mutex_);
-  return past_;
+  return timeline_;
 }
 
 void Simulation::rewind(std::uint64_t tick) {
   want([=](Wanted& wanted) { wanted.instant = tick; });
 }
 
-std::uint64_t Simulation::life(world::ModelId model) const {
-  const auto found = lives_.find(model);
-  return found == lives_.end() ? 0 : found->second;
+std::uint64_t Simulation::generation(world::ModelId model) const {
+  const auto found = generations_.find(model);
+  return found == generations_.end() ? 0 : found->second;
 }
 
 void Simulation::command(Inbox::Slot slot, Change command) {

@@ -27,7 +27,7 @@
 #include "playhouse/drivers/simulated/sources.h"
 #include "playhouse/world/control.h"
 #include "playhouse/world/engine.h"
-#include "playhouse/world/witness.h"
+#include "playhouse/world/run_listener.h"
 
 namespace playhouse::drivers {
 
@@ -64,7 +64,7 @@ class Simulation final : public world::Control {
   void add_watcher(Watcher watcher) { watchers_.push_back(std::move(watcher)); }
   void add_follower(Follower follower) { followers_.push_back(std::move(follower)); }
   /// Observes every tick and every change between ticks. Must outlive run().
-  void show_to(world::Witness& witness) { witness_ = &witness; }
+  void set_run_listener(world::RunListener& listener) { run_listener_ = &listener; }
   /// Handles a client's request to save the world, on the tick thread. Default: none, requests
   /// have no effect; which file a client may write, if any, is the operator's decision.
   using Saver = std::function<void(const world::World&)>;
@@ -95,9 +95,9 @@ class Simulation final : public world::Control {
   void drive(world::ModelId robot, const geom::Twist& velocity) override;
   bool post(Change change, world::ModelId robot = {}) override;
   void record(bool on) override;
-  std::shared_ptr<const world::Past> past() const override;
+  std::shared_ptr<const world::Timeline> timeline() const override;
   void rewind(std::uint64_t tick) override;
-  std::uint64_t life(world::ModelId model) const override;
+  std::uint64_t generation(world::ModelId model) const override;
 
   // For devices; any thread.
   /// Command to a model by an interface. Replaces one that the tick has not consumed yet.
@@ -116,7 +116,7 @@ class Simulation final : public world::Control {
   /// Restarts: loads the initial state with another seed, as in a new run, with the
   /// initial models and ids; later models get ids never used before. Fails if the initial
   /// state was not kept: without lock-step, or with a controller that cannot be saved.
-  Result<void> start_again(std::uint64_t seed);
+  Result<void> restart(std::uint64_t seed);
   void add_source(std::shared_ptr<Source> source) { sources_.add(std::move(source)); }
   void remove_source(const Source& source) { sources_.remove(source); }
   std::size_t source_count() const { return sources_.size(); }
@@ -144,10 +144,10 @@ class Simulation final : public world::Control {
   void take_inbox();
   void carry_out(const Change& change);
   void keep_ids();
-  void end_lives_of_others(const std::vector<world::ModelId>& before);
-  void go_back(std::uint64_t tick);
+  void end_generations(const std::vector<world::ModelId>& before);
+  void rewind_to(std::uint64_t tick);
   void load(std::uint64_t tick);
-  void show_past();
+  void publish_timeline();
   void keep_start();
   bool wait_for_tick(bool asked_for);
   void tick();
@@ -165,18 +165,18 @@ class Simulation final : public world::Control {
   std::vector<Listener> listeners_;
   std::vector<Watcher> watchers_;
   Saver saver_;
-  world::Witness* witness_ = nullptr;
+  world::RunListener* run_listener_ = nullptr;
   Directory directory_;
   std::uint64_t end_tick_;
 
   // Shared between threads.
   Inbox inbox_;
   mutable std::mutex
-      mutex_;  // guards wanted_, past_, steppers_ and, with changed_, the sleep of the tick thread
+      mutex_;  // guards wanted_, timeline_, steppers_ and, with changed_, the sleep of the tick thread
   std::condition_variable changed_;
   std::atomic<bool> woken_ = true;  // there are requests that the tick thread has not seen
   Wanted wanted_;
-  std::shared_ptr<const world::Past> past_;
+  std::shared_ptr<const world::Timeline> timeline_;
   std::vector<LockStep::Done> steppers_;  // callbacks of single steps that are not done
   std::unique_ptr<LockStep> lock_step_;
   std::atomic<double> time_ = 0;
@@ -187,7 +187,7 @@ class Simulation final : public world::Control {
   std::function<double()> clock_;
   Pacer pacer_;
   History history_;
-  std::map<world::ModelId, std::uint64_t> lives_;  // incarnations of models that came back
+  std::map<world::ModelId, std::uint64_t> generations_;  // of models that a rewind re-created
   std::uint32_t ids_given_ = 0;   // ids used before a state was loaded: never assigned to other models
   std::vector<std::byte> start_;  // the initial state, if kept
   std::string why_no_start_;      // otherwise the reason

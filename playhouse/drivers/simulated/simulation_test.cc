@@ -144,8 +144,8 @@ TEST(Simulation, tells_its_followers_of_each_change_before_the_next_and_before_i
   EXPECT_EQ(told, "shown, came 2, went 1, shown, ") << "the pace is shown first";
 }
 
-TEST(Simulation, shows_a_witness_the_world_before_and_after_what_was_posted_and_each_tick) {
-  struct Notes final : world::Witness {
+TEST(Simulation, shows_a_run_listener_the_world_before_and_after_what_was_posted_and_each_tick) {
+  struct Notes final : world::RunListener {
     void before_changes(const world::World& world) override { note("before", world); }
     void after_changes(const world::World& world) override { note("after", world); }
     void ticked(const world::World& world) override { note("tick", world); }
@@ -155,7 +155,7 @@ TEST(Simulation, shows_a_witness_the_world_before_and_after_what_was_posted_and_
     std::string text;
   } notes;
   StillSimulation still(kRobot);
-  still.simulation.show_to(notes);
+  still.simulation.set_run_listener(notes);
   still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {})); });
   still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {})); });
   still.run(2);
@@ -370,19 +370,20 @@ TEST(Simulation, goes_back_to_an_instant_and_another_way_from_there) {
   StillSimulation still(kRobot);
   using Ticks = std::vector<std::uint64_t>;
   still.run(5);
-  EXPECT_TRUE(still.simulation.past()->ticks.empty()) << "nobody asked for it";
+  EXPECT_TRUE(still.simulation.timeline()->ticks.empty()) << "nobody asked for it";
   still.simulation.record(true);
   still.run(30);
-  EXPECT_EQ(still.simulation.past()->ticks, (Ticks{5, 10, 20, 30}));
-  testing::go_back(still.simulation, 10);
+  EXPECT_EQ(still.simulation.timeline()->ticks, (Ticks{5, 10, 20, 30}));
+  testing::rewind_to(still.simulation, 10);
   EXPECT_EQ(still.world().tick(), 10u);
   EXPECT_DOUBLE_EQ(still.simulation.time(), 1.0);
-  EXPECT_EQ(still.simulation.past()->ticks, (Ticks{5, 10, 20, 30, 35})) << "with the moment that was left";
-  testing::go_back(still.simulation, 35);
+  EXPECT_EQ(still.simulation.timeline()->ticks, (Ticks{5, 10, 20, 30, 35}))
+      << "with the moment that was left";
+  testing::rewind_to(still.simulation, 35);
   EXPECT_EQ(still.world().tick(), 35u) << "and back again";
-  testing::go_back(still.simulation, 20, 3);
+  testing::rewind_to(still.simulation, 20, 3);
   EXPECT_EQ(still.world().tick(), 23u);
-  EXPECT_EQ(still.simulation.past()->ticks, (Ticks{5, 10, 20})) << "what comes later is another now";
+  EXPECT_EQ(still.simulation.timeline()->ticks, (Ticks{5, 10, 20})) << "what comes later is another now";
 }
 
 TEST(Simulation, does_not_go_back_where_nothing_is_kept) {
@@ -403,7 +404,7 @@ TEST(Simulation, tells_followers_and_then_listeners_that_the_world_is_another) {
   });
   still.simulation.add_listener(
       [&](const world::World& world, const world::Pace&) { told += std::to_string(world.tick()) + ", "; });
-  testing::go_back(still.simulation, 10);
+  testing::rewind_to(still.simulation, 10);
   EXPECT_EQ(told, "20, reloaded 10, 10, ") << "the pace is shown first";
 }
 
@@ -424,10 +425,10 @@ TEST(Simulation, who_uses_a_model_goes_on_with_it_unless_it_came_back) {
     return still.world().models.subscribers[still.world().row(model).index];
   };
   EXPECT_EQ(users(late), 1u);
-  testing::go_back(still.simulation, 10);
+  testing::rewind_to(still.simulation, 10);
   EXPECT_FALSE(still.world().row(late));
   EXPECT_EQ(users({0}), 1u) << "who uses it is of now";
-  testing::go_back(still.simulation, 20);
+  testing::rewind_to(still.simulation, 20);
   ASSERT_TRUE(still.world().row(late));
   EXPECT_EQ(users(late), 0u);
   EXPECT_EQ(users({0}), 1u);
@@ -444,7 +445,7 @@ TEST(Simulation, gives_no_id_a_second_time_after_it_went_back) {
   const std::uint64_t hash = still.world().hash();
   still.simulation.post([&](world::World& world) { first = *world::spawn(world, 0, {}); });
   still.run(3);
-  testing::go_back(still.simulation, 1);
+  testing::rewind_to(still.simulation, 1);
   still.simulation.post([](world::World&) {});
   still.run(0);
   EXPECT_EQ(still.world().hash(), hash) << "nobody came yet";

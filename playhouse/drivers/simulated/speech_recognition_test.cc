@@ -120,7 +120,7 @@ TEST_F(SpeechRecognitionDevice, hears_again_what_is_said_again_after_the_run_was
   const std::uint64_t instant = still_.world().tick();
   say("ann", "once");
   EXPECT_THAT(heard_now(), ElementsAre(c("once")));
-  testing::go_back(still_.simulation, instant);
+  testing::rewind_to(still_.simulation, instant);
   EXPECT_THAT(heard_now(), IsEmpty());
   say("ann", "once");
   EXPECT_THAT(heard_now(), ElementsAre(c("once")));

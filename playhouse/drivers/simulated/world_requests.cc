@@ -98,7 +98,7 @@ void reset(Simulation& simulation, const Asked& asked) {
   const std::optional<std::uint64_t> seed = number(asked.request.value);
   if (!same_seed && !seed) return asked.nack("a seed is wanted, in 4 or 8 bytes");
   const bool posted = simulation.post_to_all([&simulation, asked, seed](world::World& world) {
-    const Result<void> started = simulation.start_again(seed.value_or(world.seed()));
+    const Result<void> started = simulation.restart(seed.value_or(world.seed()));
     if (!started) return asked.nack(started.error().line());
     asked.ack();
   });

@@ -70,7 +70,7 @@ inline double no_time_passes() {
 }
 
 /// Takes the run to the instant of a tick, earlier or later than now, and so many ticks on from there.
-inline void go_back(Simulation& simulation, std::uint64_t instant, std::uint64_t ticks = 0) {
+inline void rewind_to(Simulation& simulation, std::uint64_t instant, std::uint64_t ticks = 0) {
   simulation.rewind(instant);
   simulation.extend(instant + ticks - simulation.world().tick());  // counts from now, so it wraps round
   simulation.run();

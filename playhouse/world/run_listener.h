@@ -6,9 +6,9 @@ namespace playhouse::world {
 
 /// Observer of all changes to a world: every tick, and every batch of
 /// changes between two ticks, whatever their origin. Thread: tick.
-class Witness {
+class RunListener {
  public:
-  virtual ~Witness() = default;
+  virtual ~RunListener() = default;
   /// Called before anything other than a tick changes the world.
   virtual void before_changes(const World& world) = 0;
   /// Called after it; nothing else happened in between.
