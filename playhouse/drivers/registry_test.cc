@@ -122,8 +122,8 @@ TEST(StageDriver, says_what_is_wrong_and_where) {
               HasSubstr("nothing left for \"fiducial:0\""));
   EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"ranger:0\" \"ranger:1\"] model \"r1\" )"),
               HasSubstr("nothing left for \"ranger:1\""));
-  EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"map:0\"] model \"r0\" )"),
-              HasSubstr("\"map\""));
+  EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"audio:0\"] model \"r0\" )"),
+              HasSubstr("\"audio\""));
   EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"positon2d:0\"] model \"r0\" )"),
               HasSubstr("did you mean \"position2d\"?"));
   EXPECT_THAT(fault(stage + stage), HasSubstr("test.cfg:2"));
