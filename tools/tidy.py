@@ -111,7 +111,7 @@ def main():
     findings = [finding for path in checked for finding in check_file(path)]
     findings += [f"playhouse/{path.name}:1: module without a rank in tools/tidy.py and ARCHITECTURE.md"
                  for path in sorted(SOURCE.iterdir()) if path.is_dir() and path.name not in RANK]
-    findings += [finding for path in sorted((ROOT / "tests").glob("*/test_*.py")) for finding in check_test_script(path)]
+    findings += [finding for folder in (ROOT / "tests", ROOT / "clients/python") for path in sorted(folder.glob("*/test_*.py")) for finding in check_test_script(path)]
     headers = [path for path in checked if path.suffix == ".h" and not (check_all and is_compiled_alone(path))]
     with ThreadPoolExecutor(2) as pool:
         for found in pool.map(lambda path: list(check_header(path)), headers):

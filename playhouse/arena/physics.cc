@@ -122,7 +122,9 @@ struct Physics::Impl {
     if (!is_in) return;
     is_in = false;
     drop_pairs();
-    each_body([this](btRigidBody& body, int, int) { world.removeRigidBody(&body); });
+    for (const auto& moving : bodies) world.removeRigidBody(moving->body.get());
+    for (const Fixed& part : fixed) world.removeRigidBody(part.body.get());
+    world.removeRigidBody(ground.get());
   }
   /// Adds all bodies in numeric order, with fresh solver state.
   void put_in() {
@@ -134,13 +136,13 @@ struct Physics::Impl {
     for (const auto& moving : bodies)
       if (moving->is_vehicle()) moving->body->setGravity({0, 0, 0});  // for its wheels to integrate
   }
-  /// The same as take_out() and put_in(), to the bit, without Bullet's linear searches for each body.
+  /// Equivalent to take_out() and put_in(), bit-identical, without Bullet's linear searches for each body.
   void start_anew() {
     if (!is_in) return;
     drop_pairs();
-    each_body([this](btRigidBody& body, int, int) {
-      broadphase.destroyProxy(body.getBroadphaseHandle(), &dispatcher);
-    });
+    const btCollisionObjectArray& objects = world.getCollisionObjectArray();
+    for (int i = 0; i < objects.size(); ++i)
+      broadphase.destroyProxy(objects[i]->getBroadphaseHandle(), &dispatcher);
     broadphase.resetPool(&dispatcher);
     solver.reset();
     each_body([this](btRigidBody& body, int group, int mask) {

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
-#include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/replicate/generated/commands.h"
 #include "playhouse/replicate/generated/person_name.h"

@@ -187,20 +187,21 @@ TEST(Allocation, there_is_none_where_radios_carry_messages) {
   text += "model( size [0.1 4 1] pose [2.5 2 0 0] )";
   scene::MemoryFiles none({});
   const std::vector<std::uint8_t> message(100);
-  // One worker, as with cameras.
-  Simulation run(scene::load_world_text(text, "radios.world", none), 1);
-  world::World& world = run.world();
-  for (const world::ModelRow radio : world.wifis.model) world::subscribe(world, radio);
-  std::size_t in_ticks = 0;
-  for (int tick = 0; tick < kWarmUp + kCounted; ++tick) {
-    for (std::uint32_t radio = 0; radio < world.wifis.size(); ++radio)
-      world::send_message(world, {radio}, {}, message);
-    const std::size_t before = allocations;
-    run.step();
-    if (tick >= kWarmUp) in_ticks += allocations - before;
+  for (const unsigned workers : {1u, 4u}) {
+    Simulation run(scene::load_world_text(text, "radios.world", none), workers);
+    world::World& world = run.world();
+    for (const world::ModelRow radio : world.wifis.model) world::subscribe(world, radio);
+    std::size_t in_ticks = 0;
+    for (int tick = 0; tick < kWarmUp + kCounted; ++tick) {
+      for (std::uint32_t radio = 0; radio < world.wifis.size(); ++radio)
+        world::send_message(world, {radio}, {}, message);
+      const std::size_t before = allocations;
+      run.step();
+      if (tick >= kWarmUp) in_ticks += allocations - before;
+    }
+    EXPECT_EQ(in_ticks, 0u) << workers << " workers";
+    EXPECT_GT(world.wifis.incoming[0].size(), 10u);
   }
-  EXPECT_EQ(in_ticks, 0u);
-  EXPECT_GT(world.wifis.incoming[0].size(), 10u);
 }
 
 TEST(Allocation, there_is_none_where_robots_are_in_each_others_way) {

@@ -206,11 +206,7 @@ Result<void> Parser::parse_tuple(Field& field, SourceLine opened) {
   }
 }
 
-}  // namespace
-
-namespace {
-
-/// What a file is that is obviously of another program, or nothing.
+/// The format of a file of another program, recognised by its beginning; empty: none.
 std::string_view foreign_format(std::string_view text) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
