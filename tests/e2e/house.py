@@ -18,6 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("PLAYHOUSE_PROGRAM", str(ROOT / "build" / "playhouse"))
 RELEASE = os.environ.get("PLAYHOUSE_RELEASE", "")
+HEAP_REPORT = os.environ.get("PLAYHOUSE_HEAP_REPORT", "")
 SHARED = ROOT.parent / "shared"
 
 # Seconds after which a wait is a failure; generous, for slow machines with sanitizers.
@@ -41,9 +42,9 @@ robot( name "r1" pose [0 -3 0 90] localization "odom" odom_error [0 0 0 0] )
 class House:
     """The program, started with some arguments; a context manager that ends it."""
 
-    def __init__(self, *arguments, program=None, stdin=subprocess.DEVNULL):
+    def __init__(self, *arguments, program=None, stdin=subprocess.DEVNULL, env=None):
         self.process = subprocess.Popen([program or PROGRAM, *map(str, arguments)], stdin=stdin,
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=env)
         self.lines: list[str] = []
         self._changed = threading.Condition()
         self._reader = threading.Thread(target=self._read, daemon=True)
@@ -61,11 +62,10 @@ class House:
     def log(self) -> str:
         return "\n".join(self.lines)
 
-    def wait_for_line(self, pattern: str) -> re.Match:
-        """The first line of standard error that matches."""
+    def wait_for_line(self, pattern: str, seen=0) -> re.Match:
+        """The first line of standard error that matches, but for the `seen` first ones."""
         deadline = time.monotonic() + PATIENCE
         with self._changed:
-            seen = 0
             while True:
                 for line in self.lines[seen:]:
                     if found := re.search(pattern, line):
@@ -78,6 +78,13 @@ class House:
 
     def port(self) -> int:
         return int(self.wait_for_line(r"^Player clients: 127\.0\.0\.1:(\d+)$").group(1))
+
+    def heap_in_use(self) -> int:
+        """Bytes; of a program started with HEAP_REPORT in LD_PRELOAD."""
+        seen = len(self.lines)
+        self.process.send_signal(signal.SIGUSR2)
+        self.wait_for_line("^Total", seen)
+        return int(self.wait_for_line(r"^in use bytes *= *(\d+)", self.lines.index("Total (incl. mmap):", seen)).group(1))
 
     def wait(self) -> int:
         """The exit code, once the program has ended by itself."""
