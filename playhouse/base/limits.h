@@ -32,7 +32,7 @@ inline constexpr std::size_t kSessionAnswerBytes =
     1u << 20;  // the same in bytes, of requests that drivers have and of answers
 inline constexpr std::size_t kTurnMessages = 32;  // of one client, before it is the next one's turn
 inline constexpr std::size_t kTurnWork = 256;  // messages and clients, before the sockets are looked at again
-inline constexpr std::size_t kTurnDeliveries = 1024;    // data and answers of drivers, the same
+inline constexpr std::size_t kTurnDeliveries = 1024;    // messages queued for clients, the same
 inline constexpr std::size_t kRequestQueue = 16384;     // requests of all clients waiting for a tick
 inline constexpr std::uint32_t kStepTicks = 1u << 20;   // of one step of a world in lock-step
 inline constexpr std::uint32_t kSingleSteps = 1000;     // of one that is not: all that wait

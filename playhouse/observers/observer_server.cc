@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "playhouse/base/log.h"
+#include "playhouse/net/fair_share.h"
 #include "playhouse/observers/cookie.h"
 #include "playhouse/replicate/datagram_viewer.h"
 #include "playhouse/replicate/scene_text.h"
@@ -125,7 +126,21 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
                         : "--token with the token that you were given is wanted");
     if (observers_.size() >= options_.observers)
       return refuse(from, join.nonce, fmt::format("{} observers are all that may come", observers_.size()));
+    if (!net::is_local(net::to_text(from)) && observers_from(from) >= most_of_one_network())
+      return refuse(
+          from, join.nonce,
+          fmt::format("{} observers are all that may come from one address", most_of_one_network()));
     welcome(from, join, *guest);
+  }
+
+  /// Half of the places: nobody shuts out all others alone.
+  std::size_t most_of_one_network() const { return (options_.observers + 1) / 2; }
+
+  std::size_t observers_from(const net::Endpoint& endpoint) const {
+    const std::string network = net::network_of(net::to_text(endpoint));
+    return static_cast<std::size_t>(std::ranges::count_if(observers_, [&](const auto& observer) {
+      return net::network_of(net::to_text(observer.first)) == network;
+    }));
   }
 
   void welcome(const net::Endpoint& from, const replicate::JoinRequest& join,

@@ -125,6 +125,18 @@ TEST_F(Observers, need_the_token_of_a_guest_and_who_was_sent_out_of_the_page_is_
   EXPECT_EQ(again->observer().ended(), web_server::kSentOut);
 }
 
+TEST_F(Observers, of_one_address_take_half_of_the_places_at_most) {
+  open({.observers = 4});
+  std::vector<std::unique_ptr<ObserverClient>> same;
+  for (int k = 0; k < 3; ++k) same.push_back(join("10.0.0.2"));
+  run_for(1);
+  EXPECT_EQ(server_->status().observers, 2u);
+  const auto other = join("10.0.0.3");
+  run_for(1);
+  EXPECT_TRUE(other->observer().has_joined());
+  EXPECT_EQ(same.back()->observer().ended(), "2 observers are all that may come from one address");
+}
+
 TEST_F(Observers, are_no_more_than_their_limit_and_get_no_more_than_the_program_gives) {
   open({.observers = 1, .bytes_per_second = 5000});
   const auto one = join("10.0.0.2", "", 100000);

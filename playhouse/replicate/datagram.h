@@ -36,8 +36,8 @@
 ///   +-------------+----------+-------------------------------------------------------+
 ///   | varint tick | u8 flags | groups: (u8 age, (u8 mask, zz id step, fields)* u8 0)* |
 ///   +-------------+----------+-------------------------------------------------------+
-/// flags: 1 paused; 2 whole: with this packet the client has received a state of every model that differs
-/// from its `start`
+/// flags: 1 paused; 2 whole: with this packet the client has received a state of every model of the scene
+/// that differs from its `start`
 /// age: rows of the group are deltas against the same models in packet seq - age, which the client has
 /// acknowledged; 0: against their `start` in the text that announced them
 /// mask, fields: as in delta.h; id step: the id - that of the previous row in the group (first: from 0)

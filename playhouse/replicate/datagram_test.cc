@@ -118,6 +118,17 @@ TEST(DatagramViewer, tells_when_the_observer_knows_where_all_are_and_not_before)
   }
 }
 
+TEST(DatagramViewer, is_whole_while_models_are_spawned_more_often_than_a_round_trip) {
+  SmallWorld small(30);
+  DatagramLink link(small, {.delay = 0.1}, 3);
+  for (int k = 0; k < 20; ++k) world::set_pose(small.world, {SmallWorld::robot(k)}, {k * 1.0, 3, 0, 1});
+  for (int frames = 0; frames < 60 && !link.observer.world().is_whole(); ++frames) {
+    ASSERT_TRUE(world::spawn(small.world, SmallWorld::robot(0), {frames * 1.0, 7, 0, 0}));
+    link.frame();
+  }
+  EXPECT_TRUE(link.observer.world().is_whole());
+}
+
 TEST(DatagramViewer, never_sends_more_than_its_budget_nor_longer_than_a_datagram) {
   for (const double loss : {0.0, 0.5}) {
     SmallWorld small(400);

@@ -100,7 +100,8 @@ class DatagramViewer {
   double heard_, filled_, frame_due_ = 0, life_due_ = 0, quiet_due_ = 0;
   double allowance_ = 0;  // bytes available (token bucket)
   bool owes_ack_ = false, told_paused_ = false, told_whole_ = false;
-  bool was_whole_ = false;  // see is_whole(); never reset: later models come with a current start state
+  bool was_whole_ = false;           // see is_whole(); never reset
+  std::uint64_t first_told_at_ = 0;  // stream offset from which on the observer knows the scene
   std::size_t faults_ = 0;
   std::vector<Candidate> candidates_;  // of this frame, by priority
   std::size_t next_candidate_ = 0;

@@ -25,16 +25,16 @@ bool Fanout::has_readers(device::DeviceId device) const {
   return found != channels_.end() && !found->second.readers.empty();
 }
 
-void Fanout::publish(const device::Publication& publication, device::Address address, double now) {
+std::size_t Fanout::publish(const device::Publication& publication, device::Address address, double now) {
   Channel& to = channels_[publication.device];
   const double timestamp = next_timestamp(to, publication, now);
-  if (to.readers.empty()) return;
+  if (to.readers.empty()) return 0;
   if (publication.body.size() > limits::kBodyBytes) {
     if (!std::exchange(logged_too_long_, true)) {
       log::error("data of {} bytes from device {}:{} is over the limit and not sent", publication.body.size(),
                  address.interf, address.index);
     }
-    return;
+    return 0;
   }
   wire::Header header;
   header.host = wire::kLocalhost;
@@ -47,6 +47,7 @@ void Fanout::publish(const device::Publication& publication, device::Address add
   const Frame frame = counted(make_frame(header, publication.body), frame_bytes_);
   ++encoded_;
   for (Reader* reader : to.readers) reader->deliver(frame);
+  return to.readers.size();
 }
 
 void Fanout::lose(device::DeviceId device, std::uint64_t messages) {

@@ -3,6 +3,7 @@
 /// Fanout: publish/subscribe by device: subscribed sessions, and
 /// one encoding per message for all of them. Io thread only.
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <unordered_map>
@@ -42,7 +43,8 @@ class Fanout {
   /// of joining. A repeated timestamp is raised by the least step, because
   /// clients take equal ones for old data; a lower one means that time went back,
   /// NaN becomes `now`. Data over limits::kBodyBytes is dropped and logged once.
-  void publish(const device::Publication& publication, device::Address address, double now);
+  /// Returns the number of readers it was delivered to.
+  std::size_t publish(const device::Publication& publication, device::Address address, double now);
 
   /// Reports so many lost messages to the readers of a device.
   void lose(device::DeviceId device, std::uint64_t messages);

@@ -22,10 +22,10 @@ namespace {
 constexpr std::size_t kWriteBytes = 256u
                                     << 10;  // of one gathered write; the rest stays where it can be replaced
 constexpr std::uint8_t kErrorLetter = 'e';  // access code that replies to opens never have
-constexpr std::size_t kEverything = SIZE_MAX;
-constexpr double kLastRounds = 1;   // s; after the run, for clients to request remaining data
-constexpr double kLastWrites = 1;   // s; then, to flush unrequested data
-constexpr double kLastAnswers = 5;  // s; timeout for the next reply to a client that has half-closed
+constexpr std::size_t kOutboxBatch = 16;    // items per lock of the outbox
+constexpr double kLastRounds = 1;           // s; after the run, for clients to request remaining data
+constexpr double kLastWrites = 1;           // s; then, to flush unrequested data
+constexpr double kLastAnswers = 5;          // s; timeout for the next reply to a client that has half-closed
 
 double wall_clock() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -154,9 +154,13 @@ class Server::Impl {
   void wake();
   void schedule();
   void turn();
-  /// Moves data and replies from the outbox to clients' queues, in batches, so
-  /// that fast data does not starve sockets. The rest follows in another turn.
-  void deliver_outbox(std::size_t most = limits::kTurnDeliveries);
+  /// Moves data and replies from the outbox to clients' queues until the turn has no deliveries
+  /// left, so that neither fast data nor many readers starve sockets. The rest follows in another turn.
+  void deliver_outbox();
+  /// The same without a limit.
+  void deliver_whole_outbox();
+  /// Returns the number of deliveries, at least 1.
+  std::size_t deliver(const Outbox::Item& item);
   void deliver(const Answer& answer);
   std::size_t device_rows() const;
   void tell_of_lost_data();
@@ -183,7 +187,8 @@ class Server::Impl {
   std::uint32_t next_serial_ = 1;
   std::uint64_t accepted_ = 0, refused_ = 0, silent_ = 0, broken_ = 0, turns_ = 0, retired_ = 0;
   bool full_ = false, told_of_lost_data_ = false, scheduled_ = false;
-  bool delivers_on_ = false;  // a wake() is pending for the rest of the outbox
+  bool delivers_on_ = false;         // a wake() is pending for the rest of the outbox
+  std::size_t deliveries_left_ = 0;  // of this turn
 };
 
 // --- one client
@@ -356,6 +361,7 @@ void Server::Impl::wake() {
   network_.post([this, alive = std::weak_ptr<int>(alive_)] {
     if (alive.expired()) return;
     delivers_on_ = false;
+    deliveries_left_ = limits::kTurnDeliveries;
     deliver_outbox();
     make_output_room();  // idle clients with queued data have no turns
     schedule();
@@ -373,6 +379,7 @@ void Server::Impl::schedule() {
 // limits::kTurnWork the loop polls the sockets before the next turn.
 void Server::Impl::turn() {
   scheduled_ = false;
+  deliveries_left_ = limits::kTurnDeliveries;
   deliver_outbox();
   std::size_t work = 0;
   for (std::size_t left = board_.due.size(); left > 0 && work < limits::kTurnWork; --left) {
@@ -386,19 +393,36 @@ void Server::Impl::turn() {
   schedule();
 }
 
-void Server::Impl::deliver_outbox(std::size_t most) {
+void Server::Impl::deliver_outbox() {
   std::vector<Outbox::Item> items;
-  if (outbox_.take(items, most) && !std::exchange(delivers_on_, true)) wake();
-  for (const Outbox::Item& item : items) {
-    if (const auto* publication = std::get_if<device::Publication>(&item)) {
-      if (!board_.devices.has(publication->device)) continue;  // retired
-      const device::Address address = board_.devices[publication->device].address;
-      board_.fanout.publish(*publication, address, board_.clock());
-    } else {
-      deliver(std::get<Answer>(item));
+  for (bool more = true; more;) {
+    if (deliveries_left_ == 0) {
+      if (!std::exchange(delivers_on_, true)) wake();
+      break;
     }
+    items.clear();
+    more = outbox_.take(items, std::min(deliveries_left_, kOutboxBatch));
+    for (const Outbox::Item& item : items) deliveries_left_ -= std::min(deliveries_left_, deliver(item));
   }
   tell_of_lost_data();
+}
+
+void Server::Impl::deliver_whole_outbox() {
+  std::vector<Outbox::Item> items;
+  outbox_.take(items, SIZE_MAX);
+  for (const Outbox::Item& item : items) deliver(item);
+  tell_of_lost_data();
+}
+
+std::size_t Server::Impl::deliver(const Outbox::Item& item) {
+  if (const auto* answer = std::get_if<Answer>(&item)) {
+    deliver(*answer);
+    return 1;
+  }
+  const auto& publication = std::get<device::Publication>(item);
+  if (!board_.devices.has(publication.device)) return 1;  // retired
+  const device::Address address = board_.devices[publication.device].address;
+  return std::max<std::size_t>(1, board_.fanout.publish(publication, address, board_.clock()));
 }
 
 // Warns once; the number is in the status.
@@ -423,7 +447,7 @@ Result<device::DeviceId> Server::Impl::add_device(device::Address address, devic
 
 void Server::Impl::retire_device(device::DeviceId id) {
   if (!board_.devices.has(id)) return;
-  deliver_outbox(kEverything);
+  deliver_whole_outbox();
   const auto [address, driver, users] = board_.devices[id];
   const Frame notice = counted(make_notice(address, *driver, board_.clock()), board_.frame_bytes);
   const DeviceUses::Use use = board_.uses.take(id);
@@ -489,7 +513,7 @@ Server::Impl::Client* Server::Impl::longest_unfinished() {
 void Server::Impl::finish(std::function<void()> done) {
   done_ = std::move(done);
   listeners_.clear();
-  deliver_outbox(kEverything);
+  deliver_whole_outbox();
   if (clients_.empty()) return end();
   last_moments_ = network_.after(kLastRounds, [this] {
     last_moments_ = network_.after(kLastWrites, [this] { end(); });

@@ -769,6 +769,29 @@ TEST_F(ServerTest, serves_others_between_the_portions_of_one_that_asks_for_much)
   EXPECT_LE(served_before, static_cast<int>(limits::kTurnMessages));
 }
 
+// What drivers have published is shared out once per turn, not once per client of a turn, and counts per
+// reader.
+TEST_F(ServerTest, looks_at_the_sockets_again_after_one_portion_of_deliveries) {
+  network.piece_bytes = 1u << 30;
+  constexpr std::size_t kReaders = 32, kPublished = 4096;
+  std::vector<std::unique_ptr<TestClient>> readers;
+  for (std::size_t i = 0; i < kReaders; ++i) {
+    readers.push_back(std::make_unique<TestClient>(network, kPort));
+    readers.back()->ask(open_request(kLaser, 0));
+    readers.back()->ask(open_request(kWheels, 0));
+  }
+  const std::uint64_t before = server.status().messages_encoded;
+  std::vector<std::uint64_t> encoded;  // as each request is executed
+  wheels.on_request = [&] { encoded.push_back(server.status().messages_encoded - before); };
+  for (std::size_t i = 0; i < kPublished; ++i) publish(laser_id, static_cast<double>(i));
+  for (const auto& reader : readers) reader->send(request(kWheels, position2d::kReqGetGeom));
+  network.run();
+  ASSERT_EQ(encoded.size(), kReaders);
+  // As many turns may have passed as it takes for the requests to arrive: one portion of publications each.
+  EXPECT_LE(encoded.back() - encoded.front(), 2 * limits::kTurnDeliveries / kReaders);
+  EXPECT_EQ(server.status().messages_encoded - before, kPublished);
+}
+
 TEST_F(ServerTest, serves_others_while_one_asks_for_answers_that_it_has_left_out) {
   network.piece_bytes = 65536;
   laser.answers[wire::laser::kReqGetGeom] = Bytes(72);

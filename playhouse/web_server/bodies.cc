@@ -11,6 +11,8 @@
 namespace playhouse::web_server {
 namespace {
 
+constexpr std::chrono::seconds kJoinPeriod{1};  // of one viewer, least
+
 bool walks(const scene::ModelDesc& model) {
   return model.position && model.position->drive == scene::Drive::kWalk;
 }
@@ -30,8 +32,12 @@ Result<void> Bodies::join(const replicate::Join& join, std::uint32_t viewer, con
   if (person == prototypes_.addable().end())
     return Error{"",
                  "nobody can join this world: it has no position with drive \"walk\" (worlds/person.inc)"};
+  const Clock::time_point now = Clock::now();
+  if (const auto own = bodies_.find(viewer); own != bodies_.end() && now - own->second->asked < kJoinPeriod)
+    return Error{"", "you have joined just now; try again in a second"};
   leave(viewer);
   const auto body = bodies_[viewer] = std::make_shared<Body>();
+  body->asked = now;
   body->desc = person->desc;
   return post_change(control_, [join, viewer, name, body, desc = person->desc, tell = std::move(tell),
                                 weak = weak_from_this(), &loop = loop_](world::World& world) {

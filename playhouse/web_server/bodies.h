@@ -3,6 +3,7 @@
 /// Bodies: the avatars of viewers, at most one each. They are spawned and removed
 /// between ticks, so a viewer may leave before its body exists. Thread: web.
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -39,7 +40,8 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
         came_(std::move(came)) {}
 
   /// Spawns a person for the viewer, under this name or one derived from it; replaces
-  /// its previous body. Later errors are passed to `tell`, on the tick thread.
+  /// its previous body. Fails within a second of the last time: a body that comes changes the
+  /// population, of which every viewer is told. Later errors are passed to `tell`, on the tick thread.
   Result<void> join(const replicate::Join& join, std::uint32_t viewer, const std::string& name,
                     std::function<void(std::string)> tell);
   void leave(std::uint32_t viewer);
@@ -51,7 +53,9 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
   std::optional<world::ModelId> of(std::uint32_t viewer, const replicate::Layout& now) const;
 
  private:
+  using Clock = std::chrono::steady_clock;
   struct Body {
+    Clock::time_point asked;              // for it
     std::optional<world::ModelId> model;  // none: not spawned yet
     std::uint32_t desc = 0;               // its prototype
     bool is_left = false;                 // the viewer has left or has a newer body

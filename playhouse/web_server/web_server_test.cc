@@ -960,6 +960,20 @@ TEST_F(BodiesTest, whose_name_is_taken_get_another_and_hear_it) {
   EXPECT_THAT(text, HasSubstr("somebody is called Bob already: you are Bob"));
 }
 
+TEST_F(BodiesTest, of_a_viewer_come_once_a_second_at_most) {
+  WebClient guest(port_);
+  join(guest);
+  ASSERT_FALSE(HasFatalFailure());
+  const std::size_t models = small_.world.models.size();
+  for (int k = 0; k < 5; ++k)
+    EXPECT_THAT(answer(guest, R"({"do":"join","name":"Bob","x":8,"y":8,"a":0})"), HasSubstr("just now"));
+  EXPECT_EQ(small_.world.models.size(), models);
+  EXPECT_TRUE(small_.world.row(body_)) << "the body stays";
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  guest.send_text(R"({"do":"join","name":"Bob","x":8,"y":8,"a":0})");
+  EXPECT_TRUE(turn_until([&] { return !small_.world.row(body_) && small_.world.find("Bob"); }));
+}
+
 TEST_F(BodiesTest, are_not_mistaken_for_a_robot_that_has_their_id) {
   WebClient guest(port_);
   join(guest);

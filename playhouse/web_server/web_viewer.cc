@@ -10,8 +10,9 @@
 namespace playhouse::web_server {
 namespace {
 
-/// Without a message for longer, a page assumes that the program hangs.
-constexpr std::chrono::milliseconds kSignOfLife{1000};
+/// A page that gets nothing for a second assumes that the program hangs; the present world is offered every
+/// 0.25 s at least (drivers/simulated/simulation.cc).
+constexpr std::chrono::milliseconds kSignOfLife{750};
 
 }  // namespace
 

@@ -20,7 +20,8 @@ void Pacer::change(double now, double speed, bool paused) {
   PLAYHOUSE_ASSERT(speed >= 0);
   if (speed == speed_ && paused == paused_) return;
   const bool overdue = keeps_time() && due_ <= now;
-  if (keeps_time()) left_ = std::max(0.0, due_ - now) * speed_;
+  if (keeps_time())
+    left_ = std::clamp((due_ - now) * speed_, 0.0, interval_);  // due_: infinite at tiny speeds
   speed_ = speed;
   paused_ = paused;
   if (keeps_time() && !overdue) due_ = now + left_ / speed_;

@@ -75,6 +75,16 @@ TEST(Pacer, after_as_fast_as_possible_a_whole_interval_passes) {
   EXPECT_DOUBLE_EQ(*pacer.due(), 1.1);
 }
 
+TEST(Pacer, a_speed_near_zero_is_left_as_any_other) {
+  Pacer pacer(0.1);
+  pacer.start(0, 1, false);
+  pacer.ticked(0);
+  pacer.change(0.06, 5e-324, false);
+  EXPECT_GT(*pacer.due(), 1e300);
+  pacer.change(1, 1, false);
+  EXPECT_LE(*pacer.due(), 1.1);
+}
+
 TEST(Pacer, measures_the_real_time_factor_over_a_second) {
   Pacer pacer(0.1);
   pacer.start(0, 0, false);

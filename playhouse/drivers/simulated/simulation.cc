@@ -30,11 +30,9 @@ Clock::time_point wall_time(double seconds) {
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
 }
 
-/// Refresh period while paused. [s]
-constexpr double kPausedShow = 0.1;
-
-/// Upper bound of a wait: at tiny speeds the due time would overflow the clock. [s]
-constexpr double kLongestWait = 3600;
+/// Period of show() while paused, and while the next tick is far: viewers are promised a sign of life a
+/// second. [s]
+constexpr double kPausedShow = 0.1, kWaitingShow = 0.25;
 
 /// Ticks until `duration` has been simulated: the first tick at or after it.
 std::uint64_t ticks_in(double duration, double interval) {
@@ -99,21 +97,20 @@ void Simulation::run() {
   }
 }
 
-/// True if a tick is due; otherwise waits for that,
-/// a wake-up, or the next refresh while paused.
+/// True if a tick is due; otherwise waits for that, a wake-up, or the next show().
 bool Simulation::wait_for_tick(bool asked_for) {
   const bool stands = !asked_for || (now_.paused && now_.steps == 0);
   const double now = clock_();
   const double due = stands ? now + kPausedShow : now_.steps > 0 ? now : pacer_.due().value_or(now);
   if (due <= now) return true;
-  const double until = std::min(due, now + kLongestWait);
+  const double until = std::min(due, now + kWaitingShow);
   publisher_thread_.go_on();
   bool woken = false;
   {
     std::unique_lock lock(mutex_);
     woken = changed_.wait_until(lock, wall_time(until), [this] { return woken_.load(); });
   }
-  if (stands && !woken) {
+  if (!woken && (stands || until < due)) {
     finish_publishing();
     show();
   }

@@ -208,6 +208,18 @@ TEST(Simulation, a_paused_world_does_what_is_posted_and_single_steps_only) {
   EXPECT_TRUE(simulation.pace().paused);
 }
 
+TEST(Simulation, shows_the_world_again_while_the_next_tick_is_far) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1e-6});
+  int shown = 0;
+  simulation.add_listener([&](const world::World& world, const world::Pace& pace) {
+    EXPECT_FALSE(pace.paused);
+    if (world.tick() <= 1 && ++shown == 4) simulation.stop();
+  });
+  simulation.run();
+  EXPECT_GE(shown, 4);
+}
+
 TEST(Simulation, refuses_speeds_that_make_no_sense) {
   StillSimulation still(kRobot);
   still.simulation.set_speed(-1);

@@ -49,7 +49,7 @@ struct Drive {
 
 /// Spawns a body for the viewer: a person like the first addable model that walks, with this name (a number
 /// is appended if it is taken). It replaces the viewer's previous body and is removed when the viewer
-/// disconnects. Refused in worlds without people.
+/// disconnects. Refused in worlds without people, and within a second of the last time.
 struct Join {
   std::string name;
   double x = 0;
