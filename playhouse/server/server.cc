@@ -11,28 +11,21 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/net/fair_share.h"
+#include "playhouse/server/client.h"
 #include "playhouse/server/outbox.h"
-#include "playhouse/server/session.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/player.h"
 
 namespace playhouse::server {
 namespace {
 
-constexpr std::size_t kWriteBytes = 256u
-                                    << 10;  // of one gathered write; the rest stays where it can be replaced
 constexpr std::uint8_t kErrorLetter = 'e';  // access code that replies to opens never have
 constexpr std::size_t kOutboxBatch = 16;    // items per lock of the outbox
 constexpr double kLastRounds = 1;           // s; after the run, for clients to request remaining data
 constexpr double kLastWrites = 1;           // s; then, to flush unrequested data
-constexpr double kLastAnswers = 5;          // s; timeout for the next reply to a client that has half-closed
 
 double wall_clock() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
-std::string host_of(const net::Connection& connection) {
-  return net::is_local(connection.peer()) ? "" : net::network_of(connection.peer());
 }
 
 net::SharedBytes make_banner(const std::string& version) {
@@ -61,7 +54,7 @@ Frame make_notice(device::Address address, const device::Driver& driver, double 
 
 }  // namespace
 
-class Server::Impl {
+class Server::Impl final : public ClientOwner {
  public:
   Impl(net::Network& network, ServerOptions options, device::Outlet& outlet)
       : network_(network), options_(std::move(options)), banner_(make_banner(options_.version)) {
@@ -86,62 +79,6 @@ class Server::Impl {
   void release(device::DeviceId device, device::Driver* holder);
 
  private:
-  /// A session and its connection.
-  class Client final : public net::ConnectionEvents {
-   public:
-    Client(Impl& server, std::uint32_t serial, std::uint32_t robot,
-           std::unique_ptr<net::Connection> connection)
-        : server_(server),
-          serial_(serial),
-          connection_(std::move(connection)),
-          host_(host_of(*connection_)),
-          session_(server.board_, serial, robot, connection_->peer()) {}
-
-    void start() {
-      session_.caller().expect_alive_by([this] { connection_->expect_alive(); });
-      connection_->start(*this);
-      const net::SharedBytes banner = server_.banner_;
-      connection_->send(std::span(&banner, 1));
-      silence_ = server_.network_.after(limits::kSilentSeconds, [this] { server_.remove_silent(*this); });
-    }
-    void received(std::span<const std::byte> bytes) override;
-    void drained() override;
-    void lost() override;
-    void closed(const std::string& why) override;
-
-    /// Does one turn of work, sends output, and returns the
-    /// number of messages executed. May destroy this client.
-    std::size_t advance();
-    /// True before its first message.
-    bool silent() const { return silence_ != nullptr; }
-    /// Its network; empty for this machine.
-    const std::string& host() const { return host_; }
-    /// Bytes that we hold until it reads.
-    std::size_t held_bytes() const { return session_.output_bytes() + connection_->in_flight_bytes(); }
-    bool stalled() const { return connection_->in_flight_bytes() > 0 && session_.messages_waiting() > 0; }
-    /// Logs unread data.
-    void tell_unread() const;
-    std::uint32_t serial() const { return serial_; }
-    Session& session() { return session_; }
-    const Session& session() const { return session_; }
-
-   private:
-    void pump();
-    void begin_end();
-    bool at_end() const;
-    bool has_everything() const;
-    void remove();
-
-    Impl& server_;
-    const std::uint32_t serial_;
-    std::unique_ptr<net::Connection> connection_;
-    const std::string host_;
-    Session session_;
-    std::vector<net::SharedBytes> parts_;
-    bool input_over_ = false, lost_ = false;
-    std::unique_ptr<net::Timer> silence_;  // until its first message
-    std::unique_ptr<net::Timer> end_;      // timeout of a client that is lost, broken, or has half-closed
-  };
   /// Connections from one address.
   struct Host {
     std::size_t clients = 0;
@@ -150,13 +87,13 @@ class Server::Impl {
 
   void accept(std::uint32_t robot, std::unique_ptr<net::Connection> connection);
   bool has_room_for(const net::Connection& connection);
-  void remove(std::uint32_t serial);
+  void remove(std::uint32_t serial) override;
   void wake();
-  void schedule();
+  void schedule() override;
   void turn();
   /// Moves data and replies from the outbox to clients' queues until the turn has no deliveries
   /// left, so that neither fast data nor many readers starve sockets. The rest follows in another turn.
-  void deliver_outbox();
+  void deliver_outbox() override;
   /// The same without a limit.
   void deliver_whole_outbox();
   /// Returns the number of deliveries, at least 1.
@@ -164,13 +101,15 @@ class Server::Impl {
   void deliver(const Answer& answer);
   std::size_t device_rows() const;
   void tell_of_lost_data();
-  void make_room();
+  void make_room() override;
   void advance_everybody();
   void end();
   Client* longest_unfinished();
   void make_output_room();
   std::vector<Client*> largest_holders() const;
-  void remove_silent(Client& client);
+  void remove_silent(Client& client) override;
+  void broke(const Client&) override { ++broken_; }
+  bool is_over() const override { return static_cast<bool>(done_); }
 
   net::Network& network_;
   const ServerOptions options_;
@@ -190,101 +129,6 @@ class Server::Impl {
   bool delivers_on_ = false;         // a wake() is pending for the rest of the outbox
   std::size_t deliveries_left_ = 0;  // of this turn
 };
-
-// --- one client
-// ------------------------------------------------------------------------------------------------------
-
-void Server::Impl::Client::received(std::span<const std::byte> bytes) {
-  session_.receive(bytes);
-  if (session_.has_message()) connection_->pause();  // back-pressure until the session has caught up
-  server_.make_room();
-  server_.schedule();
-}
-
-void Server::Impl::Client::drained() {
-  if (end_ && !lost_) begin_end();  // it still reads: restart the timeout
-  session_.mark_due();
-  server_.schedule();
-}
-
-void Server::Impl::Client::lost() {
-  lost_ = true;
-  session_.lose_peer();
-  begin_end();
-  session_.mark_due();
-  server_.schedule();
-}
-
-// The peer may have half-closed, to read the remaining replies.
-void Server::Impl::Client::closed(const std::string& why) {
-  log::debug("{}: {}", session_.peer(), why);
-  input_over_ = true;
-  if (!end_) begin_end();
-  session_.mark_due();
-  server_.schedule();
-}
-
-void Server::Impl::Client::begin_end() {
-  end_ = server_.network_.after(kLastAnswers, [this] { server_.remove(serial_); });
-}
-
-std::size_t Server::Impl::Client::advance() {
-  const std::size_t worked = session_.work();
-  if (worked > 0) silence_.reset();
-  server_.deliver_outbox();  // drivers may have replied synchronously
-  if (!session_.broken().empty() && !std::exchange(input_over_, true)) {
-    log::warn("{}: closed: {}", session_.peer(), session_.broken());
-    ++server_.broken_;
-    connection_->pause();
-    begin_end();
-  }
-  pump();
-  session_.unmark_due();
-  if (session_.can_work()) {
-    session_.mark_due();
-  } else if (input_over_ && !session_.has_message()) {
-    session_.leave();
-    if (at_end()) remove();
-  } else if (server_.done_ && has_everything()) {
-    remove();
-  } else if (!session_.has_message()) {
-    connection_->resume();
-  }
-  return worked;
-}
-
-// Closes only after all pending replies are sent, unless the peer is lost.
-bool Server::Impl::Client::at_end() const {
-  if (lost_) return true;
-  return !session_.waits_for_answers() && !session_.has_output() && connection_->in_flight_bytes() == 0;
-}
-
-// After the run: data in PULL mode still has to be requested.
-bool Server::Impl::Client::has_everything() const {
-  return !session_.has_message() && session_.messages_waiting() == 0 && at_end();
-}
-
-void Server::Impl::Client::tell_unread() const {
-  if (session_.data_waiting() > 0)
-    log::warn("{}: {} data messages were not read before the end", session_.peer(), session_.data_waiting());
-}
-
-void Server::Impl::Client::remove() {
-  connection_->close_after_flush();
-  server_.remove(serial_);
-}
-
-// If a write is pending, `drained` calls this again.
-void Server::Impl::Client::pump() {
-  if (connection_->in_flight_bytes() > 0) return;
-  parts_.clear();
-  session_.take(parts_, kWriteBytes);
-  if (!parts_.empty()) connection_->send(parts_);
-  parts_.clear();
-}
-
-// --- all of them
-// -----------------------------------------------------------------------------------------------------
 
 Result<std::uint16_t> Server::Impl::listen(std::uint16_t port) {
   // The acceptor needs the port, which is known only after listen().
@@ -306,8 +150,8 @@ void Server::Impl::accept(std::uint32_t robot, std::unique_ptr<net::Connection> 
   ++accepted_;
   const std::uint32_t serial = next_serial_++;
   log::debug("{}: connected to port {}", connection->peer(), robot);
-  auto client = std::make_unique<Client>(*this, serial, robot, std::move(connection));
-  client->start();
+  auto client = std::make_unique<Client>(*this, network_, board_, serial, robot, std::move(connection));
+  client->start(banner_);
   if (!client->host().empty()) ++hosts_[client->host()].clients;
   clients_.emplace(serial, std::move(client));
 }
@@ -500,7 +344,7 @@ void Server::Impl::make_room() {
   }
 }
 
-Server::Impl::Client* Server::Impl::longest_unfinished() {
+Client* Server::Impl::longest_unfinished() {
   Client* first = nullptr;
   for (const auto& [serial, client] : clients_) {
     if (client->session().input_bytes() == 0) continue;
@@ -557,7 +401,7 @@ void Server::Impl::make_output_room() {
 }
 
 // Clients with queued bytes, largest first.
-std::vector<Server::Impl::Client*> Server::Impl::largest_holders() const {
+std::vector<Client*> Server::Impl::largest_holders() const {
   std::vector<Client*> holders;
   for (const auto& [serial, client] : clients_)
     if (client->held_bytes() > 0) holders.push_back(client.get());
