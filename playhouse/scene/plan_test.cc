@@ -86,7 +86,7 @@ TEST(Plan, puts_the_robot_where_it_has_room) {
 }
 
 std::vector<std::string> warnings_of(const std::string& size) {
-  MemoryFiles files({{"room.pbm", kRoom}});
+  MemoryFiles files({{"room.pbm", std::string(kRoom)}});
   const auto scene = load_world_text("model( bitmap \"room.pbm\" size [" + size + " 1] )", "w.world", files);
   EXPECT_TRUE(scene);
   return scene->warnings;

@@ -13,21 +13,20 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scene/actuator.h"
-#include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/body.h"
+#include "playhouse/scene/budget.h"
 #include "playhouse/scene/camera.h"
 #include "playhouse/scene/detector.h"
 #include "playhouse/scene/expand.h"
 #include "playhouse/scene/expansion.h"
-#include "playhouse/scene/file_search.h"
 #include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/kinds.h"
-#include "playhouse/scene/mesh_bodies.h"
 #include "playhouse/scene/old_words.h"
 #include "playhouse/scene/properties.h"
 #include "playhouse/scene/read_word.h"
 #include "playhouse/scene/repeats.h"
+#include "playhouse/scene/shape_files.h"
 #include "playhouse/scene/syntax.h"
 #include "playhouse/scene/token_names.h"
 #include "playhouse/scene/vocabulary.h"
@@ -50,41 +49,24 @@ std::size_t names_below(std::span<const ModelDesc> tree) {
   return below;
 }
 
-/// True for file names that can be bitmaps (decode_bitmap()).
-bool is_image_name(std::string_view name) {
-  constexpr std::string_view kEndings[] = {".png", ".pgm", ".ppm", ".pbm", ".pnm", ".bmp"};
-  return std::ranges::any_of(kEndings, [name](std::string_view ending) { return name.ends_with(ending); });
-}
-
 class WorldLoader {
  public:
   WorldLoader(const Document& document, FileReader& files, const WorldLimits& limits)
       : document_(document),
-        files_(files),
         limits_(limits),
         macros_(document),
         state_{document, {}, {}, {}, Warnings(document.sources)},
-        mesh_bytes_{limits.mesh_bytes, limits.mesh_bytes, "bytes of mesh files"},
-        mesh_copies_{limits.mesh_copies, limits.mesh_copies, "corners of meshes, one for each size"},
-        bitmap_bytes_{limits.bitmap_bytes, limits.bitmap_bytes, "bytes of bitmap files"},
-        pixels_{limits.pixels, limits.pixels, "pixels of bitmaps"},
-        outlines_{limits.corners, limits.corners, "corners of bitmaps"},
-        corners_{limits.corners, limits.corners, "corners of bodies"},
-        beams_{limits.beams, limits.beams, "beams of rangers, lines of detectors and pixels of cameras"},
-        text_bytes_{limits.text_bytes, limits.text_bytes, "bytes of names and texts"} {}
+        shape_files_(state_, files, limits_),
+        corners_(limits.corners, "corners of bodies"),
+        beams_(limits.beams, "beams of rangers, lines of detectors and pixels of cameras"),
+        text_bytes_(limits.text_bytes, "bytes of names and texts") {}
 
   Result<SceneDesc> load();
   /// Errors after the one returned by load().
   std::vector<Error> take_others() { return std::move(state_.others); }
 
  private:
-  using Loops = std::vector<std::vector<geom::Vec2>>;
   using Siblings = std::map<std::string_view, int>;
-  /// A resource limit shared by all models of a world.
-  struct Budget {
-    std::size_t left, limit;
-    std::string_view what;
-  };
   /// A tree that may be repeated by further sections, with its resource use.
   struct Repeat {
     std::uint32_t top = 0;  // row of SceneDesc::models
@@ -133,32 +115,13 @@ class WorldLoader {
   void check_holds_nothing(const Instance& entity);
   /// Builds the body of a model from its bitmap and its `block` entities.
   void read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model);
-  /// The path and contours of the model's bitmap; null if it has none.
-  using TracedBitmap = std::map<std::string, Loops>::value_type;
-  const TracedBitmap* load_bitmap(const Properties& properties, const geom::Size& size);
-  /// The same for a bitmap that is not cached.
-  const TracedBitmap* trace_bitmap(const std::string& path, std::string_view bytes, const geom::Size& size,
-                                   SourceLine where);
-  void warn_of_margin(const std::string& path, const Bitmap& bitmap, const Loops& loops,
-                      const geom::Size& size, SourceLine where);
-  /// Searches a file named by a word, like includes; warns if it is not where the original would look.
-  Result<FoundFile> look_for(std::string_view what, const std::string& name, SourceLine where,
-                             const std::function<bool(const std::string&)>& is_known,
-                             const std::function<bool(std::string_view)>& fits);
   /// Reads a mesh as visual and body. False if the model has none.
   bool read_mesh_body(const Properties& properties, const Kind& kind, bool has_other, ModelDesc& model);
-  /// A cached mesh with its path; null, with an error, if it cannot be read.
-  const MeshBodies::Entry* load_mesh(const std::string& name, SourceLine where);
-  /// `path` was tried last; the error names `why.where`.
-  const TracedBitmap* fail_bitmap(const std::string& path, SourceLine where, const Error& why);
-  /// Charges a budget, since macros and bitmaps amplify input; an error if it is exceeded.
-  void spend(Budget& budget, std::size_t amount, SourceLine where);
   /// The kind of a model; null, with an error, if it is unknown.
   const Kind* kind_of(const Instance& entity);
   void fail_unknown_type(const Instance& entity);
 
   const Document& document_;
-  FileReader& files_;
   WorldLimits limits_;
   Macros macros_;
   LoadState state_;
@@ -166,9 +129,7 @@ class WorldLoader {
   VocabularyCheck vocabulary_;
   SceneDesc scene_;
   TokenNames names_{scene_, state_};
-  std::map<std::string, Loops> bitmaps_;
   std::deque<std::string> type_names_;
-  MeshBodies meshes_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> unknown_types_;  // files and lines told
   std::map<std::string, Repeat, std::less<>> repeats_;               // by repeat_key()
   std::map<std::string_view, std::uint32_t> latest_;  // row of the latest tree that a word made
@@ -181,8 +142,7 @@ class WorldLoader {
   bool has_window_ = false;
   SourceLine follow_where_;  // of the window's follow_model
   Expansion expansion_{document_, macros_, limits_};
-  Budget mesh_bytes_, mesh_copies_;
-  Budget bitmap_bytes_, pixels_, outlines_;  // of distinct bitmaps, regardless of uses
+  ShapeFiles shape_files_;
   Budget corners_, beams_, text_bytes_;
 };
 
@@ -256,15 +216,15 @@ bool WorldLoader::repeat_tree(const Section& section) {
   if (name && name->values.empty()) return false;
   const std::string_view given = name ? name->values.front().text : repeat.given;
   const std::size_t longest_name = given.size() + repeat.kind->name.size() + 12;
-  const bool fits = expansion_.has_room(repeat.counts) && repeat.corners <= corners_.left &&
-                    repeat.beams <= beams_.left &&
-                    repeat.text_bytes + (repeat.names_below + 2) * longest_name <= text_bytes_.left;
+  const bool fits = expansion_.has_room(repeat.counts) && repeat.corners <= corners_.left() &&
+                    repeat.beams <= beams_.left() &&
+                    repeat.text_bytes + (repeat.names_below + 2) * longest_name <= text_bytes_.left();
   if (!fits || names_.may_clash(given)) return false;
 
   const std::size_t number = expansion_.counts().models;
   expansion_.add_again(repeat.counts);
-  corners_.left -= repeat.corners;
-  beams_.left -= repeat.beams;
+  corners_.spend(repeat.corners);
+  beams_.spend(repeat.beams);
   const geom::Pose X_WM = own.pose("pose").value_or(repeat.X_WM);
   Color color = repeat.color;
   if (repeat.random_color || own.has("color") || own.has("color_rgba"))
@@ -276,14 +236,14 @@ bool WorldLoader::repeat_tree(const Section& section) {
   made.X_WM = X_WM;
   made.color = color;
   made.fiducial_return = mark;
-  text_bytes_.left -= repeat.text_bytes + made.alias.size() + (repeat.names_below + 1) * made.name.size();
+  text_bytes_.spend(repeat.text_bytes + made.alias.size() + (repeat.names_below + 1) * made.name.size());
   return true;
 }
 
 void WorldLoader::load_tree(const Section& section, const Instance& entity) {
   const auto first = static_cast<std::uint32_t>(scene_.models.size());
   const std::size_t trees = scene_.trees.size(), news = state_.warnings.news(), faults = state_.faults;
-  const std::size_t corners = corners_.left, beams = beams_.left, texts = text_bytes_.left;
+  const std::size_t corners = corners_.left(), beams = beams_.left(), texts = text_bytes_.left();
   first_row_ = first;
   const std::size_t colors = state_.random_colors;
   state_.warnings.watch(section.where);
@@ -306,11 +266,11 @@ void WorldLoader::load_tree(const Section& section, const Instance& entity) {
   repeat.color = tree.color;
   repeat.fiducial_return = tree.fiducial_return;
   repeat.random_color = colors_with_top_ > colors;
-  repeat.corners = corners - corners_.left;
-  repeat.beams = beams - beams_.left;
+  repeat.corners = corners - corners_.left();
+  repeat.beams = beams - beams_.left();
   repeat.names_below = names_below(models);
   repeat.text_bytes =
-      texts - text_bytes_.left - top.alias.size() - (repeat.names_below + 1) * top.name.size();
+      texts - text_bytes_.left() - top.alias.size() - (repeat.names_below + 1) * top.name.size();
   repeat.counts = expansion_.counts() - counts_before_;
   repeat.top = share_tree(first, section.name);
   const bool was_quiet = state_.warnings.news() == news && state_.faults == faults;
@@ -419,11 +379,11 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
                         "\"range_min\" is above \"range_max\": the fiducial sees nothing");
   if (model.camera) {
     check_camera(properties, *model.camera);
-    spend(beams_, pixels_of(*model.camera), properties.where("resolution"));
+    beams_.spend(pixels_of(*model.camera), properties.where("resolution"), state_);
   }
   if (model.detector) {
     check_detector(properties, *model.detector);
-    spend(beams_, lines_of(*model.detector), properties.where("samples"));
+    beams_.spend(lines_of(*model.detector), properties.where("samples"), state_);
   }
   // Worlds without heights: what a laser stands on is not higher than the walls it sees.
   model.stacks_children = properties.flag("stack_children", !properties.has_flat_size());
@@ -456,7 +416,7 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent, Siblin
     model.name = scene_.trees.back().name;
     model.alias = scene_.trees.back().alias;
   }
-  spend(text_bytes_, text_bytes_of(model), entity.where);
+  text_bytes_.spend(text_bytes_of(model), entity.where, state_);
 
   Shape shape;
   const std::vector<Instance> children = load_parts(entity, *kind, model, shape);
@@ -510,7 +470,7 @@ void WorldLoader::load_part(const Instance& entity, const Kind& part, ModelDesc&
 }
 
 void WorldLoader::load_block(const Properties& properties, SourceLine where, Shape& shape) {
-  spend(corners_, static_cast<std::size_t>(std::max(0, properties.integer("points", 0))), where);
+  corners_.spend(static_cast<std::size_t>(std::max(0, properties.integer("points", 0))), where, state_);
   if (!state_.over) shape.prisms.push_back(read_block(properties));
 }
 
@@ -521,7 +481,7 @@ void WorldLoader::load_sensor(const Properties& properties, SourceLine where, Mo
           "needs the lowest ring before the highest");
   require(std::size_t{sensor.samples} * sensor.rings <= limits::kRangerSamples, properties, "rings",
           "needs at most " + std::to_string(limits::kRangerSamples) + " beams in all rings together");
-  spend(beams_, std::size_t{sensor.samples} * sensor.rings, where);
+  beams_.spend(std::size_t{sensor.samples} * sensor.rings, where, state_);
 }
 
 void WorldLoader::check_holds_nothing(const Instance& entity) {
@@ -534,7 +494,7 @@ void WorldLoader::check_holds_nothing(const Instance& entity) {
 void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model) {
   const bool has_other = !shape.prisms.empty() || !properties.text("bitmap", "").empty();
   if (read_mesh_body(properties, kind, has_other, model)) return;
-  const TracedBitmap* bitmap = load_bitmap(properties, model.size);
+  const ShapeFiles::TracedBitmap* bitmap = shape_files_.bitmap(properties, model.size);
   if (state_.error) return;  // the load fails anyway
   const bool boundary = properties.flag("boundary", false), noblocks = properties.flag("noblocks", false);
   model.body = {bitmap ? bitmap->first : "", "", noblocks, boundary, shape.prisms};
@@ -544,7 +504,7 @@ void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shap
   const std::optional<geom::Size> size = body_size(model.size);
   if (!size) return;
   if (bitmap) {
-    for (const auto& loop : bitmap->second) spend(corners_, loop.size(), properties.where("bitmap"));
+    for (const auto& loop : bitmap->second) corners_.spend(loop.size(), properties.where("bitmap"), state_);
     if (state_.error) return;
     shape.contours = bitmap->second;
   }
@@ -567,120 +527,18 @@ bool WorldLoader::read_mesh_body(const Properties& properties, const Kind& kind,
   if (has_other || properties.has("noblocks") || properties.has("boundary"))
     state_.warnings.add(Warning::kNoEffect, where,
                         "a mesh is all of a body: blocks, bitmap, noblocks and boundary have no effect");
-  const MeshBodies::Entry* entry = load_mesh(name, where);
+  const MeshBodies::Entry* entry = shape_files_.mesh(name, where);
   if (state_.over || entry == nullptr || !entry->mesh) return true;
   if (properties.has("size")) check_body_size(model.size, properties);
-  const MeshBodies::Body& body = meshes_.body(*entry, properties.has("size") ? &model.size : nullptr);
-  if (body.is_new) spend(mesh_copies_, body.corners, where);
-  for (const Block& block : body.blocks) spend(corners_, block.points.size(), where);
+  const MeshBodies::Body& body =
+      shape_files_.mesh_body(*entry, properties.has("size") ? &model.size : nullptr, where);
+  for (const Block& block : body.blocks) corners_.spend(block.points.size(), where, state_);
   if (state_.error) return true;
   model.size = body.size;
   model.mesh = body.mesh;
   model.blocks = body.blocks;
   model.body.mesh = entry->path;
   return true;
-}
-
-const MeshBodies::Entry* WorldLoader::load_mesh(const std::string& name, SourceLine where) {
-  const Result<FoundFile> found = look_for(
-      "mesh", name, where, [&](const std::string& path) { return meshes_.find(path) != nullptr; },
-      mesh::is_mesh_name);
-  if (!found) {
-    state_.fail(where, "mesh " + in_quotes(found.error().where) + " " + found.error().text);
-    return nullptr;
-  }
-  if (!found->bytes) return meshes_.find(found->path);
-  const MeshBodies::Entry& entry = meshes_.read(found->path, *found->bytes, files_);
-  spend(mesh_bytes_, entry.bytes, where);
-  if (!entry.mesh) state_.fail(where, "mesh " + in_quotes(found->path) + " " + entry.why_none);
-  for (const std::string& warning : entry.warnings)
-    state_.warnings.add(Warning::kShape, where, "mesh " + in_quotes(found->path) + ": " + warning);
-  return &entry;
-}
-
-const WorldLoader::TracedBitmap* WorldLoader::load_bitmap(const Properties& properties,
-                                                          const geom::Size& size) {
-  const std::string name = properties.text("bitmap", "");
-  const SourceLine where = properties.where("bitmap");
-  if (name.empty() && properties.has("bitmap"))
-    state_.warnings.add(Warning::kNoEffect, where, "\"bitmap\" names no file and has no effect");
-  if (name.empty() || state_.over) return nullptr;
-  const Result<FoundFile> found = look_for(
-      "bitmap", name, where, [&](const std::string& path) { return bitmaps_.contains(path); }, is_image_name);
-  if (!found)
-    return fail_bitmap(resolve(folders_for(scene_.path, scene_.files[where.file], files_).back(), name),
-                       where, found.error());
-  if (!found->bytes) return &*bitmaps_.find(found->path);
-  return trace_bitmap(found->path, *found->bytes, size, where);
-}
-
-Result<FoundFile> WorldLoader::look_for(std::string_view what, const std::string& name, SourceLine where,
-                                        const std::function<bool(const std::string&)>& is_known,
-                                        const std::function<bool(std::string_view)>& fits) {
-  // Unlike the original, which looks only beside the world, bitmaps are searched like includes.
-  const std::string& named_by = scene_.files[where.file];
-  const std::vector<std::string> folders = folders_for(scene_.path, named_by, files_);
-  Result<FoundFile> found = find_file(folders, name, files_, is_known, fits);
-  if (found && found->bytes && found->folder > 0 && folders[found->folder] != folder_of(named_by))
-    state_.warnings.add(Warning::kShape, where,
-                        std::string(what) + " " + in_quotes(resolve(folders.front(), name)) +
-                            " is not there, so " + in_quotes(found->path) + " is read");
-  return found;
-}
-
-const WorldLoader::TracedBitmap* WorldLoader::trace_bitmap(const std::string& path, std::string_view bytes,
-                                                           const geom::Size& size, SourceLine where) {
-  spend(bitmap_bytes_, bytes.size(), where);
-  if (state_.over) return nullptr;
-  const Result<Bitmap> bitmap = decode_bitmap(bytes, limits_.pixels);
-  if (!bitmap) return fail_bitmap(path, where, {path, bitmap.error().text});
-  spend(pixels_, bitmap->solid.size(), where);
-  if (state_.over) return nullptr;
-  Result<Loops> loops = trace_contours(*bitmap, limits_.corners);
-  if (!loops) return fail_bitmap(path, where, {path, loops.error().text});
-  for (const auto& loop : *loops) spend(outlines_, loop.size(), where);
-  if (state_.over) return nullptr;
-  if (loops->empty())
-    state_.warnings.add(Warning::kShape, where,
-                        "bitmap " + in_quotes(path) + " has no dark pixel, so it is no body");
-  else
-    warn_of_margin(path, *bitmap, *loops, size, where);
-  return &*bitmaps_.emplace(path, std::move(*loops)).first;
-}
-
-/// Warns of a margin: dark pixels alone fill the model's size, so a size
-/// measured with a margin gives shifted walls and usually non-square pixels.
-void WorldLoader::warn_of_margin(const std::string& path, const Bitmap& bitmap, const Loops& loops,
-                                 const geom::Size& size, SourceLine where) {
-  constexpr double kMost = 1, kSquare = 1e-3;  // px of tolerance for drawings; relative
-  geom::Box dark;
-  for (const auto& loop : loops)
-    for (const geom::Vec2 p : loop) dark.add(p);
-  const double width = dark.x_max - dark.x_min, height = dark.y_max - dark.y_min;
-  const double margin =
-      std::max({dark.x_min, bitmap.width - dark.x_max, dark.y_min, bitmap.height - dark.y_max});
-  const double x = size.x / width, y = size.y / height;  // m, of a pixel
-  if (margin <= kMost || std::fabs(x - y) <= kSquare * std::max(x, y)) return;
-  state_.warnings.add(
-      Warning::kShape, where,
-      fmt::format("bitmap {} has a margin: the size is that of its {} x {} dark pixels, not of all "
-                  "{} x {}, so a pixel is {:.4g} x {:.4g} m",
-                  in_quotes(path), width, height, bitmap.width, bitmap.height, x, y));
-}
-
-const WorldLoader::TracedBitmap* WorldLoader::fail_bitmap(const std::string& path, SourceLine where,
-                                                          const Error& why) {
-  state_.fail(where, "bitmap " + in_quotes(why.where) + " " + why.text);
-  return &*bitmaps_.emplace(path, Loops{}).first;  // not retried for further models
-}
-
-void WorldLoader::spend(Budget& budget, std::size_t amount, SourceLine where) {
-  if (amount > budget.left) {
-    state_.end(document_.error(
-        where, "the world holds more than " + std::to_string(budget.limit) + " " + std::string(budget.what)));
-    return;
-  }
-  budget.left -= amount;
 }
 
 }  // namespace
