@@ -194,9 +194,13 @@ test('nothing overlaps on small windows', async () => {
   assert.deepEqual(viewer.errors, []);
 });
 
-/** Buttons of the bar that somebody would click in vain: outside of it, or below something else. */
-function outOfReach(on) {
-  return on.evaluate(() => {
+/**
+ * Buttons of the bar that somebody would click in vain: outside of it, or below something else. Waits until the program
+ * is heard of: a page that draws in software beside other work takes it for silent, and disables what needs it.
+ */
+async function outOfReach(on) {
+  const found = await on.waitForFunction(() => {
+    if (document.querySelector('[data-testid=link]').dataset.state !== 'live') return null;
     const bar = document.getElementById('bar').getBoundingClientRect();
     const shown = [...document.querySelectorAll('#bar button, #bar select, #bar .brand')].filter((each) => each.offsetWidth > 0);
     const bad = shown.filter((each) => {
@@ -206,10 +210,12 @@ function outOfReach(on) {
     });
     return { count: shown.length, bad: bad.map((each) => each.textContent) };
   });
+  return found.jsonValue();
 }
 
-test('every button of the bar can be reached, however narrow the window', async () => {
+test('every button of the bar can be reached, however narrow the window', async (test) => {
   const room = await startProgram('worlds/room.world', ['--engine', 'arena']);
+  test.after(() => room.stop());
   const other = await watch(browser, room.page);
   const guest = await watch(browser, room.page);
   await guest.page.getByTestId('join').click();
@@ -227,7 +233,6 @@ test('every button of the bar can be reached, however narrow the window', async 
   assert.ok(sheet.x >= 0 && sheet.x + sheet.width <= 360, JSON.stringify(sheet));
   assert.deepEqual([...guest.errors, ...other.errors], []);
   await Promise.all([guest.page.close(), other.page.close()]);
-  await room.stop();
 });
 
 test('a page without its program looks like one', async () => {
