@@ -131,6 +131,8 @@ struct SceneDesc : WorldDesc {
     std::string name, alias;
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, Token> renamed;
+  /// The defines that `robot_types` names: rows of `models`, without what instances of the world add.
+  std::map<std::string, std::uint32_t, std::less<>> robot_types;
   std::vector<std::string> warnings;  // "file:line: text", without duplicates
 
   /// "file:line" of a position.

@@ -204,7 +204,9 @@ void WorldLoader::load_robot_type(const Value& word, SourceLine where) {
     return state_.fail(
         where, "robot_types: there is no define " + in_quotes(word.text) + did_you_mean(word.text, known));
   const std::string& name = type_names_.emplace_back(std::string(word.text) + " (type)");
+  const std::size_t trees = scene_.trees.size();
   load_section({word.text, where, {{"name", {{ValueKind::kString, name}}, where}}, {}});
+  if (scene_.trees.size() > trees) scene_.robot_types.emplace(word.text, scene_.trees.back().top);
 }
 
 bool WorldLoader::repeat_tree(const Section& section) {

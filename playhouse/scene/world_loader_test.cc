@@ -1206,6 +1206,16 @@ TEST(RobotTypes, are_descriptions_of_which_the_world_has_no_tree) {
   EXPECT_THAT(scene->warnings, IsEmpty());
 }
 
+TEST(RobotTypes, are_the_defines_without_what_a_model_of_the_world_adds) {
+  MemoryFiles files({});
+  const Result<SceneDesc> scene =
+      load_world_text(std::string(kTypes) + "cart( name \"r0\" scanner( ) )", "w/t.world", files);
+  ASSERT_TRUE(scene) << scene.error().line();
+  ASSERT_TRUE(scene->robot_types.contains("cart"));
+  EXPECT_EQ(tree_size(*scene, scene->robot_types.at("cart")), 2u);
+  EXPECT_NE(scene->robot_types.at("cart"), scene->trees.back().top);
+}
+
 TEST(RobotTypes, share_the_description_of_a_model_that_is_like_them) {
   MemoryFiles files({});
   const Result<SceneDesc> scene =

@@ -62,6 +62,8 @@ std::string nearest_types(const World& world, std::string_view word, bool robots
 Result<Type> find_type(const World& world, const std::string& word, bool robot) {
   const std::vector<scene::ModelDesc>& models = world.scene().models;
   std::optional<Type> found;
+  if (const auto type = world.scene().robot_types.find(word); type != world.scene().robot_types.end())
+    found = Type{type->second, {}};
   for (std::uint32_t row = 0; row < models.size() && !found; ++row)
     if (models[row].parent < 0 && models[row].prototype == word) found = Type{row, {}};
   if (const world::ModelRow model = world.find(word); !found && model) {

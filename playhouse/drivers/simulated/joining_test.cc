@@ -42,7 +42,7 @@ JoinRequest request(const std::string& type, double x, double y, const std::vect
 
 class Joining : public ::testing::Test {
  protected:
-  Joining() : site(kLab) {
+  explicit Joining(const std::string& world = kLab) : site(world) {
     EXPECT_TRUE(site.site().open_world("lab.world"));
     robots = std::make_unique<AutoDevices>(site.site(), 6665);
     EXPECT_TRUE(robots->add_all());
@@ -79,6 +79,17 @@ TEST_F(Joining, types_stand_nowhere_until_a_robot_of_them_joins) {
   EXPECT_EQ(world().models.size(), 5u);
   EXPECT_EQ(world().models.color[world().find("bob").index], *scene::color_by_name("red"));
   EXPECT_DOUBLE_EQ(world().models.X_WM[world().find("bob").index].a, 1.5);
+}
+
+/// The first cart of the world has a scanner of its own.
+class JoiningBesideOthers : public Joining {
+ protected:
+  JoiningBesideOthers() : Joining(std::string(kLab) + "cart( name \"r0\" pose [0 3 0 0] scanner( ) )\n") {}
+};
+
+TEST_F(JoiningBesideOthers, a_type_is_its_define_without_what_a_robot_of_the_world_adds) {
+  EXPECT_EQ(come(request("cart", 0, 0, {"bob"})), "bob");
+  EXPECT_EQ(devices("bob"), "position2d:2 position3d:2 speech:2 speech_recognition:2");
 }
 
 TEST_F(Joining, sensors_are_parts_of_the_robot_and_of_its_devices) {
