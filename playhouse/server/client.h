@@ -1,7 +1,7 @@
 #pragma once
 
-/// Client: a connection of the server with its session: input, turns of work, output, and its end. Io thread
-/// only.
+/// Client: a connection of the server with its session: input,
+/// turns of work, output, and its end. Io thread only.
 
 #include <cstddef>
 #include <cstdint>

@@ -30,8 +30,8 @@ Clock::time_point wall_time(double seconds) {
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
 }
 
-/// Period of show() while paused, and while the next tick is far: viewers are promised a sign of life a
-/// second. [s]
+/// Period of show() while paused, and while the next tick is
+/// far: viewers are promised a sign of life a second. [s]
 constexpr double kPausedShow = 0.1, kWaitingShow = 0.25;
 
 /// Ticks until `duration` has been simulated: the first tick at or after it.
