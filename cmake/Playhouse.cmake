@@ -47,6 +47,10 @@ if(PLAYHOUSE_FUZZ)
   add_custom_target(fuzzers)
 endif()
 
+# LeakSanitizer follows a wild pointer where it mistakes a thread's own storage of Mesa's libraries for a table of its
+# kind ("Tracer caught signal 11"); without the interceptor it does not look for one.
+set(PLAYHOUSE_TEST_SANITIZERS ASAN_OPTIONS=set:intercept_tls_get_addr=0)
+
 # How files of tests are compiled, beside the options of all.
 function(playhouse_test_options TARGET)
   if(PLAYHOUSE_SANITIZE)  # optimised they take the compiler twice as long
@@ -98,7 +102,8 @@ function(playhouse_module NAME)
     playhouse_test_options(${TARGET}_test)
     playhouse_precompile(${TARGET}_test test)
     gtest_discover_tests(${TARGET}_test TEST_PREFIX "${NAME}." DISCOVERY_TIMEOUT 120
-      PROPERTIES TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=1)  # laws draw the same cases in every run: a red one can be repeated
+      PROPERTIES TIMEOUT 300 ENVIRONMENT_MODIFICATION ${PLAYHOUSE_TEST_SANITIZERS}
+      ENVIRONMENT RC_PARAMS=seed=1)  # laws draw the same cases in every run: a red one can be repeated
   endif()
   if(PLAYHOUSE_BENCHES AND BENCHES)
     add_executable(${TARGET}_bench ${BENCHES})
