@@ -341,6 +341,8 @@ def _read_tuple(word: Word) -> list[str]:
 
 def _check(word: Word, key: str, to: str) -> list[str]:
     """Checks not made by read_count() and tuples."""
+    if word.check:
+        return [f"{word.check}(properties, {key}, {to});"]
     if word.type in ("count", "tuple") or (word.min is None and word.above is None):
         return []
     if word.optional:
@@ -420,20 +422,26 @@ def _write(word: Word) -> list[str]:
     if word.type == "tuple":
         members = [part.member for part in word.parts]
         scales = "".join("D" if p.unit == "deg" and p.scale == "N" else p.scale for p in word.parts)
-        differs = " || ".join(f"from.{m} != unsaid.{m}" for m in members)
         return [f"const double {word.name}[] = {{{', '.join(f'from.{m}' for m in members)}}};",
-                f"if ({differs}) to.tuple({key}, {_text(scales)}, {word.name});"]
+                f"if ({differs(word)}) to.tuple({key}, {_text(scales)}, {word.name});"]
     if word.type == "bounds":
-        return [f"if (!std::ranges::equal({has}, unsaid.{word.member})) to.bounds({key}, {_text(word.scales)}, {has});"]
-    differs = has if word.optional else f"{has} != unsaid.{word.member}"
+        return [f"if ({differs(word)}) to.bounds({key}, {_text(word.scales)}, {has});"]
     value = f"*{has}" if word.optional else has
     if word.type == "choice":
-        return [_words_of(word), f"if ({differs}) to.text({key}, {_choices(word)}[static_cast<std::size_t>({value})]);"]
+        return [_words_of(word), f"if ({differs(word)}) to.text({key}, {_choices(word)}[static_cast<std::size_t>({value})]);"]
     if word.type == "choices":
-        differs = " || ".join(f"from.{m} != unsaid.{m}" for m in word.members())
         chosen = ", ".join(f"std::string({_choices(c)}[static_cast<std::size_t>(from.{c.member})])" for c in word.choices)
-        return [*map(_words_of, word.choices), f"if ({differs}) to.texts({key}, std::array{{{chosen}}});"]
-    return [f"if ({differs}) to.{_write_call(word, key, value)};"]
+        return [*map(_words_of, word.choices), f"if ({differs(word)}) to.texts({key}, std::array{{{chosen}}});"]
+    return [f"if ({differs(word)}) to.{_write_call(word, key, value)};"]
+
+
+def differs(word: Word) -> str:
+    """The condition that `from` has another value than `unsaid`."""
+    if word.type == "bounds":
+        return f"!std::ranges::equal(from.{word.member}, unsaid.{word.member})"
+    if word.optional:
+        return f"from.{word.member}"
+    return " || ".join(f"from.{m} != unsaid.{m}" for m in word.members())
 
 
 def _write_call(word: Word, key: str, value: str) -> str:

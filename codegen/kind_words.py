@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
 
 STAGES = ("same", "better", "other", "none")  # comparison with Stage 4
+ENGINES = ("arena",)
+CHECKS = ("known_material", "not_misspelt_material")  # functions of playhouse/scene/read_word.h
 USES = ("read", "later")  # words without an entry of their own are `silent` and `old`
 
 # What a value is made of: (the parts of its form, the scale of each). L and A are converted from the file's units of
@@ -64,6 +66,8 @@ class Word:
     use: str = "read"
     stage: str = "same"     # same as in Stage 4, better, other, or none: Stage has no such word
     stage_why: str = ""     # difference; "" if it is the same
+    engine: str = ""        # the one in which alone it has its full effect; "" both
+    check: str = ""         # function of read_word.h that checks the text
     unit: str = ""              # default unit in the file; one per part, or one for all
     default: object = None      # in the file; None: none, or in default_text
     default_text: str = ""
@@ -122,10 +126,10 @@ class Word:
 
 
 OPTIONAL = {"use", "unit", "default", "default_text", "min", "above", "max", "limit", "clamp", "ascending_from", "by_hand",
-            "optional", "indexed", "counted_by", "member", "frame", "enum", "with", "parts", "values", "choices", "stage", "stage_why"}
+            "optional", "indexed", "counted_by", "member", "frame", "enum", "with", "parts", "values", "choices", "stage", "stage_why", "engine", "check"}
 
 KEY_TYPES = {key: str for key in ("name", "type", "doc", "use", "unit", "default_text", "limit", "clamp", "member", "frame",
-                                  "enum", "with", "word", "counted_by", "stage", "stage_why")}
+                                  "enum", "with", "word", "counted_by", "stage", "stage_why", "engine", "check")}
 KEY_TYPES |= {"by_hand": bool, "optional": bool, "indexed": bool, "parts": list, "values": list, "choices": list}
 KEY_TYPES |= {"min": (int, float), "above": (int, float), "max": (int, float), "ascending_from": (int, float)}
 
@@ -143,6 +147,8 @@ def word(where: str, row: dict, simulated: bool) -> Word:
         raise SchemaError(f"{where}: stage_why is for what is not the same as in Stage, and wanted there")
     if "stage_why" in row:
         documented(where, row["stage_why"])
+    if "engine" in row:
+        one_of(where, "engine", row["engine"], ENGINES)
     documented(where, row["doc"])
     out = Word(row["name"], row["type"], row["doc"], with_word=row.get("with", ""))
     for key in OPTIONAL - {"with", "parts", "values", "choices"}:
@@ -151,6 +157,9 @@ def word(where: str, row: dict, simulated: bool) -> Word:
     out.member = row.get("member", out.name)
     if not MEMBER.match(out.member):
         raise SchemaError(f"{where}: member {out.member!r} is not a name")
+    if out.check:
+        _only_of(where, out, "check", {"text"})
+        one_of(where, "check", out.check, CHECKS)
     _parts(where, out, row)
     _values(where, out, row)
     _choices(where, out, row)
@@ -287,8 +296,8 @@ def _limits(where: str, out: Word) -> None:
         return
     if out.above not in (None, 0) or (out.min not in (None, 0) and out.type != "count"):
         raise SchemaError(f"{where}: a limit other than 0 is for a count, which has no unit")
-    if out.max is not None and (out.type not in ("count", "number", "angle") or out.min is None or out.clamp or out.optional):
-        raise SchemaError(f"{where}: max is for a count, a number or an angle that has a min and is always there")
+    if out.max is not None and (out.type not in ("count", "number", "angle") or out.min is None or out.clamp):
+        raise SchemaError(f"{where}: max is for a count, a number or an angle that has a min")
     if out.type == "count" and (out.min is None or out.min < 0):
         raise SchemaError(f"{where}: a count needs a min of 0 or more")
     if out.limit and out.max is None:

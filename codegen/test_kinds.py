@@ -248,6 +248,11 @@ class Refused(unittest.TestCase):
         self.refuse("old_types claw: type is missing", old_types={"claw": {"instead": "x"}})
         self.refuse("old_types claw: unknown word 'size'", old_types={"claw": {"instead": "x", "type": "arm", "words": {"size": 1}}})
 
+    def test_engines_and_checks_are_known(self):
+        self.refuse_word("unknown engine 'arna' (did you mean 'arena'?)", engine="arna")
+        self.refuse_word("check is for text, not for a length", check="known_material")
+        self.refuse_word("unknown check 'known_materials' (did you mean 'known_material'?)", name="note", type="text", default="", check="known_materials")
+
     def test_what_differs_from_stage_says_why(self):
         self.refuse_word("unknown stage 'beter' (did you mean 'better'?)", stage="beter", stage_why="It is.")
         self.refuse_word("stage_why is for what is not the same as in Stage, and wanted there", stage="better")

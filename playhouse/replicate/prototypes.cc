@@ -97,7 +97,7 @@ std::string prototype(const scene::ModelDesc& model, Texts& shapes, Meshes& mesh
   if (model.mesh) fmt::format_to(out, R"(,"mesh":"{}")", mesh_address(row_of(model.mesh, meshes)));
   if (model.mesh) text += lights(*model.mesh);
   if (model.lamp > 0) fmt::format_to(out, R"(,"lamp":{})", number(model.lamp));
-  if (const scene::Material& material = scene::material_named(model.material); !material.name.empty())
+  if (const scene::Material material = scene::material_of(model); !material.name.empty() || model.roughness)
     fmt::format_to(out, R"(,"shine":[{},{}])", number(material.metallic), number(material.roughness));
   if (scene::is_smoke(model)) text += R"(,"smoke":true)";
   if (model.moving_blocks > 0) fmt::format_to(out, R"(,"moving":{})", model.moving_blocks);

@@ -37,12 +37,25 @@ const Material& material_named(std::string_view name) {
   return kUnknown;
 }
 
-std::span<const Material> materials() {
-  return kMaterials;
+Material material_of(const ModelDesc& model) {
+  Material material = material_named(model.material);
+  material.restitution = model.restitution.value_or(material.restitution);
+  material.roughness = static_cast<float>(model.roughness.value_or(material.roughness));
+  return material;
+}
+
+bool is_material(std::string_view name) {
+  return !name.empty() && material_named(name).name == name;
+}
+
+std::vector<std::string_view> material_names() {
+  std::vector<std::string_view> names;
+  for (const Material& material : kMaterials) names.push_back(material.name);
+  return names;
 }
 
 bool is_smoke(const ModelDesc& model) {
-  return model.material == "smoke";
+  return model.material == kSmoke;
 }
 
 }  // namespace playhouse::scene

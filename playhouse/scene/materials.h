@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "playhouse/scene/scene_desc.h"
 
@@ -22,9 +23,14 @@ struct Material {
 /// The default for unknown materials has an empty name.
 const Material& material_named(std::string_view name);
 
-std::span<const Material> materials();
+/// That of a model, with its words `restitution` and `roughness`.
+Material material_of(const ModelDesc& model);
+
+bool is_material(std::string_view name);
+std::vector<std::string_view> material_names();
 
 /// A smoke cloud: visible, but transparent to rays.
+inline constexpr std::string_view kSmoke = "smoke";
 bool is_smoke(const ModelDesc& model);
 
 }  // namespace playhouse::scene

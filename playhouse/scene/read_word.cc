@@ -8,6 +8,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scene/colors.h"
+#include "playhouse/scene/materials.h"
 
 namespace playhouse::scene {
 namespace {
@@ -97,6 +98,22 @@ std::vector<Color> read_colors(const Properties& properties, std::string_view ke
     }
   }
   return colors;
+}
+
+void known_material(const Properties& properties, std::string_view key, std::string_view name) {
+  if (is_material(name)) return;
+  properties.state().fail(properties.where(key), in_quotes(key) + " " + in_quotes(name) +
+                                                     " is no known material" +
+                                                     did_you_mean(name, material_names()));
+}
+
+void not_misspelt_material(const Properties& properties, std::string_view key, std::string_view name) {
+  if (name.empty() || is_material(name) || name == kSmoke) return;
+  const std::string hint = did_you_mean(name, material_names());
+  if (hint.empty()) return;
+  properties.state().warnings.add(
+      Warning::kValue, properties.where(key),
+      in_quotes(key) + " " + in_quotes(name) + " is a property for detectors only, no known material" + hint);
 }
 
 geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::Vec2 otherwise) {

@@ -51,6 +51,12 @@ std::vector<std::string> read_texts(const Properties& properties, std::string_vi
 /// The colours of a tuple of names; unknown names are dropped with a warning.
 std::vector<Color> read_colors(const Properties& properties, std::string_view key);
 
+/// An error, with the nearest known one, unless `name` is a material of materials.h.
+void known_material(const Properties& properties, std::string_view key, std::string_view name);
+
+/// A warning if `name` is none but similar to one: other names are properties for detectors.
+void not_misspelt_material(const Properties& properties, std::string_view key, std::string_view name);
+
 /// [x y], unscaled.
 geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::Vec2 otherwise);
 

@@ -192,6 +192,18 @@ TEST(WorldText, what_does_nothing_is_told) {
   EXPECT_EQ(model_of("model( color_rgba [255 0 0 1] )").color, (Color{1, 0, 0, 1}));
 }
 
+TEST(WorldText, a_ground_is_a_known_material_and_a_misspelt_material_is_told) {
+  EXPECT_EQ(error_of("\nground \"icy\""),
+            "w/t.world:2: \"ground\" \"icy\" is no known material (did you mean \"ice\"?)");
+  EXPECT_THAT(error_of("ground \"\""), HasSubstr("\"ground\" \"\" is no known material"));
+  EXPECT_THAT(loaded("ground \"carpet\" model( material \"velvet\" ) model( material \"smoke\" )").warnings,
+              ElementsAre());
+  EXPECT_THAT(loaded("model( material \"concret\" )").warnings,
+              ElementsAre("w/t.world:1: \"material\" \"concret\" is a property for detectors only, no known "
+                          "material (did you mean \"concrete\"?)"));
+  EXPECT_EQ(error_of("model( restitution 1.5 )"), "w/t.world:1: \"restitution\" must be from 0 to 1");
+}
+
 TEST(WorldText, a_slip_in_a_keyword_is_told_also_when_an_error_follows_from_it) {
   EXPECT_THAT(findings_of("inclde \"map.inc\"\nfloorplan( name \"x\" )"),
               ElementsAre("w/t.world:2: error: unknown model type \"floorplan\"",

@@ -158,6 +158,7 @@ std::string any_value(const Word& word) {
   if (word.type == "number") return word.limits == "from 0 to 1" ? "0.375" : "212.375";
   if (word.type == "length" || word.type == "angle") return "0.37";
   if (word.name == "mesh") return "\"plan.obj\"";
+  if (word.name == "ground") return "\"ice\"";  // a known material
   if (word.type == "text") return "\"plan\"";
   if (word.type == "texts") return "[\"name=a mass>1\" \"color=red\"]";  // conditions are
   if (word.type == "color") return "\"SteelBlue3\"";

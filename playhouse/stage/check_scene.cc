@@ -1,10 +1,16 @@
 #include "playhouse/stage/check_scene.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
+#include <set>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "playhouse/scene/charge.h"
+#include "playhouse/scene/generated/engine_words.h"
 #include "playhouse/scene/generated/read_kinds.h"
 
 namespace playhouse::stage {
@@ -92,13 +98,27 @@ std::vector<std::string> oddities_of(const scene::SceneDesc& scene) {
 }
 
 std::vector<std::string> left_out_in_the_plane(const scene::SceneDesc& scene) {
-  for (const scene::ModelDesc& model : scene.models)
-    for (const scene::RangerSensorDesc& sensor : model.sensors) {
-      if (sensor.rings <= 1 && sensor.errors == scene::RangerErrors::kNone) continue;
-      return {scene.at(model.where) + ": rings and error of sensors count with --engine arena; here " +
-              model.name + " has one level ring"};
-    }
-  return {};
+  std::set<std::string_view> words;
+  add_arena_words(scene, words);
+  const scene::ModelDesc* first = nullptr;
+  for (const scene::ModelDesc& model : scene.models) {
+    const std::size_t before = words.size();
+    add_arena_words(static_cast<const scene::PlainDesc&>(model), words);
+    add_arena_words(static_cast<const scene::KindDescs&>(model), words);
+    if (model.mesh) words.insert("mesh");
+    if (!first && words.size() > before) first = &model;
+  }
+  // In this engine detectors see materials and lamps, and imus measure gravity.
+  for (const scene::ModelDesc& model : scene.models) {
+    if (model.detector) words.erase("material"), words.erase("lamp");
+    if (model.kind == scene::ModelKind::kImu) words.erase("gravity");
+  }
+  if (words.empty()) return {};
+  return {
+      fmt::format("{}: {} {} full effect with --engine arena only: this engine is a plane without physics "
+                  "and light",
+                  first ? scene.at(first->where) : scene.path, fmt::join(words, ", "),
+                  words.size() == 1 ? "has its" : "have their")};
 }
 
 }  // namespace playhouse::stage

@@ -134,7 +134,7 @@ class Faults(HouseTest):
         done = finish("check", world)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn(f"{world}:2: warning: model ", done.stdout)
-        self.assertIn(f"{world}:3: warning: rings and error of sensors", done.stdout)
+        self.assertIn(f"{world}:3: warning: error has its full effect with --engine arena only", done.stdout)
         run = finish("run", world, "--headless", "--port", "0", "--fast", "--duration", "0")
         self.assertIn(f"{world}:2: warning: model ", run.stderr)
 

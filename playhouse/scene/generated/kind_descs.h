@@ -67,6 +67,12 @@ struct PlainDesc {
   /// Name of its material, as "glass": a property for detectors (sees, through), and its surface in the arena
   /// (docs/arena.md).
   std::string material;
+  /// Fraction of the speed of impact with which it bounces off, in the arena, which multiplies those of the
+  /// two surfaces in contact. Else that of its material.
+  std::optional<double> restitution;
+  /// Roughness of its surface for light, from 0, a mirror, to 1, matt. For cameras of the arena engine and
+  /// the page. Else that of its material.
+  std::optional<double> roughness;
   /// Luminous intensity of an omnidirectional light in its color; a bulb of 60 W has 65. A lamp that can be
   /// switched off shines while it is lit. Rendered by cameras of the arena engine; a light for detectors.
   /// [cd]

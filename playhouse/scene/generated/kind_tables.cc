@@ -25,7 +25,7 @@ constexpr Meaning kOld_model_polygon{.how = Meaning::How::kNested, .part = "bloc
 constexpr Meaning kOld_model_blocks{.how = Meaning::How::kCount, .part = "block"};
 constexpr SaidWord kOld_model_block_part_words[] = {{"z", "0 1"}};
 constexpr Meaning kOld_model_block{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_block_part_words};
-constexpr Word kWordsOfModel[62] = {
+constexpr Word kWordsOfModel[64] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "Name of the model. Inside a parent the full name is parent.name; a name with a leading / is used as given."},
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Pose in the parent."},
     {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Pose of the body and of the sensors, relative to the model's pose."},
@@ -46,6 +46,8 @@ constexpr Word kWordsOfModel[62] = {
     {.name = "friction", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "Friction coefficient of its surface. No effect in the stage engine and in Stage, where nothing slides; the arena multiplies the coefficients of the two surfaces in contact."},
     {.name = "friction_axes", .use = Use::kRead, .type = "tuple", .form = "[x y]", .otherwise = "[1 1]", .limits = "from 0 to 1", .doc = "Fractions of its friction along its x and y, in the arena: with [0.1 1] it slides along its x, like a sledge."},
     {.name = "material", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Name of its material, as \"glass\": a property for detectors (sees, through), and its surface in the arena (docs/arena.md)."},
+    {.name = "restitution", .use = Use::kRead, .type = "number", .told = "that of its material", .limits = "from 0 to 1", .doc = "Fraction of the speed of impact with which it bounces off, in the arena, which multiplies those of the two surfaces in contact."},
+    {.name = "roughness", .use = Use::kRead, .type = "number", .told = "that of its material", .limits = "from 0 to 1", .doc = "Roughness of its surface for light, from 0, a mirror, to 1, matt. For cameras of the arena engine and the page."},
     {.name = "lamp", .use = Use::kRead, .type = "number", .unit = "cd", .otherwise = "0", .limits = "not negative", .doc = "Luminous intensity of an omnidirectional light in its color; a bulb of 60 W has 65. A lamp that can be switched off shines while it is lit. Rendered by cameras of the arena engine; a light for detectors."},
     {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Measurement period of a sensor, at least one tick."},
     {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Moves and measures without a subscriber."},

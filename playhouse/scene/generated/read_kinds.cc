@@ -280,6 +280,11 @@ void read(const Properties& properties, std::size_t row, PlainDesc& to) {
   to.friction_x = friction_axes[0];
   to.friction_y = friction_axes[1];
   to.material = properties.text("material", to.material);
+  not_misspelt_material(properties, "material", to.material);
+  if (properties.has("restitution")) to.restitution = properties.number("restitution", {});
+  require(to.restitution.value_or(0) >= 0 && to.restitution.value_or(0) <= 1, properties, "restitution", "must be from 0 to 1");
+  if (properties.has("roughness")) to.roughness = properties.number("roughness", {});
+  require(to.roughness.value_or(0) >= 0 && to.roughness.value_or(0) <= 1, properties, "roughness", "must be from 0 to 1");
   to.lamp = properties.number("lamp", to.lamp);
   require(to.lamp >= 0, properties, "lamp", "must not be negative");
   to.update_interval = read_milliseconds(properties, "update_interval", to.update_interval);
@@ -360,6 +365,7 @@ void read(const Properties& properties, WorldDesc& to) {
   to.gravity = properties.number("gravity", to.gravity);
   to.gravity = at_least_zero(properties, "gravity", to.gravity, "no gravity is meant");
   to.ground = properties.text("ground", to.ground);
+  known_material(properties, "ground", to.ground);
   to.quit_time = properties.number("quit_time", to.quit_time);
   to.quit_time = at_least_zero(properties, "quit_time", to.quit_time, "no end is meant");
   to.speedup = properties.number("speedup", to.speedup);

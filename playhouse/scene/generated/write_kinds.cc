@@ -198,6 +198,8 @@ void write(const PlainDesc& from, const PlainDesc& unsaid, double z, Words& to) 
   const double friction_axes[] = {from.friction_x, from.friction_y};
   if (from.friction_x != unsaid.friction_x || from.friction_y != unsaid.friction_y) to.tuple("friction_axes", "NN", friction_axes);
   if (from.material != unsaid.material) to.text("material", from.material);
+  if (from.restitution) to.number("restitution", *from.restitution);
+  if (from.roughness) to.number("roughness", *from.roughness);
   if (from.lamp != unsaid.lamp) to.number("lamp", from.lamp);
   if (from.update_interval != unsaid.update_interval) to.milliseconds("update_interval", from.update_interval);
   if (from.alwayson != unsaid.alwayson) to.flag("alwayson", from.alwayson);
