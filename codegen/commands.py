@@ -12,6 +12,7 @@ from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
 
 # Required right of a command, and its holders as named on the page (playhouse/web_server/guests.h).
 RIGHTS = {"anybody": "every viewer", "drives": "viewers with the right to drive", "joins": "viewers with the right to join", "manages": "viewers with the right to manage"}
+WAVE = "*waves*"         # text that makes a person wave: from a page, by `speech` or by `say` in a world file
 PERSON_LETTERS = 24     # maximum length of a name
 PERSON_SETS = ("A-Za-z", r"A-Za-z0-9_\-")   # first character and further ones, as regular-expression sets
 PERSON_RULE = "letters, digits, - and _, the first one a letter"

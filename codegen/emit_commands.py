@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 
-from codegen.commands import PERSON_LETTERS, PERSON_RULE, PERSON_SETS, RIGHTS, Command
+from codegen.commands import PERSON_LETTERS, PERSON_RULE, PERSON_SETS, RIGHTS, WAVE, Command
 from codegen.emit_kinds_cpp import _comment, enumerator
 
 FOLDER = "playhouse/replicate/generated"
+GESTURES = "playhouse/world/generated/gestures.h"
 WEB_FILE = "web/src/protocol/generated/commands.ts"
 PAGE = "docs/viewer-commands.md"
 SOURCE = "viewer/commands.toml"
@@ -17,7 +18,7 @@ NOTE = f"Generated from {SOURCE} by codegen (python3 -m codegen). Do not edit."
 def emit(commands: list[Command]) -> dict[str, str]:
     """Path from the root of the tree -> content."""
     return {f"{FOLDER}/commands.h": _structs(commands), f"{FOLDER}/read_commands.cc": _reader(commands),
-            f"{FOLDER}/person_name.h": _person_name(),
+            f"{FOLDER}/person_name.h": _person_name(), GESTURES: _gestures(),
             WEB_FILE: _typescript(commands), PAGE: _page(commands)}
 
 
@@ -59,6 +60,12 @@ def _person_name() -> str:
     return "\n".join(lines)
 
 
+def _gestures() -> str:
+    return "\n".join([f"// {NOTE}", "#pragma once", "", "#include <string_view>", "", "namespace playhouse::world {", "",
+                      "/// Text that makes a person wave.", f'inline constexpr std::string_view kWave = "{WAVE}";', "",
+                      "}  // namespace playhouse::world", ""])
+
+
 def _reader(commands: list[Command]) -> str:
     words = ", ".join(f'"{c.word}"' for c in commands)
     lines = [f"// {NOTE}", "", "#include <string_view>", "", '#include "playhouse/base/nearest_word.h"',
@@ -82,7 +89,8 @@ def _typescript(commands: list[Command]) -> str:
         lines.append(f"  | {{ do: '{c.word}'{members} }}" + (";" if c is commands[-1] else ""))
     pattern = f"[{PERSON_SETS[0]}][{PERSON_SETS[1]}]*".replace("\\", "\\\\")
     lines += ["", "/** The name of a person: maximum length, pattern, and the rule in words. */", f"export const kNameLetters = {PERSON_LETTERS};",
-              f"export const kNamePattern = '{pattern}';", f"export const kNameRule = '{PERSON_RULE}';", ""]
+              f"export const kNamePattern = '{pattern}';", f"export const kNameRule = '{PERSON_RULE}';",
+              "/** Text that makes a person wave. */", f"export const kWave = '{WAVE}';", ""]
     return "\n".join(lines)
 
 

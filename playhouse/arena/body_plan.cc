@@ -174,7 +174,7 @@ std::vector<Wheel> wheels_of(scene::Drive drive, const Extent& extent) {
   if (drive == scene::Drive::kDiff) {
     const double axle = std::clamp(0.0, back, front), middle = 0.5 * (left + right);
     for (const double y : {right, left}) wheels.push_back({{axle, y, 0}, kTyre, kTyre});
-    for (const double x : {back, front}) wheels.push_back({{x, middle, 0}, 0, 0});
+    for (const double x : {back, front}) wheels.push_back({.p_B = {x, middle, 0}, .brake = kTyre});
     return wheels;
   }
   for (const double x : {back, front})

@@ -124,7 +124,7 @@ void CameraSense::place_bodies(const world::World& world, double time) {
     figures_.push_back({at.p + at.q * Vec3{desc.X_MB.x, desc.X_MB.y, desc.X_MB.z},
                         heading,
                         height,
-                        gait_of(models.V_WM[model].v, heading, height, time, id),
+                        gait_of({models.V_WM[model], heading, height, id, models.say[model]}, time),
                         {clothes[0], clothes[1], clothes[2]},
                         stage::segment_of(models.id[model]),
                         models.root[model]});

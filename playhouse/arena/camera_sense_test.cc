@@ -195,6 +195,28 @@ camera( name "seg" pose [0 0 0.85 0] alwayson 1 resolution [60 80] fov [50 60] r
   EXPECT_EQ(hue(color[28 * 60 + 30]), 'r') << "its shirt";
 }
 
+TEST(CameraSense, a_person_that_waves_raises_a_hand_beside_its_head) {
+  const auto beside_the_head = [](const std::string& says) {
+    Session run(R"(
+interval_sim 100
+position( name "person" drive "walk" size [0.3 0.5 1.75] color "red" pose [3 0 0 180] say ")" +
+                    says + R"(" )
+camera( pose [0 0 0.85 0] alwayson 1 resolution [60 80] fov [50 60] range [0.1 12] size [0 0 0] image "segmentation" )
+)",
+                true);
+    run.step();
+    const auto models = run.image(0);
+    std::ptrdiff_t found = 0;
+    // It faces the camera: its right hand is on the left, above the shoulders, which begin in row 26.
+    for (std::size_t row = 10; row < 25; ++row)
+      found += std::ranges::count(models.begin() + 60 * row, models.begin() + 60 * row + 26,
+                                  run.segment("person"));
+    return found;
+  };
+  EXPECT_EQ(beside_the_head("hello"), 0);
+  EXPECT_GT(beside_the_head("*waves*"), 4);
+}
+
 /// The brightest red of an image at night of a white wall 3 m ahead, with a lamp beside the camera.
 int brightest(const std::string& lamp) {
   Session run(R"(
@@ -288,15 +310,22 @@ TEST(CameraSense, without_opengl_images_are_those_of_the_stage_engine) {
 }
 
 TEST(Looks, a_person_walks_as_fast_as_it_moves_and_stands_when_it_does_not) {
-  EXPECT_EQ(gait_of({0.001, 0, 0}, 0, 1.75, 3, 1).stride, 0);
-  const render::Gait slow = gait_of({0.5, 0, 0}, 0, 1.75, 3, 1), fast = gait_of({1.0, 0, 0}, 0, 1.75, 3, 1);
+  const auto gait = [](const geom::SpatialVelocity& V, double time = 3, std::string_view says = {}) {
+    return gait_of({V, 0, 1.75, 1, says}, time);
+  };
+  EXPECT_EQ(gait({{0.001, 0, 0}, {}}).stride, 0);
+  const render::Gait slow = gait({{0.5, 0, 0}, {}}), fast = gait({{1.0, 0, 0}, {}});
   EXPECT_NEAR(fast.stride, 2 * slow.stride, 1e-9);
   EXPECT_EQ(fast.phase, slow.phase) << "its feet go on from where they are";
-  EXPECT_LT(gait_of({-1, 0, 0}, 0, 1.75, 3, 1).stride, 0) << "backwards";
+  EXPECT_LT(gait({{-1, 0, 0}, {}}).stride, 0) << "backwards";
   // So far the feet reach in a second as the person goes.
-  const double steps = (gait_of({1, 0, 0}, 0, 1.75, 0.1, 1).phase - gait_of({1, 0, 0}, 0, 1.75, 0, 1).phase) /
-                       (2 * geom::kPi) / 0.1;
+  const double steps =
+      (gait({{1, 0, 0}, {}}, 0.1).phase - gait({{1, 0, 0}, {}}, 0).phase) / (2 * geom::kPi) / 0.1;
   EXPECT_NEAR(fast.stride * 1.75 * (steps < 0 ? steps + 10 : steps), 1, 1e-9);
+  EXPECT_TRUE(gait({{}, {0, 0, 1}}).turns);
+  EXPECT_FALSE(gait({{1, 0, 0}, {0, 0, 1}}).turns) << "it walks";
+  EXPECT_TRUE(gait({}, 3, "*waves*").waves);
+  EXPECT_FALSE(gait({}, 3, "hello").waves);
 }
 
 TEST(Looks, days_get_dark_when_the_sun_sets) {

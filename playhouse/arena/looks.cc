@@ -7,6 +7,7 @@
 #include "playhouse/arena/triangles.h"
 #include "playhouse/scene/daylight.h"
 #include "playhouse/scene/materials.h"
+#include "playhouse/world/generated/gestures.h"
 
 namespace playhouse::arena {
 namespace {
@@ -17,10 +18,11 @@ constexpr double kStridesPerSecond = 0.95;  // gait cycles per second, walking; 
 constexpr double kRunsPerSecond = 1.4;      // running
 constexpr double kRunning = 2.2;            // m/s, from walking to running
 constexpr double kStanding = 0.02;          // m/s, below: standing
+constexpr double kTurning = 0.2;            // rad/s, from standing to stepping in place
 constexpr double kMostCandela = 1e9;        // upper bound, to fit a float
 
-mesh::Material material_of(const scene::ModelDesc& desc) {
-  const scene::Material& known = scene::material_named(desc.material);
+mesh::Material mesh_material_of(const scene::ModelDesc& desc) {
+  const scene::Material known = scene::material_of(desc);
   mesh::Material material;
   material.metallic = known.metallic;
   material.roughness = known.roughness;
@@ -86,7 +88,7 @@ mesh::Mesh mesh_of(const scene::ModelDesc& desc, const stage::Solids& solids, st
     add_extrusion(triangles, all, solids.z_min_M[first], solids.z_max_M[first]);
   });
   mesh::Mesh mesh;
-  mesh.materials.push_back(material_of(desc));
+  mesh.materials.push_back(mesh_material_of(desc));
   mesh.surfaces.push_back(surface_of(triangles));
   return mesh;
 }
@@ -126,16 +128,22 @@ std::array<float, 4> light_of(const scene::Color& color) {
   return {render::linear(color.r), render::linear(color.g), render::linear(color.b), color.a};
 }
 
-render::Gait gait_of(const Vec3& v, double heading, double height, double time, std::uint32_t id) {
+render::Gait gait_of(const Walker& walker, double time) {
+  const Vec3& v = walker.V.v;
   const double speed = std::sqrt(v.x * v.x + v.y * v.y);
+  const bool walks = speed >= kStanding && walker.height > 0;
   render::Gait gait;
-  if (!(speed >= kStanding) || !(height > 0)) return gait;
-  const geom::Rotation turn = geom::Rotation::of(heading);
+  gait.waves = walker.says == world::kWave;
+  gait.turns = !walks && std::fabs(walker.V.w.z) >= kTurning;
+  // Phase offsets by id, so that people do not move in step.
+  const double offset = 0.618 * (walker.id % 1024);
+  gait.age = time + 10 * offset;
   const double per_second = speed > kRunning ? kRunsPerSecond : kStridesPerSecond;
+  if (walks || gait.turns) gait.phase = 2 * geom::kPi * std::fmod(time * per_second + offset, 1.0);
+  if (!walks) return gait;
+  const geom::Rotation turn = geom::Rotation::of(walker.heading);
   const double way = v.x * turn.c + v.y * turn.s < 0 ? -1 : 1;
-  gait.stride = way * speed / per_second / height;
-  // Phase offset by id, so that people do not walk in step.
-  gait.phase = 2 * geom::kPi * std::fmod(time * per_second + 0.618 * (id % 1024), 1.0);
+  gait.stride = way * speed / per_second / walker.height;
   return gait;
 }
 

@@ -2,6 +2,8 @@
 
 /// Appearance of models to cameras of the arena: meshes and lights. Pure functions.
 
+#include <string_view>
+
 #include "playhouse/mesh/mesh.h"
 #include "playhouse/render/renderer.h"
 #include "playhouse/stage/bodies.h"
@@ -20,9 +22,18 @@ mesh::Mesh mesh_of(const scene::ModelDesc& desc, const stage::Solids& solids, st
 /// Linear RGB and opacity.
 std::array<float, 4> light_of(const scene::Color& color);
 
-/// Gait of a person who moves with v (in W), facing `heading`, at a time: step frequency is constant, so
-/// stride length is proportional to speed and the gait is a function of the state alone. [m/s, rad, s]
-render::Gait gait_of(const geom::Vec3& v, double heading, double height, double time, std::uint32_t id);
+/// What the pose of a person follows from. Frame: W.
+struct Walker {
+  geom::SpatialVelocity V;  // m/s, rad/s
+  double heading = 0;       // rad
+  double height = 0;        // m
+  std::uint32_t id = 0;     // of its model
+  std::string_view says;
+};
+
+/// The gait of a person at a time [s]: step frequency is constant, so stride length is
+/// proportional to speed and the gait is a function of the state alone.
+render::Gait gait_of(const Walker& walker, double time);
 
 /// The center of a model's body.  [m, in M]
 geom::Vec3 middle_of(const scene::ModelDesc& desc);

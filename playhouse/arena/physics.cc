@@ -92,6 +92,11 @@ struct Physics::Impl {
   bool is_in = false;
 
   Impl(const Surface& surface, double gravity) : ground(make_body(0, plane, surface)), gravity(gravity) {
+    // Bullet would multiply: on concrete, a ball of rubber would not bounce.
+    [[maybe_unused]] static const auto set_once =
+        gCalculateCombinedRestitutionCallback = [](const btCollisionObject* a, const btCollisionObject* b) {
+          return std::max(a->getRestitution(), b->getRestitution());
+        };
     world.setGravity({0, 0, -gravity});
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
     dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &on_ground);

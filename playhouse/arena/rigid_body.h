@@ -14,7 +14,8 @@ using geom::Vec3;
 /// Corners of a convex solid.  [m, in the frame of its owner]
 using Hull = std::vector<Vec3>;
 
-/// Surface properties; coefficients of two surfaces in contact are multiplied.
+/// Surface properties. Friction coefficients of two surfaces in contact
+/// are multiplied; of the coefficients of restitution the larger one applies.
 struct Surface {
   double friction = 1;
   double restitution = 0;
@@ -28,6 +29,7 @@ struct Wheel {
   Vec3 p_B;                      // m
   double along = 0, across = 0;  // friction coefficients in rolling direction (x) and sideways
   double rise = 0.03;            // m: step height that it climbs
+  double brake = 0;              // of a caster: friction coefficient while the vehicle is to stand still
   constexpr bool is_caster() const { return along <= 0 && across <= 0; }
 };
 

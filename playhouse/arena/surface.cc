@@ -1,8 +1,5 @@
 #include "playhouse/arena/surface.h"
 
-#include <string_view>
-#include <vector>
-
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/mesh/mesh.h"
@@ -11,11 +8,12 @@
 namespace playhouse::arena {
 
 Surface surface_of(const scene::ModelDesc& desc) {
-  const scene::Material& material = scene::material_named(desc.material);
+  const scene::Material material = scene::material_of(desc);
   Surface surface{material.friction, material.restitution};
   if (desc.material.empty() && desc.mesh && desc.mesh->physics) {
     surface.friction = desc.mesh->physics->friction.value_or(surface.friction);
-    surface.restitution = desc.mesh->physics->restitution.value_or(surface.restitution);
+    if (!desc.restitution)
+      surface.restitution = desc.mesh->physics->restitution.value_or(surface.restitution);
   }
   if (desc.friction > 0) surface.friction = desc.friction;
   surface.share_x = desc.friction_x;
@@ -26,10 +24,8 @@ Surface surface_of(const scene::ModelDesc& desc) {
 Result<Surface> ground_of(const scene::SceneDesc& scene) {
   const scene::Material& material = scene::material_named(scene.ground);
   if (!material.name.empty()) return Surface{material.friction, material.restitution};
-  std::vector<std::string_view> names;
-  for (const scene::Material& known : scene::materials()) names.push_back(known.name);
   return Error{scene.path, "ground " + in_quotes(scene.ground) + " is no material that the arena knows" +
-                               did_you_mean(scene.ground, names)};
+                               did_you_mean(scene.ground, scene::material_names())};
 }
 
 }  // namespace playhouse::arena

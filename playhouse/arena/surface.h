@@ -8,8 +8,8 @@
 
 namespace playhouse::arena {
 
-/// The surface of a model: its word `friction` first, else
-/// its material, else what the file of its mesh says. The
+/// The surface of a model: its words `friction` and `restitution` first,
+/// else its material, else what the file of its mesh says. The
 /// default is rubber on concrete with most other surfaces.
 Surface surface_of(const scene::ModelDesc& desc);
 

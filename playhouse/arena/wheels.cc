@@ -194,8 +194,10 @@ PLAYHOUSE_INLINE WheelTarget target_of(const Wheel& wheel, const Footing& footin
                                     : std::min(kPushOut * std::max(0.0, -footing.gap - kSlop) / dt, kClimb);
   target.v_along = velocity.x - velocity.a * wheel.p_B.y;
   target.v_left = velocity.y + velocity.a * wheel.p_B.x;
-  target.grip_along = wheel.along * friction_along(footing, target.along);
-  target.grip_left = wheel.across * friction_along(footing, target.left);
+  const bool stands = velocity == geom::Twist{};
+  const double brake = stands && wheel.is_caster() ? wheel.brake : 0;
+  target.grip_along = std::max(wheel.along, brake) * friction_along(footing, target.along);
+  target.grip_left = std::max(wheel.across, brake) * friction_along(footing, target.left);
   return target;
 }
 

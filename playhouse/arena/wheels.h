@@ -1,8 +1,9 @@
 #pragma once
 
 /// Wheels: the wheel solver of one vehicle for one step. A wheel is a point
-/// contact with friction towards its commanded velocity; a caster has no
-/// friction. Rigid cylinders would scrub: they lose a tenth of a turn in place.
+/// contact with friction towards its commanded velocity; a caster has no friction,
+/// but is braked while the vehicle is to stand still, as a parked robot on a slope
+/// is. Rigid cylinders would scrub: they lose a tenth of a turn in place.
 ///
 /// In: the motion of the vehicle after gravity; the gap of each wheel to the ground; the impulses of the
 ///   previous step, as a warm start.

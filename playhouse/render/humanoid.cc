@@ -13,6 +13,8 @@ constexpr double kPi = geom::kPi;
 constexpr double kThigh = 0.245, kShin = 0.236;                // lengths
 constexpr double kHip = 0.53, kAnkle = kHip - kThigh - kShin;  // heights
 constexpr double kLongestSwing = 0.75;                         // rad, of a thigh
+constexpr double kStepInPlace = 0.4;                           // rad, by which a thigh is raised
+constexpr double kBreaths = 0.25, kWaves = 1.7;                // Hz
 
 struct Paint {
   float r, g, b, share;  // as Humanoid::Corner::paint
@@ -207,14 +209,17 @@ class Builder {
   Humanoid made;
 };
 
-/// A rotation about y, positive forwards for hanging limbs, and the displacement of its joint.
+/// Rotations about y, positive forwards for hanging limbs, x and z, in this order, and the displacement of
+/// the joint.
 struct Turned {
-  double angle = 0, yaw = 0;  // about y, after about z  [rad]
+  double angle = 0, yaw = 0;  // about y, about z  [rad]
   Vec3 joint, goes_to;
+  double roll = 0;  // about x  [rad]
   Vec3 operator()(const Vec3& p) const {
-    const geom::SinCos pitch = geom::sincos(-angle), about = geom::sincos(yaw);
+    const geom::SinCos pitch = geom::sincos(-angle), side = geom::sincos(roll), about = geom::sincos(yaw);
     const Vec3 q = p - joint;
-    const Vec3 r{pitch.cos * q.x + pitch.sin * q.z, q.y, -pitch.sin * q.x + pitch.cos * q.z};
+    const Vec3 s{pitch.cos * q.x + pitch.sin * q.z, q.y, -pitch.sin * q.x + pitch.cos * q.z};
+    const Vec3 r{s.x, side.cos * s.y - side.sin * s.z, side.sin * s.y + side.cos * s.z};
     return goes_to + Vec3{about.cos * r.x - about.sin * r.y, about.sin * r.x + about.cos * r.y, r.z};
   }
   std::array<float, 12> rows() const {
@@ -226,8 +231,19 @@ struct Turned {
 };
 
 /// Attaches a bone to another one: joint at `joint` of the mesh, rotated by `angle` from upright.
-Turned on(const Turned& other, const Vec3& joint, double angle, double yaw) {
-  return {angle, yaw, joint, other(joint)};
+Turned on(const Turned& other, const Vec3& joint, double angle, double yaw, double roll = 0) {
+  return {angle, yaw, joint, other(joint), roll};
+}
+
+/// Angles of an arm. [rad]
+struct Arm {
+  double upper = 0, fore = 0;              // forwards
+  double upper_aside = 0, fore_aside = 0;  // about x
+};
+
+/// The right arm of a waving person: upper arm level, forearm up, beating.
+Arm waving_arm(double age) {
+  return {0.1, 0.2, -1.65, -2.85 + 0.42 * geom::sincos(2 * kPi * kWaves * age).sin};
 }
 
 }  // namespace
@@ -252,8 +268,9 @@ BoneRows pose_humanoid(const Gait& gait) {
       std::clamp(geom::atan2(reach, std::sqrt(1 - reach * reach)), -kLongestSwing, kLongestSwing);
   const double share = std::fabs(swing) / kLongestSwing;
   Turned pelvis{0, 0.12 * swing * geom::sincos(gait.phase).sin, {0, 0, kHip}, {0, 0, kHip}};
+  const double breath = (1 - share) * 0.015 * geom::sincos(2 * kPi * kBreaths * gait.age).sin;
   const Turned spine = on(pelvis, {0, 0, 0.58}, -0.05 * share, 0);
-  const Turned chest = on(spine, {0, 0, 0.68}, -0.10 * share, -pelvis.yaw);
+  const Turned chest = on(spine, {0, 0, 0.68}, breath - 0.10 * share, -pelvis.yaw);
   const Turned head = on(chest, {0, 0, 0.86}, 0, 0);
   std::array<Turned, Humanoid::kBones> bones{};
   bones[Bone::kPelvis] = pelvis;
@@ -263,10 +280,12 @@ BoneRows pose_humanoid(const Gait& gait) {
   double lowest = 1e300;
   for (const double side : {1.0, -1.0}) {
     const geom::SinCos step = geom::sincos(gait.phase + (side > 0 ? 0 : kPi));
-    const double thigh = swing * step.sin;
+    const double raised = gait.turns ? kStepInPlace * std::max(0.0, step.cos) : 0;
+    const double thigh = swing * step.sin + raised;
     // The knee bends during the swing phase, and slightly under load.
     const double ahead = swing > 0 ? step.cos : -step.cos;
-    const double knee = 0.06 + share * (0.12 + 1.15 * std::max(0.0, ahead) * std::max(0.0, ahead));
+    const double knee =
+        0.06 + 2 * raised + share * (0.12 + 1.15 * std::max(0.0, ahead) * std::max(0.0, ahead));
     const double shin = thigh - knee;
     const double sole =
         share * (0.25 * std::max(0.0, step.sin * (swing > 0 ? 1 : -1)) - 0.5 * std::max(0.0, ahead));
@@ -277,9 +296,10 @@ BoneRows pose_humanoid(const Gait& gait) {
     for (const double x : {-0.04, 0.11}) lowest = std::min(lowest, bones[leg + 2]({x, side * 0.052, 0}).z);
     const int arm = side > 0 ? Bone::kLeftArm : Bone::kRightArm;
     const double shoulder = -0.75 * swing * step.sin - 0.02, elbow = 0.18 + 0.35 * share * (1 - step.sin);
-    bones[arm] = on(chest, {0, side * 0.105, 0.805}, shoulder, 0);
-    bones[arm + 1] = on(bones[arm], {0, side * 0.127, 0.632}, shoulder + elbow, 0);
-    bones[arm + 2] = on(bones[arm + 1], {0, side * 0.136, 0.482}, shoulder + elbow + 0.05, 0);
+    const Arm pose = gait.waves && side < 0 ? waving_arm(gait.age) : Arm{shoulder, shoulder + elbow, 0, 0};
+    bones[arm] = on(chest, {0, side * 0.105, 0.805}, pose.upper, 0, pose.upper_aside);
+    bones[arm + 1] = on(bones[arm], {0, side * 0.127, 0.632}, pose.fore, 0, pose.fore_aside);
+    bones[arm + 2] = on(bones[arm + 1], {0, side * 0.136, 0.482}, pose.fore + 0.05, 0, pose.fore_aside);
   }
   BoneRows rows;
   for (std::size_t i = 0; i < bones.size(); ++i) {

@@ -1,7 +1,8 @@
 #pragma once
 
-/// A person: a procedural skinned mesh, with its standing and walking poses. Pure functions. Frame:
-/// the person's own, feet on z = 0, x ahead, y left; lengths are fractions of the person's height.
+/// A person: a procedural skinned mesh, with its poses: standing, walking, stepping in place, waving. Pure
+/// functions. Frame: the person's own, feet on z = 0, x ahead, y left; lengths are fractions of the person's
+/// height.
 ///
 /// Source: proportions of limbs after Winter, "Biomechanics and Motor Control of Human Movement", figure 4.1.
 
@@ -49,8 +50,11 @@ Humanoid make_humanoid(int level);
 
 /// Pose parameters of a person.
 struct Gait {
-  double phase = 0;   // of the gait cycle; 2 pi: a left and a right step  [rad]
-  double stride = 0;  // length of a gait cycle, negative: backwards. Fraction of the height
+  double phase = 0;    // of the gait cycle; 2 pi: a left and a right step  [rad]
+  double stride = 0;   // length of a gait cycle, negative: backwards. Fraction of the height
+  bool turns = false;  // steps in place
+  bool waves = false;  // with the right hand
+  double age = 0;      // phase of breathing and waving  [s]
 };
 
 /// Skinning matrices, from bind pose to gait: rows of 3 x 4 matrices.

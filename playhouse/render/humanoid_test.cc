@@ -31,6 +31,18 @@ Vec3 bent(const Humanoid& humanoid, const BoneRows& rows, std::uint32_t corner) 
   return static_cast<double>(c.share) * a + (1.0 - c.share) * b;
 }
 
+/// The middle of a bone's corners in a gait.
+Vec3 middle_of(const Humanoid& humanoid, const BoneRows& rows, Humanoid::Bone bone) {
+  Vec3 sum;
+  double count = 0;
+  for (std::uint32_t i = 0; i < humanoid.corners.size(); ++i) {
+    if (humanoid.corners[i].bone[0] != bone || humanoid.corners[i].bone[1] != bone) continue;
+    sum = sum + bent(humanoid, rows, i);
+    ++count;
+  }
+  return (1 / count) * sum;
+}
+
 double lowest(const Humanoid& humanoid, const BoneRows& rows) {
   double z = 1e300;
   for (std::uint32_t i = 0; i < humanoid.corners.size(); ++i) z = std::min(z, bent(humanoid, rows, i).z);
@@ -90,6 +102,46 @@ TEST(Humanoid, the_foot_that_bears_stays_where_it_is_while_the_body_goes_on) {
     EXPECT_NEAR(way, -stride * 2 * step / (2 * geom::kPi), 0.75 * stride * 2 * step / (2 * geom::kPi));
     EXPECT_LT(foot(geom::kPi).z, foot(0).z - 0.01) << "the other way it is in the air";
   }
+}
+
+TEST(Humanoid, waves_its_right_hand_beside_the_head_and_keeps_the_left_one_down) {
+  const Humanoid humanoid = make_humanoid(0);
+  double least = 1e300, most = -1e300;
+  for (int k = 0; k < 12; ++k) {
+    const BoneRows rows = pose_humanoid({.waves = true, .age = 0.05 * k});
+    const Vec3 right = middle_of(humanoid, rows, Humanoid::kRightHand),
+               left = middle_of(humanoid, rows, Humanoid::kLeftHand);
+    EXPECT_GT(right.z, 0.95);
+    EXPECT_LT(right.y, -0.15) << "not in front of the head";
+    EXPECT_LT(left.z, 0.5);
+    least = std::min(least, right.y);
+    most = std::max(most, right.y);
+  }
+  EXPECT_GT(most - least, 0.1) << "it moves";
+}
+
+TEST(Humanoid, lifts_one_foot_after_the_other_when_it_turns_in_place) {
+  const Humanoid humanoid = make_humanoid(0);
+  double left = 0, right = 0;
+  for (int k = 0; k < 24; ++k) {
+    const BoneRows rows = pose_humanoid({.phase = 2 * geom::kPi * k / 24, .turns = true});
+    EXPECT_NEAR(lowest(humanoid, rows), 0, 0.02) << k;
+    const double of_left = middle_of(humanoid, rows, Humanoid::kLeftFoot).z,
+                 of_right = middle_of(humanoid, rows, Humanoid::kRightFoot).z;
+    EXPECT_LT(std::min(of_left, of_right), 0.03) << "the other one stands";
+    left = std::max(left, of_left);
+    right = std::max(right, of_right);
+  }
+  EXPECT_GT(left, 0.04);
+  EXPECT_NEAR(right, left, 1e-3);
+}
+
+TEST(Humanoid, breathes_when_it_stands) {
+  const Humanoid humanoid = make_humanoid(0);
+  const auto head = [&](double age) {
+    return middle_of(humanoid, pose_humanoid({.age = age}), Humanoid::kHead).x;
+  };
+  EXPECT_GT(std::fabs(head(1) - head(3)), 0.002);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@ import { Eyes } from './drive/eyes';
 import { HeldKeys, handsOfAxes, sum, velocityOf, type Hands, type Velocity } from './drive/hands';
 import { Link, type LinkState } from './link';
 import { PicturePage } from './picture_page';
-import { type Command, kNameLetters, kNamePattern, kNameRule } from './protocol/generated/commands';
+import { type Command, kNameLetters, kNamePattern, kNameRule, kWave } from './protocol/generated/commands';
 import type { Replica } from './protocol/replica';
 import { wheelsOf, type Joined, type People, type PhysicsShapes, type Scene } from './protocol/scene';
 import { Ask } from './ui/ask';
@@ -23,7 +23,7 @@ import { freeName } from './ui/texts';
 import { Toolbar, worldTitle } from './ui/toolbar';
 import { Pointer } from './view/pointer';
 import type { Margins } from './view/camera_rig';
-import { isPerson, kWave } from './view/people';
+import { isPerson } from './view/people';
 import { StageView } from './view/stage_view';
 import { kDarkPage } from './view/theme';
 

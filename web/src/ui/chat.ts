@@ -1,5 +1,5 @@
 import type { Replica } from '../protocol/replica';
-import { kWave } from '../view/people';
+import { kWave } from '../protocol/generated/commands';
 import { el } from './dom';
 import { clockText } from './texts';
 

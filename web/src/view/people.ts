@@ -1,5 +1,6 @@
 import { Group } from 'three';
 import type { Motion } from '../motion';
+import { kWave } from '../protocol/generated/commands';
 import type { Replica } from '../protocol/replica';
 import type { Scene } from '../protocol/scene';
 import type { CameraRig } from './camera_rig';
@@ -7,8 +8,6 @@ import { Figure } from './figure';
 import { gaitOf, smooth, type Gait } from './gait';
 import { kHeight } from './skeleton';
 
-/** Text that makes a person wave, whether said from a page, by `speech` or by `say` in a world file. */
-export const kWave = '*waves*';
 const kRaise = 0.3; // s, time to raise the arm
 
 /** Animation state of a walker, kept across population changes. */

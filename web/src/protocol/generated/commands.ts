@@ -26,3 +26,5 @@ export type Command =
 export const kNameLetters = 24;
 export const kNamePattern = '[A-Za-z][A-Za-z0-9_\\-]*';
 export const kNameRule = 'letters, digits, - and _, the first one a letter';
+/** Text that makes a person wave. */
+export const kWave = '*waves*';
