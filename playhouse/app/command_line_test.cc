@@ -275,6 +275,12 @@ TEST(CommandLine, observers_have_a_port_where_one_is_given_and_a_budget) {
   EXPECT_THAT(fault({"run", "w", "--observer-bytes", "8000"}), HasSubstr("--observers"));
 }
 
+TEST(CommandLine, pages_have_a_budget) {
+  EXPECT_EQ(parsed<RunOptions>({"run", "w"}).serving.page_bytes, limits::kPageBytesPerSecond);
+  EXPECT_EQ(parsed<RunOptions>({"run", "w", "--page-bytes", "64000"}).serving.page_bytes, 64000u);
+  EXPECT_THAT(fault({"run", "w", "--page-bytes", "1"}), HasSubstr("from 4000 to"));
+}
+
 TEST(CommandLine, observe_looks_at_what_it_is_told) {
   const auto all = parsed<ObserveOptions>({"observe", "host"});
   EXPECT_EQ(all.server, "host");

@@ -43,6 +43,8 @@ std::string check_not_negative(const std::string& text);
 std::string check_positive(const std::string& text);
 inline constexpr auto check_observer_bytes =
     check_count<std::uint32_t, limits::kObserverBytesLeast, limits::kObserverBytesMost>;
+inline constexpr auto check_page_bytes =
+    check_count<std::uint32_t, limits::kPageBytesLeast, limits::kPageBytesMost>;
 std::string check_token(const std::string& text);
 /// A record::Selection.
 std::string check_selection(const std::string& text);

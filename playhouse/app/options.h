@@ -26,10 +26,11 @@ struct Serving {
   std::uint16_t port = kPlayerPort;             // 0: any free one
   std::optional<std::uint16_t> web = kWebPort;  // none: no page; 0: any free port
   std::string bind = "127.0.0.1";
-  std::string port_option = "--port";           // name of the option of `port`, for errors
-  std::vector<std::string> web_hosts = {};      // host names of the page besides the machine's
-  std::string guests = {};                      // access control file of the page; empty: full access
-  std::size_t viewers = limits::kViewers;       // limit on simultaneous pages, and on observers
+  std::string port_option = "--port";       // name of the option of `port`, for errors
+  std::vector<std::string> web_hosts = {};  // host names of the page besides the machine's
+  std::string guests = {};                  // access control file of the page; empty: full access
+  std::size_t viewers = limits::kViewers;   // limit on simultaneous pages, and on observers
+  std::uint32_t page_bytes = limits::kPageBytesPerSecond;  // limit per second for each page
   std::optional<std::uint16_t> observers = {};  // UDP port for observers; none: no observers; 0: any free one
   std::uint32_t observer_bytes = limits::kObserverBytesPerSecond;  // limit per second for each observer
 };

@@ -272,6 +272,7 @@ Result<void> Service::open_page() {
                                        .further_names = serving_.web_hosts,
                                        .guests = guests_,
                                        .viewers = serving_.viewers,
+                                       .bytes_per_second = serving_.page_bytes,
                                        .physics_shapes = std::move(physics_shapes)};
   const auto device_names = [this](world::ModelId model) {
     if (playback_) return std::vector<std::string>();

@@ -63,6 +63,10 @@ void add_hosts(CLI::App& app, Serving& serving) {
   app.add_option("--viewers", serving.viewers, "limit on simultaneous pages, and on observers")
       ->check(check_count<std::size_t, 1, limits::kViewers>)
       ->capture_default_str();
+  app.add_option("--page-bytes", serving.page_bytes, "limit in bytes per second of state for each page")
+      ->type_name("N")
+      ->check(check_page_bytes)
+      ->capture_default_str();
   auto* observers =
       app.add_option("--observers", serving.observers,
                      "UDP port for playhouse observe; 0: any free one, printed (none; docs/observers.md)")

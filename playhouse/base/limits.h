@@ -66,6 +66,9 @@ inline constexpr std::size_t kViewerFaults = 16;           // messages refused b
 inline constexpr std::size_t kViewerTextMessages = 32;     // notices waiting for a page
 inline constexpr std::size_t kViewerFrameBytes = 65536;    // the rest of the changes waits for the next frame
 inline constexpr std::uint32_t kViewerFramesInFlight = 4;  // sent and not acknowledged
+inline constexpr std::uint32_t kPageBytesPerSecond =
+    4000000;  // to one page, unless the program says otherwise
+inline constexpr std::uint32_t kPageBytesLeast = 4000, kPageBytesMost = 1000000000;  // a second
 inline constexpr double kViewerDriveSeconds = 0.5;  // a velocity from a page holds so long unless renewed
 inline constexpr std::size_t kSnapshotBeams = 1u << 18;  // of all sensors shown to all viewers
 

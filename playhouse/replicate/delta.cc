@@ -1,9 +1,11 @@
 #include "playhouse/replicate/delta.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/replicate/importance.h"
 #include "playhouse/replicate/row_code.h"
 #include "playhouse/replicate/scene_text.h"
 
@@ -41,19 +43,19 @@ class PacketWriter {
     replica_.pace = pace;
   }
 
-  /// The selected robot, then what is in view, then all; both round robin from `next`.
-  void models(std::uint32_t& next) {
+  /// The selected robot, then what is in view, then all; by priority after a frame without room for all.
+  void models(Deferred& deferred) {
     id_ = 0;
     if (selected_) {
       for (const std::uint32_t row : layout_.tree(*selected_)) model(row);
     }
-    const auto count = static_cast<std::uint32_t>(replica_.models.size());
-    if (next >= count) next = 0;
-    const std::uint32_t first = next;
-    std::uint32_t stopped = first;
-    bool room = walk(first, stopped, [&](std::uint32_t row) { return in_view(row); });
-    if (room) room = walk(first, stopped, [](std::uint32_t) { return true; });
-    next = room ? 0 : stopped;
+    if (deferred.gathered.empty()) {
+      const bool room =
+          walk([&](std::uint32_t row) { return in_view(row); }) && walk([](std::uint32_t) { return true; });
+      if (!room) deferred.gathered.resize(replica_.models.size());
+    } else if (models_by_priority(deferred)) {
+      deferred.gathered.clear();
+    }
     pack_.u8(packet::kEnd);
   }
 
@@ -151,18 +153,41 @@ class PacketWriter {
     return false;
   }
 
-  /// Models round robin from `first`, while there is room. False: stopped before row `stopped`.
+  /// The rest is reserved for sensors.
+  std::size_t models_budget() const { return budget_ / 4 * 3; }
+
+  /// False: no room for all.
   template <typename Choose>
-  bool walk(std::uint32_t first, std::uint32_t& stopped, Choose choose) {
+  bool walk(Choose choose) {
     const auto count = static_cast<std::uint32_t>(replica_.models.size());
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const std::uint32_t row = first + k < count ? first + k : first + k - count;
+    for (std::uint32_t row = 0; row < count; ++row) {
       if (replica_.models[row] == snapshot_.models[row] || !choose(row)) continue;
-      if (full(budget_ / 4 * 3)) {  // the rest is reserved for sensors
-        stopped = row;
-        return false;
-      }
+      if (full(models_budget())) return false;
       model(row);
+    }
+    return true;
+  }
+
+  /// False: no room for all.
+  bool models_by_priority(Deferred& deferred) {
+    deferred.gathered.resize(replica_.models.size());
+    deferred.candidates.clear();
+    for (std::uint32_t row = 0; row < replica_.models.size(); ++row) {
+      const ModelState &from = replica_.models[row], &to = snapshot_.models[row];
+      if (from == to) continue;
+      const geom::Vec2 at = place_of(snapshot_, row);
+      double& gathered = deferred.gathered[row];
+      gathered += is_out_of_view(wish_, at) ? kLeastImportance
+                                            : importance(wish_, selected(row), at, change_of(from, to));
+      deferred.candidates.push_back({gathered, row});
+    }
+    std::ranges::sort(deferred.candidates, [](const Deferred::Candidate& a, const Deferred::Candidate& b) {
+      return std::tuple(-a.priority, a.row) < std::tuple(-b.priority, b.row);
+    });
+    for (const auto& [priority, row] : deferred.candidates) {
+      if (full(models_budget())) return false;
+      model(row);
+      deferred.gathered[row] = 0;
     }
     return true;
   }
@@ -346,7 +371,7 @@ Sent DeltaWriter::write(const Snapshot& snapshot, const Wish& wish, std::uint32_
   out.clear();
   PacketWriter packet(snapshot, wish, budget, replica, out);
   packet.head(frame);
-  packet.models(next_model_);
+  packet.models(deferred_);
   packet.says(next_text_);
   packet.scans(next_sensor_);
   packet.views();

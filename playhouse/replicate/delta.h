@@ -84,9 +84,21 @@ struct Replica {
 
 enum class Sent { kNothing, kPart, kAll };
 
+/// Priorities of models that frames had no room for.
+struct Deferred {
+  struct Candidate {
+    double priority = 0;
+    std::uint32_t row = 0;
+  };
+  std::vector<double>
+      gathered;  // by model row, since its last update; empty: the last frame had room for all
+  std::vector<Candidate> candidates;  // scratch
+};
+
 /// Writes the deltas between replicas and snapshots of one population, within a
-/// byte budget: the selected robot first, then what is in view, then the rest,
-/// round robin from where the last frame stopped, so that nothing starves.
+/// byte budget: the selected robot first, then models in view, then the rest. Models that a frame had no room
+/// for are sent by priority (importance.h), texts and scans round robin from where the last frame stopped, so
+/// that nothing starves.
 class DeltaWriter {
  public:
   /// Replaces `out` by a packet and updates `replica` to match. kNothing: no difference
@@ -95,7 +107,7 @@ class DeltaWriter {
              Replica& replica, std::vector<std::byte>& out);
 
  private:
-  std::uint32_t next_model_ = 0;   // round-robin cursor over all models
+  Deferred deferred_;
   std::uint32_t next_text_ = 0;    // cursor over their texts
   std::uint32_t next_sensor_ = 0;  // cursor over scans
 };

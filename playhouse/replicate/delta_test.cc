@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "playhouse/base/limits.h"
 #include "playhouse/replicate/quantize.h"
@@ -183,6 +184,41 @@ TEST(Delta, what_is_in_view_goes_before_the_rest) {
   wish.view = {0, -5, 5, 5};
   pair.send(snapshot, wish, 250);
   for (int k = 90; k < 100; ++k) EXPECT_EQ(pair.receiver.models[SmallWorld::robot(k)].x, 2000) << k;
+}
+
+TEST(Delta, what_had_no_room_goes_by_priority_and_in_the_end_all_of_it_goes) {
+  SmallWorld small(200);
+  const auto layout = small.layout();
+  Pair pair(layout);
+  Wish wish;
+  wish.view = {-10, -10, 10, 10};
+  Snapshot snapshot;
+  std::vector<int> updates(200);
+  for (int frame = 0; frame < 400; ++frame) {
+    // In the middle of the view, at its edge, and outside, all moving alike.
+    for (int k = 0; k < 200; ++k)
+      world::set_pose(small.world, {SmallWorld::robot(k)},
+                      {k < 50    ? 0.0
+                       : k < 100 ? 9.0
+                                 : 300.0,
+                       0.001 * frame, 0, 0});
+    capture(small.world, {}, layout, {}, snapshot);
+    const std::vector<ModelState> before = pair.receiver.models;
+    EXPECT_EQ(pair.send(snapshot, wish, 100), Sent::kPart);
+    EXPECT_LT(pair.packet.size(), 120u);
+    for (int k = 0; k < 200; ++k)
+      updates[static_cast<std::size_t>(k)] +=
+          before[SmallWorld::robot(k)] != pair.receiver.models[SmallWorld::robot(k)];
+  }
+  const auto mean = [&](int begin, int end) {
+    return std::accumulate(updates.begin() + begin, updates.begin() + end, 0.0) / (end - begin);
+  };
+  EXPECT_GT(mean(0, 50), 1.5 * mean(50, 100)) << "the middle of the view";
+  EXPECT_GT(mean(50, 100), 3 * mean(100, 200)) << "outside the view";
+  EXPECT_GT(*std::ranges::min_element(updates), 1) << "nothing starves";
+  int packets = 0;
+  while (pair.send(snapshot, wish, 100) == Sent::kPart) ASSERT_LT(++packets, 100);
+  EXPECT_EQ(pair.receiver.models, snapshot.models);
 }
 
 TEST(Delta, an_unchanged_world_costs_a_head_and_four_ends) {

@@ -11,6 +11,8 @@
 
 namespace playhouse::replicate {
 
+inline constexpr double kLeastImportance = 0.05;
+
 /// Distance of a model from the viewer's copy. [mm], rotation as the arc at a radius of 0.2 m
 inline double change_of(const ModelState& held, const ModelState& is) {
   const double turn = std::abs(static_cast<std::int16_t>(static_cast<std::uint16_t>(is.a - held.a)));
@@ -22,9 +24,9 @@ inline double change_of(const ModelState& held, const ModelState& is) {
 }
 
 /// Priority weight: 1 for a model at the centre of the view that has
-/// changed little; at least 0.05. `at` is the place of its tree's root.
+/// changed little; at least kLeastImportance. `at` is the place of its tree's root.
 inline double importance(const Wish& wish, bool is_selected, geom::Vec2 at, double change) {
-  constexpr double kSelected = 16, kNear = 10, kLeast = 0.05;  // times, m, as above
+  constexpr double kSelected = 16, kNear = 10;  // times, m
   if (is_selected) return kSelected;
   double weight = 1 + std::min(change / 100, 10.0);
   if (!wish.view.empty()) {
@@ -32,7 +34,7 @@ inline double importance(const Wish& wish, bool is_selected, geom::Vec2 at, doub
     const double y = at.y - (wish.view.y_min + wish.view.y_max) / 2;
     weight /= 1 + std::sqrt(x * x + y * y) / kNear;
   }
-  return std::max(weight, kLeast);
+  return std::max(weight, kLeastImportance);
 }
 
 /// True if the view covers only a part of the world and `at` is outside it.

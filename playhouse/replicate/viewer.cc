@@ -33,7 +33,7 @@ Result<void> Viewer::acknowledge(std::uint32_t frame) {
 }
 
 NextFrame Viewer::next_frame(const Snapshot& snapshot, Emit emit, ChangesTexts& texts,
-                             std::vector<std::byte>& out) {
+                             std::vector<std::byte>& out, std::size_t budget) {
   NextFrame next;
   if (!ready()) return next;
   if (replica_.layout != snapshot.layout) {
@@ -42,7 +42,7 @@ NextFrame Viewer::next_frame(const Snapshot& snapshot, Emit emit, ChangesTexts& 
     if (wish_.selected && !snapshot.layout->row(*wish_.selected)) wish_.selected.reset();
     emit = Emit::kAlways;  // so that the population change is acknowledged with it
   }
-  const Sent sent = writer_.write(snapshot, wish_, sent_ + 1, limits::kViewerFrameBytes, replica_, out);
+  const Sent sent = writer_.write(snapshot, wish_, sent_ + 1, budget, replica_, out);
   waiting_ = sent == Sent::kPart;
   next.packet = sent != Sent::kNothing || emit == Emit::kAlways;
   if (next.packet) ++sent_;

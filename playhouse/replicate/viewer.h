@@ -46,9 +46,10 @@ class Viewer {
   /// False: too many frames in flight; ask again after an acknowledgement.
   bool ready() const { return sent_ - acknowledged_ < limits::kViewerFramesInFlight; }
 
-  /// Writes the next packet into `out` and counts it as sent. No packet: nothing to send,
-  /// or not ready. `waiting()` then tells whether rows were deferred to the next frame.
-  NextFrame next_frame(const Snapshot& snapshot, Emit emit, ChangesTexts& texts, std::vector<std::byte>& out);
+  /// Writes the next packet, of about `budget` bytes, into `out` and counts it as sent. No packet: nothing
+  /// to send, or not ready. `waiting()` then tells whether rows were deferred to the next frame.
+  NextFrame next_frame(const Snapshot& snapshot, Emit emit, ChangesTexts& texts, std::vector<std::byte>& out,
+                       std::size_t budget = limits::kViewerFrameBytes);
   bool waiting() const { return waiting_; }
 
  private:

@@ -167,8 +167,8 @@ class WebServer::Impl final : public net::HttpService,
     if (!guest) return turn_away(*socket, token);
     if (viewers_.size() >= options_.viewers && !make_room(net::network_of(socket->peer())))
       return refuse(*socket);
-    viewers_.push_back(
-        std::make_unique<WebViewer>(std::move(socket), newest_, *this, ++viewers_ever_, *guest));
+    viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), newest_, *this, ++viewers_ever_, *guest,
+                                                   options_.bytes_per_second));
     log::info("web: {} watches{} ({} now)", viewers_.back()->peer(), as_whom(*guest), viewers_.size());
     feed_.watch(true);
     if (viewers_.size() == 1) control_.record(true);

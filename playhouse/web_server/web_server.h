@@ -32,9 +32,10 @@ struct WebOptions {
   std::span<const PageFile> page;  // usually page_files()
   std::string host_name;           // of this machine; empty: ask the system
   std::chrono::milliseconds viewer_quiet = std::chrono::seconds(limits::kViewerQuietSeconds);  // for tests
-  std::vector<std::string> further_names;  // further allowed host names
-  GuestBook guests;                        // access list
-  std::size_t viewers = limits::kViewers;  // limit on simultaneous viewers
+  std::vector<std::string> further_names;                        // further allowed host names
+  GuestBook guests;                                              // access list
+  std::size_t viewers = limits::kViewers;                        // limit on simultaneous viewers
+  std::uint32_t bytes_per_second = limits::kPageBytesPerSecond;  // of state, to each page
   /// Current collision shapes; tick thread. Empty: not available.
   std::function<world::PhysicsShapes()> physics_shapes;
 };

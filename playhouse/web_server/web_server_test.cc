@@ -135,7 +135,7 @@ class WebServerTest : public testing::Test {
                          std::vector<std::string> further_names = {},
                          std::chrono::milliseconds viewer_quiet = std::chrono::hours(1),
                          std::vector<Guest> guests = {}, std::size_t viewers = limits::kViewers,
-                         int people = 0)
+                         int people = 0, std::uint32_t bytes_per_second = limits::kPageBytesPerSecond)
       : small_(3, 0, people),
         server_(loop_,
                 {.bind = bind,
@@ -146,6 +146,7 @@ class WebServerTest : public testing::Test {
                  .further_names = std::move(further_names),
                  .guests = std::move(guests),
                  .viewers = viewers,
+                 .bytes_per_second = bytes_per_second,
                  .physics_shapes =
                      [this] {
                        world::PhysicsShapes shapes;
@@ -766,6 +767,33 @@ TEST_F(WebServerTest, a_viewer_that_does_not_acknowledge_gets_four_packets_and_o
     EXPECT_EQ(silent.message()[0], 2);
   }
   EXPECT_TRUE(silent.in.empty());
+}
+
+class BudgetTest : public WebServerTest {
+ protected:
+  static constexpr std::uint32_t kBytes = 500;
+  BudgetTest()
+      : WebServerTest(kPage, "127.0.0.1", {}, std::chrono::hours(1), {}, limits::kViewers, 0, kBytes) {}
+};
+
+TEST_F(BudgetTest, a_page_gets_no_more_bytes_a_second_and_the_newest_state_in_the_end) {
+  WebClient page(port_);
+  ASSERT_TRUE(page.upgrade());
+  const auto begin = std::chrono::steady_clock::now();
+  page.message();  // the scene
+  std::size_t bytes = 0, largest = 0;
+  double seconds = 0;
+  for (std::uint32_t frame = 1; seconds < 3; ++frame) {
+    const std::string packet = page.message(turning());
+    ASSERT_EQ(packet[0], 2);
+    bytes += packet.size();
+    largest = std::max(largest, packet.size());
+    page.send_text("{\"do\":\"ack\",\"frame\":" + std::to_string(frame) + "}");
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    // A burst of 200 bytes, and a packet that exceeds what is left.
+    ASSERT_LE(static_cast<double>(bytes), kBytes * seconds + 200 + static_cast<double>(largest)) << seconds;
+  }
+  EXPECT_GT(bytes, 500u);
 }
 
 TEST_F(WebServerTest, commands_that_cannot_be_are_told_and_then_end_the_connection) {

@@ -40,12 +40,13 @@ class WebViewerOwner {
 class WebViewer final : public net::WebSocketEvents {
  public:
   WebViewer(std::unique_ptr<net::WebSocket> socket, std::shared_ptr<const replicate::Layout> layout,
-            WebViewerOwner& owner, std::uint32_t number, Guest guest)
+            WebViewerOwner& owner, std::uint32_t number, Guest guest, std::uint32_t bytes_per_second)
       : socket_(std::move(socket)),
         viewer_(std::move(layout)),
         owner_(owner),
         number_(number),
-        guest_(std::move(guest)) {}
+        guest_(std::move(guest)),
+        bytes_per_second_(bytes_per_second) {}
 
   /// Sends the scene, which describes the layout, and the list of viewers; starts reading.
   void start(std::shared_ptr<const std::string> scene);
@@ -93,12 +94,16 @@ class WebViewer final : public net::WebSocketEvents {
 
   Result<void> execute(const replicate::Command& command);
   void send_frame();
+  void refill(std::chrono::steady_clock::time_point now);
 
   std::unique_ptr<net::WebSocket> socket_;
   replicate::Viewer viewer_;
   WebViewerOwner& owner_;
   const std::uint32_t number_;
   const Guest guest_;
+  const std::uint32_t bytes_per_second_;  // of packets and population updates
+  double allowance_ = 0;                  // bytes, negative after a large update
+  std::chrono::steady_clock::time_point filled_ = std::chrono::steady_clock::now();
   const replicate::Snapshot* newest_ = nullptr;
   std::shared_ptr<const std::string> told_history_;
   std::shared_ptr<const std::string> people_, told_people_;
