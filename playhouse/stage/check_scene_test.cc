@@ -4,6 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
+#include <string>
+
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::stage {
@@ -13,7 +16,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 std::vector<std::string> left_out(const std::string& text) {
-  scene::MemoryFiles files({{std::string("w.world"), text}});
+  scene::MemoryFiles files(std::map<std::string, std::string>{{"w.world", text}});
   const Result<scene::SceneDesc> scene = scene::load_world_text(text, "w.world", files);
   EXPECT_TRUE(scene) << scene.error().line();
   return scene ? left_out_in_the_plane(*scene) : std::vector<std::string>{};
