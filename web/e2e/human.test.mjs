@@ -3,6 +3,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { join } from 'node:path';
+import { execFile } from 'node:child_process';
+import { promisify } from 'node:util';
 import { startDelayingProxy } from './delaying_proxy.mjs';
 import { results, startBrowser, startProgram, watch } from './program.mjs';
 
@@ -17,6 +19,10 @@ let observer;
 const shot = (page, name) => page.screenshot({ path: join(results, `human-${name}.png`) });
 const pose = (page) => page.evaluate(() => window.playhouse.pose('Ada'));
 const drawn = (page) => page.evaluate(() => window.playhouse.drawn('Ada'));
+
+/** What `playhouse watch` prints of so many messages of a device. */
+const heardBy = async (device, count) =>
+  (await promisify(execFile)(process.env.PLAYHOUSE_PROGRAM ?? 'build/playhouse', ['watch', `127.0.0.1:${program.port}`, device, '--count', `${count}`])).stdout;
 
 before(async () => {
   program = await startProgram('worlds/room.world', ['--engine', 'arena']);
@@ -89,6 +95,36 @@ test('others see how they wave, and read what they say with their name and the t
   assert.match(await observer.page.locator('#chat li').first().textContent(), /Adawaves$/);
   assert.equal(await observer.page.getByTestId('say').isVisible(), false, 'who only watches reads');
   await shot(observer.page, 'chat');
+});
+
+test('what a person types is heard by the programs of robots', async () => {
+  const { page } = human;
+  let heard = '';
+  const listening = heardBy('speech_recognition:0', 1).then((text) => (heard = text));
+  for (let k = 0; heard === '' && k < 30; ++k) { // a device hears from its opening on
+    await page.keyboard.press('Enter');
+    await page.getByTestId('say').fill(`follow me, green ${k}`);
+    await page.keyboard.press('Enter');
+    await Promise.race([listening, page.waitForTimeout(1000)]);
+  }
+  assert.match(heard, /"follow me, green \d+"/);
+});
+
+test('a gamepad walks a person who has joined', async () => {
+  const { page } = human;
+  await page.bringToFront();
+  await page.evaluate(() => {
+    window.pad = { connected: true, axes: [0, 0, 0, 0], buttons: [] };
+    navigator.getGamepads = () => [window.pad];
+  });
+  const walked = ({ x, y }) => Math.hypot(window.playhouse.pose('Ada').x - x, window.playhouse.pose('Ada').y - y) > 0.2;
+  const from = await pose(page);
+  await page.evaluate(() => (window.pad.axes = [0, 1, 0, 0])); // the stick towards the person: back
+  await observer.page.waitForFunction(walked, from);
+  const back = await pose(page);
+  await page.evaluate(() => (window.pad.axes = [0.9, 0, 0, 0])); // aside
+  await observer.page.waitForFunction(walked, back);
+  await page.evaluate(() => (window.pad.connected = false));
 });
 
 test('an observer flies through the world and is nobody', async () => {
