@@ -60,14 +60,14 @@ Result<void> DatagramViewer::receive(std::span<const std::byte> rest, double now
     const Result<std::optional<ReceivedText>> text = channel_.next_text();
     if (!text) return text.error();
     if (!*text) return {};
-    const Result<void> done = obey((*text)->text);
+    const Result<void> done = execute((*text)->text);
     if (done) continue;
     notice(done.error().text);
     if (++faults_ >= limits::kViewerFaults) return Error{"", "too many commands that cannot be"};
   }
 }
 
-Result<void> DatagramViewer::obey(const std::string& text) {
+Result<void> DatagramViewer::execute(const std::string& text) {
   const Result<Command> command = parse_command(text);
   if (!command) return command.error();
   if (const auto* look = std::get_if<Look>(&*command)) {
@@ -98,7 +98,7 @@ void DatagramViewer::offer(const Snapshot& snapshot, ChangesTexts& changes, doub
   next_candidate_ = 0;
   if (now >= frame_due_ - kEarly) {
     frame_due_ = std::max(frame_due_ + 1.0 / terms_.frames_per_second, now);
-    weigh(snapshot, now);
+    prioritise(snapshot, now);
   }
   bool must = owes_ack_ || now >= life_due_ || told_paused_ != snapshot.pace.paused ||
               (!told_whole_ && is_whole(snapshot, 0));
@@ -193,7 +193,7 @@ void DatagramViewer::say(const Snapshot& snapshot) {
 }
 
 /// Collects rows with changes, sorted by accumulated priority.
-void DatagramViewer::weigh(const Snapshot& snapshot, double now) {
+void DatagramViewer::prioritise(const Snapshot& snapshot, double now) {
   std::optional<std::uint32_t> selected;  // row of its root
   if (wish_.selected)
     if (const auto row = snapshot.layout->row(*wish_.selected)) selected = snapshot.layout->root[*row];

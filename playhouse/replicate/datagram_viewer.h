@@ -72,13 +72,13 @@ class DatagramViewer {
     std::uint32_t begin = 0, end = 0;  // of fields_
   };
 
-  Result<void> obey(const std::string& command);
+  Result<void> execute(const std::string& command);
   void refill(double now);
   void settle(double now);
   void map_rows(const Snapshot& snapshot);
   void follow(const Snapshot& snapshot, ChangesTexts& changes);
   void say(const Snapshot& snapshot);
-  void weigh(const Snapshot& snapshot, double now);
+  void prioritise(const Snapshot& snapshot, double now);
   bool send_packet(const Snapshot& snapshot, double now, bool must, const Send& send);
   void write_rows(const Snapshot& snapshot, double now, Seq seq, std::size_t room);
   bool is_whole(const Snapshot& snapshot, Seq seq);

@@ -114,11 +114,11 @@ std::vector<std::string> left_out_in_the_plane(const scene::SceneDesc& scene) {
     if (model.kind == scene::ModelKind::kImu) words.erase("gravity");
   }
   if (words.empty()) return {};
-  return {
-      fmt::format("{}: {} {} full effect with --engine arena only: this engine is a plane without physics "
-                  "and light",
-                  first ? scene.at(first->where) : scene.path, fmt::join(words, ", "),
-                  words.size() == 1 ? "has its" : "have their")};
+  return {fmt::format(
+      "{}: {} {} full effect with --engine arena only: the stage engine is a plane without physics "
+      "and light",
+      first ? scene.at(first->where) : scene.path, fmt::join(words, ", "),
+      words.size() == 1 ? "has its" : "have their")};
 }
 
 }  // namespace playhouse::stage

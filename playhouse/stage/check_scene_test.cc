@@ -31,12 +31,14 @@ TEST(LeftOut, is_one_line_with_every_word_at_the_first_model_that_has_one) {
   EXPECT_THAT(
       left_out("gravity 1.62\nground \"ice\"\nmodel( )\nmodel( friction 0.3 )\nmodel( friction_axes [1 0.1] "
                "restitution 0.5 roughness 0.1 )\nranger( sensor( rings 3 ) )"),
-      ElementsAre("w.world:4: friction, friction_axes, gravity, ground, restitution, rings, roughness have "
-                  "their full effect with --engine arena only: this engine is a plane without physics and "
-                  "light"));
-  EXPECT_THAT(left_out("fog 30\nmodel( )"),
-              ElementsAre("w.world: fog has its full effect with --engine arena only: this engine is a plane "
-                          "without physics and light"));
+      ElementsAre(
+          "w.world:4: friction, friction_axes, gravity, ground, restitution, rings, roughness have "
+          "their full effect with --engine arena only: the stage engine is a plane without physics and "
+          "light"));
+  EXPECT_THAT(
+      left_out("fog 30\nmodel( )"),
+      ElementsAre("w.world: fog has its full effect with --engine arena only: the stage engine is a plane "
+                  "without physics and light"));
 }
 
 TEST(LeftOut, is_not_what_sensors_of_the_plane_measure) {

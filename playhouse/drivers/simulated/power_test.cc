@@ -1,4 +1,4 @@
-// What a battery's device says and obeys, checked against the world's columns; and who has one.
+// What a battery's device reports and accepts, checked against the world's columns; and who has one.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

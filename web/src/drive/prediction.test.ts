@@ -183,7 +183,7 @@ describe('Prediction', () => {
     expect(prediction.at(10)!.x).toBeCloseTo(0, 6);
   });
 
-  it('follows the stage engine, where bodies obey at once and stop at walls', () => {
+  it('follows the stage engine, where bodies respond at once and stop at walls', () => {
     const walk = { ...kWalk, engine: 'stage' };
     const run = new Run(0.1, 0.03, kWall, walk);
     run.frames(30);

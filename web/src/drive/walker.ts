@@ -25,7 +25,7 @@ const kPushes = 3; // collision iterations per step
 
 /**
  * The engines' kinematics of walking, for client-side prediction. Arena: friction bounds
- * acceleration, and bodies slide along walls. Stage: bodies obey at once and stop on collision.
+ * acceleration, and bodies slide along walls. Stage: bodies respond at once and stop on collision.
  */
 export class Walker {
   private outline: number[] = []; // convex, in the body's frame; empty: unknown
