@@ -14,8 +14,9 @@ Box around(const Vec3& middle, const Vec3& half) {
 TEST(Supports, finds_what_comparing_each_with_each_finds) {
   Rng rng(7);
   const auto any = [&rng](double most) {
-    return around({rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(0, 2)},
-                  {rng.uniform(0, most), rng.uniform(0, 1), rng.uniform(0, 0.5)});
+    const Vec3 middle{rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(0, 2)};
+    const Vec3 half{rng.uniform(0, most), rng.uniform(0, 1), rng.uniform(0, 0.5)};
+    return around(middle, half);  // drawn in this order by every compiler
   };
   std::vector<Box> boxes;
   for (int i = 0; i < 200; ++i) boxes.push_back(any(i % 20 == 0 ? 6 : 0.9));
