@@ -17,14 +17,12 @@ constexpr double kLongestTick = 10;  // s: thousands of physics steps, not inter
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
                                                    const EngineOptions& options) {
   if (const Result<void> checked = stage::check_scene(scene); !checked) return checked.error();
-  const Result<Surface> ground = ground_of(scene);
-  if (!ground) return ground.error();
   if (scene.interval > kLongestTick)
     return Error{scene.path,
                  fmt::format("interval_sim {:g} is too long for physics, which takes at most {:g}",
                              1e3 * scene.interval, 1e3 * kLongestTick)};
   return std::unique_ptr<world::Engine>(
-      std::make_unique<ArenaEngine>(scene, options.seed, options.workers, *ground));
+      std::make_unique<ArenaEngine>(scene, options.seed, options.workers, ground_of(scene)));
 }
 
 }  // namespace playhouse::arena

@@ -105,25 +105,36 @@ TEST_F(PhysicsTest, a_box_slides_as_far_as_friction_lets_it) {
   EXPECT_NEAR(physics_.state(body).p.x, 2 * 2 / (2 * 0.4 * 9.81), 0.02);
 }
 
+/// A ramp of 10 m that rises along x.
+struct Ramp {
+  explicit Ramp(double angle)
+      : along{std::cos(angle), 0, std::sin(angle)},
+        up{-std::sin(angle), 0, std::cos(angle)},
+        q(geom::orientation(0, {0, -angle})) {
+    for (const double depth : {-0.5, 0.0})
+      for (const auto& [x, y] : {std::pair(0.0, -5.0), {10.0, -5.0}, {10.0, 5.0}, {0.0, 5.0}})
+        hull.push_back(x * along + Vec3{0, y, 0} + depth * up);
+  }
+  Vec3 along, up;  // unit vectors in its surface and normal to it
+  Quaternion q;    // of what stands on it
+  Hull hull;
+};
+
 // On a ramp it stays where tan(angle) is below the coefficient of friction, and slides above: at
 // g (sin - mu cos) t^2 / 2.
 TEST_F(PhysicsTest, slopes_hold_vehicles_and_boxes_as_friction_says) {
   const double angle = 20 * M_PI / 180;
-  const Vec3 along{std::cos(angle), 0, std::sin(angle)}, up{-std::sin(angle), 0, std::cos(angle)};
-  Hull ramp;
-  for (const double depth : {-0.5, 0.0})
-    for (const auto& [x, y] : {std::pair(0.0, -5.0), {10.0, -5.0}, {10.0, 5.0}, {0.0, 5.0}})
-      ramp.push_back(x * along + Vec3{0, y, 0} + depth * up);
-  const FixedSolid solid{ramp, {}};
+  const Ramp ramp(angle);
+  const Vec3 &along = ramp.along, &up = ramp.up;
+  const FixedSolid solid{ramp.hull, {}};
   physics_.set_fixed({&solid, 1});
   BodyDesc icy;
   icy.hulls = {box(0.3, 0.3, 0, 0.1)};
   icy.center = {0, 0, 0.05};
   icy.surface.friction = 0.1;
-  const Quaternion q = geom::orientation(0, {0, -angle});
   const std::uint32_t rover_body = physics_.add(rover()), box_body = physics_.add(icy);
-  physics_.put(rover_body, {.p = 5 * along + 1e-3 * up, .q = q}, false);
-  physics_.put(box_body, {.p = 5 * along + Vec3{0, 2, 0}, .q = q}, false);
+  physics_.put(rover_body, {.p = 5 * along + 1e-3 * up, .q = ramp.q}, false);
+  physics_.put(box_body, {.p = 5 * along + Vec3{0, 2, 0}, .q = ramp.q}, false);
   run(0.2);
   const Vec3 parked = physics_.state(rover_body).p;
   run(0.8);
@@ -143,12 +154,7 @@ BodyDesc slab(double mass, double length, double height, double friction) {
 
 /// How far a vehicle of a height, with wheels and casters of a `diff` base, slides down a ramp of 20 degrees.
 double slides(double height, double friction, double heading) {
-  const double angle = 20 * M_PI / 180;
-  const Vec3 along{std::cos(angle), 0, std::sin(angle)}, up{-std::sin(angle), 0, std::cos(angle)};
-  Hull ramp;
-  for (const double depth : {-0.5, 0.0})
-    for (const auto& [x, y] : {std::pair(0.0, -5.0), {10.0, -5.0}, {10.0, 5.0}, {0.0, 5.0}})
-      ramp.push_back(x * along + Vec3{0, y, 0} + depth * up);
+  const Ramp ramp(20 * M_PI / 180);
   BodyDesc desc;
   desc.hulls = {box(0.4, 0.4, 0.03, height)};
   desc.mass = 10;
@@ -157,17 +163,15 @@ double slides(double height, double friction, double heading) {
   for (const double x : {-0.16, 0.16}) desc.wheels.push_back({.p_B = {x, 0, 0}, .brake = 0.8});
   Physics physics;
   world::Workers workers{1};
-  const FixedSolid solid{ramp, {.friction = friction}};
+  const FixedSolid solid{ramp.hull, {.friction = friction}};
   physics.set_fixed({&solid, 1});
   const std::uint32_t body = physics.add(desc);
-  physics.put(
-      body,
-      {.p = 5 * along + 1e-3 * up, .q = geom::orientation(0, {0, -angle}) * geom::orientation(heading, {})},
-      false);
+  physics.put(body, {.p = 5 * ramp.along + 1e-3 * ramp.up, .q = ramp.q * geom::orientation(heading, {})},
+              false);
   for (int i = 0; i < 20; ++i) physics.step(kStep, workers);
   const Vec3 parked = physics.state(body).p;
   for (int i = 0; i < 200; ++i) physics.step(kStep, workers);
-  return dot(parked - physics.state(body).p, along);
+  return dot(parked - physics.state(body).p, ramp.along);
 }
 
 // Where tan(angle) is below the friction of wheels and casters, whatever part the casters bear.
@@ -180,8 +184,8 @@ TEST(Physics, a_vehicle_that_is_to_stand_still_does_so_on_a_slope) {
     }
 }
 
-// It rises to e^2 of the height from which it fell, with the larger coefficient of restitution of the two. The
-// correction of its penetration, of up to 4 cm at the impact, adds at most a fifth of a metre.
+// It rises to e^2 of the height from which it fell, with the larger coefficient of restitution of the two.
+// The correction of its penetration, of up to 4 cm at the impact, adds at most a fifth of a metre.
 TEST(Physics, a_body_bounces_as_high_as_restitution_lets_it) {
   for (const auto& [own, floor] : {std::pair(0.6, 0.1), {0.1, 0.6}, {0.8, 0.0}, {0.0, 0.0}}) {
     Physics physics({.restitution = floor});

@@ -1,7 +1,5 @@
 #include "playhouse/arena/surface.h"
 
-#include "playhouse/base/in_quotes.h"
-#include "playhouse/base/nearest_word.h"
 #include "playhouse/mesh/mesh.h"
 #include "playhouse/scene/materials.h"
 
@@ -21,11 +19,9 @@ Surface surface_of(const scene::ModelDesc& desc) {
   return surface;
 }
 
-Result<Surface> ground_of(const scene::SceneDesc& scene) {
+Surface ground_of(const scene::SceneDesc& scene) {
   const scene::Material& material = scene::material_named(scene.ground);
-  if (!material.name.empty()) return Surface{material.friction, material.restitution};
-  return Error{scene.path, "ground " + in_quotes(scene.ground) + " is no material that the arena knows" +
-                               did_you_mean(scene.ground, scene::material_names())};
+  return {material.friction, material.restitution};
 }
 
 }  // namespace playhouse::arena

@@ -3,7 +3,6 @@
 /// Friction and restitution of materials.
 
 #include "playhouse/arena/rigid_body.h"
-#include "playhouse/base/result.h"
 #include "playhouse/scene/scene_desc.h"
 
 namespace playhouse::arena {
@@ -13,7 +12,7 @@ namespace playhouse::arena {
 /// default is rubber on concrete with most other surfaces.
 Surface surface_of(const scene::ModelDesc& desc);
 
-/// That of the ground. Fails on an unknown material, naming the nearest known one.
-Result<Surface> ground_of(const scene::SceneDesc& scene);
+/// That of the ground.
+Surface ground_of(const scene::SceneDesc& scene);
 
 }  // namespace playhouse::arena

@@ -16,7 +16,6 @@ namespace playhouse::replicate {
 namespace {
 
 constexpr std::uint32_t kGoneRow = world::ModelRow::kNone;
-constexpr std::size_t kLeastPacket = 200;     // bytes; smaller packets are mostly header
 constexpr std::size_t kStateHeadBytes = 12;   // tick and flags, at most
 constexpr std::size_t kGroupBytes = 2;        // age and end
 constexpr std::size_t kSayingsBytes = 16384;  // of one text
@@ -39,8 +38,8 @@ DatagramViewer::DatagramViewer(std::uint64_t session, Terms terms, std::shared_p
     : channel_(session, limits::kObserverCommandBytes),
       terms_(terms),
       told_(std::move(layout)),
-      heard_(now),
-      filled_(now) {
+      bucket_(terms.bytes_per_second, limits::kDatagramBytes + limits::kDatagramHeadBytes, now),
+      heard_(now) {
   channel_.post(std::move(scene));
   rows_.resize(told_->id.size());
   first_told_at_ = channel_.texts().posted();
@@ -86,7 +85,7 @@ void DatagramViewer::notice(std::string_view text) {
 }
 
 void DatagramViewer::offer(const Snapshot& snapshot, ChangesTexts& changes, double now, const Send& send) {
-  refill(now);
+  bucket_.refill(now);
   settle(now);
   const bool is_silent = now - heard_ > kSilence;
   if (is_silent && now < quiet_due_) return;
@@ -103,14 +102,6 @@ void DatagramViewer::offer(const Snapshot& snapshot, ChangesTexts& changes, doub
   bool must = owes_ack_ || now >= life_due_ || told_paused_ != snapshot.pace.paused ||
               (!told_whole_ && is_whole(snapshot, 0));
   while (send_packet(snapshot, now, must, send) && !is_silent) must = false;
-}
-
-/// Token bucket: a burst is a tenth of a second's budget, or one packet.
-void DatagramViewer::refill(double now) {
-  const double most =
-      std::max<double>(terms_.bytes_per_second / 10.0, limits::kDatagramBytes + limits::kDatagramHeadBytes);
-  allowance_ = std::min(allowance_ + (now - filled_) * terms_.bytes_per_second, most);
-  filled_ = now;
 }
 
 void DatagramViewer::settle(double now) {
@@ -217,15 +208,15 @@ void DatagramViewer::prioritise(const Snapshot& snapshot, double now) {
 bool DatagramViewer::send_packet(const Snapshot& snapshot, double now, bool must, const Send& send) {
   const bool rows_wait = next_candidate_ < candidates_.size();
   if (!rows_wait && !channel_.texts().ready() && !must) return false;
-  const double most = allowance_ - static_cast<double>(limits::kDatagramHeadBytes);
-  if (most < static_cast<double>(kLeastPacket)) return false;
+  const double most = bucket_.left() - static_cast<double>(limits::kDatagramHeadBytes);
+  if (most < kLeastPacket) return false;
   const std::size_t room = std::min(limits::kDatagramBytes, static_cast<std::size_t>(most));
   // Upper bound on the header: 10 + 8 + 8 + 4 + 10 + 3 + 10 bytes.
   constexpr std::size_t kHead = 53;
   const std::size_t texts_room = rows_wait ? room * 3 / 4 : room;
   const Seq seq = channel_.write(now, texts_room - kHead, packet_);
   write_rows(snapshot, now, seq, room - packet_.size());
-  allowance_ -= static_cast<double>(packet_.size() + limits::kDatagramHeadBytes);
+  bucket_.spend(static_cast<double>(packet_.size() + limits::kDatagramHeadBytes));
   owes_ack_ = false;
   life_due_ = now + kSignOfLife;
   told_paused_ = snapshot.pace.paused;

@@ -18,6 +18,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/replicate/datagram_channel.h"
 #include "playhouse/replicate/delta.h"
+#include "playhouse/replicate/token_bucket.h"
 #include "playhouse/replicate/viewer.h"
 
 namespace playhouse::replicate {
@@ -73,7 +74,6 @@ class DatagramViewer {
   };
 
   Result<void> execute(const std::string& command);
-  void refill(double now);
   void settle(double now);
   void map_rows(const Snapshot& snapshot);
   void follow(const Snapshot& snapshot, ChangesTexts& changes);
@@ -97,8 +97,8 @@ class DatagramViewer {
   std::map<world::ModelId, std::string> said_;
   std::optional<std::uint64_t> said_number_;  // Snapshot::said up to which all texts were sent
 
-  double heard_, filled_, frame_due_ = 0, life_due_ = 0, quiet_due_ = 0;
-  double allowance_ = 0;  // bytes available (token bucket)
+  TokenBucket bucket_;
+  double heard_, frame_due_ = 0, life_due_ = 0, quiet_due_ = 0;
   bool owes_ack_ = false, told_paused_ = false, told_whole_ = false;
   bool was_whole_ = false;           // see is_whole(); never reset
   std::uint64_t first_told_at_ = 0;  // stream offset from which on the observer knows the scene

@@ -15,8 +15,6 @@ namespace {
 /// 0.25 s at least (drivers/simulated/simulation.cc).
 constexpr std::chrono::milliseconds kSignOfLife{750};
 
-constexpr double kLeastPacket = 200;  // bytes; smaller packets are mostly header
-
 }  // namespace
 
 void WebViewer::start(std::shared_ptr<const std::string> scene) {
@@ -87,29 +85,22 @@ Result<void> WebViewer::execute(const replicate::Command& command) {
   return owner_.carry_out(command, *this);
 }
 
-/// Token bucket: a burst is a tenth of a second's budget.
-void WebViewer::refill(std::chrono::steady_clock::time_point now) {
-  const double most = std::max(bytes_per_second_ / 10.0, kLeastPacket);
-  const double seconds = std::chrono::duration<double>(now - filled_).count();
-  allowance_ = std::min(allowance_ + seconds * bytes_per_second_, most);
-  filled_ = now;
-}
-
 void WebViewer::send_frame() {
   if (!newest_ || socket_->messages_in_flight() > 0 || !viewer_.ready()) return;
   const auto now = std::chrono::steady_clock::now();
   // Rows deferred to the next frame must not advance it.
   if (now - frame_time_ < replicate::kFramePeriod * 3 / 4) return owner_.waits();
-  refill(now);
+  bucket_.refill(seconds_of(now));
   const bool is_due = now - frame_time_ >= kSignOfLife;
-  if (allowance_ < kLeastPacket && !is_due) return owner_.waits();
-  const auto budget = static_cast<std::size_t>(std::clamp<double>(allowance_, 0, limits::kViewerFrameBytes));
+  if (bucket_.left() < replicate::kLeastPacket && !is_due) return owner_.waits();
+  const auto budget =
+      static_cast<std::size_t>(std::clamp<double>(bucket_.left(), 0, limits::kViewerFrameBytes));
   const auto emit = is_due ? replicate::Emit::kAlways : replicate::Emit::kIfChanged;
   const replicate::NextFrame next =
       viewer_.next_frame(*newest_, emit, owner_.changes_texts(), *frame_, budget);
   if (!next.packet) return;
   frame_time_ = now;
-  allowance_ -= static_cast<double>(frame_->size() + (next.changes ? next.changes->size() : 0));
+  bucket_.spend(static_cast<double>(frame_->size() + (next.changes ? next.changes->size() : 0)));
   if (const auto history = owner_.history(); history != told_history_)
     socket_->send_text(told_history_ = history);
   if (people_ != told_people_) socket_->send_text(told_people_ = people_);

@@ -12,6 +12,7 @@
 
 #include "playhouse/net/websocket.h"
 #include "playhouse/replicate/snapshot_feed.h"
+#include "playhouse/replicate/token_bucket.h"
 #include "playhouse/replicate/viewer.h"
 #include "playhouse/web_server/guests.h"
 
@@ -46,7 +47,7 @@ class WebViewer final : public net::WebSocketEvents {
         owner_(owner),
         number_(number),
         guest_(std::move(guest)),
-        bytes_per_second_(bytes_per_second) {}
+        bucket_(bytes_per_second, replicate::kLeastPacket, seconds_of(quiet_since_)) {}
 
   /// Sends the scene, which describes the layout, and the list of viewers; starts reading.
   void start(std::shared_ptr<const std::string> scene);
@@ -94,16 +95,17 @@ class WebViewer final : public net::WebSocketEvents {
 
   Result<void> execute(const replicate::Command& command);
   void send_frame();
-  void refill(std::chrono::steady_clock::time_point now);
+  static double seconds_of(std::chrono::steady_clock::time_point time) {
+    return std::chrono::duration<double>(time.time_since_epoch()).count();
+  }
 
   std::unique_ptr<net::WebSocket> socket_;
   replicate::Viewer viewer_;
   WebViewerOwner& owner_;
   const std::uint32_t number_;
   const Guest guest_;
-  const std::uint32_t bytes_per_second_;  // of packets and population updates
-  double allowance_ = 0;                  // bytes, negative after a large update
-  std::chrono::steady_clock::time_point filled_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point quiet_since_ = std::chrono::steady_clock::now();
+  replicate::TokenBucket bucket_;  // for packets and population updates
   const replicate::Snapshot* newest_ = nullptr;
   std::shared_ptr<const std::string> told_history_;
   std::shared_ptr<const std::string> people_, told_people_;
@@ -111,7 +113,6 @@ class WebViewer final : public net::WebSocketEvents {
   // Owned by the socket while a frame is being sent, otherwise by us, and reused.
   std::shared_ptr<std::vector<std::byte>> frame_ = std::make_shared<std::vector<std::byte>>();
   std::chrono::steady_clock::time_point frame_time_;
-  std::chrono::steady_clock::time_point quiet_since_ = std::chrono::steady_clock::now();
   std::size_t commands_ = 0;  // since new_turn()
   std::size_t faults_ = 0;
 };

@@ -3,10 +3,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { join } from 'node:path';
-import { execFile } from 'node:child_process';
-import { promisify } from 'node:util';
 import { startDelayingProxy } from './delaying_proxy.mjs';
-import { results, startBrowser, startProgram, watch } from './program.mjs';
+import { finish, results, startBrowser, startProgram, watch } from './program.mjs';
 
 const kDelayMs = 400; // each way
 
@@ -19,10 +17,6 @@ let observer;
 const shot = (page, name) => page.screenshot({ path: join(results, `human-${name}.png`) });
 const pose = (page) => page.evaluate(() => window.playhouse.pose('Ada'));
 const drawn = (page) => page.evaluate(() => window.playhouse.drawn('Ada'));
-
-/** What `playhouse watch` prints of so many messages of a device. */
-const heardBy = async (device, count) =>
-  (await promisify(execFile)(process.env.PLAYHOUSE_PROGRAM ?? 'build/playhouse', ['watch', `127.0.0.1:${program.port}`, device, '--count', `${count}`])).stdout;
 
 before(async () => {
   program = await startProgram('worlds/room.world', ['--engine', 'arena']);
@@ -100,7 +94,7 @@ test('others see how they wave, and read what they say with their name and the t
 test('what a person types is heard by the programs of robots', async () => {
   const { page } = human;
   let heard = '';
-  const listening = heardBy('speech_recognition:0', 1).then((text) => (heard = text));
+  const listening = finish('watch', `127.0.0.1:${program.port}`, 'speech_recognition:0', '--count', '1').then(({ said }) => (heard = said));
   for (let k = 0; heard === '' && k < 30; ++k) { // a device hears from its opening on
     await page.keyboard.press('Enter');
     await page.getByTestId('say').fill(`follow me, green ${k}`);

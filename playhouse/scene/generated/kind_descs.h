@@ -67,8 +67,8 @@ struct PlainDesc {
   /// Name of its material, as "glass": a property for detectors (sees, through), and its surface in the arena
   /// (docs/arena.md).
   std::string material;
-  /// Fraction of the speed of impact with which it bounces off, in the arena, which multiplies those of the
-  /// two surfaces in contact. Else that of its material.
+  /// Fraction of the speed of impact with which it bounces off, in the arena; of two surfaces in contact the
+  /// larger one applies. Else that of its material.
   std::optional<double> restitution;
   /// Roughness of its surface for light, from 0, a mirror, to 1, matt. For cameras of the arena engine and
   /// the page. Else that of its material.
