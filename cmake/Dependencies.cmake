@@ -13,7 +13,6 @@ find_package(Boost 1.81 REQUIRED COMPONENTS json)
 find_package(CLI11 REQUIRED)
 find_path(TOMLPLUSPLUS toml++/toml.h REQUIRED)  # headers alone
 find_package(PkgConfig REQUIRED)
-find_package(embree 3 REQUIRED)
 find_package(assimp 5 REQUIRED)
 pkg_check_modules(PUGIXML REQUIRED IMPORTED_TARGET pugixml)
 pkg_check_modules(GL REQUIRED IMPORTED_TARGET epoxy egl)

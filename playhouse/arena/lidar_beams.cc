@@ -11,7 +11,6 @@ namespace {
 using geom::Vec3;
 
 constexpr std::uint32_t kConeRays = 4;  // around the axis of a cone: above, left, below, right
-constexpr double kNarrow = 0.005;       // rad between neighbouring beams: coherent below
 
 /// Unit vector at angle `off` from a bearing, rotated by `around` about it; 0: up.  [rad]
 Vec3 direction(double bearing, double off, double around) {
@@ -55,7 +54,6 @@ void add_sensor(LidarBeams& all, const scene::RangerSensorDesc& sensor, const ge
   all.sensors.push_back({first, sensor.samples, sensor.rings, scene::level_ring(sensor),
                          is_light ? weakest_of(sensor) : 0, sensor.noise_weak});
   all.is_light = all.is_light || is_light;
-  if (sensor.samples == 1 || sensor.fov / (sensor.samples - 1) > kNarrow) all.is_narrow = false;
   all.is_noisy = all.is_noisy || sensor.noise_constant > 0 || sensor.noise_proportional > 0;
 }
 
@@ -63,7 +61,6 @@ void add_sensor(LidarBeams& all, const scene::RangerSensorDesc& sensor, const ge
 
 LidarBeams beams_of(const scene::ModelDesc& ranger) {
   LidarBeams all;
-  all.is_narrow = true;
   for (std::uint32_t i = 0; i < ranger.sensors.size(); ++i)
     add_sensor(all, ranger.sensors[i], ranger.X_MB, i);
   return all;

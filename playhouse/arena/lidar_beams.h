@@ -29,7 +29,6 @@ struct LidarBeams {
   std::vector<Sensor> sensors;
   std::vector<Ray> rays;
   std::vector<double> range_min, range_max;  // m (beams)
-  bool is_narrow = false;                    // coherent: neighbouring rays differ little
   bool is_noisy = false;                     // any sensor has range noise
   bool is_light = false;                     // any sensor has a lidar's error model
   std::size_t beams() const { return range_max.size(); }

@@ -35,7 +35,7 @@ Met first_met(const RayScene& scene, const Beam& beam) {
   batch.count = 1;
   batch.group = beam.group;
   batch.wants_normals = true;
-  batch.px[0] = number(beam.p.x), batch.py[0] = number(beam.p.y), batch.pz[0] = number(beam.p.z);
+  batch.p[0] = number(beam.p.x), batch.p[1] = number(beam.p.y), batch.p[2] = number(beam.p.z);
   batch.dx[0] = number(beam.d.x), batch.dy[0] = number(beam.d.y), batch.dz[0] = number(beam.d.z);
   batch.range[0] = number(beam.range_max);
   scene.cast(batch);

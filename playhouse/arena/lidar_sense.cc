@@ -45,6 +45,12 @@ void each_model(const stage::Solids& solids, std::size_t first, std::size_t last
   }
 }
 
+/// True if a ray is the first of a ring, or of a sensor: not a neighbour of the one before.
+bool begins_ring(const LidarBeams& beams, std::size_t row) {
+  const LidarBeams::Ray& ray = beams.rays[row];
+  return !ray.is_off_axis && ray.sample % beams.sensors[ray.sensor].samples == 0;
+}
+
 }  // namespace
 
 stage::SensorTable LidarSense::table(world::World& world) const {
@@ -60,28 +66,15 @@ void LidarSense::populate(const world::World& world, const stage::Space& space) 
     returns_.push_back(static_cast<float>(world.desc({row}).ranger_return));
     optics_.push_back(optics_of(world.desc({row}).material));
   }
-  populate_rangers(world, space.solids);
+  populate_rangers(world);
 }
 
-void LidarSense::populate_rangers(const world::World& world, const stage::Solids& solids) {
-  const std::uint32_t kNone = world::ModelRow::kNone;
-  std::vector<std::uint32_t> first(world.models.size(), kNone), last(world.models.size());  // solids by root
-  for (auto row = static_cast<std::uint32_t>(solids.fixed); row < solids.size(); ++row) {
-    const std::uint32_t root = solids.root[row];
-    first[root] = std::min(first[root], row);
-    last[root] = row + 1;
-  }
+void LidarSense::populate_rangers(const world::World& world) {
   std::size_t most = 0;
-  inside_.clear();
   for (const world::ModelRow model : world.rangers.model) {
     const auto [entry, is_new] = beams_.try_emplace(world.models.desc[model.index]);
-    LidarBeams& beams = entry->second;
-    if (is_new) beams = beams_of(world.desc(model));
-    const std::uint32_t root = world.models.root[model.index];
-    inside_.push_back(first[root] == kNone
-                          ? std::span<const float>()
-                          : own_solids_.inside(world, solids, model.index, beams, first[root], last[root]));
-    most = std::max(most, beams.beams());
+    if (is_new) entry->second = beams_of(world.desc(model));
+    most = std::max(most, entry->second.beams());
   }
   for (Scratch& scratch : scratch_) {
     scratch.range.resize(most);
@@ -155,32 +148,30 @@ void LidarSense::measure(world::World& world, std::uint32_t ranger, std::uint64_
   const geom::Quaternion q = geom::orientation(X_WM.a, world.models.tilt_WM[model.index]);
   std::ranges::copy(beams.range_max, scratch.range.begin());
   std::fill_n(scratch.intensity.begin(), beams.beams(), 0.0f);
-  const std::span<const float> inside = inside_[ranger];
   RayBatch& batch = scratch.rays;
   const Look look{world, model, tick, beams};
   batch.group = world.models.root[model.index];
-  batch.is_narrow = beams.is_narrow;
   batch.wants_normals = beams.is_light;
   batch.count = 0;
   for (std::size_t i = 0; i < beams.rays.size(); ++i) {
     const LidarBeams::Ray& ray = beams.rays[i];
+    if (batch.count == RayBatch::kMost || begins_ring(beams, i)) cast(look, scratch);
+    if (batch.count == 0) {
+      const Vec3 p = Vec3{X_WM.x, X_WM.y, X_WM.z} + q * ray.p;
+      for (std::size_t k = 0; const double c : {p.x, p.y, p.z}) batch.p[k++] = static_cast<float>(c);
+    }
     Vec3 d_M = ray.d;
     if (ray.is_turned) {
       const geom::SinCos turn = geom::sincos(stage::turn_of(world, model, tick, ray.sensor, ray.sample));
       d_M = {turn.cos * d_M.x - turn.sin * d_M.y, turn.sin * d_M.x + turn.cos * d_M.y, d_M.z};
     }
-    const Vec3 p = Vec3{X_WM.x, X_WM.y, X_WM.z} + q * ray.p, d = q * d_M;
+    const Vec3 d = q * d_M;
     const std::size_t k = batch.count++;
-    batch.px[k] = static_cast<float>(p.x);
-    batch.py[k] = static_cast<float>(p.y);
-    batch.pz[k] = static_cast<float>(p.z);
     batch.dx[k] = static_cast<float>(d.x);
     batch.dy[k] = static_cast<float>(d.y);
     batch.dz[k] = static_cast<float>(d.z);
-    batch.inside[k] = inside.empty() ? 0 : inside[i];
     batch.range[k] = ray.range_max;
     scratch.ray[k] = i;
-    if (batch.count == RayBatch::kMost) cast(look, scratch);
   }
   cast(look, scratch);
   if (beams.is_noisy) stage::add_range_noise(world, ranger, tick, scratch.range.data(), stage::Rings::kAll);
@@ -210,8 +201,9 @@ void LidarSense::keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& s
   float intensity = batch.met[k] == RayBatch::kNobody ? 0 : returns_[batch.met[k]];
   bool met = batch.met[k] != RayBatch::kNobody;
   const float down = -batch.dz[k];
-  if (down > 0 && batch.pz[k] >= 0 && batch.pz[k] < range * down) {
-    range = batch.pz[k] / down;
+  const float height = batch.p[2];
+  if (down > 0 && height >= 0 && height < range * down) {
+    range = height / down;
     facing = down;
     intensity = kGroundReturn;
     met = true;
@@ -226,7 +218,7 @@ void LidarSense::keep_echo(const Look& look, std::size_t k, Scratch& scratch) co
   const RayBatch& batch = scratch.rays;
   const LidarBeams::Ray& ray = look.beams.rays[scratch.ray[k]];
   const LidarBeams::Sensor& sensor = look.beams.sensors[ray.sensor];
-  const Beam beam{{batch.px[k], batch.py[k], batch.pz[k]},
+  const Beam beam{{batch.p[0], batch.p[1], batch.p[2]},
                   {batch.dx[k], batch.dy[k], batch.dz[k]},
                   ray.range_max,
                   batch.group};

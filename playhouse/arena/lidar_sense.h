@@ -10,7 +10,6 @@
 
 #include "playhouse/arena/lidar_beams.h"
 #include "playhouse/arena/lidar_echo.h"
-#include "playhouse/arena/own_solids.h"
 #include "playhouse/arena/ray_scene.h"
 #include "playhouse/stage/sense_phase.h"
 
@@ -41,7 +40,7 @@ class LidarSense final : public stage::SensePhase {
 
   void populate_fixed(const world::World& world, const stage::Solids& solids);
   void populate_moving(const world::World& world, const stage::Solids& solids);
-  void populate_rangers(const world::World& world, const stage::Solids& solids);
+  void populate_rangers(const world::World& world);
   void place(const world::Models& models);
   const LidarBeams& beams(const world::World& world, std::uint32_t ranger) const;
   void measure(world::World& world, std::uint32_t ranger, std::uint64_t tick, Scratch& scratch) const;
@@ -62,11 +61,9 @@ class LidarSense final : public stage::SensePhase {
   std::map<std::uint32_t, std::uint32_t> shape_of_;  // by row of SceneDesc::models, of movable models
   std::vector<std::uint32_t> instances_;             // rows of world::Models
   std::map<std::uint32_t, LidarBeams> beams_;        // by row of SceneDesc::models
-  OwnSolids own_solids_;
-  std::vector<std::span<const float>> inside_;  // for each ray, by own_solids_ (rangers)
-  std::vector<float> returns_;                  // return value of a beam that hits a model (models)
-  std::vector<Optics> optics_;                  // (models)
-  std::vector<Scratch> scratch_;                // one per worker
+  std::vector<float> returns_;                       // return value of a beam that hits a model (models)
+  std::vector<Optics> optics_;                       // (models)
+  std::vector<Scratch> scratch_;                     // one per worker
 };
 
 std::unique_ptr<stage::SensePhase> make_lidar_sense(unsigned workers);

@@ -72,11 +72,16 @@ class Reproducible(HouseTest):
     def test_the_release_program_computes_the_same_bits(self):
         self.assertEqual(self.hashes_of(), self.hashes_of(program=self.release()))
 
-    def bench(self, program, instruction_set):
+    def bench(self, program, instruction_set, engine="stage"):
         with mock.patch.dict(os.environ, PLAYHOUSE_INSTRUCTION_SET=instruction_set):
-            return finish("bench", "laser", "--robots", 50, "--duration", 5, program=program)
+            return finish("bench", "laser", "--engine", engine, "--robots", 50, "--duration", 5, program=program)
 
     def test_all_instruction_sets_compute_the_same_bits(self):
+        for engine in ("stage", "arena"):
+            with self.subTest(engine=engine):
+                self.check_instruction_sets(engine)
+
+    def check_instruction_sets(self, engine):
         flags = Path("/proc/cpuinfo").read_text()
         if "avx2" not in flags:
             self.skipTest("this processor has no AVX2: THE AVX2 VERSIONS ARE NOT TESTED HERE")
@@ -86,7 +91,7 @@ class Reproducible(HouseTest):
         hashes = set()
         for program in (PROGRAM, self.release()):
             for instruction_set in sets:
-                done = self.bench(program, instruction_set)
+                done = self.bench(program, instruction_set, engine)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 result = json.loads(done.stdout)
                 self.assertEqual(result["instruction_set"], instruction_set)

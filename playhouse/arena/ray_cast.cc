@@ -1,0 +1,254 @@
+#include "playhouse/arena/ray_cast.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+#include "playhouse/base/assert.h"
+#include "playhouse/stage/vectors.h"
+
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
+
+namespace playhouse::arena {
+namespace {
+
+constexpr std::size_t kLanes = 16, kMost = RayBatch::kMost, kBlocks = kMost / kLanes;
+static_assert(kLanes == Bvh::kWidth && kLanes == TriangleBlock::kMost);
+using Mask = std::uint32_t;  // bit i: lane i
+constexpr Mask kEvery = 0xffff;
+
+constexpr float kNarrow = 0.96f;    // least cosine to the axis in a fan of several blocks: 16 degrees
+constexpr float kWidest = 0.6f;     // ... of one block
+constexpr float kMargin = 1e-6f;    // rounding of coordinates at 1 ahead
+constexpr float kRounding = 1e-6f;  // rounding of a plane's distance, as a share of the largest coordinate
+// Rounding of an edge function, as a share of the product of the vectors that it is made of: one of each, two
+// of their cross product and three of the product with the ray.
+constexpr float kEdgeRounding = 7 * 0x1p-24f;
+
+// Planes of a fan's pyramid, normals inwards.
+enum : std::size_t { kRight, kLeft, kLow, kHigh, kAhead, kPlanes };
+
+/// The first `count` lanes.
+constexpr Mask first_of(std::size_t count) {
+  return count >= kLanes ? kEvery : (1u << count) - 1;
+}
+
+/// Rays from a point p, all less than a right angle from an axis. `left` and `up` are across it; a
+/// direction has coordinates in the plane at 1 ahead of p. A ray's reach is its range, ahead.
+struct alignas(64) Fan {
+  float d[3][kMost], range[kMost], ahead[kMost], normal[3][kMost];  // ahead: cosine to the axis
+  std::uint32_t met[kMost];
+  float group_right[kLanes], group_left[kLanes], group_reach[kLanes];  // of each group_size rays
+  float block_right[kBlocks], block_left[kBlocks], block_reach[kBlocks];
+  float p[3], axis[3], left[3], up[3];
+  float right_end, left_end, low, high, reach;  // of all
+  std::size_t blocks, group_size;
+  std::uint32_t group;
+};
+
+/// A fan in the frame of the triangles.
+struct alignas(64) Frame {
+  float d[3][kMost];
+  float group_plane[2][3][kLanes], group_offset[2][kLanes];  // right and left
+  float plane[kPlanes][3], offset[kPlanes];                  // inside: n x >= offset
+  bool is_forward[kPlanes][3];                               // of each coordinate of the normal
+  float p[3], axis[3], left[3], up[3];
+  float slack;  // m that a plane's distance is rounded by, at most
+};
+
+void scale_to_unit(float (&v)[3]) {
+  const float length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  for (float& each : v) each /= length;
+}
+
+/// Largest magnitude of a coordinate.
+float extent_of(const Bounds& box) {
+  float extent = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (box.low[k] <= box.high[k]) extent = std::max({extent, std::fabs(box.low[k]), std::fabs(box.high[k])});
+  return extent;
+}
+
+/// Left is where the last ray is from the first.
+void cross_axes(Fan& fan) {
+  const float* const a = fan.axis;
+  const std::size_t last = fan.blocks * kLanes - 1;
+  float along = 0, length = 0;
+  for (std::size_t k = 0; k < 3; ++k) along += (fan.left[k] = fan.d[k][last] - fan.d[k][0]) * a[k];
+  for (std::size_t k = 0; k < 3; ++k) {
+    fan.left[k] -= along * a[k];
+    length += fan.left[k] * fan.left[k];
+  }
+  if (!(length > 1e-8f)) {  // any
+    const bool is_upright = std::fabs(a[2]) > 0.9f;
+    fan.left[0] = is_upright ? 0 : -a[1];
+    fan.left[1] = is_upright ? -a[2] : a[0];
+    fan.left[2] = is_upright ? a[1] : 0;
+  }
+  scale_to_unit(fan.left);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    fan.up[k] = a[i] * fan.left[j] - a[j] * fan.left[i];
+  }
+}
+
+/// The extreme of a block, which it overwrites, and of each group in it.
+template <typename Extreme>
+float fold(float* lane, std::size_t group_size, float* group, const Extreme& extreme) {
+  const std::size_t groups = kLanes / group_size;
+  for (std::size_t count = kLanes; count > 1; count /= 2) {  // pairs: no chain of dependent operations
+    if (count == groups) std::copy_n(lane, count, group);
+    for (std::size_t i = 0; i < count / 2; ++i) lane[i] = extreme(lane[2 * i], lane[2 * i + 1]);
+  }
+  if (groups == 1) *group = *lane;
+  return *lane;
+}
+constexpr auto kSmaller = [](float a, float b) { return a < b ? a : b; };
+constexpr auto kLarger = [](float a, float b) { return a > b ? a : b; };
+
+/// Bounds of a block and its groups; overwrites the coordinates and reaches of its rays.
+void bound_block(Fan& fan, std::size_t block, float* across, float* reach) {
+  const std::size_t group = block * kLanes / fan.group_size;
+  float lane[kLanes];
+  std::copy_n(across, kLanes, lane);
+  fan.block_right[block] = fold(lane, fan.group_size, fan.group_right + group, kSmaller);
+  fan.block_left[block] = fold(across, fan.group_size, fan.group_left + group, kLarger);
+  fan.block_reach[block] = fold(reach, fan.group_size, fan.group_reach + group, kLarger);
+}
+
+void bound_all(Fan& fan) {
+  fan.right_end = *std::min_element(fan.block_right, fan.block_right + fan.blocks);
+  fan.left_end = *std::max_element(fan.block_left, fan.block_left + fan.blocks);
+  fan.reach = *std::max_element(fan.block_reach, fan.block_reach + fan.blocks);
+}
+
+/// Updates what the rays of a block reach, of which `reach` has a lane each.
+void shorten(Fan& fan, std::size_t block, float* reach) {
+  const std::size_t group = block * kLanes / fan.group_size;
+  fan.block_reach[block] = fold(reach, fan.group_size, fan.group_reach + group, kLarger);
+  fan.reach = *std::max_element(fan.block_reach, fan.block_reach + fan.blocks);
+}
+
+}  // namespace
+}  // namespace playhouse::arena
+
+#define PLAYHOUSE_SIXTEEN inline
+#define PLAYHOUSE_SIXTEEN_OUT
+#define PLAYHOUSE_SIXTEEN_LAMBDA
+namespace playhouse::arena::plain {
+namespace {
+#include "playhouse/arena/sixteen_plain.inc"
+
+#include "playhouse/arena/ray_cast_kernels.inc"
+}  // namespace
+}  // namespace playhouse::arena::plain
+#undef PLAYHOUSE_SIXTEEN
+#undef PLAYHOUSE_SIXTEEN_OUT
+#undef PLAYHOUSE_SIXTEEN_LAMBDA
+
+#ifdef __x86_64__
+#define PLAYHOUSE_SIXTEEN_OUT __attribute__((target("avx2,bmi,popcnt")))
+#define PLAYHOUSE_SIXTEEN_LAMBDA PLAYHOUSE_SIXTEEN_OUT
+#define PLAYHOUSE_SIXTEEN PLAYHOUSE_SIXTEEN_OUT inline
+namespace playhouse::arena::avx2 {
+namespace {
+#include "playhouse/arena/sixteen_avx2.inc"
+
+#include "playhouse/arena/ray_cast_kernels.inc"
+}  // namespace
+}  // namespace playhouse::arena::avx2
+#undef PLAYHOUSE_SIXTEEN_OUT
+
+#define PLAYHOUSE_SIXTEEN_OUT __attribute__((target("avx512f,avx512dq,avx512vl,bmi,popcnt")))
+namespace playhouse::arena::avx512 {
+namespace {
+#include "playhouse/arena/sixteen_avx512.inc"
+
+#include "playhouse/arena/ray_cast_kernels.inc"
+}  // namespace
+}  // namespace playhouse::arena::avx512
+#undef PLAYHOUSE_SIXTEEN
+#undef PLAYHOUSE_SIXTEEN_OUT
+#undef PLAYHOUSE_SIXTEEN_LAMBDA
+#else
+namespace playhouse::arena::avx2 = plain;
+namespace playhouse::arena::avx512 = plain;
+#endif
+
+namespace playhouse::arena {
+namespace {
+
+Bounds box_of(const Triangles& triangles, const std::array<std::uint32_t, 3>& corner) {
+  Bounds box;
+  for (const std::uint32_t row : corner) {
+    const geom::Vec3& p = triangles.p[row];
+    Bounds point;
+    for (std::size_t k = 0; k < 3; ++k) point.low[k] = point.high[k] = static_cast<float>((&p.x)[k]);
+    box.add(point);
+  }
+  return box;
+}
+
+/// Of the box of a shape at a pose, in W; larger by what floats round.
+Bounds box_of(const ShapeInstance& instance, const Bounds& shape) {
+  Bounds box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    float middle = instance.p_WS[k], half = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const float R = instance.R_WS[3 * j + k];
+      middle += R * 0.5f * (shape.low[j] + shape.high[j]);
+      half += std::fabs(R) * 0.5f * (shape.high[j] - shape.low[j]);
+    }
+    half += kRounding * (std::fabs(middle) + half);
+    box.low[k] = middle - half;
+    box.high[k] = middle + half;
+  }
+  return box;
+}
+
+}  // namespace
+
+TriangleIndex triangle_index_of(const Triangles& triangles, std::span<const std::uint32_t> owner) {
+  std::vector<Bounds> boxes;
+  boxes.reserve(triangles.corner.size());
+  for (const auto& corner : triangles.corner) boxes.push_back(box_of(triangles, corner));
+  TriangleIndex index;
+  index.bvh = bvh_of(boxes, TriangleBlock::kMost);
+  for (const Bvh::Leaf& leaf : index.bvh.leaves) {
+    TriangleBlock& block = index.blocks.emplace_back();
+    block.count = leaf.count;
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+      const std::uint32_t triangle = index.bvh.order[leaf.first + i];
+      block.owner[i] = owner.empty() ? 0 : owner[triangle];
+      for (std::size_t c = 0; c < 3; ++c) {
+        const geom::Vec3& p = triangles.p[triangles.corner[triangle][c]];
+        block.p[c][0][i] = static_cast<float>(p.x);
+        block.p[c][1][i] = static_cast<float>(p.y);
+        block.p[c][2][i] = static_cast<float>(p.z);
+      }
+    }
+  }
+  return index;
+}
+
+void RayIndex::place_instances() {
+  std::vector<Bounds> boxes;
+  boxes.reserve(instances.size());
+  for (const ShapeInstance& instance : instances)
+    boxes.push_back(box_of(instance, shapes[instance.shape].bvh.box));
+  placed = bvh_of(boxes, 1);
+}
+
+void cast_rays(const RayIndex& index, RayBatch& rays) {
+  PLAYHOUSE_ASSERT(rays.count <= RayBatch::kMost);
+  if (rays.count == 0) return;
+  if (stage::wide_kernels == stage::WideKernels::kAvx512) return avx512::cast(index, 0, rays.count, rays);
+  if (stage::vectors_use_avx2 && stage::wide_kernels == stage::WideKernels::kNone)
+    return avx2::cast(index, 0, rays.count, rays);
+  plain::cast(index, 0, rays.count, rays);
+}
+
+}  // namespace playhouse::arena
