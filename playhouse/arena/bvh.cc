@@ -157,7 +157,8 @@ std::size_t Builder::halve(const Range& all, const Bounds& middles) {
 
 std::size_t Builder::bin(const Bounds& box, const Bounds& middles, std::size_t axis) {
   const float share = (middle(box, axis) - middles.low[axis]) / (middles.high[axis] - middles.low[axis]);
-  return std::min(kBins - 1, static_cast<std::size_t>(share * kBins));
+  if (!(share < 1)) return kBins - 1;  // also not a number, of coordinates too large for a float
+  return static_cast<std::size_t>(share * kBins);
 }
 
 Builder::Split Builder::best_split(const Range& all, const Bounds& middles) const {

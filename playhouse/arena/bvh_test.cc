@@ -79,6 +79,15 @@ TEST(Bvh, is_not_too_deep_for_any_boxes) {
   }
 }
 
+TEST(Bvh, takes_coordinates_too_large_for_a_float) {
+  std::vector<Bounds> boxes;
+  for (int i = 0; i < 100; ++i)
+    boxes.push_back(box_at(i % 3 == 0 ? 3e38f : static_cast<float>(i), 0, 0, 3e38f));
+  boxes.push_back(box_at(Bounds::kInfinity, 0, 0, 1));
+  for (const std::size_t leaf_size : {1u, 16u})
+    EXPECT_LE(bvh_of(boxes, leaf_size).leaves.size(), boxes.size());
+}
+
 TEST(Bvh, of_nothing_has_no_nodes) {
   EXPECT_TRUE(bvh_of({}, 16).nodes.empty());
 }
