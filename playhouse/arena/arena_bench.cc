@@ -76,15 +76,10 @@ void cast_rings(benchmark::State& state, int rings, int beams) {
   for (auto _ : state) {
     const double x = rng.uniform(-40, 40), y = rng.uniform(-40, 40);
     RayBatch batch;
-    for (std::size_t k = 0; const double c : {x, y, 1.0}) batch.p[k++] = static_cast<float>(c);
+    batch.set_origin({x, y, 1});
     for (std::size_t i = 0; i < d.size(); i += RayBatch::kMost) {
       batch.count = std::min(RayBatch::kMost, d.size() - i);
-      for (std::size_t k = 0; k < batch.count; ++k) {
-        batch.dx[k] = static_cast<float>(d[i + k].x);
-        batch.dy[k] = static_cast<float>(d[i + k].y);
-        batch.dz[k] = static_cast<float>(d[i + k].z);
-        batch.range[k] = 100;
-      }
+      for (std::size_t k = 0; k < batch.count; ++k) batch.set_ray(k, d[i + k], 100);
       scene.cast(batch);
       sum += batch.range[0];
     }

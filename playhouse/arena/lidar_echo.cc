@@ -12,10 +12,6 @@ constexpr double kSquareOn = 0.99996;  // cosine of 0.5 degrees: a specular refl
 constexpr double kLost = 1e-4;         // share of light below which a beam is dropped
 constexpr Optics kFloor{0.24, 0, 0};   // the ground is concrete
 
-float number(double value) {
-  return static_cast<float>(value);
-}
-
 /// Continues a beam after a reflection or a transmission.
 void go_on(Beam& beam, const Met& met, bool is_mirrored) {
   const double along = dot(beam.d, met.normal);
@@ -35,9 +31,8 @@ Met first_met(const RayScene& scene, const Beam& beam) {
   batch.count = 1;
   batch.group = beam.group;
   batch.wants_normals = true;
-  batch.p[0] = number(beam.p.x), batch.p[1] = number(beam.p.y), batch.p[2] = number(beam.p.z);
-  batch.dx[0] = number(beam.d.x), batch.dy[0] = number(beam.d.y), batch.dz[0] = number(beam.d.z);
-  batch.range[0] = number(beam.range_max);
+  batch.set_origin(beam.p);
+  batch.set_ray(0, beam.d, static_cast<float>(beam.range_max));
   scene.cast(batch);
   const Met met{batch.range[0], batch.met[0], batch.facing[0], {batch.nx[0], batch.ny[0], batch.nz[0]}};
   const Met ground = ground_met(beam);

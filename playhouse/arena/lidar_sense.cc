@@ -156,21 +156,14 @@ void LidarSense::measure(world::World& world, std::uint32_t ranger, std::uint64_
   for (std::size_t i = 0; i < beams.rays.size(); ++i) {
     const LidarBeams::Ray& ray = beams.rays[i];
     if (batch.count == RayBatch::kMost || begins_ring(beams, i)) cast(look, scratch);
-    if (batch.count == 0) {
-      const Vec3 p = Vec3{X_WM.x, X_WM.y, X_WM.z} + q * ray.p;
-      for (std::size_t k = 0; const double c : {p.x, p.y, p.z}) batch.p[k++] = static_cast<float>(c);
-    }
+    if (batch.count == 0) batch.set_origin(Vec3{X_WM.x, X_WM.y, X_WM.z} + q * ray.p);
     Vec3 d_M = ray.d;
     if (ray.is_turned) {
       const geom::SinCos turn = geom::sincos(stage::turn_of(world, model, tick, ray.sensor, ray.sample));
       d_M = {turn.cos * d_M.x - turn.sin * d_M.y, turn.sin * d_M.x + turn.cos * d_M.y, d_M.z};
     }
-    const Vec3 d = q * d_M;
     const std::size_t k = batch.count++;
-    batch.dx[k] = static_cast<float>(d.x);
-    batch.dy[k] = static_cast<float>(d.y);
-    batch.dz[k] = static_cast<float>(d.z);
-    batch.range[k] = ray.range_max;
+    batch.set_ray(k, q * d_M, ray.range_max);
     scratch.ray[k] = i;
   }
   cast(look, scratch);

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "playhouse/geom/orientation.h"
+
 namespace playhouse::arena {
 
 /// The owner of a surface. Rays ignore surfaces of their own group.
@@ -28,6 +30,14 @@ struct alignas(64) RayBatch {
   bool wants_normals = false;     // request normals
   float nx[kMost] = {}, ny[kMost] = {},
         nz[kMost] = {};  // out: unit normal at the hit, on either side  [in W]
+
+  void set_origin(const geom::Vec3& from) {
+    p[0] = static_cast<float>(from.x), p[1] = static_cast<float>(from.y), p[2] = static_cast<float>(from.z);
+  }
+  void set_ray(std::size_t k, const geom::Vec3& d, float range_max) {
+    dx[k] = static_cast<float>(d.x), dy[k] = static_cast<float>(d.y), dz[k] = static_cast<float>(d.z);
+    range[k] = range_max;
+  }
 };
 
 }  // namespace playhouse::arena

@@ -36,26 +36,28 @@ constexpr Mask first_of(std::size_t count) {
   return count >= kLanes ? kEvery : (1u << count) - 1;
 }
 
-/// Rays from a point p, all less than a right angle from an axis. `left` and `up` are across it; a
-/// direction has coordinates in the plane at 1 ahead of p. A ray's reach is its range, ahead.
-struct alignas(64) Fan {
-  float d[3][kMost], range[kMost], ahead[kMost], normal[3][kMost];  // ahead: cosine to the axis
+/// The origin and the axes of a fan. A direction has coordinates in the plane at 1 ahead, to the left and up.
+struct Axes {
+  float p[3], axis[3], left[3], up[3];
+};
+
+/// Rays from a point, all less than a right angle from an axis. A ray's reach is its range, ahead.
+struct alignas(64) Fan : Axes {
+  alignas(64) float d[3][kMost], range[kMost], ahead[kMost], normal[3][kMost];  // ahead: cosine to the axis
   std::uint32_t met[kMost];
   float group_right[kLanes], group_left[kLanes], group_reach[kLanes];  // of each group_size rays
   float block_right[kBlocks], block_left[kBlocks], block_reach[kBlocks];
-  float p[3], axis[3], left[3], up[3];
   float right_end, left_end, low, high, reach;  // of all
   std::size_t blocks, group_size;
   std::uint32_t group;
 };
 
 /// A fan in the frame of the triangles.
-struct alignas(64) Frame {
-  float d[3][kMost];
-  float group_plane[2][3][kLanes], group_offset[2][kLanes];  // right and left
-  float plane[kPlanes][3], offset[kPlanes];                  // inside: n x >= offset
-  bool is_forward[kPlanes][3];                               // of each coordinate of the normal
-  float p[3], axis[3], left[3], up[3];
+struct alignas(64) Frame : Axes {
+  alignas(64) float group_plane[2][3][kLanes], group_offset[2][kLanes];  // right and left
+  float plane[kPlanes][3], offset[kPlanes];                              // inside: n x >= offset
+  bool is_forward[kPlanes][3];                                           // of each coordinate of the normal
+  const float (*d)[kMost];
   float slack;  // m that a plane's distance is rounded by, at most
 };
 
@@ -109,13 +111,11 @@ float fold(float* lane, std::size_t group_size, float* group, const Extreme& ext
 constexpr auto kSmaller = [](float a, float b) { return a < b ? a : b; };
 constexpr auto kLarger = [](float a, float b) { return a > b ? a : b; };
 
-/// Bounds of a block and its groups; overwrites the coordinates and reaches of its rays.
-void bound_block(Fan& fan, std::size_t block, float* across, float* reach) {
+/// Bounds of a block and its groups; overwrites the coordinates, with their margins, and reaches of its rays.
+void bound_block(Fan& fan, std::size_t block, float* right, float* left, float* reach) {
   const std::size_t group = block * kLanes / fan.group_size;
-  float lane[kLanes];
-  std::copy_n(across, kLanes, lane);
-  fan.block_right[block] = fold(lane, fan.group_size, fan.group_right + group, kSmaller);
-  fan.block_left[block] = fold(across, fan.group_size, fan.group_left + group, kLarger);
+  fan.block_right[block] = fold(right, fan.group_size, fan.group_right + group, kSmaller);
+  fan.block_left[block] = fold(left, fan.group_size, fan.group_left + group, kLarger);
   fan.block_reach[block] = fold(reach, fan.group_size, fan.group_reach + group, kLarger);
 }
 
@@ -132,12 +132,22 @@ void shorten(Fan& fan, std::size_t block, float* reach) {
   fan.reach = *std::max_element(fan.block_reach, fan.block_reach + fan.blocks);
 }
 
+/// A vector in the frame of an instance.
+void rotate_into(const ShapeInstance& instance, const float* v, float (&local)[3]) {
+  const std::array<float, 9>& R = instance.R_WS;
+  for (std::size_t k = 0; k < 3; ++k) local[k] = R[3 * k] * v[0] + R[3 * k + 1] * v[1] + R[3 * k + 2] * v[2];
+}
+/// A vector of its frame, in W.
+void rotate_out(const ShapeInstance& instance, float (&v)[3]) {
+  const std::array<float, 9>& R = instance.R_WS;
+  const float local[3] = {v[0], v[1], v[2]};
+  for (std::size_t k = 0; k < 3; ++k) v[k] = R[k] * local[0] + R[3 + k] * local[1] + R[6 + k] * local[2];
+}
+
 }  // namespace
 }  // namespace playhouse::arena
 
 #define PLAYHOUSE_SIXTEEN inline
-#define PLAYHOUSE_SIXTEEN_OUT
-#define PLAYHOUSE_SIXTEEN_LAMBDA
 namespace playhouse::arena::plain {
 namespace {
 #include "playhouse/arena/sixteen_plain.inc"
@@ -146,13 +156,9 @@ namespace {
 }  // namespace
 }  // namespace playhouse::arena::plain
 #undef PLAYHOUSE_SIXTEEN
-#undef PLAYHOUSE_SIXTEEN_OUT
-#undef PLAYHOUSE_SIXTEEN_LAMBDA
 
 #ifdef __x86_64__
-#define PLAYHOUSE_SIXTEEN_OUT __attribute__((target("avx2,bmi,popcnt")))
-#define PLAYHOUSE_SIXTEEN_LAMBDA PLAYHOUSE_SIXTEEN_OUT
-#define PLAYHOUSE_SIXTEEN PLAYHOUSE_SIXTEEN_OUT inline
+#define PLAYHOUSE_SIXTEEN PLAYHOUSE_TARGET_AVX2 inline
 namespace playhouse::arena::avx2 {
 namespace {
 #include "playhouse/arena/sixteen_avx2.inc"
@@ -160,9 +166,9 @@ namespace {
 #include "playhouse/arena/ray_cast_kernels.inc"
 }  // namespace
 }  // namespace playhouse::arena::avx2
-#undef PLAYHOUSE_SIXTEEN_OUT
+#undef PLAYHOUSE_SIXTEEN
 
-#define PLAYHOUSE_SIXTEEN_OUT __attribute__((target("avx512f,avx512dq,avx512vl,bmi,popcnt")))
+#define PLAYHOUSE_SIXTEEN PLAYHOUSE_TARGET_AVX512 inline
 namespace playhouse::arena::avx512 {
 namespace {
 #include "playhouse/arena/sixteen_avx512.inc"
@@ -171,8 +177,6 @@ namespace {
 }  // namespace
 }  // namespace playhouse::arena::avx512
 #undef PLAYHOUSE_SIXTEEN
-#undef PLAYHOUSE_SIXTEEN_OUT
-#undef PLAYHOUSE_SIXTEEN_LAMBDA
 #else
 namespace playhouse::arena::avx2 = plain;
 namespace playhouse::arena::avx512 = plain;
@@ -245,10 +249,8 @@ void RayIndex::place_instances() {
 void cast_rays(const RayIndex& index, RayBatch& rays) {
   PLAYHOUSE_ASSERT(rays.count <= RayBatch::kMost);
   if (rays.count == 0) return;
-  if (stage::wide_kernels == stage::WideKernels::kAvx512) return avx512::cast(index, 0, rays.count, rays);
-  if (stage::vectors_use_avx2 && stage::wide_kernels == stage::WideKernels::kNone)
-    return avx2::cast(index, 0, rays.count, rays);
-  plain::cast(index, 0, rays.count, rays);
+  const auto cast = stage::choose_version(plain::cast, avx2::cast, avx512::cast);
+  cast(index, 0, rays.count, rays);
 }
 
 }  // namespace playhouse::arena

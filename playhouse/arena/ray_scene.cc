@@ -29,7 +29,7 @@ std::uint32_t RayScene::add_shape(const Triangles& triangles) {
 void RayScene::set_instances(std::span<const Instance> instances) {
   index_.instances.clear();
   for (const Instance& instance : instances)
-    index_.instances.push_back({instance.shape, instance.owner, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {}});
+    index_.instances.push_back({.shape = instance.shape, .owner = instance.owner});
 }
 
 void RayScene::place(std::uint32_t instance, const geom::Vec3& p, const geom::Quaternion& q) {

@@ -94,16 +94,13 @@ struct World {
 RayBatch batch_of(Rng& rng, const Vec3& p, const Vec3& d, double spread, std::size_t count) {
   RayBatch rays;
   rays.count = count;
-  for (std::size_t k = 0; const double c : {p.x, p.y, p.z}) rays.p[k++] = static_cast<float>(c);
+  rays.set_origin(p);
   const Vec3 left = unit(cross({0.1, 0.2, 1}, d));
   for (std::size_t k = 0; k < count; ++k) {
     const geom::SinCos off =
         geom::sincos(spread * (static_cast<double>(k) / static_cast<double>(count) - 0.5));
     const Vec3 at = unit(off.cos * d + off.sin * left + 0.01 * somewhere(rng, 1));
-    rays.dx[k] = static_cast<float>(at.x);
-    rays.dy[k] = static_cast<float>(at.y);
-    rays.dz[k] = static_cast<float>(at.z);
-    rays.range[k] = static_cast<float>(rng.uniform(0.5, 12));
+    rays.set_ray(k, at, static_cast<float>(rng.uniform(0.5, 12)));
   }
   return rays;
 }
@@ -168,11 +165,9 @@ TEST(RayScene, tells_the_normal_and_the_angle) {
   RayBatch rays;
   rays.count = 1;
   rays.wants_normals = true;
-  rays.range[0] = 10;
   const Vec3 d = unit(-1 * normal + 0.05 * (q * Vec3{0, 1, 0}));
-  for (std::size_t k = 0; const double c : {p.x, p.y, p.z}) rays.p[k++] = static_cast<float>(c);
-  rays.dx[0] = static_cast<float>(d.x), rays.dy[0] = static_cast<float>(d.y),
-  rays.dz[0] = static_cast<float>(d.z);
+  rays.set_origin(p);
+  rays.set_ray(0, d, 10);
   scene.cast(rays);
   EXPECT_EQ(rays.met[0], 3u);
   EXPECT_NEAR(rays.range[0], 4 * std::sqrt(1 + 0.05 * 0.05), 1e-3) << "0.2 mm between floats at 2 km";
@@ -217,12 +212,10 @@ TEST(RayScene, no_ray_passes_between_triangles) {
   for (std::size_t first = 0; first < targets.size(); first += RayBatch::kMost) {
     RayBatch rays;
     rays.count = std::min(RayBatch::kMost, targets.size() - first);
-    for (std::size_t k = 0; const double c : {p.x, p.y, p.z}) rays.p[k++] = static_cast<float>(c);
+    rays.set_origin(p);
     for (std::size_t k = 0; k < rays.count; ++k) {
       const Vec3 d = unit(targets[first + k] - p);
-      rays.dx[k] = static_cast<float>(d.x), rays.dy[k] = static_cast<float>(d.y),
-      rays.dz[k] = static_cast<float>(d.z);
-      rays.range[k] = 10;
+      rays.set_ray(k, d, 10);
     }
     scene.cast(rays);
     for (std::size_t k = 0; k < rays.count; ++k) missed += rays.met[k] == RayBatch::kNobody;

@@ -35,7 +35,7 @@ namespace {
 #undef PLAYHOUSE_EIGHT
 
 #ifdef __x86_64__
-#define PLAYHOUSE_EIGHT __attribute__((target("avx2,bmi,popcnt"))) inline
+#define PLAYHOUSE_EIGHT PLAYHOUSE_TARGET_AVX2 inline
 namespace playhouse::stage::avx2 {
 namespace {
 #include "playhouse/stage/eight_avx.inc"
@@ -47,7 +47,7 @@ namespace {
 }  // namespace playhouse::stage::avx2
 #undef PLAYHOUSE_EIGHT
 
-#define PLAYHOUSE_EIGHT __attribute__((target("avx512f,avx512dq,avx512vl,bmi,popcnt"))) inline
+#define PLAYHOUSE_EIGHT PLAYHOUSE_TARGET_AVX512 inline
 namespace playhouse::stage::avx512 {
 namespace {
 #include "playhouse/stage/eight_avx.inc"
@@ -64,27 +64,17 @@ namespace playhouse::stage::avx512 = plain;
 #endif
 
 namespace playhouse::stage {
-namespace {
-
-/// The version for the chosen instruction set.
-template <typename Kernel>
-Kernel* choose(Kernel* for_any, Kernel* for_avx2, Kernel* for_avx512) {
-  if (wide_kernels == WideKernels::kAvx512) return for_avx512;
-  return vectors_use_avx2 && wide_kernels == WideKernels::kNone ? for_avx2 : for_any;
-}
-
-}  // namespace
 
 std::size_t find_bodies(const Bundle& bundle, const DiscIndex::Places& places,
                         std::span<const DiscIndex::Run> runs, Vec2 p_WM, Rotation r, const Heights& heights,
                         const NearBodies& out) {
-  const auto find = choose(plain::find_bodies, avx2::find_bodies, avx512::find_bodies);
+  const auto find = choose_version(plain::find_bodies, avx2::find_bodies, avx512::find_bodies);
   return find(bundle, places, runs, p_WM, r, heights, out);
 }
 
 void meet_bodies(const Space& space, std::uint32_t own_root, const NearBodies& near, std::size_t count,
                  std::size_t first, const Heights& heights, Rays& rays) {
-  const auto meet = choose(plain::meet_bodies, avx2::meet_bodies, avx512::meet_bodies);
+  const auto meet = choose_version(plain::meet_bodies, avx2::meet_bodies, avx512::meet_bodies);
   meet(space, own_root, near, count, first, heights, rays);
 }
 

@@ -59,6 +59,16 @@ struct Versions<kFunction> {
 template <auto kFunction>
 inline constexpr auto in_vectors = Versions<kFunction>::call;
 
+/// The version for the chosen instruction set of a kernel that is compiled in a namespace for each
+/// (bundle_kernels.cc): its source is included over types of that set, with these attributes.
+template <typename Kernel>
+Kernel* choose_version(Kernel* plain, Kernel* avx2, Kernel* avx512) {
+  if (wide_kernels == WideKernels::kAvx512) return avx512;
+  return vectors_use_avx2 && wide_kernels == WideKernels::kNone ? avx2 : plain;
+}
+#define PLAYHOUSE_TARGET_AVX2 __attribute__((target("avx2,bmi,popcnt")))
+#define PLAYHOUSE_TARGET_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,bmi,popcnt")))
+
 /// Lanes of the vector types, on any
 /// processor: four doubles, or eight floats.
 inline constexpr std::size_t kFour = 4, kEight = 8;

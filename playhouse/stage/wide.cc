@@ -7,7 +7,7 @@
 #endif
 
 #ifdef __x86_64__
-#define PLAYHOUSE_WIDE __attribute__((target("avx512f,avx512dq,avx512vl,bmi,popcnt")))
+#define PLAYHOUSE_WIDE PLAYHOUSE_TARGET_AVX512
 namespace playhouse::stage::avx512 {
 #include "playhouse/stage/wide_avx512.inc"
 #include "playhouse/stage/wide_kernels.inc"
