@@ -66,16 +66,21 @@ namespace playhouse::stage::avx512 = plain;
 namespace playhouse::stage {
 
 std::size_t find_bodies(const Bundle& bundle, const DiscIndex::Places& places,
-                        std::span<const DiscIndex::Run> runs, Vec2 p_WM, Rotation r, const Heights& heights,
-                        const NearBodies& out) {
+                        std::span<const DiscIndex::Run> runs, Vec2 p_WM, Rotation r, std::uint32_t own_root,
+                        const Heights& heights, const NearBodies& out) {
   const auto find = choose_version(plain::find_bodies, avx2::find_bodies, avx512::find_bodies);
-  return find(bundle, places, runs, p_WM, r, heights, out);
+  return find(bundle, places, runs, p_WM, r, own_root, heights, out);
 }
 
-void meet_bodies(const Space& space, std::uint32_t own_root, const NearBodies& near, std::size_t count,
-                 std::size_t first, const Heights& heights, Rays& rays) {
-  const auto meet = choose_version(plain::meet_bodies, avx2::meet_bodies, avx512::meet_bodies);
-  meet(space, own_root, near, count, first, heights, rays);
+void add_pairs(const Space& space, const NearBodies& near, std::size_t count, std::size_t first,
+               const Heights& heights, Rays& rays, Pairs& pairs) {
+  const auto add = choose_version(plain::add_pairs, avx2::add_pairs, avx512::add_pairs);
+  add(space, near, count, first, heights, rays, pairs);
+}
+
+void resolve_pairs(const Space& space, Rays& rays, Pairs& pairs) {
+  const auto resolve = choose_version(plain::resolve_pairs, avx2::resolve_pairs, avx512::resolve_pairs);
+  resolve(space, rays, pairs);
 }
 
 }  // namespace playhouse::stage

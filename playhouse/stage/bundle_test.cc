@@ -58,8 +58,8 @@ std::vector<Met> find(const Bundle& bundle, const DiscIndex& index, Vec2 p, Rota
   const auto runs = index.find_runs(p, bundle.reach, heights.z_low, heights.z_high, room);
   std::vector<std::uint32_t> place(1000), cell(1000);
   std::vector<std::uint16_t> rays(1000);
-  const std::size_t count = find_bodies(bundle, index.places(), runs, p, heading, heights,
-                                        {place.data(), cell.data(), rays.data()});
+  const std::size_t count = find_bodies(bundle, index.places(), runs, p, heading, world::ModelRow::kNone,
+                                        heights, {place.data(), cell.data(), rays.data()});
   std::vector<Met> all;
   for (std::size_t i = 0; i < count; ++i) all.push_back({index.discs()[place[i]].row, rays[i]});
   return all;

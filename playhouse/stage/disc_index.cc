@@ -49,6 +49,7 @@ void DiscIndex::begin(std::size_t count, const world::Workers& workers) {
   for (std::vector<std::int32_t>* column :
        {&places_.units_x, &places_.units_y, &places_.units_low, &places_.units_high})
     column->resize(count + kSpare);
+  places_.root.resize(count + kSpare);
   next_.resize(blocks_ * cells());
   sums_.resize(blocks_);
   extents_.resize(blocks_ * layers_.size());
@@ -118,6 +119,7 @@ void DiscIndex::put_places(std::size_t block) {
     const bool is_seen = (disc.seen_by & bit(Observer::kRanger)) != 0;
     places_.units_low[place] = is_seen ? height_units(disc.z_min) : std::numeric_limits<std::int32_t>::max();
     places_.units_high[place] = height_units(disc.z_max);
+    places_.root[place] = disc.root;
     places_.z_min[place] = disc.z_min;
     places_.z_max[place] = disc.z_max;
   }

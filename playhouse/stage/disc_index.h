@@ -80,6 +80,7 @@ class DiscIndex {
     std::vector<std::int32_t> units_x, units_y;  // units() of x, y
     // Height range in height_units() in which rangers see it; an empty range if they do not.
     std::vector<std::int32_t> units_low, units_high;
+    std::vector<std::uint32_t> root;  // model row of the root of its tree
   };
   /// Fixed-point coordinates: differences are exact up to kFarthest, anywhere
   /// in the world. They wrap around, so only differences mean anything.

@@ -40,19 +40,21 @@ struct Lanes {
   }
 };
 
-/// Sets the origins of the rays of a part, not mirrored yet.
+/// Sets the origins of the rays of a part in the lanes from `at` on, not mirrored yet.
 PLAYHOUSE_INLINE void put_origins(const Rays& rays, const Rays::Part& part, const Torus& torus,
-                                  Lanes& lanes) {
+                                  std::size_t at, Lanes& lanes) {
   const double cell = torus.cell(), per_metre = 1.0 / cell;
   const std::int64_t base_x = torus.along(part.about.x), base_y = torus.along(part.about.y);
   const double x0 = static_cast<double>(base_x) * cell, y0 = static_cast<double>(base_y) * cell;
   const auto wrapped_x = static_cast<std::int32_t>(torus.wrap(base_x)),
              wrapped_y = static_cast<std::int32_t>(torus.wrap(base_y));
-  for (std::size_t k = part.begin; k < part.end; ++k) {
-    lanes.x[k] = static_cast<float>((rays.px[k] - x0) * per_metre);
-    lanes.y[k] = static_cast<float>((rays.py[k] - y0) * per_metre);
-    lanes.base_x[k] = wrapped_x;
-    lanes.base_y[k] = wrapped_y;
+  const double *px = rays.px + part.begin, *py = rays.py + part.begin;
+  for (std::size_t i = 0; i < part.end - part.begin; ++i) {
+    lanes.x[at + i] = static_cast<float>((px[i] - x0) * per_metre);
+    lanes.y[at + i] = static_cast<float>((py[i] - y0) * per_metre);
+    lanes.base_x[at + i] = wrapped_x;
+    lanes.base_y[at + i] = wrapped_y;
+    lanes.ray[at + i] = static_cast<std::uint32_t>(part.begin + i);
   }
 }
 
@@ -67,18 +69,18 @@ PLAYHOUSE_INLINE std::int32_t put_axis(double d, float cell, float per_metre, fl
   return along < 0 ? -1 : 0;
 }
 
-PLAYHOUSE_INLINE void put_directions(const Rays& rays, const Torus& torus, Lanes& lanes) {
+PLAYHOUSE_INLINE void put_directions(const Rays& rays, const Rays::Part& part, const Torus& torus,
+                                     std::size_t at, Lanes& lanes) {
   const auto cell = static_cast<float>(torus.cell()), per_metre = static_cast<float>(1.0 / torus.cell());
-  for (std::size_t k = 0; k < rays.count; ++k) {
+  for (std::size_t i = part.begin, k = at; i < part.end; ++i, ++k) {
     const std::int32_t left =
-        put_axis(rays.dx[k], cell, per_metre, lanes.x + k, lanes.step_x + k, lanes.per_x + k);
+        put_axis(rays.dx[i], cell, per_metre, lanes.x + k, lanes.step_x + k, lanes.per_x + k);
     const std::int32_t down =
-        put_axis(rays.dy[k], cell, per_metre, lanes.y + k, lanes.step_y + k, lanes.per_y + k);
+        put_axis(rays.dy[i], cell, per_metre, lanes.y + k, lanes.step_y + k, lanes.per_y + k);
     lanes.flip_x[k] = left;
     lanes.flip_y[k] = down;
     lanes.quadrant[k] = -left - 2 * down;
-    lanes.range[k] = static_cast<float>(rays.range[k]);
-    lanes.ray[k] = static_cast<std::uint32_t>(k);
+    lanes.range[k] = static_cast<float>(rays.range[i]);
   }
 }
 
@@ -224,9 +226,13 @@ PLAYHOUSE_INLINE void each_touch(const Walls& walls, Observers by, const Found& 
 
 PLAYHOUSE_INLINE void march_here(const Walls& walls, Observers by, Rays& rays) {
   Lanes lanes;
-  for (std::size_t i = 0; i < rays.part_count; ++i) put_origins(rays, rays.parts[i], walls.torus(), lanes);
-  put_directions(rays, walls.torus(), lanes);
-  std::size_t used = rays.count;
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < rays.part_count; ++i) {
+    const Rays::Part part = rays.parts[i];
+    put_origins(rays, part, walls.torus(), used, lanes);
+    put_directions(rays, part, walls.torus(), used, lanes);
+    used += part.end - part.begin;
+  }
   lanes.hop[0] = 1;
   fill_up(used, lanes);
   Found found;

@@ -13,7 +13,7 @@ namespace playhouse::stage {
 /// Longer rays are traced one by one.  [cells]
 inline constexpr double kFarthestMarch = 8192;
 
-/// Shortens the rays to their nearest wall hits, among walls that these observers see.
+/// Shortens the rays of the parts to their nearest wall hits, among walls that these observers see.
 void march(const Walls& walls, Observers by, Rays& rays);
 
 }  // namespace playhouse::stage

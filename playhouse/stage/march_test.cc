@@ -65,7 +65,7 @@ void expect_every_post_met(std::size_t count) {
   for (std::size_t first = 0; first < count; first += Rays::kMost) {
     Rays rays;  // as they start
     rays.count = std::min(Rays::kMost, count - first);
-    rays.parts[0] = {{0, 0}, 0, rays.count};
+    rays.parts[0] = {{0, 0}, 0, rays.count, range, 0, false, true};
     rays.part_count = 1;
     for (std::size_t k = 0; k < rays.count; ++k) {
       const Vec2 aim = aims[first + k];

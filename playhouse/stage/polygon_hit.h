@@ -75,11 +75,15 @@ PLAYHOUSE_INLINE double entry(const Vec2* polygon, std::size_t corners, Vec2 p, 
   return (((only < 0) & (only > -kEdgeOn)) ? -1 : t)[0];
 }
 
-/// entry() for a known entry edge from w0 to w1.
-PLAYHOUSE_INLINE double enter(Vec2 w0, Vec2 w1, Vec2 d) {
-  const Crossing<double> ends({d.x, d.y, w0.x, w0.y}, {d.x, d.y, w1.x, w1.y});
-  const double area = 0.0 + geom::cross(w0, w1);  // +0 of -0, as a sum gives
-  return ends.slope > -kEdgeOn ? -1 : area / ends.slope;
+/// entry() for known entry edges from (x0, y0) to (x1, y1), relative to the origins of the rays along (dx,
+/// dy).
+PLAYHOUSE_INLINE void enter(const Four& x0, const Four& y0, const Four& x1, const Four& y1, const Four& dx,
+                            const Four& dy, Four& t) {
+  const Crossing<Four> ends({dx, dy, x0, y0}, {dx, dy, x1, y1});
+  Four area;
+  cross(x0, y0, x1, y1, area);
+  t = (area + 0.0) / ends.slope;  // +0 of -0, as a sum gives
+  t = ends.slope > -kEdgeOn ? -1 : t;
 }
 
 /// Distance at which the ray from p along d hits a movable body; kMiss or NaN if it misses.

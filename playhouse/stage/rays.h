@@ -17,10 +17,14 @@ struct Rays {
   double z[kRoom], range[kRoom];                      // m; range to the nearest hit so far
   double solid[kRoom];                                // nearest hit: number_of() a row of Solids
   std::size_t beam[kMost];                            // of Scratch: where the result belongs
-  /// Rays of one bundle, with nearby origins.
+  /// Rays of one bundle or scan, with nearby origins.
   struct Part {
     Vec2 about;
     std::size_t begin, end;
+    double reach;        // m: how far from `about` the rays go
+    std::uint32_t root;  // of the ranger's tree, which is ignored
+    bool is_wall;        // of a static tree: its own edges are in the walls
+    bool is_level;       // all rays are at one height
   };
   Part parts[kMost];
   std::size_t count = 0, part_count = 0;

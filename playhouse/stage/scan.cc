@@ -85,10 +85,10 @@ void project_edges(std::span<const Vec2> polygon, Rotation rotation, double seen
   }
 }
 
-/// Fills the batch with beams from `first` on.
-void put_beams(const Row& row, double range_max, double z, std::size_t first, Rays& rays) {
-  rays.count = std::min(row.last + 1 - first, Rays::kMost);
-  rays.parts[0] = {row.p, 0, rays.count};
+/// Fills the batch with beams from `first` on, as this part.
+void put_beams(const Row& row, double range_max, double z, std::size_t first, Rays::Part part, Rays& rays) {
+  rays.count = part.end = std::min(row.last + 1 - first, Rays::kMost);
+  rays.parts[0] = part;
   rays.part_count = 1;
   for (std::size_t k = 0; k < rays.count; ++k) {
     rays.px[k] = row.p.x;
@@ -256,13 +256,14 @@ void RangerSense::scan_walls(const Space& space, const Pose& X_WS, Rotation rota
   }
   // With this many edges, tracing the beams is cheaper.
   Rays rays;
-  const bool marches = can_march(space.walls, view, scan.range_max);
+  const Rays::Part part{row.p, 0, 0, scan.range_max, view.root, view.is_wall, true};
+  const bool marches = can_march(space.walls, part);
   for (std::size_t first = 0; first < scan.count; first += Rays::kMost) {
-    put_beams(row, scan.range_max, z, first, rays);
+    put_beams(row, scan.range_max, z, first, part, rays);
     if (marches)
       march(space.walls, bit(Observer::kRanger), rays);
     else
-      meet_walls_alone(space, view, rays.parts[0], rays);
+      meet_walls_alone(space, rays.parts[0], rays);
     std::copy_n(rays.range, rays.count, row.range + first);
     std::copy_n(rays.solid, rays.count, row.solid + first);
   }

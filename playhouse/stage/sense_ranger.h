@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "playhouse/stage/bundle.h"
 #include "playhouse/stage/generated/senses.h"
-#include "playhouse/stage/rays.h"
 
 namespace playhouse::stage {
 
@@ -27,7 +27,8 @@ class RangerSense final : public SensePhase {
     std::vector<double> range, solid;    // m and number_of() the solid hit: beams of a batch of rangers
     std::vector<double> beam_x, beam_y;  // unit vectors of a scan in W
     std::size_t first_beam = 0;          // of the current ranger
-    Rays rays;                           // waiting for the wall traversal
+    Rays rays;                           // of the bundles of several rangers, waiting for their hits
+    Pairs pairs;                         // not resolved yet
     // Nearby movable solids: centers relative to the ranger in W, then in its own axes; places in the index.
     std::vector<double> x, y, distance, bearing, radius;  // m, m, m, rad, m
     std::vector<DiscIndex::Run> runs;                     // of the index, near the ranger
@@ -55,11 +56,9 @@ class RangerSense final : public SensePhase {
   static void scan_walls(const Space& space, const Pose& X_WS, Rotation rotation, double z, const View& view,
                          const Scan& scan, Scratch& scratch);
   static void run_bundle(const Space& space, const View& view, const Bundle& bundle, Scratch& scratch);
-  static void meet_few_walls(const Space& space, const View& view, const Rays::Part& part, double reach,
-                             Rays& rays);
-  static void meet_walls_alone(const Space& space, const View& view, const Rays::Part& part, Rays& rays);
-  static bool can_march(const Walls& walls, const View& view, double reach);
-  static void put_back(const Rays::Part& part, Scratch& scratch);
+  static void meet_few_walls(const Space& space, const Rays::Part& part, Rays& rays);
+  static void meet_walls_alone(const Space& space, const Rays::Part& part, Rays& rays);
+  static bool can_march(const Walls& walls, const Rays::Part& part);
   static void finish_rays(const Space& space, Scratch& scratch);
   static void run_jitter(const Space& space, const View& view, const Jitter& jitter, double bearing,
                          Scratch& scratch);
@@ -80,9 +79,10 @@ struct RangerSense::View {
   std::uint32_t root;
   bool is_wall;  // of a static tree: its own edges are in the walls
 
-  bool sees(const Solids& solids, std::size_t row, double z) const {
+  static bool sees(const Solids& solids, std::size_t row, std::uint32_t root, double z) {
     return solids.root[row] != root && (solids.seen_by[row] & kBy) != 0 && at_height(solids, row, z);
   }
+  bool sees(const Solids& solids, std::size_t row, double z) const { return sees(solids, row, root, z); }
   bool sees(const DiscIndex::Disc& disc) const { return disc.root != root && (disc.seen_by & kBy) != 0; }
 };
 
