@@ -76,7 +76,7 @@ void cast_rings(benchmark::State& state, int rings, int beams) {
   for (auto _ : state) {
     const double x = rng.uniform(-40, 40), y = rng.uniform(-40, 40);
     RayBatch batch;
-    batch.set_origin({x, y, 1});
+    batch.p = {x, y, 1};
     for (std::size_t i = 0; i < d.size(); i += RayBatch::kMost) {
       batch.count = std::min(RayBatch::kMost, d.size() - i);
       for (std::size_t k = 0; k < batch.count; ++k) batch.set_ray(k, d[i + k], 100);

@@ -31,7 +31,7 @@ Met first_met(const RayScene& scene, const Beam& beam) {
   batch.count = 1;
   batch.group = beam.group;
   batch.wants_normals = true;
-  batch.set_origin(beam.p);
+  batch.p = beam.p;
   batch.set_ray(0, beam.d, static_cast<float>(beam.range_max));
   scene.cast(batch);
   const Met met{batch.range[0], batch.met[0], batch.facing[0], {batch.nx[0], batch.ny[0], batch.nz[0]}};

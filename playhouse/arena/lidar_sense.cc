@@ -156,7 +156,7 @@ void LidarSense::measure(world::World& world, std::uint32_t ranger, std::uint64_
   for (std::size_t i = 0; i < beams.rays.size(); ++i) {
     const LidarBeams::Ray& ray = beams.rays[i];
     if (batch.count == RayBatch::kMost || begins_ring(beams, i)) cast(look, scratch);
-    if (batch.count == 0) batch.set_origin(Vec3{X_WM.x, X_WM.y, X_WM.z} + q * ray.p);
+    if (batch.count == 0) batch.p = Vec3{X_WM.x, X_WM.y, X_WM.z} + q * ray.p;
     Vec3 d_M = ray.d;
     if (ray.is_turned) {
       const geom::SinCos turn = geom::sincos(stage::turn_of(world, model, tick, ray.sensor, ray.sample));
@@ -194,7 +194,7 @@ void LidarSense::keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& s
   float intensity = batch.met[k] == RayBatch::kNobody ? 0 : returns_[batch.met[k]];
   bool met = batch.met[k] != RayBatch::kNobody;
   const float down = -batch.dz[k];
-  const float height = batch.p[2];
+  const auto height = static_cast<float>(batch.p.z);
   if (down > 0 && height >= 0 && height < range * down) {
     range = height / down;
     facing = down;
@@ -211,10 +211,7 @@ void LidarSense::keep_echo(const Look& look, std::size_t k, Scratch& scratch) co
   const RayBatch& batch = scratch.rays;
   const LidarBeams::Ray& ray = look.beams.rays[scratch.ray[k]];
   const LidarBeams::Sensor& sensor = look.beams.sensors[ray.sensor];
-  const Beam beam{{batch.p[0], batch.p[1], batch.p[2]},
-                  {batch.dx[k], batch.dy[k], batch.dz[k]},
-                  ray.range_max,
-                  batch.group};
+  const Beam beam{batch.p, {batch.dx[k], batch.dy[k], batch.dz[k]}, ray.range_max, batch.group};
   Met met{batch.range[k], batch.met[k], batch.facing[k], {batch.nx[k], batch.ny[k], batch.nz[k]}};
   if (const Met ground = ground_met(beam); ground.range < met.range) met = ground;
   const LightEcho echo = echo_of(scene_, {look.world, optics_}, beam, met, sensor.weakest);

@@ -22,7 +22,7 @@ struct alignas(64) RayBatch {
 
   std::size_t count = 0;
   std::uint32_t group = kNobody;                         // of the observer
-  float p[3] = {};                                       // origin  [m, in W]
+  geom::Vec3 p;                                          // origin  [m, in W]
   float dx[kMost] = {}, dy[kMost] = {}, dz[kMost] = {};  // unit vectors
   float range[kMost] = {};        // in: largest distance; out: distance of the hit  [m]
   std::uint32_t met[kMost] = {};  // out: owner id of the hit, or kNobody
@@ -31,9 +31,6 @@ struct alignas(64) RayBatch {
   float nx[kMost] = {}, ny[kMost] = {},
         nz[kMost] = {};  // out: unit normal at the hit, on either side  [in W]
 
-  void set_origin(const geom::Vec3& from) {
-    p[0] = static_cast<float>(from.x), p[1] = static_cast<float>(from.y), p[2] = static_cast<float>(from.z);
-  }
   void set_ray(std::size_t k, const geom::Vec3& d, float range_max) {
     dx[k] = static_cast<float>(d.x), dy[k] = static_cast<float>(d.y), dz[k] = static_cast<float>(d.z);
     range[k] = range_max;

@@ -61,9 +61,11 @@ struct alignas(64) Frame : Axes {
   float slack;  // m that a plane's distance is rounded by, at most
 };
 
-void scale_to_unit(float (&v)[3]) {
+/// Returns the length that it had.
+float scale_to_unit(float (&v)[3]) {
   const float length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   for (float& each : v) each /= length;
+  return length;
 }
 
 /// Largest magnitude of a coordinate.
@@ -134,12 +136,12 @@ void shorten(Fan& fan, std::size_t block, float* reach) {
 
 /// A vector in the frame of an instance.
 void rotate_into(const ShapeInstance& instance, const float* v, float (&local)[3]) {
-  const std::array<float, 9>& R = instance.R_WS;
+  const std::array<float, 9>& R = instance.R_FS;
   for (std::size_t k = 0; k < 3; ++k) local[k] = R[3 * k] * v[0] + R[3 * k + 1] * v[1] + R[3 * k + 2] * v[2];
 }
-/// A vector of its frame, in W.
+/// A vector of its frame, in F.
 void rotate_out(const ShapeInstance& instance, float (&v)[3]) {
-  const std::array<float, 9>& R = instance.R_WS;
+  const std::array<float, 9>& R = instance.R_FS;
   const float local[3] = {v[0], v[1], v[2]};
   for (std::size_t k = 0; k < 3; ++k) v[k] = R[k] * local[0] + R[3 + k] * local[1] + R[6 + k] * local[2];
 }

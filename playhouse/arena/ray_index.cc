@@ -18,13 +18,13 @@ Bounds box_of(const Triangles& triangles, const std::array<std::uint32_t, 3>& co
   return box;
 }
 
-/// Of the box of a shape at a pose, in W; larger by what floats round.
+/// Of the box of a shape at a pose, in F; larger by what floats round.
 Bounds box_of(const ShapeInstance& instance, const Bounds& shape) {
   Bounds box;
   for (std::size_t k = 0; k < 3; ++k) {
-    float middle = instance.p_WS[k], half = 0;
+    float middle = instance.p_FS[k], half = 0;
     for (std::size_t j = 0; j < 3; ++j) {
-      const float R = instance.R_WS[3 * j + k];
+      const float R = instance.R_FS[3 * j + k];
       middle += R * 0.5f * (shape.low[j] + shape.high[j]);
       half += std::fabs(R) * 0.5f * (shape.high[j] - shape.low[j]);
     }

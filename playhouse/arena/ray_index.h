@@ -43,17 +43,25 @@ TriangleIndex triangle_index_of(const Triangles& triangles, std::span<const std:
 struct ShapeInstance {
   std::uint32_t shape = 0;
   Owner owner;
-  std::array<float, 9> R_WS = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // by columns
-  std::array<float, 3> p_WS = {};                           // m
+  std::array<float, 9> R_FS = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // by columns
+  std::array<float, 3> p_FS = {};                           // m
 };
 
+/// Coordinates are single precision in F, whose axes are those of W and whose origin
+/// is near what stands still: worlds far from the origin of W lose none.
 struct RayIndex {
-  TriangleIndex fixed;  // in W
+  geom::Vec3 p_WF;      // m
+  TriangleIndex fixed;  // in F
   std::vector<Owner> fixed_owners;
   std::vector<TriangleIndex> shapes;  // each in its own frame S
   std::vector<ShapeInstance> instances;
   Bvh placed;  // of instances, a leaf each
 
+  /// A point of W in F.
+  void put(const geom::Vec3& p_W, float* p_F) const {
+    const geom::Vec3 p = p_W - p_WF;
+    p_F[0] = static_cast<float>(p.x), p_F[1] = static_cast<float>(p.y), p_F[2] = static_cast<float>(p.z);
+  }
   /// Builds `placed`; to be called after instances have moved.
   void place_instances();
 };

@@ -94,7 +94,7 @@ struct World {
 RayBatch batch_of(Rng& rng, const Vec3& p, const Vec3& d, double spread, std::size_t count) {
   RayBatch rays;
   rays.count = count;
-  rays.set_origin(p);
+  rays.p = p;
   const Vec3 left = unit(cross({0.1, 0.2, 1}, d));
   for (std::size_t k = 0; k < count; ++k) {
     const geom::SinCos off =
@@ -121,7 +121,7 @@ TEST(RayScene, hits_what_a_test_of_every_triangle_hits) {
     const RayBatch asked = rays;
     world.scene.cast(rays);
     for (std::size_t k = 0; k < rays.count; ++k) {
-      const Vec3 from{rays.p[0], rays.p[1], rays.p[2]};
+      const Vec3 from = rays.p;
       const Hit expected = world.slow(from, direction(asked, k), asked.range[k], rays.group);
       hits += expected.owner != RayBatch::kNobody;
       wrong += std::fabs(rays.range[k] - expected.range) > 1e-4 || rays.met[k] != expected.owner;
@@ -129,6 +129,53 @@ TEST(RayScene, hits_what_a_test_of_every_triangle_hits) {
   }
   EXPECT_GT(hits, 3000);
   EXPECT_LE(wrong, 2) << "of " << hits << ": rays along an edge, which float hits or misses";
+}
+
+// The directions of some of them add up to exactly nothing: 32 to the bit.
+TEST(RayScene, rays_all_around_hit_in_every_number) {
+  RayScene scene;
+  Triangles room = box(5);
+  scene.set_fixed(std::span(&room, 1), std::vector<Owner>{{7, 8}});
+  scene.commit();
+  for (std::size_t count = 1; count <= RayBatch::kMost; ++count) {
+    for (const double first : {0.0, 0.1, 1.2345}) {
+      RayBatch rays;
+      rays.count = count;
+      for (std::size_t k = 0; k < count; ++k) {
+        const geom::SinCos at =
+            geom::sincos(first + geom::kTwoPi * static_cast<double>(k) / static_cast<double>(count));
+        rays.set_ray(k, {at.cos, at.sin, 0}, 30);
+      }
+      scene.cast(rays);
+      for (std::size_t k = 0; k < count; ++k)
+        EXPECT_NEAR(rays.range[k], 5 / std::max(std::fabs(rays.dx[k]), std::fabs(rays.dy[k])), 1e-5)
+            << k << " of " << count;
+    }
+  }
+}
+
+TEST(RayScene, is_as_exact_far_from_the_origin) {
+  for (const double far : {0.0, 1e4, 5.4e6}) {
+    RayScene scene;
+    const Vec3 there{far, -far, 0};
+    Triangles wall = box(0.5);
+    for (Vec3& p : wall.p) p = there + p;
+    scene.set_fixed(std::span(&wall, 1), std::vector<Owner>{{1, 1}});
+    scene.set_instances(std::vector<RayScene::Instance>{{scene.add_shape(box(0.25)), {2, 2}}});
+    scene.place(0, there + Vec3{0, 2, 0}, geom::orientation(0, {}));
+    scene.commit();
+    RayBatch rays;
+    rays.count = 2;
+    rays.p = there + Vec3{-2.6, 0.4, 0};
+    rays.set_ray(0, {1, 0, 0}, 10);
+    const Vec3 to_instance = unit({2.6, 1.6, 0});
+    rays.set_ray(1, to_instance, 10);
+    scene.cast(rays);
+    EXPECT_NEAR(rays.range[0], 2.1, 1e-5) << far;
+    EXPECT_EQ(rays.met[0], 1u);
+    EXPECT_NEAR(rays.range[1], 2.35 / to_instance.x, 1e-5) << far;
+    EXPECT_EQ(rays.met[1], 2u);
+  }
 }
 
 TEST(RayScene, all_instruction_sets_compute_the_same_bits) {
@@ -166,7 +213,7 @@ TEST(RayScene, tells_the_normal_and_the_angle) {
   rays.count = 1;
   rays.wants_normals = true;
   const Vec3 d = unit(-1 * normal + 0.05 * (q * Vec3{0, 1, 0}));
-  rays.set_origin(p);
+  rays.p = p;
   rays.set_ray(0, d, 10);
   scene.cast(rays);
   EXPECT_EQ(rays.met[0], 3u);
@@ -212,7 +259,7 @@ TEST(RayScene, no_ray_passes_between_triangles) {
   for (std::size_t first = 0; first < targets.size(); first += RayBatch::kMost) {
     RayBatch rays;
     rays.count = std::min(RayBatch::kMost, targets.size() - first);
-    rays.set_origin(p);
+    rays.p = p;
     for (std::size_t k = 0; k < rays.count; ++k) {
       const Vec3 d = unit(targets[first + k] - p);
       rays.set_ray(k, d, 10);
