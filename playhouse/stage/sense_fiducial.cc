@@ -21,24 +21,30 @@ SensorTable FiducialSense::table(world::World& world) const {
   return {world.fiducials.model, world.fiducials.measured_tick};
 }
 
-void FiducialSense::populate(const world::World& world, const Space& space) {
-  const Solids& solids = space.solids;
+void FiducialSense::populate(const world::World& world, const Space&) {
   const std::size_t models = world.fiducials.size() > 0 ? world.models.size() : 0;
-  z_min_.assign(models, 1e300);
-  z_max_.assign(models, -1e300);
+  z_min_.resize(models);
+  z_max_.resize(models);
   marked_.reserve(models);
   targets_.populate(models, 0.25);
-  for (std::size_t row = 0; models > 0 && row < solids.size(); ++row) {
+}
+
+/// Of the bodies as they are now: parts of a robot may have risen. With a margin for the
+/// rounding of heights in W: a finder on top of a body is at its upper end, wherever the two are.
+void FiducialSense::measure_heights(const Solids& solids) {
+  std::ranges::fill(z_min_, 1e300);
+  std::ranges::fill(z_max_, -1e300);
+  for (std::size_t row = 0; row < solids.size(); ++row) {
     const std::uint32_t top = solids.root[row];
-    const double z = world.models.X_WM[top].z;
-    z_min_[top] = std::min(z_min_[top], solids.z_min[row] - z);
-    z_max_[top] = std::max(z_max_[top], solids.z_max[row] - z);
+    z_min_[top] = std::min(z_min_[top], solids.z_min[row] - kMargin);
+    z_max_[top] = std::max(z_max_[top], solids.z_max[row] + kMargin);
   }
 }
 
 std::uint64_t FiducialSense::sense(world::World& world, const Space& space,
                                    std::span<const std::uint32_t> due, std::uint64_t,
                                    world::Workers& workers) {
+  measure_heights(space.solids);
   marked_.clear();
   for (std::uint32_t row = 0; row < world.models.size(); ++row)
     if (world.models.fiducial_return[row] != 0) marked_.push_back(row);
@@ -74,9 +80,8 @@ void FiducialSense::find(world::World& world, const Space& space, std::uint32_t 
     if (world.desc(target).fiducial_key != desc.fiducial_key) return;
     const double bearing = geom::normalize(geom::atan2(p_W.y, p_W.x) - X_WB.a);
     if (std::fabs(bearing) > 0.5 * limits.fov) return;
-    const double above = X_WB.z - world.models.X_WM[disc.root].z;
     const bool has_body = z_min_[disc.root] <= z_max_[disc.root];
-    if (!limits.ignore_zloc && has_body && (above < z_min_[disc.root] || above > z_max_[disc.root])) return;
+    if (!limits.ignore_zloc && has_body && (X_WB.z < z_min_[disc.root] || X_WB.z > z_max_[disc.root])) return;
     const double range = std::sqrt(squared);
     if (!in_sight(space, X_WB.xy(), X_WB.z, disc.center, range, own, disc.root)) return;
     const Pose& X_WT = world.models.X_WM[disc.row];

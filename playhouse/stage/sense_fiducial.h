@@ -17,10 +17,10 @@ class FiducialSense final : public SensePhase {
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
+  void measure_heights(const Solids& solids);
   void find(world::World& world, const Space& space, std::uint32_t finder) const;
 
-  std::vector<double> z_min_,
-      z_max_;  // height range of a model's tree, from its root's z   [m] (models, if there is a finder)
+  std::vector<double> z_min_, z_max_;  // of trees, by their roots, in W  [m] (models, if there is a finder)
   std::vector<std::uint32_t> marked_;  // models visible to finders in this tick
   DiscIndex targets_;                  // the marked models, as points
 };

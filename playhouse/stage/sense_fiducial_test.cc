@@ -84,5 +84,28 @@ TEST(FiducialSense, does_not_see_through_what_stands_between_also_if_it_ignores_
   EXPECT_EQ(seen_in(scene), (std::vector<std::int32_t>{2}));
 }
 
+// The upper end of the target is at the height of the finder, to the bit or a rounding away from it.
+TEST(FiducialSense, sees_bodies_as_high_as_it_is_wherever_they_were_before) {
+  scene::SceneDesc scene;
+  scene.models.push_back(testing::robot("a", {0, 0, 0, 0}, {0.2, 0.2, 0.3}));
+  scene.models.push_back(lookout(wide_finder()).models[0]);
+  scene.models[1].parent = 0;
+  scene.models[1].X_PM = {0, 0, 0.3, 0};
+  scene.models.push_back(testing::robot("b", {2, 0, 0, 0}, {0.2, 0.2, 0.3}));
+  scene.models[2].fiducial_return = 7;
+  auto engine = make_engine(scene, {.seed = 1, .workers = 1});
+  ASSERT_TRUE(engine.ok());
+  world::World& world = (*engine)->world();
+  for (int i = 1; i < 100; ++i) {
+    for (const std::uint32_t robot : {0u, 2u}) {
+      Pose at = world.models.X_WM[robot];
+      at.z = i / 7.0;
+      ASSERT_TRUE(world::set_pose(world, {robot}, at));
+    }
+    (*engine)->step();
+    EXPECT_EQ(world.fiducials.hits[0].size(), 1u) << i;
+  }
+}
+
 }  // namespace
 }  // namespace playhouse::stage
