@@ -216,6 +216,15 @@ Trees make_trees(const world::World& world) {
   return trees;
 }
 
+std::vector<StaticModel> static_models(const world::World& world) {
+  const world::Models& models = world.models;
+  std::vector<StaticModel> all;
+  for (std::uint32_t row = 0; row < models.size(); ++row)
+    if (stands_still(models, row))
+      all.push_back({row, models.root[row], models.desc[row], models.X_WM[row], models.tilt_WM[row]});
+  return all;
+}
+
 Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
   Solids solids;
   solids.first_vertex.push_back(0);

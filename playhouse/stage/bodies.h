@@ -131,6 +131,14 @@ struct Solids {
 };
 
 Trees make_trees(const world::World& world);
+/// A static model, as far as its solids depend on it.
+struct StaticModel {
+  std::uint32_t model, root, desc;  // rows of world::Models; of SceneDesc::models
+  Pose X_WM;
+  geom::Tilt tilt_WM;
+  bool operator==(const StaticModel&) const = default;
+};
+std::vector<StaticModel> static_models(const world::World& world);
 /// The static solids, placed.
 Solids make_fixed_solids(const world::World& world, Shapes& shapes);
 /// Replaces the movable solids by those of `trees`, placed; sets trees.first_solid.

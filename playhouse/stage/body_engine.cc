@@ -78,7 +78,16 @@ world::PhysicsShapes BodyEngine::shapes() const {
   return shapes;
 }
 
+/// True if the static solids have to be made: a state that was loaded mostly has those of before.
+bool BodyEngine::have_static_models_changed() {
+  std::vector<StaticModel> now = static_models(world_);
+  if (static_models_ == now) return false;
+  static_models_ = std::move(now);
+  return true;
+}
+
 void BodyEngine::populate(bool fixed) {
+  fixed = fixed && have_static_models_changed();
   trees_ = make_trees(world_);
   if (fixed) solids_ = make_fixed_solids(world_, shapes_);
   replace_moving_solids(solids_, world_, shapes_, trees_);

@@ -4,6 +4,9 @@
 /// tables, kept up to date as models are spawned and removed, and the senses that measure
 /// among them. A derived engine adds how trees of models move. Thread: the tick thread.
 
+#include <optional>
+#include <vector>
+
 #include "playhouse/behaviour/phased_engine.h"
 #include "playhouse/stage/generated/senses.h"
 
@@ -25,7 +28,7 @@ class BodyEngine : public behaviour::PhasedEngine {
   /// A tree was teleported: its solids have new places that move() did not make.
   virtual void replaced(std::uint32_t tree) = 0;
 
-  /// Rebuilds all tables from the population; those of static solids only if `fixed`.
+  /// Rebuilds all tables from the population; those of static solids only if `fixed` and if they differ.
   void populate(bool fixed);
   /// Rebuilds index_. To be called after solids have moved.
   void index();
@@ -41,10 +44,12 @@ class BodyEngine : public behaviour::PhasedEngine {
   void sense(std::uint64_t tick) override;
   void touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
                 std::vector<std::uint32_t>& out) const override;
+  bool have_static_models_changed();
   bool moves_within_body(const world::Change& change) const;
   void replace(const world::Change& change);
   Space space() const { return {solids_, index_, walls_}; }
 
+  std::optional<std::vector<StaticModel>> static_models_;  // that solids_ has
   Senses senses_;
   std::uint64_t rays_ = 0;
 };
