@@ -358,6 +358,7 @@ void Server::Impl::finish(std::function<void()> done) {
   done_ = std::move(done);
   listeners_.clear();
   deliver_whole_outbox();
+  board_.run_is_over = true;
   if (clients_.empty()) return end();
   last_moments_ = network_.after(kLastRounds, [this] {
     last_moments_ = network_.after(kLastWrites, [this] { end(); });

@@ -300,6 +300,8 @@ void Session::answer(std::uint32_t number, bool ack, std::span<const std::byte> 
   pending_bytes_ -= header.size;
   queue_.set_awaited(!pending_.empty());
   board_.uses.answer(device, make_ticket(serial_, number));
+  // A request dropped at the end of the run was not refused: that the connection is closed says why.
+  if (!ack && body.empty() && board_.run_is_over) return;
   if (body.size() > limits::kBodyBytes)
     return refuse(header, Fault::kLimit, "the answer is over the limit of a body");
   reply(header, ack, body);

@@ -38,6 +38,7 @@ struct Switchboard {
   std::function<double()> clock;         // s; timestamps of replies
   device::Outlet* outlet;                // receives drivers' replies
   const device::Turns* turns = nullptr;  // of clients; null: no ordering
+  bool run_is_over = false;              // nobody carries out requests any more
   std::atomic<bool> held_back = false;   // a session is waiting for its turn
   std::deque<std::uint32_t> due;  // serials of the sessions with work, served in turn, longest waiting first
   /// Cached bodies of device lists, by port; cleared when a device is added or retires.

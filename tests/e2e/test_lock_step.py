@@ -293,6 +293,20 @@ class End(HouseTest):
             self.assertEqual(house.wait(), 0, house.log())
             house.wait_for_line(rf"{client.overflow_count} data messages were lost in all")
 
+    def test_whatever_is_asked_after_the_last_tick_ends_with_the_run(self):
+        asked = (lambda world: world.pose("r0"), lambda world: world.spawn("r0", 1, 1, 0),
+                 lambda world: world.remove(world.spawn("r0", 1, 1, 0)), lambda world: world.step())
+        for ask in asked * 2:
+            with self.run_house("--lock-step", "--duration", 0.5, world=self.world(ARENA)) as house, \
+                    connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
+                world = client.simulation(0)
+                for _ in range(5):
+                    world.step()
+                with self.assertRaises(RunEnded):
+                    while True:
+                        ask(world)
+                self.assertEqual(house.wait(), 0, house.log())
+
     def test_in_push_mode_a_client_asks_how_many_messages_were_lost(self):
         with self.run_house("--lock-step", world=self.world(ARENA)) as house, \
                 connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
