@@ -60,17 +60,17 @@ class Arena:
         *,
         program: Optional[str] = None,
         engine: str = "stage",
-        seed: int = 1,
+        seed: Optional[int] = None,
         workers: int = 1,
         web: Optional[int] = None,
         record: Union[str, "os.PathLike[str]", None] = None,
         timeout: float = 120.0,
     ) -> None:
-        """`engine`: simulation engine, "stage" or "arena". `web`: port of the page. `record`: an MCAP file that records all steps; it
-        is complete after close(). `timeout` (s): limit on the time without an answer of the
-        program."""
-        command = [program or find_program(), "gym", os.fspath(world), "--engine", engine, "--seed", str(seed),
-                   "--workers", str(workers)]
+        """`engine`: simulation engine, "stage" or "arena". `seed`: seed of the world; None: 1. `web`: port of the
+        page. `record`: an MCAP file that records all steps; it is complete after close(). `timeout` (s): limit on the
+        time without an answer of the program."""
+        command = [program or find_program(), "gym", os.fspath(world), "--engine", engine, "--workers", str(workers)]
+        command += [] if seed is None else ["--seed", str(seed)]
         command += [] if web is None else ["--web", str(web)]
         command += [] if record is None else ["--record", os.fspath(record)]
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)

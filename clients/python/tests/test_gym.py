@@ -279,6 +279,18 @@ class OfGymnasium(WithWorld):
         self.assertEqual(places(3), places(3))
         self.assertNotEqual(places(3), places(4))
 
+    def test_the_seed_none_is_none_at_all(self) -> None:
+        def places() -> bytes:
+            env = self.vector_env(seed=None)
+            env.reset()
+            return env.arena.pose.tobytes()
+
+        self.assertNotEqual(places(), places())
+        with Arena(self.world, program=PROGRAM, seed=None) as one, Arena(self.world, program=PROGRAM) as other:
+            for arena in (one, other):
+                arena.step(3)
+            np.testing.assert_array_equal(one.ranges, other.ranges)
+
     def test_what_could_not_be_made_is_closed(self) -> None:
         self.assertTrue(VectorEnv.__new__(VectorEnv).closed, "Gymnasium's __del__ closes what is not")
         self.assertFalse(self.vector_env().closed)
