@@ -29,6 +29,19 @@ def collided(arena: Arena) -> np.ndarray:
     return arena.stalled
 
 
+def real_numbers(what: str, values: Any, shape: Tuple[int, ...]) -> np.ndarray:
+    """`values` as an array, if they are real numbers of this shape; else a ValueError that begins with `what`."""
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        given = "rows of different lengths"
+    else:
+        if array.shape == shape and np.can_cast(array.dtype, np.float32, "same_kind"):
+            return array
+        given = f"{array.dtype} of shape {array.shape}"
+    raise ValueError(f"{what}: real numbers of shape {shape} are wanted, not {given}")
+
+
 class Episodes:
     """Episodes of the agents of an arena."""
 
@@ -86,5 +99,5 @@ class Episodes:
             truncated = (self.steps >= self._max_steps) & ~terminated
         return np.asarray(self._observe(self.arena)), rewards, terminated, truncated
 
-    def act(self, actions: Any, agents: Any = slice(None)) -> None:
+    def act(self, actions: np.ndarray, agents: Any = slice(None)) -> None:
         self.arena.actions[agents] = np.clip(actions, self.action_space.low, self.action_space.high)

@@ -6,7 +6,7 @@ from typing import Any, Dict, List, Optional, Tuple, Union
 import numpy as np
 
 from .arena import Arena
-from .episodes import Episodes, Observe, Reward, Terminated, collided, progress, ranges
+from .episodes import Episodes, Observe, Reward, Terminated, collided, progress, ranges, real_numbers
 from .spaces import Box
 
 try:
@@ -72,13 +72,11 @@ class ParallelEnv(_Base):  # type: ignore[misc]
         return dict(zip(self.agents, observations)), {name: {} for name in self.agents}
 
     def step(self, actions: _Values) -> Tuple[_Values, _Values, _Values, _Values, Dict[str, Dict[str, Any]]]:
-        """Takes velocities of the agents; agents without one stand still."""
+        """Takes velocities of the agents, clipped to the action space; agents without one stand still, and those of
+        agents whose episode has ended are ignored. Raises ValueError, and steps nobody, for an agent that does not
+        exist, or an action that is not three real numbers."""
         names = self.agents
-        self.arena.actions[:] = 0
-        acting = [name for name in names if name in actions]
-        if acting:
-            rows = [self._rows[name] for name in acting]
-            self._episodes.act(np.stack([actions[name] for name in acting]), rows)
+        self._act(actions)
         observations, rewards, terminations, truncations = self._episodes.step()
         observations = observations.copy()
         rows = [self._rows[name] for name in names]
@@ -104,3 +102,13 @@ class ParallelEnv(_Base):  # type: ignore[misc]
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+    def _act(self, actions: _Values) -> None:
+        for name in actions:
+            if name not in self._rows:
+                raise ValueError(f"there is no agent {name!r}: agents are robot_0 to {self.possible_agents[-1]}")
+        acting = [name for name in self.agents if name in actions]
+        taken = [real_numbers(f"the action of {name}", actions[name], (3,)) for name in acting]
+        self.arena.actions[:] = 0
+        if acting:
+            self._episodes.act(np.stack(taken), [self._rows[name] for name in acting])

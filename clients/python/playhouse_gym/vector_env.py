@@ -6,7 +6,7 @@ from typing import Any, Dict, Optional, Tuple, Union
 import numpy as np
 
 from .arena import Arena
-from .episodes import Episodes, Observe, Reward, Terminated, collided, progress, ranges
+from .episodes import Episodes, Observe, Reward, Terminated, collided, progress, ranges, real_numbers
 from .spaces import batch
 
 try:
@@ -74,8 +74,9 @@ class VectorEnv(_Base):  # type: ignore[misc]
         return self._handed_out(observations), {}
 
     def step(self, actions: Any) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, Dict[str, Any]]:
-        """Takes velocities of all robots, a row each, clipped to the action space."""
-        self._episodes.act(actions)
+        """Takes velocities of all robots, a row each, clipped to the action space. Raises ValueError, and steps nobody,
+        if they are not real numbers of the action space's shape."""
+        self._episodes.act(real_numbers("actions", actions, self.action_space.shape))
         np.copyto(self.arena.reset_mask, self._over)
         observations, rewards, terminations, truncations = self._episodes.step()
         np.logical_or(terminations, truncations, out=self._over)

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import shlex
 import signal
 import subprocess
@@ -295,6 +296,25 @@ class OfGymnasium(WithWorld):
         self.assertTrue(VectorEnv.__new__(VectorEnv).closed, "Gymnasium's __del__ closes what is not")
         self.assertFalse(self.vector_env().closed)
 
+    def test_actions_are_a_row_of_three_real_numbers_for_each_robot(self) -> None:
+        env = self.vector_env()
+        env.reset(seed=1)
+        wanted = re.escape(f"actions: real numbers of shape ({ROBOTS}, 3) are wanted, not ")
+        for actions, given in (
+            (np.zeros(3), "float64 of shape (3,)"), (np.zeros((1, 3)), "float64 of shape (1, 3)"),
+            (np.zeros((ROBOTS, 1)), f"float64 of shape ({ROBOTS}, 1)"), (1.0, "float64 of shape ()"),
+            (np.zeros((ROBOTS - 1, 3)), f"float64 of shape ({ROBOTS - 1}, 3)"),
+            (np.ones((ROBOTS, 3), complex), f"complex128 of shape ({ROBOTS}, 3)"),
+            ([["1", "0", "0"]] * ROBOTS, f"<U1 of shape ({ROBOTS}, 3)"), (None, "object of shape ()"),
+            ([[1, 0, 0]] * (ROBOTS - 1) + [[1, 0]], ""),
+        ):
+            with self.assertRaisesRegex(ValueError, wanted + re.escape(given)):
+                env.step(actions)
+        for actions in ([[1, 0, 0]] * ROBOTS, np.ones((ROBOTS, 3), np.int64), np.ones((ROBOTS, 3), np.float16)):
+            env.reset(seed=1)
+            env.step(actions)
+            self.assertTrue(np.allclose(env.arena.velocity[:, 0], 1.0))
+
     def test_a_step_before_a_reset_and_after_the_close_is_an_error(self) -> None:
         env = self.vector_env()
         with self.assertRaisesRegex(RuntimeError, "reset"):
@@ -360,6 +380,28 @@ class OfPettingZoo(WithWorld):
             return [{agent: values.tobytes() for agent, values in each.items()} for each in seen]
 
         self.assertEqual(episode(), episode())
+
+    def test_an_action_that_cannot_be_done_is_an_error_with_its_agent(self) -> None:
+        env = self.env()
+        env.reset(seed=1)
+        fine = np.float32((1, 0, 0))
+        for action in ([1, 0], 1.0, [[1, 0, 0]], [1, 0, 0j], ["1", "0", "0"], None):
+            with self.assertRaisesRegex(ValueError, r"the action of robot_1: real numbers of shape \(3,\) are wanted"):
+                env.step({"robot_0": fine, "robot_1": action})
+        with self.assertRaisesRegex(ValueError, f"there is no agent 'nobody': .*robot_0 to robot_{ROBOTS - 1}"):
+            env.step({"robot_0": fine, "nobody": fine})
+        self.assertEqual(env.arena.tick, 1, "nobody has moved")
+
+    def test_actions_of_agents_whose_episode_has_ended_are_ignored(self) -> None:
+        env = self.env(terminated=lambda arena: np.arange(ROBOTS) == 2)
+        env.reset(seed=1)
+        actions = dict.fromkeys(env.possible_agents, np.float32((0.2, 0, 0)))
+        env.step(actions)
+        self.assertNotIn("robot_2", env.agents)
+        for action in (actions["robot_2"], None):
+            observations = env.step({**actions, "robot_2": action})[0]
+            self.assertNotIn("robot_2", observations)
+            self.assertEqual(tuple(env.arena.velocity[2]), (0, 0, 0))
 
     def test_their_own_test(self) -> None:
         try:
