@@ -2,6 +2,8 @@
 
 import array
 import mmap
+import numbers
+import operator
 import os
 import pathlib
 import shutil
@@ -22,6 +24,7 @@ _ANSWER = struct.Struct("<II")
 _MAGIC, _VERSION = b"plhsgym\0", 1
 _STEP, _START_AGAIN = 1, 2
 _SEEDS = 1 << 64
+MOST_TICKS = 1 << 20  # of a step
 _ENDING, _ENDING_RECORD = 10.0, 600.0  # s; longer with a recording, which is completed first
 
 
@@ -37,6 +40,13 @@ def find_program() -> str:
     if found is None:
         raise ArenaError("there is no program playhouse: set PLAYHOUSE_PROGRAM, or give its path")
     return found
+
+
+def whole_number(what: str, value: int, most: int) -> int:
+    """`value`, if it is a whole number from 1 to `most`; else a ValueError that begins with `what`."""
+    if not isinstance(value, numbers.Integral) or not 1 <= value <= most:
+        raise ValueError(f"{what}: a whole number from 1 to {most} is wanted, not {value!r}")
+    return int(value)
 
 
 class Arena:
@@ -151,13 +161,13 @@ class Arena:
             time.sleep(0.01)
 
     def step(self, ticks: int = 1) -> None:
-        """Applies `actions` and `reset_mask`, which is all False afterwards, and runs this number of ticks."""
-        self._ask(_STEP, ticks, 0)
+        """Applies `actions` and `reset_mask`, which is all False afterwards, and runs this number of ticks, 1 to 2^20."""
+        self._ask(_STEP, whole_number("ticks", ticks, MOST_TICKS), 0)
 
     def start_again(self, seed: int) -> None:
         """Restarts the run with this seed, every agent at a different position drawn from those of the world file;
         one tick with all at rest gives the first measurements."""
-        self._ask(_START_AGAIN, 0, seed % _SEEDS)
+        self._ask(_START_AGAIN, 0, operator.index(seed) % _SEEDS)
 
     def close(self) -> None:
         """Terminates the program; the columns keep their values. A second call has no effect. Raises ArenaError if the

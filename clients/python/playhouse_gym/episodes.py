@@ -1,15 +1,17 @@
 """Common part of both environments: seeds, rewards, and ends of episodes."""
 
-from typing import Any, Callable, Optional, Tuple
+import os
+from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 import numpy as np
 
-from .arena import Arena
+from .arena import MOST_TICKS, Arena, whole_number
 from .spaces import Box
 
 Observe = Callable[[Arena], np.ndarray]
 Reward = Callable[[Arena, np.ndarray], np.ndarray]
 Terminated = Callable[[Arena], np.ndarray]
+_MOST_STEPS = np.iinfo(np.int64).max
 
 
 def ranges(arena: Arena) -> np.ndarray:
@@ -47,28 +49,31 @@ class Episodes:
 
     def __init__(
         self,
-        arena: Arena,
+        world: Union[str, "os.PathLike[str]"],
         max_steps: Optional[int],
         ticks: int,
         max_action: Tuple[float, float, float],
         observe: Observe,
         reward: Reward,
         terminated: Terminated,
-        seed: Optional[int],
+        arena: Dict[str, Any],
     ) -> None:
-        """`seed`: seed of all random numbers until reset() has another; None: a different one each time."""
-        self.arena = arena
-        self._max_steps, self._ticks = max_steps, ticks
+        """`arena`: arguments of the Arena, which is started after the others are checked. Its `seed` is that of all random
+        numbers until reset() has another; None: a different one each time."""
+        self._max_steps = None if max_steps is None else whole_number("max_steps", max_steps, _MOST_STEPS)
+        self._ticks = whole_number("ticks", ticks, MOST_TICKS)
+        self.action_space = _action_space(max_action)
         self._observe, self._reward, self._terminated = observe, reward, terminated
-        self._random = np.random.default_rng(seed)
+        self._random = np.random.default_rng(arena.get("seed"))
         self._begun = False
-        self.steps = np.zeros(arena.agents, np.int64)  # steps in each agent's episode
-        self._before = arena.pose.copy()
-        high = np.asarray(max_action, np.float32)
-        self.action_space = Box(-high, high, dtype=np.float32)
-        first = np.asarray(observe(arena))[0]
-        least, most = (0.0, float(arena.range_max.max())) if observe is ranges else (-np.inf, np.inf)
-        self.observation_space = Box(least, most, first.shape, first.dtype)
+        self.arena = Arena(world, **arena)
+        try:
+            self.observation_space = self._space()
+        except BaseException:
+            self.arena.close()
+            raise
+        self.steps = np.zeros(self.arena.agents, np.int64)  # steps in each agent's episode
+        self._before = self.arena.pose.copy()
 
     def reset(self, seed: Optional[int]) -> np.ndarray:
         """Starts episodes of all agents. Without a seed it continues with the previous one."""
@@ -77,7 +82,7 @@ class Episodes:
         self._begun = True
         self.arena.start_again(int(self._random.integers(1 << 63)))
         self.steps[:] = 0
-        return np.asarray(self._observe(self.arena))
+        return self._observations()
 
     def step(self) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Applies the actions and resets in the arena; returns observations, rewards, terminations, truncations. Agents
@@ -89,15 +94,38 @@ class Episodes:
         self.arena.step(self._ticks)
         self.steps += 1
         self.steps[begun] = 0
-        rewards = np.asarray(self._reward(self.arena, self._before))
-        terminated = np.array(self._terminated(self.arena), np.bool_)
+        each = (self.arena.agents,)
+        rewards = real_numbers("reward", self._reward(self.arena, self._before), each)
+        terminated = real_numbers("terminated", self._terminated(self.arena), each).astype(np.bool_)
         if begun.any():
             rewards = np.where(begun, 0, rewards).astype(rewards.dtype)
             terminated &= ~begun
         truncated = np.zeros_like(terminated)
         if self._max_steps is not None:
             truncated = (self.steps >= self._max_steps) & ~terminated
-        return np.asarray(self._observe(self.arena)), rewards, terminated, truncated
+        return self._observations(), rewards, terminated, truncated
 
     def act(self, actions: np.ndarray, agents: Any = slice(None)) -> None:
         self.arena.actions[agents] = np.clip(actions, self.action_space.low, self.action_space.high)
+
+    def _space(self) -> Box:
+        first = np.asarray(self._observe(self.arena))
+        if first.shape[:1] != (self.arena.agents,):
+            raise ValueError(f"observe: an array with {self.arena.agents} rows is wanted, not one of shape {first.shape}")
+        least, most = (0.0, float(self.arena.range_max.max())) if self._observe is ranges else (-np.inf, np.inf)
+        return Box(least, most, first.shape[1:], first.dtype)
+
+    def _observations(self) -> np.ndarray:
+        values = np.asarray(self._observe(self.arena))
+        shape = (self.arena.agents, *self.observation_space.shape)
+        if values.shape != shape:
+            raise ValueError(f"observe: an array of shape {shape} is wanted, as the first, not one of shape {values.shape}")
+        return values
+
+
+def _action_space(max_action: Tuple[float, float, float]) -> Box:
+    high = real_numbers("max_action", max_action, (3,))
+    if not ((high >= 0) & (high <= np.finfo(np.float32).max)).all():
+        raise ValueError(f"max_action: finite numbers from 0 on are wanted, not {max_action}")
+    high = high.astype(np.float32)
+    return Box(-high, high, dtype=np.float32)

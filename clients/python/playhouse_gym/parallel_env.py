@@ -5,7 +5,6 @@ from typing import Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
-from .arena import Arena
 from .episodes import Episodes, Observe, Reward, Terminated, collided, progress, ranges, real_numbers
 from .spaces import Box
 
@@ -36,9 +35,8 @@ class ParallelEnv(_Base):  # type: ignore[misc]
         terminated: Terminated = collided,
         **arena: Any,
     ) -> None:
-        self.arena = Arena(world, **arena)
-        self._episodes = Episodes(self.arena, max_steps, ticks, max_action, observe, reward, terminated,
-                                  arena.get("seed"))
+        self._episodes = Episodes(world, max_steps, ticks, max_action, observe, reward, terminated, arena)
+        self.arena = self._episodes.arena
         self.possible_agents: List[str] = [f"robot_{row}" for row in range(self.arena.agents)]
         self.agents: List[str] = []
         self._rows = {name: row for row, name in enumerate(self.possible_agents)}

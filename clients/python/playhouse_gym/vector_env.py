@@ -5,7 +5,6 @@ from typing import Any, Dict, Optional, Tuple, Union
 
 import numpy as np
 
-from .arena import Arena
 from .episodes import Episodes, Observe, Reward, Terminated, collided, progress, ranges, real_numbers
 from .spaces import batch
 
@@ -47,9 +46,8 @@ class VectorEnv(_Base):  # type: ignore[misc]
         **arena: Any,
     ) -> None:
         """Further arguments are those of Arena."""
-        self.arena = Arena(world, **arena)
-        self._episodes = Episodes(self.arena, max_steps, ticks, max_action, observe, reward, terminated,
-                                  arena.get("seed"))
+        self._episodes = Episodes(world, max_steps, ticks, max_action, observe, reward, terminated, arena)
+        self.arena = self._episodes.arena
         self._copy = copy
         self.num_envs = self.arena.agents
         self.single_observation_space = self._episodes.observation_space

@@ -101,6 +101,17 @@ class TheArena(WithWorld):
             np.testing.assert_array_equal(arena.pose, first)
             self.assertEqual(arena.tick, 1)
 
+    def test_ticks_and_seeds_are_whole_numbers(self) -> None:
+        with Arena(self.world, program=PROGRAM) as arena:
+            for ticks in (0, -1, 2.5, 2**20 + 1, "1", None):
+                with self.assertRaisesRegex(ValueError, "ticks: a whole number from 1 to 1048576 is wanted, not "):
+                    arena.step(ticks)  # type: ignore[arg-type]
+            with self.assertRaisesRegex(TypeError, "'float' object cannot be interpreted as an integer"):
+                arena.start_again(1.5)  # type: ignore[arg-type]
+            arena.start_again(np.int64(1))
+            arena.step(np.int64(2))
+            self.assertEqual(arena.tick, 3)
+
     def test_what_is_wrong_is_told_in_a_line(self) -> None:
         pathlib.Path(self.world).write_text('position( name "r0" )')
         with self.assertRaisesRegex(ArenaError, "no robot of this world has a range finder"):
@@ -295,6 +306,49 @@ class OfGymnasium(WithWorld):
     def test_what_could_not_be_made_is_closed(self) -> None:
         self.assertTrue(VectorEnv.__new__(VectorEnv).closed, "Gymnasium's __del__ closes what is not")
         self.assertFalse(self.vector_env().closed)
+
+    def test_arguments_that_cannot_be_are_told_by_their_names(self) -> None:
+        for wrong, why in (
+            ({"max_action": (1, 1)}, r"max_action: real numbers of shape \(3,\) are wanted, not int64 of shape \(2,\)"),
+            ({"max_action": 1}, r"max_action: real numbers of shape \(3,\)"),
+            ({"max_action": (-1, 0, 1)}, r"max_action: finite numbers from 0 on are wanted, not \(-1, 0, 1\)"),
+            ({"max_action": (1, 0, np.inf)}, "max_action: finite numbers"),
+            ({"max_action": (1, 0, np.nan)}, "max_action: finite numbers"),
+            ({"max_action": (1, 0, 1e39)}, "max_action: finite numbers"),  # float32 has none such
+            ({"ticks": -1}, "ticks: a whole number from 1 to 1048576 is wanted, not -1"),
+            ({"ticks": 2.5}, "ticks: a whole number from 1 to 1048576 is wanted, not 2.5"),
+            ({"max_steps": 0}, "max_steps: a whole number from 1 to .* is wanted, not 0"),
+            ({"max_steps": 2.5}, "max_steps: a whole number from 1 to .* is wanted, not 2.5"),
+        ):
+            for make in (VectorEnv, ParallelEnv):
+                with self.assertRaisesRegex(ValueError, why):
+                    make(self.world, program=PROGRAM, **wrong)
+
+    def test_an_environment_that_cannot_be_made_leaves_no_program_behind(self) -> None:
+        arenas: list = []
+        try:
+            self.vector_env(observe=arenas.append)
+        except ValueError:  # whose traceback has the environment
+            self.assertIsNotNone(arenas[0]._process.poll())
+        self.assertEqual(len(arenas), 1)
+
+    def test_what_functions_return_has_a_row_for_each_robot(self) -> None:
+        def of(rows: int):
+            return lambda arena, *_: np.zeros((rows, 2))
+
+        for observe in (of(ROBOTS - 1), lambda arena: 1.0):
+            with self.assertRaisesRegex(ValueError, f"observe: an array with {ROBOTS} rows is wanted, not one of shape "):
+                self.vector_env(observe=observe)
+        env = self.vector_env(observe=lambda arena: np.zeros((ROBOTS, 3 if arena.tick == 2 else 4)))
+        env.reset(seed=1)
+        with self.assertRaisesRegex(ValueError, rf"observe: .* of shape \({ROBOTS}, 4\) .*, not .* \({ROBOTS}, 3\)"):
+            env.step(np.zeros((ROBOTS, 3)))
+        for name in ("reward", "terminated"):
+            for function in (of(ROBOTS), lambda *_: 0.0, lambda *_: np.zeros(1), lambda *_: ["?"] * ROBOTS):
+                env = self.vector_env(**{name: function})
+                env.reset(seed=1)
+                with self.assertRaisesRegex(ValueError, rf"{name}: real numbers of shape \({ROBOTS},\) are wanted, not "):
+                    env.step(np.zeros((ROBOTS, 3)))
 
     def test_actions_are_a_row_of_three_real_numbers_for_each_robot(self) -> None:
         env = self.vector_env()
