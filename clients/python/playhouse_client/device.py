@@ -2,6 +2,7 @@
 
 import difflib
 import enum
+import numbers
 import sys
 import time
 from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Type, TypeVar, Union
@@ -216,6 +217,10 @@ class Device:
         for name, value in values.items():
             if not -_LARGEST <= value <= _LARGEST:  # also rejects nan
                 raise InvalidValue(f"{self.name}: {name} is {value}, not a finite number")
+
+    def _insist_on_whole(self, name: str, value: int, least: int, most: int) -> None:
+        if not isinstance(value, numbers.Integral) or not least <= value <= most:
+            raise InvalidValue(f"{self.name}: {name} is {value!r}, not a whole number from {least} to {most}")
 
     def _stamped(self, message: MessageType) -> Tuple[Any, float]:
         """The newest value of a data message and its server time (s). Raises NoData before the first."""

@@ -757,8 +757,7 @@ class Simulation(Device):
         if seed is None:
             self.command(simulation.CMD_RESET)
             return
-        if not 0 <= seed < 1 << 64:
-            raise InvalidValue(f"the seed is {seed}")
+        self._insist_on_whole("seed", seed, 0, (1 << 64) - 1)
         self._of_world("reset", struct.pack("<Q", seed))
 
     def join(self, name: str) -> None:
@@ -770,8 +769,7 @@ class Simulation(Device):
         """Runs this number of ticks and waits until they are done, in lock-step until all members have requested them:
         at most `timeout` seconds, None: no limit. In push mode all data of the ticks have then been delivered to the
         devices; in pull mode they are queued for read(). Without lock-step the world is paused afterwards."""
-        if not 0 < ticks <= 1 << 20:
-            raise InvalidValue(f"a step of {ticks} ticks")
+        self._insist_on_whole("ticks", ticks, 1, 1 << 20)
         self._of_world("step", struct.pack("<I", ticks), timeout=math.inf if timeout is None else timeout)
         self._client.deliver_pushed()
 

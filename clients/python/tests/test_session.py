@@ -480,6 +480,12 @@ class Asking(unittest.TestCase):
                     act()
             with self.assertRaisesRegex(ValueError, "position2d:0: vx is nan"):
                 robot.drive(nan)
+            for ticks in (0, -1, 1.5, 2**20 + 1, "1", None):
+                with self.assertRaisesRegex(InvalidValue, f"simulation:0: ticks is {ticks!r}, not a whole number from 1 to"):
+                    simulator.step(ticks)  # type: ignore[arg-type]
+            for seed in (-1, 1.5, 2**64, "1"):
+                with self.assertRaisesRegex(InvalidValue, f"simulation:0: seed is {seed!r}, not a whole number from 0 to"):
+                    simulator.reset(seed)  # type: ignore[arg-type]
             for index in (-1, 65536):
                 with self.assertRaisesRegex(InvalidValue, f"there is no position2d:{index}"):
                     client.position2d(index)
