@@ -7,6 +7,7 @@ import operator
 import os
 import pathlib
 import shutil
+import signal
 import socket
 import struct
 import subprocess
@@ -177,7 +178,7 @@ class Arena:
         self._socket = None
         said = self._finalizer() or ""
         if self._recorded is not None and self._process.returncode != 0:
-            raise ArenaError(f"{os.fspath(self._recorded)} is not whole: {_last_error(said)}")
+            raise ArenaError(f"{os.fspath(self._recorded)} is not whole: {_how_it_ended(self._process.returncode, said)}")
 
     def __enter__(self) -> "Arena":
         return self
@@ -241,18 +242,27 @@ class Arena:
 
     def _lost(self) -> ArenaError:
         code = self._process.wait()
-        said = _last_error(self._log())
+        said = self._log()
         self._end_now()
-        return ArenaError(f"the program has ended with code {code}: {said}")
+        return ArenaError(_how_it_ended(code, said))
 
     def _end_now(self) -> None:
         self._socket = None
         self._finalizer()
 
 
-def _last_error(said: str) -> str:
-    lines = said.strip().splitlines()
-    return next((line for line in reversed(lines) if "error" in line), lines[-1] if lines else "")
+def _how_it_ended(code: int, said: str) -> str:
+    """With the last error in its output, if there is one."""
+    how = f"with code {code}" if code >= 0 else f"by {_signal_name(-code)}"
+    error = next((f": {line}" for line in reversed(said.splitlines()) if "error: " in line), "")
+    return f"the program has ended {how}{error}"
+
+
+def _signal_name(number: int) -> str:
+    try:
+        return f"signal {number} ({signal.Signals(number).name})"
+    except ValueError:  # a real-time signal has no name
+        return f"signal {number}"
 
 
 def _receive_with_descriptor(source: socket.socket, size: int) -> Any:

@@ -124,10 +124,25 @@ class TheArena(WithWorld):
     def test_the_end_of_the_program_is_noticed(self) -> None:
         arena = Arena(self.world, program=PROGRAM)
         arena._process.send_signal(signal.SIGKILL)
-        with self.assertRaisesRegex(ArenaError, "ended with code -9"):
+        with self.assertRaisesRegex(ArenaError, r"^the program has ended by signal 9 \(SIGKILL\)$"):
             arena.step()
         with self.assertRaisesRegex(ArenaError, "closed"):
             arena.step()
+
+    def test_what_the_program_said_last_is_a_reason_only_if_it_is_an_error(self) -> None:
+        program = pathlib.Path(self.world).with_name("program")
+        for script, told in (
+            ("echo 'Player clients: 127.0.0.1:1' >&2; exit 3", "the program has ended with code 3"),
+            ("echo 'a.world:1: error: what' >&2; echo more >&2; exit 2",
+             "the program has ended with code 2: a.world:1: error: what"),
+            ("echo 'error: --seed: why' >&2; kill -ABRT $$",
+             "the program has ended by signal 6 (SIGABRT): error: --seed: why"),
+            ("kill -40 $$", "the program has ended by signal 40"),
+        ):
+            program.write_text(f"#!/bin/sh\n{script}\n")
+            program.chmod(0o755)
+            with self.assertRaisesRegex(ArenaError, f"^{re.escape(told)}$"):
+                Arena(self.world, program=str(program))
 
     def test_the_program_ends_with_whoever_started_it_and_leaves_no_memory_behind(self) -> None:
         before = set(os.listdir("/dev/shm"))
@@ -191,6 +206,12 @@ class Recorded(WithWorld):
     def test_a_file_that_cannot_be_written_is_told_in_a_line(self) -> None:
         with self.assertRaisesRegex(ArenaError, "no_such/run.mcap"):
             Arena(self.world, program=PROGRAM, record=pathlib.Path(self.world).parent / "no_such" / "run.mcap")
+
+    def test_a_recording_whose_program_was_ended_is_told_at_the_end(self) -> None:
+        arena = Arena(self.world, program=PROGRAM, record=pathlib.Path(self.world).with_name("run.mcap"))
+        arena._process.kill()
+        with self.assertRaisesRegex(ArenaError, r"run.mcap is not whole: the program has ended by signal 9 \(SIGKILL\)$"):
+            arena.close()
 
     def test_a_recording_that_stops_half_way_is_told_at_the_end(self) -> None:
         file = pathlib.Path(self.world).with_name("run.mcap")
