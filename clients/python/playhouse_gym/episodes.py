@@ -6,7 +6,7 @@ from typing import Any, Callable, Dict, Optional, Tuple, Union
 import numpy as np
 
 from .arena import MOST_TICKS, Arena, whole_number
-from .spaces import Box
+from .spaces import Box, unbounded
 
 Observe = Callable[[Arena], np.ndarray]
 Reward = Callable[[Arena, np.ndarray], np.ndarray]
@@ -112,8 +112,9 @@ class Episodes:
         first = np.asarray(self._observe(self.arena))
         if first.shape[:1] != (self.arena.agents,):
             raise ValueError(f"observe: an array with {self.arena.agents} rows is wanted, not one of shape {first.shape}")
-        least, most = (0.0, float(self.arena.range_max.max())) if self._observe is ranges else (-np.inf, np.inf)
-        return Box(least, most, first.shape[1:], first.dtype)
+        if self._observe is ranges:
+            return Box(0.0, float(self.arena.range_max.max()), first.shape[1:], first.dtype)
+        return unbounded(first.shape[1:], first.dtype)
 
     def _observations(self) -> np.ndarray:
         values = np.asarray(self._observe(self.arena))

@@ -42,7 +42,16 @@ except ImportError:
             self.high = np.broadcast_to(np.asarray(high, self.dtype), self.shape)
 
         def sample(self) -> np.ndarray:
-            return self.np_random.uniform(self.low, self.high, self.shape).astype(self.dtype)
+            """Of each value: uniform between two finite bounds, exponential away from a single one, normal without any."""
+            low, high = np.isfinite(self.low), np.isfinite(self.high)
+            neither, only_low, only_high, both = ~low & ~high, low & ~high, ~low & high, low & high
+            values = np.empty(self.shape)
+            values[neither] = self.np_random.normal(size=neither.sum())
+            values[only_low] = self.low[only_low] + self.np_random.exponential(size=only_low.sum())
+            values[only_high] = self.high[only_high] - self.np_random.exponential(size=only_high.sum())
+            whole = self.dtype.kind != "f"
+            values[both] = self.np_random.uniform(self.low[both], self.high[both].astype(np.float64) + whole)
+            return (np.floor(values) if whole else values).astype(self.dtype)
 
         def contains(self, x: Any) -> bool:
             x = np.asarray(x)
@@ -75,6 +84,14 @@ except ImportError:
 
         def __repr__(self) -> str:
             return f"Discrete({self.n}, start={self.start})"
+
+
+def unbounded(shape: Any, dtype: np.dtype) -> "Box":
+    """Arrays of any values of the dtype."""
+    if dtype.kind == "f":
+        return Box(-np.inf, np.inf, shape, dtype)
+    least, most = (0, 1) if dtype.kind == "b" else (np.iinfo(dtype).min, np.iinfo(dtype).max)
+    return Box(least, most, shape, dtype)
 
 
 def batch(space: "Box", count: int) -> "Box":

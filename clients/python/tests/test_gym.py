@@ -353,6 +353,15 @@ class OfGymnasium(WithWorld):
             self.assertIsNotNone(arenas[0]._process.poll())
         self.assertEqual(len(arenas), 1)
 
+    def test_observations_of_any_type_have_a_space(self) -> None:
+        for observe in (
+            lambda arena: arena.pose, lambda arena: arena.velocity[:, 0], lambda arena: arena.stalled[:, np.newaxis],
+            lambda arena: (100 * arena.ranges).astype(np.int32), lambda arena: (9 * arena.ranges).astype(np.uint8),
+        ):
+            env = self.vector_env(observe=observe)
+            self.assertIn(env.reset(seed=1)[0], env.observation_space)
+            self.assertIn(env.observation_space.sample(), env.observation_space)
+
     def test_what_functions_return_has_a_row_for_each_robot(self) -> None:
         def of(rows: int):
             return lambda arena, *_: np.zeros((rows, 2))
@@ -444,7 +453,8 @@ class OfPettingZoo(WithWorld):
                 gone |= over
                 self.assertFalse(gone & set(env.agents))
             self.assertEqual(gone, set(env.possible_agents))
-        self.assertEqual(env.state().shape, env.state_space.shape)
+        self.assertIn(env.state(), env.state_space)
+        self.assertIn(env.state_space.sample(), env.state_space)
 
     def test_the_same_seed_is_the_same_episode(self) -> None:
         def episode():
@@ -498,6 +508,22 @@ class Spaces(unittest.TestCase):
         few.seed(1)
         self.assertEqual({int(few.sample()) for _ in range(100)}, {0, 1, 2})
         self.assertNotIn(np.int64(3), few)
+
+    def test_samples_of_unbounded_values_spread_to_the_open_sides(self) -> None:
+        low, high = np.float64((-np.inf, 3, -np.inf, 3)), np.float64((np.inf, np.inf, -3, 4))
+        for dtype in (np.float32, np.float64):
+            box = Box(low, high, dtype=dtype)
+            box.seed(2)
+            samples = np.array([box.sample() for _ in range(4000)])
+            self.assertEqual(samples.dtype, dtype)
+            self.assertTrue(all(sample in box for sample in samples))
+            np.testing.assert_allclose(samples.mean(axis=0), (0, 4, -4, 3.5), atol=0.1)
+            np.testing.assert_allclose(samples.std(axis=0), (1, 1, 1, 12**-0.5), atol=0.1)
+
+    def test_samples_of_whole_numbers_reach_both_bounds(self) -> None:
+        box = Box(-1, 2, (4,), np.int64)
+        box.seed(1)
+        self.assertEqual(set(np.concatenate([box.sample() for _ in range(50)])), {-1, 0, 1, 2})
 
     def test_the_same_seed_gives_the_same_samples(self) -> None:
         boxes = [Box(0.0, 1.0, (4,)) for _ in range(2)]
