@@ -13,10 +13,11 @@ from typing import List, Sequence, Tuple
 
 import numpy as np
 
+from arguments import whole
 from swarm import swarm
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "clients" / "python"))
-from playhouse_gym import VectorEnv  # noqa: E402
+from playhouse_gym import ArenaError, VectorEnv  # noqa: E402
 
 SECTORS, BEAMS = 12, 60
 INPUTS = SECTORS + 1  # plus a bias input of 1
@@ -65,7 +66,8 @@ def learn(env: VectorEnv, generations: int, steps: int, seed: int) -> List[Tuple
     curve = []
     for generation in range(generations):
         half = random.standard_normal((env.num_envs // 2, parameters.size))
-        noise = np.concatenate((half, -half))  # antithetic pairs, to reduce variance
+        odd = np.zeros((env.num_envs % 2, parameters.size))
+        noise = np.concatenate((half, -half, odd))  # antithetic pairs, to reduce variance
         driven, collided = drive(env, parameters + NOISE * noise, seed * 1000 + generation, steps)
         fitness = driven - COLLISION * collided
         parameters = parameters + 12 * RATE * (ranks(fitness) @ noise) / len(noise)
@@ -105,16 +107,26 @@ def drawn(curve: List[Tuple[float, float]], about: str) -> str:
     return "\n".join(lines)
 
 
-def main() -> None:
+def parsed() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--robots", type=int, default=200)
-    parser.add_argument("--generations", type=int, default=100)
-    parser.add_argument("--steps", type=int, default=150, help="of an episode, 0.1 s each")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--workers", type=int, default=1)
-    parser.add_argument("--web", type=int, help="port of a page to watch")
+    parser.add_argument("--robots", type=whole(2), default=200)
+    parser.add_argument("--generations", type=whole(1), default=100)
+    parser.add_argument("--steps", type=whole(1), default=150, help="of an episode, 0.1 s each")
+    parser.add_argument("--seed", type=whole(0), default=1)
+    parser.add_argument("--workers", type=whole(1, 1024), default=1)
+    parser.add_argument("--web", type=whole(0, 65535), help="port of a page to watch")
     parser.add_argument("--svg", help="file for the learning curve")
     arguments = parser.parse_args()
+    if arguments.svg is not None:
+        try:
+            open(arguments.svg, "a").close()
+        except OSError as error:
+            parser.error(f"argument --svg: {arguments.svg} cannot be written: {error.strerror}")
+    return arguments
+
+
+def main() -> None:
+    arguments = parsed()
     with tempfile.NamedTemporaryFile("w", suffix=".world") as file:
         file.write(swarm(arguments.robots, BEAMS, density=0.1))
         file.flush()
@@ -126,9 +138,12 @@ def main() -> None:
         about = (f"{arguments.robots} robots, {len(curve)} generations of {2 * arguments.steps} steps "
                  f"in {time.monotonic() - start:.0f} s")
     print(about)
-    if arguments.svg:
+    if arguments.svg is not None:
         pathlib.Path(arguments.svg).write_text(drawn(curve, about))
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except ArenaError as error:
+        sys.exit(f"learn.py: error: {error}")

@@ -496,6 +496,41 @@ class OfPettingZoo(WithWorld):
         parallel_api_test(self.env(max_steps=50), num_cycles=200)
 
 
+@needed
+class TheExampleThatLearns(WithWorld):
+    def learn(self, *arguments: str) -> "subprocess.CompletedProcess[str]":
+        command = [sys.executable, str(ROOT / "examples" / "gym" / "learn.py"), *arguments]
+        environment = {**os.environ, "PLAYHOUSE_PROGRAM": PROGRAM}
+        return subprocess.run(command, capture_output=True, text=True, timeout=HANG, env=environment)
+
+    def test_it_learns_with_any_number_of_robots_from_two_on_and_draws_its_curve(self) -> None:
+        svg = pathlib.Path(self.world).with_name("curve.svg")
+        for robots in ("2", "5"):
+            done = self.learn("--robots", robots, "--generations", "2", "--steps", "3", "--svg", str(svg))
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertRegex(done.stdout, rf"generation   2: .*\n{robots} robots, 2 generations of 6 steps in ")
+            self.assertTrue(svg.read_text().endswith("</svg>\n"))
+
+    def test_what_is_wrong_is_told_in_a_line_before_it_learns(self) -> None:
+        folder = str(pathlib.Path(self.world).parent)
+        for arguments, why in (
+            (("--robots", "1"), 'argument --robots: a whole number from 2 on is wanted, not "1"'),
+            (("--robots=-3",), 'argument --robots: a whole number from 2 on is wanted, not "-3"'),
+            (("--robots", "2.5"), 'argument --robots: a whole number from 2 on is wanted, not "2.5"'),
+            (("--generations", "0"), 'argument --generations: a whole number from 1 on is wanted, not "0"'),
+            (("--steps", "0"), 'argument --steps: a whole number from 1 on is wanted, not "0"'),
+            (("--seed=-1",), 'argument --seed: a whole number from 0 on is wanted, not "-1"'),
+            (("--workers", "0"), 'argument --workers: a whole number from 1 to 1024 is wanted, not "0"'),
+            (("--web", "65536"), 'argument --web: a whole number from 0 to 65535 is wanted, not "65536"'),
+            (("--svg", folder), f"argument --svg: {folder} cannot be written: Is a directory"),
+            (("--svg", f"{folder}/no/x.svg"), f"argument --svg: {folder}/no/x.svg cannot be written: No such file or"),
+        ):
+            done = self.learn(*arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertRegex(done.stderr, rf"\nlearn.py: error: {re.escape(why)}.*\n$")
+            self.assertNotIn("Traceback", done.stderr)
+
+
 class Spaces(unittest.TestCase):
     def test_samples_are_inside_and_other_shapes_are_not(self) -> None:
         box = Box(np.float32((-1, 0)), np.float32((1, 2)), dtype=np.float32)
