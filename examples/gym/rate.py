@@ -8,17 +8,18 @@ import time
 
 import numpy as np
 
+from arguments import whole
 from swarm import swarm
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "clients" / "python"))
-from playhouse_gym import VectorEnv  # noqa: E402
+from playhouse_gym import ArenaError, VectorEnv  # noqa: E402
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--robots", type=int, default=1000)
-    parser.add_argument("--beams", type=int, default=180)
-    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--robots", type=whole(1), default=1000)
+    parser.add_argument("--beams", type=whole(3), default=180)
+    parser.add_argument("--workers", type=whole(1, 1024), default=1)
     parser.add_argument("--seconds", type=float, default=10.0)
     arguments = parser.parse_args()
     with tempfile.NamedTemporaryFile("w", suffix=".world") as file:
@@ -40,4 +41,7 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except ArenaError as error:
+        sys.exit(f"rate.py: error: {error}")

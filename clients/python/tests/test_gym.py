@@ -11,7 +11,7 @@ import sys
 import tempfile
 import time
 import unittest
-from typing import Dict, cast
+from typing import Dict, Sequence, cast
 
 from package import ROOT
 from server_program import HANG, PROGRAM, needed
@@ -497,16 +497,22 @@ class OfPettingZoo(WithWorld):
 
 
 @needed
-class TheExampleThatLearns(WithWorld):
-    def learn(self, *arguments: str) -> "subprocess.CompletedProcess[str]":
-        command = [sys.executable, str(ROOT / "examples" / "gym" / "learn.py"), *arguments]
+class Examples(WithWorld):
+    def run_example(self, name: str, *arguments: str) -> "subprocess.CompletedProcess[str]":
+        command = [sys.executable, str(ROOT / "examples" / "gym" / name), *arguments]
         environment = {**os.environ, "PLAYHOUSE_PROGRAM": PROGRAM}
         return subprocess.run(command, capture_output=True, text=True, timeout=HANG, env=environment)
 
-    def test_it_learns_with_any_number_of_robots_from_two_on_and_draws_its_curve(self) -> None:
+    def assert_refused(self, name: str, arguments: Sequence[str], why: str) -> None:
+        done = self.run_example(name, *arguments)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertRegex(done.stderr, rf"\n{name}: error: {re.escape(why)}.*\n$")
+        self.assertNotIn("Traceback", done.stderr)
+
+    def test_one_learns_with_any_number_of_robots_from_two_on_and_draws_its_curve(self) -> None:
         svg = pathlib.Path(self.world).with_name("curve.svg")
         for robots in ("2", "5"):
-            done = self.learn("--robots", robots, "--generations", "2", "--steps", "3", "--svg", str(svg))
+            done = self.run_example("learn.py", "--robots", robots, "--generations", "2", "--steps", "3", "--svg", str(svg))
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.assertRegex(done.stdout, rf"generation   2: .*\n{robots} robots, 2 generations of 6 steps in ")
             self.assertTrue(svg.read_text().endswith("</svg>\n"))
@@ -525,10 +531,13 @@ class TheExampleThatLearns(WithWorld):
             (("--svg", folder), f"argument --svg: {folder} cannot be written: Is a directory"),
             (("--svg", f"{folder}/no/x.svg"), f"argument --svg: {folder}/no/x.svg cannot be written: No such file or"),
         ):
-            done = self.learn(*arguments)
-            self.assertEqual((done.returncode, done.stdout), (2, ""))
-            self.assertRegex(done.stderr, rf"\nlearn.py: error: {re.escape(why)}.*\n$")
-            self.assertNotIn("Traceback", done.stderr)
+            self.assert_refused("learn.py", arguments, why)
+
+    def test_one_measures_the_rate_of_what_can_be_measured(self) -> None:
+        self.assert_refused("rate.py", ("--robots", "0"), 'argument --robots: a whole number from 1 on is wanted, not "0"')
+        self.assert_refused("rate.py", ("--beams", "2"), 'argument --beams: a whole number from 3 on is wanted, not "2"')
+        done = self.run_example("rate.py", "--robots", "1", "--beams", "3", "--seconds", "1")
+        self.assertRegex(done.stdout, r"^1 robots, 3 beams, 1 workers: [0-9.]+ steps/s, \d+ agent-steps/s\n$")
 
 
 class Spaces(unittest.TestCase):
