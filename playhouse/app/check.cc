@@ -21,35 +21,37 @@ void print(const std::string& line) {
 
 /// Checks beyond the file itself: engines, controllers and drivers that reject it or skip
 /// something. Controller libraries are located but not loaded, since the file is not trusted
-/// yet. Prints warnings that are not in `report`, and errors. True if there were no errors.
-bool try_out(const std::string& path, const scene::CheckReport& report) {
+/// yet. Prints warnings and errors, and adds them to the report.
+void try_out(const std::string& path, scene::CheckReport& report) {
   Service service({.port = 0, .web = std::nullopt}, {}, QuitTime::kIgnored);
   service.load_no_code();
   service.on_warning([&report](const std::string& warning) {
+    report.has_warnings = true;
     const std::string line = finding("warning", placed(warning));
     if (std::ranges::find(report.lines, line) == report.lines.end()) print(line);
   });
   const bool is_cfg = path.ends_with(".cfg");
   Result<void> tried = is_cfg ? service.read_cfg(path) : service.read_world(path);
   if (tried) tried = service.make_devices();
-  if (tried) return true;
+  report.ok = tried.ok();
+  if (tried) return;
   print(finding("error", tried.error()));
   for (const Error& other : service.other_errors()) print(finding("error", other));
-  return false;
 }
 
-/// True if the file is valid.
-bool check_one(const std::string& path) {
-  const scene::CheckReport report = scene::check_file(path);
+scene::CheckReport check_one(const std::string& path) {
+  scene::CheckReport report = scene::check_file(path);
   for (const std::string& line : report.lines) print(line);
-  if (!report.ok || path.ends_with(".inc")) return report.ok;
+  if (!report.ok || path.ends_with(".inc")) return report;
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) {  // a pipe can be read only once
     print(
         finding("warning", {path, "not a regular file, so engine, controllers and drivers were not tried"}));
-    return true;
+    report.has_warnings = true;
+    return report;
   }
-  return try_out(path, report);
+  try_out(path, report);
+  return report;
 }
 
 }  // namespace
@@ -57,7 +59,10 @@ bool check_one(const std::string& path) {
 int check(const CheckOptions& options) {
   log::open(0);
   bool good = true;
-  for (const std::string& file : options.files) good = check_one(file) && good;
+  for (const std::string& file : options.files) {
+    const scene::CheckReport report = check_one(file);
+    good = good && report.ok && !(options.strict && report.has_warnings);
+  }
   return good ? kDone : kUsage;
 }
 

@@ -209,6 +209,7 @@ void add_drive(CLI::App& app, DriveOptions& options) {
 
 void add_check(CLI::App& app, CheckOptions& options) {
   app.add_option("FILE", options.files, "a .world, .inc or .cfg file")->required();
+  app.add_flag("--strict", options.strict, "warnings, e.g. of unknown words, count as errors: exit code 2");
 }
 
 void add_convert(CLI::App& app, ConvertOptions& options) {

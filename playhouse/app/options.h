@@ -151,6 +151,7 @@ struct DriveOptions {
 
 struct CheckOptions {
   std::vector<std::string> files;
+  bool strict = false;  // warnings count as errors
 };
 
 struct ConvertOptions {

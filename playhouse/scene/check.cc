@@ -33,6 +33,7 @@ std::string summary(const SceneDesc& scene) {
 }
 
 void append(CheckReport& report, const std::vector<std::string>& warnings) {
+  report.has_warnings |= !warnings.empty();
   for (const std::string& warning : warnings) report.lines.push_back(finding("warning", placed(warning)));
 }
 
@@ -81,7 +82,7 @@ void check_include(const std::string& path, CheckReport& report) {
 }  // namespace
 
 CheckReport check_file(const std::string& path) {
-  CheckReport report{true, {}};
+  CheckReport report{.ok = true};
   if (path.ends_with(".cfg")) {
     check_configuration(path, report);
   } else if (path.ends_with(".inc")) {

@@ -8,7 +8,8 @@
 namespace playhouse::scene {
 
 struct CheckReport {
-  bool ok = false;
+  bool ok = false;  // no errors
+  bool has_warnings = false;
   std::vector<std::string> lines;  // warnings, then the error if any, then a summary of the contents
 };
 

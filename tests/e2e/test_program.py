@@ -138,6 +138,15 @@ class Faults(HouseTest):
         run = finish("run", world, "--headless", "--port", "0", "--fast", "--duration", "0")
         self.assertIn(f"{world}:2: warning: model ", run.stderr)
 
+    def test_check_counts_warnings_as_errors_if_asked(self):
+        misspelt = self.write("misspelt.world", 'position( name "a" sise [1 1 1] )\n')
+        fine = self.write("fine.world", "position( )\n")
+        cfg = self.write("one.cfg", 'driver( name "stage" provides ["simulation:0"] worldfile "misspelt.world" )\n')
+        for arguments, code in (((misspelt,), 0), ((misspelt, "--strict"), 2), ((fine, "--strict"), 0),
+                                ((fine, misspelt, fine, "--strict"), 2), ((cfg,), 0), ((cfg, "--strict"), 2)):
+            done = finish("check", *arguments)
+            self.assertEqual((done.returncode, done.stderr), (code, ""), done.stdout)
+
     def test_a_library_that_is_allowed_and_not_there_is_a_wrong_command_line(self):
         gone = self.folder / "gone.so"
         self.check_fault(2, f"{gone}: error: --allow-library: there is no such file", "run", self.world(), "--headless",
