@@ -3,9 +3,17 @@
 import json
 import math
 import struct
+import sys
 import unittest
+import zlib
 
-from house import ACK, CMD, POSITION2D, ROOT, SIMULATION, Client, House, HouseTest
+from house import ACK, CMD, NACK, POSITION2D, ROOT, SIMULATION, Client, House, HouseTest
+
+sys.path.insert(0, str(ROOT / "clients/python"))
+from playhouse_client import Mode, connect  # noqa: E402
+from playhouse_client.generated import map as grid  # noqa: E402
+
+MAP = 42
 
 GOAL = (6.5, 0.0, 0.0)  # behind a crate and a wall with a gap, which are right ahead
 PAUSE = 1               # command of simulation: a paused world goes on
@@ -44,6 +52,44 @@ class Chain(HouseTest):
     def test_the_documented_section_is_that_of_the_example(self):
         documented = (ROOT / "docs/drivers.md").read_text().split('## driver "vfh"')[1].split("```")[1]
         self.assertIn(documented.strip(), (ROOT / "worlds/avoid.cfg").read_text())
+
+
+class WithoutAWorld(HouseTest):
+    """Drivers of a configuration that has no world."""
+
+    def test_a_map_is_that_of_its_image(self):
+        self.write("plan.pgm", "P2 3 2 255 0 128 255 255 0 255")
+        cfg = self.write("map.cfg", 'driver( name "mapfile" provides ["map:0"] filename "plan.pgm" resolution 0.5 )\n')
+        with self.serve(cfg) as house, Client(house.port()) as client:
+            self.assertEqual(client.open(MAP, 0).type, ACK)
+            info = grid.Info.decode(client.request(MAP, 0, 1).body)
+            self.assertEqual((info.scale, info.width, info.height), (0.5, 3, 2))
+            self.assertEqual((info.origin.px, info.origin.py, info.origin.pa), (-0.75, -0.5, 0))
+            answer = client.request(MAP, 0, 2, grid.Data(1, 0, 3, 2, 0, b"").encode())
+            self.assertEqual(answer.type, ACK)
+            tile = grid.Data.decode(answer.body)
+            self.assertEqual((tile.col, tile.row, tile.width, tile.height, tile.data_range), (1, 0, 3, 2, 1))
+            cells = struct.unpack("6b", zlib.decompress(tile.data))
+            self.assertEqual(cells, (1, -1, 0, 0, -1, 0))
+            self.assertEqual(client.request(MAP, 0, 3).type, NACK)
+
+    def test_a_relay_passes_bytes_on_to_all_in_order(self):
+        cfg = self.write("relay.cfg", 'driver( name "relay" provides ["opaque:0"] )\n')
+        with self.serve(cfg) as house, connect(f":{house.port()}", mode=Mode.PULL) as one, \
+                connect(f":{house.port()}", mode=Mode.PULL) as other:
+            radios = [client.opaque(0) for client in (one, other)]
+            sent = [bytes([k]) * k for k in range(1, 50)]
+            for message in sent:
+                radios[0].send(message)
+            for client, radio in zip((one, other), radios):
+                heard = []
+                while len(heard) < len(sent):
+                    client.read(30)
+                    heard += radio.take_messages()
+                self.assertEqual(heard, sent)
+
+    def serve(self, cfg) -> House:
+        return House("serve", cfg, "--port", 0, "--headless")
 
 
 if __name__ == "__main__":

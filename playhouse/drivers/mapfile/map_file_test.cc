@@ -1,0 +1,99 @@
+#include "playhouse/drivers/mapfile/map_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "playhouse/drivers/testing/memory_site.h"
+
+namespace playhouse::drivers {
+namespace {
+
+namespace map = wire::map;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// Two rows of three pixels: wall, gray, free; free, wall, free.
+constexpr const char* kImage = "P2 3 2 255 0 128 255 255 0 255";
+
+std::string image_file() {
+  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "map_file_test.pgm";
+  std::ofstream(path) << kImage;
+  return path.string();
+}
+
+std::vector<std::int8_t> unpacked(const map::Data& tile) {
+  std::vector<std::int8_t> cells(tile.width * tile.height);
+  uLongf size = cells.size();
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(cells.data()), &size,
+                       reinterpret_cast<const Bytef*>(tile.data.data()), tile.data.size()),
+            Z_OK);
+  EXPECT_EQ(size, cells.size());
+  return cells;
+}
+
+TEST(MapTile, has_rows_from_the_bottom_and_nothing_known_beyond_the_map) {
+  const map::Info info{0.5f, 3, 2, {}};
+  const std::vector<std::int8_t> cells{-1, 1, -1, 1, 0, -1};
+  const auto whole = map_tile(info, cells, {0, 0, 3, 2});
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(unpacked(*whole), cells);
+  EXPECT_EQ(whole->data_range, 1);
+  const auto corner = map_tile(info, cells, {2, 1, 2, 2});
+  ASSERT_TRUE(corner);
+  EXPECT_THAT(unpacked(*corner), ElementsAre(-1, 0, 0, 0));
+  EXPECT_TRUE(map_tile(info, cells, {0xffffffff, 0xffffffff, 1, 1}));
+  EXPECT_FALSE(map_tile(info, cells, {0, 0, 0xffffffff, 0xffffffff})) << "more than a message";
+}
+
+TEST(MapFile, reads_an_image_about_the_middle_or_at_its_origin) {
+  struct Answers final : device::Outlet {
+    void answer(std::uint64_t, bool ack, std::vector<std::byte> body) override {
+      acks.push_back(ack);
+      last = std::move(body);
+    }
+    std::vector<bool> acks;
+    std::vector<std::byte> last;
+  };
+  const std::string image = image_file();
+  for (const bool at_origin : {false, true}) {
+    testing::MemorySite site("");
+    const std::string origin = at_origin ? " origin [-8 -4 90]" : "";
+    ASSERT_EQ(site.build("driver( name \"mapfile\" provides [\"map:1\"] filename \"" + image +
+                         "\" resolution 0.5" + origin + " )"),
+              "");
+    device::Driver& driver = site.driver({6665, map::kCode, 1});
+    const device::DeviceId id = site.id({6665, map::kCode, 1});
+    Answers answers;
+    const auto ask = [&](std::uint8_t subtype, const std::vector<std::byte>& body) {
+      driver.request({id, 3, subtype, body}, device::Replier(answers, 1));
+      return answers.acks.back();
+    };
+    ASSERT_TRUE(ask(map::kReqGetInfo, {}));
+    const map::Info info = *wire::decode<map::Info>(answers.last);
+    const wire::Pose2d expected =
+        at_origin ? wire::Pose2d{-8, -4, geom::radians(90)} : wire::Pose2d{-0.75, -0.5, 0};
+    EXPECT_EQ(info, (map::Info{0.5f, 3, 2, expected}));
+    ASSERT_TRUE(ask(map::kReqGetData, wire::encode(map::Data{0, 0, 3, 2})));
+    EXPECT_THAT(unpacked(*wire::decode<map::Data>(answers.last)), ElementsAre(-1, 1, -1, 1, 0, -1));
+    EXPECT_FALSE(ask(map::kReqGetVector, {}));
+  }
+}
+
+TEST(MapFile, tells_what_is_wrong_with_a_section) {
+  const auto fault = [](const std::string& fields) {
+    return testing::MemorySite("").build("driver( name \"mapfile\" provides [\"map:0\"] " + fields + " )");
+  };
+  EXPECT_THAT(fault("resolution 1"), HasSubstr("test.cfg:1: driver \"mapfile\" needs a filename"));
+  EXPECT_THAT(fault("filename \"x.png\""), HasSubstr("needs a resolution"));
+  EXPECT_THAT(fault("filename \"x.png\" resolution 0"), HasSubstr("resolution is from 0.0001 to 1000"));
+  EXPECT_THAT(fault("filename \"no_such.png\" resolution 1"), HasSubstr("test.cfg:1: \"no_such.png\": "));
+  EXPECT_THAT(fault("filename \"/dev/null\" resolution 1"), HasSubstr("test.cfg:1: \"/dev/null\": "));
+}
+
+}  // namespace
+}  // namespace playhouse::drivers
