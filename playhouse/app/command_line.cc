@@ -103,6 +103,18 @@ Result<void> check_words(const CLI::App& app, std::span<const char* const> words
   return {};
 }
 
+/// An empty value, as of an unset variable of a script, would count as an option that is not given.
+Result<void> check_values(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const CLI::Option* option : command->parse_order()) {
+      if (option->get_expected_min() == 0) continue;  // --lock-step alone: CLI11 adds an empty value
+      if (std::ranges::find(option->results(), "") != option->results().end())
+        return Error{"", option->get_name() + " wants a value, found \"\""};
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<CommandLine> parse_command_line(std::span<const char* const> words) {
@@ -137,6 +149,7 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
   } catch (const CLI::ParseError& error) {
     return Error{"", error.what()};
   }
+  if (const Result<void> valued = check_values(app); !valued) return valued.error();
   for (const auto& [command, asked_for] : added)
     if (command->parsed()) return asked_for();
   PLAYHOUSE_ASSERT(false);  // a command is required

@@ -205,6 +205,17 @@ TEST(CommandLine, wrong_values_are_refused_and_named) {
   EXPECT_EQ(fault({"run", "w", "--duration"}), "--duration wants a value");
 }
 
+TEST(CommandLine, an_empty_value_is_refused) {
+  for (const char* option : {"--record", "--save-world", "--guests"})
+    EXPECT_EQ(fault({"run", "w", option, ""}), std::string(option) + " wants a value, found \"\"");
+  EXPECT_EQ(fault({"run", "w", "--save-at", "1", ""}), "--save-at wants a value, found \"\"");
+  EXPECT_EQ(fault({"convert", "w", "-o", ""}), "--output wants a value, found \"\"");
+  EXPECT_EQ(fault({"export", "a.mcap", "--csv", "-o", ""}), "--output wants a value, found \"\"");
+  EXPECT_EQ(fault({"check", ""}), "FILE wants a value, found \"\"");
+  EXPECT_EQ(fault({"kinds", ""}), "NAME wants a value, found \"\"");
+  EXPECT_EQ(parsed<RunOptions>({"run", "w", "--lock-step"}).running.lock_step->clients, 1u);
+}
+
 TEST(CommandLine, a_whole_number_that_does_not_fit_is_refused) {
   for (const char* text : {"-1", "99999999999999999999999", "1.5", "1e3", ""}) {
     EXPECT_THAT(fault({"run", "w", "--seed", text}), HasSubstr("--seed: a whole number")) << text;
