@@ -160,12 +160,13 @@ Result<void> Browser::spawn(const std::string& program, int reads, int writes) {
   ::posix_spawn_file_actions_adddup2(&actions, writes, kWrites);
   posix_spawnattr_t attributes;
   ::posix_spawnattr_init(&attributes);
-  // A group of its own: Ctrl-C is for us, and all of it can be ended. We ignore SIGPIPE; it shall not.
+  // A group of its own: Ctrl-C is for us, and all of it can be ended. It shall not ignore what we ignore.
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
   ::posix_spawnattr_setpgroup(&attributes, 0);
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGPIPE);
+  sigaddset(&signals, SIGXFSZ);
   ::posix_spawnattr_setsigdefault(&attributes, &signals);
   const int error = ::posix_spawn(&child_, program.c_str(), &actions, &attributes, pointers(words).data(),
                                   pointers(variables).data());

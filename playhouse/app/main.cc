@@ -48,6 +48,7 @@ Result<void> choose_instruction_set() {
 
 int start(int argc, const char* const* argv) {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a limit of its size (ulimit -f) is a write that fails
   raise_descriptor_limit();
   end_at_once_on_signals();
   flush_before_the_end();

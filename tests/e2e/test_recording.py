@@ -198,7 +198,7 @@ robot( name "r0" pose [0 0 0 0] )
 
     def test_a_disk_that_is_full_ends_the_recording_and_not_the_run(self):
         def little_room():
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            signal.signal(signal.SIGXFSZ, signal.SIG_DFL)   # Python ignores it, shells do not
             resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))
 
         ended = subprocess.run([PROGRAM, "run", str(self.world()), "--port", "0", "--headless", "--fast", "--duration", "600",
