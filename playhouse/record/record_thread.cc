@@ -1,5 +1,6 @@
 #include "playhouse/record/record_thread.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -71,7 +72,10 @@ void RecordThread::write(End end) {
 
 void RecordThread::pass_on(const Bytes& records) {
   sink_->add(records);
-  if (sink_->waiting() >= limits::kRecordChunkBytes) write(End::kChunk);
+  if (sink_->waiting() >= chunk_bytes_) {
+    write(End::kChunk);
+    chunk_bytes_ = std::min(2 * chunk_bytes_, limits::kRecordChunkBytes);
+  }
   {
     const std::lock_guard lock(mutex_);
     waiting_bytes_ -= records.size();

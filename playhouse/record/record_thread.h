@@ -44,6 +44,8 @@ class RecordThread {
 
   const std::unique_ptr<RecordSink> sink_;  // used by the thread once that runs
   const std::size_t most_bytes_;
+  /// The next chunk's. The first ones are small: a disk that is full early has readable ones.
+  std::size_t chunk_bytes_ = limits::kRecordChunkBytes / 16;
 
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;

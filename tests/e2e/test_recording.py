@@ -210,6 +210,13 @@ robot( name "r0" pose [0 0 0 0] )
         self.assertEqual(told, [f"{self.file}: error: cannot be written: File too large; the run goes on and is recorded no more"])
         self.again()   # what was written by then
 
+    def test_a_recording_that_reaches_a_limit_in_its_first_megabyte_is_readable(self):
+        ended = subprocess.run([PROGRAM, "run", str(ROOT / "worlds" / "cave.world"), "--port", "0", "--headless", "--fast",
+                                "--duration", "60", "--record", str(self.file)], capture_output=True, text=True,
+                               timeout=PATIENCE, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, 300_000)))
+        self.assertEqual(ended.returncode, 1, ended.stderr)
+        self.assertGreaterEqual(self.again()["sim_time"], 1)
+
     def test_what_cannot_be_recorded_is_told_in_one_line(self):
         for arguments, code, line in (
                 (("--record", "/dev/full"), 1, "/dev/full: error: cannot be written: No space left on device"),
