@@ -83,8 +83,15 @@ def main() -> None:
     parser.add_argument("lines", type=pathlib.Path, help="what playhouse bench printed")
     parser.add_argument("svg", type=pathlib.Path, help="where the picture goes")
     arguments = parser.parse_args()
-    lines = cheapest(arguments.lines.read_text().splitlines())
-    arguments.svg.write_text(drawn(lines), encoding="utf-8")
+    try:
+        lines = cheapest(arguments.lines.read_text(encoding="utf-8").splitlines())
+        if not lines:
+            sys.exit(f"{arguments.lines}: has no line of playhouse bench")
+        arguments.svg.write_text(drawn(lines), encoding="utf-8")
+    except OSError as fault:
+        sys.exit(f"{fault.filename}: {fault.strerror}")
+    except (ValueError, KeyError, TypeError):
+        sys.exit(f"{arguments.lines}: has lines that are none of playhouse bench")
     print(table(lines))
 
 

@@ -320,6 +320,15 @@ class Examples(HouseTest):
         curves = ElementTree.parse(picture).findall("{http://www.w3.org/2000/svg}polyline")
         self.assertEqual([len(curve.get("points").split()) for curve in curves], [2, 2, 2])
 
+    def test_the_plot_tells_in_one_line_what_it_cannot_read_or_write(self):
+        picture = self.folder / "cost.svg"
+        for lines, fault in ((self.folder / "nope", "No such file or directory"), (self.folder, "Is a directory"),
+                             (self.write("none.jsonl", ""), "has no line of playhouse bench"),
+                             (self.write("other.jsonl", '{"a": 1}\n'), "has lines that are none of playhouse bench")):
+            done = subprocess.run(["python3", ROOT / "tools" / "plot_bench.py", lines, picture], capture_output=True, text=True,
+                                  timeout=PATIENCE)
+            self.assertEqual((done.returncode, done.stderr), (1, f"{lines}: {fault}\n"))
+
     def test_the_page_of_robots_is_as_their_files_say_and_its_examples_run_anywhere(self):
         done = subprocess.run(["python3", ROOT / "tools" / "robots_page.py", "--check"], capture_output=True, text=True, timeout=PATIENCE,
                               env={**os.environ, "PLAYHOUSE_PROGRAM": PROGRAM})
