@@ -335,6 +335,28 @@ TEST(LaserNoise, puts_every_new_range_off_by_five_per_cent) {
   EXPECT_TRUE(std::ranges::equal(f.world.sensors.ranges, noisy)) << "nothing was measured since";
 }
 
+TEST(LaserNoise, stays_within_the_range_of_each_sensor_and_leaves_beams_without_a_hit_alone) {
+  scene::SceneDesc scene = noisy_scanner(1000);
+  scene.models[1].sensors.push_back(scene.models[1].sensors[0]);
+  scene.models[1].sensors[1].range_min = 3.9;
+  scene.models[1].sensors[1].range_max = 4.1;
+  Fixture f(std::move(scene));
+  ASSERT_EQ(f.error, "");
+  std::vector<float> measured(1000, 7.9f);
+  measured[0] = 8;
+  measured.insert(measured.end(), 1000, 4.0f);
+  measured.back() = 4.1f;
+  testing::measure(f.world, measured);
+  filter(f.world);
+  const std::span<const float> ranges(f.world.sensors.ranges);
+  EXPECT_EQ(ranges[0], 8) << "it hit nothing";
+  EXPECT_EQ(std::ranges::max(ranges.first(1000)), 8);
+  EXPECT_LT(std::ranges::min(ranges.first(1000)), 7.5);
+  EXPECT_EQ(ranges.back(), 4.1f);
+  EXPECT_EQ(std::ranges::max(ranges.subspan(1000)), 4.1f);
+  EXPECT_EQ(std::ranges::min(ranges.subspan(1000)), 3.9f);
+}
+
 TEST(LaserNoise, needs_a_ranger) {
   Fixture f(testing::robots(1, testing::scanner(9), "lasernoise"));
   EXPECT_THAT(f.error, HasSubstr("needs to be on a ranger"));

@@ -1,9 +1,21 @@
 #include "playhouse/controllers/lasernoise.h"
 
+#include <algorithm>
+
 namespace playhouse::controllers {
 namespace {
 
 constexpr double kNoise = 0.05;  // standard deviation of the factor, Stage's
+
+/// As the noise of a sensor: beams without a hit have none, the others stay within the range.
+void add_noise(const scene::RangerSensorDesc& sensor, std::span<float> ranges, Rng& random) {
+  const auto least = static_cast<float>(sensor.range_min), most = static_cast<float>(sensor.range_max);
+  for (float& range : ranges) {
+    if (range >= most) continue;
+    const double noisy = range * (1 + kNoise * random.gaussian());
+    range = std::clamp(static_cast<float>(noisy), least, most);
+  }
+}
 
 }  // namespace
 
@@ -25,10 +37,13 @@ void LaserNoise::filter(world::World& world, std::size_t begin, std::size_t end)
   for (std::size_t i = begin; i < end; ++i) {
     if (world.rangers.measured_tick[ranger_[i].index] != now) continue;
     Rng random(world.seed(), now, stream_[i]);
-    const std::uint32_t first = first_beam(world, ranger_[i]), count = beam_count(world, ranger_[i]);
-    for (float& range : std::span(world.sensors.ranges).subspan(first, count)) {
-      const double noisy = range * (1 + kNoise * random.gaussian());
-      range = static_cast<float>(noisy);
+    std::uint32_t row = world.rangers.first_sensor[ranger_[i].index];
+    for (const scene::RangerSensorDesc& sensor : world.desc(world.rangers.model[ranger_[i].index]).sensors) {
+      add_noise(sensor,
+                std::span(world.sensors.ranges)
+                    .subspan(world.sensors.first_beam[row], world.sensors.beam_count[row]),
+                random);
+      ++row;
     }
   }
 }

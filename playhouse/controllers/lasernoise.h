@@ -1,6 +1,6 @@
 #pragma once
 
-/// lasernoise: adds proportional noise to every range of its ranger. See docs/controllers.md.
+/// lasernoise: adds proportional noise to the ranges of its ranger. See docs/controllers.md.
 
 #include "playhouse/base/rng.h"
 #include "playhouse/controllers/batch.h"
