@@ -13,9 +13,6 @@ namespace {
 
 constexpr char kFlat[2] = {};  // what warnings of such sizes and poses are about
 
-constexpr double kLargest =
-    1e9;  // m, rad and plain numbers; far beyond any scene, well inside all arithmetic
-
 }  // namespace
 
 void LoadState::add(Error fault) {
@@ -44,7 +41,7 @@ SourceLine Properties::where(std::string_view key) const {
 std::optional<double> Properties::scaled(const Field& field, std::size_t element, char scale) const {
   const std::string_view text = field.values[element].text;
   const std::optional<double> value = parse_number(text);
-  if (!value || std::abs(*value) > kLargest) {
+  if (!value || std::abs(*value) > kLargestNumber) {
     state_.fail(field.where, in_quotes(field.key) + " needs a number" + (value ? " of at most 1e9" : "") +
                                  ", found " + in_quotes(text));
     return std::nullopt;
@@ -99,7 +96,13 @@ double Properties::angle(std::string_view key, double otherwise) const {
 
 int Properties::integer(std::string_view key, int otherwise) const {
   const double value = number(key, otherwise);
-  return static_cast<int>(value);  // bounded by 1e9; truncated as in the original
+  const int whole = static_cast<int>(value);  // bounded by kLargestNumber; truncated as in the original
+  if (whole != value)
+    state_.warnings.add(Warning::kValue, where(key),
+                        in_quotes(key) +
+                            " takes a whole number: " + std::string(fields_.find(key)->values.front().text) +
+                            " is read as " + std::to_string(whole));
+  return whole;
 }
 
 std::string Properties::text(std::string_view key, std::string_view otherwise) const {

@@ -14,6 +14,9 @@
 
 namespace playhouse::scene {
 
+/// Of a world file, in its units: far beyond any scene, well inside all arithmetic.
+inline constexpr double kLargestNumber = 1e9;
+
 /// Shared state of one load.
 struct LoadState {
   const Document& document;
@@ -50,6 +53,7 @@ class Properties {
   double number(std::string_view key, double otherwise) const;
   double length(std::string_view key, double otherwise) const;
   double angle(std::string_view key, double otherwise) const;
+  /// Truncated, with a warning, if it is no whole number.
   int integer(std::string_view key, int otherwise) const;
   bool flag(std::string_view key, bool otherwise) const { return integer(key, otherwise ? 1 : 0) != 0; }
   std::string text(std::string_view key, std::string_view otherwise) const;

@@ -323,6 +323,23 @@ TEST(WorldMacros, one_may_be_based_on_a_sensor) {
   EXPECT_TRUE(scene.models[1].sensors.empty());
 }
 
+TEST(World, whole_numbers_and_flags_are_truncated_with_a_warning_each) {
+  const std::string text =
+      "define s sensor( samples 2.7 )\nposition( obstacle_return 0.9\nfiducial_return 3.5 alwayson 1.5\n"
+      "ranger( s( ) s( ) sensor( samples 180.0 ) ) )\nposition( fiducial_return -0.5 )";
+  const SceneDesc scene = loaded(text);
+  EXPECT_THAT(scene.warnings,
+              testing::UnorderedElementsAre(
+                  "w/t.world:1: \"samples\" takes a whole number: 2.7 is read as 2",
+                  "w/t.world:2: \"obstacle_return\" takes a whole number: 0.9 is read as 0",
+                  "w/t.world:3: \"fiducial_return\" takes a whole number: 3.5 is read as 3",
+                  "w/t.world:3: \"alwayson\" takes a whole number: 1.5 is read as 1",
+                  "w/t.world:5: \"fiducial_return\" takes a whole number: -0.5 is read as 0"));
+  EXPECT_FALSE(scene.models[0].obstacle_return);
+  EXPECT_EQ(scene.models[1].sensors[0].samples, 2u);
+  EXPECT_EQ(scene.models[1].sensors[2].samples, 180u);
+}
+
 TEST(WorldMacros, wrong_use_is_one_clear_error) {
   EXPECT_EQ(error_of("robot( )\ndefine robot position ( )"),
             "w/t.world:1: macro \"robot\" is used before its definition at w/t.world:2");
