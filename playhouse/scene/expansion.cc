@@ -1,5 +1,9 @@
 #include "playhouse/scene/expansion.h"
 
+#include <algorithm>
+#include <string>
+
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/scene/kinds.h"
 
 namespace playhouse::scene {
@@ -7,6 +11,15 @@ namespace playhouse::scene {
 bool Expansion::has_room(const Counts& more) const {
   const Counts sum = counts_ + more;
   return sum.models <= limits_.models && sum.sensors <= limits_.sensors && sum.fields <= limits_.fields;
+}
+
+Result<void> Expansion::check_cycle(const Section& section) const {
+  auto each = std::ranges::find(around_, &section);
+  if (each == around_.end()) return {};
+  std::string others;
+  while (++each != around_.end())
+    others += (others.empty() ? ", by way of " : ", ") + in_quotes((*each)->name);
+  return document_.error(section.where, "macro " + in_quotes(section.name) + " holds itself" + others);
 }
 
 Result<void> Expansion::add(const Section& section, SourceLine top, int depth) {
@@ -27,11 +40,14 @@ Result<void> Expansion::add(const Section& section, SourceLine top, int depth) {
     return document_.error(section.where,
                            "models nested more than " + std::to_string(limits::kEntityDepth) + " deep");
   }
+  if (const Result<void> finite = check_cycle(section); !finite) return finite;
+  around_.push_back(&section);
   for (const Section* part : instance->parts) {
     for (const Section& inner : part->sections) {
       if (const Result<void> added = add(inner, top, depth + 1); !added) return added;
     }
   }
+  around_.pop_back();
   return {};
 }
 

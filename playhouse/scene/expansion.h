@@ -3,6 +3,8 @@
 /// Size of sections after macro expansion, computed without
 /// expanding: protects against exponential growth from nested macros.
 
+#include <vector>
+
 #include "playhouse/scene/expand.h"
 #include "playhouse/scene/world_loader.h"
 
@@ -34,10 +36,13 @@ class Expansion {
 
  private:
   Result<void> add(const Section& section, SourceLine top, int depth);
+  /// Fails if one of the sections around this one is the same: its macro holds itself.
+  Result<void> check_cycle(const Section& section) const;
 
   const Document& document_;
   const Macros& macros_;
   const WorldLimits& limits_;
+  std::vector<const Section*> around_;  // the section that is added, outermost first
   Counts counts_;
 };
 

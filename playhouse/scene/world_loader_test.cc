@@ -345,7 +345,12 @@ TEST(WorldMacros, wrong_use_is_one_clear_error) {
             "w/t.world:1: macro \"robot\" is used before its definition at w/t.world:2");
   EXPECT_THAT(error_of("define model model ( )\nmodel( )"),
               HasSubstr("w/t.world:2: macro \"model\" is based on itself"));
-  EXPECT_THAT(error_of("define a model ( a( ) )\na( )"), HasSubstr("nested more than 64 deep"));
+  EXPECT_EQ(error_of("define a model ( a( ) )\na( )"), "w/t.world:1: macro \"a\" holds itself");
+  EXPECT_EQ(error_of("define a model ( b( ) )\ndefine b model (\nc( ) )\ndefine c a ( )\na( )"),
+            "w/t.world:1: macro \"b\" holds itself, by way of \"c\"");
+  EXPECT_EQ(error_of("define a model (\nb( ) )\ndefine b model ( a( ) )\na( )"),
+            "w/t.world:2: macro \"b\" holds itself, by way of \"a\"");
+  EXPECT_THAT(error_of(repeated("model(", 70) + repeated(")", 70)), HasSubstr("nested more than 64 deep"));
   EXPECT_EQ(error_of("define robot position ( )\nrobo( )"),
             "w/t.world:2: unknown model type \"robo\" (did you mean \"robot\"?)");
 }
