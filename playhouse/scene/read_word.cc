@@ -40,7 +40,12 @@ std::size_t chosen(const Properties& properties, std::string_view key, std::stri
 }  // namespace
 
 void require(bool good, const Properties& properties, std::string_view key, std::string_view what) {
-  if (!good) properties.state().fail(properties.where(key), in_quotes(key) + " " + std::string(what));
+  if (good) return;
+  const Field* const field = properties.fields().find(key);
+  const bool is_single = field && field->values.size() == 1;
+  properties.state().fail(properties.where(key),
+                          in_quotes(key) + " " + std::string(what) +
+                              (is_single ? ", found " + in_quotes(field->values.front().text) : ""));
 }
 
 double at_least_zero(const Properties& properties, std::string_view key, double value,

@@ -14,7 +14,7 @@
 
 namespace playhouse::scene {
 
-/// Records an error, `"key" what`, unless `good`.
+/// Records an error, `"key" what`, with the value of a word that has one, unless `good`.
 void require(bool good, const Properties& properties, std::string_view key, std::string_view what);
 
 /// Clamps a negative value to 0 with a warning; `meant` explains what 0 means.

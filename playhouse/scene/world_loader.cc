@@ -479,6 +479,9 @@ void WorldLoader::load_block(const Properties& properties, SourceLine where, Sha
 void WorldLoader::load_sensor(const Properties& properties, SourceLine where, ModelDesc& model) {
   RangerSensorDesc& sensor = model.sensors.emplace_back();
   read(properties, number_of(scene_.models.size()), sensor);
+  if (sensor.samples > 1 && sensor.fov > geom::kTwoPi + 1e-9)
+    state_.warnings.add(Warning::kValue, properties.where("fov"),
+                        "\"fov\" is above 360 degrees: beams overlap");
   require(sensor.ring_lowest <= sensor.ring_highest, properties, "ring_fov",
           "needs the lowest ring before the highest");
   require(std::size_t{sensor.samples} * sensor.rings <= limits::kRangerSamples, properties, "rings",

@@ -201,7 +201,8 @@ TEST(WorldText, a_ground_is_a_known_material_and_a_misspelt_material_is_told) {
   EXPECT_THAT(loaded("model( material \"concret\" )").warnings,
               ElementsAre("w/t.world:1: \"material\" \"concret\" is a property for detectors only, no known "
                           "material (did you mean \"concrete\"?)"));
-  EXPECT_EQ(error_of("model( restitution 1.5 )"), "w/t.world:1: \"restitution\" must be from 0 to 1");
+  EXPECT_EQ(error_of("model( restitution 1.5 )"),
+            "w/t.world:1: \"restitution\" must be from 0 to 1, found \"1.5\"");
 }
 
 TEST(WorldText, a_slip_in_a_keyword_is_told_also_when_an_error_follows_from_it) {
@@ -338,6 +339,14 @@ TEST(World, whole_numbers_and_flags_are_truncated_with_a_warning_each) {
   EXPECT_FALSE(scene.models[0].obstacle_return);
   EXPECT_EQ(scene.models[1].sensors[0].samples, 2u);
   EXPECT_EQ(scene.models[1].sensors[2].samples, 180u);
+}
+
+TEST(World, the_fov_of_a_sensor_has_a_limit_and_overlaps_above_a_turn) {
+  const auto with = [](const std::string& words) { return "ranger(\nsensor( samples 5 " + words + " ) )"; };
+  EXPECT_EQ(error_of(with("fov 1e5")), "w/t.world:2: \"fov\" must be from 0 to 36000, found \"1e5\"");
+  EXPECT_THAT(loaded(with("fov 361")).warnings,
+              ElementsAre("w/t.world:2: \"fov\" is above 360 degrees: beams overlap"));
+  EXPECT_THAT(loaded(with("fov 360")).warnings, IsEmpty());
 }
 
 TEST(WorldMacros, wrong_use_is_one_clear_error) {
@@ -877,9 +886,9 @@ TEST(WorldModels, words_with_numbers_are_checked_each) {
   EXPECT_THAT(line_of("bcount 1 bpose[0] [1 2]"), HasSubstr("w/t.world:2: \"bpose[0]\" needs 4 values"));
   EXPECT_THAT(line_of("bcount 1 bpose[0] [1 2 3 \"north\"]"), HasSubstr("\"bpose[0]\" needs a number"));
   EXPECT_EQ(line_of("bcount 2 blength 1 blength[1] -0.1"),
-            "w/t.world:2: \"blength[1]\" must not be negative");
-  EXPECT_EQ(line_of("blength -0.1"), "w/t.world:2: \"blength\" must not be negative");
-  EXPECT_EQ(line_of("bcount 257"), "w/t.world:2: \"bcount\" must be from 0 to 256");
+            "w/t.world:2: \"blength[1]\" must not be negative, found \"-0.1\"");
+  EXPECT_EQ(line_of("blength -0.1"), "w/t.world:2: \"blength\" must not be negative, found \"-0.1\"");
+  EXPECT_EQ(line_of("bcount 257"), "w/t.world:2: \"bcount\" must be from 0 to 256, found \"257\"");
 }
 
 TEST(WorldModels, a_gripper_has_its_paddles) {
@@ -966,8 +975,10 @@ TEST(WorldModels, types_and_forms_that_nobody_reads_are_errors_that_say_what_to_
   EXPECT_THAT(error_of("model( pose [1 2] )"), HasSubstr("\"pose\" needs 4 values [x y z heading]"));
   EXPECT_THAT(error_of("model( size 1 )"), HasSubstr("\"size\" needs 3 values"));
   EXPECT_THAT(error_of("model( joules \"much\" )"), HasSubstr("\"joules\" needs a number, found \"much\""));
-  EXPECT_EQ(error_of("model(\ntake_watts -1 )"), "w/t.world:2: \"take_watts\" must not be negative");
-  EXPECT_EQ(error_of("model( joules_capacity -1 )"), "w/t.world:1: \"joules_capacity\" must not be negative");
+  EXPECT_EQ(error_of("model(\ntake_watts -1 )"),
+            "w/t.world:2: \"take_watts\" must not be negative, found \"-1\"");
+  EXPECT_EQ(error_of("model( joules_capacity -1 )"),
+            "w/t.world:1: \"joules_capacity\" must not be negative, found \"-1\"");
   EXPECT_THAT(error_of("model( mass \"heavy\" )"), HasSubstr("\"mass\" needs a number, found \"heavy\""));
   EXPECT_THAT(error_of("model( mass 1.2.3 )"), HasSubstr("found \"1.2.3\""));
   EXPECT_THAT(error_of("model( pose [1e300 0 0 0] )"), HasSubstr("at most 1e9"));
@@ -1173,8 +1184,8 @@ TEST(WorldErrors, of_conditions_and_limits_of_detectors_are_told_where_they_are)
             "w/t.world:2: \"sees\" has an unknown property \"colour\" (did you mean \"color\"?)");
   EXPECT_EQ(fault("through \"material\""),
             "w/t.world:2: \"through\" needs =, !=, < or > behind \"material\"");
-  EXPECT_EQ(fault("miss 1.5"), "w/t.world:2: \"miss\" must be from 0 to 1");
-  EXPECT_EQ(fault("fov 361"), "w/t.world:2: \"fov\" must be from 0 to 360");
+  EXPECT_EQ(fault("miss 1.5"), "w/t.world:2: \"miss\" must be from 0 to 1, found \"1.5\"");
+  EXPECT_EQ(fault("fov 361"), "w/t.world:2: \"fov\" must be from 0 to 360, found \"361\"");
   EXPECT_EQ(fault("fov 360 fov_vertical 170 miss 1 attenuation [3 4]"), "none");
   EXPECT_EQ(fault("attenuation [-1 0]"), "w/t.world:2: \"attenuation\" needs numbers from 0 to 1000");
 }

@@ -16,6 +16,8 @@
 namespace playhouse::stage {
 namespace {
 
+constexpr double kWidestFov = 1e3;  // rad
+
 bool finite(const geom::Pose& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.z) && std::isfinite(pose.a);
 }
@@ -58,9 +60,13 @@ Result<void> check_model(const scene::SceneDesc& scene, const scene::ModelDesc& 
   if (!scene::is_described(model.kind, model)) return fault(" lacks the description of its kind");
   for (const scene::RangerSensorDesc& sensor : model.sensors) {
     if (sensor.samples == 0) return fault(" has a sensor without samples");
-    if (!finite(sensor.X_BS) || !std::isfinite(sensor.range_max) || sensor.range_max < 0 ||
-        !(sensor.fov >= 0) || sensor.fov > 1e3)
-      return fault(" has a sensor whose pose, range or fov makes no sense");
+    if (!finite(sensor.X_BS)) return fault(" has a sensor with a pose that is not a finite number");
+    if (!std::isfinite(sensor.range_max) || sensor.range_max < 0)
+      return fault(
+          fmt::format(" has a sensor with a range of {} m; it must not be negative", sensor.range_max));
+    if (!(sensor.fov >= 0) || sensor.fov > kWidestFov)
+      return fault(
+          fmt::format(" has a sensor with a fov of {} rad; it must be from 0 to {}", sensor.fov, kWidestFov));
   }
   if (model.actuator && !is_sound(*model.actuator))
     return fault(" has an axis, ends or a start that make no sense");

@@ -321,7 +321,7 @@ void read(const Properties& properties, std::size_t row, RangerSensorDesc& to) {
   to.range_min = range[0];
   to.range_max = range[1];
   to.fov = properties.angle("fov", to.fov);
-  require(to.fov >= 0, properties, "fov", "must not be negative");
+  require(to.fov >= 0 && to.fov <= geom::radians(36000), properties, "fov", "must be from 0 to 36000");
   static_assert(limits::kRangerSamples == 65536);
   to.samples = read_count(properties, "samples", to.samples, 1, limits::kRangerSamples);
   to.rings = read_count(properties, "rings", to.rings, 1, 256);
