@@ -231,7 +231,9 @@ Error CfgLoader::nothing_to_serve() {
   if (has_models_)
     return Error{path, "is a world file, not a configuration: playhouse run " + path + " serves its robots"};
   add_slip();
-  return {path, "has no driver ( ... ) section, so there is nothing to serve"};
+  const SourceLine where =
+      document_.statements.empty() ? SourceLine{0, 1} : document_.statements.front().section.where;
+  return document_.error(where, "the file has no driver ( ... ) section, so there is nothing to serve");
 }
 
 void CfgLoader::read_file() {

@@ -174,7 +174,7 @@ TEST(Cfg, what_has_no_effect_is_a_warning) {
 TEST(Cfg, faults_of_a_file_are_one_line_with_the_place) {
   const std::string good = "driver ( name \"d\" provides [ \"gps:0\" ] )\n";
   EXPECT_EQ(error_of("# nothing\n"),
-            "dir/t.cfg: has no driver ( ... ) section, so there is nothing to serve");
+            "dir/t.cfg:1: the file has no driver ( ... ) section, so there is nothing to serve");
   EXPECT_EQ(error_of("define wall model ( )\nwall ( pose [0 0 0 0] )"),
             "dir/t.cfg: is a world file, not a configuration: playhouse run dir/t.cfg serves its robots");
   EXPECT_THAT(error_of("driver ( provides \"gps:0\" )"), HasSubstr("dir/t.cfg:1: a driver needs a name"));
@@ -214,7 +214,7 @@ TEST(Cfg, a_slip_in_a_word_that_must_be_there_is_told_with_the_error) {
               HasSubstr("(did you mean \"code\"?)"));
   EXPECT_THAT(
       findings_of("\ndrivr ( name \"d\" provides \"gps:0\" )"),
-      ElementsAre("dir/t.cfg: error: has no driver ( ... ) section, so there is nothing to serve",
+      ElementsAre("dir/t.cfg:2: error: the file has no driver ( ... ) section, so there is nothing to serve",
                   "dir/t.cfg:2: warning: section \"drivr\" has no effect (did you mean \"driver\"?)"));
   EXPECT_THAT(findings_of("inclde \"more.inc\"").back(), HasSubstr("(did you mean \"include\"?)"));
   EXPECT_THAT(error_of("defin robot driver ( )"), HasSubstr("(did you mean \"define\"?)"));
