@@ -62,6 +62,9 @@ std::string named_from(const std::string& beside, const fs::path& file) {
 int write_plan(const ConvertOptions& options, const scene::Plan& plan, const std::string& bitmap) {
   const Result<std::string> text = scene::world_of_plan(plan, bitmap, options.height.value_or(kWallHeight));
   if (!text) return fail_in_file({escaped(options.input), text.error().text});
+  const auto& free = plan.free.solid;
+  if (std::ranges::find(free, 1) == free.end())
+    warn(escaped(options.input) + ": has no free pixel, so the world has no robot");
   return write_text(options.output, *text);
 }
 

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/scene/properties.h"
 
 namespace playhouse::scene {
 namespace {
@@ -85,6 +87,11 @@ double rounded(double value) {
   return whole == 0 ? 0 : whole;
 }
 
+/// NaN is none.
+bool is_of_a_world_file(double value) {
+  return std::abs(value) <= kLargestNumber;
+}
+
 bool can_be_quoted(const std::string& text) {
   return std::ranges::none_of(text, [](char c) { return c == '"' || c == '\n' || c == '\r' || c == '\0'; });
 }
@@ -111,6 +118,11 @@ Result<std::string> world_of_plan(const Plan& plan, const std::string& bitmap, d
   const geom::Vec2 size{(walls->x1 - walls->x0) * plan.resolution, (walls->y1 - walls->y0) * plan.resolution};
   const geom::Vec2 middle = geom::transform(plan.X_WI, {0.5 * (walls->x0 + walls->x1) * plan.resolution,
                                                         0.5 * (walls->y0 + walls->y1) * plan.resolution});
+  const std::optional<geom::Vec2> place = place_for_robot(plan, *walls);
+  const geom::Vec2 p = geom::transform(plan.X_WI, place.value_or(geom::Vec2{}));
+  if (!std::ranges::all_of(std::array{size.x, size.y, height, middle.x, middle.y, p.x, p.y},
+                           is_of_a_world_file))
+    return Error{"", "has a place or a size beyond 1e9 m, the largest number of a world file"};
   const double turn = rounded(geom::degrees(plan.X_WI.a));
   std::string text = fmt::format(
       "# The floor plan {}, at {} m a pixel.\n\nname \"{}\"\nwindow( center [{} {}] scale {} show_data 1 "
@@ -119,8 +131,7 @@ Result<std::string> world_of_plan(const Plan& plan, const std::string& bitmap, d
       bitmap, plan.resolution, plan.name, rounded(middle.x), rounded(middle.y),
       rounded(700 / std::max(size.x, size.y)), bitmap, rounded(size.x), rounded(size.y), height,
       rounded(middle.x), rounded(middle.y), turn);
-  if (const std::optional<geom::Vec2> place = place_for_robot(plan, *walls)) {
-    const geom::Vec2 p = geom::transform(plan.X_WI, *place);
+  if (place) {
     text += fmt::format(
         "\nposition( name \"guest\" pose [{} {} 0 {}] size [{} {} 0.3] color \"DodgerBlue\" localization "
         "\"gps\"\n"

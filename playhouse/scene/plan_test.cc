@@ -110,6 +110,19 @@ TEST(Plan, without_walls_is_no_world) {
   EXPECT_FALSE(world_of_plan(*quoted, "room.pbm", 1));
 }
 
+TEST(Plan, that_no_world_can_hold_is_refused) {
+  for (const double resolution : {1e9, 1e30}) {
+    const auto plan = plan_of_image(kRoom, "room", resolution);
+    EXPECT_EQ(world_of_plan(*plan, "room.pbm", 1).error().text,
+              "has a place or a size beyond 1e9 m, the largest number of a world file");
+  }
+  auto plan = plan_of_image(kRoom, "room", 1);
+  EXPECT_THAT(world_of_plan(*plan, "room.pbm", 1e300).error().text, HasSubstr("beyond 1e9 m"));
+  plan->X_WI.y = 1e300;
+  EXPECT_THAT(world_of_plan(*plan, "room.pbm", 1).error().text, HasSubstr("beyond 1e9 m"));
+  EXPECT_TRUE(world_of_plan(*plan_of_image(kRoom, "room", 1e7), "room.pbm", 1));
+}
+
 TEST(RosMap, is_read_with_everything_that_it_says) {
   const auto map = read_ros_map(
       "image: maps/lab.pgm\nresolution: 0.05\norigin: [-10.0, 2.5, 1.5]\nnegate: 1\noccupied_thresh: 0.7\n"
@@ -131,15 +144,19 @@ std::string fault(const std::string& text) {
 
 TEST(RosMap, with_a_fault_is_told_with_its_line) {
   EXPECT_EQ(fault("image: a.pgm\nresolution: fine\n"), "2: \"resolution\" wants a number");
-  EXPECT_EQ(fault("image: a.pgm\nresolution: 0\n"), "2: \"resolution\" wants a number above 0");
+  EXPECT_EQ(fault("image: a.pgm\nresolution: 0\norigin: [0, 0, 0]\n"),
+            "2: \"resolution\" wants a number above 0");
   EXPECT_EQ(fault("image: a.pgm\nresolution: .nan\n"), "2: \"resolution\" wants a number");
   EXPECT_EQ(fault("image: a.pgm\nresoluton: 1\n"),
             "2: there is no key \"resoluton\" (did you mean \"resolution\"?)");
   EXPECT_EQ(fault("resolution: 1\n"), "lacks \"image\"");
   EXPECT_EQ(fault("image: a.pgm\nresolution: 1\norigin: [1]\n"), "3: \"origin\" wants [x, y, yaw]");
+  EXPECT_EQ(fault("image: a.pgm\nresolution: 1\norigin: [1, 2]\n"), "3: \"origin\" wants [x, y, yaw]");
+  EXPECT_EQ(fault("image: a.pgm\nresolution: 1\n"), "lacks \"origin\"");
   EXPECT_EQ(fault("image: a.pgm\nresolution: 1\nmode: rawe\n"),
             "3: there is no mode \"rawe\" (did you mean \"raw\"?)");
-  EXPECT_THAT(fault("image: a.pgm\nresolution: 1\nfree_thresh: 0.9\n"), HasSubstr("might be both"));
+  EXPECT_THAT(fault("image: a.pgm\nresolution: 1\norigin: [0, 0, 0]\nfree_thresh: 0.9\n"),
+              HasSubstr("might be both"));
   EXPECT_THAT(fault("just a line"), HasSubstr("no map of ROS"));
   EXPECT_THAT(fault("image: ["), HasSubstr("1: "));
 }

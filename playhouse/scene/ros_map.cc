@@ -32,8 +32,7 @@ Result<double> number(const YAML::Node& node, std::string_view key) {
 }
 
 Result<void> read_origin(const YAML::Node& node, geom::Pose& to) {
-  if (!node.IsSequence() || node.size() < 2 || node.size() > 3)
-    return at(node.Mark(), "\"origin\" wants [x, y, yaw]");
+  if (!node.IsSequence() || node.size() != 3) return at(node.Mark(), "\"origin\" wants [x, y, yaw]");
   double values[3] = {};
   for (std::size_t i = 0; i < node.size(); ++i) {
     const Result<double> value = number(node[i], "origin");
@@ -80,7 +79,7 @@ Result<RosMap> map_of(const YAML::Node& root) {
     given.insert(key);
     if (const Result<void> read = read_key(key, entry.second, map); !read) return read.error();
   }
-  for (const std::string key : {"image", "resolution"})
+  for (const std::string key : {"image", "resolution", "origin"})
     if (!given.contains(key)) return Error{"", fmt::format("lacks {}", in_quotes(key))};
   if (!(map.resolution > 0)) return at(root["resolution"].Mark(), "\"resolution\" wants a number above 0");
   if (map.free > map.occupied)

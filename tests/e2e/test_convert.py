@@ -173,6 +173,20 @@ class Convert(HouseTest):
         self.assertIn("size [4 3 0.6] pose [0 0 0 0]", walls[0])
         self.assertIn("size [4 3 0.6] pose [0 0 0 0]", walls[1])
 
+    def test_a_plan_that_no_world_can_hold_is_refused_and_one_without_room_for_the_robot_is_told(self):
+        plan = self.write("plan.pbm", "P1 3 1 1 0 1")
+        for scale in ("1e9", "1e30"):
+            done = finish("convert", plan, "--scale", scale, "-o", self.folder / "far.world")
+            self.assertEqual((done.returncode, done.stderr),
+                             (2, f"{plan}: error: has a place or a size beyond 1e9 m, the largest number of a world file\n"))
+            self.assertFalse((self.folder / "far.world").exists())
+        done = finish("convert", plan, "--scale", "1e8", "-o", self.folder / "wide.world")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(finish("check", self.folder / "wide.world").returncode, 0)
+        black = self.write("black.pbm", "P1 2 1 1 1")
+        done = finish("convert", black, "--scale", "1", "-o", self.folder / "black.world")
+        self.assertEqual((done.returncode, done.stderr), (0, f"warning: {black}: has no free pixel, so the world has no robot\n"))
+
     def test_an_image_wants_its_scale_and_a_map_its_keys(self):
         done = finish("convert", self.write("plan.pbm", "P1 1 1 1"))
         self.assertEqual(done.returncode, 2)
