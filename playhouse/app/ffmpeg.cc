@@ -3,12 +3,17 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <string>
 #include <vector>
+
+#include "playhouse/base/in_quotes.h"
 
 extern char** environ;
 
@@ -24,7 +29,10 @@ class Ffmpeg {
   Ffmpeg() = default;
   Ffmpeg(const Ffmpeg&) = delete;
   Ffmpeg& operator=(const Ffmpeg&) = delete;
-  ~Ffmpeg() { static_cast<void>(end()); }
+  ~Ffmpeg() {
+    static_cast<void>(end());
+    if (said_ >= 0) ::close(said_);
+  }
 
   Result<void> start(std::vector<std::string> words) {
     int ends[2];
@@ -35,6 +43,8 @@ class Ffmpeg {
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    said_ = ::memfd_create("ffmpeg", MFD_CLOEXEC);
+    if (said_ >= 0) ::posix_spawn_file_actions_adddup2(&actions, said_, STDERR_FILENO);
     const int error = ::posix_spawnp(&child_, arguments[0], &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
     ::close(ends[0]);
@@ -67,9 +77,20 @@ class Ffmpeg {
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
 
+  /// The first line of its standard error, without "[part @ address] "; empty if there is none. After end().
+  std::string first_line() const {
+    char text[256];
+    const ssize_t size = said_ >= 0 ? ::pread(said_, text, sizeof(text), 0) : 0;
+    std::string line(text, static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+    line.erase(std::min(line.find('\n'), line.size()));
+    const std::size_t end = line.starts_with('[') ? line.find("] ") : std::string::npos;
+    return escaped(end == std::string::npos ? line : line.substr(end + 2));
+  }
+
  private:
   pid_t child_ = 0;
   int pipe_ = -1;
+  int said_ = -1;  // its standard error, in memory
 };
 
 }  // namespace
@@ -84,14 +105,18 @@ Result<void> film_by_ffmpeg(const std::string& file, const View& view, double pe
        fmt::format("{}x{}", view.width, view.height), "-framerate", fmt::format("{:.6g}", 1 / period), "-i",
        "pipe:0", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-y", "file:" + file});
   if (!started) return started;
+  bool ended_early = false;
   const Result<void> drawn = each([&](const Picture& picture) -> Result<void> {
-    if (ffmpeg.write(picture.rgb)) return {};
-    return Error{"", "is not written: ffmpeg ended early"};
+    ended_early = !ffmpeg.write(picture.rgb);
+    return ended_early ? Error{"", ""} : Result<void>();
   });
   const bool ended_well = ffmpeg.end();
-  if (!drawn) return drawn;
-  if (!ended_well) return Error{"", "is not written: ffmpeg failed"};
-  return {};
+  if (!drawn && !ended_early) return drawn;
+  if (ended_well && !ended_early) return {};
+  const std::string line = ffmpeg.first_line();
+  return Error{"", "is not written: ffmpeg" + (!line.empty() ? ": " + line
+                                               : ended_early ? " ended early"
+                                                             : " failed")};
 }
 
 }  // namespace playhouse::app

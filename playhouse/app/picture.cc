@@ -43,6 +43,8 @@ template <typename Options>
 std::unique_ptr<DrawnRun> open_run(const Options& options, const Drawing& drawing, int& code) {
   if (const Result<void> possible = drawing.possible(); !possible)
     return code = fail(possible.error()), nullptr;
+  if (const Result<void> writable = check_writable(options.output); !writable)
+    return code = fail_at(writable.error()), nullptr;
   std::vector<Error> others;
   scene::SourceFiles sources;
   Result<scene::SceneDesc> scene = read_scene(options.world, &others, &sources);

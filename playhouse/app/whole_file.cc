@@ -1,7 +1,10 @@
 #include "playhouse/app/whole_file.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -11,6 +14,8 @@
 
 namespace playhouse::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 Error fault(const std::string& path, const std::string& what, int code) {
   return {escaped(path), what + ": " + std::generic_category().message(code)};
@@ -26,6 +31,16 @@ Result<std::string> read_file(const std::string& path) {
   if (!file.is_open() || file.bad() || (file.fail() && errno != 0))
     return fault(path, "cannot be read", errno);
   return std::move(text).str();
+}
+
+Result<void> check_writable(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return fault(path, "cannot be written", EISDIR);
+  if (fs::exists(path, ignored)) return {};
+  const fs::path folder = fs::path(path).parent_path() / "";  // with its slash: no file has this name
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
+    return fault(path, "cannot be written", errno);
+  return {};
 }
 
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) {

@@ -11,6 +11,9 @@ namespace playhouse::app {
 /// Reads a whole file. Errors include its name.
 Result<std::string> read_file(const std::string& path);
 
+/// Fails, as a later write would, if the name is a folder's or no file can be created in its folder.
+Result<void> check_writable(const std::string& path);
+
 /// Writes a file atomically: concurrent readers, and readers after
 /// a failure, see the old contents. Errors include its name.
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes);

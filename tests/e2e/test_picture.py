@@ -175,6 +175,33 @@ wifi( name "post" pose [-3 -3 1 0] )
         done = finish("film", world, "--renderer", "playhouse", "-o", film, "--duration", 1, env={**os.environ, "PATH": str(self.folder)})
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
 
+    def test_what_ffmpeg_says_is_told_in_the_line_of_the_film(self):
+        world, film, tool = self.write("w.world", WORLD), self.folder / "a.foo", self.folder / "ffmpeg"
+        said = "[NULL @ 0x55d0] Unable to find a suitable output format\\n\\033[31mInvalid argument\\n"
+        for reads in ("", "/usr/bin/wc -c > /dev/null\n"):   # ends before or after the pictures
+            tool.write_text(f"#!/bin/sh\n{reads}printf '{said}' >&2\nexit 1\n")
+            tool.chmod(0o755)
+            done = finish("film", world, "--renderer", "playhouse", "-o", film, "--duration", 1,
+                          env={**os.environ, "PATH": str(self.folder)})
+            self.assertEqual((done.returncode, done.stderr),
+                             (1, f"{film}: error: is not written: ffmpeg: Unable to find a suitable output format\n"))
+
+    def test_an_output_that_cannot_be_written_is_told_before_anything_is_drawn(self):
+        world = self.write("w.world", WORLD)
+        (self.folder / "d.mp4").mkdir()
+        (self.folder / "d.png").mkdir()
+        locked = self.folder / "locked"
+        locked.mkdir(mode=0o555)
+        for command, output, why in (
+                ("film", self.folder / "d.mp4", "Is a directory"), ("film", self.folder, "Is a directory"),
+                ("film", self.folder / "d.png", "Is a directory"), ("picture", self.folder / "d.png", "Is a directory"),
+                ("film", self.folder / "no" / "a.mp4", "No such file or directory"),
+                ("film", world / "a.mp4", "Not a directory"),
+                *([] if os.geteuid() == 0 else [("film", locked / "a.mp4", "Permission denied")])):
+            with self.subTest(output):
+                done = finish(command, world, "-o", output)
+                self.assertEqual((done.returncode, done.stderr), (1, f"{output}: error: cannot be written: {why}\n"))
+
     def test_faults_are_told_in_a_line(self):
         world = self.write("w.world", WORLD)
         for words, code, told in (
