@@ -78,7 +78,8 @@ world::PhysicsShapes BodyEngine::shapes() const {
   return shapes;
 }
 
-/// True if the static solids have to be made: a state that was loaded mostly has those of before.
+/// True if the static solids have to be made. Any change may be one of theirs: if a model is removed, later
+/// ones change rows. A state that was loaded mostly has those of before.
 bool BodyEngine::have_static_models_changed() {
   std::vector<StaticModel> now = static_models(world_);
   if (static_models_ == now) return false;
@@ -86,8 +87,8 @@ bool BodyEngine::have_static_models_changed() {
   return true;
 }
 
-void BodyEngine::populate(bool fixed) {
-  fixed = fixed && have_static_models_changed();
+void BodyEngine::populate() {
+  const bool fixed = have_static_models_changed();
   trees_ = make_trees(world_);
   if (fixed) solids_ = make_fixed_solids(world_, shapes_);
   replace_moving_solids(solids_, world_, shapes_, trees_);
@@ -100,17 +101,15 @@ void BodyEngine::populate(bool fixed) {
 
 void BodyEngine::ingest(std::span<const world::Change> changes) {
   using Kind = world::Change::Kind;
-  bool population = false, fixed = false, moved = false;
+  bool population = false, moved = false;
   for (const world::Change& change : changes) {
-    const bool is_fixed = change.kind == Kind::kReload || change.mobility == world::Mobility::kFixed;
-    const bool places = change.kind == Kind::kPlace;
     if (change.kind == Kind::kSet) continue;
-    population |= !places || moves_within_body(change);
-    fixed |= is_fixed;
+    const bool places = change.kind == Kind::kPlace;
+    population |= !places || change.mobility == world::Mobility::kFixed || moves_within_body(change);
     moved |= places;
   }
-  if (population || fixed) {
-    populate(fixed);
+  if (population) {
+    populate();
   } else if (moved) {
     for (const world::Change& change : changes) replace(change);
     index();

@@ -19,7 +19,7 @@ class BodyEngine : public behaviour::PhasedEngine {
  protected:
   /// The outlines of obstacles as prisms.
   world::PhysicsShapes shapes() const override;
-  /// Derived engines call populate(true) in their constructors.
+  /// Derived engines call populate() in their constructors.
   BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
              const SenseMakers& makers = {});
 
@@ -28,8 +28,8 @@ class BodyEngine : public behaviour::PhasedEngine {
   /// A tree was teleported: its solids have new places that move() did not make.
   virtual void replaced(std::uint32_t tree) = 0;
 
-  /// Rebuilds all tables from the population; those of static solids only if `fixed` and if they differ.
-  void populate(bool fixed);
+  /// Rebuilds all tables from the population; those of static solids only if they differ.
+  void populate();
   /// Rebuilds index_. To be called after solids have moved.
   void index();
 

@@ -7,7 +7,7 @@ namespace playhouse::stage {
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
     : BodyEngine(scene, seed, workers), motion_(workers_.count()) {
-  populate(true);
+  populate();
 }
 
 void StageEngine::populated(bool) {

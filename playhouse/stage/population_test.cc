@@ -243,5 +243,26 @@ TEST(ChangingPopulation, what_holds_something_loose_leaves_no_wall_behind_where_
   EXPECT_EQ(ahead(), 8);
 }
 
+// Rows of later models change as one goes.
+TEST(Population, walls_stay_where_they_are_as_models_before_them_go) {
+  scene::SceneDesc scene;
+  scene.models.push_back(box("puck", {0, 3, 0, 0}, {0.3, 0.3, 0.3}));
+  scene.models.back().gripper_return = true;
+  scene.models.push_back(box("wall", {3, 0, 0, 0}, {1, 1, 1}));
+  scene.models.push_back(pioneer("r", {0, 0, 0, 0}));
+  scene.models.back().position->velocity = {1, 0, 0, 0};
+  scene.models.push_back(laser("r.ranger:0", 2));
+  auto engine = make_engine(scene, {.seed = 1, .workers = 1});
+  ASSERT_TRUE(engine.ok());
+  world::World& world = (*engine)->world();
+  (*engine)->step();
+  ASSERT_TRUE(world::despawn(world, world.id({0})).ok());
+  for (int tick = 0; tick < 100; ++tick) (*engine)->step();
+  const world::ModelRow robot = world.find("r");
+  EXPECT_NEAR(world.models.X_WM[robot.index].x, 2.3, 0.15) << "it stops at the wall";
+  const std::size_t beams = world.sensors.ranges.size();
+  EXPECT_LT(world.sensors.ranges[beams / 2], 0.5f) << "and sees it";
+}
+
 }  // namespace
 }  // namespace playhouse::stage
