@@ -69,7 +69,7 @@ ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsi
   world_.engine = "arena";
   world_.upright = false;
   world_.has_light = true;
-  populate(true);
+  populate();
 }
 
 void ArenaEngine::populated(bool fixed) {
@@ -90,7 +90,7 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   body.part = part_of(world_, trees_, solids_, tree);
   for (const stage::Mover& mover : movers_of(tree))
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
-  auto [hulls, models] = hulls_of(world_, trees_, solids_, tree, body.part, mesh_hulls_);
+  auto [hulls, models] = hulls_of(world_, trees_, solids_, tree, body.part, Joints::kAtRest, mesh_hulls_);
   if (hulls.empty()) {
     body.part = Part::kGuided;  // degenerate outline
     return body;
@@ -99,7 +99,8 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
     for (const Vec3& p : hull) body.radius = std::max(body.radius, std::sqrt(p.x * p.x + p.y * p.y));
   body.models = std::move(models);
   body.number = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
-  for (const stage::Mover& mover : movers_of(tree)) body.joints.push_back(world_.models.X_PM[mover.model]);
+  // bend() moves its hulls to where the joints are.
+  for (const stage::Mover& mover : movers_of(tree)) body.joints.push_back(world_.desc({mover.model}).X_PM);
   return body;
 }
 
@@ -112,7 +113,7 @@ world::PhysicsShapes ArenaEngine::shapes() const {
     if (bodies_[tree].number != Body::kNone)
       shapes.bodies.push_back(
           {world_.id({trees_.root[tree]}),
-           hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, mesh_hulls_).hulls});
+           hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, Joints::kNow, mesh_hulls_).hulls});
   return shapes;
 }
 
@@ -186,7 +187,7 @@ void ArenaEngine::bend(std::uint32_t tree) {
     is_bent = true;
   }
   if (!is_bent) return;
-  TreeHulls now = hulls_of(world_, trees_, solids_, tree, body.part, mesh_hulls_);
+  TreeHulls now = hulls_of(world_, trees_, solids_, tree, body.part, Joints::kNow, mesh_hulls_);
   if (now.hulls.empty()) return;
   body.models = std::move(now.models);
   physics_.set_hulls(body.number, now.hulls);

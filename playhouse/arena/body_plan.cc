@@ -82,13 +82,20 @@ void add_hulls(std::vector<Hull>& hulls, const std::vector<Hull>& of_body, const
   }
 }
 
-/// Poses of a tree's models in its root at present joint positions.
-std::map<std::uint32_t, Pose> poses_in_top(const world::Models& models, const stage::Trees& trees,
-                                           std::uint32_t tree) {
+/// Poses of a tree's models in its root.
+std::map<std::uint32_t, Pose> poses_in_top(const world::World& world, const stage::Trees& trees,
+                                           std::uint32_t tree, Joints joints) {
+  const world::Models& models = world.models;
   std::map<std::uint32_t, Pose> X_BM;
-  for (const std::uint32_t row : trees.models_of(tree))
-    X_BM[row] =
-        row == trees.root[tree] ? Pose{} : geom::compose(X_BM.at(models.parent[row]), models.X_PM[row]);
+  for (const std::uint32_t row : trees.models_of(tree)) {
+    if (row == trees.root[tree]) {
+      X_BM[row] = {};
+      continue;
+    }
+    const bool at_rest = joints == Joints::kAtRest && world::moves(models.kind[row]);
+    X_BM[row] = geom::compose(X_BM.at(models.parent[row]),
+                              at_rest ? world.desc({row}).X_PM : static_cast<Pose>(models.X_PM[row]));
+  }
   return X_BM;
 }
 
@@ -196,8 +203,8 @@ Part part_of(const world::World& world, const stage::Trees& trees, const stage::
 }
 
 TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
-                   std::uint32_t tree, Part part, MeshHulls& meshes) {
-  const std::map<std::uint32_t, Pose> X_BM = poses_in_top(world.models, trees, tree);
+                   std::uint32_t tree, Part part, Joints joints, MeshHulls& meshes) {
+  const std::map<std::uint32_t, Pose> X_BM = poses_in_top(world, trees, tree, joints);
   TreeHulls all;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
   each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], stage::Observer::kMotion,

@@ -23,18 +23,22 @@ enum class Part : std::uint8_t {
 Part part_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
              std::uint32_t tree);
 
+/// Positions of a tree's joints: those of the tick, or those that the world file gives.
+enum class Joints : std::uint8_t { kNow, kAtRest };
+
 /// Hulls in B, and the model row of each.
 struct TreeHulls {
   std::vector<Hull> hulls;
   std::vector<std::uint32_t> models;
 };
 
-/// The obstacles of a tree as convex hulls at its present joint positions; of a vehicle only
+/// The obstacles of a tree as convex hulls at these joint positions; of a vehicle only
 /// above the ground clearance of its wheels. Models with a mesh have the hulls of the mesh.
 TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
-                   std::uint32_t tree, Part part, MeshHulls& meshes);
+                   std::uint32_t tree, Part part, Joints joints, MeshHulls& meshes);
 
-/// The body of a tree with at least one hull.
+/// The body of a tree with at least one hull. With hulls at rest it does not depend on
+/// what joints did: an arm that reaches out moves no wheel, and no mass.
 BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::uint32_t tree, Part part,
                    std::vector<Hull> hulls);
 
