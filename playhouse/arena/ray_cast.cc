@@ -24,6 +24,9 @@ constexpr float kNarrow = 0.96f;    // least cosine to the axis in a fan of seve
 constexpr float kWidest = 0.6f;     // ... of one block
 constexpr float kMargin = 1e-6f;    // rounding of coordinates at 1 ahead
 constexpr float kRounding = 1e-6f;  // rounding of a plane's distance, as a share of the largest coordinate
+constexpr double kInPlane = 0.125;  // share of Frame::slack that a float is rounded by
+constexpr float kGrazing = 0.05f;   // cosine to the normal below which double precision decides
+constexpr float kLeastSquared = 1e-30f;  // m^4; of an edge without a length
 // Rounding of an edge function, as a share of the product of the vectors that it is made of: one of each, two
 // of their cross product and three of the product with the ray.
 constexpr float kEdgeRounding = 7 * 0x1p-24f;
@@ -132,6 +135,33 @@ void shorten(Fan& fan, std::size_t block, float* reach) {
   const std::size_t group = block * kLanes / fan.group_size;
   fan.block_reach[block] = fold(reach, fan.group_size, fan.group_reach + group, kLarger);
   fan.reach = *std::max_element(fan.block_reach, fan.block_reach + fan.blocks);
+}
+
+/// The range of a ray that grazes a triangle or meets an edge as far as single precision tells, infinite if
+/// it misses. In single precision a triangle would reach beyond its edges by what edge functions are rounded,
+/// metres if a ray is nearly in its plane. A ray in the plane as far as coordinates tell misses the triangle:
+/// its range would be that of roundings.
+float exact_range(const TriangleBlock& triangles, std::size_t i, const Frame& frame, std::size_t ray) {
+  constexpr double kEdgeOn = 1e-9, kDoubleRounding = 1e-14;
+  geom::Vec3 corner[3];
+  for (std::size_t c = 0; c < 3; ++c)
+    corner[c] = {double{triangles.p[c][0][i]} - double{frame.p[0]},
+                 double{triangles.p[c][1][i]} - double{frame.p[1]},
+                 double{triangles.p[c][2][i]} - double{frame.p[2]}};
+  const geom::Vec3 d{frame.d[0][ray], frame.d[1][ray], frame.d[2][ray]},
+      n = cross(corner[1] - corner[0], corner[2] - corner[0]);
+  const double slope = dot(n, d), volume = dot(n, corner[0]), length = std::sqrt(dot(n, n));
+  if (!(std::fabs(slope) > kEdgeOn * length) || std::fabs(volume) <= kInPlane * double{frame.slack} * length)
+    return Bounds::kInfinity;
+  bool is_left = false, is_right = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const geom::Vec3 difference = corner[(k + 1) % 3] - corner[k], sum = corner[(k + 1) % 3] + corner[k];
+    const double side = dot(cross(difference, sum), d),
+                 margin = kDoubleRounding * std::sqrt(dot(difference, difference) * dot(sum, sum));
+    is_left = is_left || side > margin;
+    is_right = is_right || side < -margin;
+  }
+  return is_left && is_right ? Bounds::kInfinity : static_cast<float>(volume / slope);
 }
 
 /// A vector in the frame of an instance.

@@ -154,6 +154,52 @@ TEST(RayScene, rays_all_around_hit_in_every_number) {
   }
 }
 
+// Rays nearly in the plane of a face of 100 m: its edge functions are near 0 all over it and beyond.
+TEST(RayScene, hits_nothing_beyond_the_ends_of_long_faces_and_no_end_is_missed) {
+  constexpr double kHalf[] = {50, 0.05, 1};
+  const std::vector<geom::Vec2> outline{{-50, -0.05}, {50, -0.05}, {50, 0.05}, {-50, 0.05}};
+  RayScene scene;
+  Triangles fence;
+  add_extrusion(fence, std::vector<geom::Outline>{outline}, -1, 1);
+  scene.set_fixed(std::span(&fence, 1), std::vector<Owner>{{1, 1}});
+  scene.commit();
+  // Where a ray enters the fence if that is larger by so much, infinite if it does not.
+  const auto enters = [&](const Vec3& p, const Vec3& d, double larger) {
+    double first = 0, last = 1e300;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double from = (&p.x)[k], way = (&d.x)[k], half = kHalf[k] + larger;
+      const double a = (-half - from) / way, b = (half - from) / way;
+      first = std::max(first, std::min(a, b));
+      last = std::min(last, std::max(a, b));
+    }
+    return first < last ? first : 1e300;
+  };
+  Rng rng(5);
+  std::size_t hits = 0, misses = 0;
+  for (int i = 0; i < 500; ++i) {
+    RayBatch rays;
+    rays.count = 100;
+    rays.p = {rng.uniform(-70, -51), 0.05 + rng.uniform(-0.05, 0.05), rng.uniform(-1, 2)};
+    std::vector<Vec3> directions;
+    for (std::size_t k = 0; k < rays.count; ++k) {
+      const Vec3 to{rng.uniform(-50, 80), rng.uniform(-0.1, 0.1), rng.uniform(-2, 2)};
+      rays.set_ray(k, unit(to - rays.p), 1000);
+      directions.push_back({rays.dx[k], rays.dy[k], rays.dz[k]});
+    }
+    scene.cast(rays);
+    for (std::size_t k = 0; k < rays.count; ++k) {
+      const bool is_hit = rays.met[k] != RayBatch::kNobody;
+      const double least = enters(rays.p, directions[k], 1e-4), most = enters(rays.p, directions[k], -1e-4);
+      if (is_hit) EXPECT_GE(rays.range[k], least * (1 - 1e-6));
+      if (most < 1e300) EXPECT_LE(rays.range[k], most * (1 + 1e-6));
+      hits += is_hit;
+      misses += !is_hit;
+    }
+  }
+  EXPECT_GT(hits, 5000u);
+  EXPECT_GT(misses, 5000u);
+}
+
 TEST(RayScene, is_as_exact_far_from_the_origin) {
   for (const double far : {0.0, 1e4, 5.4e6}) {
     RayScene scene;
