@@ -202,6 +202,27 @@ crate( name "c4" pose [5 0 2 0] )
   EXPECT_LT(std::hypot(pose("c4").x - 5, pose("c4").y), 0.01);
 }
 
+// Its wheels and mass are planned as the population changes: also where its arm is out by then.
+TEST_F(ArenaTest, a_robot_with_its_arm_out_goes_on_from_any_state) {
+  start(R"(
+model( name "step" pose [2 0 0 0] size [0.4 2 0.02] )
+position( name "r" pose [0 0 0 0] size [0.5 0.4 0.2] drive "diff"
+  actuator( name "arm" type "linear" axis [1 0 0] size [0.5 0.1 0.1] min_position 0 max_position 0.5 max_speed 0.5 ) )
+)");
+  const auto subscribe = [](world::World& world) {
+    for (const char* name : {"r", "r.arm"}) world::subscribe(world, world.find(name));
+  };
+  const auto command = [&](world::World& world, int tick) {
+    const world::ModelRow arm = world.find("r.arm"), robot = world.find("r");
+    if (tick == 0) subscribe(world);
+    const world::ActuatorRow joint{world.models.part[arm.index]};
+    ASSERT_TRUE(world::command_joint_position(world, joint, 0.5));
+    ASSERT_TRUE(world::command_velocity(world, world.position(world.id(robot)), {0.3, 0, 0, 0.05}));
+  };
+  expect_the_same_run(80, 7, command, subscribe);
+  EXPECT_GT(pose("r").x, 0.5);
+}
+
 TEST_F(ArenaTest, what_rests_on_a_lift_comes_down_with_it) {
   start(R"(
 model( name "shaft" pose [0 0 0 0] size [0.1 0.1 0.1]
