@@ -84,10 +84,7 @@ void LidarSense::populate_rangers(const world::World& world) {
 
 void LidarSense::populate_fixed(const world::World& world, const stage::Solids& solids) {
   const world::Models& models = world.models;
-  std::vector<Fixed> fixed;
-  each_model(solids, 0, solids.fixed, [&](std::uint32_t model, std::size_t, std::size_t) {
-    fixed.push_back({model, models.root[model], models.desc[model], models.X_WM[model]});
-  });
+  std::vector<stage::StaticModel> fixed = stage::static_models(world);
   if (fixed == fixed_) return;
   fixed_ = std::move(fixed);
   std::vector<Triangles> triangles;

@@ -25,12 +25,6 @@ class LidarSense final : public stage::SensePhase {
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
-  /// A static solid's owner as last built into scene_, to detect changes.
-  struct Fixed {
-    std::uint32_t model = 0, root = 0, desc = 0;  // rows
-    geom::Pose X_WM;
-    friend bool operator==(const Fixed&, const Fixed&) = default;
-  };
   struct Scratch {
     RayBatch rays;
     std::size_t ray[RayBatch::kMost] = {};  // rows of LidarBeams::rays
@@ -57,7 +51,7 @@ class LidarSense final : public stage::SensePhase {
   static void store(world::World& world, const LidarBeams& beams, std::uint32_t ranger, Scratch& scratch);
 
   RayScene scene_;
-  std::vector<Fixed> fixed_;
+  std::vector<stage::StaticModel> fixed_;            // that scene_ has
   std::map<std::uint32_t, std::uint32_t> shape_of_;  // by row of SceneDesc::models, of movable models
   std::vector<std::uint32_t> instances_;             // rows of world::Models
   std::map<std::uint32_t, LidarBeams> beams_;        // by row of SceneDesc::models

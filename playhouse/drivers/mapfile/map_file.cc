@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <cmath>
-#include <optional>
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
@@ -21,7 +19,6 @@ namespace {
 constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq);
 // Shares of black above which a pixel is occupied, and below which it is free.
 constexpr double kOccupied = 0.95, kFree = 0.1;
-
 constexpr double kFinest = 1e-4, kCoarsest = 1000;  // m per pixel
 
 std::vector<std::int8_t> compressed(const std::vector<std::int8_t>& cells) {
@@ -87,10 +84,7 @@ std::optional<wire::map::Data> map_tile(const wire::map::Info& info, const std::
   for (std::uint64_t row = request.row; row < std::uint64_t{request.row} + request.height; ++row)
     for (std::uint64_t col = request.col; col < std::uint64_t{request.col} + request.width; ++col)
       tile.push_back(row < info.height && col < info.width ? cells[row * info.width + col] : std::int8_t{0});
-  wire::map::Data answer{request.col, request.row, request.width, request.height, 1, compressed(tile)};
-  if (answer.data.size() > limits::kBodyBytes / 2 && wire::encode(answer).size() > limits::kBodyBytes)
-    return std::nullopt;
-  return answer;
+  return wire::map::Data{request.col, request.row, request.width, request.height, 1, compressed(tile)};
 }
 
 void MapFile::request(const device::Message& message, device::Replier replier) {

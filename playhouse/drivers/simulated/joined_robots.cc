@@ -82,9 +82,7 @@ void JoinedRobots::join(const wire::simulation::PropertyReq& request, device::Ca
         (*brought)[joined->robot] = owned;
         owned->robots.push_back(std::move(*joined));
       });
-  if (!posted)
-    shared->nack(
-        answer(request, simulation_.discarded() ? "the run has ended" : "too many requests are waiting"));
+  if (!posted) shared->nack(answer(request, simulation_.why_not_posted()));
 }
 
 }  // namespace playhouse::drivers

@@ -339,13 +339,13 @@ Result<void> Simulation::restart(std::uint64_t seed) {
 }
 
 void Simulation::discard() {
-  if (lock_step_) lock_step_->close("the run has ended");
+  if (lock_step_) lock_step_->close(kEnded);
   std::vector<LockStep::Done> steppers;
   {
     const std::lock_guard lock(mutex_);
     steppers.swap(steppers_);
   }
-  for (const LockStep::Done& each : steppers) each("the run has ended");
+  for (const LockStep::Done& each : steppers) each(kEnded);
   inbox_.close();
   inbox_.take(taken_);
   taken_.clear();

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -82,6 +83,10 @@ class Simulation final : public world::Control {
   /// while their callers still exist. Called on the tick thread.
   void discard();
   bool discarded() const { return inbox_.closed(); }  // any thread
+  /// What to answer to whoever asked for what post() rejected. Any thread.
+  std::string_view why_not_posted() const {
+    return discarded() ? kEnded : std::string_view("too many requests are waiting");
+  }
 
   // Control; any thread.
   void pause() override;
@@ -126,6 +131,8 @@ class Simulation final : public world::Control {
   const world::World& world() const { return engine_->world(); }
 
  private:
+  static constexpr const char* kEnded = "the run has ended";
+
   /// Requests, read by the tick thread when woken.
   struct Wanted {
     double speed = 1;

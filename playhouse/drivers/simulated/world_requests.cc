@@ -48,10 +48,6 @@ struct Asked {
   }
 };
 
-std::string_view why_not_posted(const Simulation& simulation) {
-  return simulation.discarded() ? "the run has ended" : "too many requests are waiting";
-}
-
 /// A number of 4 or 8 bytes; none for other sizes.
 std::optional<std::uint64_t> number(std::string_view value) {
   if (value.size() == sizeof(std::uint32_t)) {
@@ -106,7 +102,7 @@ void reset(Simulation& simulation, const Asked& asked) {
     if (!started) return asked.nack(started.error().line());
     asked.ack();
   });
-  if (!posted) asked.nack(why_not_posted(simulation));
+  if (!posted) asked.nack(simulation.why_not_posted());
 }
 
 /// Payload: x, y [m], heading [rad] as float64, then an optional name.
@@ -129,7 +125,7 @@ void spawn(Simulation& simulation, const Asked& asked) {
     if (!came) return asked.nack(came.error().text);
     asked.ack(wire::c_string(world.name(world.row(*came))));
   });
-  if (!posted) asked.nack(why_not_posted(simulation));
+  if (!posted) asked.nack(simulation.why_not_posted());
 }
 
 void remove(Simulation& simulation, const Asked& asked) {
@@ -141,7 +137,7 @@ void remove(Simulation& simulation, const Asked& asked) {
     if (!gone) return asked.nack(gone.error().text);
     asked.ack();
   });
-  if (!posted) asked.nack(why_not_posted(simulation));
+  if (!posted) asked.nack(simulation.why_not_posted());
 }
 
 }  // namespace
