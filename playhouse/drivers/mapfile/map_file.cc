@@ -1,34 +1,20 @@
 #include "playhouse/drivers/mapfile/map_file.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
-#include "playhouse/base/limits.h"
 #include "playhouse/drivers/section_devices.h"
 #include "playhouse/scene/ros_map.h"
 #include "playhouse/scene/source_text.h"
-#include "playhouse/wire/codec.h"
-#include "playhouse/wire/header.h"
 
 namespace playhouse::drivers {
 namespace {
 
-constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq);
 // Shares of black above which a pixel is occupied, and below which it is free.
 constexpr double kOccupied = 0.95, kFree = 0.1;
 constexpr double kFinest = 1e-4, kCoarsest = 1000;  // m per pixel
-
-std::vector<std::int8_t> compressed(const std::vector<std::int8_t>& cells) {
-  uLongf size = compressBound(cells.size());
-  std::vector<std::int8_t> out(size);
-  const int result = compress(reinterpret_cast<Bytef*>(out.data()), &size,
-                              reinterpret_cast<const Bytef*>(cells.data()), cells.size());
-  out.resize(result == Z_OK ? size : 0);
-  return out;
-}
 
 /// By rows from the bottom, as the interface has them.
 std::vector<std::int8_t> cells_of(const scene::Plan& plan) {
@@ -40,12 +26,7 @@ std::vector<std::int8_t> cells_of(const scene::Plan& plan) {
   return cells;
 }
 
-struct Grid {
-  wire::map::Info info;
-  std::vector<std::int8_t> cells;
-};
-
-Result<Grid> read_grid(const scene::CfgSection& section) {
+Result<GridMap> read_grid(const scene::CfgSection& section) {
   if (!section.has("filename"))
     return Error{section.at(), "driver \"mapfile\" needs a filename" + section.slip_for("filename")};
   if (!section.has("resolution"))
@@ -70,41 +51,17 @@ Result<Grid> read_grid(const scene::CfgSection& section) {
                             section.angle("origin", 0, 2)};
   const auto width = static_cast<std::uint32_t>(plan->solid.width),
              height = static_cast<std::uint32_t>(plan->solid.height);
-  return Grid{{static_cast<float>(map.resolution), width, height, origin}, cells_of(*plan)};
+  return GridMap{{static_cast<float>(map.resolution), width, height, origin}, cells_of(*plan)};
 }
 
 }  // namespace
 
-std::optional<wire::map::Data> map_tile(const wire::map::Info& info, const std::vector<std::int8_t>& cells,
-                                        const wire::map::Data& request) {
-  const std::uint64_t count = std::uint64_t{request.width} * request.height;
-  if (count > limits::kBodyBytes) return std::nullopt;
-  std::vector<std::int8_t> tile;
-  tile.reserve(count);
-  for (std::uint64_t row = request.row; row < std::uint64_t{request.row} + request.height; ++row)
-    for (std::uint64_t col = request.col; col < std::uint64_t{request.col} + request.width; ++col)
-      tile.push_back(row < info.height && col < info.width ? cells[row * info.width + col] : std::int8_t{0});
-  return wire::map::Data{request.col, request.row, request.width, request.height, 1, compressed(tile)};
-}
-
-void MapFile::request(const device::Message& message, device::Replier replier) {
-  if (!capable(message.device, message.type, message.subtype)) return;
-  if (message.subtype == wire::map::kReqGetInfo) return replier.ack(wire::encode(info_));
-  const Result<wire::map::Data> asked = wire::decode<wire::map::Data>(message.body);
-  if (!asked) return;
-  if (const auto tile = map_tile(info_, cells_, *asked)) replier.ack(wire::encode(*tile));
-}
-
-bool MapFile::capable(device::DeviceId, std::uint8_t type, std::uint8_t subtype) const {
-  return type == kReq && (subtype == wire::map::kReqGetInfo || subtype == wire::map::kReqGetData);
-}
-
 Result<std::unique_ptr<device::Driver>> make_map_file(const scene::CfgSection& section, Site& site) {
   const auto provided = section_devices(section, site, "provides", {"map"});
   if (!provided) return provided.error();
-  Result<Grid> grid = read_grid(section);
+  Result<GridMap> grid = read_grid(section);
   if (!grid) return grid.error();
-  auto driver = std::make_unique<MapFile>(grid->info, std::move(grid->cells));
+  auto driver = std::make_unique<MapFile>(std::move(*grid));
   const Result<device::DeviceId> id = site.add_device(provided->front(), *driver);
   if (!id) return Error{section.at("provides"), id.error().text};
   return std::unique_ptr<device::Driver>(std::move(driver));

@@ -10,16 +10,14 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/grid_map/grid_map.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/scene/cfg.h"
-#include "playhouse/wire/generated/map.h"
 
 namespace playhouse::drivers {
 
@@ -27,25 +25,21 @@ Result<std::unique_ptr<device::Driver>> make_map_file(const scene::CfgSection& s
 
 class MapFile final : public device::Driver {
  public:
-  /// `cells` by rows from the bottom: info.width x info.height.
-  MapFile(const wire::map::Info& info, std::vector<std::int8_t> cells)
-      : info_(info), cells_(std::move(cells)) {}
+  explicit MapFile(GridMap map) : map_(std::move(map)) {}
 
   std::string_view name() const override { return "mapfile"; }
   Result<void> start(device::DeviceId) override { return {}; }
   void stop(device::DeviceId) override {}
   device::Taken command(const device::Message&) override { return device::Taken::kNo; }
-  void request(const device::Message& message, device::Replier replier) override;
-  bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
+  void request(const device::Message& message, device::Replier replier) override {
+    answer_map_request(map_, message, std::move(replier));
+  }
+  bool capable(device::DeviceId, std::uint8_t type, std::uint8_t subtype) const override {
+    return is_map_request(type, subtype);
+  }
 
  private:
-  const wire::map::Info info_;
-  const std::vector<std::int8_t> cells_;
+  const GridMap map_;
 };
-
-/// The answer to a request for a rectangle of cells, which are compressed. What is
-/// beyond the map is unknown. None if the rectangle has more cells than a message.
-std::optional<wire::map::Data> map_tile(const wire::map::Info& info, const std::vector<std::int8_t>& cells,
-                                        const wire::map::Data& request);
 
 }  // namespace playhouse::drivers

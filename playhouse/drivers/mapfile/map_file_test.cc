@@ -2,12 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "playhouse/drivers/grid_map/testing_tiles.h"
 #include "playhouse/drivers/testing/memory_site.h"
 
 namespace playhouse::drivers {
@@ -24,30 +24,6 @@ std::string image_file() {
   const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "map_file_test.pgm";
   std::ofstream(path) << kImage;
   return path.string();
-}
-
-std::vector<std::int8_t> unpacked(const map::Data& tile) {
-  std::vector<std::int8_t> cells(tile.width * tile.height);
-  uLongf size = cells.size();
-  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(cells.data()), &size,
-                       reinterpret_cast<const Bytef*>(tile.data.data()), tile.data.size()),
-            Z_OK);
-  EXPECT_EQ(size, cells.size());
-  return cells;
-}
-
-TEST(MapTile, has_rows_from_the_bottom_and_nothing_known_beyond_the_map) {
-  const map::Info info{0.5f, 3, 2, {}};
-  const std::vector<std::int8_t> cells{-1, 1, -1, 1, 0, -1};
-  const auto whole = map_tile(info, cells, {0, 0, 3, 2});
-  ASSERT_TRUE(whole);
-  EXPECT_EQ(unpacked(*whole), cells);
-  EXPECT_EQ(whole->data_range, 1);
-  const auto corner = map_tile(info, cells, {2, 1, 2, 2});
-  ASSERT_TRUE(corner);
-  EXPECT_THAT(unpacked(*corner), ElementsAre(-1, 0, 0, 0));
-  EXPECT_TRUE(map_tile(info, cells, {0xffffffff, 0xffffffff, 1, 1}));
-  EXPECT_FALSE(map_tile(info, cells, {0, 0, 0xffffffff, 0xffffffff})) << "more than a message";
 }
 
 TEST(MapFile, reads_an_image_about_the_middle_or_at_its_origin) {

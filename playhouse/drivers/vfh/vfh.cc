@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "playhouse/base/log.h"
+#include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/section_devices.h"
 #include "playhouse/drivers/vfh/vfh_options.h"
 #include "playhouse/wire/codec.h"
@@ -24,25 +25,6 @@ constexpr std::size_t kLaser = 1;
 constexpr std::size_t kStatesKept = 64;  // per batch; all are forwarded
 constexpr std::uint64_t kDelay = 1;      // ticks from a scan to its command
 
-using Body = std::optional<std::vector<std::byte>>;
-
-/// Decodes a reply to T; none on NACK or an invalid body.
-template <typename T>
-std::optional<T> value_of(const Body& body) {
-  if (!body) return std::nullopt;
-  const Result<T> value = wire::decode<T>(*body);
-  if (!value) return std::nullopt;
-  return *value;
-}
-
-geom::Pose pose_of(const wire::Pose2d& pose) {
-  return {pose.px, pose.py, 0, geom::normalize(pose.pa)};
-}
-
-bool is_finite(const wire::Pose2d& pose) {
-  return std::isfinite(pose.px) && std::isfinite(pose.py) && std::isfinite(pose.pa);
-}
-
 }  // namespace
 
 Vfh::Vfh(device::Opener& opener, const VfhOptions& options)
@@ -60,14 +42,14 @@ Result<void> Vfh::start(device::DeviceId) {
 }
 
 void Vfh::ask_geometry() {
-  client_.ask(kRobot, p2d::kReqGetGeom, {}, [this](const Body& body) {
-    const std::optional<p2d::Geom> geom = value_of<p2d::Geom>(body);
+  client_.ask(kRobot, p2d::kReqGetGeom, {}, [this](const AnswerBody& body) {
+    const std::optional<p2d::Geom> geom = decoded<p2d::Geom>(body);
     if (!geom) return log::warn("driver vfh: its robot does not tell its size, so it drives to no goals");
     const std::lock_guard lock(mutex_);
     radius_ = std::max(geom->size.sl, geom->size.sw) / 2;
   });
-  client_.ask(kLaser, lsr::kReqGetGeom, {}, [this](const Body& body) {
-    const std::optional<lsr::Geom> geom = value_of<lsr::Geom>(body);
+  client_.ask(kLaser, lsr::kReqGetGeom, {}, [this](const AnswerBody& body) {
+    const std::optional<lsr::Geom> geom = decoded<lsr::Geom>(body);
     if (!geom) return log::warn("driver vfh: its laser does not tell its place, so it drives to no goals");
     const std::lock_guard lock(mutex_);
     X_RS_ = {geom->pose.px, geom->pose.py, geom->pose.pz, geom::normalize(geom->pose.pyaw)};

@@ -1,52 +1,12 @@
 #include "playhouse/drivers/vfh/vfh_options.h"
 
-#include <fmt/format.h>
-
-#include <optional>
-#include <string_view>
+#include "playhouse/drivers/section_fields.h"
 
 namespace playhouse::drivers {
-namespace {
-
-/// Reads fields of a section; the first value out of range is kept as fault().
-class Fields {
- public:
-  explicit Fields(const scene::CfgSection& section) : section_(section) {}
-
-  double length(std::string_view key, double otherwise, double least) {
-    return at_least(key, section_.length(key, otherwise), least);
-  }
-  double angle(std::string_view key, double otherwise) {
-    return at_least(key, section_.angle(key, otherwise), 0);
-  }
-  double number(std::string_view key, double otherwise) {
-    return at_least(key, section_.number(key, otherwise), 0);
-  }
-  int integer(std::string_view key, int otherwise, int least, int most) {
-    const int value = section_.integer(key, otherwise);
-    expect(value >= least && value <= most, key, fmt::format("is from {} to {}", least, most));
-    return value;
-  }
-  void expect(bool good, std::string_view key, std::string_view what) {
-    if (!good && !fault_) fault_ = Error{section_.at(key), fmt::format("{} {}", key, what)};
-  }
-  Result<void> fault() const { return fault_ ? Result<void>(*fault_) : Result<void>(); }
-
- private:
-  double at_least(std::string_view key, double value, double least) {
-    expect(value >= least, key, fmt::format("is {} at least", least));
-    return value;
-  }
-
-  const scene::CfgSection& section_;
-  std::optional<Error> fault_;
-};
-
-}  // namespace
 
 Result<VfhOptions> vfh_options(const scene::CfgSection& section) {
   VfhOptions options;
-  Fields fields(section);
+  SectionFields fields(section);
   options.cell_size = fields.length("cell_size", options.cell_size, 0.005);
   options.window = fields.integer("window_diameter", options.window, 3, 1001);
   const int sector_angle = fields.integer("sector_angle", 5, 1, 90);
