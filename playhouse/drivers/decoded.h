@@ -29,10 +29,6 @@ inline geom::Pose pose_of(const wire::Pose2d& pose) {
   return {pose.px, pose.py, 0, geom::normalize(pose.pa)};
 }
 
-inline wire::Pose2d pose2d_of(const geom::Pose& pose) {
-  return {pose.x, pose.y, pose.a};
-}
-
 inline bool is_finite(const wire::Pose2d& pose) {
   return std::isfinite(pose.px) && std::isfinite(pose.py) && std::isfinite(pose.pa);
 }
