@@ -135,6 +135,8 @@ def _devices(kind: Kind) -> list[str]:
 def _needs(served: Served) -> str:
     if served.when:
         return NEEDS[served.when]
+    if served.listed_when == "never":
+        return NEEDS["never"]
     return f"{NEEDS[served.listed_when]}; nothing in a configuration file" if served.listed_when else ""
 
 

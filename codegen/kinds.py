@@ -40,6 +40,7 @@ NEEDS = {
     "several sensors": "several sensors",
     "robot": "a top-level model with a drive",
     "rings": "a sensor with several rings",
+    "never": "a section of a configuration file that names it",
 }
 
 KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "not_in_stage", "index", "when", "listed_when", "form")}

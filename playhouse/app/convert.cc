@@ -9,13 +9,13 @@
 #include "playhouse/app/fail.h"
 #include "playhouse/app/gltf.h"
 #include "playhouse/app/kept_files.h"
-#include "playhouse/app/plan_of_world.h"
 #include "playhouse/app/whole_file.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/scene/ros_map.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/scene/write_world.h"
+#include "playhouse/stage/plan_of_solids.h"
 
 namespace playhouse::app {
 namespace {
@@ -122,6 +122,20 @@ Result<scene::SceneDesc> load(const ConvertOptions& options, std::vector<Error>&
 /// The image is beside the map, under its name.
 std::string image_of_map(const ConvertOptions& options) {
   return fs::path(options.output).replace_extension(".pgm").string();
+}
+
+/// The walls at `height` above the floor. [m]
+Result<scene::Plan> plan_of_world(const scene::SceneDesc& scene, double resolution, double height) {
+  stage::Shapes shapes(scene);
+  const stage::Solids solids = stage::make_fixed_solids(world::World(scene, 1), shapes);
+  const auto is_cut = [&](std::size_t row) {
+    return solids.z_min[row] <= height && height <= solids.z_max[row];
+  };
+  const Result<scene::Plan> plan = stage::plan_of_solids(solids, resolution, is_cut);
+  if (!plan) return Error{"", plan.error().text + ": choose a larger --scale"};
+  if (plan->solid.width > 0) return plan;
+  return Error{"", fmt::format("nothing stands still {} m above the floor (--height says where else to look)",
+                               height)};
 }
 
 int write_map(const ConvertOptions& options, const scene::SceneDesc& scene) {

@@ -105,12 +105,12 @@ TEST(StageDriver, leaves_out_interfaces_of_the_original_that_are_not_simulated_y
   ASSERT_EQ(
       site.build(
           std::string(kStage) +
-          "driver( name \"stage\" provides [\"position2d:0\" \"graphics2d:0\" \"map:0\"] model \"r0\" )"),
+          "driver( name \"stage\" provides [\"position2d:0\" \"graphics2d:0\" \"graphics3d:0\"] model \"r0\" )"),
       "");
   EXPECT_EQ(site.devices().size(), 2u);
   EXPECT_THAT(std::vector(site.site().warnings().begin(), site.site().warnings().end()),
               ElementsAre(AllOf(StartsWith("test.cfg:2"), HasSubstr("graphics2d:0")),
-                          AllOf(StartsWith("test.cfg:2"), HasSubstr("map:0"))));
+                          AllOf(StartsWith("test.cfg:2"), HasSubstr("graphics3d:0"))));
 }
 
 TEST(StageDriver, says_what_is_wrong_and_where) {

@@ -15,6 +15,7 @@ namespace playhouse::drivers {
 /// `model` fits the interface (model_interfaces.h).
 std::unique_ptr<SimulatedDevice> make_speech_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_speech_recognition_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_map_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_position2d_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_position3d_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_ranger_device(Simulation& simulation, world::ModelRow model);
@@ -47,6 +48,7 @@ struct DeviceMaker {
 inline constexpr DeviceMaker kDeviceMakers[] = {
     {12, std::nullopt, make_speech_device},
     {50, std::nullopt, make_speech_recognition_device},
+    {42, std::nullopt, make_map_device},
     {4, scene::ModelKind::kPosition, make_position2d_device},
     {30, scene::ModelKind::kPosition, make_position3d_device},
     {62, scene::ModelKind::kRanger, make_ranger_device},

@@ -8,7 +8,6 @@
 #include <memory>
 #include <utility>
 
-#include "playhouse/base/limits.h"
 #include "playhouse/wire/codec.h"
 
 namespace playhouse::drivers {
@@ -17,7 +16,8 @@ namespace {
 using Body = std::optional<std::vector<std::byte>>;
 using Cells = std::vector<std::int8_t>;
 
-constexpr std::uint32_t kTile = 512;  // cells along a side of a tile
+constexpr std::uint32_t kTile = 512;                          // cells along a side of a tile
+constexpr std::uint64_t kMostCells = std::uint64_t{1} << 26;  // of a map
 
 /// The cells of a tile; empty if they are not `count`. Servers without zlib send them as they are.
 Cells unpacked(const Cells& data, std::size_t count) {
@@ -40,9 +40,8 @@ std::string fault_of(const wire::map::Info& info) {
   if (!std::isfinite(info.origin.px) || !std::isfinite(info.origin.py) || !std::isfinite(info.origin.pa))
     return "its origin is not finite";
   if (info.width == 0 || info.height == 0) return "it has no cells";
-  if (std::uint64_t{info.width} * info.height > limits::kBitmapPixels)
-    return fmt::format("it has {} x {} cells; at most {} are possible", info.width, info.height,
-                       limits::kBitmapPixels);
+  if (std::uint64_t{info.width} * info.height > kMostCells)
+    return fmt::format("it has {} x {} cells; at most {} are possible", info.width, info.height, kMostCells);
   return {};
 }
 

@@ -136,6 +136,11 @@ TEST(AutoMap, every_interface_of_what_is_simulated_has_a_device) {
     EXPECT_NE(make_device(still.simulation, device.interf, device.model), nullptr);
     made.insert(device.interf);
   }
+  for (const scene::KindInterface& each : interfaces_of_every_kind()) {
+    if (each.listed != scene::Need::kNever) continue;
+    EXPECT_NE(make_device(still.simulation, each.code, {0}), nullptr);
+    EXPECT_TRUE(made.insert(each.code).second) << "devices of configuration files alone";
+  }
   for (const wire::InterfaceDef& interf : wire::interfaces())
     if (is_simulated(interf.code)) simulated.insert(interf.code);
   EXPECT_EQ(made, simulated);

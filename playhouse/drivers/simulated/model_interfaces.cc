@@ -33,6 +33,8 @@ bool has(const world::World& world, world::ModelRow model, Need need) {
       return std::ranges::any_of(sensors, [](const auto& sensor) { return sensor.rings > 1; });
     case Need::kRobot:
       return is_robot(world, model);
+    case Need::kNever:
+      return false;
   }
   return false;
 }

@@ -18,7 +18,7 @@ namespace {
 
 /// Interfaces of Stage's driver that are not supported
 /// yet: such devices are skipped with a warning.
-constexpr std::array<std::string_view, 3> kForLater = {"graphics2d", "graphics3d", "map"};
+constexpr std::array<std::string_view, 2> kForLater = {"graphics2d", "graphics3d"};
 
 Result<void> open_world(const scene::CfgSection& section, Site& site) {
   section.text("plugin",

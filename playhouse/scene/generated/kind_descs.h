@@ -111,6 +111,8 @@ struct PlainDesc {
   double give_watts = 0;
   /// Power with which other models may charge it. [W]
   double take_watts = 0;
+  /// Cell size of its device `map` ([drivers.md](../drivers.md)); with 0 it has none. [m]
+  double map_resolution = 0.1;
 
   friend bool operator==(const PlainDesc&, const PlainDesc&) = default;
 };

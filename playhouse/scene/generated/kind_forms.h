@@ -53,9 +53,11 @@ enum class Need : std::uint8_t {
   kRobot,
   /// a sensor with several rings
   kRings,
+  /// a section of a configuration file that names it
+  kNever,
 };
 constexpr std::string_view name_of(Need value) {
-  constexpr std::string_view kNames[] = {"", "scanner", "several sensors", "robot", "rings"};
+  constexpr std::string_view kNames[] = {"", "scanner", "several sensors", "robot", "rings", "never"};
   return kNames[static_cast<std::size_t>(value)];
 }
 

@@ -65,8 +65,8 @@ constexpr Word kWordsOfModel[64] = {
     {.name = "kjoules_capacity", .use = Use::kRead, .type = "number", .unit = "kJ", .told = "the initial energy", .limits = "not negative", .doc = "As joules_capacity, in kJ; applied last."},
     {.name = "give_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which it charges models in contact with it."},
     {.name = "take_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which other models may charge it."},
+    {.name = "map_resolution", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0.1", .limits = "not negative", .doc = "Cell size of its device `map` ([drivers.md](../drivers.md)); with 0 it has none."},
     {.name = "blob_return", .use = Use::kSilent},
-    {.name = "map_resolution", .use = Use::kSilent},
     {.name = "trail_interval", .use = Use::kSilent},
     {.name = "event_queue", .use = Use::kSilent},
     {.name = "debug", .use = Use::kSilent},
@@ -92,9 +92,10 @@ constexpr Word kWordsOfModel[64] = {
     {.name = "interval_real", .use = Use::kOld},
 };
 
-constexpr KindInterface kInterfacesOfModel[2] = {
+constexpr KindInterface kInterfacesOfModel[3] = {
     {"speech", 12, Index::kRobot, Need::kNothing, Need::kRobot, true},
     {"speech_recognition", 50, Index::kRobot, Need::kNothing, Need::kRobot, false},
+    {"map", 42, Index::kCount, Need::kNothing, Need::kNever, true},
 };
 
 constexpr Word kWordsOfPosition[12] = {

@@ -310,6 +310,8 @@ void read(const Properties& properties, std::size_t row, PlainDesc& to) {
   require(to.give_watts >= 0, properties, "give_watts", "must not be negative");
   to.take_watts = properties.number("take_watts", to.take_watts);
   require(to.take_watts >= 0, properties, "take_watts", "must not be negative");
+  to.map_resolution = properties.length("map_resolution", to.map_resolution);
+  require(to.map_resolution >= 0, properties, "map_resolution", "must not be negative");
 }
 
 void read(const Properties& properties, std::size_t row, RangerSensorDesc& to) {

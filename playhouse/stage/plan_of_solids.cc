@@ -1,4 +1,4 @@
-#include "playhouse/app/plan_of_world.h"
+#include "playhouse/stage/plan_of_solids.h"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,11 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/geom/trapezoids.h"
-#include "playhouse/stage/bodies.h"
 
-namespace playhouse::app {
+namespace playhouse::stage {
 namespace {
 
 using geom::Outline;
-using geom::Vec2;
 
 /// Rasteriser into a plan.
 class Canvas {
@@ -72,10 +70,8 @@ Result<scene::Plan> empty_plan(const geom::Box& walls, double resolution) {
   const double width = std::ceil(walls.x_max / resolution) + 1 - x0,
                height = std::ceil(walls.y_max / resolution) + 1 - y0;
   if (width * height > static_cast<double>(limits::kBitmapPixels))
-    return Error{
-        "",
-        fmt::format("would be {:.0f} x {:.0f} pixels, and an image has at most {}: choose a larger --scale",
-                    width, height, limits::kBitmapPixels)};
+    return Error{"", fmt::format("would be {:.0f} x {:.0f} pixels, and an image has at most {}", width,
+                                 height, limits::kBitmapPixels)};
   scene::Plan plan;
   plan.resolution = resolution;
   plan.solid = {static_cast<int>(width), static_cast<int>(height), {}};
@@ -86,24 +82,19 @@ Result<scene::Plan> empty_plan(const geom::Box& walls, double resolution) {
 
 }  // namespace
 
-Result<scene::Plan> plan_of_world(const scene::SceneDesc& scene, double resolution, double height) {
-  const world::World world(scene, 1);
-  stage::Shapes shapes(scene);
-  const stage::Solids solids = stage::make_fixed_solids(world, shapes);
+Result<scene::Plan> plan_of_solids(const Solids& solids, double resolution,
+                                   const std::function<bool(std::size_t row)>& counts) {
   std::map<std::uint32_t, std::vector<Outline>> bodies;  // contours of a bitmap include holes
   std::vector<Outline> thin;
   geom::Box all;
   for (std::size_t row = 0; row < solids.size(); ++row) {
-    if (height < solids.z_min[row] || solids.z_max[row] < height) continue;
+    if (!counts(row)) continue;
     const Outline outline = solids.polygon(row);
     for (const Vec2 p : outline) all.add(p);
     bodies[solids.body[row]].push_back(outline);
     if (solids.width[row] < resolution) thin.push_back(outline);
   }
-  if (bodies.empty())
-    return Error{
-        "",
-        fmt::format("nothing stands still {} m above the floor (--height says where else to look)", height)};
+  if (bodies.empty()) return scene::Plan{{}, {}, {}, resolution, {}};
   Result<scene::Plan> plan = empty_plan(all, resolution);
   if (!plan) return plan;
   Canvas canvas(*plan);
@@ -112,4 +103,4 @@ Result<scene::Plan> plan_of_world(const scene::SceneDesc& scene, double resoluti
   return plan;
 }
 
-}  // namespace playhouse::app
+}  // namespace playhouse::stage

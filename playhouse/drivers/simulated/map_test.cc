@@ -1,0 +1,80 @@
+// The walls of a model of a configuration file as interface map.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "playhouse/drivers/grid_map/testing_tiles.h"
+#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/wire/codec.h"
+
+namespace playhouse::drivers {
+namespace {
+
+namespace map = wire::map;
+using ::testing::ElementsAreArray;
+using testing::MemorySite;
+using testing::Recorder;
+
+constexpr device::Address kMap{6665, map::kCode, 0};
+constexpr std::uint8_t kReq = 3;
+
+/// A wall of 2 x 1 m with a shelf of 0.2 m at its end, turned by 90 degrees, and things that are no part of
+/// it.
+std::string world(const std::string& words) {
+  return "model( name \"wall\" size [2 1 1] pose [10 5 0 90] " + words +
+         R"( model( size [0.2 0.2 0.5] pose [1.1 0 0 0] ) )
+model( name "box" size [1 1 1] pose [20 0 0 0] )
+position( name "robot" size [0.4 0.4 0.2] pose [0 0 0 0] )
+)";
+}
+
+class MapOfModelTest : public ::testing::Test {
+ protected:
+  void build(const std::string& words, const std::string& model = "wall") {
+    site = std::make_unique<MemorySite>(world(words));
+    ASSERT_EQ(site->build("driver( name \"stage\" provides [\"simulation:0\"] worldfile \"some.world\" )\n"
+                          "driver( name \"stage\" provides [\"map:0\"] model \"" +
+                          model + "\" )"),
+              "");
+    ASSERT_TRUE(site->hold(site->id(kMap)));
+  }
+  Recorder::Answer ask(std::uint8_t subtype, const std::vector<std::byte>& body) {
+    site->driver(kMap).request({site->id(kMap), kReq, subtype, body}, device::Replier(site->recorder, 1));
+    site->run(0);
+    return site->recorder.answers.at(1);
+  }
+
+  std::unique_ptr<MemorySite> site;
+};
+
+TEST_F(MapOfModelTest, has_its_walls_and_those_of_its_parts_where_they_are) {
+  build("map_resolution 0.5");
+  const auto info = wire::decode<map::Info>(ask(map::kReqGetInfo, {}).body);
+  ASSERT_TRUE(info);
+  EXPECT_EQ(*info, (map::Info{0.5f, 4, 7, {9, 3.5, 0}})) << "a margin of one cell around 1 x 2.2 m";
+  const auto tile = wire::decode<map::Data>(ask(map::kReqGetData, wire::encode(map::Data{0, 0, 4, 7})).body);
+  ASSERT_TRUE(tile);
+  EXPECT_THAT(unpacked(*tile), ElementsAreArray({-1, -1, -1, -1,  //
+                                                 -1, 1,  1,  -1,  //
+                                                 -1, 1,  1,  -1,  //
+                                                 -1, 1,  1,  -1,  //
+                                                 -1, 1,  1,  -1,  //
+                                                 -1, 1,  1,  -1,  // the shelf, thinner than a cell
+                                                 -1, -1, -1, -1}));
+}
+
+TEST_F(MapOfModelTest, refuses_what_there_is_not) {
+  build("map_resolution 0.5");
+  EXPECT_FALSE(ask(map::kReqGetVector, {}).ack);
+  build("map_resolution 0");
+  EXPECT_FALSE(ask(map::kReqGetInfo, {}).ack);
+  build("", "robot");
+  EXPECT_FALSE(ask(map::kReqGetInfo, {}).ack) << "it moves";
+  build("map_resolution 1e-9");
+  EXPECT_FALSE(ask(map::kReqGetInfo, {}).ack) << "too many cells";
+}
+
+}  // namespace
+}  // namespace playhouse::drivers
