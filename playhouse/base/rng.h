@@ -39,6 +39,7 @@ enum class Purpose : std::uint64_t {
   kInertia = 18,       // entity: an imu
   kFix = 19,           // entity: a gps
   kLidarEcho = 20,     // entity: a ranger; part: which of its sensors; detail: beam of all its rings
+  kParticle = 21,      // Rng(seed, step): of a filter, for a driver's seed
   kCount
 };
 

@@ -7,6 +7,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/drivers/amcl/amcl.h"
 #include "playhouse/drivers/mapfile/map_file.h"
 #include "playhouse/drivers/passthrough/passthrough.h"
 #include "playhouse/drivers/rangertolaser/ranger_to_laser.h"
@@ -22,8 +23,13 @@ using Factory = Result<std::unique_ptr<device::Driver>> (*)(const scene::CfgSect
 
 /// All drivers, by name.
 constexpr std::pair<std::string_view, Factory> kDrivers[] = {
-    {"mapfile", make_map_file}, {"passthrough", make_passthrough}, {"rangertolaser", make_ranger_to_laser},
-    {"relay", make_relay},      {"stage", make_stage_driver},      {"vfh", make_vfh},
+    {"amcl", make_amcl},
+    {"mapfile", make_map_file},
+    {"passthrough", make_passthrough},
+    {"rangertolaser", make_ranger_to_laser},
+    {"relay", make_relay},
+    {"stage", make_stage_driver},
+    {"vfh", make_vfh},
 };
 
 Result<std::unique_ptr<device::Driver>> make_driver(const scene::CfgSection& section, Site& site) {

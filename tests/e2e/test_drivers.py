@@ -54,6 +54,64 @@ class Chain(HouseTest):
         self.assertIn(documented.strip(), (ROOT / "worlds/avoid.cfg").read_text())
 
 
+class OnAMap(HouseTest):
+    """Drivers that use the map of a world."""
+
+    CAVE = f"""
+include "pioneer.inc"
+include "sick.inc"
+include "map.inc"
+interval_sim 100
+floorplan( name "cave" bitmap "{ROOT}/worlds/bitmaps/cave.png" size [16 16 0.6] )
+define explorer pioneer2dx ( sicklaser_low() localization "odom" odom_error [0.05 0.05 0.05 0.1] ctrl "wander" )
+explorer( name "r0" pose [-5.8 -4.3 0 20] )
+explorer( name "r1" pose [-4 -5.7 0 120] )
+"""
+    STAGE = """
+driver( name "stage" provides ["simulation:0"] worldfile "cave.world" )
+driver( name "stage" provides ["map:0"] model "cave" )
+driver( name "stage" provides ["position2d:0" "laser:0" "sonar:0"] model "r0" )
+"""
+
+    def localized(self, sensor: str, options: str, seconds: float) -> tuple[float, float]:
+        """How far the pose of `amcl`, and that of the odometry, is from the true one after so many simulated seconds."""
+        self.write("cave.world", self.CAVE)
+        cfg = self.write("cave.cfg", self.STAGE + f"""
+driver( name "amcl" provides ["localize:0" "position2d:2"]
+  requires ["odometry:::position2d:0" "{sensor}:0" "{sensor}:::map:0"] {options} )
+""")
+        with House("serve", cfg, "--port", 0, "--headless", "--fast", "--paused") as house, \
+                Client(house.port()) as client:
+            for index in (0, 2):
+                self.assertEqual(client.open(POSITION2D, index).type, ACK)
+            start = client.pose("r0")
+            client.send(SIMULATION, 0, CMD, PAUSE)
+            poses = {}
+            while (message := client.receive()).time < seconds:
+                poses[message.index] = struct.unpack_from(">ddd", message.body)
+            client.send(SIMULATION, 0, CMD, PAUSE)
+            true = client.pose("r0")
+            poses |= {message.index: struct.unpack_from(">ddd", message.body) for message in client.data}
+            c, s = math.cos(start[2]), math.sin(start[2])
+            x, y, _ = poses[0]
+            return math.dist(poses[2][:2], true[:2]), \
+                math.dist((start[0] + c * x - s * y, start[1] + s * x + c * y), true[:2])
+
+    def test_a_robot_is_localized_from_a_rough_pose(self):
+        error, drift = self.localized("laser", "init_pose [-5 -5 0]", 300)
+        self.assertGreater(drift, 3)
+        self.assertLess(error, 0.15)
+
+    def test_a_robot_is_localized_from_anywhere(self):
+        error, _ = self.localized("laser", "init_pose_var [10 10 360]", 100)
+        self.assertLess(error, 0.15)
+
+    def test_a_robot_is_localized_by_its_sonars(self):
+        error, drift = self.localized("sonar", "init_pose [-5.8 -4.3 20] init_pose_var [0.3 0.3 20]", 300)
+        self.assertGreater(drift, 3)
+        self.assertLess(error, 0.5)
+
+
 class WithoutAWorld(HouseTest):
     """Drivers of a configuration that has no world."""
 

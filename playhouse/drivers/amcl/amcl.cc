@@ -1,0 +1,345 @@
+#include "playhouse/drivers/amcl/amcl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "playhouse/base/log.h"
+#include "playhouse/base/rng.h"
+#include "playhouse/drivers/amcl/amcl_options.h"
+#include "playhouse/drivers/decoded.h"
+#include "playhouse/drivers/grid_map/map_reader.h"
+#include "playhouse/drivers/section_devices.h"
+#include "playhouse/drivers/simulated/shapes.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/laser.h"
+#include "playhouse/wire/generated/map.h"
+#include "playhouse/wire/generated/position2d.h"
+#include "playhouse/wire/generated/sonar.h"
+#include "playhouse/wire/header.h"
+
+namespace playhouse::drivers {
+
+namespace lcl = wire::localize;
+namespace lsr = wire::laser;
+namespace p2d = wire::position2d;
+namespace snr = wire::sonar;
+
+namespace {
+
+// Indices of the client's devices.
+constexpr std::size_t kOdometry = 0;
+constexpr std::size_t kSensor = 1;
+constexpr std::size_t kMap = 2;
+
+constexpr std::size_t kStatesKept = 64;  // per batch; all are used
+constexpr std::uint64_t kDelay = 1;      // ticks from a scan to its estimate
+constexpr std::size_t kHistory = 4096;   // estimates, some minutes of driving
+constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq);
+
+geom::Pose pose_of(const wire::Pose3d& pose) {
+  return {pose.px, pose.py, pose.pz, geom::normalize(pose.pyaw)};
+}
+
+/// Where beams end that hit something, in R: evenly spread ones of a laser, or all sonars.
+class Hits {
+ public:
+  Hits(const AmclOptions& options, double max_range) : max_range_(std::min(options.max_range, max_range)) {}
+  void add(const geom::Pose& X_RS, double angle, double range) {
+    if (!(range > 0 && range < max_range_)) return;
+    out_.push_back(geom::transform(X_RS, range * (geom::Rotation::of(angle) * geom::Vec2{1, 0})));
+  }
+  std::vector<geom::Vec2> take() { return std::move(out_); }
+
+ private:
+  const double max_range_;
+  std::vector<geom::Vec2> out_;
+};
+
+}  // namespace
+
+Amcl::Amcl(device::Opener& opener, const AmclOptions& options, Sensor sensor)
+    : options_(options),
+      sensor_(sensor),
+      client_(opener, *this, 3),
+      odometry_(client_.queue(kOdometry, kStatesKept)),
+      scans_(client_.latest(kSensor, sensor == Sensor::kLaser ? lsr::kDataScan : snr::kDataRanges)),
+      start_(options.start) {
+  client_.when_news([this](std::vector<device::Publication>& more) { take_news(more); });
+}
+
+// --- its devices
+
+Result<void> Amcl::start(device::DeviceId) {
+  if (open_ == 0) {
+    if (const Result<void> opened = client_.open(); !opened) return opened;
+    begin_anew(options_.start, std::nullopt);
+    ask_geometry();
+    ask_map();
+  }
+  ++open_;
+  return {};
+}
+
+void Amcl::stop(device::DeviceId) {
+  if (--open_ == 0) client_.close();
+}
+
+void Amcl::retired(device::DeviceId) {
+  client_.close();
+}
+
+void Amcl::rewound(double time, std::uint64_t seed) {
+  thread_.clear();
+  std::optional<Estimate> then;
+  {
+    const std::lock_guard lock(mutex_);
+    seed_ = seed;
+    while (!history_.empty() && history_.back().time > time) history_.pop_back();
+    if (!history_.empty()) then = history_.back();
+  }
+  begin_anew(then ? then->belief : options_.start, then);
+}
+
+void Amcl::ask_geometry() {
+  const auto know = [this](std::vector<geom::Pose> X_RS) {
+    if (X_RS.empty())
+      return log::warn("driver amcl: its sensor does not tell its place: it does not localize");
+    const std::lock_guard lock(mutex_);
+    X_RS_ = std::move(X_RS);
+  };
+  if (sensor_ == Sensor::kLaser) {
+    client_.ask(kSensor, lsr::kReqGetGeom, {}, [know](const AnswerBody& body) {
+      const std::optional<lsr::Geom> geom = decoded<lsr::Geom>(body);
+      know(geom ? std::vector{pose_of(geom->pose)} : std::vector<geom::Pose>());
+    });
+  } else {
+    client_.ask(kSensor, snr::kReqGetGeom, {}, [know](const AnswerBody& body) {
+      std::vector<geom::Pose> X_RS;
+      if (const std::optional<snr::Geom> geom = decoded<snr::Geom>(body))
+        for (const wire::Pose3d& pose : geom->poses) X_RS.push_back(pose_of(pose));
+      know(std::move(X_RS));
+    });
+  }
+}
+
+void Amcl::ask_map() {
+  read_map(client_, kMap, [this](Result<GridMap> map) {
+    if (!map) return log::warn("driver amcl: {} of its map: it does not localize", map.error().text);
+    const std::lock_guard lock(mutex_);
+    map_ = std::make_shared<const GridMap>(std::move(*map));
+  });
+}
+
+void Amcl::request(const device::Message& message, device::Replier replier) {
+  if (message.device != localize_) {
+    if (message.subtype == p2d::kReqGetGeom)
+      client_.forward(kOdometry, message.subtype, message.body, std::move(replier));
+  } else if (message.subtype == lcl::kReqGetParticles) {
+    replier.ack(wire::encode(particles()));
+  } else if (message.subtype == lcl::kReqSetPose && set_pose(message)) {
+    replier.ack();
+  }
+}
+
+bool Amcl::capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const {
+  if (type != kReq) return false;
+  if (device != localize_) return subtype == p2d::kReqGetGeom && client_.capable(kOdometry, type, subtype);
+  return subtype == lcl::kReqGetParticles || subtype == lcl::kReqSetPose;
+}
+
+bool Amcl::set_pose(const device::Message& message) {
+  const Result<lcl::SetPose> pose = wire::decode<lcl::SetPose>(message.body);
+  if (!pose || !is_finite(pose->mean)) return false;
+  const PoseBelief belief{drivers::pose_of(pose->mean), pose->cov};
+  if (!is_possible(belief)) return false;
+  begin_anew(belief, std::nullopt);
+  return true;
+}
+
+/// The filter's next step begins with `start`, that `estimate` was believed with; none: believed now.
+void Amcl::begin_anew(const PoseBelief& start, std::optional<Estimate> estimate) {
+  const std::lock_guard lock(mutex_);
+  ++run_;
+  steps_ = 0;
+  start_ = start;
+  X_OR_stepped_.reset();
+  X_OR_.reset();
+  out_ = {};
+  estimate_ = std::move(estimate);
+}
+
+// --- data
+
+void Amcl::take_news(std::vector<device::Publication>& more) {
+  for (const device::Publication& message : odometry_.take())
+    if (message.subtype == p2d::kDataState) take_state(message, more);
+  if (const std::optional<device::Publication> scan = scans_.take_latest()) take_scan(*scan);
+}
+
+void Amcl::take_state(const device::Publication& message, std::vector<device::Publication>& more) {
+  const Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
+  if (!state || !is_finite(state->pos)) return;
+  const std::lock_guard lock(mutex_);
+  X_OR_ = drivers::pose_of(state->pos);
+  if (!estimate_) estimate_ = {message.timestamp, *X_OR_, start_};
+  more.push_back({localize_, lcl::kDataHypoths, message.timestamp, wire::encode(hypotheses())});
+  if (!position_) return;
+  p2d::Data corrected = *state;
+  corrected.pos = pose2d(moved(estimate_->belief.mean));
+  more.push_back({*position_, p2d::kDataState, message.timestamp, wire::encode(corrected)});
+}
+
+/// What was at X_WR by the latest estimate is there now, by odometry. Locked.
+geom::Pose Amcl::moved(const geom::Pose& X_WR) const {
+  return geom::compose(X_WR, geom::compose(geom::inverse(estimate_->X_OR), *X_OR_));
+}
+
+/// True if the robot has moved enough since the latest step of this run. Locked.
+bool Amcl::is_due() const {
+  if (!X_OR_stepped_) return true;
+  const geom::Pose motion = geom::compose(geom::inverse(*X_OR_stepped_), *X_OR_);
+  return std::sqrt(geom::dot(motion.xy(), motion.xy())) >= options_.update_distance ||
+         std::fabs(motion.a) >= options_.update_angle;
+}
+
+void Amcl::take_scan(const device::Publication& message) {
+  Estimate at;
+  FilterIn in;
+  std::uint64_t run = 0;
+  std::shared_ptr<const GridMap> map;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!map_ || X_RS_.empty() || !X_OR_ || !is_due()) return;
+    in.hits_R = hits_of(message);
+    in.seed = seed_;
+    in.number = steps_++;
+    at = {message.timestamp, *X_OR_, {moved(estimate_->belief.mean), start_.cov}};
+    X_OR_stepped_ = X_OR_;
+    run = run_;
+    map = map_;
+  }
+  thread_.post([this, run, at, map, in = std::move(in)](bool) mutable -> AlgorithmThread::Delivery {
+    FilterOut out = step(run, at.belief, at.X_OR, map, std::move(in));
+    return [this, run, at, out = std::move(out)]() mutable { deliver(run, at, std::move(out)); };
+  });
+}
+
+/// In R, of the beams that count. Locked.
+std::vector<geom::Vec2> Amcl::hits_of(const device::Publication& message) const {
+  if (sensor_ == Sensor::kLaser) {
+    const Result<lsr::Data> scan = wire::decode<lsr::Data>(message.body);
+    if (!scan) return {};
+    Hits hits(options_, static_cast<double>(scan->max_range));
+    const std::size_t beams = scan->ranges.size(), used = std::min(beams, options_.max_beams);
+    for (std::size_t k = 0; k < used; ++k) {
+      const std::size_t i = used > 1 ? k * (beams - 1) / (used - 1) : beams / 2;
+      const double angle = static_cast<double>(scan->min_angle) +
+                           static_cast<double>(i) * static_cast<double>(scan->resolution);
+      hits.add(X_RS_.front(), angle, static_cast<double>(scan->ranges[i]));
+    }
+    return hits.take();
+  }
+  const Result<snr::Data> scan = wire::decode<snr::Data>(message.body);
+  if (!scan) return {};
+  Hits hits(options_, options_.max_range);
+  for (std::size_t i = 0; i < std::min(scan->ranges.size(), X_RS_.size()); ++i)
+    hits.add(X_RS_[i], 0, static_cast<double>(scan->ranges[i]));
+  return hits.take();
+}
+
+/// On the thread.
+FilterOut Amcl::step(std::uint64_t run, const PoseBelief& start, const geom::Pose& X_OR,
+                     std::shared_ptr<const GridMap> map, FilterIn in) {
+  if (field_map_ != map) {
+    field_.emplace(*map, options_.sensor);
+    field_map_ = std::move(map);
+  }
+  if (memory_run_ != run) {
+    in.start = start;
+  } else {
+    in.motion = geom::compose(geom::inverse(memory_X_OR_), X_OR);
+  }
+  memory_run_ = run;
+  memory_X_OR_ = X_OR;
+  return filter_step(options_, *field_, in, memory_);
+}
+
+void Amcl::deliver(std::uint64_t run, Estimate at, FilterOut out) {
+  const std::lock_guard lock(mutex_);
+  if (run != run_) return;
+  at.belief = out.hypotheses.front().belief;
+  estimate_ = at;
+  out_ = std::move(out);
+  history_.push_back(at);
+  if (history_.size() > kHistory) history_.pop_front();
+}
+
+/// Locked; the odometry is known.
+lcl::Data Amcl::hypotheses() const {
+  lcl::Data data;
+  data.pending_time = estimate_->time;
+  for (const Hypothesis& each : out_.hypotheses)
+    data.hypoths.push_back({pose2d(moved(each.belief.mean)), each.belief.cov, each.weight});
+  if (data.hypoths.empty())
+    data.hypoths.push_back({pose2d(moved(estimate_->belief.mean)), estimate_->belief.cov, 1});
+  return data;
+}
+
+lcl::GetParticles Amcl::particles() const {
+  const std::lock_guard lock(mutex_);
+  lcl::GetParticles answer;
+  if (!estimate_ || !X_OR_) return answer;
+  answer.mean = pose2d(moved(estimate_->belief.mean));
+  answer.variance = estimate_->belief.cov[0] + estimate_->belief.cov[1];
+  for (const geom::Pose& particle : out_.particles)
+    answer.particles.push_back({pose2d(moved(particle)), 1 / static_cast<double>(out_.particles.size())});
+  return answer;
+}
+
+// --- sections of configuration files
+
+Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& section, Site& site) {
+  const bool corrects = names_device(section, "provides", "position2d");
+  const std::vector<WantedDevice> shown = corrects ? std::vector<WantedDevice>{{"localize"}, {"position2d"}}
+                                                   : std::vector<WantedDevice>{{"localize"}};
+  const auto provided = section_devices(section, site, "provides", shown);
+  if (!provided) return provided.error();
+  const Amcl::Sensor sensor =
+      names_device(section, "requires", "sonar") ? Amcl::Sensor::kSonar : Amcl::Sensor::kLaser;
+  const std::string_view word = sensor == Amcl::Sensor::kSonar ? "sonar" : "laser";
+  const auto required = section_devices(section, site, "requires", {"position2d", word, "map"});
+  if (!required) return required.error();
+  const Result<AmclOptions> options = amcl_options(section, word);
+  if (!options) return options.error();
+
+  auto driver = std::make_unique<Amcl>(site.surroundings(), *options, sensor);
+  std::vector<device::DeviceId> ids;
+  for (const device::Address& address : *provided) {
+    const Result<device::DeviceId> id = site.add_device(address, *driver);
+    if (!id) return Error{section.at("provides"), id.error().text};
+    ids.push_back(*id);
+  }
+  driver->set_devices(ids.front(), corrects ? std::optional(ids.back()) : std::nullopt);
+  const std::uint64_t own = mix64(std::uint64_t{provided->front().robot} << 16 | provided->front().index);
+  driver->set_seed(own);
+  const auto connected = [&site, shown = *provided, odometry = required->front(), own,
+                          &amcl = *driver]() -> Result<void> {
+    Simulation* const simulation = site.simulation();
+    if (simulation == nullptr) return {};
+    Directory& directory = simulation->directory();
+    for (const device::Address& address : shown) directory.add(directory.model_of(odometry), address);
+    amcl.set_seed(own ^ mix64(simulation->world().seed()));
+    amcl.thread().follow_ticks(simulation->world().tick(), kDelay);
+    simulation->add_follower([&amcl, own](const world::World& world, const world::Change& change) {
+      if (change.kind == world::Change::Kind::kReload) amcl.rewound(world.time(), own ^ mix64(world.seed()));
+    });
+    simulation->add_listener(
+        [&amcl](const world::World& world, const world::Pace&) { amcl.thread().ticked(world.tick()); });
+    return {};
+  };
+  site.add_user({driver.get(), &driver->client(), *provided, *required, section.at("requires"), connected});
+  return std::unique_ptr<device::Driver>(std::move(driver));
+}
+
+}  // namespace playhouse::drivers
