@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -67,6 +69,9 @@ Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::C
     drivers.push_back(std::move(*driver));
     if (const Result<void> fault = section.fault(); !fault) return fault.error();
   }
+  Result<std::vector<std::unique_ptr<device::Driver>>> remote = make_remote_devices(site);
+  if (!remote) return remote.error();
+  std::ranges::move(*remote, std::back_inserter(drivers));
   if (const Result<void> finished = site.finish(); !finished) return finished.error();
   for (const scene::CfgSection& section : file.drivers) {
     if (section.flag("alwayson", false)) {

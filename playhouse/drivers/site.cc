@@ -46,8 +46,19 @@ std::optional<device::DeviceId> Site::find(device::Address address) const {
 
 std::set<std::uint32_t> Site::ports() const {
   std::set<std::uint32_t> ports;
-  for (const auto& [address, provided] : devices_) ports.insert(address.robot);
+  for (const auto& [address, provided] : devices_)
+    if (!remote_ports_.contains(address.robot)) ports.insert(address.robot);
   return ports;
+}
+
+std::set<device::Address> Site::take_remote_devices() {
+  const std::set<std::uint32_t> own = ports();
+  std::set<device::Address> remote;
+  for (const User& user : users_)
+    for (const device::Address& wanted : user.devices)
+      if (!own.contains(wanted.robot)) remote.insert(wanted);
+  for (const device::Address& address : remote) remote_ports_.insert(address.robot);
+  return remote;
 }
 
 Result<void> Site::open_world(const std::string& path) {

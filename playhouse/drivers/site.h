@@ -64,7 +64,7 @@ class Site {
   std::optional<device::DeviceId> find(device::Address address) const;
   /// Io thread too.
   std::size_t device_count() const { return devices_.size(); }
-  /// All ports with devices.
+  /// All ports with devices, except those of other servers.
   std::set<std::uint32_t> ports() const;
 
   /// The world, once a driver has opened it.
@@ -89,6 +89,9 @@ class Site {
     std::function<Result<void>()> connected;
   };
   void add_user(User user) { users_.push_back(std::move(user)); }
+  /// Devices that drivers require of a port on which this file provides none: those of another server on
+  /// this machine. From now on that is where the port is.
+  std::set<device::Address> take_remote_devices();
   /// Called when all drivers of the file exist: connects clients
   /// to their devices, in topological order of data flow. Fails
   /// on a device without a provider and on cyclic requirements.
@@ -118,6 +121,7 @@ class Site {
     device::Driver* driver = nullptr;
   };
   std::map<device::Address, Provided> devices_;  // io thread, once it runs
+  std::set<std::uint32_t> remote_ports_;
   std::vector<User> users_;
   std::vector<std::string> warnings_;
   std::set<std::pair<std::uint16_t, std::uint32_t>> taken_models_;

@@ -4,6 +4,7 @@ import json
 import math
 import struct
 import sys
+import time
 import unittest
 import zlib
 
@@ -110,6 +111,33 @@ driver( name "amcl" provides ["localize:0" "position2d:2"]
         error, drift = self.localized("sonar", "init_pose [-5.8 -4.3 20] init_pose_var [0.3 0.3 20]", 300)
         self.assertGreater(drift, 3)
         self.assertLess(error, 0.5)
+
+
+class OfAnotherServer(HouseTest):
+    """Drivers of one program that use devices of another, by its port alone."""
+
+    def test_a_robot_of_one_program_is_driven_and_localized_by_drivers_of_another(self):
+        self.write("cave.world", OnAMap.CAVE.replace('ctrl "wander"', ""))
+        robot = self.write("robot.cfg", OnAMap.STAGE)
+        with House("serve", robot, "--port", 0, "--headless", "--speed", 10) as lab:
+            port = lab.port()
+            brain = self.write("brain.cfg", f"""
+driver( name "passthrough" provides ["map:0"] requires ["{port}:map:0"] )
+driver( name "amcl" provides ["localize:0" "position2d:2"] requires ["{port}:position2d:0" "{port}:laser:0" "map:0"]
+  init_pose [-5.8 -4.3 20] init_pose_var [0.1 0.1 5] )
+driver( name "vfh" provides ["position2d:1"] requires ["{port}:position2d:0" "{port}:laser:0"] max_speed 0.4 )
+""")
+            with House("serve", brain, "--port", 0, "--headless") as house, Client(house.port()) as client, \
+                    Client(port) as truth:
+                self.assertRegex(house.log(), f'"{port}:laser:0" is taken from the server at localhost:{port}')
+                for index in (1, 2):  # refused until the servers are connected
+                    while struct.unpack_from(">I", client.open(POSITION2D, index).body, 16)[0] != 1:
+                        time.sleep(0.01)
+                start = truth.pose("r0")
+                client.send(POSITION2D, 1, CMD, 2, struct.pack(">ddddddI", 2, 0, 0, 0, 0, 0, 1))
+                while math.dist(truth.pose("r0")[:2], start[:2]) < 1.4:
+                    believed = struct.unpack_from(">ddd", client.next_data(POSITION2D, 2).body)
+                    self.assertLess(math.dist(believed[:2], truth.pose("r0")[:2]), 0.5)
 
 
 class WithoutAWorld(HouseTest):

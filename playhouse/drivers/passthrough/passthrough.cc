@@ -234,4 +234,23 @@ Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection
   return std::unique_ptr<device::Driver>(std::move(driver));
 }
 
+Result<std::vector<std::unique_ptr<device::Driver>>> make_remote_devices(Site& site) {
+  std::map<std::uint32_t, std::unique_ptr<Passthrough>> servers;
+  for (const device::Address& address : site.take_remote_devices()) {
+    std::unique_ptr<Passthrough>& server = servers[address.robot];
+    if (server == nullptr)
+      server = std::make_unique<Passthrough>(site, "localhost", static_cast<std::uint16_t>(address.robot),
+                                             Passthrough::AfterLoss::kConnect);
+    log::info("{} is taken from the server at {}", in_quotes(site.shown(address)), server->remote().name());
+    if (const Result<void> added = server->add(address, {address.interf, address.index}); !added)
+      return added.error();
+  }
+  std::vector<std::unique_ptr<device::Driver>> drivers;
+  for (auto& [port, server] : servers) {
+    site.surroundings().post([relay = server.get()] { relay->connect(); });
+    drivers.push_back(std::move(server));
+  }
+  return drivers;
+}
+
 }  // namespace playhouse::drivers

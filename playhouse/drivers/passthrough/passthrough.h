@@ -92,4 +92,8 @@ class Passthrough final : public device::Driver, private RemoteServer::Events {
 /// as many here, in the same order; `reconnect` 1 keeps them when the connection is lost.
 Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection& section, Site& site);
 
+/// For devices that drivers of the file require of other servers on this machine
+/// (Site::take_remote_devices()): one for each port. They reconnect.
+Result<std::vector<std::unique_ptr<device::Driver>>> make_remote_devices(Site& site);
+
 }  // namespace playhouse::drivers

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/net/simulated.h"
@@ -14,11 +15,13 @@
 #include "playhouse/server/server.h"
 #include "playhouse/server/test_client.h"
 #include "playhouse/wire/generated/aio.h"
+#include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
 
 namespace playhouse::drivers {
 namespace {
 
+namespace lsr = wire::laser;
 namespace p2d = wire::position2d;
 using server::Bytes;
 using server::FakeDriver;
@@ -76,7 +79,7 @@ class Relay : public ::testing::Test, public Surroundings {
   Result<std::unique_ptr<Simulation>> open_world(const std::string&) override { return Error{"", "none"}; }
 
   net::SimulatedNetwork network_{13};
-  FakeDriver wheels{"wheels"};
+  FakeDriver wheels{"wheels"}, laser{"laser"};
   std::unique_ptr<server::Server> lab;
   device::DeviceId wheels_id;
   Site site{*this, kHere};
@@ -145,6 +148,23 @@ TEST_F(Relay, a_device_is_open_there_while_somebody_has_it_open_here) {
   network_.run();
   EXPECT_EQ(wheels.stops, 1);
   EXPECT_EQ(wheels.starts, 1);
+}
+
+TEST_F(Relay, drivers_use_devices_of_a_port_that_this_file_does_not_serve) {
+  open_lab();
+  ASSERT_TRUE(lab->add_device({kThere, lsr::kCode, 0}, laser));
+  ASSERT_EQ(build("driver( name \"vfh\" provides [\"position2d:1\"] requires [\"7000:position2d:5\" "
+                  "\"7000:laser:0\"] )"),
+            "");
+  EXPECT_EQ(site.ports(), (std::set<std::uint32_t>{kHere})) << "none to listen on";
+  TestClient client(network_, kHere);
+  ASSERT_TRUE(is_open(client.ask(server::open_request(p2d::kCode, 1))));
+  EXPECT_EQ(wheels.starts, 1);
+  EXPECT_EQ(laser.starts, 1);
+  client.ask(
+      message(MessageType::kCmd, p2d::kCode, 1, p2d::kCmdVel, wire::encode(p2d::CmdVel{{0.5, 0, 0}, 1}), 7));
+  ASSERT_EQ(wheels.commands.size(), 1u);
+  EXPECT_EQ(wheels.commands[0].second, wire::encode(p2d::CmdVel{{0.5, 0, 0}, 1}));
 }
 
 TEST_F(Relay, a_device_that_retires_there_retires_here) {
