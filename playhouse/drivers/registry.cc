@@ -16,6 +16,7 @@
 #include "playhouse/drivers/relay/relay.h"
 #include "playhouse/drivers/stage_driver/stage_driver.h"
 #include "playhouse/drivers/vfh/vfh.h"
+#include "playhouse/drivers/wavefront/wavefront.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -32,6 +33,7 @@ constexpr std::pair<std::string_view, Factory> kDrivers[] = {
     {"relay", make_relay},
     {"stage", make_stage_driver},
     {"vfh", make_vfh},
+    {"wavefront", make_wavefront},
 };
 
 Result<std::unique_ptr<device::Driver>> make_driver(const scene::CfgSection& section, Site& site) {

@@ -1,4 +1,4 @@
-"""Drivers that use devices of other drivers: a chain of them in a configuration file, from a scan to the wheels."""
+"""Drivers that use devices of other drivers: chains of them in a configuration file, from a scan or a map to the wheels."""
 
 import json
 import math
@@ -8,13 +8,14 @@ import time
 import unittest
 import zlib
 
-from house import ACK, CMD, NACK, POSITION2D, ROOT, SIMULATION, Client, House, HouseTest
+from house import ACK, CMD, DATA, NACK, POSITION2D, REQ, ROOT, SIMULATION, Client, House, HouseTest
 
 sys.path.insert(0, str(ROOT / "clients/python"))
 from playhouse_client import Mode, connect  # noqa: E402
 from playhouse_client.generated import map as grid  # noqa: E402
+from playhouse_client.generated import planner  # noqa: E402
 
-MAP = 42
+MAP, PLANNER = 42, 44
 
 GOAL = (6.5, 0.0, 0.0)  # behind a crate and a wall with a gap, which are right ahead
 PAUSE = 1               # command of simulation: a paused world goes on
@@ -138,6 +139,54 @@ driver( name "vfh" provides ["position2d:1"] requires ["{port}:position2d:0" "{p
                 while math.dist(truth.pose("r0")[:2], start[:2]) < 1.4:
                     believed = struct.unpack_from(">ddd", client.next_data(POSITION2D, 2).body)
                     self.assertLess(math.dist(believed[:2], truth.pose("r0")[:2]), 0.5)
+
+
+class Planned(HouseTest):
+    """worlds/plan.cfg: mapfile -> wavefront -> vfh -> position2d."""
+
+    GOAL = (6.0, 4.0, 1.5)  # at the other side of the cave
+
+    def drive(self, *arguments) -> tuple[dict, list[planner.Data], list[tuple[float, ...]]]:
+        """One run as fast as possible, in which the planner is given its goal before the first tick. The result, and what
+        the planner's and the robot's STATE said."""
+        with House("serve", ROOT / "worlds/plan.cfg", "--port", 0, "--headless", "--fast", "--paused", "--duration", 65,
+                   "--json", *arguments) as house, Client(house.port()) as client, Client(house.port()) as robot:
+            self.assertEqual(client.open(PLANNER, 0).type, ACK)
+            self.assertEqual(robot.open(POSITION2D, 0).type, ACK)
+            client.send(PLANNER, 0, CMD, 1, struct.pack(">ddd", *self.GOAL))
+            path = planner.WaypointsReq.decode(client.request(PLANNER, 0, 1).body)
+            self.assertEqual((path.waypoints_distance, path.waypoints), (0, []), "it plans in ticks")
+            client.send(SIMULATION, 0, CMD, PAUSE)
+            plans, robots = [], []
+            with self.assertRaises(ConnectionError):  # the end of the run
+                while True:
+                    plans.append(planner.Data.decode(client.next_data(PLANNER, 0).body))
+            with self.assertRaises(ConnectionError):
+                while True:
+                    robots.append(struct.unpack(">ddddddI", robot.next_data(POSITION2D, 0).body))
+            self.assertEqual(house.wait(), 0, house.log())
+            return json.loads(house.output()), plans, robots
+
+    def test_a_robot_finds_its_way_to_another_room_to_the_same_bits_each_time(self):
+        result, plans, robots = self.drive()
+        self.assertEqual((len(plans), len(robots)), (650, 650), "every tick")
+        self.assertEqual([plan.valid for plan in plans[:3]], [0, 0, 1])
+        self.assertEqual((plans[-1].done, plans[-1].waypoint_idx), (1, -1))
+        self.assertLess(math.dist(robots[-1][:2], self.GOAL[:2]), 0.25)
+        self.assertLess(abs(robots[-1][2] - self.GOAL[2]), math.radians(6))
+        self.assertEqual(robots[-1][3:6], (0, 0, 0), "it stands at its goal")
+        self.assertFalse(any(robot[6] for robot in robots), "it touches nothing")
+        driven = sum(math.dist(one[:2], next_one[:2]) for one, next_one in zip(robots, robots[1:]))
+        self.assertGreater(driven, 1.08 * math.dist(robots[0][:2], self.GOAL[:2]), "round the rocks")
+        for arguments in ((), ("--workers", 4)):
+            again = self.drive(*arguments)
+            for word in ("ticks", "hash", "sensed_hash"):
+                self.assertEqual(again[0][word], result[word])
+            self.assertEqual(again[1:], (plans, robots))
+
+    def test_the_documented_section_is_that_of_the_example(self):
+        documented = (ROOT / "docs/drivers.md").read_text().split('## driver "wavefront"')[1].split("```")[1]
+        self.assertIn(documented.strip(), (ROOT / "worlds/plan.cfg").read_text())
 
 
 class WithoutAWorld(HouseTest):

@@ -1,0 +1,132 @@
+#include "playhouse/drivers/wavefront/follow_path.h"
+
+#include <cmath>
+#include <utility>
+
+namespace playhouse::drivers {
+namespace {
+
+using geom::normalize;
+using geom::Pose;
+using geom::Vec2;
+
+constexpr double kTurn = geom::radians(45);  // change of direction from which it turns on the spot
+
+double distance(Vec2 a, Vec2 b) {
+  return std::sqrt(dot(b - a, b - a));
+}
+
+/// Direction of a leg; `otherwise` for one without length.
+double direction(Vec2 from, Vec2 to, double otherwise) {
+  return from == to ? otherwise : geom::atan2(to.y - from.y, to.x - from.x);
+}
+
+bool sharp(double from, double to) {
+  return std::abs(normalize(to - from)) > kTurn;
+}
+
+bool within(const Pose& a, const Pose& b, double length, double angle) {
+  return distance(a.xy(), b.xy()) <= length && std::abs(normalize(b.a - a.a)) <= angle;
+}
+
+/// Uses what is known of the map and the goal, as far as they are the same.
+Result<Route> plan(const WavefrontOptions& options, const FollowIn& in, FollowMemory& memory) {
+  if (in.map == nullptr) return Error{"", "there is no map"};
+  const Pose X_WG = in.map->X_WG(), X_GW = inverse(X_WG);
+  if (memory.map != in.map) {
+    memory.costs = cost_map(*in.map, options.plan);
+    memory.map = in.map;
+    memory.to_goal.reset();
+  }
+  if (!memory.to_goal || memory.X_WT != in.X_WT)
+    memory.to_goal = cost_to_goal(memory.costs, transform(X_GW, in.X_WT.xy()));
+  memory.X_WT = in.X_WT;
+  if (!*memory.to_goal) return memory.to_goal->error();
+  Result<std::vector<Vec2>> corners =
+      path_to_goal(memory.costs, **memory.to_goal, transform(X_GW, in.X_WR.xy()));
+  if (!corners) return corners.error();
+  for (Vec2& corner : *corners) corner = transform(X_WG, corner);
+  return route_of(options, *corners, in.X_WR, in.X_WT);
+}
+
+bool strayed(const WavefrontOptions& options, const FollowIn& in, const FollowMemory& memory) {
+  return options.replan_distance > 0 && options.replan_time > 0 &&
+         in.time - memory.time >= options.replan_time &&
+         distance(memory.X_WR.xy(), in.X_WR.xy()) >= options.replan_distance;
+}
+
+void plan_again(const WavefrontOptions& options, const FollowIn& in, FollowMemory& memory) {
+  Result<Route> route = plan(options, in, memory);
+  memory.goal = in.goal;
+  memory.X_WR = in.X_WR;
+  memory.time = in.time;
+  memory.X_OP.reset();
+  memory.out = {};
+  if (!route) {
+    memory.out.fault = route.error().text;
+  } else {
+    memory.out.route = std::make_shared<const Route>(std::move(*route));
+  }
+}
+
+bool reached(const WavefrontOptions& options, const Waypoint& waypoint, const Pose& X_WR) {
+  return within(waypoint.X_WP, X_WR, options.distance_epsilon,
+                waypoint.turn ? options.angle_epsilon : geom::kPi);
+}
+
+/// In the frame of the device that drives, by where both say that the robot is.
+Pose in_output(const FollowIn& in, const Pose& X_WP) {
+  if (in.X_OR == in.X_WR) return X_WP;  // to the bit
+  return compose(compose(in.X_OR, inverse(in.X_WR)), X_WP);
+}
+
+/// The current waypoint, if it is news to the device that drives: another
+/// one than before, or shifted as its frame turned out to be elsewhere.
+std::optional<Pose> news(const WavefrontOptions& options, const FollowIn& in, FollowMemory& memory) {
+  const Pose X_OP = in_output(in, memory.out.route->waypoints[memory.out.waypoint].X_WP);
+  if (memory.X_OP && memory.sent == memory.out.waypoint &&
+      within(*memory.X_OP, X_OP, options.distance_epsilon / 2, options.angle_epsilon / 2))
+    return std::nullopt;
+  memory.sent = memory.out.waypoint;
+  memory.X_OP = X_OP;
+  return X_OP;
+}
+
+}  // namespace
+
+Route route_of(const WavefrontOptions& options, const std::vector<Vec2>& p_WC, const Pose& X_WR,
+               const Pose& X_WT) {
+  Route route;
+  Vec2 from = X_WR.xy();
+  double heading = X_WR.a;
+  for (const Vec2 to : p_WC) {
+    const double length = distance(from, to), ahead = direction(from, to, heading);
+    const bool turn = options.turns && sharp(heading, ahead);
+    if (!route.waypoints.empty()) {
+      route.waypoints.back().X_WP.a = ahead;
+      route.waypoints.back().turn = turn;
+    } else if (turn && length > options.distance_epsilon) {
+      route.waypoints.push_back({{from.x, from.y, 0, ahead}, true});
+    }
+    route.waypoints.push_back({{to.x, to.y, 0, ahead}});
+    route.length += length;
+    heading = ahead;
+    from = to;
+  }
+  route.waypoints.back() = {X_WT, true};
+  return route;
+}
+
+FollowOut follow_path(const WavefrontOptions& options, const FollowIn& in, FollowMemory& memory) {
+  if (memory.goal != in.goal || strayed(options, in, memory)) plan_again(options, in, memory);
+  FollowOut& out = memory.out;
+  out.X_OP.reset();
+  if (out.route == nullptr || !in.enabled) return out;
+  const std::vector<Waypoint>& waypoints = out.route->waypoints;
+  while (out.waypoint < waypoints.size() && reached(options, waypoints[out.waypoint], in.X_WR))
+    ++out.waypoint;
+  if (!out.done()) out.X_OP = news(options, in, memory);
+  return out;
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,85 @@
+#pragma once
+
+/// One step on the way to a goal: plans a path on the map if there is none yet, and tells the waypoint that
+/// the robot is to go to. A function of its arguments alone; it gives the same bits on every machine.
+///
+/// In: options; the robot's pose and goal in the map's frame W; the memory of the previous step.
+///
+/// Out: the path or why there is none, the current waypoint, and what to tell the device that drives, in its
+///   frame O; the memory for the next step.
+///
+/// Cost: a few comparisons; that of plan_path.h when it plans: the map's part once
+///   per map, the goal's once per goal, and path_to_goal() each time.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "playhouse/drivers/grid_map/grid_map.h"
+#include "playhouse/drivers/wavefront/plan_path.h"
+#include "playhouse/geom/pose.h"
+
+namespace playhouse::drivers {
+
+struct WavefrontOptions {
+  PlanOptions plan;
+  double distance_epsilon = 0.5;             // m
+  double angle_epsilon = geom::radians(10);  // rad
+  double replan_distance = 2;                // m; 0 or less: plans once
+  double replan_time = 2;                    // s; 0 or less: plans once
+  bool turns = true;                         // turns on the spot before legs of another direction
+  bool refresh_map = false;                  // reads the map for each goal
+};
+
+struct Waypoint {
+  geom::Pose X_WP;
+  bool turn = false;  // reached only with this heading
+};
+
+struct Route {
+  std::vector<Waypoint> waypoints;  // not empty; the last one is the goal
+  double length = 0;                // m; from where the robot was
+};
+
+/// The waypoints of a path with these corners, the last of which is the goal X_WT.
+Route route_of(const WavefrontOptions& options, const std::vector<geom::Vec2>& p_WC, const geom::Pose& X_WR,
+               const geom::Pose& X_WT);
+
+struct FollowIn {
+  double time = 0;         // s
+  std::uint64_t goal = 0;  // its number, not 0: another one is planned for anew
+  geom::Pose X_WT;         // the goal
+  geom::Pose X_WR, X_OR;
+  bool enabled = true;                 // drives
+  std::shared_ptr<const GridMap> map;  // null: there is none
+};
+
+struct FollowOut {
+  std::string fault;  // why there is no path; empty: there is one
+  std::shared_ptr<const Route> route;
+  std::size_t waypoint = 0;        // the current one; the number of waypoints: goal reached
+  std::optional<geom::Pose> X_OP;  // a new goal for the device that drives
+
+  bool done() const { return route != nullptr && waypoint == route->waypoints.size(); }
+};
+
+struct FollowMemory {
+  // Of the map, and of the goal on it.
+  std::shared_ptr<const GridMap> map;
+  CostMap costs;
+  std::optional<Result<CostToGoal>> to_goal;
+
+  std::uint64_t goal = 0;  // for which `out` is planned; 0: none
+  geom::Pose X_WT;
+  geom::Pose X_WR;  // when it was planned
+  double time = 0;  // s; when it was planned
+  FollowOut out;
+  std::size_t sent = 0;            // the waypoint last told to the device that drives
+  std::optional<geom::Pose> X_OP;  // that waypoint as told; none: none was told
+};
+
+FollowOut follow_path(const WavefrontOptions& options, const FollowIn& in, FollowMemory& memory);
+
+}  // namespace playhouse::drivers

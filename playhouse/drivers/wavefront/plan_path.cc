@@ -1,0 +1,344 @@
+#include "playhouse/drivers/wavefront/plan_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+namespace playhouse::drivers {
+namespace {
+
+using geom::Vec2;
+
+constexpr std::uint16_t kMostColumn = 30000;  // cells; limit of distances within a column
+constexpr double kRounding = 1e-4;            // cells; the wire's cell size has 24 bits
+constexpr double kStraightening =
+    1.05;  // factor by which a leg may cost more: steps of 45 degrees are a coarse path
+
+std::size_t count(const CostMap& map) {
+  return static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
+}
+
+Cell cell_at(const CostMap& map, int x, int y) {
+  return static_cast<Cell>(y) * static_cast<Cell>(map.width) + static_cast<Cell>(x);
+}
+int column(const CostMap& map, Cell cell) {
+  return static_cast<int>(cell % static_cast<Cell>(map.width));
+}
+int row(const CostMap& map, Cell cell) {
+  return static_cast<int>(cell / static_cast<Cell>(map.width));
+}
+
+Vec2 centre(const CostMap& map, Cell cell) {
+  return {(column(map, cell) - 0.5) * map.scale, (row(map, cell) - 0.5) * map.scale};  // 1: the border
+}
+
+/// None off the map.
+std::optional<Cell> cell_of(const CostMap& map, Vec2 p_G) {
+  const double x = std::floor(p_G.x / map.scale) + 1, y = std::floor(p_G.y / map.scale) + 1;
+  if (!(x >= 1 && y >= 1 && x <= map.width - 2 && y <= map.height - 2)) return std::nullopt;
+  return cell_at(map, static_cast<int>(x), static_cast<int>(y));
+}
+
+// Distances from obstacles.
+
+/// Per cell, the distance to the nearest obstacle of its column, `most` at most.
+std::vector<std::uint16_t> column_distances(const CostMap& map, std::uint16_t most) {
+  const auto width = static_cast<std::size_t>(map.width);
+  std::vector<std::uint16_t> distances(count(map));
+  const auto next = [most](std::uint16_t before) { return std::min<int>(before + 1, most); };
+  for (std::size_t i = width; i < distances.size(); ++i)
+    if (map.weights[i] != CostMap::kObstacle)
+      distances[i] = static_cast<std::uint16_t>(next(distances[i - width]));
+  for (std::size_t i = distances.size() - width; i-- > 0;)
+    distances[i] = static_cast<std::uint16_t>(std::min<int>(distances[i], next(distances[i + width])));
+  return distances;
+}
+
+/// Squared distances to obstacles of a row's cells: the lower envelope of a parabola per column.
+class RowDistances {
+ public:
+  explicit RowDistances(int width)
+      : squares_(static_cast<std::size_t>(width)),
+        lowest_(squares_.size()),
+        begin_(squares_.size()),
+        result_(squares_.size()) {}
+
+  const std::vector<std::int64_t>& of(const std::uint16_t* column_distances) {
+    const auto width = static_cast<std::int64_t>(squares_.size());
+    for (std::size_t x = 0; x < squares_.size(); ++x)
+      squares_[x] = std::int64_t{column_distances[x]} * column_distances[x];
+    std::size_t last = 0;
+    lowest_[0] = begin_[0] = 0;
+    for (std::int64_t x = 1; x < width; ++x) {
+      while (last > 0 && at(begin_[last], lowest_[last]) > at(begin_[last], x)) --last;
+      if (last == 0 && at(0, lowest_[0]) > at(0, x)) {
+        lowest_[0] = x;
+      } else if (const std::int64_t begin = 1 + last_below(lowest_[last], x); begin < width) {
+        lowest_[++last] = x;
+        begin_[last] = begin;
+      }
+    }
+    for (std::int64_t x = width; x-- > 0;) {
+      result_[index(x)] = at(x, lowest_[last]);
+      if (x == begin_[last] && last > 0) --last;
+    }
+    return result_;
+  }
+
+ private:
+  static std::size_t index(std::int64_t x) { return static_cast<std::size_t>(x); }
+  /// The parabola of column `of` at x.
+  std::int64_t at(std::int64_t x, std::int64_t of) const { return (x - of) * (x - of) + squares_[index(of)]; }
+  /// The last x at which the parabola of the left column is not above that of the right one.
+  std::int64_t last_below(std::int64_t left, std::int64_t right) const {
+    return (right * right - left * left + squares_[index(right)] - squares_[index(left)]) /
+           (2 * (right - left));
+  }
+
+  std::vector<std::int64_t> squares_;         // of the distances within columns
+  std::vector<std::int64_t> lowest_, begin_;  // columns of the envelope, and from where on they are lowest
+  std::vector<std::int64_t> result_;
+};
+
+/// Weight of a cell that is no obstacle. `clearance`: cells.
+std::uint16_t weight(double clearance, double scale, const PlanOptions& options) {
+  const double safety = options.safety_distance / scale, most = options.max_radius / scale;
+  if (clearance < safety - kRounding) return CostMap::kNear;
+  const double nearness = most > safety ? std::clamp((most - clearance) / (most - safety), 0.0, 1.0) : 0;
+  return static_cast<std::uint16_t>(std::floor(CostMap::kPlain * (1 + options.penalty * nearness) + 0.5));
+}
+
+/// The cells with the border, as obstacles and others.
+CostMap obstacles_of(const GridMap& grid) {
+  CostMap map{grid.width() + 2, grid.height() + 2, grid.info.scale, {}};
+  map.weights.assign(count(map), CostMap::kObstacle);
+  for (int y = 0; y < grid.height(); ++y)
+    for (int x = 0; x < grid.width(); ++x)
+      if (grid.cells[static_cast<std::size_t>(y) * grid.info.width + static_cast<std::size_t>(x)] < 0)
+        map.weights[cell_at(map, x + 1, y + 1)] = CostMap::kPlain;
+  return map;
+}
+
+// Steps between cells.
+
+struct Step {
+  int x, y;
+  bool diagonal() const { return x != 0 && y != 0; }
+};
+
+/// In the order of the cells' numbers.
+constexpr std::array<Step, 8> kSteps{{{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+
+Cell after(const CostMap& map, Cell cell, int x, int y) {
+  return static_cast<Cell>(static_cast<std::int64_t>(cell) + std::int64_t{y} * map.width + x);
+}
+
+/// True if a step leads to a cell of at least this weight, and past none below it.
+bool possible(const CostMap& map, Cell from, Step step, std::uint16_t least) {
+  const auto fits = [&](int x, int y) { return map.weights[after(map, from, x, y)] >= least; };
+  return fits(step.x, step.y) && (!step.diagonal() || (fits(step.x, 0) && fits(0, step.y)));
+}
+
+/// Of a step to a neighbouring free cell.
+std::uint32_t step_cost(const CostMap& map, Cell from, Cell to, bool diagonal) {
+  const std::uint32_t both = std::uint32_t{map.weights[from]} + map.weights[to];
+  return diagonal ? both * 181 / 128 : both;  // the square root of 2
+}
+
+/// Cells that wait for their turn, by cost: a ring of buckets, as no step costs more than the ring is long.
+class Waiting {
+ public:
+  explicit Waiting(std::uint32_t most_step) : buckets_(std::size_t{most_step} + 1) {}
+
+  void add(Cell cell, std::uint64_t cost) {
+    buckets_[cost % buckets_.size()].push_back(cell);
+    ++count_;
+  }
+  bool empty() const { return count_ == 0; }
+  /// All cells of this cost.
+  std::vector<Cell> take(std::uint64_t cost) {
+    std::vector<Cell> cells = std::exchange(buckets_[cost % buckets_.size()], std::move(spare_));
+    count_ -= cells.size();
+    return cells;
+  }
+  /// Gives a taken vector back, for its memory.
+  void reuse(std::vector<Cell> cells) {
+    spare_ = std::move(cells);
+    spare_.clear();
+  }
+
+ private:
+  std::vector<std::vector<Cell>> buckets_;
+  std::vector<Cell> spare_;
+  std::size_t count_ = 0;
+};
+
+void spread(const CostMap& map, Cell goal, std::vector<std::uint32_t>& costs) {
+  const std::uint32_t most = *std::ranges::max_element(map.weights);
+  Waiting waiting(2 * most * 181 / 128);
+  costs[goal] = 0;
+  waiting.add(goal, 0);
+  for (std::uint64_t cost = 0; !waiting.empty(); ++cost) {
+    std::vector<Cell> cells = waiting.take(cost);
+    for (const Cell cell : cells) {
+      if (costs[cell] != cost) continue;  // a cheaper path was found
+      for (const Step step : kSteps) {
+        if (!possible(map, cell, step, CostMap::kPlain)) continue;
+        const Cell next = after(map, cell, step.x, step.y);
+        const std::uint64_t sum = cost + step_cost(map, cell, next, step.diagonal());
+        if (sum >= costs[next]) continue;
+        costs[next] = static_cast<std::uint32_t>(sum);
+        waiting.add(next, sum);
+      }
+    }
+    waiting.reuse(std::move(cells));
+  }
+}
+
+// From the robot to the goal.
+
+/// The nearest free cell that can be reached past no obstacle, unless the cell itself is free.
+std::optional<Cell> nearest_free(const CostMap& map, Cell from) {
+  if (map.free(from)) return from;
+  std::vector<bool> seen(count(map));
+  std::vector<Cell> ring{from}, found, next;
+  seen[from] = true;
+  while (!ring.empty() && found.empty()) {
+    next.clear();
+    for (const Cell cell : ring) {
+      for (const Step step : kSteps) {
+        const Cell to = after(map, cell, step.x, step.y);
+        if (seen[to] || !possible(map, cell, step, CostMap::kNear)) continue;
+        seen[to] = true;
+        (map.free(to) ? found : next).push_back(to);
+      }
+    }
+    std::swap(ring, next);
+  }
+  if (found.empty()) return std::nullopt;
+  const auto far = [&](Cell cell) {
+    const std::int64_t x = column(map, cell) - column(map, from), y = row(map, cell) - row(map, from);
+    return std::pair(x * x + y * y, cell);
+  };
+  return *std::ranges::min_element(found, {}, far);
+}
+
+/// All cells of the cheapest path, both ends included.
+std::vector<Cell> cheapest_path(const CostMap& map, const CostToGoal& goal, Cell from) {
+  std::vector<Cell> path{from};
+  while (goal.costs[path.back()] != 0) {
+    const Cell cell = path.back();
+    std::uint64_t least = CostToGoal::kNone;
+    Cell best = cell;
+    for (const Step step : kSteps) {
+      if (!possible(map, cell, step, CostMap::kPlain)) continue;
+      const Cell next = after(map, cell, step.x, step.y);
+      const std::uint64_t sum = std::uint64_t{goal.costs[next]} + step_cost(map, cell, next, step.diagonal());
+      if (sum >= least) continue;
+      least = sum;
+      best = next;
+    }
+    path.push_back(best);
+  }
+  return path;
+}
+
+/// Cost of a straight leg between two cells' centres; none if it passes a cell that is not free.
+std::optional<double> leg_cost(const CostMap& map, Cell from, Cell to) {
+  const int dx = column(map, to) - column(map, from), dy = row(map, to) - row(map, from);
+  const bool along_x = std::abs(dx) >= std::abs(dy);
+  const int length = std::max(std::abs(dx), std::abs(dy)), across = std::min(std::abs(dx), std::abs(dy));
+  if (length == 0) return 0;
+  const int x = dx < 0 ? -1 : 1, y = dy < 0 ? -1 : 1;
+  double sum = 0;
+  for (int i = 0; i <= length; ++i) {
+    // The line passes between two cells of this column or row, or through one.
+    const std::int64_t place = std::int64_t{i} * across;
+    const int low = static_cast<int>(place / length), off = static_cast<int>(place % length);
+    const auto at = [&](int side) {
+      return along_x ? after(map, from, i * x, side * y) : after(map, from, side * x, i * y);
+    };
+    const Cell near = at(low), other = off == 0 ? near : at(low + 1);
+    if (!map.free(near) || !map.free(other)) return std::nullopt;
+    if (across == length && i < length && !possible(map, near, {x, y}, CostMap::kPlain)) return std::nullopt;
+    const double share = static_cast<double>(off) / length;
+    const double weight = (1 - share) * map.weights[near] + share * map.weights[other];
+    sum += i == 0 || i == length ? weight / 2 : weight;
+  }
+  return 2 * sum * std::sqrt(1 + static_cast<double>(across) / length * across / length);
+}
+
+/// The end of a straight leg from place `from` of the path: far, and at least the next place.
+std::size_t leg_end(const CostMap& map, const CostToGoal& goal, const std::vector<Cell>& path,
+                    std::size_t from) {
+  const auto straight = [&](std::size_t to) {
+    const std::optional<double> cost = leg_cost(map, path[from], path[to]);
+    return cost && *cost <= kStraightening * (goal.costs[path[from]] - goal.costs[path[to]]);
+  };
+  std::size_t good = from + 1, bad = path.size();
+  for (std::size_t step = 2; from + step < path.size(); step *= 2) {
+    if (!straight(from + step)) {
+      bad = from + step;
+      break;
+    }
+    good = from + step;
+  }
+  while (bad - good > 1) {
+    const std::size_t middle = good + (bad - good) / 2;
+    (straight(middle) ? good : bad) = middle;
+  }
+  return good;
+}
+
+}  // namespace
+
+CostMap cost_map(const GridMap& grid, const PlanOptions& options) {
+  CostMap map = obstacles_of(grid);
+  const double reach = std::max(options.safety_distance, options.max_radius) / map.scale + 2;
+  const std::vector<std::uint16_t> columns =
+      column_distances(map, static_cast<std::uint16_t>(std::min<double>(reach, kMostColumn)));
+  RowDistances distances(map.width);
+  for (int y = 0; y < map.height; ++y) {
+    const Cell first = cell_at(map, 0, y);
+    const std::vector<std::int64_t>& squares = distances.of(&columns[first]);
+    for (int x = 0; x < map.width; ++x) {
+      std::uint16_t& value = map.weights[first + static_cast<Cell>(x)];
+      if (value == CostMap::kObstacle) continue;
+      const double clearance = std::sqrt(static_cast<double>(squares[static_cast<std::size_t>(x)])) - 0.5;
+      value = weight(clearance, map.scale, options);
+    }
+  }
+  return map;
+}
+
+Result<CostToGoal> cost_to_goal(const CostMap& map, Vec2 p_GT) {
+  const std::optional<Cell> goal = cell_of(map, p_GT);
+  if (!goal) return Error{"", "the goal is off the map"};
+  if (!map.free(*goal)) return Error{"", "the goal is within safety_dist of an obstacle"};
+  CostToGoal result{p_GT, std::vector<std::uint32_t>(count(map), CostToGoal::kNone)};
+  spread(map, *goal, result.costs);
+  return result;
+}
+
+Result<std::vector<Vec2>> path_to_goal(const CostMap& map, const CostToGoal& goal, Vec2 p_GR) {
+  const std::optional<Cell> robot = cell_of(map, p_GR);
+  if (!robot) return Error{"", "the robot is off the map"};
+  const std::optional<Cell> start = nearest_free(map, *robot);
+  if (!start) return Error{"", "the robot is among obstacles"};
+  if (goal.costs[*start] == CostToGoal::kNone) return Error{"", "no way leads to the goal"};
+  const std::vector<Cell> path = cheapest_path(map, goal, *start);
+  std::vector<Vec2> corners;
+  if (start != robot) corners.push_back(centre(map, *start));
+  for (std::size_t place = 0; place + 1 < path.size();) {
+    place = leg_end(map, goal, path, place);
+    corners.push_back(centre(map, path[place]));
+  }
+  if (path.size() == 1) corners.push_back({});
+  corners.back() = goal.p_GT;
+  return corners;
+}
+
+}  // namespace playhouse::drivers

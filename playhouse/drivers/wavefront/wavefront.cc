@@ -1,0 +1,268 @@
+#include "playhouse/drivers/wavefront/wavefront.h"
+
+#include <utility>
+
+#include "playhouse/base/log.h"
+#include "playhouse/drivers/decoded.h"
+#include "playhouse/drivers/grid_map/map_reader.h"
+#include "playhouse/drivers/section_devices.h"
+#include "playhouse/drivers/wavefront/wavefront_options.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/position2d.h"
+#include "playhouse/wire/header.h"
+
+namespace playhouse::drivers {
+
+namespace p2d = wire::position2d;
+namespace planner = wire::planner;
+
+namespace {
+
+// Indices of the client's devices.
+constexpr std::size_t kOutput = 0;
+constexpr std::size_t kInput = 1;
+constexpr std::size_t kMap = 2;
+
+constexpr std::uint64_t kStepTicks = 1;  // from a pose to its command
+
+std::optional<geom::Pose> pose_in(const device::Publication& message) {
+  const Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
+  if (!state || !is_finite(state->pos)) return std::nullopt;
+  return pose_of(state->pos);
+}
+
+}  // namespace
+
+Wavefront::Wavefront(device::Opener& opener, const WavefrontOptions& options)
+    : options_(options),
+      client_(opener, *this, 3),
+      output_states_(client_.latest(kOutput, p2d::kDataState)),
+      input_states_(client_.latest(kInput, p2d::kDataState)) {
+  client_.when_news([this](std::vector<device::Publication>& more) { take_news(more); });
+}
+
+Result<void> Wavefront::start(device::DeviceId) {
+  if (const Result<void> opened = client_.open(); !opened) return opened;
+  read_map_again();
+  return {};
+}
+
+void Wavefront::read_map_again() {
+  std::uint64_t reading = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    reading = ++readings_;
+    reading_ = true;
+  }
+  read_map(client_, kMap, [this, reading](Result<GridMap> map) { take_map(reading, std::move(map)); });
+}
+
+void Wavefront::take_map(std::uint64_t reading, Result<GridMap> map) {
+  if (!map) log::warn("driver wavefront: it has no map to plan on: {}", map.error().text);
+  const std::lock_guard lock(mutex_);
+  if (reading != readings_) return;  // closed, or asked for again
+  reading_ = false;
+  map_ = map ? std::make_shared<const GridMap>(std::move(*map)) : nullptr;
+}
+
+void Wavefront::stop(device::DeviceId) {
+  if (end_drive()) halt();  // the robot may stay open for others
+  client_.close();
+  const std::lock_guard lock(mutex_);
+  ++readings_;
+  map_.reset();
+  enabled_ = true;
+  X_WR_.reset();
+  X_OR_.reset();
+}
+
+/// Clears the goal; true if the robot was driving to it. No command for it follows.
+bool Wavefront::end_drive() {
+  bool was_driving = false;
+  {
+    const std::lock_guard lock(mutex_);
+    was_driving = std::exchange(driving_, false);
+    goal_.reset();
+    progress_ = {};
+  }
+  thread_.clear();
+  return was_driving;
+}
+
+void Wavefront::rewound() {
+  thread_.clear();
+  const std::lock_guard lock(mutex_);
+  if (!progress_.done()) progress_ = {};
+  X_WR_.reset();
+  X_OR_.reset();
+}
+
+device::Taken Wavefront::command(const device::Message& message) {
+  if (!client_.is_open()) return device::Taken::kNo;  // a goal must not wait for the next client
+  if (message.subtype != planner::kCmdGoal && message.subtype != planner::kCmdStart)
+    return device::Taken::kNo;
+  const Result<planner::Cmd> command = wire::decode<planner::Cmd>(message.body);
+  if (!command || !is_finite(command->goal)) return device::Taken::kNo;
+  set_goal(pose_of(command->goal), message.subtype == planner::kCmdStart);
+  return device::Taken::kLatest;
+}
+
+void Wavefront::set_goal(const geom::Pose& X_WT, bool start) {
+  {
+    const std::lock_guard lock(mutex_);
+    goal_ = {X_WT, ++goals_};
+    progress_ = {};
+    enabled_ = enabled_ || start;
+    reading_ = reading_ || options_.refresh_map;
+  }
+  thread_.clear();
+  if (options_.refresh_map) read_map_again();
+}
+
+/// Stops the robot, or lets it go on with another plan, as it may have moved meanwhile.
+void Wavefront::enable(bool enabled) {
+  bool was_driving = false;
+  {
+    const std::lock_guard lock(mutex_);
+    enabled_ = enabled;
+    if (!enabled) was_driving = std::exchange(driving_, false);
+  }
+  thread_.clear();
+  if (was_driving) halt();
+}
+
+void Wavefront::request(const device::Message& message, device::Replier replier) {
+  if (message.subtype == planner::kReqGetWaypoints) return replier.ack(wire::encode(waypoints()));
+  if (message.subtype != planner::kReqEnable) return;
+  const Result<planner::EnableReq> asked = wire::decode<planner::EnableReq>(message.body);
+  if (!asked) return;
+  enable(asked->state != 0);
+  replier.ack();
+}
+
+bool Wavefront::capable(device::DeviceId, std::uint8_t type, std::uint8_t subtype) const {
+  if (type == static_cast<std::uint8_t>(wire::MessageType::kCmd))
+    return subtype == planner::kCmdGoal || subtype == planner::kCmdStart;
+  return type == static_cast<std::uint8_t>(wire::MessageType::kReq) &&
+         (subtype == planner::kReqGetWaypoints || subtype == planner::kReqEnable);
+}
+
+void Wavefront::take_news(std::vector<device::Publication>& more) {
+  const std::optional<device::Publication> output = output_states_.take_latest();
+  const std::optional<device::Publication> input = input_states_.take_latest();
+  const std::optional<geom::Pose> X_OR = output ? pose_in(*output) : std::nullopt;
+  const std::optional<geom::Pose> X_WR = input ? pose_in(*input) : std::nullopt;
+  std::optional<FollowIn> next;
+  {
+    const std::lock_guard lock(mutex_);
+    if (X_OR) X_OR_ = X_OR;
+    if (!X_WR) return;
+    X_WR_ = X_WR;
+    more.push_back({device_, planner::kDataState, input->timestamp, wire::encode(state())});
+    next = next_step(input->timestamp);
+  }
+  if (next) post(std::move(*next));
+}
+
+/// None if there is nothing to do. Call with the mutex held.
+std::optional<FollowIn> Wavefront::next_step(double time) const {
+  if (!goal_ || !X_WR_ || !X_OR_ || reading_ || progress_.done()) return std::nullopt;
+  return FollowIn{time, goal_->number, goal_->X_WT, *X_WR_, *X_OR_, enabled_, map_};
+}
+
+void Wavefront::post(FollowIn in) {
+  thread_.post([this, in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
+    if (fresh) memory_.goal = 0;  // plan again
+    FollowOut out = follow_path(options_, in, memory_);
+    return [this, goal = in.goal, out = std::move(out)] { take_step(goal, out); };
+  });
+}
+
+/// Without effect if the goal is another one by now.
+void Wavefront::take_step(std::uint64_t goal, const FollowOut& out) {
+  bool must_halt = false, must_go = false;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!goal_ || goal_->number != goal) return;
+    progress_ = out;
+    if (!out.fault.empty() && !std::exchange(goal_->told_fault, true))
+      log::warn("driver wavefront: no path to ({:.3g}, {:.3g}): {}", goal_->X_WT.x, goal_->X_WT.y, out.fault);
+    must_halt = out.route == nullptr && std::exchange(driving_, false);
+    must_go = out.X_OP && enabled_;
+    if (must_go) driving_ = true;
+    if (out.done()) driving_ = false;  // the output goes on to the goal itself
+  }
+  if (must_halt) halt();
+  if (must_go) go_to(*out.X_OP);
+}
+
+void Wavefront::go_to(const geom::Pose& X_OP) {
+  const p2d::CmdPos command{pose2d_of(X_OP), {}, 1};
+  if (client_.command(kOutput, p2d::kCmdPos, wire::encode(command)) == device::Taken::kNo)
+    log::warn("driver wavefront: its output does not go to poses");
+}
+
+void Wavefront::halt() {
+  client_.command(kOutput, p2d::kCmdVel, wire::encode(p2d::CmdVel{{0, 0, 0}, 1}));
+}
+
+/// Call with the mutex held.
+planner::Data Wavefront::state() const {
+  planner::Data data;
+  data.pos = pose2d_of(*X_WR_);
+  data.waypoint_idx = -1;
+  if (goal_) data.goal = pose2d_of(goal_->X_WT);
+  if (progress_.route == nullptr) return data;
+  const std::vector<Waypoint>& waypoints = progress_.route->waypoints;
+  data.valid = 1;
+  data.done = progress_.done() ? 1 : 0;
+  data.waypoints_count = static_cast<std::uint32_t>(waypoints.size());
+  if (progress_.done()) return data;
+  data.waypoint_idx = static_cast<std::int32_t>(progress_.waypoint);
+  data.waypoint = pose2d_of(waypoints[progress_.waypoint].X_WP);
+  return data;
+}
+
+planner::WaypointsReq Wavefront::waypoints() {
+  const std::lock_guard lock(mutex_);
+  planner::WaypointsReq answer;
+  if (progress_.route == nullptr) return answer;
+  answer.waypoints_distance = progress_.route->length;
+  for (const Waypoint& waypoint : progress_.route->waypoints)
+    answer.waypoints.push_back(pose2d_of(waypoint.X_WP));
+  return answer;
+}
+
+Result<std::unique_ptr<device::Driver>> make_wavefront(const scene::CfgSection& section, Site& site) {
+  const auto provided = section_devices(section, site, "provides", {"planner"});
+  if (!provided) return provided.error();
+  constexpr WantedDevice kWanted[] = {{"position2d", "output"}, {"position2d", "input"}, {"map"}};
+  const auto required = section_devices(section, site, "requires", kWanted);
+  if (!required) return required.error();
+  const Result<WavefrontOptions> options = wavefront_options(section);
+  if (!options) return options.error();
+
+  auto driver = std::make_unique<Wavefront>(site.surroundings(), *options);
+  const device::Address shown = provided->front(), robot = (*required)[kOutput];
+  const Result<device::DeviceId> id = site.add_device(shown, *driver);
+  if (!id) return Error{section.at("provides"), id.error().text};
+  driver->set_device(*id);
+  const auto connected = [&site, shown, robot, &wavefront = *driver]() -> Result<void> {
+    Simulation* const simulation = site.simulation();
+    if (simulation == nullptr) return {};
+    Directory& directory = simulation->directory();
+    directory.add(directory.model_of(robot), shown);
+    wavefront.thread().follow_ticks(simulation->world().tick(), kStepTicks);
+    simulation->add_follower([&wavefront](const world::World&, const world::Change& change) {
+      if (change.kind == world::Change::Kind::kReload) wavefront.rewound();
+    });
+    simulation->add_listener([&wavefront](const world::World& world, const world::Pace&) {
+      wavefront.thread().ticked(world.tick());
+    });
+    return {};
+  };
+  site.add_user({driver.get(), &driver->client(), *provided, *required, section.at("requires"), connected});
+  return std::unique_ptr<device::Driver>(std::move(driver));
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,88 @@
+#pragma once
+
+/// The .cfg driver "wavefront": plans a path to a goal on a grid map and drives a robot along
+/// it, by giving its waypoints to a position2d that goes to them (follow_path.h, on a thread of
+/// its own). Frames: W of the map and of the input's poses, O of the output's poses.
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/device/client.h"
+#include "playhouse/device/driver.h"
+#include "playhouse/drivers/algorithm_thread.h"
+#include "playhouse/drivers/site.h"
+#include "playhouse/drivers/wavefront/follow_path.h"
+#include "playhouse/scene/cfg.h"
+#include "playhouse/wire/generated/planner.h"
+
+namespace playhouse::drivers {
+
+Result<std::unique_ptr<device::Driver>> make_wavefront(const scene::CfgSection& section, Site& site);
+
+class Wavefront final : public device::Driver {
+ public:
+  /// Its client opens output, input and map, in this order, while the device is open.
+  Wavefront(device::Opener& opener, const WavefrontOptions& options);
+
+  void set_device(device::DeviceId device) { device_ = device; }
+  device::Client& client() { return client_; }
+  AlgorithmThread& thread() { return thread_; }
+
+  std::string_view name() const override { return "wavefront"; }
+  Result<void> start(device::DeviceId device) override;
+  void stop(device::DeviceId device) override;
+  void retired(device::DeviceId) override { stop(device_); }
+  /// The world was rewound: plans again, keeps the goal. Tick thread.
+  void rewound();
+  device::Taken command(const device::Message& message) override;
+  void request(const device::Message& message, device::Replier replier) override;
+  bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
+  void barrier(device::Replier replier) override { client_.barrier(std::move(replier)); }
+
+ private:
+  struct Goal {
+    geom::Pose X_WT;
+    std::uint64_t number = 0;
+    bool told_fault = false;
+  };
+  void read_map_again();
+  void take_map(std::uint64_t reading, Result<GridMap> map);
+  void set_goal(const geom::Pose& X_WT, bool start);
+  void enable(bool enabled);
+  bool end_drive();
+  void take_news(std::vector<device::Publication>& more);
+  std::optional<FollowIn> next_step(double time) const;
+  void post(FollowIn in);
+  void take_step(std::uint64_t goal, const FollowOut& out);
+  void go_to(const geom::Pose& X_OP);
+  void halt();
+  wire::planner::Data state() const;
+  wire::planner::WaypointsReq waypoints();
+
+  const WavefrontOptions options_;
+  device::Client client_;
+  device::Subscription& output_states_;
+  device::Subscription& input_states_;
+  device::DeviceId device_;
+  FollowMemory memory_;  // of the thread
+
+  std::mutex mutex_;  // guards what follows
+  std::optional<Goal> goal_;
+  std::uint64_t goals_ = 0;  // so far
+  bool enabled_ = true;
+  bool driving_ = false;  // the output is on its way to a waypoint
+  FollowOut progress_;    // to the goal
+  std::optional<geom::Pose> X_WR_, X_OR_;
+  std::shared_ptr<const GridMap> map_;
+  bool reading_ = false;        // the map
+  std::uint64_t readings_ = 0;  // so far
+
+  AlgorithmThread thread_;  // last member: joined before what it uses is destroyed
+};
+
+}  // namespace playhouse::drivers
