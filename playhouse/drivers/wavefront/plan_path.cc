@@ -14,8 +14,7 @@ using geom::Vec2;
 
 constexpr std::uint16_t kMostColumn = 30000;  // cells; limit of distances within a column
 constexpr double kRounding = 1e-4;            // cells; the wire's cell size has 24 bits
-constexpr double kStraightening =
-    1.05;  // factor by which a leg may cost more: steps of 45 degrees are a coarse path
+constexpr double kStraightening = 1.05;       // a leg may cost more than its steps by this factor
 
 std::size_t count(const CostMap& map) {
   return static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);

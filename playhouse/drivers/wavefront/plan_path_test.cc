@@ -208,6 +208,15 @@ TEST(PlanPath, passes_no_corner_where_obstacles_touch) {
   EXPECT_EQ(fault(map, at(1, 2), at(3, 1), {0, 0, 0}), "no way leads to the goal");
 }
 
+TEST(PlanPath, a_leg_cuts_no_corner_of_an_obstacle_either) {
+  GridMap map = open_map(20, 20);
+  fill(map, 9, 10, 10, 11);
+  fill(map, 10, 9, 11, 10);
+  const Result<Corners> found = path(map, at(9, 9), at(10, 10), {0, 0, 0});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->front(), at(9, 8)) << "not (10, 8)";
+}
+
 TEST(PlanPath, gives_these_bits) {
   GridMap map = open_map(60, 40);
   fill(map, 20, 0, 22, 30);

@@ -63,11 +63,17 @@ class Maps final : public device::Driver {
   void stop(device::DeviceId) override {}
   device::Taken command(const device::Message&) override { return device::Taken::kNo; }
   void request(const device::Message& message, device::Replier replier) override {
-    if (map) answer_map_request(*map, message, std::move(replier));
+    if (late && message.subtype == wire::map::kReqGetInfo) {
+      waiting.push_back(std::move(replier));
+    } else if (map) {
+      answer_map_request(*map, message, std::move(replier));
+    }
   }
   bool capable(device::DeviceId, std::uint8_t, std::uint8_t) const override { return false; }
 
   std::optional<GridMap> map;
+  bool late = false;                     // keeps requests for its size, for the test to answer
+  std::vector<device::Replier> waiting;  // for its size
 };
 
 /// The planner, from the last in the chain to the first.
@@ -248,7 +254,21 @@ TEST(Wavefront, a_waypoint_counts_within_the_distance_and_the_goal_within_both) 
   test.forget();
   EXPECT_TRUE(done_at({1, 1, 0, 0})) << "what is done stays done";
   EXPECT_EQ(test.told(), kNowhere);
+  ASSERT_TRUE(test.site.hold(test.site.id(kRobot))) << "by somebody else";
+  test.site.release(test.site.id(kPlanner));
   EXPECT_FALSE(test.was_halted()) << "the output itself goes on to the goal";
+}
+
+TEST(Wavefront, tells_a_waypoint_that_is_near_the_one_before_too) {
+  Planned test("distance_epsilon 3 angle_epsilon 180 replan_dist_thresh -1 add_rotational_waypoints 0");
+  test.begin();
+  const std::vector<wire::Pose2d> points = test.waypoints().waypoints;
+  ASSERT_EQ(test.told(), pose(points[0]));
+  ASSERT_LT(std::hypot(points[1].px - points[0].px, points[1].py - points[0].py), 1.5)
+      << "half of the epsilon";
+  test.robot_at({points[1].px - 3.1, points[1].py, 0, 0});
+  test.site.run(2);
+  EXPECT_EQ(test.told(), pose(points[1]));
 }
 
 TEST(Wavefront, turns_on_the_spot_before_a_leg_of_another_direction) {
@@ -371,6 +391,10 @@ TEST(Wavefront, disabled_it_stops_and_enabled_it_goes_on) {
   test.forget();
   EXPECT_TRUE(test.enable(false));
   EXPECT_FALSE(test.was_halted()) << "the robot is no longer its own";
+  test.robot_at(kStart);
+  EXPECT_TRUE(test.enable(true));
+  test.site.run(2);
+  EXPECT_EQ(test.told().x, 3) << "told again";
 }
 
 TEST(Wavefront, start_drives_even_if_it_is_disabled) {
@@ -460,6 +484,27 @@ TEST(Wavefront, reads_the_map_when_it_is_opened_or_for_each_goal) {
   EXPECT_GT(waypoints_after_a_change("", false), 1u);
   EXPECT_EQ(waypoints_after_a_change("", true), 1u);
   EXPECT_EQ(waypoints_after_a_change("force_map_refresh 1", false), 1u);
+}
+
+TEST(Wavefront, waits_for_a_map_that_comes_late_and_takes_none_of_before_it_was_closed) {
+  Planned test;
+  const auto open_again = [&test] {
+    test.site.release(test.site.id(kPlanner));
+    test.maps.late = true;
+    EXPECT_TRUE(test.site.hold(test.site.id(kPlanner)));
+  };
+  open_again();
+  open_again();
+  test.begin();
+  EXPECT_EQ(test.told(), kNowhere);
+  ASSERT_EQ(test.maps.waiting.size(), 2u);
+  const std::vector<std::byte> size = wire::encode(test.maps.map->info);
+  test.maps.waiting[0].ack(size);
+  test.site.run(2);
+  EXPECT_EQ(test.told(), kNowhere);
+  test.maps.waiting[1].ack(size);
+  test.site.run(2);
+  EXPECT_NE(test.told(), kNowhere);
 }
 
 TEST(Wavefront, rewound_it_plans_again_to_its_goal) {
