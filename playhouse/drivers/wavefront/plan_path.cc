@@ -7,14 +7,15 @@
 #include <optional>
 #include <utility>
 
+#include "playhouse/drivers/grid_map/distances.h"
+
 namespace playhouse::drivers {
 namespace {
 
 using geom::Vec2;
 
-constexpr std::uint16_t kMostColumn = 30000;  // cells; limit of distances within a column
-constexpr double kRounding = 1e-4;            // cells; the wire's cell size has 24 bits
-constexpr double kStraightening = 1.05;       // a leg may cost more than its steps by this factor
+constexpr double kRounding = 1e-4;       // cells; the wire's cell size has 24 bits
+constexpr double kStraightening = 1.05;  // a leg may cost more than its steps by this factor
 
 std::size_t count(const CostMap& map) {
   return static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
@@ -40,67 +41,6 @@ std::optional<Cell> cell_of(const CostMap& map, Vec2 p_G) {
   if (!(x >= 1 && y >= 1 && x <= map.width - 2 && y <= map.height - 2)) return std::nullopt;
   return cell_at(map, static_cast<int>(x), static_cast<int>(y));
 }
-
-// Distances from obstacles.
-
-/// Per cell, the distance to the nearest obstacle of its column, `most` at most.
-std::vector<std::uint16_t> column_distances(const CostMap& map, std::uint16_t most) {
-  const auto width = static_cast<std::size_t>(map.width);
-  std::vector<std::uint16_t> distances(count(map));
-  const auto next = [most](std::uint16_t before) { return std::min<int>(before + 1, most); };
-  for (std::size_t i = width; i < distances.size(); ++i)
-    if (map.weights[i] != CostMap::kObstacle)
-      distances[i] = static_cast<std::uint16_t>(next(distances[i - width]));
-  for (std::size_t i = distances.size() - width; i-- > 0;)
-    distances[i] = static_cast<std::uint16_t>(std::min<int>(distances[i], next(distances[i + width])));
-  return distances;
-}
-
-/// Squared distances to obstacles of a row's cells: the lower envelope of a parabola per column.
-class RowDistances {
- public:
-  explicit RowDistances(int width)
-      : squares_(static_cast<std::size_t>(width)),
-        lowest_(squares_.size()),
-        begin_(squares_.size()),
-        result_(squares_.size()) {}
-
-  const std::vector<std::int64_t>& of(const std::uint16_t* column_distances) {
-    const auto width = static_cast<std::int64_t>(squares_.size());
-    for (std::size_t x = 0; x < squares_.size(); ++x)
-      squares_[x] = std::int64_t{column_distances[x]} * column_distances[x];
-    std::size_t last = 0;
-    lowest_[0] = begin_[0] = 0;
-    for (std::int64_t x = 1; x < width; ++x) {
-      while (last > 0 && at(begin_[last], lowest_[last]) > at(begin_[last], x)) --last;
-      if (last == 0 && at(0, lowest_[0]) > at(0, x)) {
-        lowest_[0] = x;
-      } else if (const std::int64_t begin = 1 + last_below(lowest_[last], x); begin < width) {
-        lowest_[++last] = x;
-        begin_[last] = begin;
-      }
-    }
-    for (std::int64_t x = width; x-- > 0;) {
-      result_[index(x)] = at(x, lowest_[last]);
-      if (x == begin_[last] && last > 0) --last;
-    }
-    return result_;
-  }
-
- private:
-  static std::size_t index(std::int64_t x) { return static_cast<std::size_t>(x); }
-  /// The parabola of column `of` at x.
-  std::int64_t at(std::int64_t x, std::int64_t of) const { return (x - of) * (x - of) + squares_[index(of)]; }
-  /// The last x at which the parabola of the left column is not above that of the right one.
-  std::int64_t last_below(std::int64_t left, std::int64_t right) const {
-    return (right * right - left * left + squares_[index(right)] - squares_[index(left)]) /
-           (2 * (right - left));
-  }
-
-  std::vector<std::int64_t> squares_;         // of the distances within columns
-  std::vector<std::int64_t> lowest_, begin_;  // columns of the envelope, and from where on they are lowest
-  std::vector<std::int64_t> result_;
-};
 
 /// Weight of a cell that is no obstacle. `clearance`: cells.
 std::uint16_t weight(double clearance, double scale, const PlanOptions& options) {
@@ -296,19 +236,14 @@ std::size_t leg_end(const CostMap& map, const CostToGoal& goal, const std::vecto
 
 CostMap cost_map(const GridMap& grid, const PlanOptions& options) {
   CostMap map = obstacles_of(grid);
-  const double reach = std::max(options.safety_distance, options.max_radius) / map.scale + 2;
-  const std::vector<std::uint16_t> columns =
-      column_distances(map, static_cast<std::uint16_t>(std::min<double>(reach, kMostColumn)));
-  RowDistances distances(map.width);
-  for (int y = 0; y < map.height; ++y) {
-    const Cell first = cell_at(map, 0, y);
-    const std::vector<std::int64_t>& squares = distances.of(&columns[first]);
-    for (int x = 0; x < map.width; ++x) {
-      std::uint16_t& value = map.weights[first + static_cast<Cell>(x)];
-      if (value == CostMap::kObstacle) continue;
-      const double clearance = std::sqrt(static_cast<double>(squares[static_cast<std::size_t>(x)])) - 0.5;
-      value = weight(clearance, map.scale, options);
-    }
+  std::vector<std::uint8_t> obstacles;
+  obstacles.reserve(count(map));
+  for (const std::uint16_t weight : map.weights) obstacles.push_back(weight == CostMap::kObstacle ? 1 : 0);
+  const std::vector<std::uint32_t> squares = squared_distances(map.width, map.height, obstacles);
+  for (Cell cell = 0; cell < squares.size(); ++cell) {
+    if (map.weights[cell] == CostMap::kObstacle) continue;
+    const double clearance = std::sqrt(static_cast<double>(squares[cell])) - 0.5;
+    map.weights[cell] = weight(clearance, map.scale, options);
   }
   return map;
 }

@@ -6,6 +6,7 @@
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/map_reader.h"
 #include "playhouse/drivers/section_devices.h"
+#include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/drivers/wavefront/wavefront_options.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -197,7 +198,7 @@ void Wavefront::take_step(std::uint64_t goal, const FollowOut& out) {
 }
 
 void Wavefront::go_to(const geom::Pose& X_OP) {
-  const p2d::CmdPos command{pose2d_of(X_OP), {}, 1};
+  const p2d::CmdPos command{pose2d(X_OP), {}, 1};
   if (client_.command(kOutput, p2d::kCmdPos, wire::encode(command)) == device::Taken::kNo)
     log::warn("driver wavefront: its output does not go to poses");
 }
@@ -209,9 +210,9 @@ void Wavefront::halt() {
 /// Call with the mutex held.
 planner::Data Wavefront::state() const {
   planner::Data data;
-  data.pos = pose2d_of(*X_WR_);
+  data.pos = pose2d(*X_WR_);
   data.waypoint_idx = -1;
-  if (goal_) data.goal = pose2d_of(goal_->X_WT);
+  if (goal_) data.goal = pose2d(goal_->X_WT);
   if (progress_.route == nullptr) return data;
   const std::vector<Waypoint>& waypoints = progress_.route->waypoints;
   data.valid = 1;
@@ -219,7 +220,7 @@ planner::Data Wavefront::state() const {
   data.waypoints_count = static_cast<std::uint32_t>(waypoints.size());
   if (progress_.done()) return data;
   data.waypoint_idx = static_cast<std::int32_t>(progress_.waypoint);
-  data.waypoint = pose2d_of(waypoints[progress_.waypoint].X_WP);
+  data.waypoint = pose2d(waypoints[progress_.waypoint].X_WP);
   return data;
 }
 
@@ -229,7 +230,7 @@ planner::WaypointsReq Wavefront::waypoints() {
   if (progress_.route == nullptr) return answer;
   answer.waypoints_distance = progress_.route->length;
   for (const Waypoint& waypoint : progress_.route->waypoints)
-    answer.waypoints.push_back(pose2d_of(waypoint.X_WP));
+    answer.waypoints.push_back(pose2d(waypoint.X_WP));
   return answer;
 }
 

@@ -13,6 +13,7 @@
 #include "playhouse/base/testing_folder.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/grid_map.h"
+#include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -181,7 +182,7 @@ TEST(Wavefront, a_goal_becomes_a_waypoint_for_the_output_one_tick_later) {
   test.site.run(1);
   EXPECT_EQ(test.told(), kNowhere) << "the path of this tick is being planned";
   EXPECT_EQ(test.state().valid, 0);
-  EXPECT_EQ(test.state().goal, pose2d_of(kGoal));
+  EXPECT_EQ(test.state().goal, pose2d(kGoal));
   test.site.run(1);
   test.site.run(1);
   const planner::Data state = test.state();
@@ -200,9 +201,9 @@ TEST(Wavefront, waypoints_go_round_the_wall_each_with_the_heading_of_the_next_le
   const planner::WaypointsReq path = test.waypoints();
   const std::vector<wire::Pose2d>& points = path.waypoints;
   ASSERT_GE(points.size(), 3u);
-  EXPECT_EQ(points.back(), pose2d_of(kGoal));
+  EXPECT_EQ(points.back(), pose2d(kGoal));
   double length = 0;
-  wire::Pose2d before = pose2d_of(kStart);
+  wire::Pose2d before = pose2d(kStart);
   for (std::size_t i = 0; i < points.size(); ++i) {
     length += std::hypot(points[i].px - before.px, points[i].py - before.py);
     before = points[i];
@@ -236,7 +237,7 @@ TEST(Wavefront, tells_each_waypoint_once_as_the_robot_reaches_the_one_before) {
   EXPECT_EQ(test.state().waypoints_count, points.size());
   EXPECT_GE(all_told.size(), 3u);
   EXPECT_EQ(all_told.back(), kGoal);
-  for (const Pose& told : all_told) EXPECT_NE(std::ranges::find(points, pose2d_of(told)), points.end());
+  for (const Pose& told : all_told) EXPECT_NE(std::ranges::find(points, pose2d(told)), points.end());
 }
 
 TEST(Wavefront, a_waypoint_counts_within_the_distance_and_the_goal_within_both) {
@@ -325,7 +326,7 @@ TEST(Wavefront, a_new_goal_takes_the_place_of_the_old_one) {
   test.site.run(2);
   EXPECT_EQ(test.told(), other);
   test.site.run(1);
-  EXPECT_EQ(test.state().goal, pose2d_of(other));
+  EXPECT_EQ(test.state().goal, pose2d(other));
   EXPECT_EQ(test.waypoints().waypoints.size(), 1u);
 }
 
@@ -340,7 +341,7 @@ TEST(Wavefront, a_goal_without_a_path_is_not_valid_and_ends_the_drive) {
     test.begin(goal);
     test.site.run(1);
     EXPECT_EQ(test.state().valid, 0);
-    EXPECT_EQ(test.state().goal, pose2d_of(goal));
+    EXPECT_EQ(test.state().goal, pose2d(goal));
     EXPECT_EQ(test.state().waypoint_idx, -1);
     EXPECT_EQ(test.told(), kNowhere);
     EXPECT_EQ(test.waypoints(), planner::WaypointsReq());
@@ -614,7 +615,7 @@ TEST(WavefrontSection, plans_on_the_image_of_a_mapfile) {
   site.site().simulation()->engine().world().positions.X_OM[0] = kStart;
   ASSERT_TRUE(site.hold(site.id(kPlanner)));
   device::Driver& driver = site.driver(kPlanner);
-  driver.command({site.id(kPlanner), kCmd, planner::kCmdGoal, wire::encode(planner::Cmd{pose2d_of(kGoal)})});
+  driver.command({site.id(kPlanner), kCmd, planner::kCmdGoal, wire::encode(planner::Cmd{pose2d(kGoal)})});
   site.run(2);
   driver.request({site.id(kPlanner), kReq, planner::kReqGetWaypoints, {}}, device::Replier(site.recorder, 1));
   Planned same;
