@@ -189,6 +189,47 @@ class Planned(HouseTest):
         self.assertIn(documented.strip(), (ROOT / "worlds/plan.cfg").read_text())
 
 
+class Navigated(HouseTest):
+    """worlds/navigate.cfg: amcl and the map of the world -> wavefront -> vfh -> position2d."""
+
+    GOALS = ((6.0, 4.0, 1.5), (-5.8, 5.0, 3.0))
+
+    def drive(self) -> tuple[list[tuple[float, ...]], list[planner.Data], bool]:
+        """One run as fast as possible to the goals, one after the other. The robot's true pose and the planner's STATE at
+        each of them, and whether the robot ever touched anything."""
+        with House("serve", ROOT / "worlds/navigate.cfg", "--port", 0, "--headless", "--fast", "--paused") as house, \
+                Client(house.port()) as client:
+            for interf in (PLANNER, POSITION2D):
+                self.assertEqual(client.open(interf, 0).type, ACK)
+            client.send(SIMULATION, 0, CMD, PAUSE)
+            poses, plans, touched = [], [], False
+            for goal in self.GOALS:
+                client.send(PLANNER, 0, CMD, 1, struct.pack(">ddd", *goal))
+                while True:
+                    message = client.receive()
+                    if message.interf == POSITION2D:
+                        touched = touched or struct.unpack_from(">I", message.body, 48)[0] != 0
+                        continue
+                    plan = planner.Data.decode(message.body)
+                    if plan.done and (plan.goal.px, plan.goal.py) == goal[:2]:
+                        break
+                plans.append(plan)
+                poses.append(client.pose("r0"))
+                client.data.clear()
+            return poses, plans, touched
+
+    def test_a_robot_whose_odometry_drifts_reaches_goals_on_the_map(self):
+        poses, plans, touched = self.drive()
+        for pose, plan, goal in zip(poses, plans, self.GOALS):
+            self.assertLess(math.dist(pose[:2], goal[:2]), 0.6, "distance_epsilon, and the error of the belief")
+            self.assertLess(math.dist(pose[:2], (plan.pos.px, plan.pos.py)), 0.25, "it knows where it is")
+        self.assertFalse(touched)
+
+    def test_the_documented_section_is_that_of_the_example(self):
+        documented = (ROOT / "docs/drivers.md").read_text().split('## driver "amcl"')[1].split("```")[1]
+        self.assertIn(documented.strip(), (ROOT / "worlds/navigate.cfg").read_text())
+
+
 class WithoutAWorld(HouseTest):
     """Drivers of a configuration that has no world."""
 
