@@ -11,6 +11,9 @@ using geom::Pose;
 using geom::Vec2;
 
 constexpr double kTurn = geom::radians(45);  // change of direction from which it turns on the spot
+// A robot that moves less for so long stands.
+constexpr double kStillLength = 0.02, kStillAngle = geom::radians(2), kStillTime = 2;  // m, rad, s
+constexpr double kStillSlack = 2;  // epsilons within which a robot that stands has reached its waypoint
 
 double distance(Vec2 a, Vec2 b) {
   return std::sqrt(dot(b - a, b - a));
@@ -69,9 +72,19 @@ void plan_again(const WavefrontOptions& options, const FollowIn& in, FollowMemor
   }
 }
 
-bool reached(const WavefrontOptions& options, const Waypoint& waypoint, const Pose& X_WR) {
-  return within(waypoint.X_WP, X_WR, options.distance_epsilon,
-                waypoint.turn ? options.angle_epsilon : geom::kPi);
+/// `slack`: times the epsilons.
+bool reached(const WavefrontOptions& options, const Waypoint& waypoint, const Pose& X_WR, double slack) {
+  return within(waypoint.X_WP, X_WR, slack * options.distance_epsilon,
+                waypoint.turn ? slack * options.angle_epsilon : geom::kPi);
+}
+
+/// True if the device that drives has stopped short of the waypoint: by its own epsilons it is there.
+bool stands(const FollowIn& in, FollowMemory& memory) {
+  if (!memory.X_WR_still || !within(*memory.X_WR_still, in.X_WR, kStillLength, kStillAngle)) {
+    memory.X_WR_still = in.X_WR;
+    memory.still_since = in.time;
+  }
+  return in.time - memory.still_since >= kStillTime;
 }
 
 /// In the frame of the device that drives, by where both say that the robot is.
@@ -89,6 +102,7 @@ std::optional<Pose> news(const WavefrontOptions& options, const FollowIn& in, Fo
     return std::nullopt;
   memory.sent = memory.out.waypoint;
   memory.X_OP = X_OP;
+  memory.X_WR_still.reset();
   return X_OP;
 }
 
@@ -123,8 +137,8 @@ FollowOut follow_path(const WavefrontOptions& options, const FollowIn& in, Follo
   out.X_OP.reset();
   if (out.route == nullptr || !in.enabled) return out;
   const std::vector<Waypoint>& waypoints = out.route->waypoints;
-  while (out.waypoint < waypoints.size() && reached(options, waypoints[out.waypoint], in.X_WR))
-    ++out.waypoint;
+  double slack = stands(in, memory) ? kStillSlack : 1;
+  for (; !out.done() && reached(options, waypoints[out.waypoint], in.X_WR, slack); ++out.waypoint) slack = 1;
   if (!out.done()) out.X_OP = news(options, in, memory);
   return out;
 }

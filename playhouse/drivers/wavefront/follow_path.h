@@ -78,6 +78,9 @@ struct FollowMemory {
   FollowOut out;
   std::size_t sent = 0;            // the waypoint last told to the device that drives
   std::optional<geom::Pose> X_OP;  // that waypoint as told; none: none was told
+  std::optional<geom::Pose>
+      X_WR_still;          // where the robot has been standing; none: it was told a waypoint since
+  double still_since = 0;  // s
 };
 
 FollowOut follow_path(const WavefrontOptions& options, const FollowIn& in, FollowMemory& memory);

@@ -260,6 +260,21 @@ TEST(Wavefront, a_waypoint_counts_within_the_distance_and_the_goal_within_both) 
   EXPECT_FALSE(test.was_halted()) << "the output itself goes on to the goal";
 }
 
+TEST(Wavefront, where_the_output_has_stopped_for_two_seconds_twice_as_far_counts) {
+  Planned test("distance_epsilon 0.3 angle_epsilon 5 add_rotational_waypoints 0");
+  test.robot_at({7, 1, 0, 0});
+  test.begin();
+  const auto done_after = [&test](const Pose& X_WR, int ticks) {
+    test.robot_at(X_WR);
+    test.site.run(ticks);
+    return test.state().done == 1;
+  };
+  EXPECT_FALSE(done_after({7.39, 1, 0, kGoal.a}, 30)) << "too far";
+  EXPECT_FALSE(done_after({7.41, 1, 0, kGoal.a + radians(9.9)}, 19));
+  EXPECT_FALSE(done_after({7.41, 1.03, 0, kGoal.a + radians(9.9)}, 19)) << "it moves";
+  EXPECT_TRUE(done_after({7.41, 1.03, 0, kGoal.a + radians(9.9)}, 5));
+}
+
 TEST(Wavefront, tells_a_waypoint_that_is_near_the_one_before_too) {
   Planned test("distance_epsilon 3 angle_epsilon 180 replan_dist_thresh -1 add_rotational_waypoints 0");
   test.begin();
