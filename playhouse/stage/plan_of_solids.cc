@@ -13,19 +13,17 @@
 namespace playhouse::stage {
 namespace {
 
-using geom::Outline;
-
 /// Rasteriser into a plan.
 class Canvas {
  public:
   explicit Canvas(scene::Plan& plan) : plan_(plan) {}
 
   /// Fills pixels with centres inside the outlines (even-odd rule).
-  void fill(std::span<const Outline> outlines) {
+  void fill(std::span<const geom::Outline> outlines) {
     std::vector<std::vector<Vec2>> loops;
-    for (const Outline outline : outlines)
+    for (const geom::Outline outline : outlines)
       for (loops.emplace_back(); const Vec2 p : outline) loops.back().push_back(in_pixels(p));
-    const std::vector<Outline> in_plan(loops.begin(), loops.end());
+    const std::vector<geom::Outline> in_plan(loops.begin(), loops.end());
     for (const geom::Trapezoid& part : geom::trapezoids(in_plan))
       geom::each_line(part, 0, plan_.solid.height, [&](int row, double left, double right) {
         const int first = column_after(left), last = column_after(right);
@@ -34,7 +32,7 @@ class Canvas {
   }
 
   /// Draws the pixels that an outline crosses.
-  void draw(Outline outline) {
+  void draw(geom::Outline outline) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Vec2 a = outline[i], e = outline[(i + 1) % outline.size()] - a;
       const auto steps = static_cast<int>(2 * std::sqrt(geom::dot(e, e)) / plan_.resolution) + 1;
@@ -84,12 +82,12 @@ Result<scene::Plan> empty_plan(const geom::Box& walls, double resolution) {
 
 Result<scene::Plan> plan_of_solids(const Solids& solids, double resolution,
                                    const std::function<bool(std::size_t row)>& counts) {
-  std::map<std::uint32_t, std::vector<Outline>> bodies;  // contours of a bitmap include holes
-  std::vector<Outline> thin;
+  std::map<std::uint32_t, std::vector<geom::Outline>> bodies;  // contours of a bitmap include holes
+  std::vector<geom::Outline> thin;
   geom::Box all;
   for (std::size_t row = 0; row < solids.size(); ++row) {
     if (!counts(row)) continue;
-    const Outline outline = solids.polygon(row);
+    const geom::Outline outline = solids.polygon(row);
     for (const Vec2 p : outline) all.add(p);
     bodies[solids.body[row]].push_back(outline);
     if (solids.width[row] < resolution) thin.push_back(outline);
@@ -99,7 +97,7 @@ Result<scene::Plan> plan_of_solids(const Solids& solids, double resolution,
   if (!plan) return plan;
   Canvas canvas(*plan);
   for (const auto& [body, outlines] : bodies) canvas.fill(outlines);
-  for (const Outline outline : thin) canvas.draw(outline);
+  for (const geom::Outline outline : thin) canvas.draw(outline);
   return plan;
 }
 

@@ -124,7 +124,7 @@ TEST_F(FilterTest, of_a_robot_that_sees_nothing_adds_the_errors_of_its_odometry)
   memory.particles.assign(5000, at(3, 3, 0));
   const FilterOut out =
       filter_step(options, field, {7, 1, std::nullopt, {1, 0, 0, geom::radians(90)}, {}}, memory);
-  const std::array<double, 6>& cov = hypotheses_of(memory.particles).front().belief.cov;
+  const std::array<double, 6> cov = hypotheses_of(memory.particles).front().belief.cov;
   double square = 0;
   for (const Pose& particle : out.particles) {
     const Pose X_GR = geom::compose(geom::inverse(map.X_WG()), particle);
