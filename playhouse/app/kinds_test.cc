@@ -47,6 +47,7 @@ bool has(const scene::ModelDesc& model, Need need) {
   if (need == Need::kRobot) return model.parent < 0 && model.type == "position";
   if (need == Need::kSeveralSensors) return model.sensors.size() > 1;
   if (need == Need::kNothing) return true;
+  if (need == Need::kNever) return false;
   return std::ranges::any_of(model.sensors, [need](const scene::RangerSensorDesc& sensor) {
     return (need == Need::kRings ? sensor.rings : sensor.samples) > 1;
   });

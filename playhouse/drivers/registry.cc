@@ -11,6 +11,7 @@
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/drivers/amcl/amcl.h"
 #include "playhouse/drivers/mapfile/map_file.h"
+#include "playhouse/drivers/nd/nd.h"
 #include "playhouse/drivers/passthrough/passthrough.h"
 #include "playhouse/drivers/rangertolaser/ranger_to_laser.h"
 #include "playhouse/drivers/relay/relay.h"
@@ -28,6 +29,7 @@ using Factory = Result<std::unique_ptr<device::Driver>> (*)(const scene::CfgSect
 constexpr std::pair<std::string_view, Factory> kDrivers[] = {
     {"amcl", make_amcl},
     {"mapfile", make_map_file},
+    {"nd", make_nd},
     {"passthrough", make_passthrough},
     {"rangertolaser", make_ranger_to_laser},
     {"relay", make_relay},

@@ -224,10 +224,10 @@ TEST(WriteWorld, every_word_of_every_kind_is_read_back_with_its_value) {
 TEST(WriteWorld, words_that_this_build_does_not_read_are_kept) {
   const std::string text =
       written(loaded("threads 4\nwindow ( size [300 200] show_grid 0 )\n"
-                     "position ( trail_interval \"0.5\" map_resolution 0.10 laser_return 1 unheard_of 2 )"));
+                     "position ( trail_interval \"0.5\" debug 1.0 laser_return 1 unheard_of 2 )"));
   EXPECT_THAT(text, HasSubstr("threads 4\n"));
   EXPECT_THAT(text, HasSubstr("window ( show_grid 0 size [300 200] )"));
-  EXPECT_THAT(text, HasSubstr("map_resolution 0.1 trail_interval \"0.5\" )"));
+  EXPECT_THAT(text, HasSubstr("debug 1 trail_interval \"0.5\" )"));
   EXPECT_THAT(text, Not(HasSubstr("unheard_of")));
   EXPECT_THAT(text, Not(HasSubstr("laser_return"))) << "Stage 4 does not read it either";
 }

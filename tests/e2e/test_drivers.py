@@ -21,23 +21,27 @@ GOAL = (6.5, 0.0, 0.0)  # behind a crate and a wall with a gap, which are right 
 PAUSE = 1               # command of simulation: a paused world goes on
 
 
+def drive_to(test: HouseTest, goal, cfg, *arguments) -> tuple[dict, list[tuple[float, ...]]]:
+    """One run as fast as possible, in which position2d:1 is given its goal before the first tick. The result, and what
+    its STATE said: x, y, heading, their velocities, stall."""
+    with House("serve", cfg, "--port", 0, "--headless", "--fast", "--paused", "--duration", 60, "--json",
+               *arguments) as house, Client(house.port()) as client:
+        test.assertEqual(client.open(POSITION2D, 1).type, ACK)
+        client.send(POSITION2D, 1, CMD, 2, struct.pack(">ddddddI", *goal, 0, 0, 0, 1))
+        client.send(SIMULATION, 0, CMD, PAUSE)
+        states = []
+        with test.assertRaises(ConnectionError):  # the end of the run
+            while True:
+                states.append(struct.unpack(">ddddddI", client.next_data(POSITION2D, 1).body))
+        test.assertEqual(house.wait(), 0, house.log())
+        return json.loads(house.output()), states
+
+
 class Chain(HouseTest):
     """worlds/avoid.cfg: ranger -> rangertolaser -> vfh -> position2d."""
 
     def drive(self, *arguments) -> tuple[dict, list[tuple[float, ...]]]:
-        """One run as fast as possible, in which the robot is given its goal before the first tick. The result, and what
-        its STATE said: x, y, heading, their velocities, stall."""
-        with House("serve", ROOT / "worlds/avoid.cfg", "--port", 0, "--headless", "--fast", "--paused", "--duration", 60,
-                   "--json", *arguments) as house, Client(house.port()) as client:
-            self.assertEqual(client.open(POSITION2D, 1).type, ACK)
-            client.send(POSITION2D, 1, CMD, 2, struct.pack(">ddddddI", *GOAL, 0, 0, 0, 1))
-            client.send(SIMULATION, 0, CMD, PAUSE)
-            states = []
-            with self.assertRaises(ConnectionError):  # the end of the run
-                while True:
-                    states.append(struct.unpack(">ddddddI", client.next_data(POSITION2D, 1).body))
-            self.assertEqual(house.wait(), 0, house.log())
-            return json.loads(house.output()), states
+        return drive_to(self, GOAL, ROOT / "worlds/avoid.cfg", *arguments)
 
     def test_a_robot_drives_round_what_is_in_its_way_to_the_same_bits_each_time(self):
         result, states = self.drive()
@@ -228,6 +232,61 @@ class Navigated(HouseTest):
     def test_the_documented_section_is_that_of_the_example(self):
         documented = (ROOT / "docs/drivers.md").read_text().split('## driver "amcl"')[1].split("```")[1]
         self.assertIn(documented.strip(), (ROOT / "worlds/navigate.cfg").read_text())
+
+
+ROOM = """
+interval_sim 100
+define echo sensor( range [0 5] fov 15 samples 1 )
+define sonars ranger( size [0.01 0.01 0.01]
+  echo( pose [0.15 0.05 0 10] ) echo( pose [0.15 -0.05 0 -10] ) echo( pose [0.12 0.10 0 30] ) echo( pose [0.12 -0.10 0 -30] )
+  echo( pose [0.10 0.12 0 50] ) echo( pose [0.10 -0.12 0 -50] ) echo( pose [0.05 0.15 0 90] ) echo( pose [0.05 -0.15 0 -90] )
+  echo( pose [-0.20 0.10 0 135] ) echo( pose [-0.20 -0.10 0 -135] ) )
+define scanner ranger( size [0.1 0.1 0.1] sensor( range [0 8] fov 180 samples 181 ) )
+define wall model( color "gray" )
+wall( name "north" pose [3 4.1 0 0] size [10.4 0.2 0.6] )
+wall( name "south" pose [3 -4.1 0 0] size [10.4 0.2 0.6] )
+wall( name "east" pose [8.1 0 0 0] size [0.2 8 0.6] )
+wall( name "west" pose [-2.1 0 0 0] size [0.2 8 0.6] )
+wall( name "left of the gap" pose [4.5 2.5 0 0] size [0.2 3 0.6] )
+wall( name "right of the gap" pose [4.5 -2.2 0 0] size [0.2 3.6 0.6] )
+wall( name "crate" pose [1.8 0.1 0 20] size [0.7 0.7 0.6] )
+wall( name "post" pose [6.2 -0.6 0 0] size [0.3 0.3 0.6] )
+position( name "r0" size [0.44 0.38 0.22] origin [-0.04 0 0 0] localization "odom" odom_error [0 0 0 0]
+  sonars( pose [0 0 0 0] ) scanner( pose [0 0 0 0] ) )
+"""
+
+BEHIND_THE_POST = (7.2, -0.6, 0.0)
+
+ND = """
+driver( name "stage" provides ["simulation:0"] worldfile "test.world" )
+driver( name "stage" provides ["position2d:0" "laser:0" "sonar:0"] model "r0" )
+driver( name "nd" provides ["position2d:1"] requires ["output:::position2d:0" "input:::position2d:0" "{scans}"] goal_tol [0.2 10] )
+"""
+
+
+class NearnessDiagram(HouseTest):
+    """Stage's ranges -> nd -> position2d, in a room with a wall whose gap is 1.4 m wide, and things in the way."""
+
+    def drive(self, scans: str) -> tuple[dict, list[tuple[float, ...]]]:
+        self.world(ROOM)
+        return drive_to(self, BEHIND_THE_POST, self.write("nd.cfg", ND.format(scans=scans)))
+
+    def arrives(self, scans: str):
+        result, states = self.drive(scans)
+        self.assertLess(math.dist(states[-1][:2], BEHIND_THE_POST[:2]), 0.25)
+        self.assertLess(abs(states[-1][2]), math.radians(12))
+        self.assertEqual(states[-1][3:6], (0, 0, 0), "it stands at its goal")
+        self.assertFalse(any(state[6] for state in states), "it touches nothing and gives nothing up")
+        self.assertGreater(max(abs(state[1]) for state in states if state[0] < 2.5), 0.4, "past the crate")
+        again, _ = self.drive(scans)
+        for word in ("ticks", "hash", "sensed_hash"):
+            self.assertEqual(again[word], result[word])
+
+    def test_a_robot_with_a_laser_gets_to_its_goal_to_the_same_bits_each_time(self):
+        self.arrives("laser:0")
+
+    def test_a_robot_with_sonars_alone_gets_there_too(self):
+        self.arrives("sonar:0")
 
 
 class WithoutAWorld(HouseTest):
