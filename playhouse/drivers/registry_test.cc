@@ -63,6 +63,20 @@ TEST(StageDriver, gives_each_address_the_next_model_that_fits) {
   EXPECT_TRUE(site.recorder.answers[1].ack);
 }
 
+TEST(StageDriver, a_sonar_is_a_ring_before_it_is_a_laser) {
+  MemorySite site(R"(
+position( name "r0" ranger( sensor( samples 181 ) ) ranger( sensor( ) sensor( ) ) )
+)");
+  ASSERT_EQ(site.build(std::string(kStage) +
+                       "driver( name \"stage\" provides [\"sonar:0\" \"sonar:1\"] model \"r0\" )"),
+            "");
+  Simulation& simulation = *site.site().simulation();
+  EXPECT_EQ(list_models(simulation.world(), simulation.directory(), 0).text,
+            "0\tr0\tposition\t\t\n"
+            "1\tr0.ranger:0\tranger\tr0\t6665:sonar:1\n"
+            "2\tr0.ranger:1\tranger\tr0\t6665:sonar:0\n");
+}
+
 TEST(StageDriver, speech_is_of_the_model_that_is_named_and_may_be_of_it_twice) {
   MemorySite site(kWorld);
   ASSERT_EQ(site.build(std::string(kStage) + R"(
@@ -102,11 +116,9 @@ driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
 
 TEST(StageDriver, leaves_out_interfaces_of_the_original_that_are_not_simulated_yet) {
   MemorySite site(kWorld);
-  ASSERT_EQ(
-      site.build(
-          std::string(kStage) +
-          "driver( name \"stage\" provides [\"position2d:0\" \"graphics2d:0\" \"graphics3d:0\"] model \"r0\" )"),
-      "");
+  ASSERT_EQ(site.build(std::string(kStage) + "driver( name \"stage\" provides [\"position2d:0\" "
+                                             "\"graphics2d:0\" \"graphics3d:0\"] model \"r0\" )"),
+            "");
   EXPECT_EQ(site.devices().size(), 2u);
   EXPECT_THAT(std::vector(site.site().warnings().begin(), site.site().warnings().end()),
               ElementsAre(AllOf(StartsWith("test.cfg:2"), HasSubstr("graphics2d:0")),

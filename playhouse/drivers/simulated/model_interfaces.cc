@@ -52,6 +52,14 @@ bool fits(const world::World& world, world::ModelRow model, std::uint16_t interf
   return fits;
 }
 
+bool is_listed(const world::World& world, world::ModelRow model, std::uint16_t interf) {
+  bool listed = false;
+  each_interface(world, model, [&](const KindInterface& each) {
+    listed = listed || (each.code == interf && has(world, model, each.listed));
+  });
+  return listed;
+}
+
 bool is_shared(std::uint16_t interf) {
   return std::ranges::any_of(scene::kinds(), [=](const scene::Kind& kind) {
     return std::ranges::any_of(kind.interfaces,

@@ -38,6 +38,9 @@ bool has(const world::World& world, world::ModelRow model, scene::Need need);
 /// it, and its requirement is met. Never for interfaces of the whole world.
 bool fits(const world::World& world, world::ModelRow model, std::uint16_t interf);
 
+/// The same for the automatic map: what a model has there is what it is meant for.
+bool is_listed(const world::World& world, world::ModelRow model, std::uint16_t interf);
+
 /// True if several devices of a configuration file may share one model.
 bool is_shared(std::uint16_t interf);
 

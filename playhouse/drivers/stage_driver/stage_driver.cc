@@ -55,6 +55,29 @@ Result<world::ModelRow> section_model(const scene::CfgSection& section, const wo
                fmt::format("the world has no model {}{}", in_quotes(name), did_you_mean(name, names))};
 }
 
+/// The first model that `fits` in depth-first preorder; none if there is none.
+template <typename Fits>
+world::ModelRow find_model(const world::World& world, world::ModelRow top, const Fits& fits) {
+  if (fits(top)) return top;
+  for (const std::uint32_t child : world.children(top)) {
+    if (const world::ModelRow found = find_model(world, {child}, fits)) return found;
+  }
+  return {};
+}
+
+/// The first model that is left for an interface; if several devices cannot share a model, those that the
+/// automatic map lists for it come first: a sonar is a ring before it is a laser.
+world::ModelRow find_free(const world::World& world, world::ModelRow top, std::uint16_t interf, Site& site) {
+  const auto fits_still = [&](world::ModelRow model) {
+    return fits(world, model, interf) && !site.taken_models().contains({interf, model.index});
+  };
+  if (is_shared(interf)) return find_model(world, top, fits_still);
+  const world::ModelRow listed = find_model(world, top, [&](world::ModelRow model) {
+    return is_listed(world, model, interf) && fits_still(model);
+  });
+  return listed ? listed : find_model(world, top, fits_still);
+}
+
 Result<world::ModelRow> choose_model(const scene::CfgSection& section, const scene::DeviceAddress& provided,
                                      std::uint16_t interf, world::ModelRow top, Site& site) {
   if (interf == wire::simulation::kCode) return world::ModelRow{};
@@ -63,7 +86,7 @@ Result<world::ModelRow> choose_model(const scene::CfgSection& section, const sce
                                                      in_quotes(provided.text()), section.slip_for("model"))};
   }
   const world::World& world = site.simulation()->world();
-  const world::ModelRow model = find_model(world, top, interf, site.taken_models());
+  const world::ModelRow model = find_free(world, top, interf, site);
   if (!model) {
     return Error{section.at("provides"), fmt::format("model {} has nothing left for {}",
                                                      in_quotes(world.name(top)), in_quotes(provided.text()))};
@@ -92,15 +115,6 @@ Result<void> add_device(const scene::CfgSection& section, const scene::DeviceAdd
 }
 
 }  // namespace
-
-world::ModelRow find_model(const world::World& world, world::ModelRow top, std::uint16_t interf,
-                           const std::set<std::pair<std::uint16_t, std::uint32_t>>& taken) {
-  if (fits(world, top, interf) && !taken.contains({interf, top.index})) return top;
-  for (const std::uint32_t child : world.children(top)) {
-    if (const world::ModelRow found = find_model(world, {child}, interf, taken)) return found;
-  }
-  return {};
-}
 
 Result<std::unique_ptr<device::Driver>> make_stage_driver(const scene::CfgSection& section, Site& site) {
   if (const Result<void> opened = open_world(section, site); !opened) return opened.error();

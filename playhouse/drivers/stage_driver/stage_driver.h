@@ -15,9 +15,4 @@ namespace playhouse::drivers {
 /// The first section opens the site's world by its `worldfile`; every section adds its `provides` devices.
 Result<std::unique_ptr<device::Driver>> make_stage_driver(const scene::CfgSection& section, Site& site);
 
-/// The first model in depth-first preorder that fits the
-/// interface and is not in `taken` for it; none if there is none.
-world::ModelRow find_model(const world::World& world, world::ModelRow top, std::uint16_t interf,
-                           const std::set<std::pair<std::uint16_t, std::uint32_t>>& taken);
-
 }  // namespace playhouse::drivers
