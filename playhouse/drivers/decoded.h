@@ -29,8 +29,16 @@ inline geom::Pose pose_of(const wire::Pose2d& pose) {
   return {pose.px, pose.py, 0, geom::normalize(pose.pa)};
 }
 
-inline bool is_finite(const wire::Pose2d& pose) {
-  return std::isfinite(pose.px) && std::isfinite(pose.py) && std::isfinite(pose.pa);
+/// True if a driver can compute with it: finite, and within 1e9 m and 1e9 rad, so that sums of some are, too.
+inline bool is_usable(const wire::Pose2d& pose) {
+  constexpr double kMost = 1e9;
+  return std::fabs(pose.px) <= kMost && std::fabs(pose.py) <= kMost && std::fabs(pose.pa) <= kMost;
+}
+
+/// Of a sensor on its robot, without its tilt; none if it is not usable.
+inline std::optional<geom::Pose> planar(const wire::Pose3d& pose) {
+  if (!is_usable({pose.px, pose.py, pose.pyaw})) return std::nullopt;
+  return geom::Pose{pose.px, pose.py, pose.pz, geom::normalize(pose.pyaw)};
 }
 
 }  // namespace playhouse::drivers

@@ -37,10 +37,6 @@ constexpr std::uint64_t kDelay = 1;      // ticks from a scan to its estimate
 constexpr std::size_t kHistory = 4096;   // estimates, some minutes of driving
 constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq);
 
-geom::Pose pose_of(const wire::Pose3d& pose) {
-  return {pose.px, pose.py, pose.pz, geom::normalize(pose.pyaw)};
-}
-
 /// Where beams end that hit something, in R: evenly spread ones of a laser, or all sonars.
 class Hits {
  public:
@@ -108,16 +104,21 @@ void Amcl::ask_geometry() {
     const std::lock_guard lock(mutex_);
     X_RS_ = std::move(X_RS);
   };
+  const auto add = [](const wire::Pose3d& pose, std::vector<geom::Pose>& X_RS) {
+    const std::optional<geom::Pose> place = planar(pose);
+    return place ? X_RS.push_back(*place) : X_RS.clear();
+  };
   if (sensor_ == Sensor::kLaser) {
-    client_.ask(kSensor, lsr::kReqGetGeom, {}, [know](const AnswerBody& body) {
-      const std::optional<lsr::Geom> geom = decoded<lsr::Geom>(body);
-      know(geom ? std::vector{pose_of(geom->pose)} : std::vector<geom::Pose>());
+    client_.ask(kSensor, lsr::kReqGetGeom, {}, [know, add](const AnswerBody& body) {
+      std::vector<geom::Pose> X_RS;
+      if (const std::optional<lsr::Geom> geom = decoded<lsr::Geom>(body)) add(geom->pose, X_RS);
+      know(std::move(X_RS));
     });
   } else {
-    client_.ask(kSensor, snr::kReqGetGeom, {}, [know](const AnswerBody& body) {
+    client_.ask(kSensor, snr::kReqGetGeom, {}, [know, add](const AnswerBody& body) {
       std::vector<geom::Pose> X_RS;
       if (const std::optional<snr::Geom> geom = decoded<snr::Geom>(body))
-        for (const wire::Pose3d& pose : geom->poses) X_RS.push_back(pose_of(pose));
+        for (const wire::Pose3d& pose : geom->poses) add(pose, X_RS);
       know(std::move(X_RS));
     });
   }
@@ -150,8 +151,8 @@ bool Amcl::capable(device::DeviceId device, std::uint8_t type, std::uint8_t subt
 
 bool Amcl::set_pose(const device::Message& message) {
   const Result<lcl::SetPose> pose = wire::decode<lcl::SetPose>(message.body);
-  if (!pose || !is_finite(pose->mean)) return false;
-  const PoseBelief belief{drivers::pose_of(pose->mean), pose->cov};
+  if (!pose || !is_usable(pose->mean)) return false;
+  const PoseBelief belief{pose_of(pose->mean), pose->cov};
   if (!is_possible(belief)) return false;
   begin_anew(belief, std::nullopt);
   return true;
@@ -179,9 +180,9 @@ void Amcl::take_news(std::vector<device::Publication>& more) {
 
 void Amcl::take_state(const device::Publication& message, std::vector<device::Publication>& more) {
   const Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
-  if (!state || !is_finite(state->pos)) return;
+  if (!state || !is_usable(state->pos)) return;
   const std::lock_guard lock(mutex_);
-  X_OR_ = drivers::pose_of(state->pos);
+  X_OR_ = pose_of(state->pos);
   if (!estimate_) estimate_ = {message.timestamp, *X_OR_, start_};
   more.push_back({localize_, lcl::kDataHypoths, message.timestamp, wire::encode(hypotheses())});
   if (!position_) return;

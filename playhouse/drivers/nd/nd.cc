@@ -22,12 +22,6 @@ namespace {
 constexpr std::size_t kStatesKept = 64;  // per batch; all are forwarded
 constexpr std::uint64_t kDelay = 1;      // ticks from a scan to its command
 
-/// None if a number is not finite.
-std::optional<geom::Pose> planar(const wire::Pose3d& pose) {
-  if (!is_finite(wire::Pose2d{pose.px, pose.py, pose.pyaw})) return std::nullopt;
-  return geom::Pose{pose.px, pose.py, pose.pz, geom::normalize(pose.pyaw)};
-}
-
 }  // namespace
 
 Nd::Nd(device::Opener& opener, const Devices& devices, NdOptions options)
@@ -107,7 +101,7 @@ device::Taken Nd::command(const device::Message& message) {
     return taken;
   }
   const Result<p2d::CmdPos> command = wire::decode<p2d::CmdPos>(message.body);
-  if (!command || !is_finite(command->pos)) return device::Taken::kNo;
+  if (!command || !is_usable(command->pos)) return device::Taken::kNo;
   set_goal(pose_of(command->pos));
   return device::Taken::kLatest;
 }
@@ -153,7 +147,7 @@ void Nd::take_state(device::Publication& message) {
   Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
   if (!state) return;
   const std::lock_guard lock(mutex_);
-  if (is_finite(state->pos)) state_ = *state;
+  if (is_usable(state->pos)) state_ = *state;
   if (!gave_up_) return;
   state->stall = 1;
   message.body = wire::encode(*state);

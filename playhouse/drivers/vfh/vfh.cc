@@ -50,9 +50,10 @@ void Vfh::ask_geometry() {
   });
   client_.ask(kLaser, lsr::kReqGetGeom, {}, [this](const AnswerBody& body) {
     const std::optional<lsr::Geom> geom = decoded<lsr::Geom>(body);
-    if (!geom) return log::warn("driver vfh: its laser does not tell its place, so it drives to no goals");
+    const std::optional<geom::Pose> X_RS = geom ? planar(geom->pose) : std::nullopt;
+    if (!X_RS) return log::warn("driver vfh: its laser does not tell its place, so it drives to no goals");
     const std::lock_guard lock(mutex_);
-    X_RS_ = {geom->pose.px, geom->pose.py, geom->pose.pz, geom::normalize(geom->pose.pyaw)};
+    X_RS_ = X_RS;
   });
 }
 
@@ -78,7 +79,7 @@ device::Taken Vfh::command(const device::Message& message) {
     return taken;
   }
   const Result<p2d::CmdPos> command = wire::decode<p2d::CmdPos>(message.body);
-  if (!command || !is_finite(command->pos)) return device::Taken::kNo;
+  if (!command || !is_usable(command->pos)) return device::Taken::kNo;
   set_goal(pose_of(command->pos));
   return device::Taken::kLatest;
 }
@@ -116,7 +117,7 @@ void Vfh::take_news(std::vector<device::Publication>& more) {
 
 void Vfh::take_state(const device::Publication& message) {
   const Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
-  if (!state || !is_finite(state->pos) || !std::isfinite(state->vel.px)) return;
+  if (!state || !is_usable(state->pos) || !std::isfinite(state->vel.px)) return;
   const std::lock_guard lock(mutex_);
   state_ = *state;
 }

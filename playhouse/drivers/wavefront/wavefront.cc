@@ -28,7 +28,7 @@ constexpr std::uint64_t kStepTicks = 1;  // from a pose to its command
 
 std::optional<geom::Pose> pose_in(const device::Publication& message) {
   const Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
-  if (!state || !is_finite(state->pos)) return std::nullopt;
+  if (!state || !is_usable(state->pos)) return std::nullopt;
   return pose_of(state->pos);
 }
 
@@ -103,7 +103,7 @@ device::Taken Wavefront::command(const device::Message& message) {
   if (message.subtype != planner::kCmdGoal && message.subtype != planner::kCmdStart)
     return device::Taken::kNo;
   const Result<planner::Cmd> command = wire::decode<planner::Cmd>(message.body);
-  if (!command || !is_finite(command->goal)) return device::Taken::kNo;
+  if (!command || !is_usable(command->goal)) return device::Taken::kNo;
   set_goal(pose_of(command->goal), message.subtype == planner::kCmdStart);
   return device::Taken::kLatest;
 }
