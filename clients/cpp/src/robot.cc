@@ -111,4 +111,16 @@ Result<SpeechRecognition> Robot::speech_recognition(std::size_t n, Access access
   return open<SpeechRecognition>("speech_recognition", n, access);
 }
 
+Result<Localize> Robot::localize(std::size_t n, Access access) const {
+  return open<Localize>("localize", n, access);
+}
+
+Result<Planner> Robot::planner(std::size_t n, Access access) const {
+  return open<Planner>("planner", n, access);
+}
+
+Result<Map> Robot::map(std::size_t n, Access access) const {
+  return open<Map>("map", n, access);
+}
+
 }  // namespace playhouse::client

@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "fake_server.h"
@@ -243,6 +245,208 @@ TEST(Reading, AMountSaysWhereItLooksAndIsToldWhereTo) {
   }
   EXPECT_THAT(commands, ElementsAre(ptz::Cmd{1, 0.5f, 0, 0, 0}, ptz::Cmd{0, 0, 0, -0.5f, 0}));
   EXPECT_THAT(modes, ElementsAre(ptz::kVelocityControl));
+}
+
+TEST(Reading, ALocalizationTellsWhereTheRobotMayBeAndIsTold) {
+  namespace localize = wire::localize;
+  const std::array<double, 6> spread = {0.25, 0.5, 0.125, 0.1, 0.2, 0.3};
+  std::vector<localize::Data> told = {{0, 1, {{{1, 2, 0.5}, spread, 0.75}, {{}, {}, 0.25}}}, {}};
+  std::size_t next = 0;
+  FakeServer server(rounds([&](Peer& peer, const Received& message) {
+    if (message.header.interf == wire::player::kCode) {
+      peer.answer(message);
+      say_data(peer, localize::kCode, told.at(next++));
+      return peer.synch();
+    }
+    if (message.header.subtype == localize::kReqGetParticles)
+      return peer.answer(message, wire::encode(localize::GetParticles{{}, 0, {{{3, 4, 1}, 0.5}}}));
+    const bool refused = wire::decode<localize::SetPose>(message.body)->cov[0] < 0;
+    peer.answer(message, {}, refused ? MessageType::kNack : MessageType::kAck);
+  }));
+  {
+    Client client = connect(server);
+    Result<Localize> place = Localize::open(client, 0);
+    ASSERT_TRUE(place);
+    EXPECT_THAT(place->hypotheses(), IsEmpty());
+    EXPECT_FALSE(place->pose());
+    ASSERT_TRUE(client.read());
+    EXPECT_THAT(place->hypotheses(),
+                ElementsAre(Hypothesis{{1, 2, 0.5}, {0.25, 0.5, 0.125, 0.1, 0.2, 0.3}, 0.75},
+                            Hypothesis{{}, {}, 0.25}));
+    EXPECT_EQ(place->pose(), (Pose{1, 2, 0.5}));
+    ASSERT_TRUE(client.read());
+    EXPECT_FALSE(place->pose()) << "there is no hypothesis";
+    EXPECT_TRUE(place->set_pose({1, 2, 0.5}, Covariance::of_deviations(0.5, 2, 3)));
+    EXPECT_THAT(place->set_pose({1, 2, 0.5}, {.xx = -1}).error().line(), HasSubstr("refused"));
+    EXPECT_EQ(place->set_pose({1, std::nan(""), 0.5}, {}).error().text,
+              "localize:0: set_pose takes finite numbers, not nan");
+    EXPECT_FALSE(place->set_pose({1, 2, 0.5}, {.xa = std::numeric_limits<double>::infinity()}));
+    const auto particles = place->particles();
+    ASSERT_TRUE(particles);
+    EXPECT_THAT(*particles, ElementsAre(Particle{{3, 4, 1}, 0.5}));
+  }
+  server.finish();
+  std::vector<localize::SetPose> sent;
+  for (const Received& message : server.received())
+    if (message.header.interf == localize::kCode && message.header.subtype == localize::kReqSetPose)
+      sent.push_back(*wire::decode<localize::SetPose>(message.body));
+  ASSERT_EQ(sent.size(), 2u);
+  EXPECT_EQ(sent[0], (localize::SetPose{{1, 2, 0.5}, {0.25, 4, 9, 0, 0, 0}}));
+}
+
+TEST(Reading, APlannerGoesToAGoalAndTellsWhenTheRobotIsThere) {
+  namespace planner = wire::planner;
+  const wire::Pose2d goal{6, 4, 1.5}, way{2, 1, 0};
+  std::vector<planner::Data> told = {
+      {1, 1, {}, {}, {}, -1, 2},  // of a goal before
+      {1, 0, {0.5, 0, 0}, goal, way, 1, 3},
+      {1, 1, goal, goal, {}, -1, 3},
+  };
+  std::size_t next = 0;
+  FakeServer server(rounds([&](Peer& peer, const Received& message) {
+    if (message.header.type == MessageType::kCmd) return;
+    if (message.header.interf == planner::kCode)
+      return peer.answer(message, message.header.subtype == planner::kReqGetWaypoints
+                                      ? wire::encode(planner::WaypointsReq{7.5, {way, goal}})
+                                      : std::vector<std::byte>());
+    peer.answer(message);
+    say_data(peer, planner::kCode, told.at(next++));
+    peer.synch();
+  }));
+  {
+    Client client = connect(server);
+    Result<Planner> guide = Planner::open(client, 0);
+    ASSERT_TRUE(guide);
+    EXPECT_FALSE(guide->state());
+    EXPECT_FALSE(guide->arrived());
+    EXPECT_TRUE(guide->go_to({6, 4, 1.5 + 4 * std::numbers::pi}));
+    ASSERT_TRUE(client.read());
+    EXPECT_FALSE(guide->arrived()) << "at a goal before";
+    ASSERT_TRUE(client.read());
+    const auto state = guide->state();
+    EXPECT_TRUE(state->valid && !state->done && !guide->arrived());
+    EXPECT_EQ(state->pose, (Pose{0.5, 0, 0}));
+    EXPECT_EQ(state->goal, (Pose{6, 4, 1.5}));
+    EXPECT_EQ(state->waypoint, (Pose{2, 1, 0}));
+    EXPECT_EQ(state->index, 1);
+    EXPECT_EQ(state->count, 3u);
+    EXPECT_EQ(state->time, 2.5);
+    ASSERT_TRUE(client.read());
+    EXPECT_TRUE(guide->arrived());
+    EXPECT_TRUE(guide->stop());
+    EXPECT_TRUE(guide->resume());
+    const auto path = guide->path();
+    ASSERT_TRUE(path);
+    EXPECT_THAT(path->waypoints, ElementsAre(Pose{2, 1, 0}, Pose{6, 4, 1.5}));
+    EXPECT_EQ(path->length, 7.5);
+    EXPECT_TRUE(guide->go_to({6, 4, 0}));
+    EXPECT_FALSE(guide->arrived()) << "another heading";
+    EXPECT_EQ(guide->go_to({0, std::numeric_limits<double>::infinity(), 0}).error().text,
+              "planner:0: go_to takes finite numbers, not infinity");
+  }
+  server.finish();
+  std::vector<int> goals, enabled;
+  for (const Received& message : server.received()) {
+    if (message.header.interf != planner::kCode) continue;
+    if (message.header.type == MessageType::kCmd) goals.push_back(message.header.subtype);
+    if (message.header.type == MessageType::kReq && message.header.subtype == planner::kReqEnable)
+      enabled.push_back(wire::decode<planner::EnableReq>(message.body)->state);
+  }
+  EXPECT_THAT(goals, ElementsAre(planner::kCmdGoal, planner::kCmdGoal));
+  EXPECT_THAT(enabled, ElementsAre(0, 1));
+}
+
+std::vector<std::int8_t> compressed(const std::vector<std::int8_t>& values) {
+  uLongf size = compressBound(values.size());
+  std::vector<std::int8_t> stream(size);
+  PLAYHOUSE_ASSERT(compress(reinterpret_cast<Bytef*>(stream.data()), &size,
+                            reinterpret_cast<const Bytef*>(values.data()), values.size()) == Z_OK);
+  stream.resize(size);
+  return stream;
+}
+
+TEST(Reading, AMapComesWholeInTiles) {
+  namespace map = wire::map;
+  constexpr std::uint32_t kWidth = 600, kHeight = 514;
+  const auto value = [](std::uint32_t column, std::uint32_t row) {
+    return static_cast<std::int8_t>(static_cast<int>((column + 3 * row) % 201) - 100);
+  };
+  FakeServer server(rounds([&](Peer& peer, const Received& message) {
+    if (message.header.interf == wire::player::kCode) return;
+    if (message.header.subtype == map::kReqGetInfo)
+      return peer.answer(message, wire::encode(map::Info{0.5f, kWidth, kHeight, {-1, 2, 0}}));
+    map::Data tile = *wire::decode<map::Data>(message.body);
+    for (std::uint32_t i = 0; i < tile.width * tile.height; ++i)
+      tile.data.push_back(value(tile.col + i % tile.width, tile.row + i / tile.width));
+    tile.data_range = 100;
+    if (tile.row == 0) tile.data = compressed(tile.data);  // and others as a server without zlib
+    peer.answer(message, wire::encode(tile));
+  }));
+  {
+    Client client = connect(server, {.mode = Mode::kPush});
+    Result<Map> plan = Map::open(client, 0);
+    ASSERT_TRUE(plan);
+    const auto grid = plan->grid();
+    ASSERT_TRUE(grid);
+    EXPECT_EQ(grid->cell_size, 0.5);
+    EXPECT_EQ(grid->width, kWidth);
+    EXPECT_EQ(grid->height, kHeight);
+    EXPECT_EQ(grid->origin, (Pose{-1, 2, 0}));
+    const auto cells = plan->cells();
+    ASSERT_TRUE(cells) << cells.error().line();
+    ASSERT_EQ(cells->size(), kHeight);
+    for (std::uint32_t row = 0; row < kHeight; ++row) {
+      ASSERT_EQ((*cells)[row].size(), kWidth);
+      for (std::uint32_t column = 0; column < kWidth; ++column)
+        ASSERT_EQ((*cells)[row][column], (value(column, row) > 50) - (value(column, row) < -50));
+    }
+  }
+  server.finish();
+  std::vector<std::array<std::uint32_t, 4>> tiles;
+  for (const Received& message : server.received()) {
+    if (message.header.interf != map::kCode || message.header.subtype != map::kReqGetData) continue;
+    const auto tile = *wire::decode<map::Data>(message.body);
+    tiles.push_back({tile.col, tile.row, tile.width, tile.height});
+  }
+  EXPECT_THAT(tiles, ElementsAre(ElementsAre(0, 0, 512, 512), ElementsAre(512, 0, 88, 512),
+                                 ElementsAre(0, 512, 512, 2), ElementsAre(512, 512, 88, 2)));
+}
+
+TEST(Reading, APointOfTheWorldIsInACellOrBeyondTheMap) {
+  const Grid grid{0.5, 4, 2, {10, 20, std::numbers::pi / 2}};  // columns go along y, rows against x
+  EXPECT_EQ(grid.cell_of({9.9, 20.1}), (Cell{0, 0}));
+  EXPECT_EQ(grid.cell_of({9.4, 21.9}), (Cell{3, 1}));
+  for (const Point& point : {Point{10.1, 20.1}, Point{9.9, 19.9}, Point{9.9, 22.1}, Point{8.9, 20.1},
+                             Point{std::nan(""), 20.1}, Point{9.9, std::numeric_limits<double>::infinity()}})
+    EXPECT_FALSE(grid.cell_of(point)) << point.x << " " << point.y;
+}
+
+TEST(Reading, MapsThatMakeNoSenseAreAnError) {
+  namespace map = wire::map;
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::vector<map::Info> infos = {
+      {0, 2, 2, {}},    {kNan, 2, 2, {}}, {0.5f, 2, 2, {kInfinity, 0, 0}}, {0.5f, 1 << 14, (1 << 12) + 1, {}},
+      {0.5f, 2, 2, {}}, {0.5f, 2, 2, {}}, {0.5f, 0, 1u << 31, {}}};
+  const std::vector<std::vector<std::int8_t>> tiles = {compressed({1, 1, 1}),
+                                                       compressed(std::vector<std::int8_t>(1 << 20))};
+  std::size_t info = 0, tile = 0;
+  FakeServer server(rounds([&](Peer& peer, const Received& message) {
+    if (message.header.interf == wire::player::kCode) return;
+    peer.answer(message, message.header.subtype == map::kReqGetInfo
+                             ? wire::encode(infos.at(info++))
+                             : wire::encode(map::Data{0, 0, 2, 2, 1, tiles.at(tile++)}));
+  }));
+  Client client = connect(server, {.mode = Mode::kPush});
+  Result<Map> plan = Map::open(client, 0);
+  ASSERT_TRUE(plan);
+  for (const char* fault : {"are those of no map", "are those of no map", "are those of no map",
+                            "16384 x 4097 cells are over the limit", "a tile of 2 x 2 cells is damaged",
+                            "a tile of 2 x 2 cells is damaged"})
+    EXPECT_THAT(plan->cells().error().text, HasSubstr(fault));
+  const auto cells = plan->cells();
+  ASSERT_TRUE(cells);
+  EXPECT_THAT(*cells, IsEmpty());
 }
 
 wire::opaque::Data bytes_of(std::string_view text) {

@@ -1,7 +1,7 @@
-/// Uses radio, camera, speech and IMU of the real server through this library:
-/// playhouse_client_robots radio|camera|voice|inertia HOST:PORT, with worlds/radio.world, camera.world,
-/// radio.world or outdoor.world respectively. Prints what fails and exits with 1. Run by
-/// clients/python/tests/test_server.py.
+/// Uses radio, camera, speech, IMU and drivers on a map of the real server through this library:
+/// playhouse_client_robots radio|camera|voice|inertia|course HOST:PORT, with worlds/radio.world,
+/// camera.world, radio.world, outdoor.world or navigate.cfg respectively. Prints what fails and exits with 1.
+/// Run by clients/python/tests/test_server.py.
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,7 @@
 #include "must.h"
 #include "playhouse/wire/generated/wifi.h"
 #include "playhouse_client/robot.h"
+#include "playhouse_client/simulation.h"
 
 using namespace playhouse;
 using namespace playhouse::client;
@@ -128,6 +129,45 @@ void use_inertia(const std::string& address) {
   must(base.close());
 }
 
+double distance(const Pose& a, const Pose& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+void check_map(Map plan, const Pose& start) {
+  const Grid grid = must(plan.grid());
+  const auto cells = must(plan.cells());
+  must_be(std::abs(grid.cell_size - 0.1) < 1e-6, "cells have sides of 0.1 m");
+  must_be(cells.size() == grid.height && cells.front().size() == grid.width, "the map is whole");
+  const auto cell = grid.cell_of({start.x, start.y});
+  must_be(cell && cells[cell->row][cell->column] == -1, "a robot stands where nothing else is");
+  const auto rock = grid.cell_of({-7.9, -7.9});
+  must_be(rock && cells[rock->row][rock->column] == 1, "there is rock around the cave");
+}
+
+void use_drivers_on_a_map(const std::string& address) {
+  Client client = must(Client::connect(address));
+  Simulation simulation = must(Simulation::open(client, 0));
+  const Pose start = must(simulation.pose("r0")), goal{6, 4, 1.5};
+  check_map(must(Map::open(client, 0)), start);
+  const Robot robot = must(client.robot("r0"));
+  Localize place = must(robot.localize());
+  Planner planner = must(robot.planner());
+  must(place.set_pose(start, Covariance::of_deviations(0.2, 0.2, 0.1)));
+  must(planner.go_to(goal));
+  while (!planner.state() || planner.state()->pose.x < start.x + 0.5) must(client.read());
+  must(planner.stop());
+  const Path path = must(planner.path());
+  must_be(distance(path.waypoints.back(), goal) == 0 && path.length > distance(start, goal),
+          "a path leads to the goal");
+  must_be(planner.state()->valid && !planner.arrived(), "it is on its way");
+  must_be(distance(*place.pose(), must(simulation.pose("r0"))) < 0.3, "it knows where it is");
+  must_be(must(place.particles()).size() >= 100, "there are particles");
+  must_refuse(place.set_pose(start, {.xx = -1}), "a covariance that is none");
+  must(planner.resume());
+  while (!planner.arrived()) must(client.read());
+  must_be(distance(must(simulation.pose("r0")), goal) < 0.6, "it is at the goal");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -140,8 +180,10 @@ int main(int argc, char** argv) {
     use_voices(argv[2]);
   } else if (use == "inertia") {
     use_inertia(argv[2]);
+  } else if (use == "course") {
+    use_drivers_on_a_map(argv[2]);
   } else {
-    fail("usage: playhouse_client_robots radio|camera|voice|inertia HOST:PORT");
+    fail("usage: playhouse_client_robots radio|camera|voice|inertia|course HOST:PORT");
   }
   return 0;
 }

@@ -10,8 +10,8 @@ from .errors import ConnectionLost, PlayerError, RequestRefused, RequestTimeout,
 from .generated import INTERFACES, common, find_message, player, simulation
 from .models import DeviceAddress, Model, ask_models, families
 from .proxies import (
-    Aio, Bumper, Camera, Fiducial, Gps, Imu, Laser, Opaque, PointCloud3d, Position2d, Position3d, Ptz, Ranger, Simulation, Sonar,
-    Speech, SpeechRecognition,
+    Aio, Bumper, Camera, Fiducial, Gps, Imu, Laser, Localize, Map, Opaque, Planner, PointCloud3d, Position2d, Position3d, Ptz, Ranger,
+    Simulation, Sonar, Speech, SpeechRecognition,
 )
 from .robot import Robot
 from .session import Session
@@ -26,7 +26,7 @@ _PROXIES: Dict[str, Type[Device]] = {
     "position2d": Position2d, "ranger": Ranger, "laser": Laser, "sonar": Sonar, "fiducial": Fiducial,
     "aio": Aio, "bumper": Bumper, "camera": Camera, "ptz": Ptz, "opaque": Opaque, "simulation": Simulation,
     "position3d": Position3d, "imu": Imu, "gps": Gps, "pointcloud3d": PointCloud3d,
-    "speech": Speech, "speech_recognition": SpeechRecognition,
+    "speech": Speech, "speech_recognition": SpeechRecognition, "localize": Localize, "planner": Planner, "map": Map,
 }
 _Place = Tuple[int, str, int]  # port, interface, index
 
@@ -201,6 +201,15 @@ class Client:
 
     def speech_recognition(self, index: int = 0, access: Access = Access.ALL) -> SpeechRecognition:
         return self._open(SpeechRecognition, "speech_recognition", index, access)
+
+    def localize(self, index: int = 0, access: Access = Access.ALL) -> Localize:
+        return self._open(Localize, "localize", index, access)
+
+    def planner(self, index: int = 0, access: Access = Access.ALL) -> Planner:
+        return self._open(Planner, "planner", index, access)
+
+    def map(self, index: int = 0, access: Access = Access.ALL) -> Map:
+        return self._open(Map, "map", index, access)
 
     def simulation(self, index: int = 0, access: Access = Access.ALL) -> Simulation:
         return self._open(Simulation, "simulation", index, access)

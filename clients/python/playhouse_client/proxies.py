@@ -8,17 +8,22 @@ first data of the device. next_data() and updates() wait.
 import collections
 import math
 import struct
-from typing import Any, Deque, Generic, Iterator, List, NamedTuple, Optional, Tuple, TypeVar, cast
+import zlib
+from array import array
+from typing import Any, Deque, Generic, Iterator, List, NamedTuple, Optional, Sequence, Tuple, TypeVar, cast
 
 from .device import Device
-from .errors import InvalidValue, RequestRefused, RunEnded, WireError
-from .generated import aio, bumper, camera, common, fiducial, gps, imu, laser, opaque, pointcloud3d, position2d, position3d, ptz, ranger
-from .generated import simulation, sonar, speech, speech_recognition
+from .errors import InvalidValue, NoData, RequestRefused, RunEnded, WireError
+from .generated import aio, bumper, camera, common, fiducial, gps, imu, laser, localize, opaque, planner, pointcloud3d, position2d
+from .generated import map as grid_map
+from .generated import position3d, ptz, ranger, simulation, sonar, speech, speech_recognition
 from .wire import MessageType, Struct, c_string, text
 
 Kept = TypeVar("Kept")
 
 _ENDED = "the run has ended"  # the server's reason to refuse a step then
+_TILE = 512  # cells along a side of a tile of a map, so that any map fits into messages
+_MOST_CELLS = 1 << 26  # of a map
 
 
 class Pose(NamedTuple):
@@ -216,6 +221,86 @@ class Point(NamedTuple):
     y: float
     z: float
     color: Tuple[int, int, int, int]
+
+
+class Covariance(NamedTuple):
+    """Covariance of a pose in the plane: of x, y (m) and a (rad). In this order xx, yy, aa (variances), xy, ya, xa."""
+
+    xx: float = 0.0
+    yy: float = 0.0
+    aa: float = 0.0
+    xy: float = 0.0
+    ya: float = 0.0
+    xa: float = 0.0
+
+    @staticmethod
+    def of_deviations(x: float, y: float, a: float) -> "Covariance":
+        """That of independent errors with these standard deviations, in m, m and rad."""
+        return Covariance(x * x, y * y, a * a)
+
+
+class Hypothesis(NamedTuple):
+    """A hypothesis about where the robot is: the mean pose on the map, its covariance, and its weight; the weights of
+    all sum to 1."""
+
+    pose: Pose
+    covariance: Covariance
+    weight: float
+
+
+class Particle(NamedTuple):
+    """A particle of the localization's filter: a possible pose of the robot on the map, and its weight."""
+
+    pose: Pose
+    weight: float
+
+
+class PlannerState(NamedTuple):
+    """The data of a planner, poses on the map: whether there is a path to the goal (`valid`), whether the goal is reached
+    (`done`), the robot's pose, the goal, the waypoint that the robot drives to, its index in the path (-1 if there is
+    none) and the number of waypoints of the path. `time` is the server's, in s."""
+
+    valid: bool
+    done: bool
+    pose: Pose
+    goal: Pose
+    waypoint: Pose
+    index: int
+    count: int
+    time: float
+
+
+class Path(NamedTuple):
+    """A planned path: its waypoints on the map, from the robot to the goal, and its length in m."""
+
+    waypoints: List[Pose]
+    length: float
+
+
+class Cell(NamedTuple):
+    """A cell of a map: its column from the left and its row from the bottom, from 0."""
+
+    column: int
+    row: int
+
+
+class Grid(NamedTuple):
+    """The grid of a map: length of a cell's side in m, width and height in cells, and the pose of the lower left corner of
+    cell (0, 0) in the world."""
+
+    cell_size: float
+    width: int
+    height: int
+    origin: Pose
+
+    def cell_of(self, x: float, y: float) -> Optional[Cell]:
+        """The cell with this point of the world (m); None beyond the map."""
+        dx, dy = x - self.origin.x, y - self.origin.y
+        c, s = math.cos(self.origin.a), math.sin(self.origin.a)
+        column, row = (c * dx + s * dy) / self.cell_size, (c * dy - s * dx) / self.cell_size
+        if not (0.0 <= column < self.width and 0.0 <= row < self.height):
+            return None
+        return Cell(int(column), int(row))
 
 
 class Position2d(Device):
@@ -717,6 +802,126 @@ class SpeechRecognition(_Keeping[str]):
         return text(cast(speech_recognition.Data, value).text)
 
 
+class Localize(Device):
+    """Localization of a robot on a map."""
+
+    @property
+    def hypotheses(self) -> List[Hypothesis]:
+        """Where the robot may be, the most likely first."""
+        data, _ = self._stamped(localize.DATA_HYPOTHS)
+        return [Hypothesis(_pose(one.mean), Covariance(*one.cov), one.alpha) for one in data.hypoths]
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[List[Hypothesis]]:
+        """Reads for ever: one list per new data message. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.hypotheses
+
+    @property
+    def pose(self) -> Pose:
+        """The pose on the map of the most likely hypothesis. Raises NoData also if there is none."""
+        hypotheses = self.hypotheses
+        if not hypotheses:
+            raise NoData(f"{self._session.peer}: {self.name} has no hypothesis")
+        return hypotheses[0].pose
+
+    def set_pose(self, x: float, y: float, a: float, covariance: Covariance) -> None:
+        """Sets the estimate of the pose on the map; the robot does not move. Raises RequestRefused if the driver takes none
+        of this covariance."""
+        self._insist_on_finite(x=x, y=y, a=a, **Covariance(*covariance)._asdict())
+        self.request(localize.REQ_SET_POSE, localize.SetPose(common.Pose2d(x, y, a), list(covariance)))
+
+    def particles(self) -> List[Particle]:
+        """All particles of the filter; none before its first step."""
+        answer = cast(localize.GetParticles, _answer(self.request(localize.REQ_GET_PARTICLES)))
+        return [Particle(_pose(one.pose), one.alpha) for one in answer.particles]
+
+
+class Planner(Device):
+    """A planner, which drives a robot to goals on a map. It goes on while any client has it open; wavefront cancels the
+    goal when the last one closes it."""
+
+    _goal: Optional[Pose] = None
+
+    @property
+    def state(self) -> PlannerState:
+        data, time = self._stamped(planner.DATA_STATE)
+        return PlannerState(bool(data.valid), bool(data.done), _pose(data.pos), _pose(data.goal), _pose(data.waypoint),
+                            data.waypoint_idx, data.waypoints_count, time)
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[PlannerState]:
+        """Reads for ever: one PlannerState per new data message. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.state
+
+    @property
+    def arrived(self) -> bool:
+        """Whether the last data say that the goal of the last go_to() is reached; data of another goal do not count."""
+        data = cast(Optional[planner.Data], self.latest(planner.DATA_STATE))
+        return data is not None and bool(data.done) and self._goal is not None and _same(_pose(data.goal), self._goal)
+
+    def go_to(self, x: float, y: float, a: float) -> None:
+        """Plans a path to a pose on the map and drives there; after stop(), from resume() on."""
+        self._insist_on_finite(x=x, y=y, a=a)
+        self._goal = Pose(x, y, a)
+        self.command(planner.CMD_GOAL, planner.Cmd(common.Pose2d(x, y, a)))
+
+    def stop(self) -> None:
+        """Stops the robot until resume(); the planner keeps its goal."""
+        self.request(planner.REQ_ENABLE, planner.EnableReq(0))
+
+    def resume(self) -> None:
+        """Ends stop()."""
+        self.request(planner.REQ_ENABLE, planner.EnableReq(1))
+
+    def path(self) -> Path:
+        """The path as it was planned last; without waypoints if there is none."""
+        answer = cast(planner.WaypointsReq, _answer(self.request(planner.REQ_GET_WAYPOINTS)))
+        return Path([_pose(one) for one in answer.waypoints], answer.waypoints_distance)
+
+
+class Map(Device):
+    """A grid map."""
+
+    def grid(self) -> Grid:
+        """Size and place of the map, without its cells. Raises WireError if the numbers are those of no map."""
+        info = cast(grid_map.Info, _answer(self.request(grid_map.REQ_GET_INFO)))
+        made = Grid(info.scale, info.width, info.height, _pose(info.origin))
+        if not (made.cell_size > 0.0 and all(map(math.isfinite, (made.cell_size, *made.origin)))):
+            raise WireError(f"{self.name}: cells of {made.cell_size} m from {tuple(made.origin)} on are no map")
+        return made
+
+    def cells(self) -> List[Sequence[int]]:
+        """The whole map, row by row from the bottom: cells()[row][column] is 1 if the cell is occupied, -1 if it is free, 0 if
+        that is unknown. Raises WireError for a map of more than 2^26 cells, and for faulty answers."""
+        grid = self.grid()
+        if grid.width * grid.height > _MOST_CELLS:
+            raise WireError(f"{self.name}: {grid.width} x {grid.height} cells are over the limit of {_MOST_CELLS}")
+        rows: List[Sequence[int]] = []
+        for row in range(0, grid.height if grid.width > 0 else 0, _TILE):
+            rows += self._band(row, grid.width, min(_TILE, grid.height - row))
+        return rows
+
+    def _band(self, row: int, width: int, height: int) -> "List[array[int]]":
+        """All cells of the rows from `row` on, as high as a tile."""
+        rows = [array("b") for _ in range(height)]
+        for column in range(0, width, _TILE):
+            part = min(_TILE, width - column)
+            cells = self._tile(column, row, part, height)
+            for i in range(height):
+                rows[i].extend(cells[i * part : (i + 1) * part])
+        return rows
+
+    def _tile(self, column: int, row: int, width: int, height: int) -> "array[int]":
+        asked = grid_map.Data(column, row, width, height)
+        tile = cast(grid_map.Data, _answer(self.request(grid_map.REQ_GET_DATA, asked)))
+        values = _uncompressed(tile.data, width * height)
+        if len(values) != width * height:
+            raise WireError(f"{self.name}: a tile of {width} x {height} cells is damaged")
+        return array("b", values.translate(_occupancies(tile.data_range)))
+
+
 class Simulation(Device):
     """The simulator itself. Poses of models, by name, are relative to the parent, or to the world for a top-level model."""
 
@@ -818,6 +1023,26 @@ def _pose3d(pose: common.Pose3d) -> Pose3d:
 
 def _geometry(geom) -> Geometry:  # type: ignore[no-untyped-def]
     return Geometry(_pose3d(geom.pose), Size(geom.size.sl, geom.size.sw, geom.size.sh))
+
+
+def _same(one: Pose, other: Pose) -> bool:
+    """Whether two poses are the same, whole turns aside, which drivers drop."""
+    return one[:2] == other[:2] and abs(math.remainder(one.a - other.a, math.tau)) < 1e-6
+
+
+def _uncompressed(data: bytes, count: int) -> bytes:
+    """At most one byte more than `count`; the data themselves if they are no stream of zlib, as of a server without it."""
+    try:
+        return zlib.decompressobj().decompress(data, count + 1)
+    except zlib.error:
+        return data
+
+
+def _occupancies(data_range: int) -> bytes:
+    """For each byte of a map what it says as an int8: 1 and -1 beyond half of `data_range`, else 0."""
+    twice = [2 * (byte - 256 if byte > 127 else byte) for byte in range(256)]
+    limit = max(data_range, 1)
+    return array("b", [(each > limit) - (each < -limit) for each in twice]).tobytes()
 
 
 def _spread(low: float, high: float, count: int) -> List[float]:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Dict, List, cast
 from .device import Device
 from .errors import RequestRefused
 from .models import DeviceAddress, Model
-from .proxies import Aio, Bumper, Camera, Fiducial, Gps, Imu, Laser, Opaque, PointCloud3d, Position2d, Position3d, Ptz, Ranger, Sonar, Speech, SpeechRecognition
+from .proxies import Aio, Bumper, Camera, Fiducial, Gps, Imu, Laser, Localize, Map, Opaque, Planner, PointCloud3d, Position2d, Position3d, Ptz, Ranger, Sonar, Speech, SpeechRecognition
 
 if TYPE_CHECKING:
     from .client import Client
@@ -16,7 +16,7 @@ class Robot:
 
     `name` and `type` are those of the world file; `models` are the model itself and its descendants, `devices` the
     addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar`, `fiducial`, `bumper`, `camera`, `ptz`,
-    `opaque`, `aio`, `position3d`, `imu`, `gps`, `pointcloud3d`, `speech` and `speech_recognition` are the first of their interface, `lasers` and so on all of them, opened on first use. The end of a
+    `opaque`, `aio`, `position3d`, `imu`, `gps`, `pointcloud3d`, `speech`, `speech_recognition`, `localize`, `planner` and `map` are the first of their interface, `lasers` and so on all of them, opened on first use. The end of a
     `with` block, or close(), closes devices opened here; a moving robot is stopped first.
     """
 
@@ -105,6 +105,18 @@ class Robot:
         return cast(SpeechRecognition, self.device("speech_recognition"))
 
     @property
+    def localize(self) -> Localize:
+        return cast(Localize, self.device("localize"))
+
+    @property
+    def planner(self) -> Planner:
+        return cast(Planner, self.device("planner"))
+
+    @property
+    def map(self) -> Map:
+        return cast(Map, self.device("map"))
+
+    @property
     def position2ds(self) -> List[Position2d]:
         return cast(List[Position2d], self._all("position2d"))
 
@@ -167,6 +179,18 @@ class Robot:
     @property
     def speech_recognitions(self) -> List[SpeechRecognition]:
         return cast(List[SpeechRecognition], self._all("speech_recognition"))
+
+    @property
+    def localizes(self) -> List[Localize]:
+        return cast(List[Localize], self._all("localize"))
+
+    @property
+    def planners(self) -> List[Planner]:
+        return cast(List[Planner], self._all("planner"))
+
+    @property
+    def maps(self) -> List[Map]:
+        return cast(List[Map], self._all("map"))
 
     def close(self) -> None:
         """Closes devices opened here, in reverse order of opening. They reopen on use."""

@@ -15,11 +15,11 @@ needed = unittest.skipUnless(os.access(PROGRAM, os.X_OK), f"there is no server p
 
 
 class World:
-    """The server, running a world on a free port, as a `with` block."""
+    """The server, running a world or a configuration file on a free port, as a `with` block."""
 
-    def __init__(self, world: str, *options: str) -> None:
-        command = [PROGRAM, "run", str(ROOT / "worlds" / world)]
-        command += ["--port", "0", "--headless", "--speed", SPEED, *options]
+    def __init__(self, world: str, *options: str, speed: str = SPEED) -> None:
+        command = [PROGRAM, "serve" if world.endswith(".cfg") else "run", str(ROOT / "worlds" / world)]
+        command += ["--port", "0", "--headless", "--speed", speed, *options]
         self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.address = self._read_address()
 

@@ -1,6 +1,7 @@
 """The Python that the documents show does what they say."""
 
 import doctest
+import math
 import os
 import re
 import signal
@@ -56,6 +57,20 @@ class Documents(unittest.TestCase):
     def test_the_ten_lines_drive(self) -> None:
         (program,) = [block for block in blocks("clients.md") if "laser.updates()" in block]
         self.check_program(program, told=None, code=-signal.SIGINT)
+
+    def test_the_planners_program_ends_at_its_goal(self) -> None:
+        (program,) = blocks("drivers.md")
+        with World("navigate.cfg", speed="20") as world, connect(world.address) as client:
+            done = self.run_program(program.replace(ADDRESS, world.address))
+            pose = client.simulation(0).pose("r0")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"^there: x [56]\.\d\d m, y [34]\.\d\d m\n$")
+        self.assertLess(math.dist(pose[:2], (6.0, 4.0)), 0.6)
+
+    def run_program(self, program: str) -> "subprocess.CompletedProcess[str]":
+        environment = {**os.environ, "PYTHONPATH": str(ROOT / "clients" / "python")}
+        command = [sys.executable, "-c", program]
+        return subprocess.run(command, capture_output=True, text=True, env=environment, timeout=HANG)
 
     def check_program(self, program: str, told, code: int) -> None:
         """Runs it until its robot moves, sends Ctrl-C, and insists on what it says then, and that the robot stands."""

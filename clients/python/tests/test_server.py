@@ -10,8 +10,8 @@ import unittest
 from typing import Callable, Dict, List, Sequence, Tuple
 
 from package import ROOT
-from server_program import HANG, World, needed
-from playhouse_client import Access, Client, Mode, Pose, RequestRefused, Simulation, connect
+from server_program import HANG, SPEED, World, needed
+from playhouse_client import Access, Client, Covariance, Mode, Pose, RequestRefused, Simulation, connect
 from playhouse_client.generated import position2d, wifi
 
 
@@ -123,6 +123,16 @@ class Examples(unittest.TestCase):
                 self.assertGreater(length([both[:2] for both in seen]), 2.0)
                 self.assert_stands(client, simulator, 1, "r0")
 
+    def test_navigate_reaches_its_places_although_the_odometry_drifts(self) -> None:
+        for language, command in examples("navigate").items():
+            with self.subTest(language), World("navigate.cfg", speed="20") as world, connect(world.address) as client:
+                simulator = client.simulation(0)
+                path, printed = track([*command, world.address, "0", "100"], lambda: simulator.pose("r0"))
+                self.assertEqual(printed.count("arrived"), 2, printed)
+                for place in [(6.0, 4.0), (-5.8, 5.0)]:
+                    self.assertLess(min(distance(place, pose) for pose in path), 0.6, place)
+                self.assert_stands(client, simulator, 0, "r0")
+
 
 @needed
 class Radios(unittest.TestCase):
@@ -169,10 +179,54 @@ class Radios(unittest.TestCase):
 
 
 @needed
+class Navigation(unittest.TestCase):
+    def test_a_robot_is_localized_on_its_map_and_driven_along_a_path(self) -> None:
+        with World("navigate.cfg", speed="20") as world, connect(world.address) as client:
+            start = client.simulation(0).pose("r0")
+            robot = client.robot("r0")
+            place, guide, base, plan = robot.localize, robot.planner, robot.position2d, client.map(0)
+            grid, cells = plan.grid(), plan.cells()
+            self.assertAlmostEqual(grid.cell_size, 0.1, delta=1e-6)
+            self.assertEqual([len(row) for row in cells], [grid.width] * grid.height)
+            cell = grid.cell_of(start.x, start.y)
+            assert cell is not None
+            self.assertEqual(cells[cell.row][cell.column], -1, "a robot stands where nothing else is")
+            rock = grid.cell_of(-7.9, -7.9)
+            assert rock is not None
+            self.assertEqual(cells[rock.row][rock.column], 1, "all around the cave")
+            place.set_pose(*start, Covariance.of_deviations(0.2, 0.2, 0.1))
+            guide.go_to(6.0, 4.0, 1.5)
+            for state in guide.updates():
+                self.assertLess(state.time, 100.0)
+                if state.valid and state.pose.x > start.x + 0.5:
+                    break
+            path = guide.path()
+            self.assertEqual((path.waypoints[-1], len(path.waypoints)), (state.goal, state.count))
+            self.assertGreater(path.length, distance(start, state.goal))
+            guide.stop()
+            base.next_data()
+            while base.velocity.x != 0.0:
+                base.next_data()
+            place.next_data()
+            true = client.simulation(0).pose("r0")
+            self.assertLess(distance(place.pose, true), 0.3)
+            self.assertAlmostEqual(sum(one.weight for one in place.hypotheses), 1.0, delta=1e-6)
+            self.assertGreaterEqual(len(place.particles()), 100)
+            with self.assertRaises(RequestRefused):
+                place.set_pose(*start, Covariance(xx=-1.0))
+            guide.resume()
+            for state in guide.updates():
+                self.assertLess(state.time, 200.0)
+                if guide.arrived:
+                    break
+            self.assertLess(distance(client.simulation(0).pose("r0"), state.goal), 0.6)
+
+
+@needed
 @unittest.skipUnless("PLAYHOUSE_CLIENT_ROBOTS" in os.environ, "run by ctest, which names the C++ program")
 class RobotsInCpp(unittest.TestCase):
-    def check(self, use: str, file: str = "") -> None:
-        with World(file or f"{use}.world") as world:
+    def check(self, use: str, file: str = "", speed: str = SPEED) -> None:
+        with World(file or f"{use}.world", speed=speed) as world:
             command = [os.environ["PLAYHOUSE_CLIENT_ROBOTS"], use, world.address]
             done = subprocess.run(command, stderr=subprocess.PIPE, text=True, timeout=HANG)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -188,6 +242,9 @@ class RobotsInCpp(unittest.TestCase):
 
     def test_inertial_units_receivers_and_lidars_measure(self) -> None:
         self.check("inertia", "outdoor.world")
+
+    def test_a_robot_is_localized_on_its_map_and_driven_along_a_path(self) -> None:
+        self.check("course", "navigate.cfg", "20")
 
 
 @needed

@@ -1,17 +1,21 @@
 """What a client makes of servers that are slow, silent, busy, faulty or gone."""
 
+import math
 import struct
 import unittest
+import zlib
 from typing import Callable, List
 
 import package  # noqa: F401
 from fake_server import FakeServer, Peer
 from playhouse_client import (
-    Access, Client, ConnectionLost, DeviceClosed, Face, InvalidValue, Mode, NoData, PlayerError, Pose3d, RequestRefused,
-    RequestTimeout, WireError, connect,
+    Access, Cell, Client, ConnectionLost, Covariance, DeviceClosed, Face, Grid, Hypothesis, InvalidValue, Mode, NoData,
+    Particle, Path, PlannerState, PlayerError, Pose, Pose3d, RequestRefused, RequestTimeout, WireError, connect,
 )
 from playhouse_client.connection import Message
-from playhouse_client.generated import aio, bumper, camera, common, gps, imu, laser, player, pointcloud3d, position2d, position3d, ptz
+from playhouse_client.generated import aio, bumper, camera, common, gps, imu, laser, localize, planner, player, pointcloud3d, position2d
+from playhouse_client.generated import map as grid_map
+from playhouse_client.generated import position3d, ptz
 from playhouse_client.wire import Kind
 
 DATA_REQUEST = player.REQ_DATA.subtype
@@ -312,6 +316,140 @@ class Reading(unittest.TestCase):
             self.assertEqual(box.voltages, [0.5, -3.0])
             with self.assertRaisesRegex(InvalidValue, "voltage is nan, not a finite number"):
                 box.set(1, float("nan"))
+
+    def test_a_localization_tells_where_the_robot_may_be_and_is_told(self) -> None:
+        spread = [0.25, 0.5, 0.125, 0.1, 0.2, 0.3]
+        told = [[localize.Hypoth(common.Pose2d(1.0, 2.0, 0.5), spread, 0.75), localize.Hypoth(alpha=0.25)], []]
+
+        def rounds(peer: Peer, message: Message) -> None:
+            if message.header.interface == localize.CODE:
+                refused = message.header.subtype == 1 and localize.SetPose.decode(message.body).cov[0] < 0.0
+                few = localize.GetParticles(particles=[localize.Particle(common.Pose2d(3.0, 4.0, 1.0), 0.5)])
+                peer.answer(message, Kind.NACK if refused else Kind.ACK, few.encode() if message.header.subtype == 2 else b"")
+                return
+            peer.answer(message)
+            peer.data(localize.DATA_HYPOTHS, localize.Data(0, 1.0, told.pop(0)))
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client, client.localize(0) as place:
+            with self.assertRaisesRegex(NoData, "localize:0 has sent no data yet"):
+                place.pose
+            first = Hypothesis(Pose(1.0, 2.0, 0.5), Covariance(xx=0.25, yy=0.5, aa=0.125, xy=0.1, ya=0.2, xa=0.3), 0.75)
+            self.assertEqual(next(place.updates()), [first, Hypothesis(Pose(), Covariance(), 0.25)])
+            self.assertEqual(place.pose, Pose(1.0, 2.0, 0.5))
+            client.read()
+            with self.assertRaisesRegex(NoData, "localize:0 has no hypothesis"):
+                place.pose
+            place.set_pose(1.0, 2.0, 0.5, Covariance.of_deviations(0.5, 2.0, 3.0))
+            with self.assertRaisesRegex(RequestRefused, "localize.req.set_pose of localize:0 was refused"):
+                place.set_pose(1.0, 2.0, 0.5, Covariance(xx=-1.0))
+            for pose, covariance in (((1.0, float("nan"), 0.5), Covariance()), ((1.0, 2.0, 0.5), Covariance(xa=float("inf")))):
+                with self.assertRaisesRegex(InvalidValue, "localize:0: (y is nan|xa is inf), not a finite number"):
+                    place.set_pose(*pose, covariance)
+            self.assertEqual(place.particles(), [Particle(Pose(3.0, 4.0, 1.0), 0.5)])
+            assert server.peer is not None
+            sent = [localize.SetPose.decode(m[40:]) for m in server.peer.received if (m[11], m[23]) == (25, 1)]
+            self.assertEqual(sent[0], localize.SetPose(common.Pose2d(1.0, 2.0, 0.5), [0.25, 4.0, 9.0, 0.0, 0.0, 0.0]))
+            self.assertEqual(len(sent), 2)
+
+    def test_a_planner_goes_to_a_goal_and_tells_when_the_robot_is_there(self) -> None:
+        goal, way = common.Pose2d(6.0, 4.0, 1.5), common.Pose2d(2.0, 1.0, 0.0)
+        told = [
+            planner.Data(1, 1, common.Pose2d(), common.Pose2d(), common.Pose2d(), -1, 2),  # of a goal before
+            planner.Data(1, 0, common.Pose2d(0.5), goal, way, 1, 3),
+            planner.Data(1, 1, goal, goal, common.Pose2d(), -1, 3),
+        ]
+
+        def rounds(peer: Peer, message: Message) -> None:
+            if message.header.kind == Kind.CMD:
+                return
+            path = planner.WaypointsReq(7.5, [way, goal]) if message.header.interface == planner.CODE else None
+            peer.answer(message, body=path.encode() if path and message.header.subtype == 1 else b"")
+            if path is None:
+                peer.data(planner.DATA_STATE, told.pop(0), timestamp=2.5)
+                peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client, client.planner(0) as guide:
+            with self.assertRaisesRegex(NoData, "planner:0 has sent no data yet"):
+                guide.state
+            self.assertFalse(guide.arrived)
+            guide.go_to(6.0, 4.0, 1.5 + 4.0 * math.pi)
+            states = []
+            for state in guide.updates():
+                states.append(state)
+                if guide.arrived:
+                    break
+            self.assertEqual(len(states), 3)
+            at, to = Pose(0.5), Pose(6.0, 4.0, 1.5)
+            self.assertEqual(states[1], PlannerState(True, False, at, to, Pose(2.0, 1.0), 1, 3, 2.5))
+            guide.stop()
+            guide.resume()
+            self.assertEqual(guide.path(), Path([Pose(2.0, 1.0), to], 7.5))
+            guide.go_to(6.0, 4.0, 0.0)
+            self.assertFalse(guide.arrived, "another heading")
+            with self.assertRaisesRegex(InvalidValue, "planner:0: y is inf, not a finite number"):
+                guide.go_to(0.0, float("inf"), 0.0)
+            guide.close()
+            assert server.peer is not None
+            sent = [(m[19], m[23], m[40:]) for m in server.peer.received if m[11] == planner.CODE]
+            self.assertEqual(sent[1:3], [(Kind.REQ, 2, b"\0\0\0\0"), (Kind.REQ, 2, b"\0\0\0\1")])
+            self.assertEqual([kind for kind, _, _ in sent], [Kind.CMD, Kind.REQ, Kind.REQ, Kind.REQ, Kind.CMD])
+            self.assertEqual([subtype for _, subtype, _ in sent], [1, 2, 2, 1, 1])
+
+    def test_a_map_comes_whole_in_tiles(self) -> None:
+        width, height = 600, 514
+
+        def value(column: int, row: int) -> int:
+            return (column + 3 * row) % 201 - 100
+
+        def rounds(peer: Peer, message: Message) -> None:
+            if message.header.subtype == grid_map.REQ_GET_INFO.subtype:
+                return peer.answer(message, body=grid_map.Info(0.5, width, height, common.Pose2d(-1.0, 2.0, 0.0)).encode())
+            tile = grid_map.Data.decode(message.body)
+            values = [value(tile.col + i % tile.width, tile.row + i // tile.width) for i in range(tile.width * tile.height)]
+            tile.data, tile.data_range = struct.pack(f"{len(values)}b", *values), 100
+            if tile.row == 0:
+                tile.data = zlib.compress(tile.data)  # and others as a server without zlib
+            peer.answer(message, body=tile.encode())
+
+        with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
+            plan = client.map(0)
+            self.assertEqual(plan.grid(), Grid(0.5, width, height, Pose(-1.0, 2.0, 0.0)))
+            cells = plan.cells()
+            self.assertEqual([len(row) for row in cells], [width] * height)
+            for row in range(height):
+                wanted = [(value(column, row) > 50) - (value(column, row) < -50) for column in range(width)]
+                self.assertEqual(list(cells[row]), wanted)
+            assert server.peer is not None
+            tiles = [grid_map.Data.decode(m[40:]) for m in server.peer.received if (m[11], m[23]) == (42, 2)]
+            self.assertEqual([(one.col, one.row, one.width, one.height) for one in tiles],
+                             [(0, 0, 512, 512), (512, 0, 88, 512), (0, 512, 512, 2), (512, 512, 88, 2)])
+
+    def test_a_point_of_the_world_is_in_a_cell_or_beyond_the_map(self) -> None:
+        grid = Grid(0.5, 4, 2, Pose(10.0, 20.0, math.pi / 2))  # columns go along y, rows against x
+        self.assertEqual(grid.cell_of(9.9, 20.1), Cell(column=0, row=0))
+        self.assertEqual(grid.cell_of(9.4, 21.9), Cell(column=3, row=1))
+        for x, y in ((10.1, 20.1), (9.9, 19.9), (9.9, 22.1), (8.9, 20.1), (float("nan"), 20.1), (9.9, float("inf"))):
+            self.assertIsNone(grid.cell_of(x, y))
+
+    def test_maps_that_make_no_sense_are_an_error(self) -> None:
+        infos = [
+            grid_map.Info(0.0, 2, 2), grid_map.Info(float("nan"), 2, 2), grid_map.Info(0.5, 2, 2, common.Pose2d(float("inf"))),
+            grid_map.Info(0.5, 1 << 14, (1 << 12) + 1), grid_map.Info(0.5, 2, 2), grid_map.Info(0.5, 2, 2), grid_map.Info(0.5, 0, 1 << 31),
+        ]
+        tiles = [zlib.compress(b"\1\1\1"), zlib.compress(bytes(1 << 20))]
+
+        def rounds(peer: Peer, message: Message) -> None:
+            asks_info = message.header.subtype == grid_map.REQ_GET_INFO.subtype
+            answer = infos.pop(0) if asks_info else grid_map.Data(0, 0, 2, 2, 1, tiles.pop(0))
+            peer.answer(message, body=answer.encode())
+
+        with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
+            plan = client.map(0)
+            for fault in ["are no map"] * 3 + ["16384 x 4097 cells are over the limit"] + ["a tile of 2 x 2 cells is damaged"] * 2:
+                with self.assertRaisesRegex(WireError, f"map:0: .*{fault}"):
+                    plan.cells()
+            self.assertEqual(plan.cells(), [])
 
     def test_data_of_others_do_not_prolong_the_time_out_of_one(self) -> None:
         def rounds(peer: Peer, message: Message) -> None:

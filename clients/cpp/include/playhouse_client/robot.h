@@ -15,8 +15,11 @@
 #include "playhouse_client/gps.h"
 #include "playhouse_client/imu.h"
 #include "playhouse_client/laser.h"
+#include "playhouse_client/localize.h"
+#include "playhouse_client/map.h"
 #include "playhouse_client/model.h"
 #include "playhouse_client/opaque.h"
+#include "playhouse_client/planner.h"
 #include "playhouse_client/pointcloud3d.h"
 #include "playhouse_client/position2d.h"
 #include "playhouse_client/position3d.h"
@@ -60,6 +63,9 @@ class Robot {
   Result<PointCloud3d> pointcloud3d(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Speech> speech(std::size_t n = 0, Access access = Access::kAll) const;
   Result<SpeechRecognition> speech_recognition(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Localize> localize(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Planner> planner(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Map> map(std::size_t n = 0, Access access = Access::kAll) const;
   /// Opens a device of any interface, by the interface's name.
   Result<Device> device(std::string_view interf, std::size_t n = 0, Access access = Access::kAll) const;
 
