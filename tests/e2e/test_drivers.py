@@ -194,7 +194,7 @@ class Planned(HouseTest):
 
 
 class Navigated(HouseTest):
-    """worlds/navigate.cfg: amcl and the map of the world -> wavefront -> vfh -> position2d."""
+    """worlds/navigate.cfg: amcl and the map of the world -> wavefront -> nd -> position2d."""
 
     GOALS = ((6.0, 4.0, 1.5), (-5.8, 5.0, 3.0))
 
