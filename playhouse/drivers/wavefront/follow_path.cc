@@ -52,9 +52,12 @@ Result<Route> plan(const WavefrontOptions& options, const FollowIn& in, FollowMe
   return route_of(options, *corners, in.X_WR, in.X_WT);
 }
 
+bool replans(const WavefrontOptions& options) {
+  return options.replan_distance > 0 && options.replan_time > 0;
+}
+
 bool strayed(const WavefrontOptions& options, const FollowIn& in, const FollowMemory& memory) {
-  return options.replan_distance > 0 && options.replan_time > 0 &&
-         in.time - memory.time >= options.replan_time &&
+  return replans(options) && in.time - memory.time >= options.replan_time &&
          distance(memory.X_WR.xy(), in.X_WR.xy()) >= options.replan_distance;
 }
 
@@ -78,7 +81,7 @@ bool reached(const WavefrontOptions& options, const Waypoint& waypoint, const Po
                 waypoint.turn ? slack * options.angle_epsilon : geom::kPi);
 }
 
-/// True if the device that drives has stopped short of the waypoint: by its own epsilons it is there.
+/// True if the robot has not moved for a time since the waypoint was told.
 bool stands(const FollowIn& in, FollowMemory& memory) {
   if (!memory.X_WR_still || !within(*memory.X_WR_still, in.X_WR, kStillLength, kStillAngle)) {
     memory.X_WR_still = in.X_WR;
@@ -132,12 +135,21 @@ Route route_of(const WavefrontOptions& options, const std::vector<Vec2>& p_WC, c
 }
 
 FollowOut follow_path(const WavefrontOptions& options, const FollowIn& in, FollowMemory& memory) {
-  if (memory.goal != in.goal || strayed(options, in, memory)) plan_again(options, in, memory);
   FollowOut& out = memory.out;
+  double slack = 1;
+  if (memory.goal != in.goal || strayed(options, in, memory)) {
+    plan_again(options, in, memory);
+  } else if (out.route != nullptr && !out.done() && in.enabled && stands(in, memory)) {
+    if (reached(options, out.route->waypoints[out.waypoint], in.X_WR, kStillSlack)) {
+      slack = kStillSlack;
+    } else {  // the device that drives may have given up
+      if (replans(options)) plan_again(options, in, memory);
+      memory.X_OP.reset();
+    }
+  }
   out.X_OP.reset();
   if (out.route == nullptr || !in.enabled) return out;
   const std::vector<Waypoint>& waypoints = out.route->waypoints;
-  double slack = stands(in, memory) ? kStillSlack : 1;
   for (; !out.done() && reached(options, waypoints[out.waypoint], in.X_WR, slack); ++out.waypoint) slack = 1;
   if (!out.done()) out.X_OP = news(options, in, memory);
   return out;

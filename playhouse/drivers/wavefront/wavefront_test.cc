@@ -275,6 +275,21 @@ TEST(Wavefront, where_the_output_has_stopped_for_two_seconds_twice_as_far_counts
   EXPECT_TRUE(done_after({7.41, 1.03, 0, kGoal.a + radians(9.9)}, 5));
 }
 
+TEST(Wavefront, tells_the_way_again_to_an_output_that_has_stopped) {
+  Planned test("replan_dist_thresh -1");
+  test.begin();
+  const Pose first = test.told();
+  test.forget();
+  test.site.run(15);
+  EXPECT_EQ(test.told(), kNowhere);
+  test.site.run(10);
+  EXPECT_EQ(test.told(), first);
+  test.enable(false);
+  test.forget();
+  test.site.run(50);
+  EXPECT_EQ(test.told(), kNowhere) << "it is to stand";
+}
+
 TEST(Wavefront, tells_a_waypoint_that_is_near_the_one_before_too) {
   Planned test("distance_epsilon 3 angle_epsilon 180 replan_dist_thresh -1 add_rotational_waypoints 0");
   test.begin();
@@ -436,7 +451,7 @@ TEST(Wavefront, plans_again_when_the_robot_has_gone_so_far_and_so_long) {
   EXPECT_EQ(waypoints_from_there("", 15), first) << "not yet: 2 s";
   EXPECT_EQ(waypoints_from_there("", 25), 1u);
   EXPECT_EQ(waypoints_from_there("replan_min_time 0.5", 10), 1u);
-  EXPECT_EQ(waypoints_from_there("replan_dist_thresh 5.1", 25), first);
+  EXPECT_EQ(waypoints_from_there("replan_min_time 0.5 replan_dist_thresh 5.1", 15), first);
   EXPECT_EQ(waypoints_from_there("replan_dist_thresh -1", 25), first);
   EXPECT_EQ(waypoints_from_there("replan_min_time -1", 25), first);
 }
