@@ -159,9 +159,9 @@ class Course {
       }
       case 2:
         amcl_.rewound(script_.number(), script_.byte());
-        wavefront_.rewound();
-        vfh_.rewound();
-        return nd_.rewound();
+        wavefront_.rewound(script_.byte() == 0);
+        vfh_.rewound(script_.byte() == 0);
+        return nd_.rewound(script_.byte() == 0);
       case 3:
         amcl_.request({kLocalize, 3, lcl::kReqGetParticles, {}}, {published_, 1});
         return wavefront_.request({kPlanner, 3, wire::planner::kReqGetWaypoints, {}}, {published_, 1});

@@ -52,6 +52,21 @@ class Hits {
   std::vector<geom::Vec2> out_;
 };
 
+/// A text's own seed.
+std::uint64_t seed_of(std::string_view text) {
+  std::uint64_t seed = 0;
+  for (const char c : text) seed = mix64(seed ^ static_cast<unsigned char>(c));
+  return seed;
+}
+
+/// True if the odometry was set between two of its states: it moved by more than twice its velocity.
+bool was_set(const geom::Pose& X_O0O1, const wire::Pose2d& velocity, double seconds) {
+  constexpr double kLength = 0.5, kAngle = 0.5;  // m, rad; beyond that
+  const double speed = std::sqrt(velocity.px * velocity.px + velocity.py * velocity.py);
+  return std::sqrt(geom::dot(X_O0O1.xy(), X_O0O1.xy())) > 2 * speed * seconds + kLength ||
+         std::fabs(X_O0O1.a) > 2 * std::fabs(velocity.pa) * seconds + kAngle;
+}
+
 }  // namespace
 
 Amcl::Amcl(device::Opener& opener, const AmclOptions& options, Sensor sensor)
@@ -97,6 +112,11 @@ void Amcl::rewound(double time, std::uint64_t seed) {
   begin_anew(then ? then->belief : options_.start, then);
 }
 
+void Amcl::placed() {
+  const std::lock_guard lock(mutex_);
+  placed_ = true;
+}
+
 void Amcl::ask_geometry() {
   const auto know = [this](std::vector<geom::Pose> X_RS) {
     if (X_RS.empty())
@@ -126,7 +146,7 @@ void Amcl::ask_geometry() {
 
 void Amcl::ask_map() {
   read_map(client_, kMap, [this](Result<GridMap> map) {
-    if (!map) return log::warn("driver amcl: {} of its map: it does not localize", map.error().text);
+    if (!map) return log::warn("driver amcl: it does not localize, as of its map {}", map.error().text);
     const std::lock_guard lock(mutex_);
     map_ = std::make_shared<const GridMap>(std::move(*map));
   });
@@ -166,6 +186,8 @@ void Amcl::begin_anew(const PoseBelief& start, std::optional<Estimate> estimate)
   start_ = start;
   X_OR_stepped_.reset();
   X_OR_.reset();
+  X_SR_.reset();
+  X_OS_ = estimate ? estimate->X_OS : geom::Pose();
   out_ = {};
   estimate_ = std::move(estimate);
 }
@@ -182,13 +204,26 @@ void Amcl::take_state(const device::Publication& message, std::vector<device::Pu
   const Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
   if (!state || !is_usable(state->pos)) return;
   const std::lock_guard lock(mutex_);
-  X_OR_ = pose_of(state->pos);
-  if (!estimate_) estimate_ = {message.timestamp, *X_OR_, start_};
+  take_odometry(pose_of(state->pos), state->vel, message.timestamp);
+  if (!estimate_) estimate_ = {message.timestamp, X_OS_, *X_OR_, start_};
   more.push_back({localize_, lcl::kDataHypoths, message.timestamp, wire::encode(hypotheses())});
   if (!position_) return;
   p2d::Data corrected = *state;
   corrected.pos = pose2d(moved(estimate_->belief.mean));
   more.push_back({*position_, p2d::kDataState, message.timestamp, wire::encode(corrected)});
+}
+
+/// X_OR_ goes on as if nobody had set the odometry. Locked.
+void Amcl::take_odometry(const geom::Pose& X_SR, const wire::Pose2d& velocity, double time) {
+  if (X_SR_) {
+    const geom::Pose motion = geom::compose(geom::inverse(*X_SR_), X_SR);
+    if (!placed_ && was_set(motion, velocity, std::max(0.0, time - odometry_time_)))
+      X_OS_ = geom::compose(geom::compose(X_OS_, *X_SR_), geom::inverse(X_SR));
+  }
+  X_SR_ = X_SR;
+  odometry_time_ = time;
+  placed_ = false;
+  X_OR_ = geom::compose(X_OS_, X_SR);
 }
 
 /// What was at X_WR by the latest estimate is there now, by odometry. Locked.
@@ -215,7 +250,7 @@ void Amcl::take_scan(const device::Publication& message) {
     in.hits_R = hits_of(message);
     in.seed = seed_;
     in.number = steps_++;
-    at = {message.timestamp, *X_OR_, {moved(estimate_->belief.mean), start_.cov}};
+    at = {message.timestamp, X_OS_, *X_OR_, {moved(estimate_->belief.mean), start_.cov}};
     X_OR_stepped_ = X_OR_;
     run = run_;
     map = map_;
@@ -290,7 +325,11 @@ lcl::Data Amcl::hypotheses() const {
 lcl::GetParticles Amcl::particles() const {
   const std::lock_guard lock(mutex_);
   lcl::GetParticles answer;
-  if (!estimate_ || !X_OR_) return answer;
+  if (!estimate_ || !X_OR_) {
+    answer.mean = pose2d(start_.mean);
+    answer.variance = start_.cov[0] + start_.cov[1];
+    return answer;
+  }
   answer.mean = pose2d(moved(estimate_->belief.mean));
   answer.variance = estimate_->belief.cov[0] + estimate_->belief.cov[1];
   for (const geom::Pose& particle : out_.particles)
@@ -322,18 +361,21 @@ Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& secti
     ids.push_back(*id);
   }
   driver->set_devices(ids.front(), corrects ? std::optional(ids.back()) : std::nullopt);
-  const std::uint64_t own = mix64(std::uint64_t{provided->front().robot} << 16 | provided->front().index);
+  const std::uint64_t own = seed_of(site.shown(provided->front()));
   driver->set_seed(own);
   const auto connected = [&site, shown = *provided, odometry = required->front(), own,
                           &amcl = *driver]() -> Result<void> {
     Simulation* const simulation = site.simulation();
     if (simulation == nullptr) return {};
+    using Kind = world::Change::Kind;
     Directory& directory = simulation->directory();
-    for (const device::Address& address : shown) directory.add(directory.model_of(odometry), address);
+    const world::ModelId robot = directory.model_of(odometry);
+    for (const device::Address& address : shown) directory.add(robot, address);
     amcl.set_seed(own ^ mix64(simulation->world().seed()));
     amcl.thread().follow_ticks(simulation->world().tick(), kDelay);
-    simulation->add_follower([&amcl, own](const world::World& world, const world::Change& change) {
-      if (change.kind == world::Change::Kind::kReload) amcl.rewound(world.time(), own ^ mix64(world.seed()));
+    simulation->add_follower([&amcl, own, robot](const world::World& world, const world::Change& change) {
+      if (change.kind == Kind::kReload) amcl.rewound(world.time(), own ^ mix64(world.seed()));
+      if (change.kind == Kind::kPlace && change.model == robot) amcl.placed();
     });
     simulation->add_listener(
         [&amcl](const world::World& world, const world::Pace&) { amcl.thread().ticked(world.tick()); });

@@ -49,6 +49,8 @@ class Amcl final : public device::Driver {
   /// The world was rewound to `time` [s] or restarted with a seed: goes on with what was believed then.
   /// Tick thread.
   void rewound(double time, std::uint64_t seed);
+  /// The world put the robot elsewhere, as by its RESET: if its odometry changes, it is right. Tick thread.
+  void placed();
   device::Taken command(const device::Message&) override { return device::Taken::kNo; }
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
@@ -58,6 +60,7 @@ class Amcl final : public device::Driver {
   /// What was believed when the odometry was at X_OR.
   struct Estimate {
     double time = 0;  // s
+    geom::Pose X_OS;  // X_OS_ of then
     geom::Pose X_OR;
     PoseBelief belief;  // the heaviest hypothesis
   };
@@ -66,6 +69,7 @@ class Amcl final : public device::Driver {
   void ask_map();
   void take_news(std::vector<device::Publication>& more);
   void take_state(const device::Publication& message, std::vector<device::Publication>& more);
+  void take_odometry(const geom::Pose& X_SR, const wire::Pose2d& velocity, double time);
   void take_scan(const device::Publication& message);
   std::vector<geom::Vec2> hits_of(const device::Publication& message) const;
   bool is_due() const;
@@ -98,7 +102,11 @@ class Amcl final : public device::Driver {
   std::uint64_t seed_ = 0;
   std::shared_ptr<const GridMap> map_;      // once it is known
   std::vector<geom::Pose> X_RS_;            // laser or sonars; empty until they are known
-  std::optional<geom::Pose> X_OR_;          // latest odometry
+  std::optional<geom::Pose> X_OR_;          // latest odometry, without jumps
+  std::optional<geom::Pose> X_SR_;          // the same as it was told
+  double odometry_time_ = 0;                // s
+  bool placed_ = false;                     // since then
+  geom::Pose X_OS_;                         // its frame, after the latest jump
   std::uint64_t run_ = 1;                   // of the filter; results of earlier ones are discarded
   std::uint64_t steps_ = 0;                 // of this run
   PoseBelief start_;                        // of this run

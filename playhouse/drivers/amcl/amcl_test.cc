@@ -125,7 +125,7 @@ TEST_F(AmclTest, begins_anew_with_the_pose_that_a_client_sets) {
 TEST_F(AmclTest, goes_on_after_a_rewind_with_what_it_believed_then) {
   site.run(3);
   const wire::Pose2d then = newest<p2d::Data>(kCorrected).pos;
-  move({1, 1, 0, 0});
+  move({0.3, 0.3, 0, 0});
   site.run(3);
   EXPECT_DOUBLE_EQ(newest<lcl::Data>(kLocalize).pending_time, 0.4);
   static_cast<Amcl&>(driver()).rewound(0.35, 1);
@@ -137,9 +137,26 @@ TEST_F(AmclTest, goes_on_after_a_rewind_with_what_it_believed_then) {
   EXPECT_EQ(newest<p2d::Data>(kCorrected).pos, (wire::Pose2d{1, 0, geom::radians(90)})) << "as configured";
 }
 
+TEST_F(AmclTest, odometry_that_is_set_is_no_motion) {
+  move({0.1, 0, 0, 0});
+  site.run(3);
+  const wire::Pose2d before = newest<p2d::Data>(kCorrected).pos;
+  move({-3, 5, 0, 2});
+  site.run(1);
+  EXPECT_NEAR(newest<p2d::Data>(kCorrected).pos.px, before.px, 1e-9);
+  EXPECT_NEAR(newest<p2d::Data>(kCorrected).pos.py, before.py, 1e-9);
+  EXPECT_NEAR(newest<p2d::Data>(kCorrected).pos.pa, before.pa, 1e-9);
+  move(geom::compose(geom::Pose{-3, 5, 0, 2}, geom::Pose{0.3, 0, 0, 0}));
+  site.run(1);
+  EXPECT_NEAR(newest<p2d::Data>(kCorrected).pos.py, before.py + 0.3 * geom::sincos(before.pa).sin, 1e-9);
+}
+
 TEST_F(AmclTest, answers_with_its_particles) {
-  EXPECT_TRUE(
-      wire::decode<lcl::GetParticles>(ask(kLocalize, lcl::kReqGetParticles, {}).body)->particles.empty());
+  const auto first = wire::decode<lcl::GetParticles>(ask(kLocalize, lcl::kReqGetParticles, {}).body);
+  ASSERT_TRUE(first);
+  EXPECT_TRUE(first->particles.empty());
+  EXPECT_EQ(first->mean, (wire::Pose2d{1, 0, geom::radians(90)})) << "as configured";
+  EXPECT_DOUBLE_EQ(first->variance, 0.02);
   site.run(3);
   const auto answer = wire::decode<lcl::GetParticles>(ask(kLocalize, lcl::kReqGetParticles, {}).body);
   ASSERT_TRUE(answer);

@@ -108,8 +108,11 @@ std::vector<Hypothesis> hypotheses_of(std::span<const Pose> particles) {
     clusters[label].add(particle);
   }
   std::ranges::stable_sort(clusters, std::greater(), &Sums::count);
+  if (clusters.size() > kMostHypotheses) clusters.resize(kMostHypotheses);
+  std::size_t all = 0;
+  for (const Sums& cluster : clusters) all += cluster.count;
   std::vector<Hypothesis> hypotheses;
-  for (const Sums& cluster : clusters) hypotheses.push_back(cluster.hypothesis(particles.size()));
+  for (const Sums& cluster : clusters) hypotheses.push_back(cluster.hypothesis(all));
   return hypotheses;
 }
 

@@ -14,6 +14,8 @@ namespace {
 
 using geom::Pose;
 
+constexpr double kMostVariance = 1e12;  // m^2, rad^2
+
 /// Lower triangular L with L L^T the covariance.
 struct Root {
   double xx = 0, yx = 0, yy = 0, ax = 0, ay = 0, aa = 0;
@@ -25,7 +27,11 @@ std::optional<Root> root_of(const std::array<double, 6>& cov) {
   const double least = -1e-9 * (std::fabs(xx) + std::fabs(yy) + std::fabs(aa));
   const auto over = [](double value, double by) { return by > 0 ? value / by : 0; };
   Root root;
-  if (!(xx >= 0)) return std::nullopt;
+  if (!(xx >= 0 && xx <= kMostVariance && yy <= kMostVariance && aa <= kMostVariance)) return std::nullopt;
+  // What does not vary does not covary.
+  if ((xx == 0 && (xy != 0 || xa != 0)) || (yy == 0 && (xy != 0 || ya != 0)) ||
+      (aa == 0 && (xa != 0 || ya != 0)))
+    return std::nullopt;
   root.xx = std::sqrt(xx);
   root.yx = over(xy, root.xx);
   root.ax = over(xa, root.xx);
@@ -34,7 +40,7 @@ std::optional<Root> root_of(const std::array<double, 6>& cov) {
   root.yy = std::sqrt(std::max(y2, 0.0));
   root.ay = over(ya - root.ax * root.yx, root.yy);
   const double a2 = aa - root.ax * root.ax - root.ay * root.ay;
-  if (!(a2 >= least)) return std::nullopt;
+  if (!(a2 >= least && std::fabs(ya - root.ax * root.yx - root.ay * root.yy) <= -least)) return std::nullopt;
   root.aa = std::sqrt(std::max(a2, 0.0));
   return root;
 }
@@ -67,18 +73,14 @@ double wanted(const AmclOptions& options, std::size_t bins) {
   return k / (2 * options.kld_error) * root * root * root;
 }
 
-/// Draws particles until there are enough for the bins that they are in.
+/// Draws particles until there are enough for the bins that they are in. `draw` returns one.
 template <typename Draw>
-std::vector<Pose> draw_enough(const AmclOptions& options, const Draw& draw) {
-  std::vector<Pose> particles;
+void draw_enough(const AmclOptions& options, const Draw& draw) {
   std::unordered_set<std::uint64_t> bins;
-  while (particles.size() < options.max_particles) {
-    particles.push_back(draw());
-    bins.insert(bin_of(particles.back()));
-    const auto count = static_cast<double>(particles.size());
-    if (particles.size() >= options.min_particles && count >= wanted(options, bins.size())) break;
+  for (std::size_t count = 1; count <= options.max_particles; ++count) {
+    bins.insert(bin_of(draw()));
+    if (count >= options.min_particles && static_cast<double>(count) >= wanted(options, bins.size())) break;
   }
-  return particles;
 }
 
 void move(const AmclOptions& options, const Pose& motion, Rng& random, std::vector<Pose>& particles) {
@@ -93,22 +95,25 @@ void move(const AmclOptions& options, const Pose& motion, Rng& random, std::vect
   }
 }
 
-/// Cumulated weights by how well the scan fits, and the mean likelihood.
+/// Cumulated weights by how well the scan fits, and the mean likelihood of those that are not random: with
+/// them a share of random particles, which fit badly, would keep itself up.
 struct Weights {
   std::vector<double> cumulated;
   double mean = 0;
 };
 
-Weights weights_of(const LikelihoodField& field, const FilterIn& in, std::span<const Pose> particles) {
+Weights weights_of(const LikelihoodField& field, const FilterIn& in, const FilterMemory& memory) {
   Weights weights;
   double most = -HUGE_VAL;
-  for (const Pose& particle : particles) {
+  for (const Pose& particle : memory.particles) {
     weights.cumulated.push_back(field.log_likelihood(particle, in.hits_R));
     most = std::max(most, weights.cumulated.back());
   }
   double sum = 0;
   for (double& weight : weights.cumulated) weight = sum += geom::exp(weight - most);
-  weights.mean = geom::exp(most) * sum / static_cast<double>(particles.size());
+  const std::size_t judged = memory.particles.size() - memory.random;
+  if (judged > 0)
+    weights.mean = geom::exp(most) * weights.cumulated[judged - 1] / static_cast<double>(judged);
   return weights;
 }
 
@@ -141,17 +146,25 @@ FilterOut filter_step(const AmclOptions& options, const LikelihoodField& field, 
   if (in.start) {
     const Root root = root_of(in.start->cov).value_or(Root{});
     memory = {};
-    memory.particles = draw_enough(options, [&] { return drawn_on_floor(*in.start, root, field, random); });
+    draw_enough(options, [&] {
+      return memory.particles.emplace_back(drawn_on_floor(*in.start, root, field, random));
+    });
   } else {
     move(options, in.motion, random, memory.particles);
   }
-  const Weights weights = weights_of(field, in, memory.particles);
+  const Weights weights = weights_of(field, in, memory);
   double share = in.hits_R.empty() ? 0 : random_share(options, weights.mean, memory);
   if (!field.has_free_cells()) share = 0;
-  memory.particles = draw_enough(options, [&] {
-    return random.uniform() < share ? random_pose(field, random) : memory.particles[pick(weights, random)];
+  std::vector<Pose> kept{memory.particles[pick(weights, random)]}, lost;
+  draw_enough(options, [&] {
+    if (random.uniform() < share) return lost.emplace_back(random_pose(field, random));
+    return kept.emplace_back(memory.particles[pick(weights, random)]);
   });
-  return {hypotheses_of(memory.particles), memory.particles};
+  FilterOut out{hypotheses_of(kept), {}};
+  memory.random = lost.size();
+  kept.insert(kept.end(), lost.begin(), lost.end());
+  out.particles = memory.particles = std::move(kept);
+  return out;
 }
 
 }  // namespace playhouse::drivers

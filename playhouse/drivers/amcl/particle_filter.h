@@ -60,7 +60,8 @@ struct FilterIn {
 
 struct FilterMemory {
   std::vector<geom::Pose> particles;  // X_WR, of equal weight
-  double slow = 0, fast = 0;          // averages of likelihoods
+  std::size_t random = 0;             // number of those at the end that no scan has judged yet
+  double slow = 0, fast = 0;          // averages of likelihoods of the others
 };
 
 struct Hypothesis {
@@ -69,14 +70,17 @@ struct Hypothesis {
 };
 
 struct FilterOut {
-  std::vector<Hypothesis> hypotheses;  // heaviest first, at least one
+  std::vector<Hypothesis> hypotheses;  // heaviest first, at least one; without random particles
   std::vector<geom::Pose> particles;   // X_WR, of equal weight
 };
 
 FilterOut filter_step(const AmclOptions& options, const LikelihoodField& field, const FilterIn& in,
                       FilterMemory& memory);
 
-/// The particles in groups of neighbouring bins of 0.5 m and 10 degrees, heaviest first.
+inline constexpr std::size_t kMostHypotheses = 64;
+
+/// The particles in groups of neighbouring bins of 0.5 m and 10 degrees, the heaviest
+/// first, kMostHypotheses at most; weights are shares of the particles of these groups.
 std::vector<Hypothesis> hypotheses_of(std::span<const geom::Pose> particles);
 
 }  // namespace playhouse::drivers

@@ -145,6 +145,26 @@ TEST_F(FilterTest, gives_the_same_bits_for_the_same_seed) {
   EXPECT_EQ(outs[0].particles, outs[1].particles);
 }
 
+/// Of a robot that is carried away, most particles are random.
+TEST_F(FilterTest, tells_no_hypotheses_of_random_particles_before_a_scan_has_judged_them) {
+  Pose X_WR = at(3.5, 4.5, 0);
+  begin(X_WR, {X_WR, {0.01, 0.01, 0.01, 0, 0, 0}});
+  tour(X_WR);
+  const Pose before = X_WR;
+  X_WR = at(8, 1, 30);
+  std::size_t random = 0;
+  for (int i = 0; i < 5; ++i) {
+    const FilterOut out = drive(X_WR, {});
+    if (random == 0) EXPECT_LT(distance(out.hypotheses.front().belief.mean, before), 0.5);
+    random += memory.random;
+    double sum = 0;
+    for (const Hypothesis& each : out.hypotheses) sum += each.weight;
+    EXPECT_NEAR(sum, 1, 1e-9);
+    EXPECT_LE(out.hypotheses.size(), kMostHypotheses);
+  }
+  EXPECT_GT(random, 0u);
+}
+
 TEST(Hypotheses, are_clusters_heaviest_first_with_their_spread) {
   std::vector<Pose> particles;
   for (int i = 0; i < 30; ++i) particles.push_back({5, 5, 0, 0});
@@ -170,6 +190,11 @@ TEST(PoseBelief, is_possible_if_its_covariance_is_one) {
   EXPECT_TRUE(is_possible({{1, 2, 0, 3}, {1, 4, 1, 2, 2, 1}})) << "everything on a line";
   EXPECT_FALSE(is_possible({{}, {1, 1, 1, 1.1, 0, 0}}));
   EXPECT_FALSE(is_possible({{}, {-1, 1, 1, 0, 0, 0}}));
+  EXPECT_TRUE(is_possible({{}, {0, 1, 1, 0, 1, 0}}));
+  EXPECT_FALSE(is_possible({{}, {0, 1, 1, 5, 0, 0}})) << "what does not vary does not covary";
+  EXPECT_FALSE(is_possible({{}, {0, 0, 1, 0, 3, 3}}));
+  EXPECT_FALSE(is_possible({{}, {1, 1, 1, 1, 1, -1}}));
+  EXPECT_FALSE(is_possible({{}, {1e308, 1e308, 1e308, 0, 0, 0}}));
   EXPECT_FALSE(is_possible({{}, {1, 1, 1, 0, 0, HUGE_VAL}}));
   EXPECT_FALSE(is_possible({{HUGE_VAL, 0, 0, 0}, {}}));
 }

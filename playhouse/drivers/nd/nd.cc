@@ -86,7 +86,8 @@ void Nd::stop(device::DeviceId) {
   state_.reset();
 }
 
-void Nd::rewound() {
+void Nd::rewound(bool to_start) {
+  if (to_start) set_goal(std::nullopt);
   thread_.clear();
   const std::lock_guard lock(mutex_);
   state_.reset();
@@ -106,15 +107,20 @@ device::Taken Nd::command(const device::Message& message) {
   return device::Taken::kLatest;
 }
 
-/// Replaces or clears the goal; true if there was one. No command for the old goal follows.
+/// Replaces or clears the goal; true if there was one. A drive goes on with another goal and what it knows,
+/// so that goals may come at any rate; none of its commands follows its end.
 bool Nd::set_goal(std::optional<geom::Pose> X_OG) {
   bool had_one = false;
   {
     const std::lock_guard lock(mutex_);
     had_one = goal_.has_value();
     gave_up_ = false;
+    if (X_OG && goal_) {
+      goal_->X_OG = *X_OG;
+      return true;
+    }
     goal_.reset();
-    if (X_OG) goal_ = {*X_OG, ++goals_};
+    if (X_OG) goal_ = {*X_OG, ++drives_};
   }
   thread_.clear();
   return had_one;
@@ -163,12 +169,12 @@ void Nd::take_scans(const std::optional<device::Publication>& laser,
                     const std::optional<device::Publication>& sonar) {
   NdIn in;
   std::optional<NdRobot> robot;
-  std::uint64_t goal = 0;
+  std::uint64_t drive_number = 0;
   {
     const std::lock_guard lock(mutex_);
     robot = this->robot();
     if (!goal_ || !state_ || !robot) return;
-    goal = goal_->number;
+    drive_number = goal_->drive;
     in.X_OG = goal_->X_OG;
     in.X_OR = pose_of(state_->pos);
     in.stall = state_->stall != 0;
@@ -185,18 +191,19 @@ void Nd::take_scans(const std::optional<device::Publication>& laser,
     in.time = sonar->timestamp;
     in.sonar = scan->ranges;
   }
-  thread_.post(
-      [this, goal, robot = std::move(*robot), in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
-        if (fresh) memory_ = {};
-        const NdOut out = nd_step(options_, robot, in, memory_);
-        return [this, goal, out] { steer(goal, out); };
-      });
+  thread_.post([this, drive_number, robot = std::move(*robot),
+                in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
+    if (fresh) memory_ = {};
+    const NdOut out = nd_step(options_, robot, in, memory_);
+    return [this, drive_number, X_OG = in.X_OG, out] { steer(drive_number, X_OG, out); };
+  });
 }
 
-void Nd::steer(std::uint64_t goal, const NdOut& out) {
+void Nd::steer(std::uint64_t drive_number, const geom::Pose& X_OG, const NdOut& out) {
   {
     const std::lock_guard lock(mutex_);
-    if (!goal_ || goal_->number != goal) return;
+    if (!goal_ || goal_->drive != drive_number) return;
+    if (X_OG != goal_->X_OG && (out.done || out.stuck)) return;  // at another goal
     if (out.done || out.stuck) goal_.reset();
     gave_up_ = out.stuck;
   }
@@ -259,8 +266,8 @@ Result<std::unique_ptr<device::Driver>> make_nd(const scene::CfgSection& section
     Directory& directory = simulation->directory();
     directory.add(directory.model_of(robot), shown);
     nd.thread().follow_ticks(simulation->world().tick(), kDelay);
-    simulation->add_follower([&nd](const world::World&, const world::Change& change) {
-      if (change.kind == world::Change::Kind::kReload) nd.rewound();
+    simulation->add_follower([&nd](const world::World& world, const world::Change& change) {
+      if (change.kind == world::Change::Kind::kReload) nd.rewound(world.tick() == 0);
     });
     simulation->add_listener(
         [&nd](const world::World& world, const world::Pace&) { nd.thread().ticked(world.tick()); });

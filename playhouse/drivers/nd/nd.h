@@ -46,8 +46,8 @@ class Nd final : public device::Driver {
   Result<void> start(device::DeviceId device) override;
   void stop(device::DeviceId device) override;
   void retired(device::DeviceId) override { stop(device_); }
-  /// The world was rewound: discards computed results, keeps the goal. Tick thread.
-  void rewound();
+  /// The world was rewound: discards computed results, keeps the goal unless it starts again. Tick thread.
+  void rewound(bool to_start);
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
@@ -56,7 +56,7 @@ class Nd final : public device::Driver {
  private:
   struct Goal {
     geom::Pose X_OG;
-    std::uint64_t number = 0;
+    std::uint64_t drive = 0;  // number of the drive, which may have several goals
   };
   void ask_geometry();
   void take_body(const AnswerBody& body);
@@ -68,7 +68,7 @@ class Nd final : public device::Driver {
   void take_scans(const std::optional<device::Publication>& laser,
                   const std::optional<device::Publication>& sonar);
   std::optional<NdRobot> robot() const;
-  void steer(std::uint64_t goal, const NdOut& out);
+  void steer(std::uint64_t drive_number, const geom::Pose& X_OG, const NdOut& out);
   void drive(double speed, double turn_rate);
 
   const Devices devices_;
@@ -82,8 +82,8 @@ class Nd final : public device::Driver {
 
   std::mutex mutex_;  // guards what follows
   std::optional<Goal> goal_;
-  std::uint64_t goals_ = 0;  // so far
-  bool gave_up_ = false;     // the last goal, being stuck
+  std::uint64_t drives_ = 0;  // so far
+  bool gave_up_ = false;      // the last goal, being stuck
   std::optional<wire::position2d::Data> state_;
   // Once the geometry of the robot, the laser, the sonars is known.
   std::optional<geom::Box> body_;

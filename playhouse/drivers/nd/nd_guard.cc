@@ -24,7 +24,7 @@ struct Near {
 std::vector<Near> near_points(const NdDiagram& diagram, double reach) {
   std::vector<Near> points;
   for (const NdSector& sector : diagram.sectors())
-    if (sector.clearance < reach) points.push_back({sector.nearest, sector.clearance});
+    if (sector.occupied() && sector.clearance < reach) points.push_back({sector.nearest, sector.clearance});
   return points;
 }
 

@@ -108,7 +108,7 @@ struct Danger {
 std::vector<Danger> find_dangers(const NdDiagram& diagram, double zone, double reach) {
   std::vector<Danger> dangers;
   for (const NdSector& sector : diagram.sectors()) {
-    if (sector.clearance < zone && length(sector.nearest) <= reach)
+    if (sector.occupied() && sector.clearance < zone && length(sector.nearest) <= reach)
       dangers.push_back({geom::atan2(sector.nearest.y, sector.nearest.x), 1 - sector.clearance / zone});
   }
   return dangers;

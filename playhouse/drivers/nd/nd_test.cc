@@ -183,17 +183,27 @@ TEST_F(NdTest, gives_up_a_goal_to_which_it_does_not_get_and_says_so_until_the_ne
 }
 
 TEST_F(NdTest, keeps_its_goal_when_the_run_is_taken_back) {
-  Simulation& simulation = *site.site().simulation();
-  simulation.record(true);
-  site.run(1);
-  const std::uint64_t instant = simulation.timeline()->ticks.front();
   go_to(0, 3);
   site.run(3);
   EXPECT_NE(told().a, 0);
-  testing::rewind_to(simulation, instant, 1);
+  static_cast<Nd&>(driver()).rewound(false);
+  world().positions.command[0] = {};
   EXPECT_EQ(told(), geom::Twist()) << "what was computed before is not said";
-  site.run(1);
+  site.run(2);
   EXPECT_DOUBLE_EQ(told().a, geom::radians(45));
+}
+
+TEST_F(NdTest, has_no_goal_after_a_restart) {
+  Simulation& simulation = *site.site().simulation();
+  simulation.record(true);
+  site.run(1);
+  const std::uint64_t start = simulation.timeline()->ticks.front();
+  go_to(0, 3);
+  site.run(3);
+  EXPECT_NE(told().a, 0);
+  testing::rewind_to(simulation, start, 1);
+  site.run(3);
+  EXPECT_EQ(told(), geom::Twist());
 }
 
 TEST_F(NdTest, requests_are_its_robot_s) {

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "playhouse/drivers/grid_map/testing_tiles.h"
 #include "playhouse/drivers/testing/memory_site.h"
@@ -63,6 +66,35 @@ TEST_F(MapOfModelTest, has_its_walls_and_those_of_its_parts_where_they_are) {
                                                  -1, 1,  1,  -1,  //
                                                  -1, 1,  1,  -1,  // the shelf, thinner than a cell
                                                  -1, -1, -1, -1}));
+}
+
+/// A frame whose sides are a third of a cell, in one body.
+TEST_F(MapOfModelTest, walls_thinner_than_a_cell_are_closed) {
+  build(R"(map_resolution 0.3 size [3 3 1] pose [0 0 0 0] block( points 10
+    point[0] [0 0] point[1] [30 0] point[2] [30 30] point[3] [0 30] point[4] [0 0]
+    point[5] [1 1] point[6] [1 29] point[7] [29 29] point[8] [29 1] point[9] [1 1] z [0 1] ))");
+  const auto info = wire::decode<map::Info>(ask(map::kReqGetInfo, {}).body);
+  ASSERT_TRUE(info);
+  const std::uint32_t width = info->width, height = info->height;
+  const auto tile =
+      wire::decode<map::Data>(ask(map::kReqGetData, wire::encode(map::Data{0, 0, width, height})).body);
+  ASSERT_TRUE(tile);
+  const std::vector<std::int8_t> cells = unpacked(*tile);
+  // What can be reached from the corner over free cells, diagonally too.
+  std::vector<bool> seen(cells.size());
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const std::uint32_t cell = open.back();
+    open.pop_back();
+    if (seen[cell] || cells[cell] == 1) continue;
+    seen[cell] = true;
+    const std::uint32_t x = cell % width, y = cell / width;
+    for (std::uint32_t v = std::max(y, 1u) - 1; v < std::min(y + 2, height); ++v)
+      for (std::uint32_t u = std::max(x, 1u) - 1; u < std::min(x + 2, width); ++u)
+        open.push_back(v * width + u);
+  }
+  EXPECT_FALSE(seen[height / 2 * width + width / 2]);
+  EXPECT_EQ(cells[height / 2 * width + width / 2], -1);
 }
 
 TEST_F(MapOfModelTest, refuses_what_there_is_not) {

@@ -64,7 +64,8 @@ void Vfh::stop(device::DeviceId) {
   state_.reset();
 }
 
-void Vfh::rewound() {
+void Vfh::rewound(bool to_start) {
+  if (to_start) set_goal(std::nullopt);
   thread_.clear();
   const std::lock_guard lock(mutex_);
   state_.reset();
@@ -84,14 +85,19 @@ device::Taken Vfh::command(const device::Message& message) {
   return device::Taken::kLatest;
 }
 
-/// Replaces or clears the goal; true if there was one. No command for the old goal follows.
+/// Replaces or clears the goal; true if there was one. A drive goes on with another goal and what it knows,
+/// so that goals may come at any rate; none of its commands follows its end.
 bool Vfh::set_goal(std::optional<geom::Pose> X_OG) {
   bool had_one = false;
   {
     const std::lock_guard lock(mutex_);
     had_one = goal_.has_value();
+    if (X_OG && goal_) {
+      goal_->X_OG = *X_OG;
+      return true;
+    }
     goal_.reset();
-    if (X_OG) goal_ = {*X_OG, ++goals_};
+    if (X_OG) goal_ = {*X_OG, ++drives_};
   }
   thread_.clear();
   return had_one;
@@ -125,11 +131,11 @@ void Vfh::take_state(const device::Publication& message) {
 void Vfh::take_scan(const device::Publication& message) {
   VfhIn in;
   VfhRobot robot;
-  std::uint64_t goal = 0;
+  std::uint64_t drive_number = 0;
   {
     const std::lock_guard lock(mutex_);
     if (!goal_ || !state_ || !radius_ || !X_RS_) return;
-    goal = goal_->number;
+    drive_number = goal_->drive;
     robot = {*radius_, *X_RS_};
     in.X_OG = goal_->X_OG;
     in.X_OR = pose_of(state_->pos);
@@ -143,17 +149,18 @@ void Vfh::take_scan(const device::Publication& message) {
   in.first_angle = scan->min_angle;
   in.angle_step = scan->resolution;
   in.ranges = scan->ranges;
-  thread_.post([this, goal, robot, in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
+  thread_.post([this, drive_number, robot, in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
     if (fresh) memory_ = {};
     const VfhOut out = vfh_step(options_, robot, in, memory_);
-    return [this, goal, out] { steer(goal, out); };
+    return [this, drive_number, X_OG = in.X_OG, out] { steer(drive_number, X_OG, out); };
   });
 }
 
-void Vfh::steer(std::uint64_t goal, const VfhOut& out) {
+void Vfh::steer(std::uint64_t drive_number, const geom::Pose& X_OG, const VfhOut& out) {
   {
     const std::lock_guard lock(mutex_);
-    if (!goal_ || goal_->number != goal) return;
+    if (!goal_ || goal_->drive != drive_number) return;
+    if (X_OG != goal_->X_OG && out.done) return;  // at another goal
     if (out.done) goal_.reset();
   }
   drive(out.speed, out.turn_rate);
@@ -182,8 +189,8 @@ Result<std::unique_ptr<device::Driver>> make_vfh(const scene::CfgSection& sectio
     Directory& directory = simulation->directory();
     directory.add(directory.model_of(robot), shown);
     vfh.thread().follow_ticks(simulation->world().tick(), kDelay);
-    simulation->add_follower([&vfh](const world::World&, const world::Change& change) {
-      if (change.kind == world::Change::Kind::kReload) vfh.rewound();
+    simulation->add_follower([&vfh](const world::World& world, const world::Change& change) {
+      if (change.kind == world::Change::Kind::kReload) vfh.rewound(world.tick() == 0);
     });
     simulation->add_listener(
         [&vfh](const world::World& world, const world::Pace&) { vfh.thread().ticked(world.tick()); });

@@ -37,8 +37,8 @@ class Vfh final : public device::Driver {
   Result<void> start(device::DeviceId device) override;
   void stop(device::DeviceId device) override;
   void retired(device::DeviceId) override { stop(device_); }
-  /// The world was rewound: discards computed results, keeps the goal. Tick thread.
-  void rewound();
+  /// The world was rewound: discards computed results, keeps the goal unless it starts again. Tick thread.
+  void rewound(bool to_start);
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
@@ -47,14 +47,14 @@ class Vfh final : public device::Driver {
  private:
   struct Goal {
     geom::Pose X_OG;
-    std::uint64_t number = 0;
+    std::uint64_t drive = 0;  // number of the drive, which may have several goals
   };
   void ask_geometry();
   bool set_goal(std::optional<geom::Pose> X_OG);
   void take_news(std::vector<device::Publication>& more);
   void take_state(const device::Publication& message);
   void take_scan(const device::Publication& message);
-  void steer(std::uint64_t goal, const VfhOut& out);
+  void steer(std::uint64_t drive_number, const geom::Pose& X_OG, const VfhOut& out);
   void drive(double speed, double turn_rate);
 
   const VfhOptions options_;
@@ -66,7 +66,7 @@ class Vfh final : public device::Driver {
 
   std::mutex mutex_;  // guards what follows
   std::optional<Goal> goal_;
-  std::uint64_t goals_ = 0;  // so far
+  std::uint64_t drives_ = 0;  // so far
   std::optional<wire::position2d::Data> state_;
   std::optional<double> radius_;    // m; once the robot's geometry is known
   std::optional<geom::Pose> X_RS_;  // once the laser's geometry is known

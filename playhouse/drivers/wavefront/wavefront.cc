@@ -90,7 +90,8 @@ bool Wavefront::end_drive() {
   return was_driving;
 }
 
-void Wavefront::rewound() {
+void Wavefront::rewound(bool to_start) {
+  if (to_start) end_drive();
   thread_.clear();
   const std::lock_guard lock(mutex_);
   if (!progress_.done()) progress_ = {};
@@ -111,12 +112,12 @@ device::Taken Wavefront::command(const device::Message& message) {
 void Wavefront::set_goal(const geom::Pose& X_WT, bool start) {
   {
     const std::lock_guard lock(mutex_);
+    enabled_ = enabled_ || start;
+    if (goal_ && goal_->X_WT == X_WT && !progress_.done() && !options_.refresh_map) return;
     goal_ = {X_WT, ++goals_};
     progress_ = {};
-    enabled_ = enabled_ || start;
     reading_ = reading_ || options_.refresh_map;
   }
-  thread_.clear();
   if (options_.refresh_map) read_map_again();
 }
 
@@ -179,19 +180,19 @@ void Wavefront::post(FollowIn in) {
   });
 }
 
-/// Without effect if the goal is another one by now.
+/// If the goal is another one by now, the robot sets out all the same: goals may come at any rate.
 void Wavefront::take_step(std::uint64_t goal, const FollowOut& out) {
   bool must_halt = false, must_go = false;
   {
     const std::lock_guard lock(mutex_);
-    if (!goal_ || goal_->number != goal) return;
-    progress_ = out;
-    if (!out.fault.empty() && !std::exchange(goal_->told_fault, true))
+    if (!goal_) return;
+    if (goal_->number == goal) progress_ = out;
+    if (goal_->number == goal && !out.fault.empty() && !std::exchange(goal_->told_fault, true))
       log::warn("driver wavefront: no path to ({:.3g}, {:.3g}): {}", goal_->X_WT.x, goal_->X_WT.y, out.fault);
-    must_halt = out.route == nullptr && std::exchange(driving_, false);
+    must_halt = goal_->number == goal && out.route == nullptr && std::exchange(driving_, false);
     must_go = out.X_OP && enabled_;
     if (must_go) driving_ = true;
-    if (out.done()) driving_ = false;  // the output goes on to the goal itself
+    if (progress_.done()) driving_ = false;  // the output goes on to the goal itself
   }
   if (must_halt) halt();
   if (must_go) go_to(*out.X_OP);
@@ -254,8 +255,8 @@ Result<std::unique_ptr<device::Driver>> make_wavefront(const scene::CfgSection& 
     Directory& directory = simulation->directory();
     directory.add(directory.model_of(robot), shown);
     wavefront.thread().follow_ticks(simulation->world().tick(), kStepTicks);
-    simulation->add_follower([&wavefront](const world::World&, const world::Change& change) {
-      if (change.kind == world::Change::Kind::kReload) wavefront.rewound();
+    simulation->add_follower([&wavefront](const world::World& world, const world::Change& change) {
+      if (change.kind == world::Change::Kind::kReload) wavefront.rewound(world.tick() == 0);
     });
     simulation->add_listener([&wavefront](const world::World& world, const world::Pace&) {
       wavefront.thread().ticked(world.tick());

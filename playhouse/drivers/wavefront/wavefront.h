@@ -37,8 +37,8 @@ class Wavefront final : public device::Driver {
   Result<void> start(device::DeviceId device) override;
   void stop(device::DeviceId device) override;
   void retired(device::DeviceId) override { stop(device_); }
-  /// The world was rewound: plans again, keeps the goal. Tick thread.
-  void rewound();
+  /// The world was rewound: plans again, keeps the goal unless it starts again. Tick thread.
+  void rewound(bool to_start);
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
