@@ -206,6 +206,14 @@ TEST_F(NdTest, has_no_goal_after_a_restart) {
   EXPECT_EQ(told(), geom::Twist());
 }
 
+TEST_F(NdTest, goals_may_come_in_every_tick) {
+  for (int tick = 0; tick < 5; ++tick) {
+    go_to(0, 3 + tick % 2);
+    site.run(1);
+  }
+  EXPECT_GT(told().a, 0) << "they are to its left";
+}
+
 TEST_F(NdTest, requests_are_its_robot_s) {
   const auto answer = [this](std::uint8_t subtype, const std::vector<std::byte>& body) {
     driver().request({site.id(kNd), kReq, subtype, body}, device::Replier(site.recorder, subtype));

@@ -147,6 +147,14 @@ TEST_F(VfhTest, at_its_goal_it_stands_and_leaves_the_robot_to_others) {
   EXPECT_EQ(told().a, 0.5);
 }
 
+TEST_F(VfhTest, goals_may_come_in_every_tick) {
+  for (int tick = 0; tick < 5; ++tick) {
+    go_to(0, 3 + tick % 2);
+    site.run(1);
+  }
+  EXPECT_GT(told().a, 0) << "they are to its left";
+}
+
 TEST_F(VfhTest, requests_are_its_robot_s) {
   const auto answer = [this](std::uint8_t subtype, const std::vector<std::byte>& body) {
     driver().request({site.id(kVfh), kReq, subtype, body}, device::Replier(site.recorder, subtype));

@@ -360,6 +360,18 @@ TEST(Wavefront, a_new_goal_takes_the_place_of_the_old_one) {
   EXPECT_EQ(test.waypoints().waypoints.size(), 1u);
 }
 
+TEST(Wavefront, goals_may_come_in_every_tick) {
+  for (const bool moving : {false, true}) {
+    Planned test;
+    test.forget();
+    for (int tick = 0; tick < 5; ++tick) {
+      test.go_to({kGoal.x, kGoal.y, 0, moving ? kGoal.a + 0.01 * tick : kGoal.a});
+      test.site.run(1);
+    }
+    EXPECT_NE(test.told(), kNowhere) << moving;
+  }
+}
+
 TEST(Wavefront, a_goal_without_a_path_is_not_valid_and_ends_the_drive) {
   const GridMap map = rooms();
   GridMap shut = rooms();
