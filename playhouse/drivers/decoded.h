@@ -13,6 +13,9 @@
 
 namespace playhouse::drivers {
 
+/// Limit of a queue for the STATEs of a position2d: all of one batch are to be used.
+inline constexpr std::size_t kStatesKept = 64;
+
 /// Body of an ACK; none for NACK.
 using AnswerBody = std::optional<std::vector<std::byte>>;
 

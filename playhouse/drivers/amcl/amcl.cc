@@ -9,6 +9,7 @@
 #include "playhouse/drivers/amcl/amcl_options.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/map_reader.h"
+#include "playhouse/drivers/in_ticks.h"
 #include "playhouse/drivers/section_devices.h"
 #include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/wire/codec.h"
@@ -32,9 +33,7 @@ constexpr std::size_t kOdometry = 0;
 constexpr std::size_t kSensor = 1;
 constexpr std::size_t kMap = 2;
 
-constexpr std::size_t kStatesKept = 64;  // per batch; all are used
-constexpr std::uint64_t kDelay = 1;      // ticks from a scan to its estimate
-constexpr std::size_t kHistory = 4096;   // estimates, some minutes of driving
+constexpr std::size_t kHistory = 4096;  // estimates, some minutes of driving
 constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq);
 
 /// Where beams end that hit something, in R: evenly spread ones of a laser, or all sonars.
@@ -367,18 +366,14 @@ Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& secti
                           &amcl = *driver]() -> Result<void> {
     Simulation* const simulation = site.simulation();
     if (simulation == nullptr) return {};
-    using Kind = world::Change::Kind;
-    Directory& directory = simulation->directory();
-    const world::ModelId robot = directory.model_of(odometry);
-    for (const device::Address& address : shown) directory.add(robot, address);
     amcl.set_seed(own ^ mix64(simulation->world().seed()));
-    amcl.thread().follow_ticks(simulation->world().tick(), kDelay);
-    simulation->add_follower([&amcl, own, robot](const world::World& world, const world::Change& change) {
-      if (change.kind == Kind::kReload) amcl.rewound(world.time(), own ^ mix64(world.seed()));
-      if (change.kind == Kind::kPlace && change.model == robot) amcl.placed();
+    run_in_ticks(site, shown, odometry, amcl.thread(), [&amcl, own](const world::World& world) {
+      amcl.rewound(world.time(), own ^ mix64(world.seed()));
     });
-    simulation->add_listener(
-        [&amcl](const world::World& world, const world::Pace&) { amcl.thread().ticked(world.tick()); });
+    const world::ModelId robot = simulation->directory().model_of(odometry);
+    simulation->add_follower([&amcl, robot](const world::World&, const world::Change& change) {
+      if (change.kind == world::Change::Kind::kPlace && change.model == robot) amcl.placed();
+    });
     return {};
   };
   site.add_user({driver.get(), &driver->client(), *provided, *required, section.at("requires"), connected});

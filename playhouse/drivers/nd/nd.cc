@@ -8,8 +8,8 @@
 #include "playhouse/drivers/section_devices.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/laser.h"
+#include "playhouse/wire/generated/position2d.h"
 #include "playhouse/wire/generated/sonar.h"
-#include "playhouse/wire/header.h"
 
 namespace playhouse::drivers {
 
@@ -17,27 +17,12 @@ namespace lsr = wire::laser;
 namespace p2d = wire::position2d;
 namespace snr = wire::sonar;
 
-namespace {
-
-constexpr std::size_t kStatesKept = 64;  // per batch; all are forwarded
-constexpr std::uint64_t kDelay = 1;      // ticks from a scan to its command
-
-}  // namespace
-
 Nd::Nd(device::Opener& opener, const Devices& devices, NdOptions options)
-    : devices_(devices),
-      options_(std::move(options)),
-      client_(opener, *this, devices.count),
-      position_(client_.queue(devices.input, kStatesKept)) {
+    : GoalDriver(opener, devices.count, devices.output, devices.input),
+      devices_(devices),
+      options_(std::move(options)) {
   if (devices.laser) laser_ = &client_.latest(*devices.laser, lsr::kDataScan);
   if (devices.sonar) sonar_ = &client_.latest(*devices.sonar, snr::kDataRanges);
-  client_.when_news([this](std::vector<device::Publication>& more) { take_news(more); });
-}
-
-Result<void> Nd::start(device::DeviceId) {
-  if (const Result<void> opened = client_.open(); !opened) return opened;
-  ask_geometry();
-  return {};
 }
 
 void Nd::ask_geometry() {
@@ -79,106 +64,30 @@ void Nd::take_sonar_geometry(const AnswerBody& body) {
   sonars_ = std::move(sonars);
 }
 
-void Nd::stop(device::DeviceId) {
-  if (set_goal(std::nullopt)) drive(0, 0);  // stop: the robot may stay open for others
-  client_.close();
-  const std::lock_guard lock(mutex_);
-  state_.reset();
-}
-
-void Nd::rewound(bool to_start) {
-  if (to_start) set_goal(std::nullopt);
-  thread_.clear();
-  const std::lock_guard lock(mutex_);
-  state_.reset();
-}
-
-device::Taken Nd::command(const device::Message& message) {
-  if (!client_.is_open()) return device::Taken::kNo;  // a goal must not wait for the next client
-  if (message.subtype != p2d::kCmdPos) {
-    const bool was_driving = set_goal(std::nullopt);
-    const device::Taken taken = client_.command(devices_.output, message.subtype, message.body);
-    if (was_driving && taken == device::Taken::kNo) drive(0, 0);  // stop: no longer controlled
-    return taken;
-  }
-  const Result<p2d::CmdPos> command = wire::decode<p2d::CmdPos>(message.body);
-  if (!command || !is_usable(command->pos)) return device::Taken::kNo;
-  set_goal(pose_of(command->pos));
-  return device::Taken::kLatest;
-}
-
-/// Replaces or clears the goal; true if there was one. A drive goes on with another goal and what it knows,
-/// so that goals may come at any rate; none of its commands follows its end.
-bool Nd::set_goal(std::optional<geom::Pose> X_OG) {
-  bool had_one = false;
-  {
-    const std::lock_guard lock(mutex_);
-    had_one = goal_.has_value();
-    gave_up_ = false;
-    if (X_OG && goal_) {
-      goal_->X_OG = *X_OG;
-      return true;
-    }
-    goal_.reset();
-    if (X_OG) goal_ = {*X_OG, ++drives_};
-  }
-  thread_.clear();
-  return had_one;
-}
-
-void Nd::request(const device::Message& message, device::Replier replier) {
-  client_.forward(devices_.output, message.subtype, message.body, std::move(replier));
-}
-
-bool Nd::capable(device::DeviceId, std::uint8_t type, std::uint8_t subtype) const {
-  constexpr auto kCmd = static_cast<std::uint8_t>(wire::MessageType::kCmd);
-  return (type == kCmd && subtype == p2d::kCmdPos) || client_.capable(devices_.output, type, subtype);
-}
-
-void Nd::take_news(std::vector<device::Publication>& more) {
-  for (device::Publication& message : position_.take()) {
-    if (message.subtype == p2d::kDataState) take_state(message);
-    message.device = device_;
-    more.push_back(std::move(message));
-  }
-  const auto newest = [](device::Subscription* scans) {
-    return scans == nullptr ? std::nullopt : scans->take_latest();
-  };
-  const std::optional<device::Publication> laser = newest(laser_), sonar = newest(sonar_);
-  if (laser || sonar) take_scans(laser, sonar);
-}
-
-/// Its stall is 1, whatever the robot says, once a goal was given up.
-void Nd::take_state(device::Publication& message) {
-  Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
-  if (!state) return;
-  const std::lock_guard lock(mutex_);
-  if (is_usable(state->pos)) state_ = *state;
-  if (!gave_up_) return;
-  state->stall = 1;
-  message.body = wire::encode(*state);
-}
-
 /// Constants of the robot, once all are known. With mutex_ held.
 std::optional<NdRobot> Nd::robot() const {
   if (!body_ || (devices_.laser && !X_RS_) || (devices_.sonar && !sonars_)) return std::nullopt;
   return NdRobot{*body_, X_RS_.value_or(geom::Pose{}), sonars_.value_or(std::vector<geom::Pose>{})};
 }
 
-void Nd::take_scans(const std::optional<device::Publication>& laser,
-                    const std::optional<device::Publication>& sonar) {
-  NdIn in;
+void Nd::take_scans() {
+  const auto newest = [](device::Subscription* scans) {
+    return scans == nullptr ? std::nullopt : scans->take_latest();
+  };
+  const std::optional<device::Publication> laser = newest(laser_), sonar = newest(sonar_);
+  if (!laser && !sonar) return;
+  std::optional<Trip> trip;
   std::optional<NdRobot> robot;
-  std::uint64_t drive_number = 0;
   {
     const std::lock_guard lock(mutex_);
+    trip = this->trip();
     robot = this->robot();
-    if (!goal_ || !state_ || !robot) return;
-    drive_number = goal_->drive;
-    in.X_OG = goal_->X_OG;
-    in.X_OR = pose_of(state_->pos);
-    in.stall = state_->stall != 0;
+    if (!trip || !robot) return;
   }
+  NdIn in;
+  in.X_OG = trip->X_OG;
+  in.X_OR = pose_of(trip->state.pos);
+  in.stall = trip->state.stall != 0;
   if (laser) {
     const Result<lsr::Data> scan = wire::decode<lsr::Data>(laser->body);
     if (!scan) return;
@@ -191,27 +100,13 @@ void Nd::take_scans(const std::optional<device::Publication>& laser,
     in.time = sonar->timestamp;
     in.sonar = scan->ranges;
   }
-  thread_.post([this, drive_number, robot = std::move(*robot),
+  thread_.post([this, trip = *trip, robot = std::move(*robot),
                 in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
     if (fresh) memory_ = {};
     const NdOut out = nd_step(options_, robot, in, memory_);
-    return [this, drive_number, X_OG = in.X_OG, out] { steer(drive_number, X_OG, out); };
+    const End end = out.done ? End::kAtGoal : out.stuck ? End::kStuck : End::kNot;
+    return [this, trip, out, end] { steer(trip, out.speed, out.turn_rate, end); };
   });
-}
-
-void Nd::steer(std::uint64_t drive_number, const geom::Pose& X_OG, const NdOut& out) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (!goal_ || goal_->drive != drive_number) return;
-    if (X_OG != goal_->X_OG && (out.done || out.stuck)) return;  // at another goal
-    if (out.done || out.stuck) goal_.reset();
-    gave_up_ = out.stuck;
-  }
-  drive(out.speed, out.turn_rate);
-}
-
-void Nd::drive(double speed, double turn_rate) {
-  client_.command(devices_.output, p2d::kCmdVel, wire::encode(p2d::CmdVel{{speed, 0, turn_rate}, 1}));
 }
 
 namespace {
@@ -255,27 +150,9 @@ Result<std::unique_ptr<device::Driver>> make_nd(const scene::CfgSection& section
   const Result<NdOptions> options = nd_options(section);
   if (!options) return options.error();
 
-  auto driver = std::make_unique<Nd>(site.surroundings(), required->devices, *options);
-  const device::Address shown = provided->front(), robot = required->addresses.front();
-  const Result<device::DeviceId> id = site.add_device(shown, *driver);
-  if (!id) return Error{section.at("provides"), id.error().text};
-  driver->set_device(*id);
-  const auto connected = [&site, shown, robot, &nd = *driver]() -> Result<void> {
-    Simulation* const simulation = site.simulation();
-    if (simulation == nullptr) return {};
-    Directory& directory = simulation->directory();
-    directory.add(directory.model_of(robot), shown);
-    nd.thread().follow_ticks(simulation->world().tick(), kDelay);
-    simulation->add_follower([&nd](const world::World& world, const world::Change& change) {
-      if (change.kind == world::Change::Kind::kReload) nd.rewound(world.tick() == 0);
-    });
-    simulation->add_listener(
-        [&nd](const world::World& world, const world::Pace&) { nd.thread().ticked(world.tick()); });
-    return {};
-  };
-  site.add_user(
-      {driver.get(), &driver->client(), *provided, required->addresses, section.at("requires"), connected});
-  return std::unique_ptr<device::Driver>(std::move(driver));
+  return add_goal_driver(section, site,
+                         std::make_unique<Nd>(site.surroundings(), required->devices, *options),
+                         provided->front(), required->addresses);
 }
 
 }  // namespace playhouse::drivers

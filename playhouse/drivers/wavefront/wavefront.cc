@@ -5,6 +5,7 @@
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/map_reader.h"
+#include "playhouse/drivers/in_ticks.h"
 #include "playhouse/drivers/section_devices.h"
 #include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/drivers/wavefront/wavefront_options.h"
@@ -23,8 +24,6 @@ namespace {
 constexpr std::size_t kOutput = 0;
 constexpr std::size_t kInput = 1;
 constexpr std::size_t kMap = 2;
-
-constexpr std::uint64_t kStepTicks = 1;  // from a pose to its command
 
 std::optional<geom::Pose> pose_in(const device::Publication& message) {
   const Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
@@ -250,17 +249,8 @@ Result<std::unique_ptr<device::Driver>> make_wavefront(const scene::CfgSection& 
   if (!id) return Error{section.at("provides"), id.error().text};
   driver->set_device(*id);
   const auto connected = [&site, shown, robot, &wavefront = *driver]() -> Result<void> {
-    Simulation* const simulation = site.simulation();
-    if (simulation == nullptr) return {};
-    Directory& directory = simulation->directory();
-    directory.add(directory.model_of(robot), shown);
-    wavefront.thread().follow_ticks(simulation->world().tick(), kStepTicks);
-    simulation->add_follower([&wavefront](const world::World& world, const world::Change& change) {
-      if (change.kind == world::Change::Kind::kReload) wavefront.rewound(world.tick() == 0);
-    });
-    simulation->add_listener([&wavefront](const world::World& world, const world::Pace&) {
-      wavefront.thread().ticked(world.tick());
-    });
+    run_in_ticks(site, {&shown, 1}, robot, wavefront.thread(),
+                 [&wavefront](const world::World& world) { wavefront.rewound(world.tick() == 0); });
     return {};
   };
   site.add_user({driver.get(), &driver->client(), *provided, *required, section.at("requires"), connected});

@@ -1,0 +1,24 @@
+#include "playhouse/drivers/in_ticks.h"
+
+#include <cstdint>
+#include <utility>
+
+namespace playhouse::drivers {
+
+void run_in_ticks(Site& site, std::span<const device::Address> devices, device::Address robot,
+                  AlgorithmThread& thread, std::function<void(const world::World&)> reloaded) {
+  constexpr std::uint64_t kDelay = 1;  // ticks from a step to its result
+  Simulation* const simulation = site.simulation();
+  if (simulation == nullptr) return;
+  Directory& directory = simulation->directory();
+  for (const device::Address& device : devices) directory.add(directory.model_of(robot), device);
+  thread.follow_ticks(simulation->world().tick(), kDelay);
+  simulation->add_follower(
+      [reloaded = std::move(reloaded)](const world::World& world, const world::Change& change) {
+        if (change.kind == world::Change::Kind::kReload) reloaded(world);
+      });
+  simulation->add_listener(
+      [&thread](const world::World& world, const world::Pace&) { thread.ticked(world.tick()); });
+}
+
+}  // namespace playhouse::drivers
