@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 EMITTERS = [emit_cpp, emit_cpp_fields, emit_docs, emit_python]  # of interfaces/
 KIND_EMITTERS = [emit_engine_words, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_tables, emit_views]
 # Folders owned by the emitters: other files there are left over.
-OWNED = [emit_cpp.FOLDER, emit_docs.FOLDER, emit_python.FOLDER, emit_kinds_cpp.FOLDER, emit_kinds_docs.FOLDER,
+OWNED = [*(emitter.FOLDER for emitter in EMITTERS), emit_kinds_cpp.FOLDER, emit_kinds_docs.FOLDER,
          emit_kind_lists.BEHAVIOUR, emit_kind_lists.STAGE, emit_kind_lists.DRIVERS, emit_tables.FOLDER, emit_views.FOLDER, emit_views.WEB_FOLDER]
 
 

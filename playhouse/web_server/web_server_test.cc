@@ -521,7 +521,8 @@ TEST_F(WebServerTest, who_numbers_a_command_is_told_from_which_tick_on_it_counts
   ASSERT_TRUE(viewer.upgrade());
   viewer.send_text("{\"do\":\"drive\",\"model\":" + std::to_string(SmallWorld::robot(1)) +
                    ",\"forward\":0.4,\"sideways\":0,\"turn\":0,\"input\":77}");
-  ASSERT_TRUE(eventually([&] { return notes_.posted() > 0; }));
+  // To open the wheels, to turn them and to tell: all of them before the next tick.
+  ASSERT_TRUE(eventually([&] { return notes_.posted() == 3; })) << notes_.posted();
   small_.world.tick_ = 4711;
   std::string text;
   do {

@@ -1,6 +1,6 @@
-/// Prints every message of a recorded stream as a line of JSON, in the format of the server and `playhouse
-/// watch`: playhouse_client_dump FILE. clients/python/tests/test_conformance.py compares the lines with the
-/// values decoded in Python.
+/// Prints every message of a recorded stream as a line of JSON: its name, its value in the format of the server
+/// and `playhouse watch`, and the bytes that the value encodes to. dump FILE;
+/// clients/python/tests/test_conformance.py compares the lines with the values decoded in Python.
 
 #include <array>
 #include <cstdio>
@@ -15,6 +15,18 @@
 #include "playhouse/wire/messages.h"
 
 using namespace playhouse;
+
+namespace {
+
+void append_hex(const std::vector<std::byte>& bytes, std::string& out) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  for (const std::byte byte : bytes) {
+    out += kDigits[std::to_integer<unsigned>(byte) >> 4];
+    out += kDigits[std::to_integer<unsigned>(byte) & 15];
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
@@ -33,7 +45,9 @@ int main(int argc, char** argv) {
     } else {
       line += "null";
     }
-    std::printf("%s}\n", line.c_str());
+    line += ",\"again\":\"";
+    if (row != nullptr && row->has_payload) append_hex(row->reencode(left.first(header.size)), line);
+    std::printf("%s\"}\n", line.c_str());
     left = left.subspan(header.size);
   }
   return 0;

@@ -1,5 +1,5 @@
 /// Uses radio, camera, speech, IMU and drivers on a map of the real server through this library:
-/// playhouse_client_robots radio|camera|voice|inertia|course HOST:PORT, with worlds/radio.world,
+/// robots radio|camera|voice|inertia|course HOST:PORT, with worlds/radio.world,
 /// camera.world, radio.world, outdoor.world or navigate.cfg respectively. Prints what fails and exits with 1.
 /// Run by clients/python/tests/test_server.py.
 
@@ -183,7 +183,7 @@ int main(int argc, char** argv) {
   } else if (use == "course") {
     use_drivers_on_a_map(argv[2]);
   } else {
-    fail("usage: playhouse_client_robots radio|camera|voice|inertia|course HOST:PORT");
+    fail("usage: robots radio|camera|voice|inertia|course HOST:PORT");
   }
   return 0;
 }

@@ -1,4 +1,4 @@
-/// Repeats the programs behind the recorded sessions with this library: playhouse_client_scenarios
+/// Repeats the programs behind the recorded sessions with this library: scenarios
 /// NAME HOST:PORT. clients/python/tests/test_replay.py plays back the recorded answers and compares what the
 /// client sends; clients/python/tests/scenarios.py is the Python counterpart.
 
@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
       {"14_raw_simulation", ask_simulation},         {"15_raw_properties", ask_properties},
   };
   const auto found = argc == 3 ? scenarios.find(argv[1]) : scenarios.end();
-  if (found == scenarios.end()) fail("usage: playhouse_client_scenarios NAME HOST:PORT");
+  if (found == scenarios.end()) fail("usage: scenarios NAME HOST:PORT");
   found->second(argv[2]);
   return 0;
 }

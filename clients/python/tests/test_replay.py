@@ -1,4 +1,4 @@
-"""The same operations as in the recorded sessions send the same bytes, in Python and in C++."""
+"""The same operations as in the recorded sessions send the same bytes, in every language."""
 
 import os
 import subprocess
@@ -7,6 +7,7 @@ import threading
 import unittest
 from typing import List, Sequence
 
+import languages
 import recordings
 from fake_server import FakeServer, Peer
 from playhouse_client.connection import Message
@@ -91,11 +92,12 @@ class Replay(unittest.TestCase):
             with self.subTest(name):
                 self.check([sys.executable, script], name)
 
-    @unittest.skipUnless("PLAYHOUSE_CLIENT_SCENARIOS" in os.environ, "run by ctest, with the C++ program")
-    def test_cpp_sends_what_was_recorded(self) -> None:
-        for name in SCENARIOS:
-            with self.subTest(name):
-                self.check([os.environ["PLAYHOUSE_CLIENT_SCENARIOS"]], name)
+    @languages.needed
+    def test_the_other_languages_send_what_was_recorded(self) -> None:
+        for language, program in languages.programs("scenarios").items():
+            for name in SCENARIOS:
+                with self.subTest(language, name=name):
+                    self.check([program], name)
 
 
 def _closes(message: bytes) -> bool:

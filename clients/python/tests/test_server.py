@@ -1,4 +1,4 @@
-"""The examples, in Python and C++, drive robots of the real server; a second client watches."""
+"""The examples, in every language, drive robots of the real server; a second client watches."""
 
 import math
 import os
@@ -9,6 +9,7 @@ import time
 import unittest
 from typing import Callable, Dict, List, Sequence, Tuple
 
+import languages
 from package import ROOT
 from server_program import HANG, SPEED, World, needed
 from playhouse_client import Access, Client, Covariance, Mode, Pose, RequestRefused, Simulation, connect
@@ -18,9 +19,7 @@ from playhouse_client.generated import position2d, wifi
 def examples(name: str) -> Dict[str, List[str]]:
     """Language -> the command that starts an example."""
     found = {"python": [sys.executable, str(ROOT / "clients" / "python" / "examples" / f"{name}.py")]}
-    if "PLAYHOUSE_CLIENT_EXAMPLES" in os.environ:
-        found["cpp"] = [os.path.join(os.environ["PLAYHOUSE_CLIENT_EXAMPLES"], name)]
-    return found
+    return {**found, **{language: [program] for language, program in languages.programs(name).items()}}
 
 
 def track(
@@ -223,13 +222,14 @@ class Navigation(unittest.TestCase):
 
 
 @needed
-@unittest.skipUnless("PLAYHOUSE_CLIENT_ROBOTS" in os.environ, "run by ctest, which names the C++ program")
-class RobotsInCpp(unittest.TestCase):
+@languages.needed
+class RobotsOfOtherLanguages(unittest.TestCase):
     def check(self, use: str, file: str = "", speed: str = SPEED) -> None:
-        with World(file or f"{use}.world", speed=speed) as world:
-            command = [os.environ["PLAYHOUSE_CLIENT_ROBOTS"], use, world.address]
-            done = subprocess.run(command, stderr=subprocess.PIPE, text=True, timeout=HANG)
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for language, program in languages.programs("robots").items():
+            with self.subTest(language), World(file or f"{use}.world", speed=speed) as world:
+                command = [program, use, world.address]
+                done = subprocess.run(command, stderr=subprocess.PIPE, text=True, timeout=HANG)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_radios_take_messages_and_give_them(self) -> None:
         self.check("radio")
