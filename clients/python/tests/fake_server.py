@@ -59,6 +59,13 @@ class Peer:
     ) -> None:
         self.send(Header(interface, index, kind, subtype, timestamp, sequence, len(body)).encode() + body)
 
+    def finish(self) -> None:
+        """Ends the server's side, and waits for the client to end its own. Closing at once answers what the client still
+        sends with a reset, which may arrive before the client has read the end."""
+        self.socket.shutdown(socket.SHUT_WR)
+        while self.socket.recv(4096):
+            pass
+
     def serve(self, rounds: Callable[["Peer", Message], None]) -> None:
         """Acknowledges what every client asks (modes, opening, closing) and leaves the rest to `rounds`."""
         while True:

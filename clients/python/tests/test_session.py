@@ -704,7 +704,7 @@ class TheEnd(unittest.TestCase):
     def check(self, end: Callable[[Peer, Message], None], mode: Mode, wanted: List[float]) -> Client:
         def rounds(peer: Peer, message: Message) -> None:
             end(peer, message)
-            raise ConnectionError  # closes the connection
+            peer.finish()
 
         with FakeServer(script(rounds)) as server, connect(server.address, mode=mode) as client:
             robot = client.position2d(0)
