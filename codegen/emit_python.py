@@ -121,13 +121,18 @@ def _struct(schema: Schema, interface: Interface, s: Struct) -> str:
     return "\n".join(lines)
 
 
-def _field_comment(f: Field) -> list[str]:
+def described(f: Field) -> str:
+    """What a field means, with its unit and frame; empty if there is nothing to say."""
     quantity = ", ".join(part for part in (f"in {f.unit}" if f.unit and f.unit != "1" else "",
                                            f"frame {f.frame}" if f.frame else "") if part)
     text = f.doc.strip()
     if quantity:
         text = f"{text[:-1]} ({quantity})." if text else f"{quantity[0].upper()}{quantity[1:]}."
-    return [f"    # {line}" for line in textwrap.wrap(text, WIDTH - 6)]
+    return text
+
+
+def _field_comment(f: Field) -> list[str]:
+    return [f"    # {line}" for line in textwrap.wrap(described(f), WIDTH - 6)]
 
 
 def _raw(f: Field) -> bool:

@@ -6,11 +6,11 @@ cd "$(dirname "$0")/.."
 # Freed memory is kept back for 8 MB, not 256, and stacks of allocations are short: 1.5 times the runs.
 export ASAN_OPTIONS="${ASAN_OPTIONS:-quarantine_size_mb=8:malloc_context_size=6}"
 seconds=${1:?usage: fuzz.sh SECONDS [TARGET]}
-targets=${2:-$(find build/ci/playhouse -name '*_fuzz' -type f -perm -u+x -exec basename {} \; | sort)}
+targets=${2:-$(find build/ci/playhouse build/ci/clients -name '*_fuzz' -type f -perm -u+x -exec basename {} \; | sort)}
 [ -n "$targets" ] || { echo "fuzz.sh: no fuzzers under build/ci (make fuzzers)" >&2; exit 2; }
 
 for target in $targets; do
-  program=$(find build/ci/playhouse -name "$target" -type f -perm -u+x | head -1)
+  program=$(find build/ci/playhouse build/ci/clients -name "$target" -type f -perm -u+x | head -1)
   [ -n "$program" ] || { echo "fuzz.sh: no fuzzer $target under build/ci (make fuzzers)" >&2; exit 2; }
   name=${target%_fuzz}
   corpus=tests/fuzz/$name
