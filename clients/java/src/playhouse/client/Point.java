@@ -1,0 +1,4 @@
+package playhouse.client;
+
+/** A point in the plane, in m. */
+public record Point(double x, double y) {}
