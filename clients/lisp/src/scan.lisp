@@ -1,0 +1,32 @@
+;;;; Scans: ranges and their directions.
+
+(in-package #:playhouse-client)
+
+(defstruct (scan (:constructor make-scan (ranges angles max-range time)))
+  "Ranges in m and their directions in rad, two vectors of equal length, in the order of measurement. Directions are
+counter-clockwise from the sensor's x axis. `time' is the server's, in s."
+  ranges angles max-range time)
+
+(defun nearest (scan &optional (low (- pi)) (high pi))
+  "The minimum range between two directions; max-range if no beam is there."
+  (without-float-traps
+    (let ((found nil))
+      (map nil (lambda (range angle)
+                 (when (and (<= low angle high) (or (null found) (< range found)))
+                   (setf found range)))
+           (scan-ranges scan) (scan-angles scan))
+      (or found (scan-max-range scan)))))
+
+(defmethod points ((scan scan))
+  (without-float-traps
+    (map 'list (lambda (range angle) (list (* range (cos angle)) (* range (sin angle))))
+         (scan-ranges scan) (scan-angles scan))))
+
+(defun spread (low high count)
+  "COUNT angles from LOW to HIGH, as float64."
+  (without-float-traps
+    (let* ((first (coerce low 'double-float))
+           (step (if (> count 1) (/ (- (coerce high 'double-float) first) (1- count)) 0d0))
+           (angles (make-array count :element-type 'double-float)))
+      (dotimes (i count angles)
+        (setf (aref angles i) (+ first (* i step)))))))
