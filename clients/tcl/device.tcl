@@ -1,0 +1,305 @@
+# An open device of any interface, base of the proxies for specific interfaces.
+
+namespace eval ::playhouse {
+    # Access to a device -> its number on the wire; letters are those of Player's first servers.
+    variable access {all 1 read 114 write 119}
+    # Kind of a property -> the messages that get and set it.
+    variable properties {
+        bool {universal.req.get_boolprop universal.req.set_boolprop}
+        int {universal.req.get_intprop universal.req.set_intprop}
+        double {universal.req.get_dblprop universal.req.set_dblprop}
+        string {universal.req.get_strprop universal.req.set_strprop}
+    }
+}
+
+# Opened by a method of Client or Robot. `close` closes it; `destroy` does too, and frees the object.
+oo::class create ::playhouse::Device {
+    variable client session interface code index access driver opened gone fresh timestamp newest callback
+
+    constructor {aClient aSession anInterface anIndex {mode all}} {
+        namespace path [list {*}[namespace path] ::playhouse ::playhouse::wire]
+        set client $aClient
+        set session $aSession
+        set interface $anInterface
+        set index $anIndex
+        set opened 0
+        set gone "" ;# why requests are refused
+        set fresh 0
+        set timestamp 0.0
+        set newest {} ;# message -> its value and the server's time
+        set callback ""
+        set code [codeOf $interface]
+        if {![string is entier -strict $index] || $index < 0 || $index > 65535} {
+            fail INVALID "there is no $interface:$index: indices are 0 to 65535"
+        }
+        if {![dict exists $::playhouse::access $mode]} {
+            fail INVALID "an access is all, read or write, and not \"$mode\""
+        }
+        set access $mode
+        set driver [my SetAccess [dict get $::playhouse::access $mode]]
+        set opened 1
+    }
+
+    destructor {
+        if {$opened} {catch {my close}}
+        catch {$client forget [self]}
+    }
+
+    # "position2d:0"
+    method name {} {return [deviceName $code $index]}
+    method interface {} {return $interface}
+    method code {} {return $code}
+    method index {} {return $index}
+    # all, read or write.
+    method access {} {return $access}
+    # The name of the driver behind the device.
+    method driver {} {return $driver}
+    # False after close, of the device or of its client.
+    method isOpen {} {return $opened}
+
+    # Whether a read has received the notice that the server retired the device. From then on its use is an error of
+    # kind GONE, its last data remain, and close has no effect. Before, the server refuses requests and drops
+    # commands.
+    method gone {} {return [expr {$gone ne ""}]}
+
+    # Whether any data have arrived since this device was opened.
+    method hasData {} {return [expr {[dict size $newest] > 0}]}
+    # Whether data have arrived since the last nextData.
+    method fresh {} {return $fresh}
+    # The server's time (s) of the last data; 0 before the first.
+    method timestamp {} {return $timestamp}
+
+    # Sends a request, as position2d.req.get_geom, with a value of its struct, and waits for the answer: its value,
+    # empty if it has no body. Errors of kind REFUSED or TIMEOUT.
+    method request {message {payload ""} {seconds ""}} {
+        my InsistOnOpen
+        set body [$session request $code $index $message $payload $seconds]
+        set struct [lindex [messageOf $message] 3]
+        if {$struct eq "" || [string length $body] == 0} return
+        return [decode $struct $body]
+    }
+
+    # Sends a command, as position2d.cmd.vel, with a value of its struct; commands have no answer.
+    method command {message {payload ""}} {
+        my InsistOnOpen
+        $session send $code $index $message $payload
+    }
+
+    # The newest value of a data message, as position2d.data.state; empty before the first.
+    method latest {message} {
+        messageOf $message
+        if {[dict exists $newest $message]} {return [lindex [dict get $newest $message] 0]}
+    }
+
+    # Sets a command that is called, while data are read, with the message, value and server's time of all data of this
+    # device; empty: none.
+    method onData {command} {
+        set callback $command
+    }
+
+    # Waits for data newer than those of the last call, at most so many seconds; then an error of kind TIMEOUT.
+    method nextData {{seconds ""}} {
+        set seconds [$session timeoutOrOwn $seconds]
+        set deadline [expr {[now] + $seconds}]
+        set late "[$session peer]: no data of [my name] in [format %g $seconds] s"
+        while {!$fresh} {
+            my InsistOnOpen
+            try {
+                $client read [expr {max($deadline - [now], 0.0)}]
+            } trap {PLAYHOUSE TIMEOUT} {} {
+                fail TIMEOUT $late
+            }
+            if {!$fresh && [now] >= $deadline} {fail TIMEOUT $late} ;# the read is busy with other devices
+        }
+        set fresh 0
+    }
+
+    # A property by its key and kind: bool, int, double or string. An error of kind REFUSED if there is none.
+    method getProperty {key kind} {
+        set message [lindex [my PropertyMessages $kind] 0]
+        set answer ""
+        try {
+            set answer [my request $message [dict create key [cString $key]]]
+        } trap {PLAYHOUSE REFUSED} {} {}
+        if {$answer eq ""} {fail REFUSED "[$session peer]: [my name] has no $kind property \"$key\""}
+        set value [dict get $answer value]
+        return [switch -- $kind {string {text $value} bool {expr {$value != 0}} default {set value}}]
+    }
+
+    method setProperty {key kind value} {
+        set message [lindex [my PropertyMessages $kind] 1]
+        set said $value
+        switch -- $kind {
+            string {
+                set said '$value'
+                set value [cString $value]
+            }
+            bool {set value [truth $value]}
+        }
+        try {
+            my request $message [dict create key [cString $key] value $value]
+        } trap {PLAYHOUSE REFUSED} {} {
+            fail REFUSED "[$session peer]: [my name] refuses $said as \"$key\""
+        }
+        return
+    }
+
+    # Whether the driver reports that it supports a message. Many drivers never do.
+    method hasCapability {message} {
+        lassign [messageOf $message] - kind subtype
+        try {
+            my request universal.req.capabilities [dict create type $kind subtype $subtype]
+        } trap {PLAYHOUSE REFUSED} {} {
+            return 0
+        }
+        return 1
+    }
+
+    # Closes the device; a second call has no effect.
+    method close {} {
+        if {!$opened} return
+        set opened 0
+        $client closed [self]
+        if {[[$session connection] alive] && $gone eq ""} {my SetAccess $::playhouse::player::CLOSE_MODE}
+        return
+    }
+
+    # Requests constant data for a proxy. Called after opening.
+    method prepare {} {}
+
+    # Receives data from the client's read.
+    method take {message value time} {
+        dict set newest $message [list $value $time]
+        set timestamp $time
+        set fresh 1
+        if {$callback ne ""} {uplevel #0 [list {*}$callback $message $value $time]}
+    }
+
+    # Marks the device as retired by the server, whose own port number is `port`.
+    method retire {port} {
+        if {$gone eq ""} {set gone "$port:[my name] is gone: the server retired it"}
+    }
+
+    method InsistOnOpen {} {
+        if {!$opened} {fail CLOSED "[$session peer]: [my name] is closed"}
+        if {$gone ne ""} {fail GONE $gone}
+    }
+
+    # Checks named numbers: name value ...
+    method InsistOnFinite {args} {
+        foreach {name value} $args {
+            if {![isFinite $value]} {fail INVALID "[my name]: $name is $value, not a finite number"}
+        }
+    }
+
+    method InsistOnWhole {name value least most} {
+        if {![string is entier -strict $value] || $value < $least || $value > $most} {
+            fail INVALID "[my name]: $name is $value, not a whole number from $least to $most"
+        }
+    }
+
+    # The newest value of a data message. An error of kind NODATA before the first.
+    method Newest {message} {
+        return [lindex [my Stamped $message] 0]
+    }
+
+    # The same and its server time (s).
+    method Stamped {message} {
+        if {![dict exists $newest $message]} {
+            fail NODATA "[$session peer]: [my name] has sent no data yet; nextData waits for them"
+        }
+        return [dict get $newest $message]
+    }
+
+    # The answer to a request that must have contents.
+    method Ask {message {payload ""}} {
+        set answer [my request $message $payload]
+        if {[dict size $answer] == 0} {fail WIRE "an answer came without its contents"}
+        return $answer
+    }
+
+    # The geometry that a request is answered with, whose pose is in the field `pose`.
+    method AskGeometry {message {pose pose}} {
+        set geom [my Ask $message]
+        return [from::geometry [dict get $geom $pose] [dict get $geom size]]
+    }
+
+    method PropertyMessages {kind} {
+        if {![dict exists $::playhouse::properties $kind]} {
+            fail INVALID "a property is a bool, an int, a double or a string, and no $kind"
+        }
+        return [dict get $::playhouse::properties $kind]
+    }
+
+    # Opens or closes the device; returns the name of its driver.
+    method SetAccess {number} {
+        set verb [expr {$number == $::playhouse::player::CLOSE_MODE ? "close" : "open"}]
+        set peer [$session peer]
+        set request [dict create addr [dict create interf $code index $index] access $number]
+        try {
+            set body [$session request 1 0 player.req.dev $request]
+        } trap {PLAYHOUSE REFUSED} {} {
+            fail REFUSED "$peer: there is no [my name] to $verb"
+        } trap {PLAYHOUSE TIMEOUT} {} {
+            fail TIMEOUT "$peer: no answer in time: $verb [my name]"
+        }
+        set granted [decode player.DeviceReq $body]
+        if {[dict get $granted access] == $::playhouse::player::ERROR_MODE} {fail REFUSED "$peer: cannot $verb [my name]"}
+        return [text [dict get $granted driver_name]]
+    }
+}
+
+# Base of the proxies whose data are one value: `Value` makes it of the newest message.
+oo::class create ::playhouse::Updating {
+    superclass ::playhouse::Device
+
+    # Reads for ever: sets a variable to each new value and evaluates a script, as foreach does; break ends it. An
+    # error of kind TIMEOUT if there is no new value within so many seconds.
+    method updates {variable script {seconds ""}} {
+        upvar 1 $variable value
+        while 1 {
+            set value [my Next $seconds]
+            switch -- [catch {uplevel 1 $script} result options] {
+                0 - 4 {}
+                2 {return -options [dict incr options -level] $result}
+                3 {return}
+                default {return -options $options $result}
+            }
+        }
+    }
+
+    method Next {seconds} {
+        my nextData $seconds
+        return [my Value]
+    }
+}
+
+# Base of devices whose messages are queued until the program takes them; `Meaning` makes what is queued of a value.
+oo::class create ::playhouse::Keeping {
+    superclass ::playhouse::Updating
+    variable kept
+
+    constructor {args} {
+        set kept {}
+        next {*}$args
+    }
+
+    method take {message value time} {
+        lappend kept [my Meaning $value]
+        if {[llength $kept] > 1024} {set kept [lrange $kept end-1023 end]} ;# the oldest are dropped
+        next $message $value $time
+    }
+
+    method Next {seconds} {
+        while {![llength $kept]} {my nextData $seconds}
+        set first [lindex $kept 0]
+        set kept [lreplace $kept[set kept {}] 0 0]
+        return $first
+    }
+
+    method TakeKept {} {
+        set taken $kept
+        set kept {}
+        return $taken
+    }
+}
