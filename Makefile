@@ -56,7 +56,7 @@ demo: build
 	@echo
 	@$(PROGRAM) run $(WORLD) --port $(PLAYER_PORT) --web $(WEB_PORT)
 
-fuzzers: setup-test
+fuzzers: setup-test web/node_modules/.installed
 	@echo "== building the fuzzers"
 	@tools/configure.sh ci
 	@cmake --build --preset ci --target fuzzers
@@ -64,7 +64,7 @@ fuzzers: setup-test
 test: setup-test web
 	@tools/test.sh
 
-tsan: setup-test
+tsan: setup-test web/node_modules/.installed
 	@tools/tsan.sh
 
 fuzz: fuzzers

@@ -9,14 +9,14 @@ from pathlib import Path
 
 from codegen import (emit_c, emit_commands, emit_cpp, emit_cpp_fields, emit_docs, emit_engine_words, emit_java,
                      emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_lisp, emit_python, emit_stage_words,
-                     emit_tables, emit_tcl, emit_views)
+                     emit_tables, emit_tcl, emit_typescript, emit_views)
 from codegen.checks import SchemaError
 from codegen.commands import load_commands
 from codegen.kinds import load_kinds
 from codegen.model import load
 
 ROOT = Path(__file__).resolve().parent.parent
-EMITTERS = [emit_c, emit_cpp, emit_cpp_fields, emit_docs, emit_java, emit_lisp, emit_python, emit_tcl]  # of interfaces/
+EMITTERS = [emit_c, emit_cpp, emit_cpp_fields, emit_docs, emit_java, emit_lisp, emit_python, emit_tcl, emit_typescript]  # of interfaces/
 KIND_EMITTERS = [emit_engine_words, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_tables, emit_views]
 # Folders owned by the emitters: other files there are left over.
 OWNED = [*(emitter.FOLDER for emitter in EMITTERS), emit_c.SOURCES, emit_kinds_cpp.FOLDER, emit_kinds_docs.FOLDER,
