@@ -22,13 +22,9 @@ Result<std::unique_ptr<OpenedRecording>> open_recording(const std::string& file,
   if (!recording) return Error{escaped(file), recording.error().text};
   auto opened = std::make_unique<OpenedRecording>();
   opened->recording = std::move(*recording);
-  const scene::SourceFiles& sources = opened->recording.start.sources;
-  scene::MemoryFiles files(sources.files, sources.search_path);
-  Result<scene::SceneDesc> scene =
-      scene::load_world_text(sources.files.at(sources.path), sources.path, files, {}, others);
-  if (!scene) return Error{escaped(file), "its scene cannot be read: " + scene.error().line()};
+  Result<scene::SceneDesc> scene = scene_of(opened->recording.start.sources, others);
+  if (!scene) return Error{escaped(file), scene.error().text};
   opened->scene = std::move(*scene);
-  controllers::describe_for(opened->scene);
   Running same = running;
   same.engine = opened->recording.start.engine;
   same.seed = opened->recording.start.seed;

@@ -125,7 +125,7 @@ int bench_watched(const BenchOptions& options) {
             watch_in_turn(ports, robots, options.duration > 0 ? options.duration : kSeconds, *board);
         return done ? kDone : fail(done.error());
       },
-      [&](Service& service) { service.simulation().set_run_listener(times); });
+      [&](Service& service) { service.simulation().add_run_listener(times); });
   if (code != kDone) return code;
   if (!times.in_all_phases())
     return fail({"--duration", "too short: not one whole tick of each of the three"});

@@ -30,6 +30,7 @@ constexpr const char* kExamples = R"(Examples:
   playhouse export my.mcap --csv                     export it as tables
   playhouse verify my.world --ticks 100              compare runs with different numbers of workers
   playhouse serve simple.cfg                         serve the devices of a Player configuration file
+  playhouse node lab                                 share the work of a run --cluster on another machine
   playhouse robot my.toml --server lab               spawn a robot in the world of another machine
   playhouse devices 127.0.0.1:6665                   list the devices of a server
   playhouse watch 127.0.0.1 laser:0                  print a device's data as JSON lines

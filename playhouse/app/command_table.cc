@@ -83,7 +83,7 @@ void add_run(CLI::App& app, RunOptions& options) {
           ->type_name("FILE.mcap")
           ->excludes(world);
   for (const char* const other : {"--from", "--engine", "--seed", "--duration", "--record", "--lock-step",
-                                  "--paused", "--save-world", "--speed"})
+                                  "--paused", "--save-world", "--speed", "--cluster"})
     again->excludes(app.get_option(other));
   app.add_option_function<std::vector<std::pair<double, std::string>>>(
          "--save-at", [&options](const auto& saves) { keep_saves(saves, options); },
@@ -124,6 +124,15 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   app.add_option("FILE", options.file, "a .cfg file")->required();
   add_serving(app, options.serving);
   add_running(app, options.running);
+}
+
+void add_node(CLI::App& app, NodeOptions& options) {
+  app.add_option("HOST[:PORT]", options.head, "a run with --cluster")->required();
+  app.add_option("--wait", options.wait, "seconds for the run to begin")
+      ->check(check_not_negative)
+      ->capture_default_str();
+  add_workers(app, options.running.workers, kWorkersOfARun);
+  add_allowed_libraries(app, options.running);
 }
 
 void add_robot(CLI::App& app, RobotOptions& options) {
@@ -312,6 +321,10 @@ std::vector<Command> commands() {
               R"(Examples:
   playhouse serve my.cfg
   playhouse serve my.cfg --bind 0.0.0.0 --paused)"),
+      command("node", "compute a share of a run with --cluster (docs/cluster.md)", node, add_node,
+              R"(Examples:
+  playhouse node 127.0.0.1 --wait 1
+  playhouse node 127.0.0.1:6675 --workers 2 --wait 1)"),
       command("robot", "spawn robots in the world of a server, and serve them on this machine", robot,
               add_robot,
               R"(Examples:

@@ -12,6 +12,7 @@ int export_tables(const ExportOptions& options);
 int serve(const ServeOptions& options);
 int gym(const GymOptions& options);
 int verify(const VerifyOptions& options);
+int node(const NodeOptions& options);
 int robot(const RobotOptions& options);
 int devices(const DevicesOptions& options);
 int watch(const WatchOptions& options);

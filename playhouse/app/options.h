@@ -20,6 +20,7 @@ enum Exit : int { kDone = 0, kFailed = 1, kUsage = 2 };
 inline constexpr std::uint16_t kPlayerPort = 6665;
 inline constexpr std::uint16_t kWebPort = 8080;
 inline constexpr std::uint16_t kObserverPort = 6670;  // UDP
+inline constexpr std::uint16_t kClusterPort = 6675;
 
 /// Ports and access of a served world.
 struct Serving {
@@ -59,6 +60,9 @@ struct Running {
   double lock_step_timeout = 0;                // s of silence after which a member is dropped; 0: never
   std::string record = {};                     // recording file; empty: none
   std::string record_only = {};                // recorded part, record::Selection; empty: everything
+  std::optional<std::uint16_t> cluster =
+      {};                 // port for nodes of a cluster; none: no cluster; 0: any free one
+  std::size_t nodes = 0;  // of the cluster, to wait for
   bool paused = false;
   bool json = false;  // the result as the last line of standard output
 };
@@ -94,6 +98,12 @@ struct ServeOptions {
   std::string file;  // .cfg
   Serving serving;
   Running running;
+};
+
+struct NodeOptions {
+  std::string head;  // "host" or "host:port" of the run
+  double wait = 10;  // seconds for the run to begin
+  Running running;   // workers and libraries
 };
 
 struct RobotOptions {

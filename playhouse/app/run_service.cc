@@ -57,7 +57,7 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
   log::flush();  // so that the result is the last output on a terminal
   if (running.json) fmt::print("{}\n", outcome.json());
   if (outcome.signal != 0) return 128 + outcome.signal;
-  return service.all_saved() ? kDone : kFailed;
+  return service.succeeded() ? kDone : kFailed;
 }
 
 }  // namespace playhouse::app

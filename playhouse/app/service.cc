@@ -91,12 +91,9 @@ Result<void> Service::read_saved(const std::string& path) {
   sources_ = saved_->sources;
   running_.engine = saved_->engine;
   running_.seed = saved_->seed;
-  scene::MemoryFiles files(sources_.files, sources_.search_path);
-  Result<scene::SceneDesc> scene =
-      scene::load_world_text(sources_.files.at(sources_.path), sources_.path, files, {}, &other_errors_);
-  if (!scene) return Error{escaped(path), "its scene cannot be read: " + scene.error().line()};
+  Result<scene::SceneDesc> scene = scene_of(sources_, &other_errors_);
+  if (!scene) return Error{escaped(path), scene.error().text};
   scene_ = std::move(*scene);
-  controllers::describe_for(scene_);
   return {};
 }
 
@@ -162,7 +159,7 @@ Result<void> Service::record(const std::string& file, const std::string& only) {
   recorder_ = std::make_unique<record::Recorder>(*record_file_, std::move(*selection), simulation());
   simulation().add_follower(
       [this](const world::World& world, const world::Change& change) { recorder_->follow(world, change); });
-  simulation().set_run_listener(*recorder_);
+  simulation().add_run_listener(*recorder_);
   return recorder_->begin(simulation().world(), sources_);
 }
 
@@ -245,8 +242,30 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
     const Result<void> loaded = world::load_state((*engine)->world(), saved_->state);
     if (!loaded) return Error{{}, "the saved run " + loaded.error().text};
   }
-  return std::make_unique<drivers::Simulation>(std::move(*engine),
-                                               pace_of(scene_, serving_, running_, quit_time_));
+  const drivers::Simulation::Options pace = pace_of(scene_, serving_, running_, quit_time_);
+  if (!running_.cluster) return std::make_unique<drivers::Simulation>(std::move(*engine), pace);
+  auto head = std::make_unique<cluster::Head>(
+      std::move(*engine), sources_,
+      cluster::Head::Options{.bind = serving_.bind, .port = *running_.cluster, .nodes = running_.nodes},
+      [this](const Error& why) { fail_run(why); });
+  head_ = head.get();
+  const Result<std::uint16_t> port = head_->listen();
+  if (!port) return port.error();
+  cluster_port_ = *port;
+  auto simulation = std::make_unique<drivers::Simulation>(std::move(head), pace);
+  simulation->add_run_listener(*head_);
+  return simulation;
+}
+
+void Service::fail_run(const Error& why) {
+  log::tell(spdlog::level::err, why);
+  run_works_ = false;
+  stop();
+}
+
+void Service::stop() {
+  if (head_ != nullptr) head_->stop();
+  simulation().stop();
 }
 
 Result<void> Service::read_guests() {
@@ -327,6 +346,7 @@ std::vector<std::string> Service::places() const {
     }
   }
   if (observers_) lines.push_back(fmt::format("observers: {}:{}", host, observer_port_));
+  if (head_ != nullptr) lines.push_back(fmt::format("cluster nodes: {}:{}", host, cluster_port_));
   return lines;
 }
 

@@ -19,6 +19,7 @@
 #include "playhouse/app/server_surroundings.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/app/world_saver.h"
+#include "playhouse/cluster/head.h"
 #include "playhouse/drivers/registry.h"
 #include "playhouse/drivers/simulated/auto_devices.h"
 #include "playhouse/drivers/site.h"
@@ -88,8 +89,9 @@ class Service final : private ServerSurroundings {
   /// Records the run into a file; before run(), after everything else that changes the
   /// world. `only` is a record::Selection, or empty. Fails if the file is not writable.
   Result<void> record(const std::string& file, const std::string& only);
-  /// After run(). False: something was not saved or recorded; see the log.
-  bool all_saved() const { return saves_.empty() && saving_works_; }
+  /// After run(). False: something was not saved or recorded, or a node of the cluster was wrong; see the
+  /// log.
+  bool succeeded() const { return saves_.empty() && saving_works_ && run_works_; }
   /// Uses a scene made in code instead of a file.
   void take_scene(scene::SceneDesc scene) { scene_ = std::move(scene); }
   /// Opens the Player ports; clients are served once run() is called.
@@ -110,14 +112,15 @@ class Service final : private ServerSurroundings {
   const std::vector<std::uint16_t>& player_ports() const { return player_ports_; }
   /// Web port; 0: no page.
   std::uint16_t web_port() const { return web_port_; }
-  /// Addresses: "Player clients: ...", "web page: ..." and "observers: ...", one line each.
+  /// Addresses: "Player clients: ...", "web page: ...", "observers: ..." and "cluster nodes: ...", one line
+  /// each.
   std::vector<std::string> places() const;
 
   /// Runs until the duration is over, the file's end, or a signal. `ended`
   /// is called with that signal, or 0, before clients are disconnected.
   Outcome run(const std::function<void(int signal)>& ended = {});
   /// Ends run(). Any thread.
-  void stop() { simulation().stop(); }
+  void stop();
 
   drivers::Simulation& simulation() { return *site_->simulation(); }
   const server::Server& server() const { return *server_; }
@@ -130,6 +133,7 @@ class Service final : private ServerSurroundings {
   Result<void> open_playback();
   Result<void> add_robots();
   Result<void> make_drivers();
+  void fail_run(const Error& why);
   void catch_signals();
   void show_progress();
   void save_due(const world::World& world);
@@ -150,7 +154,7 @@ class Service final : private ServerSurroundings {
   std::optional<world::SavedRun> saved_;
   OpenedRecording* recording_ = nullptr;
   std::vector<SaveAt> saves_;  // pending
-  bool saving_works_ = true;
+  bool saving_works_ = true, run_works_ = true;
   WorldSaver world_saver_;
   std::unique_ptr<record::RecordThread> record_file_;
   std::unique_ptr<record::Recorder> recorder_;
@@ -160,6 +164,7 @@ class Service final : private ServerSurroundings {
       web_loop_;  // separate, so that encoding a large world for many viewers does not delay Player clients
   net::IoLoop signal_loop_;                               // separate: signals are handled at once
   std::unique_ptr<drivers::Site> site_;                   // owns the simulation
+  cluster::Head* head_ = nullptr;                         // of a cluster; owned by the simulation
   std::unique_ptr<Playback> playback_;                    // of a recording
   std::vector<std::unique_ptr<device::Driver>> drivers_;  // of the configuration file
   std::unique_ptr<drivers::AutoDevices> robots_;          // without a configuration file
@@ -170,7 +175,7 @@ class Service final : private ServerSurroundings {
   std::unique_ptr<net::Timer> progress_;
 
   std::vector<std::uint16_t> player_ports_;
-  std::uint16_t web_port_ = 0, observer_port_ = 0;
+  std::uint16_t web_port_ = 0, observer_port_ = 0, cluster_port_ = 0;
   std::atomic<int> signal_ = 0;
 };
 

@@ -17,6 +17,17 @@ void add_lock_step(CLI::App& app, Running& running) {
       ->needs(lock_step);
 }
 
+void add_cluster(CLI::App& app, Running& running) {
+  auto* cluster = app.add_option("--cluster", running.cluster,
+                                 "port for nodes, which share the work (none; docs/cluster.md)")
+                      ->type_name("PORT")
+                      ->check(check_port);
+  app.add_option("--nodes", running.nodes, "nodes to wait for before the first tick")
+      ->check(check_count<std::size_t, 0, limits::kClusterNodes>)
+      ->capture_default_str()
+      ->needs(cluster);
+}
+
 }  // namespace
 
 void add_engine(CLI::App& app, std::string& engine) {
@@ -121,6 +132,7 @@ void add_running(CLI::App& app, Running& running) {
       ->type_name("FILE.world");
   add_recording(app, running);
   add_lock_step(app, running);
+  add_cluster(app, running);
   app.add_flag("--paused", running.paused, "start paused, until a viewer or a client resumes the run");
   app.add_flag("--json", running.json, "print the result as the last line of standard output");
 }

@@ -34,6 +34,15 @@ Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>*
   return scene;
 }
 
+Result<scene::SceneDesc> scene_of(const scene::SourceFiles& sources, std::vector<Error>* others) {
+  scene::MemoryFiles files(sources.files, sources.search_path);
+  Result<scene::SceneDesc> scene =
+      scene::load_world_text(sources.files.at(sources.path), sources.path, files, {}, others);
+  if (!scene) return Error{{}, "its scene cannot be read: " + scene.error().line()};
+  controllers::describe_for(*scene);
+  return scene;
+}
+
 Result<EngineMaker> engine_named(std::string_view name) {
   if (name == kStage)
     return EngineMaker([](const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers) {

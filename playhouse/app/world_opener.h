@@ -35,6 +35,10 @@ Result<EngineMaker> engine_named(std::string_view name);
 Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others,
                                     scene::SourceFiles* sources = nullptr);
 
+/// The scene of files in memory, as of a saved run, with what its controllers may spawn. Fails like
+/// read_scene().
+Result<scene::SceneDesc> scene_of(const scene::SourceFiles& sources, std::vector<Error>* others);
+
 /// Makes an engine with the controllers that models name: by `make`, otherwise the one
 /// named in `running`. The scene must outlive it. `others`, if given, gets further errors.
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,

@@ -151,4 +151,10 @@ static_assert(kViewers * kViewerCommandsPerTurn * 2 <= kRequestQueue / 2,
               "viewers alone must not fill the queue of all; a command is two entries at most");
 static_assert(kSessionAnswers * 8 <= kRequestQueue, "one client alone must not fill the queue of all");
 
+// Clusters.
+inline constexpr std::size_t kClusterNodes = 255;        // beside the head, and connections that want to join
+inline constexpr std::size_t kClusterHelloBytes = 4096;  // of a message of a node that does not take part yet
+inline constexpr std::size_t kClusterMessageBytes = 1u << 30;  // of one that does
+inline constexpr double kClusterSilentSeconds = 30;            // then a node is lost
+
 }  // namespace playhouse::limits

@@ -83,9 +83,17 @@ class Unpacker {
       ok_ = false;
       return {};
     }
-    const auto from = bytes_.subspan(at_, static_cast<std::size_t>(size));
-    at_ += from.size();
+    const std::span<const std::byte> from = bytes(static_cast<std::size_t>(size));
     return {reinterpret_cast<const char*>(from.data()), from.size()};
+  }
+  /// The next bytes; none, with an error, if there are fewer.
+  std::span<const std::byte> bytes(std::size_t size) {
+    if (size > left()) {
+      ok_ = false;
+      return {};
+    }
+    at_ += size;
+    return bytes_.subspan(at_ - size, size);
   }
   std::uint64_t varint() {
     std::uint64_t value = 0;

@@ -24,6 +24,7 @@ class PhasedEngine : public world::Engine {
   world::World& world() final { return world_; }
   world::Workers& workers() final { return workers_; }
   world::PhysicsShapes physics_shapes() final;
+  void divide(world::Division* division) final { division_ = division; }
 
  protected:
   /// Updates derived tables for models spawned, removed, attached or teleported since the last call.
@@ -44,6 +45,7 @@ class PhasedEngine : public world::Engine {
 
   world::World world_;
   world::Workers workers_;
+  world::Division* division_ = nullptr;  // of a cluster; null: all work is done here
 
  private:
   void decide();

@@ -8,7 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/base/packing.h"
 #include "playhouse/behaviour/due_list.h"
+#include "playhouse/world/division.h"
+#include "playhouse/world/sensed_rows.h"
 #include "playhouse/world/workers.h"
 
 namespace playhouse::behaviour {
@@ -28,6 +31,10 @@ class SensePhase {
   /// Whether it has work even in a tick without due sensors.
   virtual bool has_work(const world::World& world) const { return static_cast<void>(world), false; }
 
+  /// Whether nodes of a cluster may share the sensors that are due: sense() changes nothing but
+  /// the measurements of `due`, which do not depend on which others are measured with them.
+  virtual bool divides() const { return true; }
+
   /// Measures with the sensors `due`; `tick` is the number that the
   /// state will have once frozen. Returns the number of rays cast.
   virtual std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
@@ -37,7 +44,7 @@ class SensePhase {
 template <typename Space>
 class Senses {
  public:
-  void add(std::unique_ptr<SensePhase<Space>> phase) { entries_.push_back({std::move(phase), {}}); }
+  void add(std::unique_ptr<SensePhase<Space>> phase) { entries_.push_back({std::move(phase), {}, {}}); }
 
   /// See SensePhase::populate().
   void populate(world::World& world, const Space& space) {
@@ -47,21 +54,74 @@ class Senses {
     }
   }
 
-  /// The phase `sense`. Returns the number of rays cast.
-  std::uint64_t sense(world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers) {
-    std::uint64_t rays = 0;
-    for (Entry& entry : entries_) {
-      const std::span<const std::uint32_t> due = entry.due.take(world, entry.phase->table(world), tick);
-      if (!due.empty() || entry.phase->has_work(world))
-        rays += entry.phase->sense(world, space, due, tick, workers);
-    }
-    return rays;
+  /// The phase `sense`, shared with other nodes if there is a division. Returns the number of rays cast.
+  std::uint64_t sense(world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers,
+                      world::Division* division = nullptr) {
+    for (Entry& entry : entries_) entry.now = entry.due.take(world, entry.phase->table(world), tick);
+    Work work(*this, world, space, tick, workers);
+    for (const Entry& entry : entries_)
+      if (!division || !entry.phase->divides()) work.measure(entry, entry.now);
+    if (division) division->run(work);
+    return work.rays;
   }
 
  private:
   struct Entry {
     std::unique_ptr<SensePhase<Space>> phase;
     DueList due;
+    std::span<const std::uint32_t> now = {};  // the rows that are due in this tick
+
+    std::span<const std::uint32_t> part(world::Share share) const {
+      const std::size_t begin = share.begin(now.size());
+      return now.subspan(begin, share.end(now.size()) - begin);
+    }
+  };
+
+  /// The measurements of one tick.
+  class Work final : public world::DividedWork {
+   public:
+    Work(Senses& senses, world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers)
+        : senses_(senses), world_(world), space_(space), tick_(tick), workers_(workers) {}
+
+    void measure(const Entry& entry, std::span<const std::uint32_t> due) {
+      if (!due.empty() || entry.phase->has_work(world_))
+        rays += entry.phase->sense(world_, space_, due, tick_, workers_);
+    }
+    void compute(world::Share share, std::vector<std::byte>& out) override {
+      const std::uint64_t before = rays;
+      each(share, [&](const Entry& entry, std::span<const std::uint32_t> due) { measure(entry, due); });
+      Packer(out).varint(rays - before);
+      each(share, [&](const Entry& entry, std::span<const std::uint32_t> due) {
+        world::pack_sensed(world_, kind_of(entry), due, out);
+      });
+    }
+    bool take(world::Share share, std::span<const std::byte> results) override {
+      Unpacker in(results);
+      rays += in.varint();
+      bool good = in.ok();
+      each(share, [&](const Entry& entry, std::span<const std::uint32_t> due) {
+        good = good && world::unpack_sensed(world_, kind_of(entry), due, in);
+      });
+      return good && in.at_end();
+    }
+
+    std::uint64_t rays = 0;
+
+   private:
+    template <typename Visit>
+    void each(world::Share share, const Visit& visit) {
+      for (const Entry& entry : senses_.entries_)
+        if (entry.phase->divides() && !entry.part(share).empty()) visit(entry, entry.part(share));
+    }
+    scene::ModelKind kind_of(const Entry& entry) {
+      return world_.models.kind[entry.phase->table(world_).model[entry.now.front()].index];
+    }
+
+    Senses& senses_;
+    world::World& world_;
+    const Space& space_;
+    std::uint64_t tick_;
+    world::Workers& workers_;
   };
   std::vector<Entry> entries_;
 };

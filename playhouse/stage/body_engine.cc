@@ -140,7 +140,7 @@ void BodyEngine::index() {
 }
 
 void BodyEngine::sense(std::uint64_t tick) {
-  rays_ += senses_.sense(world_, space(), tick, workers_);
+  rays_ += senses_.sense(world_, space(), tick, workers_, division_);
 }
 
 void BodyEngine::touching(world::ModelRow model, std::span<const std::uint8_t> wanted,

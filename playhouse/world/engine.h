@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "playhouse/world/division.h"
 #include "playhouse/world/physics_shapes.h"
 #include "playhouse/world/workers.h"
 #include "playhouse/world/world.h"
@@ -21,6 +22,10 @@ class Engine {
 
   /// The thread pool of the phases; between steps also for other expensive work on the state.
   virtual Workers& workers() = 0;
+
+  /// Shares work of the following ticks with other nodes of a cluster, which have the same state; null: no
+  /// longer. An engine may share none. Between steps.
+  virtual void divide(Division* division) { static_cast<void>(division); }
 
   /// Rays cast since the start, for benches.
   virtual std::uint64_t rays() const = 0;

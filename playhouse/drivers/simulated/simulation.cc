@@ -131,7 +131,7 @@ void Simulation::tick() {
   const world::World& world = engine_->world();
   time_.store(world.time(), std::memory_order_relaxed);
   follow_changes();
-  if (run_listener_) run_listener_->ticked(world);
+  for (world::RunListener* const listener : run_listeners_) listener->ticked(world);
   if (now_.recording) history_.record(world);
   publish_timeline();
   encode();
@@ -221,7 +221,7 @@ void Simulation::take_inbox() {
   inbox_.take(taken_);
   if (taken_.empty()) return;
   finish_publishing();
-  if (run_listener_) run_listener_->before_changes(engine_->world());
+  for (world::RunListener* const listener : run_listeners_) listener->before_changes(engine_->world());
   for (const Change& change : taken_) {
     carry_out(change);
     follow_changes();
@@ -230,7 +230,7 @@ void Simulation::take_inbox() {
   // Initialises controllers of spawned models, so that the state is complete when saved.
   world::World& world = engine_->world();
   for (const std::unique_ptr<world::Decider>& decider : world.deciders) decider->follow(world);
-  if (run_listener_) run_listener_->after_changes(engine_->world());
+  for (world::RunListener* const listener : run_listeners_) listener->after_changes(engine_->world());
   show();
 }
 
@@ -265,7 +265,7 @@ void Simulation::rewind_to(std::uint64_t tick) {
   if (history_.empty()) return;
   finish_publishing();
   history_.take(world);  // so that this state can be returned to
-  if (run_listener_) run_listener_->before_changes(world);
+  for (world::RunListener* const listener : run_listeners_) listener->before_changes(world);
   const std::vector<world::ModelId> before = world.models.id;
   keep_ids();
   load(tick);
@@ -274,7 +274,7 @@ void Simulation::rewind_to(std::uint64_t tick) {
   pacer_.start(clock_(), now_.speed, now_.paused);
   publish_timeline();
   follow_changes();
-  if (run_listener_) run_listener_->after_changes(world);
+  for (world::RunListener* const listener : run_listeners_) listener->after_changes(world);
   show();
 }
 

@@ -65,7 +65,7 @@ class Simulation final : public world::Control {
   void add_watcher(Watcher watcher) { watchers_.push_back(std::move(watcher)); }
   void add_follower(Follower follower) { followers_.push_back(std::move(follower)); }
   /// Observes every tick and every change between ticks. Must outlive run().
-  void set_run_listener(world::RunListener& listener) { run_listener_ = &listener; }
+  void add_run_listener(world::RunListener& listener) { run_listeners_.push_back(&listener); }
   /// Handles a client's request to save the world, on the tick thread. Default: none, requests
   /// have no effect; which file a client may write, if any, is the operator's decision.
   using Saver = std::function<void(const world::World&)>;
@@ -172,7 +172,7 @@ class Simulation final : public world::Control {
   std::vector<Listener> listeners_;
   std::vector<Watcher> watchers_;
   Saver saver_;
-  world::RunListener* run_listener_ = nullptr;
+  std::vector<world::RunListener*> run_listeners_;
   Directory directory_;
   std::uint64_t end_tick_;
 

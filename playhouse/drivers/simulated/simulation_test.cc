@@ -155,7 +155,7 @@ TEST(Simulation, shows_a_run_listener_the_world_before_and_after_what_was_posted
     std::string text;
   } notes;
   StillSimulation still(kRobot);
-  still.simulation.set_run_listener(notes);
+  still.simulation.add_run_listener(notes);
   still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {})); });
   still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {})); });
   still.run(2);

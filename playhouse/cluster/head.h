@@ -1,0 +1,108 @@
+#pragma once
+
+/// Head: the engine of a run whose work is shared with other nodes (docs/cluster.md, docs/adr/0022). All
+/// have the whole world. Before each tick the head sends the changes since the last one, as recordings
+/// have them; in the tick each node computes its share (world/division.h), and the head passes the results
+/// on. The share of a node that is lost is computed here. Thread: tick.
+
+#include <atomic>
+#include <functional>
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/cluster/step.h"
+#include "playhouse/cluster/stream.h"
+#include "playhouse/scene/source_text.h"
+#include "playhouse/world/engine.h"
+#include "playhouse/world/run_listener.h"
+
+namespace playhouse::cluster {
+
+class Head final : public world::Engine, public world::RunListener, private world::Division {
+ public:
+  struct Options {
+    std::string bind = "127.0.0.1";
+    std::uint16_t port = 0;                           // 0: any free one
+    std::size_t nodes = 0;                            // to wait for before the first tick
+    Seconds patience{limits::kClusterSilentSeconds};  // with a node that is silent
+  };
+  /// The world of `engine` is that of `sources`. `fail` is called, on the tick thread, when
+  /// a node is found to compute something else: the run is worthless from then on.
+  Head(std::unique_ptr<world::Engine> engine, scene::SourceFiles sources, Options options,
+       std::function<void(const Error&)> fail);
+  ~Head() override;
+
+  /// Opens the port, and returns it.
+  Result<std::uint16_t> listen();
+  /// Makes step() no longer wait for nodes. Any thread, signal handlers included.
+  void stop() { stopped_ = true; }
+  /// Nodes that take part, the head not counted.
+  std::size_t nodes() const { return nodes_.size(); }
+
+  void step() override;
+  world::World& world() override { return engine_->world(); }
+  world::Workers& workers() override { return engine_->workers(); }
+  std::uint64_t rays() const override { return engine_->rays(); }
+  world::PhysicsShapes physics_shapes() override { return engine_->physics_shapes(); }
+
+  void before_changes(const world::World& world) override;
+  void after_changes(const world::World& world) override;
+  void ticked(const world::World&) override {}
+
+ private:
+  /// A connection that does not take part yet.
+  struct Newcomer {
+    Stream stream;
+    std::string name;
+    std::chrono::steady_clock::time_point since;
+    bool has_world = false;
+  };
+  struct Node {
+    Stream stream;
+    std::string name;  // of the peer
+    Bytes results;     // of its share in this tick
+    std::optional<Hashes> hashes;
+    bool lost = false, has_shared = false;
+  };
+
+  void run(world::DividedWork& work) override;
+
+  void admit();
+  void accept_all();
+  /// False: the connection is over.
+  bool greet(Newcomer& newcomer);
+  void let_in(Newcomer& newcomer);
+  void wait_for_nodes();
+  void send_steps();
+  void gather();
+  void hear(Node& node);
+  void take_share(Node& node, std::span<const std::byte> body);
+  void adopt(world::DividedWork& work);
+  void verify(world::DividedWork& work, world::Share share, Node& node);
+  void distribute(const Bytes& own);
+  void lose(Node& node, const std::string& why);
+  void drop_lost();
+  void give_up(const Node& node, const std::string& what);
+
+  std::unique_ptr<world::Engine> engine_;
+  scene::SourceFiles sources_;
+  Options options_;
+  std::function<void(const Error&)> fail_;
+  int listener_ = -1;
+  std::atomic<bool> stopped_ = false;
+  bool started_ = false, failed_ = false;
+
+  std::list<Newcomer> newcomers_;
+  std::vector<std::unique_ptr<Node>> nodes_, joining_;  // joining_ take part from the next tick on
+  Bytes before_;                                        // the state before changes
+  std::vector<Bytes> changes_;                          // since the last tick
+  std::uint64_t ticks_ = 0;                             // with nodes
+  bool check_ = false;                                  // in this tick
+  Hashes hashes_;                                       // at the check
+};
+
+}  // namespace playhouse::cluster

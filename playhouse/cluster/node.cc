@@ -1,0 +1,116 @@
+#include "playhouse/cluster/node.h"
+
+#include <utility>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/packing.h"
+#include "playhouse/cluster/hello.h"
+#include "playhouse/record/whole_state.h"
+
+namespace playhouse::cluster {
+namespace {
+
+/// The head reads a share at once. If it does not, it or the network between is gone.
+constexpr Seconds kPatience{60};
+
+Error unexpected() {
+  return {"", "does not speak the protocol of clusters"};
+}
+
+}  // namespace
+
+/// A run may be paused for as long as its user likes.
+Result<Message> Node::next() {
+  const Result<Message> message = stream_.wait({});
+  if (!message || message->type != Type::kRefusal) return message;
+  Unpacker in(message->body);
+  return Error{"", "sends this node away: " + escaped(in.text())};
+}
+
+Result<void> Node::join(const EngineMaker& make) {
+  if (const Result<void> sent = stream_.send(Type::kHello, {hello()}, kPatience); !sent) return sent;
+  const Result<Message> world = next();
+  if (!world) return world.error();
+  if (world->type != Type::kWorld) return unexpected();
+  Result<world::SavedRun> run = world::decode_saved_run(world->body);
+  if (!run) return Error{"", "sent a world that " + run.error().text};
+  const Result<world::Engine*> engine = make(std::move(*run));
+  if (!engine) {
+    Bytes why;
+    Packer(why).text(engine.error().line());
+    static_cast<void>(stream_.send(Type::kRefusal, {why}, kPatience));
+    return Error{"", "runs a world that this node cannot: " + engine.error().line()};
+  }
+  engine_ = *engine;
+  engine_->divide(this);
+  return stream_.send(Type::kReady, {}, kPatience);
+}
+
+Result<void> Node::prepare(const Step& step) {
+  world::World& world = engine_->world();
+  const auto load = [&](std::span<const std::byte> state) -> Result<void> {
+    const Result<void> loaded = record::load_whole(world, state);
+    if (!loaded) return Error{"", "sent a state that " + loaded.error().text};
+    return {};
+  };
+  if (!step.state.empty())
+    if (const Result<void> loaded = load(step.state); !loaded) return loaded;
+  for (const std::span<const std::byte> change : step.changes) {
+    Bytes before;
+    if (const Result<void> saved = record::save_whole(world, before); !saved) return saved;
+    const Result<Bytes> after = record::patched(before, change);
+    if (!after) return Error{"", "sent a change that is none of this state"};
+    if (const Result<void> loaded = load(*after); !loaded) return loaded;
+  }
+  share_ = step.share;
+  hashes_.reset();
+  if (step.check) hashes_ = Hashes{world.hash(), world.sensed_hash()};
+  return {};
+}
+
+Result<Node::Summary> Node::run(const EngineMaker& make) {
+  if (const Result<void> joined = join(make); !joined) return joined.error();
+  Summary summary;
+  for (;;) {
+    const Result<Message> message = next();
+    if (!message) return message.error();
+    if (message->type == Type::kEnd) return summary;
+    if (message->type != Type::kStep) return unexpected();
+    const Result<Step> step = decode_step(message->body);
+    if (!step) return step.error();
+    if (const Result<void> prepared = prepare(*step); !prepared) return prepared.error();
+    if (summary.ticks++ == 0) summary.from = engine_->world().time();
+    shared_ = {};
+    engine_->step();
+    if (!shared_) return shared_.error();
+    summary.to = engine_->world().time();
+  }
+}
+
+void Node::run(world::DividedWork& work) {
+  shared_ = share(work);
+}
+
+Result<void> Node::share(world::DividedWork& work) {
+  Bytes head, results;
+  if (hashes_) {
+    Packer(head).u64(hashes_->done);
+    Packer(head).u64(hashes_->sensed);
+  }
+  work.compute(share_, results);
+  if (const Result<void> sent = stream_.send(Type::kShare, {head, results}, kPatience); !sent) return sent;
+  const Result<Message> others = next();
+  if (!others) return others.error();
+  if (others->type != Type::kShares) return unexpected();
+  Unpacker in(others->body);
+  for (std::size_t i = 0; i < share_.count; ++i) {
+    const std::uint64_t size = in.varint();
+    const std::span<const std::byte> share = in.bytes(static_cast<std::size_t>(size));
+    if (!in.ok()) return Error{"", "sent shares that are none"};
+    if (i != share_.index && !work.take({i, share_.count}, share))
+      return Error{"", "sent shares that are none"};
+  }
+  return {};
+}
+
+}  // namespace playhouse::cluster

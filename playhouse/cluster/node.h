@@ -1,0 +1,46 @@
+#pragma once
+
+/// Node: the other side of a Head: repeats its run, and computes a share of each tick. Thread: the caller's.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "playhouse/cluster/step.h"
+#include "playhouse/cluster/stream.h"
+#include "playhouse/world/engine.h"
+#include "playhouse/world/saved_run.h"
+
+namespace playhouse::cluster {
+
+class Node final : private world::Division {
+ public:
+  /// Makes the engine of a run; it must live until run() has returned.
+  using EngineMaker = std::function<Result<world::Engine*>(world::SavedRun)>;
+
+  struct Summary {
+    std::uint64_t ticks = 0;
+    double from = 0, to = 0;  // simulated time [s]
+  };
+
+  explicit Node(Stream stream) : stream_(std::move(stream)) {}
+
+  /// Takes part until the run ends. Fails if the head refuses or is gone, or the engine cannot be made.
+  Result<Summary> run(const EngineMaker& make);
+
+ private:
+  Result<Message> next();
+  Result<void> join(const EngineMaker& make);
+  Result<void> prepare(const Step& step);
+  void run(world::DividedWork& work) override;
+  Result<void> share(world::DividedWork& work);
+
+  Stream stream_;
+  world::Engine* engine_ = nullptr;
+  world::Share share_;
+  std::optional<Hashes> hashes_;  // for the head, at a check
+  Result<void> shared_;           // of the present tick
+};
+
+}  // namespace playhouse::cluster

@@ -1,0 +1,33 @@
+#pragma once
+
+/// Step: what the head tells a node before each tick.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/world/division.h"
+
+namespace playhouse::cluster {
+
+struct Step {
+  world::Share share;                // of this node
+  bool check = false;                // its Share has the hashes of its world
+  std::span<const std::byte> state;  // record::save_whole() of the world, for a node that joins; or empty
+  std::vector<std::span<const std::byte>> changes;  // record::difference(), in this order
+};
+
+/// Appends the body of a message kStep.
+void encode(const Step& step, std::vector<std::byte>& out);
+
+/// Refers to the bytes. Fails if they are no step.
+Result<Step> decode_step(std::span<const std::byte> bytes);
+
+/// The hashes of a world at a check.
+struct Hashes {
+  std::uint64_t done = 0, sensed = 0;
+  friend bool operator==(const Hashes&, const Hashes&) = default;
+};
+
+}  // namespace playhouse::cluster
