@@ -132,7 +132,7 @@ bool Head::greet(Newcomer& newcomer) {
 
 void Head::let_in(Newcomer& newcomer) {
   newcomer.stream.accept_up_to(limits::kClusterMessageBytes);
-  auto node = std::make_unique<Node>(Node{std::move(newcomer.stream), newcomer.name, {}, {}});
+  auto node = std::make_unique<Node>(Node{std::move(newcomer.stream), newcomer.name, {}});
   joining_.push_back(std::move(node));
 }
 
@@ -206,29 +206,35 @@ void Head::send_steps() {
     encode(step, body);
     Node& node = *nodes_[i];
     node.has_shared = false;
-    node.hashes.reset();
     const Result<void> sent = node.stream.send(Type::kStep, {body}, options_.patience);
     if (!sent) lose(node, sent.error().text);
   }
 }
 
+/// Results are passed on as they come, so that nodes take them while others still compute.
 void Head::run(world::DividedWork& work) {
   Bytes own;
   work.compute({0, nodes_.size() + 1}, own);
-  gather();
-  adopt(work);
-  distribute(own);
+  pass_on(0, own);
+  gather(work);
+  for (std::size_t index = 0; index < nodes_.size(); ++index) {
+    if (nodes_[index]->has_shared) continue;
+    own.clear();
+    work.compute(share_of(index), own);
+    pass_on(index + 1, own);
+  }
 }
 
 /// Waits until each node has shared its results or is lost.
-void Head::gather() {
+void Head::gather(world::DividedWork& work) {
   const Clock::time_point deadline =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(options_.patience);
   for (;;) {
     std::vector<pollfd> missing;
-    for (const auto& node : nodes_) {
-      if (!node->lost && !node->has_shared) hear(*node);
-      if (!node->lost && !node->has_shared) missing.push_back({node->stream.socket(), POLLIN, 0});
+    for (std::size_t index = 0; index < nodes_.size(); ++index) {
+      const Node& node = *nodes_[index];
+      if (!node.lost && !node.has_shared) hear(work, index);
+      if (!node.lost && !node.has_shared) missing.push_back({node.stream.socket(), POLLIN, 0});
     }
     if (missing.empty()) return;
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
@@ -239,64 +245,51 @@ void Head::gather() {
     if (!node->has_shared) lose(*node, fmt::format("is silent for {:g} s", options_.patience.count()));
 }
 
-void Head::hear(Node& node) {
+void Head::hear(world::DividedWork& work, std::size_t index) {
+  Node& node = *nodes_[index];
   const Result<void> received = node.stream.receive();
   const Result<std::optional<Message>> message = node.stream.next();
   if (!message) return lose(node, message.error().text);
-  if (*message && (*message)->type == Type::kShare) return take_share(node, (*message)->body);
+  if (*message && (*message)->type == Type::kShare) return take_share(work, index, (*message)->body);
   if (*message) return lose(node, "does not speak the protocol of clusters");
   if (!received) lose(node, received.error().text);
 }
 
-void Head::take_share(Node& node, std::span<const std::byte> body) {
+void Head::take_share(world::DividedWork& work, std::size_t index, std::span<const std::byte> body) {
+  Node& node = *nodes_[index];
   Unpacker in(body);
-  if (check_) node.hashes = Hashes{in.u64(), in.u64()};
-  if (!in.ok()) return lose(node, "sent a share that is none");
+  std::optional<Hashes> hashes;
+  if (check_) hashes = Hashes{in.u64(), in.u64()};
   const std::span<const std::byte> results = in.bytes(in.left());
   node.results.assign(results.begin(), results.end());
+  if (!in.ok()) return lose(node, "sent a share that is none");
+  if (hashes && *hashes != hashes_) give_up(node, "its world is another one");
+  if (!adopt(work, index)) return lose(node, "sent a share that is none");
   node.has_shared = true;
+  pass_on(index + 1, node.results);
 }
 
-void Head::adopt(world::DividedWork& work) {
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    Node& node = *nodes_[i];
-    const world::Share share{i + 1, nodes_.size() + 1};
-    if (!node.lost && check_ && node.hashes && *node.hashes != hashes_)
-      give_up(node, "its world is another one");
-    const bool verified = !node.lost && check_ && i == ticks_ / kCheckTicks % nodes_.size();
-    if (verified) {
-      verify(work, share, node);
-    } else if (!node.lost && !work.take(share, node.results)) {
-      lose(node, "sent a share that is none");
-    }
-    if (!node.lost) continue;
-    node.results.clear();
-    work.compute(share, node.results);
-  }
-}
-
-/// Computes the share of a node as well, and compares.
-void Head::verify(world::DividedWork& work, world::Share share, Node& node) {
+/// At a check computes the share of one of the nodes as well, and compares. False: its results are none.
+bool Head::adopt(world::DividedWork& work, std::size_t index) {
+  Node& node = *nodes_[index];
+  if (!check_ || index != ticks_ / kCheckTicks % nodes_.size())
+    return work.take(share_of(index), node.results);
   Bytes own;
-  work.compute(share, own);
+  work.compute(share_of(index), own);
   if (own != node.results) give_up(node, "its measurements are others");
   node.results = std::move(own);
+  return true;
 }
 
-/// The same message for all: a node passes over its own share.
-void Head::distribute(const Bytes& own) {
-  std::vector<std::span<const std::byte>> shares{own};
-  for (const auto& node : nodes_) shares.emplace_back(node->results);
-  std::vector<Bytes> sizes(shares.size());
-  std::vector<std::span<const std::byte>> body;
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    Packer(sizes[i]).varint(shares[i].size());
-    body.insert(body.end(), {sizes[i], shares[i]});
-  }
-  for (const auto& node : nodes_) {
-    if (node->lost) continue;
-    const Result<void> sent = node->stream.send(Type::kShares, body, options_.patience);
-    if (!sent) lose(*node, sent.error().text);
+/// To all that do not have them.
+void Head::pass_on(std::size_t share, const Bytes& results) {
+  Bytes index;
+  Packer(index).varint(share);
+  for (std::size_t to = 0; to < nodes_.size(); ++to) {
+    Node& node = *nodes_[to];
+    if (node.lost || to + 1 == share) continue;
+    const Result<void> sent = node.stream.send(Type::kResults, {index, results}, options_.patience);
+    if (!sent) lose(node, sent.error().text);
   }
 }
 

@@ -65,7 +65,6 @@ class Head final : public world::Engine, public world::RunListener, private worl
     Stream stream;
     std::string name;  // of the peer
     Bytes results;     // of its share in this tick
-    std::optional<Hashes> hashes;
     bool lost = false, has_shared = false;
   };
 
@@ -78,12 +77,12 @@ class Head final : public world::Engine, public world::RunListener, private worl
   void let_in(Newcomer& newcomer);
   void wait_for_nodes();
   void send_steps();
-  void gather();
-  void hear(Node& node);
-  void take_share(Node& node, std::span<const std::byte> body);
-  void adopt(world::DividedWork& work);
-  void verify(world::DividedWork& work, world::Share share, Node& node);
-  void distribute(const Bytes& own);
+  void gather(world::DividedWork& work);
+  void hear(world::DividedWork& work, std::size_t index);
+  void take_share(world::DividedWork& work, std::size_t index, std::span<const std::byte> body);
+  bool adopt(world::DividedWork& work, std::size_t index);
+  void pass_on(std::size_t share, const Bytes& results);
+  world::Share share_of(std::size_t index) const { return {index + 1, nodes_.size() + 1}; }
   void lose(Node& node, const std::string& why);
   void drop_lost();
   void give_up(const Node& node, const std::string& what);

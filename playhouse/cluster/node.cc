@@ -99,16 +99,15 @@ Result<void> Node::share(world::DividedWork& work) {
   }
   work.compute(share_, results);
   if (const Result<void> sent = stream_.send(Type::kShare, {head, results}, kPatience); !sent) return sent;
-  const Result<Message> others = next();
-  if (!others) return others.error();
-  if (others->type != Type::kShares) return unexpected();
-  Unpacker in(others->body);
-  for (std::size_t i = 0; i < share_.count; ++i) {
-    const std::uint64_t size = in.varint();
-    const std::span<const std::byte> share = in.bytes(static_cast<std::size_t>(size));
-    if (!in.ok()) return Error{"", "sent shares that are none"};
-    if (i != share_.index && !work.take({i, share_.count}, share))
-      return Error{"", "sent shares that are none"};
+  for (std::size_t i = 1; i < share_.count; ++i) {
+    const Result<Message> others = next();
+    if (!others) return others.error();
+    if (others->type != Type::kResults) return unexpected();
+    Unpacker in(others->body);
+    const auto index = static_cast<std::size_t>(in.varint());
+    if (!in.ok() || index >= share_.count || index == share_.index ||
+        !work.take({index, share_.count}, in.bytes(in.left())))
+      return Error{"", "sent results that are none"};
   }
   return {};
 }

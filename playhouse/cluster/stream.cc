@@ -32,8 +32,9 @@ Clock::time_point deadline_after(Seconds patience) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(patience);
 }
 
-/// False when the time is over. Without a deadline: waits for ever.
-bool wait_for(int socket, short events, std::optional<Clock::time_point> deadline) {
+/// Those of the events that have come, or others that the next system call reports; 0 when the
+/// time is over. Without a deadline: waits for ever.
+short wait_for(int socket, short events, std::optional<Clock::time_point> deadline) {
   for (;;) {
     int milliseconds = -1;
     if (deadline) {
@@ -42,9 +43,9 @@ bool wait_for(int socket, short events, std::optional<Clock::time_point> deadlin
     }
     pollfd entry{socket, events, 0};
     const int ready = poll(&entry, 1, milliseconds);
-    if (ready > 0) return true;
-    if (ready == 0) return false;
-    if (errno != EINTR) return true;  // the next system call reports the error
+    if (ready > 0) return entry.revents;
+    if (ready == 0) return 0;
+    if (errno != EINTR) return events;
   }
 }
 
@@ -52,7 +53,7 @@ bool wait_for(int socket, short events, std::optional<Clock::time_point> deadlin
 int connect_within(int socket, const addrinfo& address, Clock::time_point deadline) {
   if (::connect(socket, address.ai_addr, address.ai_addrlen) == 0) return 0;
   if (errno != EINPROGRESS) return errno;
-  if (!wait_for(socket, POLLOUT, deadline)) return ETIMEDOUT;
+  if (wait_for(socket, POLLOUT, deadline) == 0) return ETIMEDOUT;
   int fault = 0;
   socklen_t size = sizeof fault;
   return getsockopt(socket, SOL_SOCKET, SO_ERROR, &fault, &size) == 0 ? fault : errno;
@@ -151,8 +152,11 @@ Result<void> Stream::send(Type type, std::span<const std::span<const std::byte>>
     if (sent < 0) {
       if (errno == EINTR) continue;
       if (errno != EAGAIN) return Error{"", reason(errno)};
-      if (!wait_for(socket_, POLLOUT, deadline_after(patience)))
-        return Error{"", fmt::format("takes nothing for {:g} s", patience.count())};
+      // Takes what the peer sends meanwhile: it may be waiting for that before it reads.
+      const short events = wait_for(socket_, POLLIN | POLLOUT, deadline_after(patience));
+      if (events == 0) return Error{"", fmt::format("takes nothing for {:g} s", patience.count())};
+      if ((events & POLLIN) != 0)
+        if (const Result<void> received = receive(); !received) return received;
       continue;
     }
     auto left = static_cast<std::size_t>(sent);

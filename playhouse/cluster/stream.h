@@ -26,7 +26,7 @@ enum class Type : std::uint8_t {
   kRefusal = 4,  // either: why there is no cooperation; the last message
   kStep = 5,     // head: changes, then a tick
   kShare = 6,    // node: the results of its share
-  kShares = 7,   // head: the results of all others
+  kResults = 7,  // head: the results of another share
   kEnd = 8,      // head: the run has ended
 };
 
@@ -54,7 +54,8 @@ class Stream {
   std::string peer() const;
   void accept_up_to(std::size_t limit) { limit_ = limit; }
 
-  /// Sends a message with this body, in pieces. Fails if the peer is gone or takes nothing for so long.
+  /// Sends a message with this body, in pieces, and receives meanwhile, as receive() does. Fails if the peer
+  /// is gone or takes nothing for so long.
   Result<void> send(Type type, std::span<const std::span<const std::byte>> body, Seconds patience);
   Result<void> send(Type type, std::initializer_list<std::span<const std::byte>> body, Seconds patience) {
     return send(type, std::span(body), patience);

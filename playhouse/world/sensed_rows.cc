@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #include "playhouse/world/columns.h"
@@ -13,29 +14,30 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are in memory");
 
-/// How the numbers of a run are packed.
+/// How the numbers of a run are packed. They are compared as bits: -0 is not 0, and the largest of ranges is
+/// the largest as bits.
 enum class Packed : std::uint8_t {
   kAll,     // each
   kTwo,     // two, and a bit for each that is the second: intensities mostly, of beams that hit and miss
-  kSparse,  // the largest, a bit for each that is another, and those: ranges where most beams miss
+  kSparse,  // one, a bit for each that is another, and those: ranges where most beams miss
 };
 
-/// A bit for each number, in whole bytes.
-template <typename T, typename IsSet>
-void pack_bits(std::span<const T> values, const IsSet& is_set, std::vector<std::byte>& out) {
-  for (std::size_t i = 0; i < values.size(); i += 8) {
-    unsigned bits = 0;
-    for (std::size_t k = 0; k < 8 && i + k < values.size(); ++k)
-      bits |= static_cast<unsigned>(is_set(values[i + k])) << k;
-    out.push_back(static_cast<std::byte>(bits));
-  }
-}
-
-/// Compares bits, not values: -0 is not 0.
+template <std::size_t>
+struct BitsOf;
+template <>
+struct BitsOf<1> {
+  using Type = std::uint8_t;
+};
+template <>
+struct BitsOf<4> {
+  using Type = std::uint32_t;
+};
+template <>
+struct BitsOf<8> {
+  using Type = std::uint64_t;
+};
 template <typename T>
-bool same(T a, T b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
+using Bits = typename BitsOf<sizeof(T)>::Type;
 
 template <typename T>
 void put_raw(std::span<const T> values, std::vector<std::byte>& out) {
@@ -43,30 +45,39 @@ void put_raw(std::span<const T> values, std::vector<std::byte>& out) {
   out.insert(out.end(), bytes.begin(), bytes.end());
 }
 
+/// A bit for each number that is not `usual`, in whole bytes.
 template <typename T>
-void pack_numbers(std::span<const T> values, std::vector<std::byte>& out) {
-  const auto start = [&](Packed how) { out.push_back(static_cast<std::byte>(how)); };
-  const T first = values.empty() ? T{} : values.front();
-  const auto other = std::ranges::find_if(values, [&](T value) { return !same(value, first); });
-  const T second = other == values.end() ? first : *other;
-  if (std::ranges::all_of(values, [&](T value) { return same(value, first) || same(value, second); })) {
-    start(Packed::kTwo);
-    put_raw(std::span<const T>({first, second}), out);
-    return pack_bits(
-        values, [&](T value) { return !same(value, first); }, out);
+void put_others(std::span<const T> values, T usual, std::vector<std::byte>& out) {
+  for (std::size_t i = 0; i < values.size(); i += 8) {
+    unsigned bits = 0;
+    const std::size_t count = std::min<std::size_t>(8, values.size() - i);
+    for (std::size_t k = 0; k < count; ++k) bits |= static_cast<unsigned>(values[i + k] != usual) << k;
+    out.push_back(static_cast<std::byte>(bits));
   }
-  const T most = *std::ranges::max_element(values);
-  const auto is_other = [&](T value) { return !same(value, most); };
-  const auto others = static_cast<std::size_t>(std::ranges::count_if(values, is_other));
-  if (others > values.size() / 2) {
-    start(Packed::kAll);
-    return put_raw(values, out);
+}
+
+/// Branch-free: hits are unpredictable.
+template <typename T>
+void pack_bits(std::span<const T> values, std::vector<std::byte>& out) {
+  T least = std::numeric_limits<T>::max(), most = 0;
+  for (const T value : values) {
+    least = std::min(least, value);
+    most = std::max(most, value);
   }
-  start(Packed::kSparse);
-  put_raw(std::span<const T>({most}), out);
-  pack_bits(values, is_other, out);
-  for (const T value : values)
-    if (is_other(value)) put_raw(std::span<const T>({value}), out);
+  std::size_t others = 0, thirds = 0;
+  for (const T value : values) {
+    others += value != most;
+    thirds += static_cast<unsigned>(value != most) & static_cast<unsigned>(value != least);
+  }
+  const Packed how = thirds == 0 ? Packed::kTwo : others > values.size() / 2 ? Packed::kAll : Packed::kSparse;
+  out.push_back(static_cast<std::byte>(how));
+  if (how == Packed::kAll) return put_raw(values, out);
+  put_raw(std::span<const T>(&most, 1), out);
+  if (how == Packed::kTwo) put_raw(std::span<const T>(&least, 1), out);
+  put_others(values, most, out);
+  if (how == Packed::kTwo) return;
+  for (const T& value : values)
+    if (value != most) put_raw(std::span(&value, 1), out);
 }
 
 template <typename T>
@@ -78,7 +89,7 @@ T get_raw(Unpacker& in) {
 }
 
 template <typename T>
-bool unpack_numbers(std::span<T> values, Unpacker& in) {
+bool unpack_bits(std::span<T> values, Unpacker& in) {
   const auto how = static_cast<Packed>(in.u8());
   if (how == Packed::kAll) {
     const std::span<const std::byte> bytes = in.bytes(values.size_bytes());
@@ -89,11 +100,31 @@ bool unpack_numbers(std::span<T> values, Unpacker& in) {
   const T usual = get_raw<T>(in), second = how == Packed::kTwo ? get_raw<T>(in) : T{};
   const std::span<const std::byte> bits = in.bytes((values.size() + 7) / 8);
   if (!in.ok()) return false;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool is_other = (std::to_integer<unsigned>(bits[i / 8]) >> i % 8 & 1) != 0;
-    values[i] = !is_other ? usual : how == Packed::kTwo ? second : get_raw<T>(in);
-  }
+  const T either[] = {usual, second};
+  const auto is_other = [&](std::size_t i) { return std::to_integer<unsigned>(bits[i / 8]) >> i % 8 & 1; };
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = either[is_other(i)];
+  if (how == Packed::kTwo) return true;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (is_other(i) != 0) values[i] = get_raw<T>(in);
   return in.ok();
+}
+
+/// The bits of numbers, which may alias their bytes only.
+template <typename T>
+void pack_numbers(std::span<const T> values, std::vector<std::byte>& out) {
+  static thread_local std::vector<Bits<T>> bits;  // scratch
+  bits.resize(values.size());
+  if (!values.empty()) std::memcpy(bits.data(), values.data(), values.size_bytes());
+  pack_bits(std::span<const Bits<T>>(bits), out);
+}
+
+template <typename T>
+bool unpack_numbers(std::span<T> values, Unpacker& in) {
+  static thread_local std::vector<Bits<T>> bits;  // scratch
+  bits.resize(values.size());
+  if (!unpack_bits(std::span<Bits<T>>(bits), in)) return false;
+  if (!values.empty()) std::memcpy(values.data(), bits.data(), values.size_bytes());
+  return true;
 }
 
 /// The values [begin, end) of a column.
