@@ -27,8 +27,8 @@ class CameraSense final : public stage::SensePhase {
 
   stage::SensorTable table(world::World& world) const override;
   void populate(const world::World& world, const stage::Space& space) override;
-  /// The last bits of a picture depend on its place in a page of pictures.
-  bool divides() const override { return false; }
+  /// The last bits of a picture depend on its place in a page of pictures, and on the renderer.
+  behaviour::Sharing sharing() const override { return behaviour::Sharing::kHead; }
   std::uint64_t sense(world::World& world, const stage::Space& space, std::span<const std::uint32_t> due,
                       std::uint64_t tick, world::Workers& workers) override;
 

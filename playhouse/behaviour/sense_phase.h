@@ -16,6 +16,13 @@
 
 namespace playhouse::behaviour {
 
+/// Which nodes of a cluster measure in a phase.
+enum class Sharing : std::uint8_t {
+  kRows,  // each some sensors: a measurement does not depend on which others are measured with it
+  kHead,  // the head, and the others take its measurements
+  kAll,   // each all sensors. May read measurements of this tick: those of other phases are complete
+};
+
 template <typename Space>
 class SensePhase {
  public:
@@ -31,9 +38,9 @@ class SensePhase {
   /// Whether it has work even in a tick without due sensors.
   virtual bool has_work(const world::World& world) const { return static_cast<void>(world), false; }
 
-  /// Whether nodes of a cluster may share the sensors that are due: sense() changes nothing but
-  /// the measurements of `due`, which do not depend on which others are measured with them.
-  virtual bool divides() const { return true; }
+  /// Which nodes of a cluster measure. Unless it is kAll, sense() changes nothing but the measurements of
+  /// `due`.
+  virtual Sharing sharing() const { return Sharing::kRows; }
 
   /// Measures with the sensors `due`; `tick` is the number that the
   /// state will have once frozen. Returns the number of rays cast.
@@ -59,9 +66,13 @@ class Senses {
                       world::Division* division = nullptr) {
     for (Entry& entry : entries_) entry.now = entry.due.take(world, entry.phase->table(world), tick);
     Work work(*this, world, space, tick, workers);
+    if (division) {
+      division->run(work);
+    } else {
+      work.measure({});
+    }
     for (const Entry& entry : entries_)
-      if (!division || !entry.phase->divides()) work.measure(entry, entry.now);
-    if (division) division->run(work);
+      if (entry.phase->sharing() == Sharing::kAll) work.measure(entry, entry.now);
     return work.rays;
   }
 
@@ -71,7 +82,11 @@ class Senses {
     DueList due;
     std::span<const std::uint32_t> now = {};  // the rows that are due in this tick
 
+    /// The rows that are measured in a share.
     std::span<const std::uint32_t> part(world::Share share) const {
+      const Sharing sharing = phase->sharing();
+      if (sharing == Sharing::kAll || (sharing == Sharing::kHead && share.index != 0)) return {};
+      if (sharing == Sharing::kHead) return now;
       const std::size_t begin = share.begin(now.size());
       return now.subspan(begin, share.end(now.size()) - begin);
     }
@@ -87,9 +102,12 @@ class Senses {
       if (!due.empty() || entry.phase->has_work(world_))
         rays += entry.phase->sense(world_, space_, due, tick_, workers_);
     }
+    void measure(world::Share share) {
+      each(share, [&](const Entry& entry, std::span<const std::uint32_t> due) { measure(entry, due); });
+    }
     void compute(world::Share share, std::vector<std::byte>& out) override {
       const std::uint64_t before = rays;
-      each(share, [&](const Entry& entry, std::span<const std::uint32_t> due) { measure(entry, due); });
+      measure(share);
       Packer(out).varint(rays - before);
       each(share, [&](const Entry& entry, std::span<const std::uint32_t> due) {
         world::pack_sensed(world_, kind_of(entry), due, out);
@@ -111,7 +129,7 @@ class Senses {
     template <typename Visit>
     void each(world::Share share, const Visit& visit) {
       for (const Entry& entry : senses_.entries_)
-        if (entry.phase->divides() && !entry.part(share).empty()) visit(entry, entry.part(share));
+        if (!entry.part(share).empty()) visit(entry, entry.part(share));
     }
     scene::ModelKind kind_of(const Entry& entry) {
       return world_.models.kind[entry.phase->table(world_).model[entry.now.front()].index];

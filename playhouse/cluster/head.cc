@@ -27,8 +27,9 @@ using Clock = std::chrono::steady_clock;
 /// Ticks between two checks. One costs the hashes of the world, and a share that is computed twice.
 constexpr std::uint64_t kCheckTicks = 100;
 
-constexpr int kPollMilliseconds = 50;  // while it waits for nodes
-constexpr Seconds kGoodbye{1};         // for a last message
+constexpr int kPollMilliseconds = 50;        // between looks at stop()
+constexpr std::chrono::minutes kMaking{10};  // for a node to make its engine
+constexpr Seconds kGoodbye{1};               // for a last message
 
 }  // namespace
 
@@ -41,7 +42,7 @@ Head::Head(std::unique_ptr<world::Engine> engine, scene::SourceFiles sources, Op
 
 Head::~Head() {
   for (const auto& node : nodes_) static_cast<void>(node->stream.send(Type::kEnd, {}, kGoodbye));
-  for (Newcomer& newcomer : newcomers_) static_cast<void>(newcomer.stream.send(Type::kEnd, {}, kGoodbye));
+  for (Newcomer& newcomer : newcomers_) static_cast<void>(newcomer.stream.send(Type::kEnd, {}, Seconds{0}));
   if (listener_ >= 0) ::close(listener_);
 }
 
@@ -99,8 +100,11 @@ bool Head::greet(Newcomer& newcomer) {
   if (!message) return end(message.error().text);
   if (!*message) {
     if (!received) return end(received.error().text);
-    const bool too_late = !newcomer.has_world && Clock::now() - newcomer.since > options_.patience;
-    return !too_late || end("says nothing");
+    const Result<bool> sent = newcomer.stream.flush();
+    if (!sent) return end(sent.error().text);
+    const auto patience = newcomer.has_world ? Clock::duration(kMaking)
+                                             : std::chrono::duration_cast<Clock::duration>(options_.patience);
+    return Clock::now() - newcomer.since < patience || end("is silent");
   }
   const Message& said = **message;
   if (said.type == Type::kRefusal) {
@@ -117,9 +121,8 @@ bool Head::greet(Newcomer& newcomer) {
     if (said.type != Type::kHello) return end("does not speak the protocol of clusters");
     if (const std::string why = why_not_joined(said.body); !why.empty()) return refuse(why);
     const world::World& world = engine_->world();
-    const Bytes run = world::encode(world::SavedRun{sources_, world.engine, world.seed(), {}});
-    if (const Result<void> sent = newcomer.stream.send(Type::kWorld, {run}, options_.patience); !sent)
-      return end(sent.error().text);
+    if (world_.empty()) world_ = world::encode(world::SavedRun{sources_, world.engine, world.seed(), {}});
+    newcomer.stream.queue(Type::kWorld, world_);
     newcomer.has_world = true;
     return true;
   }
@@ -141,6 +144,7 @@ void Head::wait_for_nodes() {
   started_ = true;
   std::size_t told = SIZE_MAX;
   for (admit(); joining_.size() < options_.nodes && !stopped_; admit()) {
+    std::erase_if(joining_, [](const auto& node) { return !node->stream.receive(); });
     if (told != joining_.size())
       log::info("waiting for nodes: {} of {} are there", joining_.size(), options_.nodes);
     told = joining_.size();
@@ -151,60 +155,62 @@ void Head::wait_for_nodes() {
 }
 
 void Head::before_changes(const world::World& world) {
-  before_.clear();
-  if (nodes_.empty()) return;
-  if (const Result<void> saved = record::save_whole(world, before_); !saved) {
-    for (const auto& node : nodes_) lose(*node, saved.error().line());
-    drop_lost();
-  }
+  if (nodes_.empty() || before_) return;
+  before_.emplace();
+  if (const Result<void> saved = record::save_whole(world, *before_); !saved) lose_all(saved.error().line());
 }
 
-void Head::after_changes(const world::World& world) {
-  if (nodes_.empty()) return;
-  Bytes after;
-  if (const Result<void> saved = record::save_whole(world, after); !saved) {
-    for (const auto& node : nodes_) lose(*node, saved.error().line());
-    drop_lost();
-  } else if (after != before_) {
-    changes_.push_back(record::difference(before_, after));
-  }
+/// All changes since the last tick as one.
+Result<Bytes> Head::changes() {
+  if (!before_) return Bytes();
+  Bytes now;
+  if (const Result<void> saved = record::save_whole(engine_->world(), now); !saved) return saved.error();
+  return now == *before_ ? Bytes() : record::difference(*before_, now);
+}
+
+void Head::lose_all(const std::string& why) {
+  for (const auto& node : nodes_) lose(*node, why);
+  drop_lost();
 }
 
 void Head::step() {
   wait_for_nodes();
   admit();
   if (!nodes_.empty() || !joining_.empty()) send_steps();
-  changes_.clear();
+  before_.reset();
   engine_->divide(nodes_.empty() ? nullptr : this);
   engine_->step();
   drop_lost();
 }
 
 void Head::send_steps() {
-  check_ = !failed_ && ticks_++ % kCheckTicks == 0;
-  if (check_) hashes_ = {engine_->world().hash(), engine_->world().sensed_hash()};
+  Result<Bytes> changes = this->changes();
+  if (!changes) {
+    lose_all(changes.error().line());
+    changes = Bytes();
+  }
   Bytes state;
-  if (!joining_.empty()) {
+  if (!joining_.empty())
     if (const Result<void> saved = record::save_whole(engine_->world(), state); !saved) {
       for (const auto& node : joining_) lose(*node, saved.error().line());
       joining_.clear();
     }
-  }
-  const std::size_t old = nodes_.size();
+  check_ = !failed_ && (!joining_.empty() || ticks_ % kCheckTicks == 0);
+  ++ticks_;
+  if (check_) hashes_ = {engine_->world().hash(), engine_->world().sensed_hash()};
+  for (const auto& node : nodes_) node->is_new = false;
   for (auto& node : joining_) {
     log::info("cluster: {} takes part from {:.1f} s on", node->name, engine_->world().time());
     nodes_.push_back(std::move(node));
   }
   joining_.clear();
-  Step step{{0, nodes_.size() + 1}, check_, {}, {}};
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    step.share.index = i + 1;
-    step.state = i < old ? std::span<const std::byte>() : state;
-    step.changes.clear();
-    if (i < old) step.changes.assign(changes_.begin(), changes_.end());
+  for (std::size_t index = 0; index < nodes_.size(); ++index) {
+    Node& node = *nodes_[index];
+    Step step{share_of(index), check_, {}, {}};
+    if (node.is_new) step.state = state;
+    if (!node.is_new && !changes->empty()) step.changes.emplace_back(*changes);
     Bytes body;
     encode(step, body);
-    Node& node = *nodes_[i];
     node.has_shared = false;
     const Result<void> sent = node.stream.send(Type::kStep, {body}, options_.patience);
     if (!sent) lose(node, sent.error().text);
@@ -227,9 +233,10 @@ void Head::run(world::DividedWork& work) {
 
 /// Waits until each node has shared its results or is lost.
 void Head::gather(world::DividedWork& work) {
-  const Clock::time_point deadline =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(options_.patience);
-  for (;;) {
+  const auto deadline_from_now = [&] {
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(options_.patience);
+  };
+  for (Clock::time_point deadline = deadline_from_now();;) {
     std::vector<pollfd> missing;
     for (std::size_t index = 0; index < nodes_.size(); ++index) {
       const Node& node = *nodes_[index];
@@ -237,12 +244,13 @@ void Head::gather(world::DividedWork& work) {
       if (!node.lost && !node.has_shared) missing.push_back({node.stream.socket(), POLLIN, 0});
     }
     if (missing.empty()) return;
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) break;
-    poll(missing.data(), missing.size(), static_cast<int>(left));
+    const int come = poll(missing.data(), missing.size(), kPollMilliseconds);
+    if (come > 0) deadline = deadline_from_now();
+    if (come == 0 && (stopped_ || Clock::now() >= deadline)) break;
   }
   for (const auto& node : nodes_)
-    if (!node->has_shared) lose(*node, fmt::format("is silent for {:g} s", options_.patience.count()));
+    if (!node->has_shared)
+      lose(*node, stopped_ ? "the run ends" : fmt::format("is silent for {:g} s", options_.patience.count()));
 }
 
 void Head::hear(world::DividedWork& work, std::size_t index) {
@@ -262,21 +270,25 @@ void Head::take_share(world::DividedWork& work, std::size_t index, std::span<con
   if (check_) hashes = Hashes{in.u64(), in.u64()};
   const std::span<const std::byte> results = in.bytes(in.left());
   node.results.assign(results.begin(), results.end());
-  if (!in.ok()) return lose(node, "sent a share that is none");
-  if (hashes && *hashes != hashes_) give_up(node, "its world is another one");
-  if (!adopt(work, index)) return lose(node, "sent a share that is none");
+  if (!in.ok()) return fail(node, "its measurements are none");
+  if (hashes && *hashes != hashes_) return fail(node, "its world is another one");
+  if (!adopt(work, index)) return fail(node, "its measurements are none");
   node.has_shared = true;
   pass_on(index + 1, node.results);
 }
 
-/// At a check computes the share of one of the nodes as well, and compares. False: its results are none.
+/// At a check, of nodes that are new and one of the others.
+bool Head::is_verified(std::size_t index) const {
+  return check_ && (nodes_[index]->is_new || index == ticks_ / kCheckTicks % nodes_.size());
+}
+
+/// A share that is verified is computed here as well. False: its results are none.
 bool Head::adopt(world::DividedWork& work, std::size_t index) {
   Node& node = *nodes_[index];
-  if (!check_ || index != ticks_ / kCheckTicks % nodes_.size())
-    return work.take(share_of(index), node.results);
+  if (!is_verified(index)) return work.take(share_of(index), node.results);
   Bytes own;
   work.compute(share_of(index), own);
-  if (own != node.results) give_up(node, "its measurements are others");
+  if (own != node.results) fail(node, "its measurements are others");
   node.results = std::move(own);
   return true;
 }
@@ -306,12 +318,15 @@ void Head::drop_lost() {
   std::erase_if(nodes_, [](const auto& node) { return node->lost; });
 }
 
-void Head::give_up(const Node& node, const std::string& what) {
-  if (failed_) return;
-  failed_ = true;
+/// What this node has measured before may be wrong as well.
+void Head::fail(Node& node, const std::string& what) {
   const world::World& world = engine_->world();
-  fail_({"cluster", fmt::format("{} at {:.1f} s: {}; nodes want the same program and libraries", node.name,
-                                world.time(), what)});
+  const std::string why = fmt::format("at {:.1f} s {}", world.time(), what);
+  if (!failed_)
+    fail_({"cluster", fmt::format("{}: {}; the program and libraries of a node have to be those of the head",
+                                  node.name, why)});
+  failed_ = true;
+  lose(node, why);
 }
 
 }  // namespace playhouse::cluster

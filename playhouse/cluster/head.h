@@ -50,7 +50,7 @@ class Head final : public world::Engine, public world::RunListener, private worl
   world::PhysicsShapes physics_shapes() override { return engine_->physics_shapes(); }
 
   void before_changes(const world::World& world) override;
-  void after_changes(const world::World& world) override;
+  void after_changes(const world::World&) override {}
   void ticked(const world::World&) override {}
 
  private:
@@ -63,8 +63,9 @@ class Head final : public world::Engine, public world::RunListener, private worl
   };
   struct Node {
     Stream stream;
-    std::string name;  // of the peer
-    Bytes results;     // of its share in this tick
+    std::string name;    // of the peer
+    Bytes results;       // of its share in this tick
+    bool is_new = true;  // in its first tick
     bool lost = false, has_shared = false;
   };
 
@@ -77,15 +78,18 @@ class Head final : public world::Engine, public world::RunListener, private worl
   void let_in(Newcomer& newcomer);
   void wait_for_nodes();
   void send_steps();
+  void lose_all(const std::string& why);
+  Result<Bytes> changes();
   void gather(world::DividedWork& work);
   void hear(world::DividedWork& work, std::size_t index);
   void take_share(world::DividedWork& work, std::size_t index, std::span<const std::byte> body);
   bool adopt(world::DividedWork& work, std::size_t index);
+  bool is_verified(std::size_t index) const;
   void pass_on(std::size_t share, const Bytes& results);
   world::Share share_of(std::size_t index) const { return {index + 1, nodes_.size() + 1}; }
   void lose(Node& node, const std::string& why);
   void drop_lost();
-  void give_up(const Node& node, const std::string& what);
+  void fail(Node& node, const std::string& what);
 
   std::unique_ptr<world::Engine> engine_;
   scene::SourceFiles sources_;
@@ -97,8 +101,8 @@ class Head final : public world::Engine, public world::RunListener, private worl
 
   std::list<Newcomer> newcomers_;
   std::vector<std::unique_ptr<Node>> nodes_, joining_;  // joining_ take part from the next tick on
-  Bytes before_;                                        // the state before changes
-  std::vector<Bytes> changes_;                          // since the last tick
+  Bytes world_;                                         // the body of a message kWorld
+  std::optional<Bytes> before_;                         // the state before the changes since the last tick
   std::uint64_t ticks_ = 0;                             // with nodes
   bool check_ = false;                                  // in this tick
   Hashes hashes_;                                       // at the check

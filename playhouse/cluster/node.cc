@@ -24,13 +24,15 @@ Result<Message> Node::next() {
   const Result<Message> message = stream_.wait({});
   if (!message || message->type != Type::kRefusal) return message;
   Unpacker in(message->body);
-  return Error{"", "sends this node away: " + escaped(in.text())};
+  return Error{"", "refuses this node: " + escaped(in.text())};
 }
 
-Result<void> Node::join(const EngineMaker& make) {
-  if (const Result<void> sent = stream_.send(Type::kHello, {hello()}, kPatience); !sent) return sent;
+/// False: the run has ended.
+Result<bool> Node::join(const EngineMaker& make) {
+  if (const Result<void> sent = stream_.send(Type::kHello, {hello()}, kPatience); !sent) return sent.error();
   const Result<Message> world = next();
   if (!world) return world.error();
+  if (world->type == Type::kEnd) return false;
   if (world->type != Type::kWorld) return unexpected();
   Result<world::SavedRun> run = world::decode_saved_run(world->body);
   if (!run) return Error{"", "sent a world that " + run.error().text};
@@ -43,7 +45,8 @@ Result<void> Node::join(const EngineMaker& make) {
   }
   engine_ = *engine;
   engine_->divide(this);
-  return stream_.send(Type::kReady, {}, kPatience);
+  if (const Result<void> sent = stream_.send(Type::kReady, {}, kPatience); !sent) return sent.error();
+  return true;
 }
 
 Result<void> Node::prepare(const Step& step) {
@@ -69,8 +72,10 @@ Result<void> Node::prepare(const Step& step) {
 }
 
 Result<Node::Summary> Node::run(const EngineMaker& make) {
-  if (const Result<void> joined = join(make); !joined) return joined.error();
+  const Result<bool> joined = join(make);
+  if (!joined) return joined.error();
   Summary summary;
+  if (!*joined) return summary;
   for (;;) {
     const Result<Message> message = next();
     if (!message) return message.error();

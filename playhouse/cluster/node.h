@@ -31,7 +31,7 @@ class Node final : private world::Division {
 
  private:
   Result<Message> next();
-  Result<void> join(const EngineMaker& make);
+  Result<bool> join(const EngineMaker& make);
   Result<void> prepare(const Step& step);
   void run(world::DividedWork& work) override;
   Result<void> share(world::DividedWork& work);

@@ -83,13 +83,17 @@ Stream::Stream(Stream&& other) noexcept
     : socket_(std::exchange(other.socket_, -1)),
       limit_(other.limit_),
       in_(std::move(other.in_)),
-      begin_(other.begin_) {}
+      begin_(other.begin_),
+      out_(std::move(other.out_)),
+      sent_(other.sent_) {}
 
 Stream& Stream::operator=(Stream&& other) noexcept {
   std::swap(socket_, other.socket_);
   std::swap(limit_, other.limit_);
   std::swap(in_, other.in_);
   std::swap(begin_, other.begin_);
+  std::swap(out_, other.out_);
+  std::swap(sent_, other.sent_);
   return *this;
 }
 
@@ -134,6 +138,29 @@ std::string Stream::peer() const {
   return fmt::format("{}{}{}:{}", is_v6 ? "[" : "", host.data(), is_v6 ? "]" : "", port.data());
 }
 
+void Stream::queue(Type type, std::span<const std::byte> body) {
+  Packer head(out_);
+  head.u32(static_cast<std::uint32_t>(body.size()));
+  head.u8(static_cast<std::uint8_t>(type));
+  out_.insert(out_.end(), body.begin(), body.end());
+}
+
+Result<bool> Stream::flush() {
+  while (sent_ < out_.size()) {
+    const ssize_t sent = ::send(socket_, out_.data() + sent_, out_.size() - sent_, MSG_NOSIGNAL);
+    if (sent >= 0) {
+      sent_ += static_cast<std::size_t>(sent);
+    } else if (errno == EAGAIN) {
+      return false;
+    } else if (errno != EINTR) {
+      return Error{"", reason(errno)};
+    }
+  }
+  out_ = {};
+  sent_ = 0;
+  return true;
+}
+
 Result<void> Stream::send(Type type, std::span<const std::span<const std::byte>> body, Seconds patience) {
   std::size_t size = 0;
   for (const std::span<const std::byte> piece : body) size += piece.size();
@@ -141,9 +168,12 @@ Result<void> Stream::send(Type type, std::span<const std::span<const std::byte>>
   Bytes head;
   Packer(head).u32(static_cast<std::uint32_t>(size));
   Packer(head).u8(static_cast<std::uint8_t>(type));
-  std::vector<iovec> pieces{{head.data(), head.size()}};
+  std::vector<iovec> pieces;
+  if (sent_ < out_.size()) pieces.push_back({out_.data() + sent_, out_.size() - sent_});
+  pieces.push_back({head.data(), head.size()});
   for (const std::span<const std::byte> piece : body)
     if (!piece.empty()) pieces.push_back({const_cast<std::byte*>(piece.data()), piece.size()});
+  Clock::time_point deadline = deadline_after(patience);
   for (std::size_t first = 0; first < pieces.size();) {
     msghdr message{};
     message.msg_iov = pieces.data() + first;
@@ -152,19 +182,23 @@ Result<void> Stream::send(Type type, std::span<const std::span<const std::byte>>
     if (sent < 0) {
       if (errno == EINTR) continue;
       if (errno != EAGAIN) return Error{"", reason(errno)};
-      // Takes what the peer sends meanwhile: it may be waiting for that before it reads.
-      const short events = wait_for(socket_, POLLIN | POLLOUT, deadline_after(patience));
+      // Receives meanwhile: the peer may wait for that before it reads.
+      const auto wanted = static_cast<short>(has_room() ? POLLIN | POLLOUT : POLLOUT);
+      const short events = wait_for(socket_, wanted, deadline);
       if (events == 0) return Error{"", fmt::format("takes nothing for {:g} s", patience.count())};
       if ((events & POLLIN) != 0)
         if (const Result<void> received = receive(); !received) return received;
       continue;
     }
+    deadline = deadline_after(patience);
     auto left = static_cast<std::size_t>(sent);
     while (first < pieces.size() && left >= pieces[first].iov_len) left -= pieces[first++].iov_len;
     if (first == pieces.size()) break;
     pieces[first].iov_base = static_cast<std::byte*>(pieces[first].iov_base) + left;
     pieces[first].iov_len -= left;
   }
+  out_ = {};
+  sent_ = 0;
   return {};
 }
 
@@ -184,7 +218,7 @@ Result<void> Stream::receive() {
       return Error{"", reason(fault)};
     }
     if (static_cast<std::size_t>(got) < kPieceBytes) return {};
-    if (in_.size() > limit_ + kHeadBytes) return {};  // next() looks at it first
+    if (!has_room()) return {};  // next() looks at it first
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Stream: messages between two nodes of a cluster over a TCP connection. docs/cluster.md
-/// specifies the layout. Sockets are non-blocking; waits have a deadline. Single-threaded.
+/// Stream: messages between head and node of a cluster over a TCP connection.
+/// docs/cluster.md specifies the layout. Sockets are non-blocking. Single-threaded.
 
 #include <chrono>
 #include <cstddef>
@@ -54,8 +54,13 @@ class Stream {
   std::string peer() const;
   void accept_up_to(std::size_t limit) { limit_ = limit; }
 
-  /// Sends a message with this body, in pieces, and receives meanwhile, as receive() does. Fails if the peer
-  /// is gone or takes nothing for so long.
+  /// Queues a message for flush().
+  void queue(Type type, std::span<const std::byte> body);
+  /// Sends what is queued as far as the peer takes it, without waiting. True: nothing is left.
+  Result<bool> flush();
+
+  /// Sends a message with this body, in pieces, after what is queued; meanwhile receives, up to the limit.
+  /// Fails if the peer is gone, or takes nothing for so long.
   Result<void> send(Type type, std::span<const std::span<const std::byte>> body, Seconds patience);
   Result<void> send(Type type, std::initializer_list<std::span<const std::byte>> body, Seconds patience) {
     return send(type, std::span(body), patience);
@@ -72,11 +77,14 @@ class Stream {
 
  private:
   void close();
+  bool has_room() const { return in_.size() - begin_ <= limit_; }
 
   int socket_;
   std::size_t limit_;
   Bytes in_;               // received
   std::size_t begin_ = 0;  // of in_: taken
+  Bytes out_;              // queued
+  std::size_t sent_ = 0;   // of out_
 };
 
 }  // namespace playhouse::cluster

@@ -55,6 +55,9 @@ class CustomSense final : public SensePhase {
  public:
   explicit CustomSense(unsigned workers) : scratch_(workers) {}
 
+  behaviour::Sharing sharing() const override {
+    return behaviour::Sharing::kAll;  // code of users, which may read measurements of other sensors
+  }
   SensorTable table(world::World& world) const override {
     return {world.customs.model, world.customs.measured_tick};
   }

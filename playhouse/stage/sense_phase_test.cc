@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 #include "playhouse/stage/sense_fiducial.h"
 #include "playhouse/stage/sense_ranger.h"
 #include "playhouse/stage/testing_scenes.h"
@@ -61,6 +64,73 @@ TEST(Senses, measure_in_another_population_as_if_they_had_known_no_other) {
     EXPECT_EQ(got, expected) << "scene " << i;
     EXPECT_GT(got.second, 0u);
   }
+}
+
+/// Logs how many of the rangers it is to measure with.
+class Counting final : public SensePhase {
+ public:
+  Counting(behaviour::Sharing sharing, std::vector<std::string>& log, std::string name)
+      : sharing_(sharing), log_(log), name_(std::move(name)) {}
+  SensorTable table(world::World& world) const override {
+    ticks_.resize(world.rangers.size());
+    return {world.rangers.model, ticks_};
+  }
+  void populate(const world::World&, const Space&) override {}
+  behaviour::Sharing sharing() const override { return sharing_; }
+  std::uint64_t sense(world::World&, const Space&, std::span<const std::uint32_t> due, std::uint64_t,
+                      world::Workers&) override {
+    log_.push_back(name_ + std::to_string(due.size()));
+    return due.size();
+  }
+
+ private:
+  behaviour::Sharing sharing_;
+  std::vector<std::string>& log_;
+  std::string name_;
+  mutable std::vector<std::uint64_t> ticks_;
+};
+
+/// One of two nodes; the other computes nothing.
+class HalfOfTheWork final : public world::Division {
+ public:
+  HalfOfTheWork(std::size_t index, std::vector<std::string>& log) : index_(index), log_(log) {}
+  void run(world::DividedWork& work) override {
+    std::vector<std::byte> out;
+    work.compute({index_, 2}, out);
+    log_.emplace_back("others");
+  }
+
+ private:
+  std::size_t index_;
+  std::vector<std::string>& log_;
+};
+
+TEST(Senses, of_all_nodes_follow_what_each_measures_a_share_of) {
+  const scene::SceneDesc scene = testing::crowd(5, testing::Sensing::kSonar);
+  world::World world(scene, 1);
+  for (std::uint32_t row = 0; row < world.rangers.size(); ++row)
+    world::subscribe(world, world.rangers.model[row]);
+  Trees trees = make_trees(world);
+  const Solids solids = testing::make_solids(world, trees);
+  const Walls walls(solids);
+  const DiscIndex index;
+  world::Workers workers(1);
+  const Space space{solids, index, walls};
+  const auto measured_by = [&](world::Division* division, std::vector<std::string>& log) {
+    Senses senses;
+    using behaviour::Sharing;
+    for (const auto& [sharing, name] :
+         {std::pair(Sharing::kAll, "all"), {Sharing::kRows, "rows"}, {Sharing::kHead, "head"}})
+      senses.add(std::make_unique<Counting>(sharing, log, name));
+    senses.populate(world, space);
+    senses.sense(world, space, 1, workers, division);
+    return log;
+  };
+  std::vector<std::string> alone, first, second;
+  HalfOfTheWork head(0, first), node(1, second);
+  EXPECT_EQ(measured_by(nullptr, alone), (std::vector<std::string>{"rows5", "head5", "all5"}));
+  EXPECT_EQ(measured_by(&head, first), (std::vector<std::string>{"rows2", "head5", "others", "all5"}));
+  EXPECT_EQ(measured_by(&node, second), (std::vector<std::string>{"rows3", "others", "all5"}));
 }
 
 TEST(RangerKinds, keep_what_rangers_that_are_alike_share) {

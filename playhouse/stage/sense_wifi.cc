@@ -56,7 +56,9 @@ class WifiSense final : public SensePhase {
     }
   }
 
-  bool divides() const override { return false; }  // it carries messages between radios
+  behaviour::Sharing sharing() const override {
+    return behaviour::Sharing::kAll;  // it carries messages between radios
+  }
   bool has_work(const world::World& world) const override {
     const auto has_any = [](const auto& messages) { return !messages.empty(); };
     return std::ranges::any_of(world.wifis.outgoing, has_any) ||

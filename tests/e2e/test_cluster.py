@@ -6,9 +6,10 @@ import signal
 import socket
 import struct
 import sys
+import time
 import unittest
 
-from house import ACK, POSITION2D, RANGER, ROOT, Client, House, HouseTest, finish
+from house import ACK, PATIENCE, POSITION2D, RANGER, ROOT, Client, House, HouseTest, finish
 
 sys.path.insert(0, str(ROOT / "clients/python"))
 from playhouse_client import connect  # noqa: E402
@@ -86,25 +87,31 @@ class Cluster(HouseTest):
             self.assertEqual(drive(head), alone, head.log())
             self.assertEqual(one.wait(), 0, one.log())
 
+    def wait_for_lines(self, head: House, pattern: str, count: int):
+        deadline = time.monotonic() + PATIENCE
+        while sum(re.search(pattern, line) is not None for line in list(head.lines)) < count:
+            self.assertLess(time.monotonic(), deadline, head.log())
+            time.sleep(0.01)
+
     def test_nodes_join_and_are_lost_and_the_run_goes_on(self):
         world = self.world(SWARM)
-        alone = self.alone(world, "--fast", "--duration", 60)
-        with self.head(world, "--duration", 60, "--speed", 20) as head, Client(head.port()) as client:
+        joined, lost = "takes part from", r"cluster: 127\.0\.0\.1:\d+ is lost: "
+        with self.head(world, "--speed", 20) as head, Client(head.port()) as client:
             with self.node(head) as killed, self.node(head) as ended:
-                for _ in range(2):
-                    head.wait_for_line(r"takes part from", len(head.lines))
+                self.wait_for_lines(head, joined, 2)
                 killed.end(signal.SIGKILL)
-                head.wait_for_line(r"cluster: 127\.0\.0\.1:\d+ is lost: ")
+                self.wait_for_lines(head, lost, 1)
                 self.assertEqual(ended.end(signal.SIGTERM), 128 + signal.SIGTERM)
-                head.wait_for_line(r"is lost: ", len(head.lines))
+                self.wait_for_lines(head, lost, 2)
             with self.node(head) as late:
-                head.wait_for_line(r"takes part from", len(head.lines))
+                self.wait_for_lines(head, joined, 3)
                 self.assertEqual(client.open(POSITION2D, 0).type, ACK)
                 self.assertEqual(client.open(RANGER, 0).type, ACK)
                 client.next_data(RANGER, 0)
-                client.close()
-                shared = self.result_of(head)
+                self.assertEqual(head.end(signal.SIGINT), 130)
                 self.assertEqual(late.wait(), 0, late.log())
+            shared = json.loads(head.output())
+        alone = self.alone(world, "--fast", "--duration", shared["sim_time"])
         self.assertEqual((shared["ticks"], shared["hash"]), (alone["ticks"], alone["hash"]))
 
     def test_configurations_have_nodes_too(self):
