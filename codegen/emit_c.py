@@ -11,8 +11,7 @@ import re
 import textwrap
 
 from codegen.checks import SchemaError
-from codegen.emit_cpp import ordered, sorted_messages
-from codegen.emit_python import described
+from codegen.emit_cpp import sorted_messages
 from codegen.model import COMMON, Constants, Field, Interface, Message, Schema, Struct
 
 FOLDER = "clients/c/include/playhouse/c/generated"
@@ -95,7 +94,7 @@ def _header(interface: Interface) -> str:
         lines += [f"#define PH_{interface.name.upper()}_CODE {interface.code}", ""]
     for group in interface.constants:
         lines += _constants(interface, group)
-    for struct in ordered(interface):
+    for struct in interface.in_order():
         lines += _struct(interface, struct)
     lines += _messages(interface)
     lines += ["", "#ifdef __cplusplus", "}", "#endif", "", f"#endif  /* {guard} */", ""]
@@ -124,7 +123,7 @@ def _struct(interface: Interface, struct: Struct) -> list[str]:
 
 def _about(f: Field) -> str:
     bound = f"At most {f.max}." if f.has_count and not f.dynamic else ""
-    return " ".join(part for part in (described(f), bound) if part)
+    return " ".join(part for part in (f.described(), bound) if part)
 
 
 def _members(f: Field) -> list[str]:
@@ -157,7 +156,7 @@ def _all_headers(schema: Schema) -> str:
 def _source(interface: Interface) -> str:
     lines = [*_comment(f"Generated from {interface.source} by codegen; do not edit."),
              f'#include "playhouse/c/generated/{interface.name}.h"', "", "#include <stddef.h>", ""]
-    for struct in ordered(interface):
+    for struct in interface.in_order():
         lines += _tables(interface, struct)
     label = interface.name if interface.code is not None else "universal"
     lines.append(f"const ph_message_type ph_{interface.name}_messages[{len(interface.messages)}] = {{")

@@ -75,7 +75,7 @@ def _header(interface: Interface) -> str:
         for name, value in group.values.items():
             lines.append(f"inline constexpr std::int32_t {constant_name(name)} = {value};")
         lines.append("")
-    for struct in ordered(interface):
+    for struct in interface.in_order():
         lines += _struct(struct, interface)
     for struct in interface.structs:
         lines += [f"void read(Reader& in, {struct.name}& m);", f"void write(Writer& out, const {struct.name}& m);",
@@ -97,25 +97,6 @@ def _subtypes(interface: Interface) -> list[str]:
         lines += _comment(m.doc)
         lines.append(f"inline constexpr std::uint8_t {constant_name(m.kind + '_' + m.name)} = {m.subtype};")
     return [*lines, ""]
-
-
-def ordered(interface: Interface) -> list[Struct]:
-    """Structs in order of dependency."""
-    out: list[Struct] = []
-
-    def add(struct: Struct) -> None:
-        if struct in out:
-            return
-        for f in struct.fields:
-            if f.owner == interface.name:
-                inner = interface.struct(f.type)
-                assert inner is not None
-                add(inner)
-        out.append(struct)
-
-    for struct in interface.structs:
-        add(struct)
-    return out
 
 
 def _struct(struct: Struct, interface: Interface) -> list[str]:

@@ -90,14 +90,14 @@ def _class(schema: Schema, interface: Interface) -> str:
     for message in interface.messages:
         lines += [*_message(interface, message), ""]
     lines += ["  static final List<MessageType<?>> MESSAGES = List.of("]
-    lines += textwrap.wrap(", ".join(_message_name(m) for m in interface.messages) + ");", WIDTH,
+    lines += textwrap.wrap(", ".join(m.constant for m in interface.messages) + ");", WIDTH,
                            initial_indent="      ", subsequent_indent="      ")
     return "\n".join([*lines, "", f"  private {class_name(interface)}() {{}}", "}", ""])
 
 
 def _check_names(interface: Interface) -> None:
-    names = [s.name for s in interface.structs] + [_message_name(m) for m in interface.messages]
-    names += [_constant_name(interface, n) for c in interface.constants for n in c.values]
+    names = [s.name for s in interface.structs] + [m.constant for m in interface.messages]
+    names += [interface.constant(n) for c in interface.constants for n in c.values]
     for name in names:
         if names.count(name) > 1 or name in ("CODE", "MESSAGES"):
             raise SchemaError(f"{interface.source}: {name} would stand for two things in Java")
@@ -120,21 +120,11 @@ def _imports(interface: Interface) -> list[str]:
 
 def _constants(interface: Interface, constants: Constants) -> list[str]:
     lines = [f"  // {line}" for line in textwrap.wrap(constants.doc, WIDTH - 5)]
-    return lines + [f"  public static final int {_constant_name(interface, name)} = {value};"
+    return lines + [f"  public static final int {interface.constant(name)} = {value};"
                     for name, value in constants.values.items()] + [""]
 
 
-def _constant_name(interface: Interface, name: str) -> str:
-    """8BIT of audio becomes AUDIO_8BIT: names do not start with a digit."""
-    return f"{interface.name.upper()}_{name}" if name[0].isdigit() else name
-
-
 # --- records -------------------------------------------------------------------------------------------------------
-
-
-def _raw(f: Field) -> bool:
-    """Arrays represented as byte[]."""
-    return f.is_array and f.type in OPAQUE
 
 
 def _is_list(f: Field) -> bool:
@@ -150,7 +140,7 @@ def _struct_name(interface: Interface, f: Field) -> str:
 
 
 def _type(interface: Interface, f: Field) -> str:
-    if _raw(f):
+    if f.is_raw:
         return "byte[]"
     if f.is_scalar:
         return TYPES[f.type] + ("[]" if f.is_array else "")
@@ -211,12 +201,7 @@ def _declared(interface: Interface, f: Field) -> str:
 
 
 def _about(f: Field) -> str:
-    quantity = ", ".join(part for part in (f"in {f.unit}" if f.unit and f.unit != "1" else "",
-                                           f"frame {f.frame}" if f.frame else "",
-                                           f"{f.length} elements" if f.length else "") if part)
-    text = f.doc.strip()
-    if quantity:
-        text = f"{text[:-1]} ({quantity})." if text else f"{quantity[0].upper()}{quantity[1:]}."
+    text = f.described(f"{f.length} elements" if f.length else "")
     return text or f.name.replace("_", " ").capitalize() + "."
 
 
@@ -246,7 +231,7 @@ def _read(schema: Schema, interface: Interface, f: Field) -> str:
     if f.length is None:
         least = 1 if f.type in OPAQUE else SCALARS[f.type] if f.is_scalar else schema.struct_of(f).min_bytes
         length = f'in.length("{f.name}", {_count(f) if f.dynamic else f.max}, {least})'
-    call = "bytes" if _raw(f) else f"{_function(f)}s" if f.is_scalar else "structs"
+    call = "bytes" if f.is_raw else f"{_function(f)}s" if f.is_scalar else "structs"
     reader = "" if f.is_scalar else f", {_struct_name(interface, f)}::read"
     return f"{_type(interface, f)} {name} = in.{call}({length}{reader});"
 
@@ -263,7 +248,7 @@ def _write(f: Field) -> list[str]:
     lines, name = _write_count(f) if f.has_count else [], component(f)
     if not f.is_array:
         return [f"out.{_function(f)}({name});" if f.is_scalar else f"{name}.write(out);"]
-    if _raw(f):
+    if f.is_raw:
         return [f'out.fixed("{f.name}", {name}, {f.length});'] if f.length is not None else [*lines, f"out.bytes({name});"]
     if f.length is not None:
         lines.append(f'out.exactly("{f.name}", {_size(f)}, {f.length});')
@@ -294,16 +279,12 @@ def _comparison(s: Struct) -> list[str]:
 # --- messages ------------------------------------------------------------------------------------------------------
 
 
-def _message_name(m: Message) -> str:
-    return f"{m.kind}_{m.name}"
-
-
 def _message(interface: Interface, m: Message) -> list[str]:
     payload = m.payload if m.owner == interface.name else f"{_class_of(m.owner)}.{m.payload}" if m.payload else "Nothing"
-    name = f"{interface.name if interface.code is not None else 'universal'}.{m.label}"
+    name = interface.full_name(m)
     decoder = f"{payload}::decode" if m.payload else "null"
     made = f'new MessageType<>({interface.code or 0}, Kind.{m.kind}, {m.subtype}, "{name}", {decoder});'
-    head = f"  public static final MessageType<{payload}> {_message_name(m)} ="
+    head = f"  public static final MessageType<{payload}> {m.constant} ="
     lines = [f"{head} {made}"] if len(head) + 1 + len(made) <= WIDTH else [head, *_filled(made, 6)]
     return [*_javadoc(m.doc, 2), *lines]
 

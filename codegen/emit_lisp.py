@@ -11,7 +11,6 @@ import re
 import textwrap
 
 from codegen.checks import SchemaError
-from codegen.emit_python import _field_comment, _in_order
 from codegen.model import COMMON, Constants, Field, Interface, Message, Schema, Struct
 
 FOLDER = "clients/lisp/generated"
@@ -47,7 +46,7 @@ def _file(schema: Schema, interface: Interface) -> str:
     if not shared:
         parts.append(f'(define-interface +code+ {interface.code} "{interface.name}")\n')
     parts += [_constants(c) for c in interface.constants]
-    parts += [_struct(schema, interface, s) for s in _in_order(interface)]
+    parts += [_struct(schema, interface, s) for s in interface.in_order()]
     if interface.messages:
         parts.append("\n".join(_message(interface, m) for m in interface.messages) + "\n")
     return "\n".join(parts)
@@ -69,7 +68,7 @@ def _exports(interface: Interface) -> list[str]:
     functions = [name for s in interface.structs for name in _functions(s)]
     variables = ["+code+"] if interface.code is not None else []
     variables += [_constant(n) for c in interface.constants for n in c.values]
-    variables += [_constant(_message_name(m)) for m in interface.messages]
+    variables += [_constant(m.constant) for m in interface.messages]
     for names in (types, functions, variables):
         for name in names:
             if names.count(name) > 1 or name in MACROS:
@@ -91,7 +90,7 @@ def _struct(schema: Schema, interface: Interface, s: Struct) -> str:
     doc = _string("\n  ".join(textwrap.wrap(f"{s.doc.strip()} ({s.c_name})", WIDTH - 6)))
     lines = [f'(define-struct ({_lisp(s.name)} "{interface.name}.{s.name}")', f"  {doc}"]
     for f in s.fields:
-        lines += [f"  ;; {line.strip()[2:]}" for line in _field_comment(f)]
+        lines += [f"  ;; {line}" for line in textwrap.wrap(f.described(), WIDTH - 6)]
         moved = f" :count-before {_lisp(f.count_before)}" if f.count_before else ""
         lines.append(f'  ({_lisp(f.name)} "{f.name}" {_type(schema, interface, f)}{moved})')
     return "\n".join(lines) + ")\n"
@@ -111,13 +110,9 @@ def _name_of(interface: Interface, owner: str, name: str) -> str:
     return _lisp(name) if owner == interface.name else f"{_package(owner)}:{_lisp(name)}"
 
 
-def _message_name(m: Message) -> str:
-    return f"{m.kind}_{m.name}"
-
-
 def _message(interface: Interface, m: Message) -> str:
-    name = f"{interface.name if interface.code is not None else 'universal'}.{m.label}"
-    row = [_constant(_message_name(m)), str(interface.code or 0), f":{m.kind.lower()}", str(m.subtype), f'"{name}"']
+    name = interface.full_name(m)
+    row = [_constant(m.constant), str(interface.code or 0), f":{m.kind.lower()}", str(m.subtype), f'"{name}"']
     row += [_name_of(interface, m.owner, m.payload)] if m.payload else []
     made = f"(define-message {' '.join(row)})"
     if len(made) > WIDTH:

@@ -39,15 +39,15 @@ def _module(schema: Schema, interface: Interface) -> str:
     if not shared:
         parts.append(f"CODE = {interface.code}\n")
     parts += [_constants_text(interface, c) for c in interface.constants]
-    parts += [_struct(schema, interface, s) for s in _in_order(interface)]
+    parts += [_struct(schema, interface, s) for s in interface.in_order()]
     if interface.messages:
         parts.append("\n" + "\n".join(_message(interface, m) for m in interface.messages) + "\n")
     return "\n".join(parts)
 
 
 def _check_names(interface: Interface) -> None:
-    names = [s.name for s in interface.structs] + [_message_name(m) for m in interface.messages]
-    names += [_constant_name(interface, n) for c in interface.constants for n in c.values]
+    names = [s.name for s in interface.structs] + [m.constant for m in interface.messages]
+    names += [interface.constant(n) for c in interface.constants for n in c.values]
     for name in names:
         if names.count(name) > 1 or name == "CODE":
             raise SchemaError(f"{interface.source}: {name} would stand for two things in Python")
@@ -77,30 +77,8 @@ def _imports(interface: Interface) -> str:
 
 def _constants_text(interface: Interface, constants: Constants) -> str:
     lines = [f"# {line}" for line in textwrap.wrap(constants.doc, WIDTH - 2)]
-    lines += [f"{_constant_name(interface, name)} = {value}" for name, value in constants.values.items()]
+    lines += [f"{interface.constant(name)} = {value}" for name, value in constants.values.items()]
     return "\n".join(lines) + "\n"
-
-
-def _constant_name(interface: Interface, name: str) -> str:
-    """8BIT of audio becomes AUDIO_8BIT: Python names do not start with a digit."""
-    return f"{interface.name.upper()}_{name}" if name[0].isdigit() else name
-
-
-def _in_order(interface: Interface) -> list[Struct]:
-    """Structs in order of dependency."""
-    done: list[Struct] = []
-
-    def add(struct: Struct) -> None:
-        if struct in done:
-            return
-        for f in struct.fields:
-            if f.owner == interface.name:
-                add(next(s for s in interface.structs if s.name == f.type))
-        done.append(struct)
-
-    for struct in interface.structs:
-        add(struct)
-    return done
 
 
 def _struct(schema: Schema, interface: Interface, s: Struct) -> str:
@@ -121,31 +99,16 @@ def _struct(schema: Schema, interface: Interface, s: Struct) -> str:
     return "\n".join(lines)
 
 
-def described(f: Field) -> str:
-    """What a field means, with its unit and frame; empty if there is nothing to say."""
-    quantity = ", ".join(part for part in (f"in {f.unit}" if f.unit and f.unit != "1" else "",
-                                           f"frame {f.frame}" if f.frame else "") if part)
-    text = f.doc.strip()
-    if quantity:
-        text = f"{text[:-1]} ({quantity})." if text else f"{quantity[0].upper()}{quantity[1:]}."
-    return text
-
-
 def _field_comment(f: Field) -> list[str]:
-    return [f"    # {line}" for line in textwrap.wrap(described(f), WIDTH - 6)]
-
-
-def _raw(f: Field) -> bool:
-    """Arrays represented as bytes in Python."""
-    return f.is_array and f.type in OPAQUE
+    return [f"    # {line}" for line in textwrap.wrap(f.described(), WIDTH - 6)]
 
 
 def _is_list(f: Field) -> bool:
-    return f.is_array and not _raw(f)
+    return f.is_array and not f.is_raw
 
 
 def _plain_default(f: Field) -> bool:
-    return _raw(f) or (f.is_scalar and not f.is_array)
+    return f.is_raw or (f.is_scalar and not f.is_array)
 
 
 def _class(interface: Interface, f: Field) -> str:
@@ -153,7 +116,7 @@ def _class(interface: Interface, f: Field) -> str:
 
 
 def _type(interface: Interface, f: Field) -> str:
-    if _raw(f):
+    if f.is_raw:
         return "bytes"
     one = ("float" if f.type.startswith("float") else "int") if f.is_scalar else _class(interface, f)
     return f"List[{one}]" if f.is_array else one
@@ -161,7 +124,7 @@ def _type(interface: Interface, f: Field) -> str:
 
 def _default(interface: Interface, f: Field) -> str:
     zero = "0.0" if f.type.startswith("float") else "0"
-    if _raw(f):
+    if f.is_raw:
         return 'b""'
     if not f.is_array:
         return zero if f.is_scalar else f"field(default_factory={_class(interface, f)})"
@@ -178,7 +141,7 @@ def _write_count(f: Field) -> list[str]:
 def _write(f: Field) -> list[str]:
     lines = _write_count(f) if f.has_count else []
     me = f"self.{f.name}"
-    if _raw(f):
+    if f.is_raw:
         if f.length is not None:
             return [f'writer.fixed("{f.name}", {me}, {f.length})']
         return lines + [f"writer.opaque({me})"]
@@ -208,7 +171,7 @@ def _read(schema: Schema, interface: Interface, f: Field) -> list[str]:
     if f.length is None:
         least = 1 if f.type in OPAQUE else SCALARS[f.type] if f.is_scalar else schema.struct_of(f).min_bytes
         length = f'reader.length("{f.name}", {_count(f) if f.dynamic else f.max}, {least})'
-    if _raw(f):
+    if f.is_raw:
         return [f"{me} = reader.opaque({length})"]
     if f.is_scalar:
         return [f'{me} = reader.numbers("{CODES[f.type]}", {length})']
@@ -218,19 +181,15 @@ def _read(schema: Schema, interface: Interface, f: Field) -> list[str]:
     return [f"{me} = [{_class(interface, f)}.read(reader) for _ in range({length})]"]
 
 
-def _message_name(m: Message) -> str:
-    return f"{m.kind}_{m.name}"
-
-
 def _message(interface: Interface, m: Message) -> str:
     payload = m.payload if m.owner == interface.name else f"{m.owner}.{m.payload}"
-    name = f"{interface.name if interface.code is not None else 'universal'}.{m.label}"
+    name = interface.full_name(m)
     doc = "\n".join(f"# {line}" for line in textwrap.wrap(m.doc, WIDTH - 2))
     row = [str(interface.code or 0), f"Kind.{m.kind}", str(m.subtype), f'"{name}"']
     row += [payload] if m.payload else []
-    made = f"{_message_name(m)} = MessageType({', '.join(row)})"
+    made = f"{m.constant} = MessageType({', '.join(row)})"
     if len(made) > WIDTH:
-        made = f"{_message_name(m)} = MessageType(\n    {', '.join(row)}\n)"
+        made = f"{m.constant} = MessageType(\n    {', '.join(row)}\n)"
     return f"{doc}\n{made}" if doc else made
 
 

@@ -70,7 +70,7 @@ def _constants(constants: Constants) -> list[str]:
 
 
 def _message(interface: Interface, m: Message) -> list[str]:
-    name = f"{interface.name if interface.code is not None else 'universal'}.{m.label}"
+    name = interface.full_name(m)
     payload = f" {m.owner}.{m.payload}" if m.payload else ""
     return (_comment(m.doc) if m.doc else []) + [f"message {name} {m.kind} {m.subtype}{payload}"]
 
@@ -101,11 +101,6 @@ def _type(f: Field) -> str:
 
 def _command(interface: Interface, f: Field, verb: str) -> str:
     return f"{f.type}.{verb}" if f.owner == interface.name else f"{f.owner}::{f.type}.{verb}"
-
-
-def _raw(f: Field) -> bool:
-    """Arrays that are byte strings in Tcl."""
-    return f.is_array and f.type in OPAQUE
 
 
 def _var(name: str) -> str:
@@ -146,7 +141,7 @@ class _Reading:
             return False
         if not f.is_scalar:
             return all(self._gather(inner, f"{name}.{inner.name}") for inner in self._schema.struct_of(f).fields)
-        if _raw(f):
+        if f.is_raw:
             padding = -f.length % 4
             self._parts.append(_Part(f.length + padding, f"a{f.length}" + f"x{padding}" * bool(padding), name))
         else:
@@ -184,7 +179,7 @@ class _Reading:
             least = 1 if f.type in OPAQUE else SCALARS[f.type] if f.is_scalar else self._schema.struct_of(f).min_bytes
             limit = f"${{{f.name}.count}}" if f.dynamic else f.max
             length = f"[length $body {f.name} {limit} {least}]"
-        if _raw(f):
+        if f.is_raw:
             self._lines.append(f"set {f.name} [opaque $body {length}]")
         elif f.is_scalar:
             narrow = NARROW.get(f.type, "").replace(" ", "s ", 1)
@@ -222,13 +217,13 @@ def _write_count(f: Field) -> list[str]:
 
 
 def _size(f: Field) -> str:
-    return f"[string length [dict get $value {f.name}]]" if _raw(f) else f"[llength [dict get $value {f.name}]]"
+    return f"[string length [dict get $value {f.name}]]" if f.is_raw else f"[llength [dict get $value {f.name}]]"
 
 
 def _write(interface: Interface, f: Field) -> list[str]:
     lines = _write_count(f) if f.has_count else []
     value = f"[dict get $value {f.name}]"
-    if _raw(f):
+    if f.is_raw:
         return lines + [f"append out [pad {f.name} {value}{f' {f.length}' if f.length is not None else ''}]"]
     if not f.is_array:
         one = f"[put {f.type} {value}]" if f.is_scalar else f"[{_command(interface, f, 'write')} {value}]"

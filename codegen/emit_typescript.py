@@ -9,7 +9,6 @@ from __future__ import annotations
 import textwrap
 
 from codegen.checks import SchemaError
-from codegen.emit_python import _constant_name, _field_comment, _message_name, _raw
 from codegen.model import COMMON, OPAQUE, SCALARS, Constants, Field, Interface, Message, Schema, Struct
 
 FOLDER = "clients/typescript/src/generated"
@@ -45,8 +44,8 @@ def _module(schema: Schema, interface: Interface) -> str:
 
 
 def _check_names(interface: Interface) -> None:
-    names = [s.name for s in interface.structs] + [_message_name(m) for m in interface.messages]
-    names += [_constant_name(interface, n) for c in interface.constants for n in c.values]
+    names = [s.name for s in interface.structs] + [m.constant for m in interface.messages]
+    names += [interface.constant(n) for c in interface.constants for n in c.values]
     for name in names:
         if names.count(name) > 1 or name in ("CODE", "Codec", "Kind", "MessageType"):
             raise SchemaError(f"{interface.source}: {name} would stand for two things in TypeScript")
@@ -67,7 +66,7 @@ def _imports(interface: Interface) -> str:
 
 def _constants(interface: Interface, constants: Constants) -> str:
     lines = [f"// {line}" for line in textwrap.wrap(constants.doc, WIDTH - 3)]
-    lines += [f"export const {_constant_name(interface, name)} = {value};" for name, value in constants.values.items()]
+    lines += [f"export const {interface.constant(name)} = {value};" for name, value in constants.values.items()]
     return "\n".join(lines) + "\n"
 
 
@@ -79,7 +78,7 @@ def _name(f: Field) -> str:
 def _struct(schema: Schema, interface: Interface, s: Struct) -> str:
     lines = [_comment(_wrapped(f"{s.doc} ({s.c_name})", 0), 0), f"export interface {s.name} {{"]
     for f in s.fields:
-        about = [line.removeprefix("    # ") for line in _field_comment(f)]
+        about = textwrap.wrap(f.described(), WIDTH - 6)
         lines += [_comment(about, 2)] if about else []
         lines.append(f"  {_name(f)}: {_type(interface, f)};")
     lines += ["}", "", f"export const {s.name}: Codec<{s.name}> = new Codec<{s.name}>('{interface.name}.{s.name}', {{"]
@@ -113,7 +112,7 @@ def _method(f: Field) -> str:
 
 
 def _type(interface: Interface, f: Field) -> str:
-    if _raw(f):
+    if f.is_raw:
         return "Uint8Array"
     if f.is_array and f.type in TYPED_ARRAYS:
         return TYPED_ARRAYS[f.type]
@@ -122,7 +121,7 @@ def _type(interface: Interface, f: Field) -> str:
 
 
 def _zero(interface: Interface, f: Field) -> str:
-    if _raw(f):
+    if f.is_raw:
         return "new Uint8Array()"
     if f.is_array and f.type in TYPED_ARRAYS:
         return f"new {TYPED_ARRAYS[f.type]}({f.length or ''})"
@@ -139,7 +138,7 @@ def _write_count(f: Field) -> list[str]:
 def _write(interface: Interface, f: Field) -> list[str]:
     me = f"value.{_name(f)}"
     lines = _write_count(f) if f.has_count else []
-    if _raw(f):
+    if f.is_raw:
         return [f"to.fixed('{f.name}', {me}, {f.length});"] if f.length is not None else [*lines, f"to.opaque({me});"]
     if not f.is_array:
         return [f"to.{_method(f)}({me});" if f.is_scalar else f"{_codec(interface, f)}.write(to, {me});"]
@@ -164,7 +163,7 @@ def _read(schema: Schema, interface: Interface, f: Field) -> list[str]:
     if f.length is None:
         least = 1 if f.type in OPAQUE else SCALARS[f.type] if f.is_scalar else schema.struct_of(f).min_bytes
         length = f"from.length('{f.name}', {f'{_name(f)}Count' if f.dynamic else f.max}, {least})"
-    if _raw(f):
+    if f.is_raw:
         return [f"{me} = from.opaque({length});"]
     if f.type in TYPED_ARRAYS:
         return [f"{me} = from.{f.type}s({length});"]
@@ -173,11 +172,11 @@ def _read(schema: Schema, interface: Interface, f: Field) -> list[str]:
 
 def _message(interface: Interface, m: Message) -> str:
     payload = m.payload if m.owner == interface.name else f"{m.owner}.{m.payload}"
-    name = f"{interface.name if interface.code is not None else 'universal'}.{m.label}"
+    name = interface.full_name(m)
     row = [str(interface.code or 0), f"Kind.{m.kind}", str(m.subtype), f"'{name}'"] + ([payload] if m.payload else [])
     kind = payload if m.payload else "undefined"
-    made = _call(f"export const {_message_name(m)}: MessageType<{kind}> = new MessageType(", row, ");",
-                 f"export const {_message_name(m)}: MessageType<{kind}> = new MessageType(", ");")
+    made = _call(f"export const {m.constant}: MessageType<{kind}> = new MessageType(", row, ");",
+                 f"export const {m.constant}: MessageType<{kind}> = new MessageType(", ");")
     return "\n".join(([_comment(_wrapped(m.doc, 0), 0)] if m.doc else []) + made) + "\n"
 
 

@@ -103,8 +103,22 @@ class Field:
         return self.is_array and self.type in ("uint8", "int8")
 
     @property
+    def is_raw(self) -> bool:
+        """An array of single bytes: text, image data and the like."""
+        return self.is_array and self.type in OPAQUE
+
+    @property
     def count_name(self) -> str:
         return self.name + "_count"
+
+    def described(self, more: str = "") -> str:
+        """What it means, with its unit and frame, and `more` if there is; empty if there is nothing to say."""
+        unit = f"in {self.unit}" if self.unit and self.unit != "1" else ""
+        quantity = ", ".join(part for part in (unit, f"frame {self.frame}" if self.frame else "", more) if part)
+        text = self.doc.strip()
+        if quantity:
+            text = f"{text[:-1]} ({quantity})." if text else f"{quantity[0].upper()}{quantity[1:]}."
+        return text
 
 
 @dataclass
@@ -148,6 +162,11 @@ class Message:
     def label(self) -> str:
         return f"{self.kind.lower()}.{self.name.lower()}"
 
+    @property
+    def constant(self) -> str:
+        """REQ_GET_GEOM"""
+        return f"{self.kind}_{self.name}"
+
 
 @dataclass
 class Constants:
@@ -171,6 +190,30 @@ class Interface:
 
     def struct(self, name: str) -> Struct | None:
         return next((s for s in self.structs if s.name == name), None)
+
+    def in_order(self) -> list[Struct]:
+        """The structs, each after those that it contains."""
+        done: list[Struct] = []
+
+        def add(struct: Struct) -> None:
+            if struct in done:
+                return
+            for f in struct.fields:
+                if f.owner == self.name:
+                    add(next(s for s in self.structs if s.name == f.type))
+            done.append(struct)
+
+        for struct in self.structs:
+            add(struct)
+        return done
+
+    def full_name(self, message: Message) -> str:
+        """position2d.req.get_geom, universal.req.capabilities"""
+        return f"{self.name if self.code is not None else 'universal'}.{message.label}"
+
+    def constant(self, name: str) -> str:
+        """8BIT of audio becomes AUDIO_8BIT: names do not start with a digit."""
+        return f"{self.name.upper()}_{name}" if name[0].isdigit() else name
 
     def needs(self) -> list[str]:
         """Other interfaces whose structs this one uses, "common" left out."""

@@ -37,8 +37,8 @@ export const Data: Codec<Data> = new Codec<Data>('position2d.Data', {
 /** Commanded velocity. (player_position2d_cmd_vel_t) */
 export interface CmdVel {
   /**
-   * Forward, to the left, turning left; for a simulated car the last part is its steering angle in rad (in
-   * m/s, m/s, rad/s, frame v_OR_R).
+   * Forward, to the left, turning left; for a simulated car the last part is its steering angle in rad (in m/s, m/s,
+   * rad/s, frame v_OR_R).
    */
   vel: common.Pose2d;
   /** 1: motors on, 0: off. Optional for drivers; simulated robots ignore it and use MOTOR_POWER. */
@@ -62,10 +62,7 @@ export const CmdVel: Codec<CmdVel> = new Codec<CmdVel>('position2d.CmdVel', {
 export interface CmdPos {
   /** Goal (in m, m, rad, frame X_OG). */
   pos: common.Pose2d;
-  /**
-   * Velocity on the way; zero: chosen by the driver. Simulated robots ignore it (in m/s, m/s, rad/s, frame
-   * v_OR_R).
-   */
+  /** Velocity on the way; zero: chosen by the driver. Simulated robots ignore it (in m/s, m/s, rad/s, frame v_OR_R). */
   vel: common.Pose2d;
   /** 1: motors on, 0: off. Optional for drivers; simulated robots ignore it and use MOTOR_POWER. */
   state: number;
@@ -91,8 +88,8 @@ export interface CmdCar {
   /** Forward (in m/s). */
   velocity: number;
   /**
-   * Steering angle of the front wheels, positive to the left; a simulated robot without them uses it as turn
-   * rate in rad/s (in rad).
+   * Steering angle of the front wheels, positive to the left; a simulated robot without them uses it as turn rate in
+   * rad/s (in rad).
    */
   angle: number;
 }

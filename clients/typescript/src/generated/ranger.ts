@@ -56,10 +56,7 @@ export interface Geom {
   pose: common.Pose3d;
   /** Bounding box of the device (in m, m, m). */
   size: common.Bbox3d;
-  /**
-   * One per element; x points along its beam, or along the middle of its scan (in m, m, m, rad, rad, rad,
-   * frame X_SE).
-   */
+  /** One per element; x points along its beam, or along the middle of its scan (in m, m, m, rad, rad, rad, frame X_SE). */
   elementPoses: common.Pose3d[];
   /** One per element (in m, m, m). */
   elementSizes: common.Bbox3d[];

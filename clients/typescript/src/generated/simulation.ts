@@ -48,8 +48,8 @@ export interface Pose2dReq {
   /** Of the model, NUL-terminated. */
   name: Uint8Array;
   /**
-   * Pose of the model in its parent (the world for a top-level model); ignored in a request (in m, m, rad,
-   * frame X_PT).
+   * Pose of the model in its parent (the world for a top-level model); ignored in a request (in m, m, rad, frame
+   * X_PT).
    */
   pose: common.Pose2d;
 }
@@ -75,8 +75,8 @@ export interface Pose3dReq {
   /** Of the model, NUL-terminated. */
   name: Uint8Array;
   /**
-   * Pose of the model in its parent (the world for a top-level model); ignored in a request (in m, m, m,
-   * rad, rad, rad, frame X_PT).
+   * Pose of the model in its parent (the world for a top-level model); ignored in a request (in m, m, m, rad, rad,
+   * rad, frame X_PT).
    */
   pose: common.Pose3d;
   /** Simulated time of the pose, as counted by Stage; set in answers only (in us). */
@@ -108,8 +108,8 @@ export interface PropertyReq {
   /** Name of the property, NUL-terminated. */
   prop: Uint8Array;
   /**
-   * Element of a list property: in a request the first one requested, in an answer the first of the next
-   * request, 0 at the end of the list.
+   * Element of a list property: in a request the first one requested, in an answer the first of the next request, 0 at
+   * the end of the list.
    */
   index: number;
   /** Bytes of the property, in a simulator-specific format; empty in a request. */
