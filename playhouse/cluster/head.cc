@@ -29,7 +29,7 @@ constexpr std::uint64_t kCheckTicks = 100;
 
 constexpr int kPollMilliseconds = 50;        // between looks at stop()
 constexpr std::chrono::minutes kMaking{10};  // for a node to make its engine
-constexpr Seconds kGoodbye{1};               // for a last message
+constexpr Seconds kLastMessage{1};           // for a last message
 
 }  // namespace
 
@@ -41,8 +41,8 @@ Head::Head(std::unique_ptr<world::Engine> engine, scene::SourceFiles sources, Op
       fail_(std::move(fail)) {}
 
 Head::~Head() {
-  for (const auto& node : nodes_) static_cast<void>(node->stream.send(Type::kEnd, {}, kGoodbye));
-  for (Newcomer& newcomer : newcomers_) static_cast<void>(newcomer.stream.send(Type::kEnd, {}, Seconds{0}));
+  for (const auto& node : nodes_) static_cast<void>(node->stream.send(Type::kEnd, {}, kLastMessage));
+  for (Pending& pending : pending_) static_cast<void>(pending.stream.send(Type::kEnd, {}, Seconds{0}));
   if (listener_ >= 0) ::close(listener_);
 }
 
@@ -74,37 +74,37 @@ void Head::accept_all() {
     const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
     if (socket < 0) return;
     Stream stream(socket, limits::kClusterHelloBytes);
-    if (newcomers_.size() >= limits::kClusterNodes) continue;  // closes it
+    if (pending_.size() >= limits::kClusterNodes) continue;  // closes it
     std::string name = stream.peer();
-    newcomers_.push_back({std::move(stream), std::move(name), Clock::now()});
+    pending_.push_back({std::move(stream), std::move(name), Clock::now()});
   }
 }
 
 /// Goes on with those that want to join; none of them delays a tick.
 void Head::admit() {
   accept_all();
-  for (auto newcomer = newcomers_.begin(); newcomer != newcomers_.end();) {
-    const auto next = std::next(newcomer);
-    if (!greet(*newcomer)) newcomers_.erase(newcomer);
-    newcomer = next;
+  for (auto pending = pending_.begin(); pending != pending_.end();) {
+    const auto next = std::next(pending);
+    if (!negotiate(*pending)) pending_.erase(pending);
+    pending = next;
   }
 }
 
-bool Head::greet(Newcomer& newcomer) {
+bool Head::negotiate(Pending& pending) {
   const auto end = [&](const std::string& why) {
-    log::warn("cluster: {}: {}", newcomer.name, why);
+    log::warn("cluster: {}: {}", pending.name, why);
     return false;
   };
-  const Result<void> received = newcomer.stream.receive();
-  const Result<std::optional<Message>> message = newcomer.stream.next();
+  const Result<void> received = pending.stream.receive();
+  const Result<std::optional<Message>> message = pending.stream.next();
   if (!message) return end(message.error().text);
   if (!*message) {
     if (!received) return end(received.error().text);
-    const Result<bool> sent = newcomer.stream.flush();
+    const Result<bool> sent = pending.stream.flush();
     if (!sent) return end(sent.error().text);
-    const auto patience = newcomer.has_world ? Clock::duration(kMaking)
-                                             : std::chrono::duration_cast<Clock::duration>(options_.patience);
-    return Clock::now() - newcomer.since < patience || end("is silent");
+    const auto patience = pending.has_world ? Clock::duration(kMaking)
+                                            : std::chrono::duration_cast<Clock::duration>(options_.patience);
+    return Clock::now() - pending.since < patience || end("is silent");
   }
   const Message& said = **message;
   if (said.type == Type::kRefusal) {
@@ -114,28 +114,28 @@ bool Head::greet(Newcomer& newcomer) {
   const auto refuse = [&](const std::string& why) {
     Bytes body;
     Packer(body).text(why);
-    static_cast<void>(newcomer.stream.send(Type::kRefusal, {body}, kGoodbye));
+    static_cast<void>(pending.stream.send(Type::kRefusal, {body}, kLastMessage));
     return end("cannot join: " + why);
   };
-  if (!newcomer.has_world) {
+  if (!pending.has_world) {
     if (said.type != Type::kHello) return end("does not speak the protocol of clusters");
     if (const std::string why = why_not_joined(said.body); !why.empty()) return refuse(why);
     const world::World& world = engine_->world();
     if (world_.empty()) world_ = world::encode(world::SavedRun{sources_, world.engine, world.seed(), {}});
-    newcomer.stream.queue(Type::kWorld, world_);
-    newcomer.has_world = true;
+    pending.stream.queue(Type::kWorld, world_);
+    pending.has_world = true;
     return true;
   }
   if (said.type != Type::kReady) return end("does not speak the protocol of clusters");
   if (nodes_.size() + joining_.size() >= limits::kClusterNodes)
     return refuse(fmt::format("there are {} nodes, the most", limits::kClusterNodes));
-  let_in(newcomer);
+  join(pending);
   return false;
 }
 
-void Head::let_in(Newcomer& newcomer) {
-  newcomer.stream.accept_up_to(limits::kClusterMessageBytes);
-  auto node = std::make_unique<Node>(Node{std::move(newcomer.stream), newcomer.name, {}});
+void Head::join(Pending& pending) {
+  pending.stream.accept_up_to(limits::kClusterMessageBytes);
+  auto node = std::make_unique<Node>(Node{std::move(pending.stream), pending.name, {}});
   joining_.push_back(std::move(node));
 }
 
@@ -149,7 +149,7 @@ void Head::wait_for_nodes() {
       log::info("waiting for nodes: {} of {} are there", joining_.size(), options_.nodes);
     told = joining_.size();
     std::vector<pollfd> entries{{listener_, POLLIN, 0}};
-    for (const Newcomer& newcomer : newcomers_) entries.push_back({newcomer.stream.socket(), POLLIN, 0});
+    for (const Pending& pending : pending_) entries.push_back({pending.stream.socket(), POLLIN, 0});
     poll(entries.data(), entries.size(), kPollMilliseconds);
   }
 }
@@ -240,7 +240,7 @@ void Head::gather(world::DividedWork& work) {
     std::vector<pollfd> missing;
     for (std::size_t index = 0; index < nodes_.size(); ++index) {
       const Node& node = *nodes_[index];
-      if (!node.lost && !node.has_shared) hear(work, index);
+      if (!node.lost && !node.has_shared) receive_share(work, index);
       if (!node.lost && !node.has_shared) missing.push_back({node.stream.socket(), POLLIN, 0});
     }
     if (missing.empty()) return;
@@ -253,7 +253,7 @@ void Head::gather(world::DividedWork& work) {
       lose(*node, stopped_ ? "the run ends" : fmt::format("is silent for {:g} s", options_.patience.count()));
 }
 
-void Head::hear(world::DividedWork& work, std::size_t index) {
+void Head::receive_share(world::DividedWork& work, std::size_t index) {
   Node& node = *nodes_[index];
   const Result<void> received = node.stream.receive();
   const Result<std::optional<Message>> message = node.stream.next();

@@ -55,7 +55,7 @@ class Head final : public world::Engine, public world::RunListener, private worl
 
  private:
   /// A connection that does not take part yet.
-  struct Newcomer {
+  struct Pending {
     Stream stream;
     std::string name;
     std::chrono::steady_clock::time_point since;
@@ -74,14 +74,14 @@ class Head final : public world::Engine, public world::RunListener, private worl
   void admit();
   void accept_all();
   /// False: the connection is over.
-  bool greet(Newcomer& newcomer);
-  void let_in(Newcomer& newcomer);
+  bool negotiate(Pending& pending);
+  void join(Pending& pending);
   void wait_for_nodes();
   void send_steps();
   void lose_all(const std::string& why);
   Result<Bytes> changes();
   void gather(world::DividedWork& work);
-  void hear(world::DividedWork& work, std::size_t index);
+  void receive_share(world::DividedWork& work, std::size_t index);
   void take_share(world::DividedWork& work, std::size_t index, std::span<const std::byte> body);
   bool adopt(world::DividedWork& work, std::size_t index);
   bool is_verified(std::size_t index) const;
@@ -99,7 +99,7 @@ class Head final : public world::Engine, public world::RunListener, private worl
   std::atomic<bool> stopped_ = false;
   bool started_ = false, failed_ = false;
 
-  std::list<Newcomer> newcomers_;
+  std::list<Pending> pending_;
   std::vector<std::unique_ptr<Node>> nodes_, joining_;  // joining_ take part from the next tick on
   Bytes world_;                                         // the body of a message kWorld
   std::optional<Bytes> before_;                         // the state before the changes since the last tick
