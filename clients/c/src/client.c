@@ -234,6 +234,8 @@ ph_status ph_client_lost_count(ph_client *client, uint64_t *count, ph_error *err
 }
 
 ph_status ph_client_set_mode(ph_client *client, ph_mode mode, ph_error *error) {
+  if (mode != PH_MODE_PUSH && mode != PH_MODE_PULL)
+    return ph_fail(error, PH_INVALID_VALUE, "a mode is PH_MODE_PUSH or PH_MODE_PULL, not %d", (int)mode);
   const ph_player_device_datamode_req body = {(uint8_t)mode};
   PH_TRY(ask_server(client, PH_PLAYER_REQ_DATAMODE, &body, NULL, error));
   client->mode = mode;

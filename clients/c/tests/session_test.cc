@@ -129,6 +129,14 @@ TEST(Reading, ARoundEndsWithSynchAndBringsEverything) {
   EXPECT_FALSE(ph_device_fresh(ph_position2d_device(robot)));
 }
 
+TEST(Reading, AModeThatDoesNotExistIsNotSent) {
+  FakeServer server(script([](Peer &, const Received &) { return false; }));
+  const Client client = connected(server.address());
+  ph_error error;
+  EXPECT_EQ(ph_client_set_mode(client, static_cast<ph_mode>(3), &error), PH_INVALID_VALUE);
+  EXPECT_STREQ(error.text, "a mode is PH_MODE_PUSH or PH_MODE_PULL, not 3");
+}
+
 TEST(Reading, MessagesInSingleBytesArriveWhole) {
   FakeServer server(script([](Peer &peer, const Received &message) {
     peer.dribble();

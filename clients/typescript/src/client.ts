@@ -4,7 +4,7 @@ import { asyncDispose } from './async_dispose.js';
 import { Bell, now } from './bell.js';
 import { checkedSeconds, Connection } from './connection.js';
 import { Access, Device } from './device.js';
-import { ConnectionLost, PlayerError, RequestRefused, RequestTimeout, WireError } from './errors.js';
+import { ConnectionLost, InvalidValue, PlayerError, RequestRefused, RequestTimeout, WireError } from './errors.js';
 import { common, INTERFACES, player, simulation } from './generated/index.js';
 import { askModels, families, type Model } from './models.js';
 import * as proxies from './proxies/index.js';
@@ -162,6 +162,7 @@ export class Client {
   }
 
   async setMode(mode: Mode): Promise<void> {
+    if (!Object.values(Mode).includes(mode)) throw new InvalidValue(`a mode is Mode.PUSH or Mode.PULL, not ${mode}`);
     await this.ask(player.REQ_DATAMODE, { mode });
     this.mode = mode;
   }

@@ -143,7 +143,8 @@ export class Image {
   pixel(column: number, row: number): number[] {
     const known = kChannels.get(this.format);
     if (this.isJpeg || !known) throw new InvalidValue('pixels can be told of raw MONO8, MONO16 and RGB888 alone');
-    if (!(column >= 0 && column < this.width && row >= 0 && row < this.height)) {
+    const isInside = column >= 0 && column < this.width && row >= 0 && row < this.height;
+    if (!isInside || !Number.isInteger(column) || !Number.isInteger(row)) {
       throw new InvalidValue(`pixel ${column}, ${row} is outside the ${this.width} x ${this.height} picture`);
     }
     const [channels, bytes] = known;

@@ -140,6 +140,7 @@ test('properties of four types, and the count of lost data', async () => {
     assert.ok(name!.endsWith(Buffer.from('off\0').toString('hex')));
     assert.ok(number!.endsWith('3ff8000000000000'));
     assert.ok(flag!.endsWith('00000001'));
+    await fails(() => client.setMode(7 as Mode), InvalidValue, /^a mode is Mode\.PUSH or Mode\.PULL, not 7$/);
     await client.setReplaceRule(Rule.IGNORE, { index: 3 });
     const rule = player.AddReplaceRuleReq.decode(server.received().at(-1)!.body);
     assert.deepEqual(rule, { interf: -1, index: 3, type: -1, subtype: -1, replace: Rule.IGNORE });

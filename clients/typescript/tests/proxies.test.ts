@@ -186,7 +186,7 @@ test('a camera tells its pixels', async () => {
     const color = await first(eye.updates());
     assert.deepEqual([color.pixel(0, 0), color.pixel(1, 0), color.time], [[1, 2, 3], [4, 5, 6], 2.5]);
     assert.equal(color.modelId(1, 0), 0x040505);
-    for (const [column, row] of [[2, 0], [0, 1], [-1, 0], [0, NaN]] as const) {
+    for (const [column, row] of [[2, 0], [0, 1], [-1, 0], [0.5, 0], [0, NaN]] as const) {
       await fails(() => color.pixel(column, row), InvalidValue, / is outside the 2 x 1 picture$/);
     }
     const depth = await first(eye.updates());

@@ -16,7 +16,7 @@ typedef enum ph_status {
   PH_OK = 0,
   /** The server is unreachable, has disconnected, or sent bytes that violate the protocol. */
   PH_CONNECTION_LOST,
-  /** The server closed the connection in order, after sending all data: the run has ended. */
+  /** The server closed the connection: the run has ended, or the server was killed, which TCP does not tell apart. */
   PH_RUN_ENDED,
   /** No answer, or no data, before the time-out. The connection remains usable. */
   PH_REQUEST_TIMEOUT,
