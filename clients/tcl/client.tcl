@@ -22,7 +22,7 @@ namespace eval ::playhouse {
 # switch off Nagle's algorithm. Returns a Client.
 proc ::playhouse::connect {args} {
     set address $::playhouse::DEFAULT_HOST
-    if {[llength $args] % 2} {set args [lassign $args address]}
+    if {[llength $args] && ![string match -* [lindex $args 0]]} {set args [lassign $args address]}
     if {[string match {\[*} $address]} {
         regexp {^\[([^\]]*)\]?(.?)(.*)$} $address - host colon port
         if {$colon eq ""} {set port $::playhouse::DEFAULT_PORT}
@@ -33,6 +33,7 @@ proc ::playhouse::connect {args} {
     if {![regexp {^[0-9]+$} $port] || [scan $port %lld] < 1 || [scan $port %lld] > 65535} {
         fail LOST "\"$address\" is not HOST or HOST:PORT"
     }
+    if {[string match -* $host]} {fail LOST "\"$address\" is not HOST or HOST:PORT: a host begins with no \"-\""}
     if {$host eq ""} {set host $::playhouse::DEFAULT_HOST}
     return [Client new $host [scan $port %d] {*}$args]
 }
@@ -40,7 +41,7 @@ proc ::playhouse::connect {args} {
 # One connection. `close` closes its devices and the connection; `destroy` does too, and frees it, its devices and
 # robots. While a method waits, the event loop runs.
 oo::class create ::playhouse::Client {
-    variable connection session mode devices made families robots reading listener sofar
+    variable connection session mode devices made families robots reading listener sofar discarding
 
     constructor {host port args} {
         namespace path [list {*}[namespace path] ::playhouse ::playhouse::wire]
@@ -53,6 +54,7 @@ oo::class create ::playhouse::Client {
         set reading 0
         set listener ""
         set sofar 0
+        set discarding ""
         set seconds [checkedSeconds [dict get $options -timeout]]
         set gather [truth [dict get $options -gather]]
         set connection [Connection new $host $port $seconds]
@@ -73,10 +75,11 @@ oo::class create ::playhouse::Client {
         if {![info exists session]} return
         catch {my close}
         foreach object $made {catch {$object destroy}}
+        after cancel $discarding
         my Free
     }
 
-    # The server's greeting, for instance "Player v.3.1".
+    # The server's banner, for instance "Player v.3.1".
     method banner {} {return [$connection banner]}
     method connected {} {return [$connection alive]}
     method mode {} {return $mode}
@@ -244,6 +247,31 @@ oo::class create ::playhouse::Client {
         $connection close $::playhouse::CLOSING_SECONDS
     }
 
+    # Closes and frees it. In a callback or event handler that a method of it runs it is closed at once, what waits is an
+    # error of kind CLOSED, and the event loop frees it later.
+    method destroy {} {
+        if {[info exists session] && ($reading || [$connection waits])} {
+            $connection condemn
+            catch {my close}
+            my DiscardLater 0
+            return
+        }
+        next
+    }
+
+    method DiscardLater {milliseconds} {
+        after cancel $discarding
+        set discarding [after $milliseconds [namespace code {my Discard}]]
+    }
+
+    method Discard {} {
+        if {$reading || [$connection waits]} {
+            my DiscardLater 1000 ;# a method of it has not returned yet
+        } else {
+            my destroy
+        }
+    }
+
     # In push mode, delivers data that have arrived to the devices, without waiting for more. Called by step.
     method deliverPushed {} {
         if {$mode ne "push" || $reading} return
@@ -278,10 +306,11 @@ oo::class create ::playhouse::Client {
     # Delivers queued messages, and new ones until the round ends, in push mode all that are here and at least one;
     # returns their number. A disconnection after data is left to the next call, so that the data are delivered first.
     method Receive {deadline} {
+        set end ""
         set delivered [my Deliver]
         while {[my Unfinished $delivered] && ($delivered || ![$session told])} {
             try {
-                $session sortNext $deadline
+                $session sortNext $deadline end
             } trap {PLAYHOUSE LOST} {why options} {
                 if {$delivered} break
                 return -options $options $why
@@ -319,7 +348,9 @@ oo::class create ::playhouse::Client {
             # The last data of a retired device belong to it, unless a new device has its address.
             set takers [dict get $devices [list $code $index]]
             set living [lmap device $takers {if {[$device gone]} continue; set device}]
-            foreach device [expr {[llength $living] ? $living : $takers}] {$device take $name $value $time}
+            foreach device [expr {[llength $living] ? $living : $takers}] {
+                if {[info object isa object $device]} {$device take $name $value $time} ;# a callback may destroy others
+            }
             incr count
         }
         return $count
@@ -336,7 +367,7 @@ oo::class create ::playhouse::Client {
             incr sofar [my Deliver]
             while {[$connection buffered] || [$connection takeArrived]} {
                 if {![$connection buffered]} continue
-                $session sortNext 0
+                $session sortArrived
                 incr sofar [my Deliver]
                 if {$mode eq "pull" && ![$session roundOpen]} break
             }
@@ -346,9 +377,12 @@ oo::class create ::playhouse::Client {
         } finally {
             set reading 0
         }
+        if {$listener eq ""} return ;# a callback ended it, or closed or destroyed the client
         if {[llength $ended]} {
             set command $listener
+            set here [self]
             if {$sofar} {my Tell}
+            if {![info object isa object $here]} return ;# the command destroyed it
             my listen ""
             uplevel #0 [list {*}$command 0 {*}$ended]
         } elseif {[$session told] || ($sofar && ($mode eq "push" || ![$session roundOpen]))} {
@@ -450,11 +484,13 @@ oo::class create ::playhouse::Client {
 
     # Options with their defaults; another option is an error.
     method Options {defaults given} {
-        if {[llength $given] % 2} {fail INVALID "[lindex $given end] has no value"}
-        dict for {option value} $given {
+        foreach {option value} $given {
             if {![dict exists $defaults $option]} {
                 fail INVALID "there is no option $option, but [join [dict keys $defaults] {, }]"
             }
+        }
+        if {[llength $given] % 2} {fail INVALID "the option [lindex $given end] has no value"}
+        dict for {option value} $given {
             dict set defaults $option $value
         }
         return $defaults

@@ -1,6 +1,6 @@
 # One TCP connection to a Player server: banner, framing, deadlines. It interprets headers only.
 #
-# Deadlines are times of `now`. What waits runs the event loop, so that a window stays alive and timers fire; what an
+# Deadlines are times of `now`. What waits runs the event loop, so that windows remain responsive and timers fire; what an
 # event handler does with the same client meanwhile is allowed (session.tcl). If the server disconnects, messages it
 # had sent can still be received; then every call throws the reason.
 
@@ -10,7 +10,7 @@ proc ::playhouse::now {} {
 }
 
 oo::class create ::playhouse::Connection {
-    variable channel peer port limit buffer at held fault ended banner waiting arrived listener pump
+    variable channel peer port limit buffer at held fault ended condemned banner waiting arrived listener pump
 
     # Connects and reads the banner, within so many seconds each.
     constructor {aHost aPort seconds} {
@@ -24,6 +24,7 @@ oo::class create ::playhouse::Connection {
         set channel ""
         set fault ""
         set ended 0
+        set condemned 0
         set waiting 0
         set listener ""
         set pump ""
@@ -47,6 +48,14 @@ oo::class create ::playhouse::Connection {
     method peer {} {return $peer}
     method port {} {return $port}
     method banner {} {return $banner}
+
+    # Whether a method waits, and so runs the event loop.
+    method waits {} {
+        return [expr {$waiting > 0}]
+    }
+
+    # From now on errors are those of a destroyed client, of kind CLOSED.
+    method condemn {} {set condemned 1}
 
     method alive {} {
         return [expr {$channel ne "" && $fault eq ""}]
@@ -119,7 +128,7 @@ oo::class create ::playhouse::Connection {
         return 0
     }
 
-    # A command that the event loop calls soon, when bytes have arrived and nobody waits for them, and when something is
+    # A command that the event loop calls soon, when bytes have arrived and no method waits for them, and when something is
     # held; empty: none.
     method listen {command} {
         set listener $command
@@ -236,6 +245,7 @@ oo::class create ::playhouse::Connection {
     }
 
     method Lost {} {
+        if {$condemned} {fail CLOSED "$peer: the client was destroyed"}
         fail [expr {$ended ? "LOST ENDED" : "LOST"}] "$peer: $fault"
     }
 

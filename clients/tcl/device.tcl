@@ -14,7 +14,7 @@ namespace eval ::playhouse {
 
 # Opened by a method of Client or Robot. `close` closes it; `destroy` does too, and frees the object.
 oo::class create ::playhouse::Device {
-    variable client session interface code index access driver opened gone fresh timestamp newest callback
+    variable client session interface code index access driver opened gone fresh timestamp newest callback uses doomed discarding
 
     constructor {aClient aSession anInterface anIndex {mode all}} {
         namespace path [list {*}[namespace path] ::playhouse ::playhouse::wire]
@@ -23,6 +23,9 @@ oo::class create ::playhouse::Device {
         set interface $anInterface
         set index $anIndex
         set opened 0
+        set uses 0 ;# methods that wait, during which event handlers run
+        set doomed 0 ;# destroyed during one
+        set discarding ""
         set gone "" ;# why requests are refused
         set fresh 0
         set timestamp 0.0
@@ -41,7 +44,9 @@ oo::class create ::playhouse::Device {
     }
 
     destructor {
+        if {![info exists opened]} return
         if {$opened} {catch {my close}}
+        after cancel $discarding
         catch {$client forget [self]}
     }
 
@@ -73,7 +78,7 @@ oo::class create ::playhouse::Device {
     # empty if it has no body. Errors of kind REFUSED or TIMEOUT.
     method request {message {payload ""} {seconds ""}} {
         my InsistOnOpen
-        set body [$session request $code $index $message $payload $seconds]
+        set body [my Use {$session request $code $index $message $payload $seconds}]
         set struct [lindex [messageOf $message] 3]
         if {$struct eq "" || [string length $body] == 0} return
         return [decode $struct $body]
@@ -105,11 +110,11 @@ oo::class create ::playhouse::Device {
         while {!$fresh} {
             my InsistOnOpen
             try {
-                $client read [expr {max($deadline - [now], 0.0)}]
+                my Use {$client read [expr {max($deadline - [now], 0.0)}]}
             } trap {PLAYHOUSE TIMEOUT} {} {
                 fail TIMEOUT $late
             }
-            if {!$fresh && [now] >= $deadline} {fail TIMEOUT $late} ;# the read is busy with other devices
+            if {!$fresh && [now] >= $deadline} {fail TIMEOUT $late} ;# data of other devices only
         }
         set fresh 0
     }
@@ -160,12 +165,49 @@ oo::class create ::playhouse::Device {
         if {!$opened} return
         set opened 0
         $client closed [self]
-        if {[[$session connection] alive] && $gone eq ""} {my SetAccess $::playhouse::player::CLOSE_MODE}
+        if {[[$session connection] alive] && $gone eq ""} {
+            my Use {my SetAccess $::playhouse::player::CLOSE_MODE}
+        }
         return
+    }
+
+    # Closes and frees it. In an event handler that a method of it runs while it waits, it is closed at once, that method
+    # ends with an error of kind CLOSED, and the event loop frees it later.
+    method destroy {} {
+        if {[info exists uses] && $uses} {
+            set doomed 1
+            catch {my close}
+            return
+        }
+        next
     }
 
     # Requests constant data for a proxy. Called after opening.
     method prepare {} {}
+
+    # Evaluates a script of the caller, which waits.
+    method Use {script} {
+        incr uses
+        try {
+            set result [uplevel 1 $script]
+        } on error {why options} {
+            if {!$doomed} {return -options $options $why}
+        } finally {
+            incr uses -1
+            if {$doomed && !$uses} {
+                after cancel $discarding
+                set discarding [after 0 [namespace code {my Discard}]]
+            }
+        }
+        if {$doomed} {my Closed}
+        return $result
+    }
+
+    method Discard {} {
+        if {!$uses} {my destroy} ;# else Use does it
+    }
+
+    method Closed {} {fail CLOSED "[$session peer]: [my name] is closed"}
 
     # Receives data from the client's read.
     method take {message value time} {
@@ -181,7 +223,7 @@ oo::class create ::playhouse::Device {
     }
 
     method InsistOnOpen {} {
-        if {!$opened} {fail CLOSED "[$session peer]: [my name] is closed"}
+        if {!$opened} {my Closed}
         if {$gone ne ""} {fail GONE $gone}
     }
 
@@ -252,15 +294,21 @@ oo::class create ::playhouse::Device {
 # Base of the proxies whose data are one value: `Value` makes it of the newest message.
 oo::class create ::playhouse::Updating {
     superclass ::playhouse::Device
+    variable session doomed
 
     # Reads for ever: sets a variable to each new value and evaluates a script, as foreach does; break ends it. An
     # error of kind TIMEOUT if there is no new value within so many seconds.
     method updates {variable script {seconds ""}} {
         upvar 1 $variable value
+        set here [self]
+        set closed "[$session peer]: [my name] is closed"
         while 1 {
             set value [my Next $seconds]
             switch -- [catch {uplevel 1 $script} result options] {
-                0 - 4 {}
+                0 - 4 {
+                    # If the script has destroyed the device, its namespace and so `my` and `fail` are gone.
+                    if {![info object isa object $here] || $doomed} {::playhouse::fail CLOSED $closed}
+                }
                 2 {return -options [dict incr options -level] $result}
                 3 {return}
                 default {return -options $options $result}

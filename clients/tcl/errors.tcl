@@ -1,11 +1,11 @@
 # Errors of this package. Each has one line of text and an error code that begins with PLAYHOUSE, for `try ... trap`:
 #
 #     PLAYHOUSE LOST           the server is unreachable, has disconnected, or sent bytes that violate the protocol
-#     PLAYHOUSE LOST ENDED     the server closed the connection in order, after sending all data: the run has ended
+#     PLAYHOUSE LOST ENDED     the server closed the connection: the run has ended, or the server was killed
 #     PLAYHOUSE TIMEOUT        no answer, or no data, before the time-out; the connection remains usable
 #     PLAYHOUSE REFUSED BODY   the server answered NACK, whose undecoded body is BODY, or has no device or model of that name
 #     PLAYHOUSE NODATA         a value was read before the first data of the device; nextData waits for them
-#     PLAYHOUSE CLOSED         a device was used after it or its client was closed
+#     PLAYHOUSE CLOSED         a device was used after it or its client was closed, or was waited for while one was destroyed
 #     PLAYHOUSE GONE           a device was used that the server has retired: its model was removed
 #     PLAYHOUSE INVALID        an argument that means nothing, as a speed that is no finite number; nothing was sent
 #     PLAYHOUSE WIRE           bytes that do not decode as the message of their header, or a value that its field cannot hold

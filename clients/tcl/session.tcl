@@ -1,12 +1,16 @@
 # One session with a server: matches answers to requests, queues data, and tracks rounds of data.
 
+namespace eval ::playhouse {
+    variable LATE_SECONDS 0.1 ;# for messages that have arrived before a deadline and are read after it
+}
+
 # For instance "position2d:0"; with a number if the interface has no known name.
 proc ::playhouse::deviceName {code index} {
     return [wire::interfaceName $code]:$index
 }
 
 # Dispatches received messages: answers to the requests that wait, data to the queue; others are skipped. A request may
-# wait while an event handler makes another: each message is dispatched to whoever it is for, whoever received it.
+# wait while an event handler makes another: each message is dispatched to its recipient, whichever of them received it.
 oo::class create ::playhouse::Session {
     variable connection timeout retire queue roundOpen roundRefused roundWaits told overflow unread skipped serverPort \
         abandoned sequence requests pending answers gathering
@@ -103,8 +107,22 @@ oo::class create ::playhouse::Session {
         }
     }
 
-    # Dispatches the next message if it is here, else takes or awaits bytes of it: callers look again.
-    method sortNext {deadline} {
+    # Dispatches the next message if it is here, else takes or awaits bytes of it: callers look again. An error of kind
+    # TIMEOUT after the deadline. What had arrived by then is still dispatched, as an event handler may have computed until
+    # after it; but for at most LATE_SECONDS, which the variable `endName` of the caller, initially empty, is for: a
+    # server that sends faster than this reads does not postpone the time-out.
+    method sortNext {deadline endName} {
+        upvar 1 $endName end
+        set now [now]
+        if {$now >= $deadline} {
+            if {$end eq ""} {set end [expr {$now + $::playhouse::LATE_SECONDS}]}
+            if {$now >= $end} {fail TIMEOUT "[my peer]: no message in time"}
+        }
+        my sortArrived $deadline
+    }
+
+    # The same without that limit.
+    method sortArrived {{deadline 0}} {
         if {[$connection buffered]} {
             my Dispatch [$connection receive]
         } else {
@@ -133,7 +151,8 @@ oo::class create ::playhouse::Session {
         set number [incr requests]
         dict set pending $number [list $key $sequence 0]
         try {
-            while {![dict exists $answers $number]} {my sortNext $deadline}
+            set end ""
+            while {![dict exists $answers $number]} {my sortNext $deadline end}
             return [dict get $answers $number]
         } on error {why options} {
             # From now on requests are numbered, so that a late answer to this one is not matched to another. If the
@@ -198,7 +217,7 @@ oo::class create ::playhouse::Session {
         return 1
     }
 
-    # Processes the notice that a device was retired, an answer to an opening that nobody asked for; 0 for any other.
+    # Processes the notice that a device was retired, an answer to an opening without a request; 0 for any other.
     method TakeNotice {message} {
         lassign $message header body
         lassign $header code index kind subtype

@@ -52,7 +52,7 @@ proc run {behave usage} {
         try {
             $behave $client [scan $index %d] [lmap word $more {scan $word %d}]
         } finally {
-            $client close
+            $client destroy ;# closes it, and frees it and its devices
         }
     } trap PLAYHOUSE {why} {
         puts stderr $why

@@ -1,9 +1,9 @@
 #!/bin/sh
-# Tells the other robots by radio where it is, twice a second, and prints what it hears of them.
+# Tells the other robots by radio where it is, twice a second, and prints what it receives of them.
 #
 #     talk.tcl [HOST:PORT [INDEX [SECONDS]]]      robot INDEX (0) with radio INDEX, for SECONDS (0: until Ctrl-C)
 #
-# Start it once for each robot that is to talk: it only looks at the robot, and whoever drives it goes on.
+# Start it once for each robot that is to send: it only reads the robot's data, and another program may drive it.
 #
 # The next lines are for the shell, which starts this with signals caught. \
 exec "$(dirname "$0")/launch" "$0" "$@"

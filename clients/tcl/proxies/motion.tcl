@@ -156,7 +156,7 @@ oo::class create ::playhouse::Localize {
     method Value {} {return [my hypotheses]}
 }
 
-# A planner, which drives a robot to goals on a map. It goes on while any client has it open; wavefront cancels the goal
+# A planner, which drives a robot to goals on a map. It continues while any client has it open; wavefront cancels the goal
 # when the last one closes it.
 oo::class create ::playhouse::Planner {
     superclass ::playhouse::Updating

@@ -24,14 +24,16 @@ oo::class create ::playhouse::Simulation {
         return
     }
 
-    # Pauses or resumes the clock.
+    # Pauses or resumes the clock. Commands are sent at once again, until the next step.
     method pause {} {
+        $session gather join 0
         my command simulation.cmd.pause
     }
 
     # Saves the current world to the file of `playhouse run --save-world`; without that option it has no effect.
     method save {} {
         my command simulation.cmd.save
+        $client flush
     }
 
     # Moves everything back to its pose in the world file, while time continues. With a seed the run restarts with
@@ -40,6 +42,7 @@ oo::class create ::playhouse::Simulation {
     method reset {{seed ""}} {
         if {$seed eq ""} {
             my command simulation.cmd.reset
+            $client flush
             return
         }
         my InsistOnWhole seed $seed 0 18446744073709551615
@@ -59,9 +62,11 @@ oo::class create ::playhouse::Simulation {
     # Runs this number of ticks and waits until they are done, in lock-step until all members have requested them: at
     # most so many seconds, by default without a limit. In push mode all data of the ticks have then been delivered to
     # the devices; in pull mode they are queued for read. Without lock-step the world is paused afterwards.
+    # From the first step on commands are sent as after join: Nagle's algorithm would delay the step after a command.
     method step {{ticks 1} {seconds Inf}} {
         my InsistOnWhole ticks $ticks 1 1048576
         my OfWorld step [binary format i $ticks] "" $seconds
+        $session gather join 1
         $client deliverPushed
         return
     }
