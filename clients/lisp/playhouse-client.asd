@@ -32,8 +32,8 @@
   :pathname "tests/"
   :serial t
   :components ((:file "deftest") (:file "fake-server") (:file "wire-test") (:file "session-test") (:file "proxies-test")
-               (:file "robots-test") (:file "retire-test") (:file "readme-test") (:file "scenarios") (:file "dump") (:file "robots")
-               (:file "main"))
+               (:file "robots-test") (:file "retire-test") (:file "signals-test") (:file "readme-test")
+               (:file "scenarios") (:file "dump") (:file "robots") (:file "main"))
   :perform (test-op (operation system)
              (unless (uiop:symbol-call '#:playhouse-client.tests '#:run-tests)
                (error "tests of playhouse-client failed"))))

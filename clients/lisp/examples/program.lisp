@@ -1,4 +1,4 @@
-;;;; The command line that the examples share: PROGRAM [HOST:PORT [INDEX [SECONDS ...]]], and how they end on signals.
+;;;; The command line that the examples share: PROGRAM [HOST:PORT [INDEX [SECONDS ...]]].
 
 (defpackage #:playhouse-client.examples
   (:use #:common-lisp)
@@ -45,11 +45,11 @@ CLOCK for timep."
       (and index seconds (notany #'null more) (list address index seconds more)))))
 
 (defun run-example (name words)
-  "Runs an example with the words of its command line. Returns 0 when done, 1 on an error, 2 on wrong arguments, and 128
-and its number on a signal (130 on Ctrl-C)."
+  "Runs an example with the words of its command line. Returns 0 when done, 1 on an error, 2 on wrong arguments. On a
+signal the process ends with 128 and its number (130 on Ctrl-C)."
   (destructuring-bind (&optional usage function) (rest (assoc name *examples* :test #'equal))
     (let ((arguments (and function (arguments-of words))))
-      (cond (arguments (catch-signals (lambda () (behave function arguments))))
+      (cond (arguments (playhouse:with-signals (behave function arguments)))
             (t (format *error-output* "usage: ~a~%" (or usage (usage-of-all)))
                2)))))
 
@@ -64,43 +64,3 @@ and its number on a signal (130 on Ctrl-C)."
       (playhouse:player-error (problem)
         (format *error-output* "~a~%" problem)
         1))))
-
-;;; Signals: Ctrl-C, SIGTERM, and SIGHUP, which a closed terminal sends, leave through every with-device, which stops
-;;; the robot. Without this, a program ends at once, or in the debugger.
-
-(defconstant +ignored+ 1 "SIG_IGN of the system.")
-
-(defvar *ending* nil "Whether a signal has arrived: a closed terminal may signal twice.")
-
-(defun ignored-p (number)
-  "Whether this process was started with the signal ignored. Only for signals that SBCL does not handle itself."
-  (flet ((exchange (handler)
-           (sb-alien:alien-funcall
-            (sb-alien:extern-alien "signal"
-                                   (function sb-alien:unsigned-long sb-alien:int sb-alien:unsigned-long))
-            number handler)))
-    (let ((before (exchange +ignored+)))
-      (exchange before)
-      (= before +ignored+))))
-
-(defun caught-signals ()
-  "What nohup ignores stays ignored, and so does Ctrl-C in the background of a script: there SIGINT and SIGQUIT were
-both ignored at the start, and SBCL has left only SIGQUIT so."
-  (append (list sb-unix:sigterm)
-          (unless (ignored-p sb-unix:sighup) (list sb-unix:sighup))
-          (unless (ignored-p sb-unix:sigquit) (list sb-unix:sigint))))
-
-(defun catch-signals (function)
-  "Calls FUNCTION, which returns an exit code; that of a signal is 128 and its number."
-  (catch 'signal
-    (sb-sys:enable-interrupt sb-unix:sigint :ignore)
-    (dolist (number (caught-signals))
-      (sb-sys:enable-interrupt number #'end-by-signal))
-    (funcall function)))
-
-(defun end-by-signal (number info context)
-  "The handler, in whatever thread the system calls it."
-  (declare (ignore info context))
-  (unless *ending*
-    (setf *ending* t)
-    (sb-thread:interrupt-thread (sb-thread:main-thread) (lambda () (throw 'signal (+ 128 number))))))

@@ -12,18 +12,18 @@
 (defclass position3d (base) ()
   (:documentation "A mobile base in space."))
 
-(defgeneric drive (base vx &key)
-  (:documentation "Forward and to the left (vx, :vy) in m/s, turning (:va) in rad/s, until the next command; a
-position3d also upwards (:vz) in m/s."))
+(define-operation drive (base vx &key)
+  "Forward and to the left (vx, :vy) in m/s, turning (:va) in rad/s, until the next command; a
+position3d also upwards (:vz) in m/s.")
 
-(defgeneric set-motor-power (base on)
-  (:documentation "Switches the motors on or off."))
+(define-operation set-motor-power (base on)
+  "Switches the motors on or off.")
 
-(defgeneric set-odometry (base pose)
-  (:documentation "Sets the pose estimate; the robot does not move."))
+(define-operation set-odometry (base pose)
+  "Sets the pose estimate; the robot does not move.")
 
-(defgeneric reset-odometry (base)
-  (:documentation "Makes the current pose the origin of the pose estimate."))
+(define-operation reset-odometry (base)
+  "Makes the current pose the origin of the pose estimate.")
 
 (defmethod close-device :before ((base base))
   (when (and (device-open-p base) (movingp base) (not (device-gone-p base)) (reachablep base))
@@ -51,7 +51,7 @@ position3d also upwards (:vz) in m/s."))
 (defmethod velocity ((base position2d))
   (state-velocity (state base)))
 
-(defun stalled-p (base)
+(define-operation stalled-p ((base position2d))
   "Whether a position2d is blocked. Signals no-data."
   (state-stalled-p (state base)))
 
@@ -61,7 +61,7 @@ position3d also upwards (:vz) in m/s."))
   (command base playhouse.position2d:+cmd-vel+
            (playhouse.position2d:make-cmd-vel :vel (playhouse.common:make-pose2d :px vx :py vy :pa va) :state 1)))
 
-(defun drive-car (base speed steering)
+(define-operation drive-car ((base position2d) speed steering)
   "For a position2d with car steering: speed in m/s, and steering angle in rad, positive to the left."
   (insist-on-finite base "speed" speed "steering" steering)
   (setf (movingp base) (not (zerop speed)))

@@ -41,7 +41,8 @@ report them."
 (defun connect (address &key (mode :pull) (timeout 5))
   "Connects to \"host\", \"host:port\", \":port\" or \"[::1]:port\"; the defaults are 127.0.0.1 and 6665. MODE is :pull
 or :push. TIMEOUT (s) applies to connecting, to every request, and to every read-data without a timeout of its own.
-Signals connection-lost."
+Signals connection-lost, invalid-value."
+  (insist-on-text "an address" address)
   (multiple-value-bind (host port) (split-address address)
     (unless (and (digits-p port) (< 0 (parse-integer port) 65536))
       (fail 'connection-lost "~s is not HOST or HOST:PORT" address))
@@ -49,7 +50,10 @@ Signals connection-lost."
 
 (defun connect-to (host port &key (mode :pull) (timeout 5))
   "As connect, with the host and the port apart."
-  (check-type mode (member :pull :push))
+  (insist-on-word "a mode" mode :push :pull)
+  (insist-on-text "a host" host)
+  (unless (integerp port)
+    (fail 'invalid-value "a port is a whole number, not ~s" port))
   (let ((client (make-instance 'client)) (done nil))
     (setf (session-of client)
           (make-instance 'session :connection (make-connection host port timeout) :timeout timeout
@@ -76,7 +80,8 @@ Signals connection-lost."
   (dolist (device (loop for place in (places-of client) append (reverse (gethash place (open-devices client)))))
     (handler-case (close-device device)
       (player-error () nil)))             ; closing the connection closes it as well
-  (close-connection (connection-of (session-of client)) +closing-seconds+))
+  (close-connection (connection-of (session-of client)) +closing-seconds+)
+  (values))
 
 (defmacro with-client ((variable &rest arguments) &body body)
   "Connects as connect does with ARGUMENTS, binds VARIABLE to the client while BODY runs, and closes it, however BODY
@@ -113,6 +118,7 @@ read here in time. Signals request-refused if the server does not report it."
 
 (defun set-mode (client mode)
   "Delivery of data: immediately (:push), or in rounds requested by the client (:pull)."
+  (insist-on-word "a mode" mode :push :pull)
   (let ((number (ecase mode
                   (:push playhouse.player:+datamode-push+)
                   (:pull playhouse.player:+datamode-pull+))))
@@ -124,6 +130,7 @@ read here in time. Signals request-refused if the server does not report it."
 (defun set-replace-rule (client rule &key (interface -1) (index -1) (kind -1) (subtype -1))
   "Sets the server's rule for messages queued for this client: :accept, :replace or :ignore a message while an older one
 of the same type is queued. Codes are those of headers; -1 matches any."
+  (insist-on-word "a rule" rule :accept :replace :ignore)
   (let ((number (ecase rule
                   (:accept playhouse.player:+msg-replace-rule-accept+)
                   (:replace playhouse.player:+msg-replace-rule-replace+)
@@ -136,14 +143,16 @@ of the same type is queued. Codes are those of headers; -1 matches any."
 ;;; Opening devices
 
 (defun interface-word (interface)
-  "The name of an interface in Player: :speech-recognition is \"speech_recognition\"."
+  "The name of an interface in Player: :speech-recognition is \"speech_recognition\". Signals invalid-value."
+  (unless (and interface (typep interface '(or string symbol)))
+    (fail 'invalid-value "an interface is a keyword or a string, such as :position2d, not ~s" interface))
   (substitute #\_ #\- (string-downcase (string interface))))
 
 (defun open-device (client interface &optional (index 0) (access :all))
   "Opens a device of any interface, such as :laser or \"laser\", as the proxy of that interface if there is one. ACCESS
 is :all, :read or :write; the server drops commands over a device opened for reading. Signals request-refused,
 invalid-value."
-  (check-type access (member :all :read :write))
+  (insist-on-word "an access" access :all :read :write)
   (let* ((name (interface-word interface)) (code (interface-code-of name)))
     (unless (typep index '(integer 0 65535))
       (fail 'invalid-value "there is no ~a:~a: indices are 0 to 65535" name index))
@@ -310,6 +319,7 @@ server does not report models (not every simulator does, and no real robot)."
   "The robot, or any other model, of this name, with the devices of all its descendants. It is looked up in the last
 list of models, and if it is not there, in a new list. The same name gives the same robot while its devices are the
 same; of several models with one name it is the last. Signals request-refused if there is none, and as list-models."
+  (insist-on-text "a name" name)
   (flet ((named (families)
            (find name families :key (lambda (family) (model-name (first family))) :test #'string= :from-end t)))
     (let ((family (or (named (families-of client)) (named (list-families client)))))

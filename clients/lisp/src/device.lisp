@@ -61,6 +61,7 @@ commands."
 
 (defun request (device message &optional payload timeout)
   "Sends a request and waits for the answer, nil if it has no body. Signals request-refused or request-timeout."
+  (insist-on-message device message payload)
   (insist-on-open device)
   (let* ((answer (request-answer (session-of device) (device-code device) (device-index device) message payload
                                  timeout))
@@ -75,11 +76,14 @@ commands."
 
 (defun command (device message &optional payload)
   "Sends a command; commands have no answer."
+  (insist-on-message device message payload)
   (insist-on-open device)
-  (send-payload (session-of device) (device-code device) (device-index device) message payload))
+  (send-payload (session-of device) (device-code device) (device-index device) message payload)
+  (values))
 
 (defun latest (device message)
   "The newest value of a data message, nil before the first; and its time (s)."
+  (insist-on-message device message)
   (let ((entry (assoc (message-type-subtype message) (latest-of device))))
     (values (second entry) (third entry))))
 
@@ -229,7 +233,8 @@ value to the wire and back.")
     (setf (device-open-p device) nil)
     (forget (client-of device) device)
     (when (and (reachablep device) (not (device-gone-p device)))
-      (set-access device :close))))
+      (set-access device :close)))
+  (values))
 
 (defun reachablep (device)
   (alivep (connection-of (session-of device))))
@@ -251,6 +256,27 @@ value to the wire and back.")
 
 ;;; Checks of arguments
 
+(defun insist-on-word (what word &rest words)
+  "Checks that WORD is one of WORDS. WHAT is for instance \"a mode\"."
+  (unless (member word words)
+    (fail 'invalid-value "~a is ~{~s~#[~; or ~:;, ~]~}, not ~s" what words word)))
+
+(defun insist-on-text (what text)
+  (unless (stringp text)
+    (fail 'invalid-value "~a is a string, not ~s" what text)))
+
+(defun insist-on-message (device message &optional payload)
+  "Messages of interface 0 are for every device."
+  (unless (message-type-p message)
+    (fail 'invalid-value "~a: a message is that of a constant such as playhouse.position2d:+cmd-vel+, not ~s"
+          (device-name device) message))
+  (unless (member (message-type-interface message) (list 0 (device-code device)))
+    (fail 'invalid-value "~a: ~a is a message of another interface" (device-name device) (message-type-name message)))
+  (let ((type (message-type-payload message)))
+    (unless (or (null payload) (and type (typep payload type)))
+      (fail 'invalid-value "~a: ~a takes ~:[nothing~;~:*a ~(~s~)~], not ~s" (device-name device)
+            (message-type-name message) type payload))))
+
 (defun insist-on-open (device)
   (unless (device-open-p device)
     (fail 'device-closed "~a: ~a is closed" (peer device) (device-name device)))
@@ -266,3 +292,22 @@ value to the wire and back.")
   (unless (and (integerp value) (<= least value most))
     (fail 'invalid-value "~a: ~a is ~a, not a whole number from ~d to ~d" (device-name device) name
           (if (realp value) (number-text value) (prin1-to-string value)) least most)))
+
+;;; Functions of the proxies
+
+(defmacro define-operation (name (first &rest others) documentation &body body)
+  "Defines a function of devices, or of scans, whose use with others signals invalid-value. With (VARIABLE CLASS) as
+FIRST it is for that class alone, with this BODY; else methods define it for their classes."
+  `(progn
+     (defgeneric ,name (,(if (consp first) (first first) first)
+                        ,@(mapcar (lambda (other) (if (consp other) (first other) other)) others))
+       (:documentation ,documentation)
+       (:generic-function-class operation))
+     ,@(when (consp first)
+         `((defmethod ,name (,first ,@others) ,@body)))))
+
+(defmethod no-applicable-method ((function operation) &rest arguments)
+  (let ((thing (first arguments)))
+    (fail 'invalid-value "~(~a~) is a function of ~{~a~#[~; and ~:;, ~]~}, not of ~a" (operation-name function)
+          (sort (mapcar #'string-downcase (operation-classes function)) #'string<)
+          (if (typep thing 'device) (device-name thing) (prin1-to-string thing)))))

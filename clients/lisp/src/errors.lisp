@@ -11,7 +11,8 @@
   (:documentation "The server is unreachable, has disconnected, or sent bytes that violate the protocol."))
 
 (define-condition run-ended (connection-lost) ()
-  (:documentation "The server closed the connection in order, after sending all data: the run has ended."))
+  (:documentation "The connection was closed in order, after all data that were sent: the run has ended, or the server
+was killed, which looks the same."))
 
 (define-condition request-timeout (player-error) ()
   (:documentation "No answer, or no data, before the timeout. The connection remains usable."))
@@ -31,8 +32,8 @@
   (:documentation "A device was used that the server has retired: its model was removed."))
 
 (define-condition invalid-value (player-error) ()
-  (:documentation "An invalid argument, such as a speed that is not a number or an unknown interface. Nothing was
-sent."))
+  (:documentation "An invalid argument, such as a speed that is not a number, an unknown interface, or a device of
+another interface. Nothing was sent."))
 
 (define-condition wire-error (player-error) ()
   (:documentation "Bytes that do not decode as the message of their header, or a value outside the range of its

@@ -14,7 +14,7 @@ cell (0, 0) in the world."
   (cell-size 1d0 :type real) (width 0 :type unsigned-byte) (height 0 :type unsigned-byte)
   (origin (make-pose) :type pose))
 
-(defun grid (map)
+(define-operation grid ((map grid-map))
   "Size and place of the map, without its cells. Signals wire-error if the numbers are those of no map."
   (let* ((info (answer-of map playhouse.map:+req-get-info+))
          (size (playhouse.map:info-scale info))
@@ -39,7 +39,7 @@ cell (0, 0) in the world."
           (values (floor column) (floor row))
           nil))))
 
-(defun cells (map)
+(define-operation cells ((map grid-map))
   "The whole map, an array: (aref (cells map) row column), rows from the bottom, is 1 if the cell is occupied, -1 if it
 is free, 0 if that is unknown. Signals wire-error for a map of more than 2^26 cells, and for faulty answers."
   (let* ((grid (grid map)) (width (grid-width grid)) (height (if (zerop width) 0 (grid-height grid))))

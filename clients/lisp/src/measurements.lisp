@@ -25,14 +25,14 @@ outputs."))
 `radius' is its radius of curvature, 0 if it is straight. In m."
   pose length radius)
 
-(defun pressed (bumper)
+(define-operation pressed ((bumper bumper))
   "Whether each switch is pressed, a list in the order of the faces. Signals no-data."
   (map 'list (lambda (state) (/= state 0))
        (playhouse.bumper:data-bumpers (newest bumper playhouse.bumper:+data-state+))))
 
 (define-updates bumper pressed)
 
-(defun faces (bumper)
+(define-operation faces ((bumper bumper))
   "Faces of the switches on the robot, a list."
   (map 'list (lambda (one)
                (make-face (pose3d-of (playhouse.bumper:define-pose one)) (playhouse.bumper:define-length one)
@@ -47,6 +47,7 @@ when level and at rest; turn rates in rad/s; magnetic field, in a unit of the se
   acceleration turn-rate field)
 
 (defmethod send ((imu imu) datatype)
+  (insist-on-message imu datatype)
   (request imu playhouse.imu:+req-set-datatype+
            (playhouse.imu:make-datatype-config :value (message-type-subtype datatype))))
 
@@ -67,7 +68,7 @@ when level and at rest; turn rates in rad/s; magnetic field, in a unit of the se
 (defmethod velocity ((imu imu))
   (pose3d-of (playhouse.imu:data-fullstate-vel (newest imu playhouse.imu:+data-fullstate+))))
 
-(defun inertia (imu)
+(define-operation inertia ((imu imu))
   "The newest measurements. Signals no-data."
   (let* ((data (newest-of imu playhouse.imu:+data-calib+ playhouse.imu:+data-quat+ playhouse.imu:+data-euler+))
          (one (etypecase data
@@ -81,24 +82,24 @@ when level and at rest; turn rates in rad/s; magnetic field, in a unit of the se
                   (list (playhouse.imu:data-calib-magn-x one) (playhouse.imu:data-calib-magn-y one)
                         (playhouse.imu:data-calib-magn-z one)))))
 
-(defun attitude (imu)
+(define-operation attitude ((imu imu))
   "Roll, pitch and yaw in rad, a list. Signals no-data."
   (let ((turns (playhouse.imu:data-euler-orientation (newest imu playhouse.imu:+data-euler+))))
     (list (playhouse.common:orientation3d-proll turns) (playhouse.common:orientation3d-ppitch turns)
           (playhouse.common:orientation3d-pyaw turns))))
 
-(defun quaternion (imu)
+(define-operation quaternion ((imu imu))
   "Orientation, a list of four with the real part first. Signals no-data."
   (let ((data (newest imu playhouse.imu:+data-quat+)))
     (list (playhouse.imu:data-quat-q0 data) (playhouse.imu:data-quat-q1 data) (playhouse.imu:data-quat-q2 data)
           (playhouse.imu:data-quat-q3 data))))
 
-(defun reset-orientation (imu &optional all-axes)
+(define-operation reset-orientation ((imu imu) &optional all-axes)
   "Makes the current heading, or the whole current orientation, the reference."
   (request imu playhouse.imu:+req-reset-orientation+
            (playhouse.imu:make-reset-orientation-config :value (if all-axes 1 0))))
 
-(defun reset-attitude (imu roll pitch yaw)
+(define-operation reset-attitude ((imu imu) roll pitch yaw)
   "Sets the current orientation, in rad."
   (insist-on-finite imu "roll" roll "pitch" pitch "yaw" yaw)
   (request imu playhouse.imu:+req-reset-euler+
@@ -113,7 +114,7 @@ easting and northing in m; speed in m/s, course in rad, clockwise from north; ex
 without a fix, and then the rest is invalid. `time' is the server's, in s."
   latitude longitude altitude easting northing speed course quality satellites horizontal-error vertical-error time)
 
-(defun fix (receiver)
+(define-operation fix ((receiver gps))
   "The newest fix. Signals no-data."
   (multiple-value-bind (data time) (newest receiver playhouse.gps:+data-state+)
     (make-fix :latitude (* (playhouse.gps:data-latitude data) 1d-7)
@@ -146,13 +147,13 @@ without a fix, and then the rest is invalid. `time' is the server's, in s."
 
 ;;; aio
 
-(defun voltages (device)
+(define-operation voltages ((device aio))
   "One per input, in V, a vector. Signals no-data."
   (playhouse.aio:data-voltages (newest device playhouse.aio:+data-state+)))
 
 (define-updates aio voltages)
 
-(defun set-voltage (device output voltage)
+(define-operation set-voltage ((device aio) output voltage)
   "Sets one output, in V."
   (insist-on-finite device "voltage" voltage)
   (command device playhouse.aio:+cmd-state+ (playhouse.aio:make-cmd :id output :voltage voltage)))

@@ -38,24 +38,30 @@
 (defmethod meaning ((device speech-recognition) value)
   (text (playhouse.speech-recognition:data-text value)))
 
+(defun insist-on-octets (device message)
+  (unless (and (typep message 'sequence) (every (lambda (octet) (typep octet '(unsigned-byte 8))) message))
+    (fail 'invalid-value "~a: a message is a sequence of bytes, not ~s" (device-name device) message)))
+
 (defmethod send ((device opaque) message)
+  (insist-on-octets device message)
   (command device playhouse.opaque:+cmd-data+ (playhouse.opaque:make-data :data message)))
 
-(defun send-to (radio address message)
+(define-operation send-to ((radio opaque) address message)
   "For an opaque device that is a radio: sends bytes to the radio with this network address, \"\" to broadcast. Returns
 when the message is queued. Signals request-refused for an unknown address, a message that is too long, or a full
 queue."
+  (insist-on-octets radio message)
   (request radio playhouse.opaque:+req-data+
            (playhouse.opaque:make-data :data (concatenate 'octets (c-string address) message))))
 
-(defun take-messages (device)
+(define-operation take-messages ((device opaque))
   "Messages of an opaque device since the last call, in order, byte vectors."
   (take-all (kept device)))
 
-(defun take-texts (device)
+(define-operation take-texts ((device speech-recognition))
   "Texts of a speech-recognition device since the last call, in order."
   (take-all (kept device)))
 
-(defun say (speech text)
+(define-operation say ((speech speech) text)
   "Sets the text that the robot says, replacing the previous one; \"\": none."
   (command speech playhouse.speech:+cmd-say+ (playhouse.speech:make-cmd :string (c-string text))))

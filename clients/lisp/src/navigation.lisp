@@ -39,7 +39,7 @@ sum to 1."
   (destructuring-bind (xx yy aa xy ya xa) (coerce numbers 'list)
     (make-covariance :xx xx :yy yy :aa aa :xy xy :ya ya :xa xa)))
 
-(defun hypotheses (localize)
+(define-operation hypotheses ((localize localize))
   "Where the robot may be, a list, the most likely first. Signals no-data."
   (map 'list (lambda (one)
                (make-hypothesis (pose-of (playhouse.localize:hypoth-mean one))
@@ -55,16 +55,17 @@ sum to 1."
       (fail 'no-data "~a: ~a has no hypothesis" (peer localize) (device-name localize)))
     (hypothesis-pose (first hypotheses))))
 
-(defun set-pose (localize pose covariance)
+(define-operation set-pose ((localize localize) pose covariance)
   "Sets the estimate of the pose on the map; the robot does not move. Signals request-refused if the driver takes none
 of this covariance."
   (insist-on-pose localize pose)
+  (insist-on-type localize covariance 'covariance)
   (apply #'insist-on-finite localize
          (mapcan #'list (list "xx" "yy" "aa" "xy" "ya" "xa") (numbers-of covariance)))
   (request localize playhouse.localize:+req-set-pose+
            (playhouse.localize:make-set-pose :mean (wire-pose pose) :cov (numbers-of covariance))))
 
-(defun particles (localize)
+(define-operation particles ((localize localize))
   "All particles of the filter, a list; none before its first step."
   (map 'list (lambda (one)
                (make-particle (pose-of (playhouse.localize:particle-pose one)) (playhouse.localize:particle-alpha one)))
@@ -95,7 +96,7 @@ none) and the number of waypoints of the path. `time' is the server's, in s."
 
 (define-updates planner state)
 
-(defun arrivedp (planner)
+(define-operation arrivedp ((planner planner))
   "Whether the last data say that the goal of the last go-to is reached; data of another goal do not count."
   (let ((data (latest planner playhouse.planner:+data-state+)) (goal (goal-of planner)))
     (and data goal
@@ -119,11 +120,11 @@ none) and the number of waypoints of the path. `time' is the server's, in s."
 (defmethod stop ((planner planner))
   (request planner playhouse.planner:+req-enable+ (playhouse.planner:make-enable-req :state 0)))
 
-(defun resume (planner)
+(define-operation resume ((planner planner))
   "Ends stop."
   (request planner playhouse.planner:+req-enable+ (playhouse.planner:make-enable-req :state 1)))
 
-(defun path (planner)
+(define-operation path ((planner planner))
   "The path as it was planned last; without waypoints if there is none."
   (let ((answer (answer-of planner playhouse.planner:+req-get-waypoints+)))
     (make-path (map 'list #'pose-of (playhouse.planner:waypoints-req-waypoints answer))

@@ -11,6 +11,8 @@
    ;; Values
    #:octets #:without-float-traps #:single-of-bits #:double-of-bits #:bits-of-single #:bits-of-double #:float-kind
    #:utf-8-octets #:utf-8-string #:wall-clock #:clock
+   ;; Functions of the proxies, and signals
+   #:operation #:operation-name #:operation-classes #:with-signals #:call-with-signals
    ;; Sockets
    #:socket-fault #:socket-fault-text #:with-interrupts-in-waits #:connect-socket #:wait-for-socket #:send-some
    #:receive-some #:end-sending #:close-socket))
@@ -38,6 +40,8 @@
    ;; Errors
    #:player-error #:connection-lost #:run-ended #:request-timeout #:request-refused #:refused-body #:no-data
    #:device-closed #:device-gone #:invalid-value #:wire-error #:without-float-traps
+   ;; Signals
+   #:with-signals
    ;; Client
    #:client #:connect #:connect-to #:with-client #:close-client #:banner #:connectedp #:mode #:set-mode
    #:set-replace-rule #:overflow-count #:skipped-count #:lost-count #:read-data #:list-devices #:list-models

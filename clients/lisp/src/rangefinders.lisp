@@ -50,7 +50,7 @@
 (defmethod set-power ((ranger ranger) on)
   (request ranger playhouse.ranger:+req-power+ (playhouse.ranger:make-power-config :state (if on 1 0))))
 
-(defun set-intensities (ranger on)
+(define-operation set-intensities ((ranger ranger) on)
   "Enables or disables intensities."
   (request ranger playhouse.ranger:+req-intns+ (playhouse.ranger:make-intns-config :state (if on 1 0))))
 
@@ -92,7 +92,7 @@
 
 (define-updates sonar ranges)
 
-(defun poses (sonar)
+(define-operation poses ((sonar sonar))
   "Poses of the sonars on the robot, in the order of the ranges: a list of pose3d."
   (map 'list #'pose3d-of (playhouse.sonar:geom-poses (answer-of sonar playhouse.sonar:+req-get-geom+))))
 
@@ -115,7 +115,7 @@
   (let ((pose (marker-pose marker)))
     (without-float-traps (atan (pose3d-y pose) (pose3d-x pose)))))
 
-(defun markers (finder)
+(define-operation markers ((finder fiducial))
   "The markers in view, a list. Signals no-data."
   (map 'list (lambda (item)
                (make-marker (playhouse.fiducial:item-id item) (pose3d-of (playhouse.fiducial:item-pose item))))
@@ -123,11 +123,11 @@
 
 (define-updates fiducial markers)
 
-(defun field-of-view (finder)
+(define-operation field-of-view ((finder fiducial))
   "A playhouse.fiducial:fov."
   (answer-of finder playhouse.fiducial:+req-get-fov+))
 
-(defun set-field-of-view (finder min-range max-range view-angle)
+(define-operation set-field-of-view ((finder fiducial) min-range max-range view-angle)
   "Ranges in m, the full field of view in rad."
   (insist-on-finite finder "min_range" min-range "max_range" max-range "view_angle" view-angle)
   (request finder playhouse.fiducial:+req-set-fov+

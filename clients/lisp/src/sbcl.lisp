@@ -1,5 +1,5 @@
-;;;; Everything that standard Common Lisp does not have: bits of floats, UTF-8, clocks and sockets. Only this file, and
-;;;; the signals of examples/program.lisp, depend on SBCL; another implementation needs these functions and no more.
+;;;; Everything that standard Common Lisp does not have: bits of floats, UTF-8, clocks, sockets and signals, and classes
+;;;; of functions. Only this file depends on SBCL; another implementation needs these functions and no more.
 
 (in-package #:playhouse.base)
 
@@ -155,3 +155,79 @@ arrived. Signals socket-fault."
 
 (defun close-socket (socket)
   (sb-bsd-sockets:socket-close socket :abort t))
+
+;;; Generic functions with an error of their own
+
+(defclass operation (standard-generic-function) ()
+  (:metaclass sb-mop:funcallable-standard-class)
+  (:documentation "A function of the proxies, see define-operation."))
+
+(defun operation-name (operation)
+  (sb-mop:generic-function-name operation))
+
+(defun operation-classes (operation)
+  "Names of the classes that the function is for."
+  (loop for method in (sb-mop:generic-function-methods operation)
+        collect (class-name (first (sb-mop:method-specializers method)))))
+
+;;; Signals: Ctrl-C, SIGTERM, and SIGHUP, which a closed terminal sends
+
+(defconstant +ignored+ 1 "SIG_IGN of the system.")
+
+(defvar *catching* nil "Whether this thread is in call-with-signals.")
+
+(defun ignored-p (number)
+  "Whether this process was started with the signal ignored. Only for signals that SBCL does not handle itself."
+  (flet ((exchange (handler)
+           (sb-alien:alien-funcall
+            (sb-alien:extern-alien "signal"
+                                   (function sb-alien:unsigned-long sb-alien:int sb-alien:unsigned-long))
+            number handler)))
+    (let ((before (exchange +ignored+)))
+      (exchange before)
+      (= before +ignored+))))
+
+(defun caught-signals ()
+  "Number of each signal that is caught, and the handler that SBCL has for it. What nohup ignores stays ignored, and so
+does Ctrl-C in the background of a script: there SIGINT and SIGQUIT were both ignored at the start, and SBCL has left
+only SIGQUIT so."
+  (append (list (list sb-unix:sigterm #'sb-unix::sigterm-handler))
+          (unless (ignored-p sb-unix:sighup) (list (list sb-unix:sighup :default)))
+          (unless (ignored-p sb-unix:sigquit) (list (list sb-unix:sigint #'sb-unix::sigint-handler)))))
+
+(defun end-process (code)
+  "Ends the process with this exit code, after the cleanup of the forms that the program is in."
+  (sb-ext:exit :code code :timeout 5))
+
+(defun call-with-signals (function end)
+  "Calls FUNCTION and returns its values. On the first signal it is left by a non-local exit, and the values are those
+of END for 128 and the number of the signal."
+  (if *catching*
+      (funcall function)                  ; the outer one ends the program
+      (let* ((thread sb-thread:*current-thread*) (tag (list nil)) (arrived nil) (caught (caught-signals))
+             (code (catch tag
+                     (return-from call-with-signals
+                       (let ((*catching* t))
+                         (unwind-protect
+                              (progn
+                                (sb-sys:enable-interrupt sb-unix:sigint :ignore)
+                                (loop for (number) in caught
+                                      do (sb-sys:enable-interrupt
+                                          number
+                                          (lambda (number info context) ; in whatever thread the system calls it
+                                            (declare (ignore info context))
+                                            (unless arrived ; a closed terminal may signal twice
+                                              (setf arrived t)
+                                              (sb-thread:interrupt-thread
+                                               thread (lambda () (throw tag (+ 128 number))))))))
+                                (funcall function))
+                           (unless arrived
+                             (loop for (number before) in caught
+                                   do (sb-sys:enable-interrupt number before)))))))))
+        (funcall end code))))
+
+(defmacro with-signals (&body body)
+  "Runs BODY and returns its values. Ctrl-C, SIGTERM and SIGHUP (a closed terminal) leave BODY by a non-local exit, so
+that with-client and with-device in it stop robots and close devices; then the process ends with 128 and the number of
+the signal as its exit code. A signal that was ignored when the process started stays so."
+  `(call-with-signals (lambda () ,@body) #'end-process))

@@ -7,9 +7,13 @@
 counter-clockwise from the sensor's x axis. `time' is the server's, in s."
   ranges angles max-range time)
 
-(defun nearest (scan &optional (low (- pi)) (high pi))
-  "The minimum range between two directions; max-range if no beam is there."
+(define-operation nearest ((scan scan) &optional (low (- pi)) (high pi))
+  "The minimum range between two directions; max-range if no beam is there. Signals invalid-value if LOW is not at most
+HIGH."
   (without-float-traps
+    (unless (and (realp low) (realp high) (<= low high))
+      (fail 'invalid-value "nearest: directions are from the lower to the higher, not from ~a to ~a"
+            (if (realp low) (number-text low) low) (if (realp high) (number-text high) high)))
     (let ((found nil))
       (map nil (lambda (range angle)
                  (when (and (<= low angle high) (or (null found) (< range found)))

@@ -7,72 +7,79 @@
 
 (defparameter *ended* "the run has ended" "The server's reason to refuse a step then.")
 
-(defun model-pose (simulator name)
+(define-operation model-pose ((simulator simulation) name)
   "The pose of a model. Signals request-refused if there is none of that name."
   (pose-of (playhouse.simulation:pose2d-req-pose
             (request-of-model simulator name playhouse.simulation:+req-get-pose2d+
                               (playhouse.simulation:make-pose2d-req :name (c-string name))))))
 
-(defun set-model-pose (simulator name pose)
+(define-operation set-model-pose ((simulator simulation) name pose)
   "Moves a model. Signals request-refused if there is none of that name."
   (insist-on-pose simulator pose)
   (request-of-model simulator name playhouse.simulation:+req-set-pose2d+
-                    (playhouse.simulation:make-pose2d-req :name (c-string name) :pose (wire-pose pose))))
+                    (playhouse.simulation:make-pose2d-req :name (c-string name) :pose (wire-pose pose)))
+  (values))
 
-(defun model-pose3d (simulator name)
+(define-operation model-pose3d ((simulator simulation) name)
   "As model-pose, a pose3d."
   (pose3d-of (playhouse.simulation:pose3d-req-pose
               (request-of-model simulator name playhouse.simulation:+req-get-pose3d+
                                 (playhouse.simulation:make-pose3d-req :name (c-string name))))))
 
-(defun set-model-pose3d (simulator name pose)
+(define-operation set-model-pose3d ((simulator simulation) name pose)
   "As set-model-pose, to a pose3d."
   (insist-on-pose3d simulator pose)
   (request-of-model simulator name playhouse.simulation:+req-set-pose3d+
-                    (playhouse.simulation:make-pose3d-req :name (c-string name) :pose (wire-pose3d pose))))
+                    (playhouse.simulation:make-pose3d-req :name (c-string name) :pose (wire-pose3d pose)))
+  (values))
 
-(defun pause (simulator)
+(define-operation pause ((simulator simulation))
   "Pauses or resumes the clock."
   (command simulator playhouse.simulation:+cmd-pause+))
 
-(defun save-world (simulator)
+(define-operation save-world ((simulator simulation))
   "Saves the current world to the file of `playhouse run --save-world'; without that option it has no effect."
   (command simulator playhouse.simulation:+cmd-save+))
 
-(defun reset-world (simulator &optional seed)
+(define-operation reset-world ((simulator simulation) &optional seed)
   "Moves everything back to its pose in the world file, while time continues. With a seed the run restarts with that
 seed: at tick 0, with the initial models and their ids. That requires lock-step, else the server refuses:
 request-refused."
   (cond (seed (insist-on-whole simulator "seed" seed 0 (1- (ash 1 64)))
               (request-of-world simulator "reset" (little-endian seed 8)))
-        (t (command simulator playhouse.simulation:+cmd-reset+))))
+        (t (command simulator playhouse.simulation:+cmd-reset+)))
+  (values))
 
-(defun join (simulator name)
+(define-operation join ((simulator simulation) name)
   "Joins a lock-step run as a member of this name until the connection is closed: ticks wait for its steps. Open devices
 first. Signals request-refused with the reason."
-  (request-of-world simulator "join" (c-string name)))
+  (request-of-world simulator "join" (c-string name))
+  (values))
 
-(defun step-world (simulator &optional (ticks 1) (timeout :forever))
+(define-operation step-world ((simulator simulation) &optional (ticks 1) (timeout :forever))
   "Runs this number of ticks and waits until they are done, in lock-step until all members have requested them: at most
 TIMEOUT seconds, by default without a limit. In push mode all data of the ticks have then been delivered to the devices;
 in pull mode they are queued for read-data. Without lock-step the world is paused afterwards. Signals run-ended when the
 run has ended."
   (insist-on-whole simulator "ticks" ticks 1 (ash 1 20))
   (request-of-world simulator "step" (little-endian ticks 4) :timeout timeout)
-  (deliver-pushed (client-of simulator)))
+  (deliver-pushed (client-of simulator))
+  (values))
 
-(defun spawn (simulator like pose &optional (name ""))
+(define-operation spawn ((simulator simulation) like pose &optional (name ""))
   "Spawns a robot like the model LIKE at a pose in the world; returns its name."
   (insist-on-pose simulator pose)
+  (insist-on-text "a name" name)
   (let ((value (concatenate 'octets
                             (little-endian-double (pose-x pose)) (little-endian-double (pose-y pose))
                             (little-endian-double (pose-a pose))
                             (if (string= name "") #() (c-string name)))))
     (text (playhouse.simulation:property-req-value (request-of-world simulator "spawn" value :name like)))))
 
-(defun remove-model (simulator name)
+(define-operation remove-model ((simulator simulation) name)
   "Removes a top-level model from the world, with its descendants."
-  (request-of-world simulator "remove" (vector) :name name))
+  (request-of-world simulator "remove" (vector) :name name)
+  (values))
 
 (defun request-of-world (simulator property value &key (name "") timeout)
   "Sets a property of the world. The reason of a refusal is in its body."

@@ -59,62 +59,68 @@ axes), and whether it is blocked. `time' is the server's, in s."
   (make-size :x (playhouse.common:bbox3d-sl wire) :y (playhouse.common:bbox3d-sw wire)
              :z (playhouse.common:bbox3d-sh wire)))
 
+(defun insist-on-type (device value type)
+  (unless (typep value type)
+    (fail 'invalid-value "~a: ~s is no ~(~a~)" (device-name device) value type)))
+
 (defun insist-on-pose (device pose)
+  (insist-on-type device pose 'pose)
   (insist-on-finite device "x" (pose-x pose) "y" (pose-y pose) "a" (pose-a pose)))
 
 (defun insist-on-pose3d (device pose)
+  (insist-on-type device pose 'pose3d)
   (insist-on-finite device "x" (pose3d-x pose) "y" (pose3d-y pose) "z" (pose3d-z pose)
                            "roll" (pose3d-roll pose) "pitch" (pose3d-pitch pose) "yaw" (pose3d-yaw pose)))
 
 ;;; What several interfaces have
 
-(defgeneric state (device)
-  (:documentation "The newest data of a base or a planner. Signals no-data before the first."))
+(define-operation state (device)
+  "The newest data of a base or a planner. Signals no-data before the first.")
 
-(defgeneric pose (device)
-  (:documentation "The newest pose estimate: of position2d its state's, of imu a pose3d, of localize that of the most
-likely hypothesis, on the map. Signals no-data."))
+(define-operation pose (device)
+  "The newest pose estimate: of position2d its state's, of imu a pose3d, of localize that of the most
+likely hypothesis, on the map. Signals no-data.")
 
-(defgeneric velocity (device)
-  (:documentation "The newest velocity estimate: of position2d its state's, of imu a pose3d. Signals no-data."))
+(define-operation velocity (device)
+  "The newest velocity estimate: of position2d its state's, of imu a pose3d. Signals no-data.")
 
-(defgeneric geometry (device)
-  (:documentation "Where the device is on its robot, and its size."))
+(define-operation geometry (device)
+  "Where the device is on its robot, and its size.")
 
-(defgeneric ranges (device)
-  (:documentation "The newest ranges in m, in the order of measurement. Signals no-data."))
+(define-operation ranges (device)
+  "The newest ranges in m, in the order of measurement. Signals no-data.")
 
-(defgeneric intensities (device)
-  (:documentation "The newest intensities, one per range, in the device's unit. Signals no-data, of a ranger also if it
-measures none; of a laser they are then empty."))
+(define-operation intensities (device)
+  "The newest intensities, one per range, in the device's unit. Signals no-data, of a ranger also if it
+measures none; of a laser they are then empty.")
 
-(defgeneric scan (device)
-  (:documentation "The newest ranges with their directions. Signals no-data."))
+(define-operation scan (device)
+  "The newest ranges with their directions. Signals no-data.")
 
-(defgeneric set-power (device on)
-  (:documentation "Switches a ranger or sonar on or off."))
+(define-operation set-power (device on)
+  "Switches a ranger or sonar on or off.")
 
-(defgeneric set-config (device config)
-  (:documentation "Requests another configuration of a laser or ranger."))
+(define-operation set-config (device config)
+  "Requests another configuration of a laser or ranger.")
 
-(defgeneric config (device)
-  (:documentation "The configuration of a laser (a playhouse.laser:config) or ranger (a playhouse.ranger:config)."))
+(define-operation config (device)
+  "The configuration of a laser (a playhouse.laser:config) or ranger (a playhouse.ranger:config).")
 
-(defgeneric stop (device)
-  (:documentation "Stops a base; of a planner: stops the robot until resume, the planner keeps its goal."))
+(define-operation stop (device)
+  "Stops a base; of a planner: stops the robot until resume, the planner keeps its goal.")
 
-(defgeneric go-to (device pose &key)
-  (:documentation "Drives to a pose: position2d in the frame of its pose, by the driver's position control (:speed 0:
-the driver's choice); position3d the same with a pose3d; planner by a path on the map, after stop from resume on."))
+(define-operation go-to (device pose &key)
+  "Drives to a pose: position2d in the frame of its pose, by the driver's position control (:speed 0:
+the driver's choice); position3d the same with a pose3d; planner by a path on the map, after stop from resume on.")
 
-(defgeneric points (thing)
-  (:documentation "Of a scan the end points of its beams, a list of x and y in the sensor's frame each; of a
-pointcloud3d its newest points. Signals no-data."))
+(define-operation points (thing)
+  "Of a scan the end points of its beams, a list of x and y in the sensor's frame each; of a
+pointcloud3d its newest points. Signals no-data.")
 
-(defgeneric send (device message)
-  (:documentation "Of an opaque device: sends bytes to the driver; a radio broadcasts them to all radios in range. Of an
+(define-operation send (device message)
+  "Of an opaque device: sends bytes to the driver; a radio broadcasts them to all radios in range. Of an
 imu: selects the data message, one of playhouse.imu:+data-state+ (pose), +data-calib+ (inertia), +data-quat+ (inertia
-and quaternion), +data-euler+ (inertia and attitude) and +data-fullstate+ (pose and velocity), for all subscribers."))
+and quaternion), +data-euler+ (inertia and attitude) and +data-fullstate+ (pose and velocity), for all subscribers.")
 
 (defmacro define-updates (class reader)
   "next-update of a proxy: waits for new data, then calls READER."

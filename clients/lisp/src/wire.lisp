@@ -188,6 +188,8 @@
 
 (defun c-string (string)
   "Encodes text as a string field, NUL-terminated and without a NUL inside."
+  (unless (stringp string)
+    (fail 'invalid-value "a text is a string, not ~s" string))
   (let ((encoded (utf-8-octets string)))
     (unless encoded
       (fail 'wire-error "~s cannot be sent as UTF-8" string))

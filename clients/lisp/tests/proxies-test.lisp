@@ -39,6 +39,11 @@
         (check (= (nearest scan) 1))
         (check (= (nearest scan -0.5 0.5) 2))
         (check (= (nearest scan 2 3) 8))
+        (check (= (nearest scan 0 0) 2))
+        (check-error invalid-value "from the lower to the higher, not from 1.0 to 0.5" (nearest scan 1.0 0.5))
+        (check-error invalid-value "not from nan to " (nearest scan *nan*))
+        (check-error invalid-value "not from FAR to " (nearest scan 'far))
+        (check-error invalid-value "nearest is a function of scan, not of laser:0" (nearest scanner))
         (check (equalp (second (points scan)) '(2 0)))))))
 
 (deftest ranges-that-are-not-numbers-do-no-harm
@@ -426,3 +431,56 @@
                          ("reset" "" #(2 1 0 0 0 0 0 0))
                          ("remove" "r9" #())
                          ("step" "" #(1 0 0 0)))))))))
+
+;;; Functions of other interfaces
+
+(defun required-count (function)
+  (let ((names (sb-mop:generic-function-lambda-list function)))
+    (or (position-if (lambda (name) (member name lambda-list-keywords)) names) (length names))))
+
+(deftest functions-of-other-interfaces-are-invalid-and-send-nothing
+  (with-connection (client (rounds (peer header) (error "this was sent: ~a" header)))
+    (let ((base (open-device client :position2d)) (laser (open-device client :laser)) (other (open-device client :dio))
+          (count 0))
+      (macrolet ((refused-each (device &rest calls)
+                   `(progn ,@(loop for (name . arguments) in calls
+                                   collect `(check-error invalid-value
+                                                (format nil "~(~a~) is a function of " ',name)
+                                              (,name ,device ,@arguments))
+                                   collect `(check-error invalid-value (format nil ", not of ~a" (device-name ,device))
+                                              (,name ,device ,@arguments))))))
+        (refused-each base
+          (model-pose "r0") (set-model-pose "r0" (make-pose)) (model-pose3d "r0") (set-model-pose3d "r0" (make-pose3d))
+          (pause) (save-world) (reset-world) (reset-world 3) (join "me") (step-world) (step-world 3)
+          (spawn "r0" (make-pose)) (remove-model "r0") (image) (view) (look 1) (turn 1 2) (set-velocity-control t)
+          (send-to "a" #(1)) (take-messages) (take-texts) (say "hi") (faces) (inertia) (attitude) (quaternion)
+          (reset-orientation) (reset-attitude 0 0 0) (fix) (voltages) (set-voltage 0 3) (hypotheses)
+          (set-pose (make-pose) (make-covariance)) (particles) (arrivedp) (resume) (path) (grid) (set-intensities t)
+          (poses) (markers) (field-of-view) (set-field-of-view 0 1 1) (ranges) (send #(1)))
+        (refused-each laser
+          (cells) (pressed) (drive-car 1 0) (stalled-p) (drive 1 :va 0) (state) (stop) (go-to (make-pose) :speed 1)))
+      (do-external-symbols (name '#:playhouse-client)
+        (when (and (fboundp name) (typep (fdefinition name) 'playhouse.base:operation))
+          (incf count)
+          (check-error invalid-value (format nil "~(~a~) is a function of " name)
+            (apply name other (make-list (1- (required-count (fdefinition name))))))))
+      (check (> count 60))
+      (check-error invalid-value "set-power is a function of ranger and sonar, not of position2d:0" (set-power base t))
+      (check-error invalid-value "go-to is a function of planner, position2d and position3d, not of #<"
+        (go-to client (make-pose)))
+      (check-error invalid-value "pause is a function of simulation, not of NIL" (pause nil))
+      (check (typep (nth-value 1 (ignore-errors (apply #'drive base '(1 :speed 2)))) 'program-error)))))
+
+(deftest functions-that-only-do-something-return-nothing
+  (with-connection (client (rounds (peer header body)
+                             (when (eq (header-kind header) :req)
+                               (answer peer header :body body)))
+                           :mode :push)
+    (let ((simulator (open-device client :simulation)) (robot (open-device client :position2d)))
+      (macrolet ((nothing (&rest forms)
+                   `(progn ,@(loop for form in forms collect `(check (null (multiple-value-list ,form)))))))
+        (nothing (pause simulator) (save-world simulator) (reset-world simulator) (reset-world simulator 1)
+                 (join simulator "me") (step-world simulator) (remove-model simulator "r0")
+                 (set-model-pose simulator "r0" (make-pose)) (set-model-pose3d simulator "r0" (make-pose3d))
+                 (drive robot 1) (close-device robot) (close-device robot)
+                 (close-client client) (close-client client))))))

@@ -65,3 +65,14 @@
     (let ((data (run-block (format nil "(playhouse:with-client (client ~s) ~a)" address (third *blocks*)))))
       (check (= (playhouse.gripper:data-state data) 2))
       (check (= (length (sent-to peer playhouse.gripper:+code+ :cmd)) 1)))))
+
+(deftest a-program-with-signals-drives
+  (let ((positions '(1d0)))
+    (with-server (peer address (rounds (peer header)
+                                 (when (data-request-p header)
+                                   (answer peer header)
+                                   (unless positions (finish peer))
+                                   (put-state peer (pop positions))
+                                   (put-synch peer))))
+      (check-error run-ended "the run ended" (run-block (replaced "127.0.0.1:6665" address (fourth *blocks*))))
+      (check (equalp (driven peer) '(0.30000001192092896d0))))))
