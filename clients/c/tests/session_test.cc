@@ -133,7 +133,7 @@ TEST(Reading, AModeThatDoesNotExistIsNotSent) {
   FakeServer server(script([](Peer &, const Received &) { return false; }));
   const Client client = connected(server.address());
   ph_error error;
-  EXPECT_EQ(ph_client_set_mode(client, static_cast<ph_mode>(3), &error), PH_INVALID_VALUE);
+  EXPECT_EQ(ph_client_set_mode(client.get(), static_cast<ph_mode>(3), &error), PH_INVALID_VALUE);
   EXPECT_STREQ(error.text, "a mode is PH_MODE_PUSH or PH_MODE_PULL, not 3");
 }
 
