@@ -135,7 +135,7 @@ bool Head::negotiate(Pending& pending) {
 
 void Head::join(Pending& pending) {
   pending.stream.accept_up_to(limits::kClusterMessageBytes);
-  auto node = std::make_unique<Node>(Node{std::move(pending.stream), pending.name, {}});
+  auto node = std::make_unique<Node>(Node{std::move(pending.stream), pending.name});
   joining_.push_back(std::move(node));
 }
 
@@ -207,8 +207,11 @@ void Head::send_steps() {
   for (std::size_t index = 0; index < nodes_.size(); ++index) {
     Node& node = *nodes_[index];
     Step step{share_of(index), check_, {}, {}};
-    if (node.is_new) step.state = state;
-    if (!node.is_new && !changes->empty()) step.changes.emplace_back(*changes);
+    if (node.is_new) {
+      step.state = state;
+    } else {
+      step.change = *changes;
+    }
     Bytes body;
     encode(step, body);
     node.has_shared = false;
@@ -263,38 +266,33 @@ void Head::receive_share(world::DividedWork& work, std::size_t index) {
   if (!received) lose(node, received.error().text);
 }
 
+/// The results stay in the stream of this node, which nothing is sent to or received from meanwhile.
 void Head::take_share(world::DividedWork& work, std::size_t index, std::span<const std::byte> body) {
   Node& node = *nodes_[index];
   Unpacker in(body);
   std::optional<Hashes> hashes;
   if (check_) hashes = Hashes{in.u64(), in.u64()};
   const std::span<const std::byte> results = in.bytes(in.left());
-  node.results.assign(results.begin(), results.end());
   if (!in.ok()) return fail(node, "its measurements are none");
   if (hashes && *hashes != hashes_) return fail(node, "its world is another one");
-  if (!adopt(work, index)) return fail(node, "its measurements are none");
+  if (is_verified(index)) {
+    Bytes own;
+    work.compute(share_of(index), own);
+    if (!std::ranges::equal(own, results)) return fail(node, "its measurements are others");
+  } else if (!work.take(share_of(index), results)) {
+    return fail(node, "its measurements are none");
+  }
   node.has_shared = true;
-  pass_on(index + 1, node.results);
+  pass_on(index + 1, results);
 }
 
-/// At a check, of nodes that are new and one of the others.
+/// At a check, of nodes that are new and one of the others: their shares are computed here as well.
 bool Head::is_verified(std::size_t index) const {
   return check_ && (nodes_[index]->is_new || index == ticks_ / kCheckTicks % nodes_.size());
 }
 
-/// A share that is verified is computed here as well. False: its results are none.
-bool Head::adopt(world::DividedWork& work, std::size_t index) {
-  Node& node = *nodes_[index];
-  if (!is_verified(index)) return work.take(share_of(index), node.results);
-  Bytes own;
-  work.compute(share_of(index), own);
-  if (own != node.results) fail(node, "its measurements are others");
-  node.results = std::move(own);
-  return true;
-}
-
 /// To all that do not have them.
-void Head::pass_on(std::size_t share, const Bytes& results) {
+void Head::pass_on(std::size_t share, std::span<const std::byte> results) {
   Bytes index;
   Packer(index).varint(share);
   for (std::size_t to = 0; to < nodes_.size(); ++to) {

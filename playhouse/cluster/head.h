@@ -64,7 +64,6 @@ class Head final : public world::Engine, public world::RunListener, private worl
   struct Node {
     Stream stream;
     std::string name;    // of the peer
-    Bytes results;       // of its share in this tick
     bool is_new = true;  // in its first tick
     bool lost = false, has_shared = false;
   };
@@ -83,9 +82,8 @@ class Head final : public world::Engine, public world::RunListener, private worl
   void gather(world::DividedWork& work);
   void receive_share(world::DividedWork& work, std::size_t index);
   void take_share(world::DividedWork& work, std::size_t index, std::span<const std::byte> body);
-  bool adopt(world::DividedWork& work, std::size_t index);
   bool is_verified(std::size_t index) const;
-  void pass_on(std::size_t share, const Bytes& results);
+  void pass_on(std::size_t share, std::span<const std::byte> results);
   world::Share share_of(std::size_t index) const { return {index + 1, nodes_.size() + 1}; }
   void lose(Node& node, const std::string& why);
   void drop_lost();

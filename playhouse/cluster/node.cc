@@ -58,10 +58,10 @@ Result<void> Node::prepare(const Step& step) {
   };
   if (!step.state.empty())
     if (const Result<void> loaded = load(step.state); !loaded) return loaded;
-  for (const std::span<const std::byte> change : step.changes) {
+  if (!step.change.empty()) {
     Bytes before;
     if (const Result<void> saved = record::save_whole(world, before); !saved) return saved;
-    const Result<Bytes> after = record::patched(before, change);
+    const Result<Bytes> after = record::patched(before, step.change);
     if (!after) return Error{"", "sent a change that is none of this state"};
     if (const Result<void> loaded = load(*after); !loaded) return loaded;
   }

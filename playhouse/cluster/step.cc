@@ -24,8 +24,7 @@ void encode(const Step& step, std::vector<std::byte>& out) {
   to.varint(step.share.count);
   to.u8(step.check);
   put(to, step.state, out);
-  to.varint(step.changes.size());
-  for (const std::span<const std::byte> change : step.changes) put(to, change, out);
+  put(to, step.change, out);
 }
 
 Result<Step> decode_step(std::span<const std::byte> bytes) {
@@ -37,12 +36,10 @@ Result<Step> decode_step(std::span<const std::byte> bytes) {
   const std::uint8_t check = in.u8();
   step.check = check == 1;
   step.state = get(in);
-  const std::uint64_t changes = in.varint();
-  if (!in.ok() || check > 1 || step.share.count > limits::kClusterNodes + 1 ||
-      step.share.index >= step.share.count || changes > in.left())
+  step.change = get(in);
+  if (!in.ok() || !in.at_end() || check > 1 || step.share.count > limits::kClusterNodes + 1 ||
+      step.share.index >= step.share.count)
     return wrong;
-  for (std::uint64_t i = 0; i < changes; ++i) step.changes.push_back(get(in));
-  if (!in.ok() || !in.at_end()) return wrong;
   return step;
 }
 

@@ -40,6 +40,11 @@ template <typename T>
 using Bits = typename BitsOf<sizeof(T)>::Type;
 
 template <typename T>
+Bits<T> bits_of(T value) {
+  return std::bit_cast<Bits<T>>(value);
+}
+
+template <typename T>
 void put_raw(std::span<const T> values, std::vector<std::byte>& out) {
   const auto bytes = std::as_bytes(values);
   out.insert(out.end(), bytes.begin(), bytes.end());
@@ -47,37 +52,39 @@ void put_raw(std::span<const T> values, std::vector<std::byte>& out) {
 
 /// A bit for each number that is not `usual`, in whole bytes.
 template <typename T>
-void put_others(std::span<const T> values, T usual, std::vector<std::byte>& out) {
+void put_others(std::span<const T> values, Bits<T> usual, std::vector<std::byte>& out) {
   for (std::size_t i = 0; i < values.size(); i += 8) {
     unsigned bits = 0;
     const std::size_t count = std::min<std::size_t>(8, values.size() - i);
-    for (std::size_t k = 0; k < count; ++k) bits |= static_cast<unsigned>(values[i + k] != usual) << k;
+    for (std::size_t k = 0; k < count; ++k)
+      bits |= static_cast<unsigned>(bits_of(values[i + k]) != usual) << k;
     out.push_back(static_cast<std::byte>(bits));
   }
 }
 
 /// Branch-free: hits are unpredictable.
 template <typename T>
-void pack_bits(std::span<const T> values, std::vector<std::byte>& out) {
-  T least = std::numeric_limits<T>::max(), most = 0;
+void pack_numbers(std::span<const T> values, std::vector<std::byte>& out) {
+  Bits<T> least = std::numeric_limits<Bits<T>>::max(), most = 0;
   for (const T value : values) {
-    least = std::min(least, value);
-    most = std::max(most, value);
+    least = std::min(least, bits_of(value));
+    most = std::max(most, bits_of(value));
   }
   std::size_t others = 0, thirds = 0;
   for (const T value : values) {
-    others += value != most;
-    thirds += static_cast<unsigned>(value != most) & static_cast<unsigned>(value != least);
+    const unsigned is_other = bits_of(value) != most;
+    others += is_other;
+    thirds += is_other & static_cast<unsigned>(bits_of(value) != least);
   }
   const Packed how = thirds == 0 ? Packed::kTwo : others > values.size() / 2 ? Packed::kAll : Packed::kSparse;
   out.push_back(static_cast<std::byte>(how));
   if (how == Packed::kAll) return put_raw(values, out);
-  put_raw(std::span<const T>(&most, 1), out);
-  if (how == Packed::kTwo) put_raw(std::span<const T>(&least, 1), out);
+  put_raw(std::span<const Bits<T>>(&most, 1), out);
+  if (how == Packed::kTwo) put_raw(std::span<const Bits<T>>(&least, 1), out);
   put_others(values, most, out);
   if (how == Packed::kTwo) return;
   for (const T& value : values)
-    if (value != most) put_raw(std::span(&value, 1), out);
+    if (bits_of(value) != most) put_raw(std::span(&value, 1), out);
 }
 
 template <typename T>
@@ -89,7 +96,7 @@ T get_raw(Unpacker& in) {
 }
 
 template <typename T>
-bool unpack_bits(std::span<T> values, Unpacker& in) {
+bool unpack_numbers(std::span<T> values, Unpacker& in) {
   const auto how = static_cast<Packed>(in.u8());
   if (how == Packed::kAll) {
     const std::span<const std::byte> bytes = in.bytes(values.size_bytes());
@@ -107,24 +114,6 @@ bool unpack_bits(std::span<T> values, Unpacker& in) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (is_other(i) != 0) values[i] = get_raw<T>(in);
   return in.ok();
-}
-
-/// The bits of numbers, which may alias their bytes only.
-template <typename T>
-void pack_numbers(std::span<const T> values, std::vector<std::byte>& out) {
-  static thread_local std::vector<Bits<T>> bits;  // scratch
-  bits.resize(values.size());
-  if (!values.empty()) std::memcpy(bits.data(), values.data(), values.size_bytes());
-  pack_bits(std::span<const Bits<T>>(bits), out);
-}
-
-template <typename T>
-bool unpack_numbers(std::span<T> values, Unpacker& in) {
-  static thread_local std::vector<Bits<T>> bits;  // scratch
-  bits.resize(values.size());
-  if (!unpack_bits(std::span<Bits<T>>(bits), in)) return false;
-  if (!values.empty()) std::memcpy(values.data(), bits.data(), values.size_bytes());
-  return true;
 }
 
 /// The values [begin, end) of a column.
