@@ -11,7 +11,6 @@ import re
 import textwrap
 
 from codegen.checks import SchemaError
-from codegen.emit_cpp import sorted_messages
 from codegen.model import COMMON, Constants, Field, Interface, Message, Schema, Struct
 
 FOLDER = "clients/c/include/playhouse/c/generated"
@@ -137,7 +136,7 @@ def _messages(interface: Interface) -> list[str]:
     rows = f"ph_{interface.name}_messages"
     lines = ["/** The messages, each under its name below. */"]
     lines.append(f"extern const ph_message_type {rows}[{len(interface.messages)}];")
-    for at, m in enumerate(sorted_messages(interface)):
+    for at, m in enumerate(interface.sorted_messages()):
         lines += [*_comment(m.doc), f"#define {_message_name(interface, m)} (&{rows}[{at}])"]
     return lines
 
@@ -158,11 +157,10 @@ def _source(interface: Interface) -> str:
              f'#include "playhouse/c/generated/{interface.name}.h"', "", "#include <stddef.h>", ""]
     for struct in interface.in_order():
         lines += _tables(interface, struct)
-    label = interface.name if interface.code is not None else "universal"
     lines.append(f"const ph_message_type ph_{interface.name}_messages[{len(interface.messages)}] = {{")
-    for m in sorted_messages(interface):
+    for m in interface.sorted_messages():
         payload = f"&{struct_name(m.owner, m.payload)}_type" if m.payload else "NULL"
-        lines.append(f'    {{{interface.code or 0}, PH_KIND_{m.kind}, {m.subtype}, "{label}.{m.label}", {payload}}},')
+        lines.append(f'    {{{interface.code or 0}, PH_KIND_{m.kind}, {m.subtype}, "{interface.full_name(m)}", {payload}}},')
     return "\n".join([*lines, "};", ""])
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import textwrap
 
-from codegen.model import COMMON, KINDS, OPAQUE, SCALARS, Field, Interface, Message, Schema, Struct
+from codegen.model import COMMON, OPAQUE, SCALARS, Field, Interface, Message, Schema, Struct
 
 FOLDER = "playhouse/wire/generated"
 WIDTH = 110
@@ -93,7 +93,7 @@ def _std_includes(interface: Interface) -> list[str]:
 
 def _subtypes(interface: Interface) -> list[str]:
     lines = ["// Subtypes of messages."]
-    for m in sorted_messages(interface):
+    for m in interface.sorted_messages():
         lines += _comment(m.doc)
         lines.append(f"inline constexpr std::uint8_t {constant_name(m.kind + '_' + m.name)} = {m.subtype};")
     return [*lines, ""]
@@ -204,14 +204,10 @@ def _to_json(struct: Struct) -> list[str]:
 # --- the catalogue -------------------------------------------------------------------------------------------------
 
 
-def sorted_messages(interface: Interface) -> list[Message]:
-    return sorted(interface.messages, key=lambda m: (KINDS[m.kind], m.subtype))
-
-
 def _rows(interface: Interface) -> list[str]:
     label = "universal" if interface.name == COMMON else interface.name
     lines = [f"const MessageDef kRows[{len(interface.messages)}] = {{"]
-    for m in sorted_messages(interface):
+    for m in interface.sorted_messages():
         kind = f"MessageType::k{m.kind.title()}"
         policy = f"Policy::k{(m.policy or 'none').title()}"
         payload = _payload(m, interface)

@@ -207,6 +207,10 @@ class Interface:
             add(struct)
         return done
 
+    def sorted_messages(self) -> list[Message]:
+        """In the order of the catalogue: by kind, then by subtype."""
+        return sorted(self.messages, key=lambda m: (KINDS[m.kind], m.subtype))
+
     def full_name(self, message: Message) -> str:
         """position2d.req.get_geom, universal.req.capabilities"""
         return f"{self.name if self.code is not None else 'universal'}.{message.label}"
