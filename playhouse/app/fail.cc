@@ -12,24 +12,24 @@ int fail(const Error& error, Exit code) {
 }
 
 int fail_at(const Error& error, Exit code) {
-  log::tell(spdlog::level::err, error);
+  log::tell(log::Level::kError, error);
   return code;
 }
 
 int fail_in_file(const Error& error, const std::vector<Error>& others) {
-  log::tell(spdlog::level::err, error);
+  log::tell(log::Level::kError, error);
   for (const Error& other : others) {
     if (is_warning(other)) {
       warn(other.where + ": " + other.text.substr(other.text.find(' ') + 1));
     } else {
-      log::tell(spdlog::level::err, other);
+      log::tell(log::Level::kError, other);
     }
   }
   return kUsage;
 }
 
 void warn(const std::string& line) {
-  log::tell(spdlog::level::warn, placed(line));
+  log::tell(log::Level::kWarn, placed(line));
 }
 
 }  // namespace playhouse::app

@@ -143,7 +143,7 @@ void Service::save_due(const world::World& world) {
     if (saved) {
       log::info("saved {:.1f} s to {}", world.time(), escaped(due.file));
     } else {
-      log::tell(spdlog::level::err, saved.error());
+      log::tell(log::Level::kError, saved.error());
       saving_works_ = false;
     }
     return true;
@@ -258,7 +258,7 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
 }
 
 void Service::fail_run(const Error& why) {
-  log::tell(spdlog::level::err, why);
+  log::tell(log::Level::kError, why);
   run_works_ = false;
   stop();
 }

@@ -61,7 +61,7 @@ bool WorldSaver::write(Job job) {
     log::info("saved the world at {} s to {}", job.time, escaped(job.file));
     for (const std::string& warning : job.standing.warnings) log::warn("{}: {}", escaped(job.file), warning);
   } else {
-    log::tell(spdlog::level::err, written.error());
+    log::tell(log::Level::kError, written.error());
   }
   return written.ok();
 }

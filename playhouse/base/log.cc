@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <spdlog/details/os.h>
 #include <spdlog/sinks/base_sink.h>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -55,6 +56,20 @@ const char* color_of(spdlog::level::level_enum level) {
   }
 }
 
+spdlog::level::level_enum spdlog_level(Level level) {
+  switch (level) {
+    case Level::kDebug:
+      return spdlog::level::debug;
+    case Level::kInfo:
+      return spdlog::level::info;
+    case Level::kWarn:
+      return spdlog::level::warn;
+    case Level::kError:
+      break;
+  }
+  return spdlog::level::err;
+}
+
 /// Passes spdlog's lines to a writer.
 class WriterSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
@@ -99,7 +114,7 @@ double now() {
 
 void give_all(const std::vector<LineLimits::Line>& lines) {
   for (const LineLimits::Line& line : lines)
-    tell(static_cast<spdlog::level::level_enum>(line.level), {line.place, line.text});
+    tell(static_cast<Level>(line.level), {line.place, line.text});
 }
 
 /// Summaries of suppressed lines.
@@ -123,6 +138,10 @@ void open(int level) {
   spdlog::set_default_logger(std::move(logger));
 }
 
+void silence() {
+  spdlog::set_level(spdlog::level::off);
+}
+
 Result<void> also_to(const std::string& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0) return Error{path, "the log file cannot be written: " + std::string(std::strerror(errno))};
@@ -133,27 +152,27 @@ Result<void> also_to(const std::string& path) {
   return {};
 }
 
-void write(spdlog::level::level_enum level, fmt::string_view format, fmt::format_args values) {
+void write(Level level, fmt::string_view format, fmt::format_args values) {
   write_at(level, "", format, values);
 }
 
-void write_at(spdlog::level::level_enum level, const std::string& place, fmt::string_view format,
-              fmt::format_args values) {
-  if (!spdlog::should_log(level)) return;
+void write_at(Level level, const std::string& place, fmt::string_view format, fmt::format_args values) {
+  if (!spdlog::should_log(spdlog_level(level))) return;
   std::string line = fmt::vformat(format, values);
   const std::string_view kind(format.data(), format.size());
   if (kind == "{}" || !limited().on) return tell(level, {place, line});
   std::vector<LineLimits::Line> lines;
   {
     const std::lock_guard lock(limited().mutex);
-    lines = limited().limits.pass(kind, {level, std::move(line), place}, now());
+    lines = limited().limits.pass(kind, {static_cast<int>(level), std::move(line), place}, now());
   }
   give_all(lines);
 }
 
-void tell(spdlog::level::level_enum level, const Error& finding) {
+void tell(Level level, const Error& finding) {
   const int anywhere = finding.where.empty() ? 0 : 1;  // 0: no position
-  spdlog::default_logger()->log(spdlog::source_loc{finding.where.c_str(), anywhere, ""}, level, finding.text);
+  spdlog::default_logger()->log(spdlog::source_loc{finding.where.c_str(), anywhere, ""}, spdlog_level(level),
+                                finding.text);
 }
 
 void say(const std::string& line) {

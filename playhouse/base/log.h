@@ -7,34 +7,40 @@
 /// suppressed ones are counted, and the count is logged. The format "{}" alone, for
 /// text composed elsewhere (warnings of files, the final error), is never limited.
 
-#include <spdlog/spdlog.h>
+#include <fmt/core.h>
 
+#include <cstdint>
 #include <utility>
 
 namespace playhouse::log {
+
+enum class Level : std::uint8_t { kDebug, kInfo, kWarn, kError };
 
 /// Initialises logging to standard error. Call from main() before the first
 /// line; again to change the level. `level` is 0 errors and warnings, 1
 /// information (the default), 2 and more diagnostics (Player's -d).
 void open(int level);
 
-void write(spdlog::level::level_enum level, fmt::string_view format, fmt::format_args values);
+/// Discards all lines from now on; for fuzzers.
+void silence();
+
+void write(Level level, fmt::string_view format, fmt::format_args values);
 
 template <typename... Values>
 void debug(fmt::format_string<Values...> format, Values&&... values) {
-  write(spdlog::level::debug, format, fmt::make_format_args(values...));
+  write(Level::kDebug, format, fmt::make_format_args(values...));
 }
 template <typename... Values>
 void info(fmt::format_string<Values...> format, Values&&... values) {
-  write(spdlog::level::info, format, fmt::make_format_args(values...));
+  write(Level::kInfo, format, fmt::make_format_args(values...));
 }
 template <typename... Values>
 void warn(fmt::format_string<Values...> format, Values&&... values) {
-  write(spdlog::level::warn, format, fmt::make_format_args(values...));
+  write(Level::kWarn, format, fmt::make_format_args(values...));
 }
 template <typename... Values>
 void error(fmt::format_string<Values...> format, Values&&... values) {
-  write(spdlog::level::err, format, fmt::make_format_args(values...));
+  write(Level::kError, format, fmt::make_format_args(values...));
 }
 
 }  // namespace playhouse::log

@@ -10,12 +10,11 @@
 namespace playhouse::log {
 
 /// See write(); kinds and limits apply.
-void write_at(spdlog::level::level_enum level, const std::string& place, fmt::string_view format,
-              fmt::format_args values);
+void write_at(Level level, const std::string& place, fmt::string_view format, fmt::format_args values);
 
 template <typename... Values>
 void error_at(const std::string& place, fmt::format_string<Values...> format, Values&&... values) {
-  write_at(spdlog::level::err, place, format, fmt::make_format_args(values...));
+  write_at(Level::kError, place, format, fmt::make_format_args(values...));
 }
 
 }  // namespace playhouse::log

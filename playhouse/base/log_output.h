@@ -3,10 +3,9 @@
 /// Control of the log's output, for the program; modules
 /// use log.h. Asynchronous (line_writer.h). Any thread.
 
-#include <spdlog/common.h>
-
 #include <string>
 
+#include "playhouse/base/log.h"
 #include "playhouse/base/result.h"
 
 namespace playhouse::log {
@@ -17,7 +16,7 @@ Result<void> also_to(const std::string& path);
 
 /// Logs a finding with its position first, in the format of compilers:
 /// "file:line: error: what"; without a position like any other line.
-void tell(spdlog::level::level_enum level, const Error& finding);
+void tell(Level level, const Error& finding);
 
 /// Prints a line without a level on standard error, in order with log lines.
 void say(const std::string& line);

@@ -109,7 +109,7 @@ void run(const Make& make, const std::string& text, FuzzScript script) {
 
 template <typename Make>
 int fuzz_engine(const std::uint8_t* bytes, std::size_t size, const Make& make) {
-  spdlog::set_level(spdlog::level::off);
+  log::silence();
   const std::string text(reinterpret_cast<const char*>(bytes), size);
   const std::size_t end = std::min(text.find('\0'), size);
   const auto rest = std::as_bytes(std::span(text)).subspan(std::min(end + 1, size));
