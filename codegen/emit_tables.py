@@ -100,12 +100,13 @@ def _columns(kinds: Kinds) -> str:
     lines = [BANNER.rstrip(), "#pragma once", "", "/// The columns of the tables of kinds and traits, and the table of each. For columns.h only.", "",
              "namespace playhouse::world {", ""]
     for kind in found:
-        lines += ["template <>", f"inline constexpr auto kColumns<{_table(kind)}> = std::tuple{{"]
+        lines += ["template <>", f"struct ColumnsOf<{_table(kind)}> {{", f'  static constexpr const char* kTable = "{kind.table}";',
+                  "  template <typename Visit>", "  static constexpr void each(const Visit& visit) {"]
         for c in kind.state.columns:
             per = ", Per::kBeam" if c.per else ""
-            lines.append(f'    Column{{"{kind.table}.{c.name}", Role::{enumerator(c.role)}, "{c.unit}", "{c.frame}", "{c.writer}", '
-                         f"&{_table(kind)}::{c.name}{per}}},")
-        lines += ["};", ""]
+            lines.append(f'    visit(Column{{"{kind.table}.{c.name}", Role::{enumerator(c.role)}, "{c.unit}", "{c.frame}", "{c.writer}", '
+                         f"&{_table(kind)}::{c.name}{per}}});")
+        lines += ["  }", "};", ""]
     lines += _comment("The kind whose models have a row each; of parts' and traits' tables there is none.")
     lines += ["template <typename Table>", "inline constexpr auto kKindOf = nullptr;"]
     for kind in found:

@@ -210,8 +210,8 @@ template <std::size_t kNth>
 void add_trait(std::vector<TableMessages>& all) {
   constexpr auto kTable = std::get<kNth>(world::kTraitTables);
   using Table = std::remove_cvref_t<decltype(std::declval<world::World>().*kTable)>;
-  const std::string name = std::get<0>(world::kColumns<Table>).name;
-  all.push_back(messages_of<Table, kTable>(name.substr(0, name.find('.') - 1)));  // "packs.model": pack
+  const std::string name = world::ColumnsOf<Table>::kTable;
+  all.push_back(messages_of<Table, kTable>(name.substr(0, name.size() - 1)));  // "packs": pack
 }
 
 void put_header(CdrWriter& out, std::uint64_t ns, const std::string& frame) {

@@ -29,7 +29,7 @@ constexpr std::uint64_t layout() {
     add(sizeof(typename Column::Values::value_type));
   };
   const auto add_table = [&]<typename Table>(Table Tables::*) {
-    std::apply([&](const auto&... column) { (add_column(column), ...); }, kColumns<Table>);
+    each_column_of<Table>(add_column);
   };
   std::apply([&](auto... table) { (add_table(table), ...); }, kTables);
   return sum;

@@ -27,14 +27,31 @@ std::uint32_t count32(const std::vector<T>& column) {
   return static_cast<std::uint32_t>(column.size());
 }
 
-/// Appends a row of zeros to a table; reserves typical capacity for lists.
+/// Appends a zero; reserves typical capacity for lists.
+template <typename Values>
+PLAYHOUSE_PER_TYPE void add_value(Values& values) {
+  auto& value = values.emplace_back();
+  if constexpr (requires { value.reserve(kUsualItems); }) value.reserve(kUsualItems);
+}
+
+/// Appends a row of zeros to a table.
 template <typename Table>
 void add_row(Table& table) {
-  each_column_of<Table>([&](const auto& column) {
-    auto& value = (table.*column.values).emplace_back();
-    if constexpr (requires { value.reserve(kUsualItems); }) value.reserve(kUsualItems);
-  });
+  each_column_of<Table>([&](const auto& column) { add_value(table.*column.values); });
 }
+
+template <typename Values>
+PLAYHOUSE_PER_TYPE void clear(Values& values) {
+  values.clear();
+}
+
+template <typename T>
+PLAYHOUSE_PER_TYPE void make_room(std::vector<T>& values, std::size_t count) {
+  values.reserve(count);
+}
+/// Shared columns grow with what differs from the prototypes.
+template <typename T>
+void make_room(SharedColumn<T>&, std::size_t) {}
 
 /// True if it or an ancestor is a mover.
 bool is_driven(const Models& models, std::uint32_t row) {
@@ -80,7 +97,7 @@ Range range_of_run(const Tables& tables, std::uint32_t begin, std::uint32_t end,
 
 /// Removes ascending ranges, some empty; each remaining value moves once.
 template <typename T>
-void erase_ranges(std::vector<T>& values, std::span<const Range> ranges) {
+PLAYHOUSE_PER_TYPE void erase_ranges(std::vector<T>& values, std::span<const Range> ranges) {
   const auto at = [&](std::uint32_t index) { return values.begin() + index; };
   auto to = values.end();
   std::uint32_t from = 0;  // first remaining value after a removal
@@ -93,7 +110,7 @@ void erase_ranges(std::vector<T>& values, std::span<const Range> ranges) {
 }
 
 template <typename T>
-void erase_ranges(SharedColumn<T>& values, std::span<const Range> ranges) {
+PLAYHOUSE_PER_TYPE void erase_ranges(SharedColumn<T>& values, std::span<const Range> ranges) {
   values.erase(ranges);
 }
 
@@ -104,7 +121,7 @@ Error no_model() {
 }  // namespace
 
 void Population::clear() {
-  each_column([](const auto&, auto& values) { values.clear(); }, world_);
+  each_column([](const auto&, auto& values) { world::clear(values); }, world_);
   world_.next_id_ = 0;
   world_.serials_.clear();
   world_.corners_ = world_.pixels_ = 0;
@@ -144,9 +161,7 @@ void Population::begin(std::span<const scene::TreeDesc> trees) {
   }
   const auto make_room = [&]<typename Table>(Table Tables::*table, std::size_t rows) {
     each_column_of<Table>([&](const auto& column) {
-      auto& values = world_.*table.*column.values;
-      if constexpr (!kIsShared<std::remove_cvref_t<decltype(values)>>)
-        values.reserve(column.per == Per::kBeam ? beams : rows);
+      world::make_room(world_.*table.*column.values, column.per == Per::kBeam ? beams : rows);
     });
   };
   world_.models.X_PM.reserve(models);

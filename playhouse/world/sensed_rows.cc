@@ -118,7 +118,7 @@ bool unpack_numbers(std::span<T> values, Unpacker& in) {
 
 /// The values [begin, end) of a column.
 template <typename T>
-void pack_run(const std::vector<T>& values, Range run, std::vector<std::byte>& out) {
+PLAYHOUSE_PER_TYPE void pack_run(const std::vector<T>& values, Range run, std::vector<std::byte>& out) {
   if constexpr (std::is_arithmetic_v<T>) {
     pack_numbers(std::span(values).subspan(run.begin, run.end - run.begin), out);
   } else {
@@ -128,7 +128,7 @@ void pack_run(const std::vector<T>& values, Range run, std::vector<std::byte>& o
 }
 
 template <typename T>
-void pack_run(const std::vector<std::vector<T>>& lists, Range run,
+PLAYHOUSE_PER_TYPE void pack_run(const std::vector<std::vector<T>>& lists, Range run,
               std::vector<std::byte>& out) requires std::is_arithmetic_v<T> {
   for (std::uint32_t row = run.begin; row < run.end; ++row) {
     Packer(out).varint(lists[row].size());
@@ -137,7 +137,7 @@ void pack_run(const std::vector<std::vector<T>>& lists, Range run,
 }
 
 template <typename T>
-bool unpack_run(std::vector<T>& values, Range run, Unpacker& in) {
+PLAYHOUSE_PER_TYPE bool unpack_run(std::vector<T>& values, Range run, Unpacker& in) {
   if constexpr (std::is_arithmetic_v<T>) {
     return unpack_numbers(std::span(values).subspan(run.begin, run.end - run.begin), in);
   } else {
@@ -148,7 +148,7 @@ bool unpack_run(std::vector<T>& values, Range run, Unpacker& in) {
 }
 
 template <typename T>
-bool unpack_run(std::vector<std::vector<T>>& lists, Range run,
+PLAYHOUSE_PER_TYPE bool unpack_run(std::vector<std::vector<T>>& lists, Range run,
                 Unpacker& in) requires std::is_arithmetic_v<T> {
   for (std::uint32_t row = run.begin; row < run.end; ++row) {
     const std::uint64_t size = in.varint();
@@ -176,26 +176,31 @@ bool each_run(const World& world, std::span<const ModelRow> models, std::span<co
   return run.begin == run.end || visit(run);
 }
 
+/// The models of a kind, by row of its table.
+std::span<const ModelRow> models_of(const World& world, scene::ModelKind kind) {
+  std::span<const ModelRow> models;
+  of_kind(kind, [&](auto table) { models = (world.*table).model; });
+  return models;
+}
+
 /// Calls visit(values, run) for all measurements of the sensors; false at the first false.
 template <typename Of, typename Visit>
 bool each_sensed(Of& world, scene::ModelKind kind, std::span<const std::uint32_t> rows, const Visit& visit) {
   bool good = true;
-  of_kind(kind, [&](auto of_kind_table) {
-    const std::span<const ModelRow> models = (world.*of_kind_table).model;
-    const auto each_of = [&]<typename Table>(Table Tables::*table) {
-      if constexpr (std::is_same_v<decltype(kKindOf<Table>), const scene::ModelKind>)
-        if (kKindOf<Table> != kind) return;
-      each_column_of<Table>([&](const auto& column) {
-        using Values = typename std::remove_cvref_t<decltype(column)>::Values;
-        if constexpr (!kIsShared<Values>) {  // these are never measured
-          if (column.role != Role::kSensed || !good) return;
-          good = each_run<Table>(world, models, rows, column.per,
-                                 [&](Range run) { return visit((world.*table).*column.values, run); });
-        }
-      });
-    };
-    std::apply([&](auto... table) { (each_of(table), ...); }, kTables);
-  });
+  const std::span<const ModelRow> models = models_of(world, kind);
+  const auto each_of = [&]<typename Table>(Table Tables::*table) {
+    if constexpr (std::is_same_v<decltype(kKindOf<Table>), const scene::ModelKind>)
+      if (kKindOf<Table> != kind) return;
+    each_column_of<Table>([&](const auto& column) {
+      using Values = typename std::remove_cvref_t<decltype(column)>::Values;
+      if constexpr (!kIsShared<Values>) {  // these are never measured
+        if (column.role != Role::kSensed || !good) return;
+        good = each_run<Table>(world, models, rows, column.per,
+                               [&](Range run) { return visit((world.*table).*column.values, run); });
+      }
+    });
+  };
+  std::apply([&](auto... table) { (each_of(table), ...); }, kTables);
   return good;
 }
 

@@ -19,14 +19,14 @@
 namespace playhouse::world {
 namespace {
 
-template <typename Column, typename Values>
-Result<void> put_column(Packer& out, const Column& column, const Values& values) {
-  out.text(column.name);
+template <typename Values>
+PLAYHOUSE_PER_TYPE Result<void> put_column(Packer& out, const char* name, const Values& values) {
+  out.text(name);
   out.varint(values.size());
   bool good = true;
   for (std::size_t row = 0; row < values.size(); ++row) good = put_value(out, values[row]) && good;
   if (good) return {};
-  return Error{{}, fmt::format("{} has a value that is none, or a place too far away", column.name)};
+  return Error{{}, fmt::format("{} has a value that is none, or a place too far away", name)};
 }
 
 Error damaged(std::string_view what) {
@@ -46,9 +46,17 @@ Result<std::uint64_t> get_head(Unpacker& in, const char* name) {
   return size;
 }
 
+/// Reads the header of the expected column with so many values.
+Result<void> check_head(Unpacker& in, const char* name, std::size_t expected) {
+  const Result<std::uint64_t> size = get_head(in, name);
+  if (!size) return size.error();
+  if (*size == expected) return {};
+  return damaged(fmt::format("{} has {} values where {} are expected", name, *size, expected));
+}
+
 /// Reads as many values as expected.
 template <typename Values>
-Result<void> get_values(Unpacker& in, const char* name, Values& values) {
+PLAYHOUSE_PER_TYPE Result<void> get_values(Unpacker& in, const char* name, Values& values) {
   for (std::size_t row = 0; row < values.size(); ++row) {
     typename Values::value_type value{};
     if (!get_value(in, value)) return damaged(fmt::format("{} has a value that is none", name));
@@ -204,15 +212,8 @@ class Loader {
     each_column(
         [&](const auto& column, auto& values) {
           if (!result || !is_saved(column.role) || column.role == Role::kPopulation) return;
-          const Result<std::uint64_t> size = get_head(in_, column.name);
-          if (!size) {
-            result = size.error();
-          } else if (*size != values.size()) {
-            result = damaged(
-                fmt::format("{} has {} values where {} are expected", column.name, *size, values.size()));
-          } else {
-            result = get_values(in_, column.name, values);
-          }
+          result = check_head(in_, column.name, values.size());
+          if (result) result = get_values(in_, column.name, values);
         },
         world_);
     if (result) result = check_ticks();
@@ -294,6 +295,15 @@ std::uint64_t hash_of(const World& world, const Decider& decider) {
   return hash.value();
 }
 
+template <typename Values>
+PLAYHOUSE_PER_TYPE bool are_same(const World& a, const Values& values_a, const World& b, const Values& values_b,
+                                 Range range) {
+  if (range.end > values_b.size()) return false;
+  for (std::uint32_t i = range.begin; i < range.end; ++i)
+    if (hash_of(a, values_a[i]) != hash_of(b, values_b[i])) return false;
+  return true;
+}
+
 /// The first differing column of a model, in the same row of both worlds.
 std::optional<std::string> differing_column(const World& a, const World& b, std::uint32_t row) {
   std::optional<std::string> found;
@@ -302,10 +312,7 @@ std::optional<std::string> differing_column(const World& a, const World& b, std:
       a, row,
       [&](const auto& column, const auto& values_a, const auto& values_b, Range range) {
         if (found || !(is_done(column.role) || (sensed && column.role == Role::kSensed))) return;
-        bool same = range.end <= values_b.size();
-        for (std::uint32_t i = range.begin; same && i < range.end; ++i)
-          same = hash_of(a, values_a[i]) == hash_of(b, values_b[i]);
-        if (!same) found = column.name;
+        if (!are_same(a, values_a, b, values_b, range)) found = column.name;
       },
       a, b);
   return found;
@@ -338,7 +345,7 @@ Result<void> save_state(const World& world, std::vector<std::byte>& bytes) {
   Result<void> put;
   each_column(
       [&](const auto& column, const auto& values) {
-        if (put && is_saved(column.role)) put = put_column(out, column, values);
+        if (put && is_saved(column.role)) put = put_column(out, column.name, values);
       },
       world);
   if (!put) return put;

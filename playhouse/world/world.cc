@@ -31,6 +31,29 @@ std::size_t bytes_of(const T& value) {
   }
 }
 
+template <typename T>
+PLAYHOUSE_PER_TYPE std::size_t bytes_of_all(const std::vector<T>& values) {
+  std::size_t bytes = values.capacity() * sizeof(T);
+  for (const T& value : values) bytes += bytes_of(value);
+  return bytes;
+}
+template <typename T>
+PLAYHOUSE_PER_TYPE std::size_t bytes_of_all(const SharedColumn<T>& values) {
+  std::size_t bytes = values.bytes();
+  values.each_kept([&](const T& value) { bytes += bytes_of(value); });
+  return bytes;
+}
+
+template <typename Values>
+PLAYHOUSE_PER_TYPE void add_values(Hash& hash, const World& world, const Values& values, Range range) {
+  for (std::uint32_t i = range.begin; i < range.end; ++i) add_value(hash, world, values[i]);
+}
+
+template <typename Values>
+PLAYHOUSE_PER_TYPE void assign(Values& values, const Values& others) {
+  values = others;
+}
+
 bool finite(double x, double y, double z, double a) {
   return std::isfinite(x) && std::isfinite(y) && std::isfinite(z) && std::isfinite(a);
 }
@@ -240,16 +263,15 @@ ModelRow World::find(std::string_view name) const {
   return given ? given : find(name, Token::kAlias);
 }
 
-template <typename Choose>
-std::uint64_t World::hash_of(std::uint32_t model, const Choose& is_in) const {
+std::uint64_t World::hash_of(std::uint32_t model, bool (*is_in)(Role)) const {
   Hash hash;
   add_value(hash, *this, models.id[model]);
   each_value_of(
       *this, model,
       [&](const auto& column, const auto& values, Range range) {
-        if (!is_in(column)) return;
+        if (!is_in(column.role)) return;
         if (static_cast<const void*>(&values) == &models.desc) return hash.add(std::uint64_t{like({model})});
-        for (std::uint32_t i = range.begin; i < range.end; ++i) add_value(hash, *this, values[i]);
+        add_values(hash, *this, values, range);
       },
       *this);
   return hash.value();
@@ -263,9 +285,7 @@ std::uint64_t World::hash() const {
   std::uint64_t sum = 0;
   for (std::uint32_t model = 0; model < models.size(); ++model) {
     const bool sensed = models.controllers[model] > 0;
-    sum += hash_of(model, [sensed](const auto& column) {
-      return is_done(column.role) || (sensed && column.role == Role::kSensed);
-    });
+    sum += hash_of(model, sensed ? [](Role role) { return is_done(role) || role == Role::kSensed; } : is_done);
   }
   hash.add(sum);
   for (const std::unique_ptr<Decider>& decider : deciders) decider->hash(*this, hash);
@@ -277,25 +297,14 @@ std::uint64_t World::sensed_hash() const {
   hash.add(tick_);
   std::uint64_t sum = 0;
   for (std::uint32_t model = 0; model < models.size(); ++model)
-    sum += hash_of(
-        model, [](const auto& column) { return column.role == Role::kSensed || column.role == Role::kUse; });
+    sum += hash_of(model, [](Role role) { return role == Role::kSensed || role == Role::kUse; });
   hash.add(sum);
   return hash.value();
 }
 
 std::size_t World::bytes() const {
   std::size_t bytes = 0;
-  each_column(
-      [&](const auto&, const auto& values) {
-        if constexpr (kIsShared<std::remove_cvref_t<decltype(values)>>) {
-          bytes += values.bytes();
-          values.each_kept([&](const auto& value) { bytes += bytes_of(value); });
-        } else {
-          bytes += values.capacity() * sizeof(values[0]);
-          for (const auto& value : values) bytes += bytes_of(value);
-        }
-      },
-      *this);
+  each_column([&](const auto&, const auto& values) { bytes += bytes_of_all(values); }, *this);
   return bytes;
 }
 
@@ -401,7 +410,7 @@ void return_to_start(World& world) {
   }
   each_column(
       [](const auto& column, auto& values, const auto& first_values) {
-        if (column.role == Role::kMotion) values = first_values;
+        if (column.role == Role::kMotion) assign(values, first_values);
       },
       world, start);
   world.models.X_WM = start.models.X_WM;

@@ -34,6 +34,8 @@ struct Utterances {
   std::uint32_t listeners = 0;  // 0: nothing is recorded
 };
 
+enum class Role : std::uint8_t;  // of a column, columns.h
+
 class World : public Tables {
  public:
   /// Instantiates the scene's trees, with ids from 0 in order. The scene must outlive the world.
@@ -120,9 +122,8 @@ class World : public Tables {
   Origin origin(ModelRow row) const;
   /// Row of trees_ that contains the scene's model of this id, or kNone.
   std::uint32_t tree_with(ModelId id) const;
-  /// Hash of those columns of a model for which `is_in(column)` holds, with the model's id.
-  template <typename Choose>
-  std::uint64_t hash_of(std::uint32_t model, const Choose& is_in) const;
+  /// Hash of those columns of a model for whose role `is_in(role)` holds, with the model's id.
+  std::uint64_t hash_of(std::uint32_t model, bool (*is_in)(Role)) const;
   /// The two names of a model.
   enum class Token : std::uint8_t { kName, kAlias };
   std::string token(ModelRow row, Token which) const;
