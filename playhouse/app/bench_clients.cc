@@ -9,10 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/websocket/stream.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -26,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/app/bench_page.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/packing.h"
 #include "playhouse/wire/codec.h"
@@ -173,9 +170,6 @@ Result<Count> listen_for(std::vector<Listener>& listeners, double seconds, doubl
   return count;
 }
 
-namespace asio = boost::asio;
-using Stream = boost::beast::websocket::stream<asio::ip::tcp::socket>;
-
 /// Frame number of a packet (replicate/delta.h).
 std::uint64_t frame_of(std::span<const std::byte> packet) {
   Unpacker in(packet);
@@ -186,14 +180,15 @@ std::uint64_t frame_of(std::span<const std::byte> packet) {
 
 /// Acts as a page that views the whole world with measurements;
 /// acknowledges packets for so long, and returns their number.
-std::uint64_t be_page(Stream& page, double seconds) {
+Result<std::uint64_t> be_page(PageSocket& page, double seconds) {
   std::uint64_t packets = 0;
-  boost::beast::flat_buffer buffer;
-  for (const Clock::time_point start = Clock::now(); seconds_since(start) < seconds; buffer.clear()) {
-    page.read(buffer);  // at least a packet per second arrives
-    if (!page.got_binary()) continue;
-    const std::span packet(static_cast<const std::byte*>(buffer.data().data()), buffer.size());
-    page.write(asio::buffer(fmt::format(R"({{"do":"ack","frame":{}}})", frame_of(packet))));
+  for (const Clock::time_point start = Clock::now(); seconds_since(start) < seconds;) {
+    const Result<PageSocket::Message> message = page.next();  // at least a packet per second arrives
+    if (!message) return message.error();
+    if (!message->binary) continue;
+    const std::uint64_t frame = frame_of(std::as_bytes(std::span(message->bytes)));
+    const Result<void> sent = page.send_text(fmt::format(R"({{"do":"ack","frame":{}}})", frame));
+    if (!sent) return sent.error();
     ++packets;
   }
   return packets;
@@ -241,22 +236,17 @@ Result<FanOut> measure_fan_out(const FanOutPlan& plan) {
 }
 
 Result<double> watch_as_page(std::uint16_t port, double seconds, const std::function<void(bool)>& watches) {
-  try {
-    asio::io_context context;
-    Stream page(context);
-    page.next_layer().connect({asio::ip::address_v4::loopback(), port});
-    page.read_message_max(0);  // no limit: scenes of many robots are large
-    page.handshake("127.0.0.1", "/live");
-    page.write(asio::buffer(std::string_view(
-        R"({"do":"look","x_min":-1e6,"y_min":-1e6,"x_max":1e6,"y_max":1e6,"sensors":true})")));
-    be_page(page, kSettle);
-    watches(true);
-    const std::uint64_t packets = be_page(page, seconds);
-    watches(false);
-    return static_cast<double>(packets) / seconds;
-  } catch (const boost::system::system_error& error) {
-    return Error{"", fmt::format("a page: {}", error.what())};
-  }
+  Result<PageSocket> page = PageSocket::connect(port);
+  if (!page) return page.error();
+  const Result<void> looks = page->send_text(
+      R"({"do":"look","x_min":-1e6,"y_min":-1e6,"x_max":1e6,"y_max":1e6,"sensors":true})");
+  if (!looks) return looks.error();
+  if (const Result<std::uint64_t> settled = be_page(*page, kSettle); !settled) return settled.error();
+  watches(true);
+  const Result<std::uint64_t> packets = be_page(*page, seconds);
+  watches(false);
+  if (!packets) return packets.error();
+  return static_cast<double>(*packets) / seconds;
 }
 
 Result<FanOut> read_lasers(const FanOutPlan& plan, const std::function<void(bool)>& reads) {

@@ -12,6 +12,7 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/net/asio_websocket.h"
+#include "playhouse/net/websocket_handshake.h"
 
 namespace playhouse::net {
 namespace {
@@ -40,14 +41,14 @@ class Stream : public std::enable_shared_from_this<Stream> {
     socket_.auto_fragment(false);
   }
 
-  template <typename Request, typename Done>
-  void accept(const Request& request, Done done) {
-    socket_.async_accept(request,
-                         [self = shared_from_this(), done = std::move(done)](const error_code& error) {
-                           if (error || !self->place_) return;
-                           self->place_->stays();
-                           done(self);
-                         });
+  void accept(const beast::http::request<beast::http::empty_body>& request,
+              std::function<void(const std::shared_ptr<Stream>&)> done) {
+    answer_handshake(socket_, request,
+                     [self = shared_from_this(), done = std::move(done)](const error_code& error) {
+                       if (error || !self->place_) return;
+                       self->place_->stays();
+                       done(self);
+                     });
   }
 
   void start(WebSocketEvents& events) {
@@ -164,7 +165,7 @@ class Stream : public std::enable_shared_from_this<Stream> {
 
   asio::ip::tcp::socket& tcp() { return beast::get_lowest_layer(socket_).socket(); }
 
-  websocket::stream<beast::tcp_stream> socket_;
+  WebSocketStream socket_;
   asio::steady_timer close_deadline_;
   const std::string peer_;
   std::unique_ptr<HttpPlace> place_;  // while the socket is open
