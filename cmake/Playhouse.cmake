@@ -51,26 +51,48 @@ endif()
 # kind ("Tracer caught signal 11"); without the interceptor it does not look for one.
 set(PLAYHOUSE_TEST_SANITIZERS ASAN_OPTIONS=set:intercept_tls_get_addr=0)
 
-# How files of tests are compiled, beside the options of all.
+# How files of tests are compiled, beside the options of all: optimised they take the compiler twice as long, and what is
+# tested are the libraries.
 function(playhouse_test_options TARGET)
-  if(PLAYHOUSE_SANITIZE)  # optimised they take the compiler twice as long
-    target_compile_options(${TARGET} PRIVATE -O0)
-  endif()
+  target_compile_options(${TARGET} PRIVATE -O0)
   if(PLAYHOUSE_FUZZ)  # what fuzzers cover is the libraries
     target_compile_options(${TARGET} PRIVATE -fno-sanitize=fuzzer-no-link)
   endif()
 endfunction()
 
+# playhouse_gtest(TARGET NAME SHARDS n): the tests of a program, named NAME.1 to NAME.n: n runs of the program share them.
+# A run of its own for each test would start a sanitized program two thousand times. Laws draw the same cases in every
+# run, so that a red one can be repeated.
+function(playhouse_gtest TARGET NAME)
+  cmake_parse_arguments(ARG "" "SHARDS" "" ${ARGN})
+  if(NOT ARG_SHARDS)
+    set(ARG_SHARDS 1)
+  endif()
+  foreach(SHARD RANGE 1 ${ARG_SHARDS})
+    math(EXPR INDEX "${SHARD} - 1")
+    add_test(NAME ${NAME}.${SHARD} COMMAND ${TARGET} --gtest_brief=1)
+    set_tests_properties(${NAME}.${SHARD} PROPERTIES TIMEOUT 900
+      ENVIRONMENT "RC_PARAMS=seed=1;GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${INDEX}"
+      ENVIRONMENT_MODIFICATION "${PLAYHOUSE_TEST_SANITIZERS}")
+  endforeach()
+endfunction()
+
 include(${CMAKE_CURRENT_LIST_DIR}/Precompiled.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/Unity.cmake)
 
-# playhouse_module(NAME DEPS a b c EXCEPT x.cc ALONE y.cc)
+# playhouse_module(NAME DEPS a b c PRECOMPILED world EXCEPT x.cc ALONE y.cc)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
-# ALONE: see Unity.cmake.
+# PRECOMPILED: see Precompiled.cmake; library if left out. ALONE: see Unity.cmake. SHARDS: see playhouse_gtest.
 function(playhouse_module NAME)
-  cmake_parse_arguments(ARG "" "" "DEPS;EXCEPT;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED;SHARDS" "DEPS;EXCEPT;ALONE" ${ARGN})
+  if(NOT ARG_PRECOMPILED)
+    set(ARG_PRECOMPILED library)
+  endif()
+  if(NOT ARG_SHARDS)
+    set(ARG_SHARDS 1)
+  endif()
   file(GLOB SOURCES CONFIGURE_DEPENDS *.cc */*.cc)
   set(TESTS ${SOURCES})
   set(BENCHES ${SOURCES})
@@ -86,7 +108,7 @@ function(playhouse_module NAME)
   set(TARGET playhouse_${NAME})
   if(SOURCES)
     add_library(${TARGET} STATIC ${SOURCES})
-    playhouse_precompile(${TARGET} library)
+    playhouse_precompile(${TARGET} ${ARG_PRECOMPILED})
     playhouse_unity(${TARGET} ${ARG_ALONE})
     set(SCOPE PUBLIC)
   else()
@@ -100,10 +122,8 @@ function(playhouse_module NAME)
     target_link_libraries(${TARGET}_test PRIVATE ${TARGET} rapidcheck rapidcheck_gtest GTest::gtest GTest::gmock GTest::gtest_main)
     target_compile_definitions(${TARGET}_test PRIVATE PLAYHOUSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     playhouse_test_options(${TARGET}_test)
-    playhouse_precompile(${TARGET}_test test)
-    gtest_discover_tests(${TARGET}_test TEST_PREFIX "${NAME}." DISCOVERY_TIMEOUT 120
-      PROPERTIES TIMEOUT 300 ENVIRONMENT_MODIFICATION ${PLAYHOUSE_TEST_SANITIZERS}
-      ENVIRONMENT RC_PARAMS=seed=1)  # laws draw the same cases in every run: a red one can be repeated
+    playhouse_precompile(${TARGET}_test ${ARG_PRECOMPILED}_test)
+    playhouse_gtest(${TARGET}_test ${NAME} SHARDS ${ARG_SHARDS})
   endif()
   if(PLAYHOUSE_BENCHES AND BENCHES)
     add_executable(${TARGET}_bench ${BENCHES})

@@ -1,0 +1,5 @@
+/// What tests of modules above `world` include as well, for PLAYHOUSE_PRECOMPILE.
+#pragma once
+
+#include "library_test.h"
+#include "world.h"
