@@ -61,7 +61,7 @@ fuzzers: setup-test web/node_modules/.installed
 	@tools/configure.sh ci
 	@cmake --build --preset ci --target fuzzers
 
-test: setup-test web
+test: setup-test
 	@tools/test.sh
 
 tsan: setup-test web/node_modules/.installed

@@ -1,22 +1,25 @@
 #!/bin/sh
-# Every test, in three builds. The program as people run it, with the tests of what is computed: the optimiser makes vectors only
-# there. Then all tests and fuzzers, with warnings as errors and the address and undefined-behaviour sanitizers. Then the tests of
-# engine, server and drivers with the thread sanitizer.
-# Called by `make test` after the page is built.
+# Every test, in three builds; each finds what the others don't. The program as people run it, with the tests of what is
+# computed: the optimiser makes vectors only there. All tests and fuzzers, with warnings as errors and the address and
+# undefined-behaviour sanitizers. The tests of engine, server and drivers with the thread sanitizer.
+# Called by `make test`, which installs what is missing. Arguments are ctest's, for the second build.
 set -eu
 cd "$(dirname "$0")/.."
+. tools/steps.sh
+trap report_steps EXIT
 
-echo "== building the program and the tests of what is computed"
-tools/configure.sh release-test
-cmake --build --preset release-test
-echo "== running the tests of what is computed, as the program is compiled"
-ctest --test-dir build/release --output-on-failure -j "$(nproc)" -R '^(base|geom|stage|wire|replicate|drivers)\.'
+test_all() {
+  # Longest first: ctest has no times of its own in a fresh build.
+  ctest --test-dir build/ci --output-on-failure -j "$(nproc)" "$@"
+}
 
-echo "== building the tests and fuzzers (address and undefined sanitizers)"
-tools/configure.sh ci
-cmake --build --preset ci
-
-echo "== running every test"
-ctest --test-dir build/ci --output-on-failure -j "$(nproc)" "$@"
-
-tools/tsan.sh behaviour stage server drivers
+step "building the page" make --no-print-directory web
+step "configuring the program" tools/configure.sh release-test
+step "building the program and the tests of what is computed" cmake --build --preset release-test
+step "running the tests of what is computed, as the program is compiled" \
+  ctest --test-dir build/release --output-on-failure -j "$(nproc)" -R '^(base|geom|stage|wire|replicate|drivers)\.'
+step "configuring the tests (address and undefined sanitizers)" tools/configure.sh ci
+step "building the tests and fuzzers (address and undefined sanitizers)" cmake --build --preset ci
+step "running every test" test_all "$@"
+step "building and running tests with the thread sanitizer" tools/tsan.sh behaviour stage server drivers
+python3 tools/test_summary.py build/release build/ci build/tsan
