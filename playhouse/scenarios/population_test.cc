@@ -1,5 +1,5 @@
 /// How whole populations behave in worlds of Stage, against what the same populations do in Stage 4.3: the
-/// figures of shared/stage/refdata/behaviour.md. docs/stage-compatibility.md ("Populations") has both.
+/// figures of tests/reference/stage/behaviour.md. docs/stage-compatibility.md ("Populations") has both.
 
 #include <gtest/gtest.h>
 
@@ -78,13 +78,13 @@ void delay_as_stage_does(Simulation& run) {
   run.world().deciders.push_back(std::make_unique<OneTickLate>(run.world().positions.size()));
 }
 
-std::string reference_world(const std::string& name) {
-  return (reference() / "stage/worlds-data/worlds" / name).string();
+std::string stage_world(const std::string& name) {
+  return (stage_source() / "worlds" / name).string();
 }
 
 TEST(Populations, of_expand_swarm_spread_through_the_hospital_as_in_stage) {
-  const std::string path = reference_world("benchmark/hospital.world");
-  SKIP_WITHOUT_REFERENCE();
+  const std::string path = stage_world("benchmark/hospital.world");
+  SKIP_WITHOUT_STAGE();
   Simulation run(scene::load_world(path));
   ASSERT_EQ(run.world().positions.size(), 1000u);
   delay_as_stage_does(run);
@@ -96,8 +96,8 @@ TEST(Populations, of_expand_swarm_spread_through_the_hospital_as_in_stage) {
 }
 
 TEST(Populations, of_expand_swarm_need_fewer_corrections_without_the_delay_of_stage) {
-  const std::string path = reference_world("benchmark/hospital.world");
-  SKIP_WITHOUT_REFERENCE();
+  const std::string path = stage_world("benchmark/hospital.world");
+  SKIP_WITHOUT_STAGE();
   Simulation run(scene::load_world(path));
   const Population seen = observe(run, 60);
   EXPECT_NEAR(seen.speed, 0.041, 0.05 * 0.041);
@@ -106,8 +106,8 @@ TEST(Populations, of_expand_swarm_need_fewer_corrections_without_the_delay_of_st
 }
 
 TEST(Populations, of_expand_pioneer_spread_through_the_cave_as_in_stage) {
-  const std::string path = reference_world("benchmark/cave.world");
-  SKIP_WITHOUT_REFERENCE();
+  const std::string path = stage_world("benchmark/cave.world");
+  SKIP_WITHOUT_STAGE();
   Simulation run(scene::load_world(path));
   ASSERT_EQ(run.world().positions.size(), 100u);
   delay_as_stage_does(run);
@@ -119,8 +119,8 @@ TEST(Populations, of_expand_pioneer_spread_through_the_cave_as_in_stage) {
 }
 
 TEST(Populations, of_wander_get_about_in_a_cave_with_walls_as_in_stage) {
-  const std::string path = reference_world("benchmark/cave.world");
-  SKIP_WITHOUT_REFERENCE();
+  const std::string path = stage_world("benchmark/cave.world");
+  SKIP_WITHOUT_STAGE();
   Result<scene::SceneDesc> scene = scene::load_world(path);
   ASSERT_TRUE(scene) << scene.error().line();
   for (scene::ModelDesc& model : scene->models) {

@@ -1,4 +1,4 @@
-/// Files that were written for the original programs and lie beside this tree: each loads with what it says,
+/// Files of Stage itself, which are not in this tree: each loads with what it says,
 /// or fails where the original fails, with its own line.
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@
 namespace playhouse::scene {
 namespace {
 
-const std::string kFiles = (reference() / "stage/worlds-data/").string();
+const std::string kFiles = (stage_source() / "").string();
 
 struct World {
   std::string name;
@@ -34,7 +34,7 @@ class OriginalWorld : public testing::TestWithParam<World> {};
 TEST_P(OriginalWorld, loads_with_the_models_that_the_original_counts) {
   const World& expected = GetParam();
   const std::string path = kFiles + "worlds/" + expected.name + ".world";
-  SKIP_WITHOUT_REFERENCE();
+  SKIP_WITHOUT_STAGE();
   const Result<SceneDesc> scene = load_world(path);
   ASSERT_TRUE(scene.ok()) << scene.error().line();
   std::map<std::string, int> models;
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(OriginalFiles, the_first_robot_of_simple_world_is_as_the_file_says) {
   const std::string path = kFiles + "worlds/simple.world";
-  SKIP_WITHOUT_REFERENCE();
+  SKIP_WITHOUT_STAGE();
   const Result<SceneDesc> scene = load_world(path);
   ASSERT_TRUE(scene.ok()) << scene.error().line();
   EXPECT_THAT(scene->warnings, testing::IsEmpty());
@@ -118,7 +118,7 @@ TEST(OriginalFiles, the_first_robot_of_simple_world_is_as_the_file_says) {
 }
 
 TEST(OriginalFiles, bitmaps_that_are_not_where_worlds_say_are_found_in_the_search_path) {
-  SKIP_WITHOUT_REFERENCE();
+  SKIP_WITHOUT_STAGE();
   setenv("STAGEPATH", (kFiles + "worlds").c_str(), 1);
   const Result<SceneDesc> scene = load_world(kFiles + "worlds/wifi/hosp_wifi.world");
   unsetenv("STAGEPATH");
@@ -128,7 +128,7 @@ TEST(OriginalFiles, bitmaps_that_are_not_where_worlds_say_are_found_in_the_searc
 }
 
 TEST(OriginalFiles, worlds_that_no_stage_4_loads_fail_with_a_line) {
-  SKIP_WITHOUT_REFERENCE();
+  SKIP_WITHOUT_STAGE();
   const std::map<std::string, std::string> expected = {
       {"worlds/wifi/wifi_ray.world", "bitmaps/cave_f.png\" cannot be opened"},
       {"examples/libplayerc/playerswarm/pss.world", "pss.world:87: included file "},
@@ -148,7 +148,7 @@ Result<Document> parsed(const std::string& path) {
 
 TEST(OriginalFiles, the_parser_tests_of_the_original_parse_or_fail_as_they_say) {
   const std::string folder = kFiles + "tests/worldfile/";
-  SKIP_WITHOUT_REFERENCE();
+  SKIP_WITHOUT_STAGE();
   for (const char* name : {"include-01", "macro-01", "macro-02", "syntax-01"}) {
     const Result<Document> document = parsed(folder + name + ".world");
     EXPECT_TRUE(document.ok()) << document.error().line();
@@ -170,7 +170,7 @@ TEST(OriginalFiles, the_parser_tests_of_the_original_parse_or_fail_as_they_say) 
 }
 
 TEST(OriginalFiles, every_configuration_parses) {
-  SKIP_WITHOUT_REFERENCE();
+  SKIP_WITHOUT_STAGE();
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kFiles)) {
     if (entry.path().extension() != ".cfg") continue;
@@ -183,7 +183,7 @@ TEST(OriginalFiles, every_configuration_parses) {
 
 TEST(OriginalFiles, simple_cfg_names_its_devices) {
   const std::string path = kFiles + "worlds/simple.cfg";
-  SKIP_WITHOUT_REFERENCE();
+  SKIP_WITHOUT_STAGE();
   const Result<CfgFile> cfg = load_cfg(path);
   ASSERT_TRUE(cfg.ok()) << cfg.error().line();
   ASSERT_EQ(cfg->drivers.size(), 3u);
@@ -206,7 +206,7 @@ class OriginalBitmap : public testing::TestWithParam<Picture> {};
 TEST_P(OriginalBitmap, has_its_solid_pixels_and_their_bounding_box) {
   const Picture& expected = GetParam();
   const std::string path = kFiles + "worlds/bitmaps/" + expected.name + ".png";
-  SKIP_WITHOUT_REFERENCE();
+  SKIP_WITHOUT_STAGE();
   const Result<std::string> image = DiskFiles().read(path);
   ASSERT_TRUE(image.ok()) << image.error().line();
   const Result<Bitmap> bitmap = decode_bitmap(*image);

@@ -1,6 +1,6 @@
 // Replays what clients sent in the recorded sessions against devices that answer as the recorded ones did,
 // and compares every byte of the answers but the times. Where we differ on purpose the difference is written
-// down here and in docs/server.md. Skipped where the recordings are absent.
+// down here and in docs/server.md.
 
 #include <gtest/gtest.h>
 
@@ -234,7 +234,6 @@ class Replay {
 class Captures : public ::testing::TestWithParam<Recording> {};
 
 TEST_P(Captures, are_answered_as_the_original_answered_them) {
-  SKIP_WITHOUT_REFERENCE();
   const std::filesystem::path base = reference() / "player/captures" / GetParam().name;
   Replay replay(GetParam(), read_file(base.string() + ".c2s"), read_file(base.string() + ".s2c"));
   replay.run();

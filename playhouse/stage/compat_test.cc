@@ -1,4 +1,4 @@
-/// Replays worlds that were recorded from Stage 4.3 (../shared/stage/refdata) and compares. Where a
+/// Replays worlds that were recorded from Stage 4.3 (tests/reference/stage/traces) and compares. Where a
 /// difference is decided, the test says which; the list with reasons is docs/stage-compatibility.md.
 
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "playhouse/base/testing_folder.h"
 #include "playhouse/base/testing_reference.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
@@ -22,11 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRecorded = reference() / "stage/refdata";
-const fs::path kWorlds = reference() / "stage/worlds-data/worlds";
+const fs::path kRecorded = reference() / "stage/traces";
 
 std::vector<std::string> lines_of(const std::string& name) {
-  std::ifstream file(kRecorded / (name + ".jsonl"));
+  const fs::path path = kRecorded / (name + ".jsonl");
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("no " + path.string());  // fails the test that asked for it
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);)
     if (!line.empty()) lines.push_back(line);
@@ -92,7 +92,6 @@ std::unique_ptr<world::Engine> replay(const scene::SceneDesc& scene, const std::
 }
 
 TEST(Compat, diff_drive_moves_as_in_stage) {
-  SKIP_WITHOUT_REFERENCE();
   const scene::SceneDesc scene = load(kRecorded / "diff_odom.world");
   const auto engine = replay(scene, "diff_odom", Command::kVelocity, {0.3, 0.1, 0, 0.2});
   // Decided: exact odometry is the true motion; Stage turned first, then translated along the new heading.
@@ -103,24 +102,20 @@ TEST(Compat, diff_drive_moves_as_in_stage) {
 }
 
 TEST(Compat, car_moves_as_in_stage) {
-  SKIP_WITHOUT_REFERENCE();
   replay(load(kRecorded / "car_odom.world"), "car_odom", Command::kVelocity, {0.3, 0.1, 0, 0.2});
 }
 
 TEST(Compat, omni_moves_as_in_stage) {
-  SKIP_WITHOUT_REFERENCE();
   // Decided: lateral odometry counts to the left; Stage mirrored it (recorded est y is lower, ours is not
   // compared).
   replay(load(kRecorded / "omni_odom.world"), "omni_odom", Command::kVelocity, {0.3, 0.1, 0, 0.2});
 }
 
 TEST(Compat, omni_accelerates_as_in_stage) {
-  SKIP_WITHOUT_REFERENCE();
   replay(load(kRecorded / "omni_accel.world"), "omni_accel", Command::kAcceleration, {3, -0.5, 0, 0.3});
 }
 
 TEST(Compat, odometry_error_is_a_fraction_of_the_way) {
-  SKIP_WITHOUT_REFERENCE();
   scene::SceneDesc scene = load(kRecorded / "diff_odomerr.world");
   // Decided: the fourth number is a fraction like the others; Stage took it for degrees, which gives the
   // recorded run a heading error of 10 degrees = 0.17.
@@ -134,7 +129,6 @@ TEST(Compat, odometry_error_is_a_fraction_of_the_way) {
 }
 
 TEST(Compat, batteries_drain_as_in_stage) {
-  SKIP_WITHOUT_REFERENCE();
   const scene::SceneDesc scene = load(kRecorded / "energy.world");
   const auto engine = subscribed(scene);
   world::World& world = engine->world();
@@ -154,7 +148,6 @@ TEST(Compat, batteries_drain_as_in_stage) {
 }
 
 TEST(Compat, position_control_of_a_diff_robot_asks_for_the_same_velocities) {
-  SKIP_WITHOUT_REFERENCE();
   const scene::SceneDesc scene = load(kRecorded / "diff_posctrl.world");
   const auto engine = subscribed(scene);
   world::World& world = engine->world();
@@ -172,7 +165,6 @@ TEST(Compat, position_control_of_a_diff_robot_asks_for_the_same_velocities) {
 }
 
 TEST(Compat, a_robot_stalls_at_a_wall_as_in_stage_but_may_touch_it) {
-  SKIP_WITHOUT_REFERENCE();
   const scene::SceneDesc scene = load(kRecorded / "stall_wall.world");
   const auto engine = subscribed(scene);
   world::World& world = engine->world();
@@ -247,7 +239,6 @@ void expect_scans(const world::World& world, const std::string& robot, int range
 }
 
 TEST(Compat, a_scan_of_boxes_is_within_a_cell_and_a_half_of_stage) {
-  SKIP_WITHOUT_REFERENCE();
   const scene::SceneDesc scene = load(kRecorded / "ranger_box.world");
   const auto engine = subscribed(scene);
   engine->step();
@@ -255,17 +246,8 @@ TEST(Compat, a_scan_of_boxes_is_within_a_cell_and_a_half_of_stage) {
 }
 
 TEST(Compat, scans_in_the_cave_are_within_two_cells_and_a_half_of_stage) {
-  SKIP_WITHOUT_REFERENCE();
-  const TestFolder own;
-  const fs::path folder = own.path();
-  for (const fs::directory_entry& entry : fs::directory_iterator(kWorlds))
-    if (entry.path().extension() == ".inc") fs::copy(entry.path(), folder / entry.path().filename());
-  fs::copy(kWorlds / "bitmaps", folder / "bitmaps");
-  fs::copy(kRecorded / "simple_scan.world", folder / "simple_scan.world");
-  const scene::SceneDesc scene = load(folder / "simple_scan.world");
-  fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add);
-  fs::permissions(folder / "bitmaps", fs::perms::owner_all, fs::perm_options::add);
-
+  SKIP_WITHOUT_STAGE();
+  const scene::SceneDesc scene = load(stage_source() / "worlds/simple.world");
   const auto engine = subscribed(scene);
   engine->step();
   for (const std::string& line : lines_of("simple_scan"))
@@ -275,7 +257,6 @@ TEST(Compat, scans_in_the_cave_are_within_two_cells_and_a_half_of_stage) {
 }
 
 TEST(Compat, fiducials_are_found_as_in_stage) {
-  SKIP_WITHOUT_REFERENCE();
   const scene::SceneDesc scene = load(kRecorded / "fiducial.world");
   const auto engine = subscribed(scene);
   engine->step();
@@ -314,7 +295,6 @@ std::uint32_t bits(const std::vector<double>& flags) {
 // once; in between they are as far closed as Stage has it. And the puck is taken up in the tick after it was
 // touched.
 TEST(Compat, a_gripper_closes_around_a_puck_carries_and_leaves_it_as_in_stage) {
-  SKIP_WITHOUT_REFERENCE();
   const scene::SceneDesc scene = load(kRecorded / "gripper.world");
   const auto engine = subscribed(scene);
   world::World& world = engine->world();

@@ -169,8 +169,8 @@ TEST(Oracle, agrees_in_every_world_that_comes_with_the_program) {
 }
 
 TEST(Oracle, agrees_in_stages_example_worlds) {
-  SKIP_WITHOUT_REFERENCE();
-  const fs::path folder = reference() / "stage/worlds-data/worlds";
+  SKIP_WITHOUT_STAGE();
+  const fs::path folder = stage_source() / "worlds";
   for (const char* name :
        {"SFU", "benchmark/cave", "benchmark/hospital", "camera", "circuit", "everything", "fasr", "fasr2",
         "fasr_plan", "large", "pioneer_follow", "pioneer_walle", "sensor_noise_demo", "simple"})

@@ -106,8 +106,7 @@ TEST(BlobfinderSense, sees_the_same_with_any_number_of_workers) {
 // Decided: every column of a patch counts, also the one that Stage leaves out behind each; ranges are exact,
 // Stage's are of a grid of 0.02 m, up to a cell and a half off.
 TEST(BlobfinderSense, sees_what_stage_saw) {
-  SKIP_WITHOUT_REFERENCE();
-  const auto scene = scene::load_world((reference() / "stage/refdata/blobfinder.world").string());
+  const auto scene = scene::load_world((reference() / "stage/traces/blobfinder.world").string());
   ASSERT_TRUE(scene.ok()) << scene.error().line();
   auto engine = make_engine(*scene, {});
   ASSERT_TRUE(engine.ok());

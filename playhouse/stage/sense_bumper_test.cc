@@ -137,8 +137,7 @@ TEST(BumperSense, feels_the_same_with_any_number_of_workers) {
 // Stage: {"t":0.500000,...,"gpose":[0.250000000,...],...,"d.bumper:0":[1,0]}, the front one from there on.
 // Decided: touching is free, so this robot comes 0.05 m nearer, and the switch stays pressed.
 TEST(BumperSense, is_pressed_when_stages_was) {
-  SKIP_WITHOUT_REFERENCE();
-  const auto scene = scene::load_world((reference() / "stage/refdata/bumper.world").string());
+  const auto scene = scene::load_world((reference() / "stage/traces/bumper.world").string());
   ASSERT_TRUE(scene.ok()) << scene.error().line();
   auto engine = make_engine(*scene, {});
   ASSERT_TRUE(engine.ok());

@@ -1,6 +1,7 @@
 """Sessions recorded between original Player clients and the original server, played against this one: every request
 must get an answer of the recorded type, subtype and size. What we do better on purpose is listed in IMPROVED."""
 
+import os
 import random
 import struct
 import sys
@@ -10,10 +11,14 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "e2e"))
 
-from house import (ACK, CMD, DATA, NACK, PLAYER, POSITION2D, REQ, SHARED, SYNCH, Client, House, Message)
+from house import ACK, NACK, PLAYER, POSITION2D, REFERENCE, REQ, ROOT, SYNCH, Client, House, Message
 
-CAPTURES = SHARED / "player" / "captures"
-SIMPLE = SHARED / "stage" / "worlds-data" / "worlds" / "simple.cfg"
+CAPTURES = REFERENCE / "player" / "captures"
+# Stage's own worlds are not in this tree; stage_source() of playhouse/base/testing_reference.h looks in the same places.
+NAMED, BESIDE = os.environ.get("PLAYHOUSE_STAGE", ""), ROOT.parent / "shared" / "stage"
+SIMPLE = Path(NAMED or BESIDE / "worlds-data") / "worlds" / "simple.cfg"
+with_stage = unittest.skipUnless(NAMED or BESIDE.is_dir(), "needs Stage's own worlds: git clone https://github.com/rtv/Stage "
+                                 "(281ed731 is 4.3.0), and PLAYHOUSE_STAGE=the folder")
 
 # (interface, subtype of the request) -> (type, size) recorded, (type, size) here, why
 IMPROVED = {
@@ -33,14 +38,12 @@ def answers(stream) -> list[tuple]:
     return [(m.interf, m.index, m.subtype, m.type, m.size) for m in stream if m.type in (ACK, NACK)]
 
 
-with_reference = unittest.skipUnless(SHARED.is_dir(), f"there is no reference material at {SHARED}")
-
-
-@with_reference
 class RecordedSessions(unittest.TestCase):
+    configuration = Path(__file__).with_name("recorded.cfg")
+
     @classmethod
     def setUpClass(cls):
-        cls.house = House("serve", SIMPLE, "--port", 0, "--headless", "--speed", 10)
+        cls.house = House("serve", cls.configuration, "--port", 0, "--headless", "--speed", 10)
         cls.addClassCleanup(cls.house.__exit__)
         cls.port = cls.house.port()
 
@@ -100,6 +103,11 @@ class RecordedSessionsInCrumbs(RecordedSessions):
                 time.sleep(self.draw.uniform(0, 0.004))
 
 
+@with_stage
+class RecordedSessionsInTheRecordedWorld(RecordedSessions):
+    configuration = SIMPLE
+
+
 def add_test(name: str):
     def test(self):
         self.check(name)
@@ -111,7 +119,7 @@ for capture in ("02_raw_push_position2d", "03_raw_pull_mode", "05_playerprint_po
     add_test(capture)
 
 
-@with_reference
+@with_stage
 class SimpleConfiguration(unittest.TestCase):
     def test_stages_own_sample_runs_unmodified(self):
         with House("serve", SIMPLE, "--port", 0, "--headless") as house, Client(house.port()) as client:

@@ -19,7 +19,8 @@ ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("PLAYHOUSE_PROGRAM", str(ROOT / "build" / "playhouse"))
 RELEASE = os.environ.get("PLAYHOUSE_RELEASE", "")
 HEAP_REPORT = os.environ.get("PLAYHOUSE_HEAP_REPORT", "")
-SHARED = ROOT.parent / "shared"
+# Recordings of the original programs.
+REFERENCE = ROOT / "tests" / "reference"
 
 # Seconds after which a wait is a failure; generous, for slow machines with sanitizers.
 PATIENCE = 60.0

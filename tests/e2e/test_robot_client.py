@@ -6,7 +6,7 @@ import struct
 import sys
 import unittest
 
-from house import (ACK, DATA, LASER, NACK, PLAYER, POSITION2D, REQ, ROOT, SHARED, SIMULATION, Client, House,
+from house import (ACK, DATA, LASER, NACK, PLAYER, POSITION2D, REFERENCE, REQ, ROOT, SIMULATION, Client, House,
                    HouseTest, finish, ranges_of, text)
 
 sys.path.insert(0, str(ROOT / "clients/python"))
@@ -216,9 +216,7 @@ class RobotClient(HouseTest):
                     self.assertEqual(first[key], second[key])
 
     def test_a_recorded_client_of_player_is_answered_on_the_robots_port(self):
-        sent = SHARED / "player/captures/02_raw_push_position2d.c2s"
-        if not sent.exists():
-            self.skipTest("there is no reference material beside the checkout")
+        sent = REFERENCE / "player/captures/02_raw_push_position2d.c2s"
         port, _ = self.place(self.robot(self.lab()), "bob")
         client = self.client(port)
         stream, said = sent.read_bytes(), []

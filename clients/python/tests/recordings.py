@@ -1,16 +1,12 @@
 """The recorded sessions of original clients and servers: where they are and what messages they hold."""
 
-import pathlib
-import unittest
 from typing import Iterator, List, NamedTuple
 
-import package  # noqa: F401
+import package
 from playhouse_client.connection import BANNER_BYTES, Message
 from playhouse_client.wire import HEADER_BYTES, Header
 
-REFERENCE = pathlib.Path(__file__).resolve().parents[4] / "shared"
-FOLDER = REFERENCE / "player" / "captures"
-needed = unittest.skipUnless(REFERENCE.is_dir(), f"there is no reference material at {REFERENCE}")
+FOLDER = package.ROOT / "tests" / "reference" / "player" / "captures"
 
 
 class Stream(NamedTuple):
@@ -36,5 +32,5 @@ def stream(name: str) -> Stream:
 
 def streams() -> List[Stream]:
     found = [stream(path.name) for path in sorted(FOLDER.glob("*.?2?"))]
-    assert found, f"no recorded sessions in {FOLDER}"
+    assert len(found) == 38, f"{len(found)} recorded streams in {FOLDER}"
     return found

@@ -44,7 +44,6 @@ def same_float32(python: float, other: float) -> bool:
     return packed == struct.pack(">f", other) and struct.unpack(">f", packed) == (python,)
 
 
-@recordings.needed
 @languages.needed
 class Conformance(unittest.TestCase):
     def test_all_languages_decode_every_recorded_message_alike(self) -> None:

@@ -11,7 +11,6 @@ from playhouse_client.wire import Header
 WRONG = [("04_raw_errors.c2s", "position2d.cmd.vel"), ("04_raw_errors.c2s", "position2d.req.set_odom")]
 
 
-@recordings.needed
 class Recordings(unittest.TestCase):
     def test_headers_come_out_as_they_went_in(self) -> None:
         for stream in recordings.streams():

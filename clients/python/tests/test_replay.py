@@ -67,7 +67,6 @@ def shown(messages: Sequence[bytes]) -> List[str]:
     return [m.hex() for m in messages]
 
 
-@recordings.needed
 class Replay(unittest.TestCase):
     maxDiff = None
 
