@@ -1,9 +1,21 @@
-# cmake --install: the program, and find_package(playhouse) for libraries that it loads (docs/libraries.md) and for
-# programs that are its clients (docs/clients.md).
+# cmake --install: the program with its worlds, examples, clients in Python and documentation (docs/install.md), and
+# find_package(playhouse) for libraries that it loads (docs/libraries.md) and for programs that are its clients
+# (docs/clients.md).
 
 include(cmake/InstallClient.cmake)
 
 install(TARGETS playhouse RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(FILES ${PLAYHOUSE_PROGRAM_DIR}/player DESTINATION ${CMAKE_INSTALL_BINDIR})  # a link to it
+
+# Folders as in the source tree, so that the documents, and programs that name others, hold for both. The program looks
+# for its worlds there (playhouse/scene/CMakeLists.txt).
+set(DATA_DIR ${CMAKE_INSTALL_DATADIR}/playhouse)
+install(DIRECTORY worlds examples DESTINATION ${DATA_DIR}
+  REGEX "/examples/(controller/)?CMakeLists.txt$" EXCLUDE  # of this build
+  REGEX "/(build|__pycache__)$" EXCLUDE)
+install(DIRECTORY clients/python DESTINATION ${DATA_DIR}/clients REGEX "/(tests|__pycache__)$" EXCLUDE)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} REGEX "/adr$" EXCLUDE)
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # What custom models and controllers include; tests/e2e/test_libraries.py builds with nothing else.
 foreach(MODULE base geom scene world)
@@ -12,7 +24,7 @@ foreach(MODULE base geom scene world)
 endforeach()
 install(FILES playhouse/controllers/controller.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse/controllers)
 
-set(PACKAGE_DIR ${CMAKE_INSTALL_DATADIR}/playhouse/cmake)
+set(PACKAGE_DIR ${DATA_DIR}/cmake)
 configure_package_config_file(cmake/playhouse-config.cmake.in ${CMAKE_BINARY_DIR}/playhouse-config.cmake
   INSTALL_DESTINATION ${PACKAGE_DIR} PATH_VARS CMAKE_INSTALL_INCLUDEDIR CLIENT_PACKAGE_DIR
   NO_CHECK_REQUIRED_COMPONENTS_MACRO)

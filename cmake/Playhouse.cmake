@@ -24,6 +24,7 @@ endif()
 if(PLAYHOUSE_WERROR)
   add_compile_options(-Werror)
 endif()
+add_compile_options(-fmacro-prefix-map=${PLAYHOUSE_ROOT}/=)  # the program does not name the folder it was built in
 if(PLAYHOUSE_SANITIZE)
   add_compile_options(-O1)
 endif()

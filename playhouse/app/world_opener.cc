@@ -10,20 +10,13 @@
 #include "playhouse/arena/engine.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/base/program_folder.h"
 #include "playhouse/libraries/custom_kinds.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/check_scene.h"
 #include "playhouse/stage/engine.h"
 
 namespace playhouse::app {
-namespace {
-
-std::filesystem::path program_folder() {
-  std::error_code ignored;
-  return std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
-}
-
-}  // namespace
 
 Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others,
                                     scene::SourceFiles* sources) {

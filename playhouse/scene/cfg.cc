@@ -9,6 +9,7 @@
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scene/colors.h"
 #include "playhouse/scene/kinds.h"
+#include "playhouse/scene/shipped_worlds.h"
 #include "playhouse/scene/warnings.h"
 
 namespace playhouse::scene {
@@ -362,7 +363,7 @@ Result<CfgFile> load_cfg_text(std::string text, const std::string& path, FileRea
 Result<CfgFile> load_cfg(const std::string& path, std::uint16_t port, std::vector<Error>* others) {
   DiskFiles files;
   Result<std::string> text = DiskFiles(NamedBy::kPerson).read(path);
-  if (!text) return Error{escaped(path), text.error().text};
+  if (!text) return Error{escaped(path), text.error().text + did_you_mean_shipped(path)};
   return load_cfg_text(std::move(*text), path, files, port, others);
 }
 

@@ -9,9 +9,11 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "playhouse/base/folders_of.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/scene/shipped_worlds.h"
 
 namespace playhouse::scene {
 namespace {
@@ -59,14 +61,7 @@ std::vector<std::string> DiskFiles::search_path() const {
   std::vector<std::string> folders;
   for (const char* variable : {"PLAYHOUSE_PATH", "STAGEPATH"})
     for (const std::string& folder : folders_of(variable)) folders.push_back(folder + "/");
-  std::error_code error;
-  std::filesystem::path above = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  for (; above.has_relative_path(); above = above.parent_path()) {
-    const std::filesystem::path worlds = above / "worlds";
-    if (!std::filesystem::is_regular_file(worlds / "pioneer.inc", error)) continue;
-    folders.push_back(worlds.string() + "/");
-    break;
-  }
+  if (std::string shipped = shipped_worlds(); !shipped.empty()) folders.push_back(std::move(shipped));
   return folders;
 }
 

@@ -41,8 +41,8 @@ class DiskFiles final : public FileReader {
  public:
   explicit DiskFiles(NamedBy by = NamedBy::kFile) : by_(by) {}
   Result<std::string> read(const std::string& path) override;
-  /// The folders of PLAYHOUSE_PATH and of STAGEPATH, then the worlds that
-  /// come with the program: `worlds` in a parent folder of the executable.
+  /// The folders of PLAYHOUSE_PATH and of STAGEPATH, then
+  /// the worlds that come with the program (shipped_worlds.h).
   std::vector<std::string> search_path() const override;
   std::vector<std::string> names_in(const std::string& folder) const override;
 

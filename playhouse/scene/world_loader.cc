@@ -27,6 +27,7 @@
 #include "playhouse/scene/read_word.h"
 #include "playhouse/scene/repeats.h"
 #include "playhouse/scene/shape_files.h"
+#include "playhouse/scene/shipped_worlds.h"
 #include "playhouse/scene/syntax.h"
 #include "playhouse/scene/token_names.h"
 #include "playhouse/scene/vocabulary.h"
@@ -578,7 +579,8 @@ Result<SceneDesc> load_world(const std::string& path, NamedBy by, std::vector<Er
     const std::string found = folder + "/" + path.substr(folder_of(path).size());
     if (Result<std::string> elsewhere = disk.read(found)) return load(std::move(*elsewhere), found);
   }
-  return Error{escaped(path), text.error().text + (folders.empty() ? "" : ", also not in STAGEPATH")};
+  return Error{escaped(path), text.error().text + (folders.empty() ? "" : ", also not in STAGEPATH") +
+                                  did_you_mean_shipped(path)};
 }
 
 }  // namespace playhouse::scene
