@@ -18,8 +18,9 @@ endif()
 # Warnings are for this folder and those below it: a project that takes this one in as a part chooses its own.
 add_compile_options(-Wall -Wextra -Wconversion -Wno-sign-conversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  # g++ 12 sees overlaps and overflows within inlined functions of its own library, and an else in gtest's macros.
-  add_compile_options(-Wno-restrict -Wno-stringop-overflow -Wno-dangling-else)
+  # g++ 12 sees overlaps and overflows within inlined functions of its own library, and an else in gtest's macros. In a
+  # unity build it takes a class of a source for one of a header.
+  add_compile_options(-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-dangling-else -Wno-subobject-linkage)
 endif()
 if(PLAYHOUSE_WERROR)
   add_compile_options(-Werror)

@@ -30,4 +30,5 @@ function(playhouse_precompile TARGET HEADER)
     endif()
   endif()
   target_precompile_headers(${TARGET} REUSE_FROM ${OF})
+  target_compile_definitions(${TARGET} PRIVATE FMT_SHARED)  # g++ wants the macros that the header was compiled with
 endfunction()
