@@ -1,7 +1,7 @@
 #!/bin/sh
 # Every test, in three builds. The program as people run it, with the tests of what is computed: the optimiser makes vectors only
 # there. Then all tests and fuzzers, with warnings as errors and the address and undefined-behaviour sanitizers. Then the tests of
-# engine, server and drivers with the thread sanitizer.
+# engine, server and drivers with the thread sanitizer. Last, whose files all of this read.
 # Called by `make test` after the page is built.
 set -eu
 cd "$(dirname "$0")/.."
@@ -20,3 +20,6 @@ echo "== running every test"
 ctest --test-dir build/ci --output-on-failure -j "$(nproc)" "$@"
 
 tools/tsan.sh behaviour stage server drivers
+
+echo "== checking that all they read comes with the packages of tools/setup.sh"
+tools/packages.py check --build build/release --build build/ci --build build/tsan
