@@ -15,6 +15,16 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)  # a sanitized program of tests: 0.8 s 
   endif()
 endif()
 
+# Each linking notes the files that it read, in link.d beside the objects: tools/packages.py asks whose they are. From 3.27
+# on CMake has the linker do so itself.
+include(CheckLinkerFlag)
+check_linker_flag(CXX "LINKER:--dependency-file=link.d" PLAYHOUSE_LINKER_NOTES_FILES)
+if(PLAYHOUSE_LINKER_NOTES_FILES AND CMAKE_VERSION VERSION_LESS 3.27)
+  foreach(RULE LINK_EXECUTABLE CREATE_SHARED_LIBRARY CREATE_SHARED_MODULE)
+    string(APPEND CMAKE_CXX_${RULE} " -Wl,--dependency-file=<OBJECT_DIR>/link.d")
+  endforeach()
+endif()
+
 # Warnings are for this folder and those below it: a project that takes this one in as a part chooses its own.
 add_compile_options(-Wall -Wextra -Wconversion -Wno-sign-conversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)

@@ -1,25 +1,33 @@
 #!/bin/sh
 # Installs the Debian packages that a goal needs and this machine lacks: setup.sh build|test
+# setup.sh --list build|test only prints their names, which tools/packages.py checks: with what they depend on, not what they
+# recommend, they must be all that the build and the tests read.
 set -eu
 
 build_packages="g++ cmake ninja-build python3 libboost1.81-dev libboost-json1.81-dev libcli11-dev libspdlog-dev
-  libfmt-dev libtbb-dev libstb-dev libpng-dev libyaml-cpp-dev libturbojpeg0-dev zlib1g-dev libzstd-dev libbullet-dev libtomlplusplus-dev
-  libassimp-dev libpugixml-dev libepoxy-dev libegl-dev libegl-mesa0 libgl1-mesa-dri pkgconf ca-certificates"
+  libfmt-dev libtbb-dev libstb-dev libpng-dev libyaml-cpp-dev libturbojpeg0-dev libjpeg62-turbo-dev zlib1g-dev libzstd-dev libbullet-dev
+  libtomlplusplus-dev libassimp-dev libpugixml-dev libepoxy-dev libegl-dev libegl-mesa0 libopengl0 libgl1-mesa-dri pkgconf ca-certificates"
 test_packages="libgtest-dev libgmock-dev librapidcheck-dev clang lld libclang-rt-14-dev chromium procps python3-numpy
-  assimp-utils default-jdk-headless junit4 sbcl cl-chipz tcl"
+  assimp-utils default-jdk-headless junit4 sbcl cl-chipz tcl strace"
 
+# They may come from elsewhere than Debian: what counts is whether the commands are there.
+node_packages="nodejs npm"
+
+list=
+[ "${1:-}" != --list ] || { list=yes; shift; }
 case "${1:-}" in
   build) wanted=$build_packages ;;
   test) wanted="$build_packages $test_packages" ;;
-  *) echo "usage: setup.sh build|test" >&2; exit 2 ;;
+  *) echo "usage: setup.sh [--list] build|test" >&2; exit 2 ;;
 esac
+# shellcheck disable=SC2086
+[ -z "$list" ] || { printf '%s\n' $wanted $node_packages; exit 0; }
 
 missing=
 for package in $wanted; do
   status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
   [ "$status" = "install ok installed" ] || missing="$missing $package"
 done
-# Node.js may come from elsewhere than Debian's own packages.
 command -v node >/dev/null || missing="$missing nodejs"
 command -v npm >/dev/null || missing="$missing npm"
 [ -n "$missing" ] || exit 0

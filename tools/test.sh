@@ -22,4 +22,6 @@ step "configuring the tests (address and undefined sanitizers)" tools/configure.
 step "building the tests and fuzzers (address and undefined sanitizers)" cmake --build --preset ci
 step "running every test" test_all "$@"
 step "building and running tests with the thread sanitizer" tools/tsan.sh behaviour stage server drivers
+step "checking that all they read comes with the packages of tools/setup.sh" \
+  tools/packages.py check --build build/release --build build/ci --build build/tsan
 python3 tools/test_summary.py build/release build/ci build/tsan
