@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Checks rules that a compiler does not: module dependencies, self-contained headers, meaningless names, calls that break
+"""Checks rules that a compiler does not: module dependencies, missing includes, meaningless names, calls that break
 reproducibility, test scripts that do not run all of their tests. Prints file:line: what; exit 1.
-Without arguments only files that differ from main are checked; with all files, headers that their own source file includes
-first are not compiled: the release build, which has no precompiled headers, has compiled them alone."""
+Without arguments only files that differ from main are checked, and their headers are compiled alone."""
 
 import argparse
 import pathlib
@@ -11,6 +10,8 @@ import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
+
+import includes
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "playhouse"
@@ -41,7 +42,6 @@ BUILD = [f'-D{name}=""' for name in ("PLAYHOUSE_VERSION", "PLAYHOUSE_SOURCE_DIR"
 BUILD += subprocess.run(["pkg-config", "--cflags", "bullet"], capture_output=True, text=True, check=True).stdout.split()
 CLIENT = ROOT / "clients/cpp/include"  # which the command line is made of
 INCLUDE = re.compile(r'#include "playhouse/(\w+)/')
-FIRST_INCLUDE = re.compile(r"^#include (\S+)", re.MULTILINE)
 
 
 def sources():
@@ -62,18 +62,14 @@ def check_file(path):
             yield f"{where}: {empty[1]} is a name that says nothing"
         if module in REPRODUCIBLE and not is_test and UNREPRODUCIBLE.search(code):
             yield f"{where}: {UNREPRODUCIBLE.search(code)[0]} makes a run depend on more than its seed"
+    for number, name, header in includes.missing(path, (ROOT, CLIENT)):
+        yield f"{path.relative_to(ROOT)}:{number}: {name} needs #include <{header}>"
 
 
 def may_include(module, other):
     if module == other:
         return True
     return RANK.get(other, 99) < RANK.get(module, -1) and other not in FORBIDDEN.get(module, set())
-
-
-def is_compiled_alone(header):
-    source = header.with_suffix(".cc")
-    first = source.exists() and FIRST_INCLUDE.search(source.read_text())
-    return bool(first) and first[1] == f'"{header.relative_to(ROOT)}"'
 
 
 def check_header(path):
@@ -112,7 +108,7 @@ def main():
     findings += [f"playhouse/{path.name}:1: module without a rank in tools/tidy.py and ARCHITECTURE.md"
                  for path in sorted(SOURCE.iterdir()) if path.is_dir() and path.name not in RANK]
     findings += [finding for folder in (ROOT / "tests", ROOT / "clients/python") for path in sorted(folder.glob("*/test_*.py")) for finding in check_test_script(path)]
-    headers = [path for path in checked if path.suffix == ".h" and not (check_all and is_compiled_alone(path))]
+    headers = [path for path in checked if path.suffix == ".h" and not check_all]
     with ThreadPoolExecutor(2) as pool:
         for found in pool.map(lambda path: list(check_header(path)), headers):
             findings += found

@@ -3,6 +3,7 @@
 /// Statistics of benches.
 
 #include <algorithm>
+#include <cstddef>
 #include <ctime>
 #include <vector>
 

@@ -14,7 +14,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "playhouse/app/devtools.h"
 #include "playhouse/base/testing_folder.h"

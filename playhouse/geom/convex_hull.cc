@@ -1,6 +1,7 @@
 #include "playhouse/geom/convex_hull.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace playhouse::geom {
 

@@ -2,6 +2,7 @@
 
 /// A COLLADA file as a DOM, with common queries: ids, transforms, number lists.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>

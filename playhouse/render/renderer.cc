@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 
 #include "playhouse/render/gl_context.h"
 #include "playhouse/render/instance_list.h"

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <thread>
+#include <tuple>
 
 #include "playhouse/base/rng.h"
 #include "playhouse/render/testing_meshes.h"

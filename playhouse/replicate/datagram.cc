@@ -1,5 +1,7 @@
 #include "playhouse/replicate/datagram.h"
 
+#include <algorithm>
+
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
 

@@ -3,6 +3,7 @@
 /// Procedural buildings of identical wards for any number of
 /// robots: rooms on both sides of a corridor. Pure functions.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 

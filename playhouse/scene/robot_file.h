@@ -2,6 +2,7 @@
 
 /// Robots that clients spawn over the network, described in TOML (docs/robot-client.md).
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>

@@ -7,6 +7,7 @@
 /// frame of a model (M moved by `X_MB`, the file's `origin`), S sensor.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>

@@ -1,6 +1,7 @@
 /// Any bytes as a file of robots: reads or fails with a place and a text.
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 

@@ -2,6 +2,7 @@
 
 /// Client side of the protocol over the simulated network, for tests of this module.
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <string>

@@ -5,6 +5,7 @@
 /// test true coordinates. Cells of a row are consecutive: a box of cells is a few runs.
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "playhouse/geom/pose.h"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"

@@ -4,6 +4,7 @@
 /// line for each: role, token and name; a guest's link contains the token. docs/guests.md.
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>

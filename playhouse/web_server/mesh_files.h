@@ -3,6 +3,7 @@
 /// The meshes of a world as files for browsers, built
 /// on first request and cached. Thread: the web thread.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
