@@ -4,7 +4,7 @@
 # playhouse_precompile(TARGET HEADER) has the sources of a target begin with a header of precompiled/: library or world, for
 # tests library_test or world_test. The target must be compiled with the options of its kind, in Playhouse.cmake.
 
-option(PLAYHOUSE_PRECOMPILE "precompile common headers: faster, but a missing include goes unseen" OFF)
+option(PLAYHOUSE_PRECOMPILE "precompile common headers: faster, but the compiler sees no missing include" OFF)
 if(NOT PLAYHOUSE_PRECOMPILE)
   function(playhouse_precompile)
   endfunction()
