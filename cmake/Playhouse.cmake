@@ -36,8 +36,8 @@ if(PLAYHOUSE_WERROR)
   add_compile_options(-Werror)
 endif()
 add_compile_options(-fmacro-prefix-map=${PLAYHOUSE_ROOT}/=)  # the program does not name the folder it was built in
-if(PLAYHOUSE_SANITIZE)
-  add_compile_options(-O1)
+if(PLAYHOUSE_SANITIZE)  # the optimiser takes the compiler twice as long; HOT modules have it all the same
+  add_compile_options(-O0)
 endif()
 
 # What whoever links one of our libraries needs as well.
@@ -92,13 +92,14 @@ endfunction()
 include(${CMAKE_CURRENT_LIST_DIR}/Precompiled.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/Unity.cmake)
 
-# playhouse_module(NAME DEPS a b c PRECOMPILED world EXCEPT x.cc ALONE y.cc)
+# playhouse_module(NAME DEPS a b c PRECOMPILED world HOT OWN EXCEPT x.cc APART y.cc ALONE z.cc)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
-# PRECOMPILED: see Precompiled.cmake; library if left out. ALONE: see Unity.cmake. SHARDS: see playhouse_gtest.
+# HOT: optimised with sanitizers, too, since tests spend their time there. PRECOMPILED (library if left out), OWN: see
+# Precompiled.cmake. APART, ALONE: see Unity.cmake. SHARDS n: see playhouse_gtest.
 function(playhouse_module NAME)
-  cmake_parse_arguments(ARG "" "PRECOMPILED;SHARDS" "DEPS;EXCEPT;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "OWN;HOT" "PRECOMPILED;SHARDS" "DEPS;EXCEPT;APART;ALONE" ${ARGN})
   if(NOT ARG_PRECOMPILED)
     set(ARG_PRECOMPILED library)
   endif()
@@ -120,8 +121,16 @@ function(playhouse_module NAME)
   set(TARGET playhouse_${NAME})
   if(SOURCES)
     add_library(${TARGET} STATIC ${SOURCES})
-    playhouse_precompile(${TARGET} ${ARG_PRECOMPILED})
-    playhouse_unity(${TARGET} ${ARG_ALONE})
+    if(PLAYHOUSE_SANITIZE AND ARG_HOT)
+      set(ARG_OWN TRUE)
+      target_compile_options(${TARGET} PRIVATE -O1)
+    endif()
+    if(ARG_OWN)
+      playhouse_precompile(${TARGET} ${ARG_PRECOMPILED} OWN)
+    else()
+      playhouse_precompile(${TARGET} ${ARG_PRECOMPILED})
+    endif()
+    playhouse_unity(${TARGET} APART ${ARG_APART} ALONE ${ARG_ALONE})
     set(SCOPE PUBLIC)
   else()
     add_library(${TARGET} INTERFACE)

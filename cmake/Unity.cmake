@@ -2,8 +2,9 @@
 # For builds that are made once, as those of users and of continuous integration; where a file is changed and compiled
 # anew, eight are. Eight keep a unit below 15 s and 600 MB (tools/compile_times.py).
 #
-# playhouse_unity(TARGET ALONE...) has the sources of a target compiled so, but for those named, each of which has a name
-# of its own for something that another file of the folder calls the same, or changes what headers mean.
+# playhouse_unity(TARGET APART a.cc b.cc ALONE c.cc) has the sources of a target compiled so. Each of those named has a name
+# of its own for something that another file of the folder calls the same: APART are eights of their own, ALONE are
+# compiled one at a time.
 
 option(PLAYHOUSE_UNITY "compile the files of a library eight at a time" OFF)
 
@@ -11,6 +12,22 @@ function(playhouse_unity TARGET)
   if(NOT PLAYHOUSE_UNITY)
     return()
   endif()
-  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  cmake_parse_arguments(ARG "" "" "APART;ALONE" ${ARGN})
+  list(TRANSFORM ARG_APART PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  list(TRANSFORM ARG_ALONE PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  get_target_property(SOURCES ${TARGET} SOURCES)
+  list(FILTER SOURCES INCLUDE REGEX "[.]cc$")
+  list(REMOVE_ITEM SOURCES ${ARG_APART} ${ARG_ALONE})
+  playhouse_unity_groups(together ${SOURCES})
+  playhouse_unity_groups(apart ${ARG_APART})
+  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+function(playhouse_unity_groups NAME)
+  set(COUNT 0)
+  foreach(SOURCE ${ARGN})
+    math(EXPR GROUP "${COUNT} / 8")
+    set_source_files_properties(${SOURCE} PROPERTIES UNITY_GROUP ${NAME}_${GROUP})
+    math(EXPR COUNT "${COUNT} + 1")
+  endforeach()
 endfunction()

@@ -1,0 +1,5 @@
+/// What tests of modules with simulated devices include as well, for PLAYHOUSE_PRECOMPILE.
+#pragma once
+
+#include "devices.h"
+#include "library_test.h"
