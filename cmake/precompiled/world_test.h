@@ -2,4 +2,6 @@
 #pragma once
 
 #include "library_test.h"
+#include "playhouse/scene/world_loader.h"
+#include "playhouse/world/population.h"
 #include "world.h"
