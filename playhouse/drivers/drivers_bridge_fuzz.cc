@@ -216,7 +216,7 @@ void play(FuzzScript script) {
 }  // namespace playhouse::drivers
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  log::silence();
+  playhouse::log::silence();
   playhouse::drivers::play(playhouse::FuzzScript(std::as_bytes(std::span(data, size))));
   return 0;
 }

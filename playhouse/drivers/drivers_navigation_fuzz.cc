@@ -229,7 +229,7 @@ class Course {
 }  // namespace playhouse::drivers
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  log::silence();
+  playhouse::log::silence();
   playhouse::FuzzScript script(std::as_bytes(std::span(data, size)));
   playhouse::drivers::Course course(script);
   for (int step = 0; step < 64 && !script.done(); ++step) course.step();

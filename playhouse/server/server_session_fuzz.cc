@@ -108,7 +108,7 @@ void play(FuzzScript script) {
 }  // namespace playhouse::server
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  log::silence();
+  playhouse::log::silence();
   playhouse::server::play(playhouse::FuzzScript(std::as_bytes(std::span(data, size))));
   return 0;
 }
