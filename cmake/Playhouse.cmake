@@ -92,19 +92,22 @@ endfunction()
 include(${CMAKE_CURRENT_LIST_DIR}/Precompiled.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/Unity.cmake)
 
-# playhouse_module(NAME DEPS a b c PRECOMPILED world HOT OWN EXCEPT x.cc APART y.cc ALONE z.cc)
+# playhouse_module(NAME DEPS a b c PRECOMPILED world HOT OWN EXCEPT x.cc TOGETHER 8 APART y.cc ALONE z.cc)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
 # HOT: optimised with sanitizers, too, since tests spend their time there. PRECOMPILED (library if left out), OWN: see
-# Precompiled.cmake. APART, ALONE: see Unity.cmake. SHARDS n: see playhouse_gtest.
+# Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake. SHARDS n: see playhouse_gtest.
 function(playhouse_module NAME)
-  cmake_parse_arguments(ARG "OWN;HOT" "PRECOMPILED;SHARDS" "DEPS;EXCEPT;APART;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "OWN;HOT" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;EXCEPT;APART;ALONE" ${ARGN})
   if(NOT ARG_PRECOMPILED)
     set(ARG_PRECOMPILED library)
   endif()
   if(NOT ARG_SHARDS)
     set(ARG_SHARDS 1)
+  endif()
+  if(NOT ARG_TOGETHER)
+    set(ARG_TOGETHER 8)
   endif()
   file(GLOB SOURCES CONFIGURE_DEPENDS *.cc */*.cc)
   set(TESTS ${SOURCES})
@@ -130,7 +133,7 @@ function(playhouse_module NAME)
     else()
       playhouse_precompile(${TARGET} ${ARG_PRECOMPILED})
     endif()
-    playhouse_unity(${TARGET} APART ${ARG_APART} ALONE ${ARG_ALONE})
+    playhouse_unity(${TARGET} TOGETHER ${ARG_TOGETHER} APART ${ARG_APART} ALONE ${ARG_ALONE})
     set(SCOPE PUBLIC)
   else()
     add_library(${TARGET} INTERFACE)
