@@ -58,6 +58,7 @@ if(PLAYHOUSE_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
   add_custom_target(fuzzers)
 endif()
+add_custom_target(computed_tests)  # of COMPUTED modules: those that the release build runs as well
 
 # LeakSanitizer follows a wild pointer where it mistakes a thread's own storage of Mesa's libraries for a table of its
 # kind ("Tracer caught signal 11"); without the interceptor it does not look for one.
@@ -72,19 +73,23 @@ function(playhouse_test_options TARGET)
   endif()
 endfunction()
 
-# playhouse_gtest(TARGET NAME SHARDS n): the tests of a program, named NAME.1 to NAME.n: n runs of the program share them.
-# A run of its own for each test would start a sanitized program two thousand times. Laws draw the same cases in every
-# run, so that a red one can be repeated.
+# playhouse_gtest(TARGET NAME SHARDS n COMPUTED): the tests of a program, named NAME.1 to NAME.n: n runs of the program share
+# them. A run of its own for each test would start a sanitized program two thousand times. Laws draw the same cases in every
+# run, so that a red one can be repeated: a hundred; with sanitizers a tenth of those that the release draws as well.
 function(playhouse_gtest TARGET NAME)
-  cmake_parse_arguments(ARG "" "SHARDS" "" ${ARGN})
+  cmake_parse_arguments(ARG "COMPUTED" "SHARDS" "" ${ARGN})
   if(NOT ARG_SHARDS)
     set(ARG_SHARDS 1)
+  endif()
+  set(LAWS "seed=1")
+  if(ARG_COMPUTED AND PLAYHOUSE_SANITIZE)
+    set(LAWS "seed=1 max_success=10")
   endif()
   foreach(SHARD RANGE 1 ${ARG_SHARDS})
     math(EXPR INDEX "${SHARD} - 1")
     add_test(NAME ${NAME}.${SHARD} COMMAND ${TARGET} --gtest_brief=1)
-    set_tests_properties(${NAME}.${SHARD} PROPERTIES TIMEOUT 900
-      ENVIRONMENT "RC_PARAMS=seed=1;GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${INDEX}"
+    set_tests_properties(${NAME}.${SHARD} PROPERTIES TIMEOUT 900 LABELS "$<IF:$<BOOL:${ARG_COMPUTED}>,computed,unit>"
+      ENVIRONMENT "RC_PARAMS=${LAWS};GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${INDEX}"
       ENVIRONMENT_MODIFICATION "${PLAYHOUSE_TEST_SANITIZERS}")
   endforeach()
 endfunction()
@@ -92,14 +97,14 @@ endfunction()
 include(${CMAKE_CURRENT_LIST_DIR}/Precompiled.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/Unity.cmake)
 
-# playhouse_module(NAME DEPS a b c PRECOMPILED world HOT OWN EXCEPT x.cc TOGETHER 8 APART y.cc ALONE z.cc)
+# playhouse_module(NAME DEPS a b c COMPUTED UNSANITIZED HOT PRECOMPILED world OWN EXCEPT x.cc TOGETHER 8 APART y.cc ALONE z.cc)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
-# HOT: optimised with sanitizers, too, since tests spend their time there. PRECOMPILED (library if left out), OWN: see
+# COMPUTED: see playhouse_gtest. UNSANITIZED: its tests take minutes with sanitizers and run nothing that others don't. HOT: optimised with sanitizers, too, since tests spend their time there. PRECOMPILED (library if left out), OWN: see
 # Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake. SHARDS n: see playhouse_gtest.
 function(playhouse_module NAME)
-  cmake_parse_arguments(ARG "OWN;HOT" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;EXCEPT;APART;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "OWN;HOT;COMPUTED;UNSANITIZED" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;EXCEPT;APART;ALONE" ${ARGN})
   if(NOT ARG_PRECOMPILED)
     set(ARG_PRECOMPILED library)
   endif()
@@ -141,13 +146,18 @@ function(playhouse_module NAME)
   endif()
   target_link_libraries(${TARGET} ${SCOPE} $<BUILD_INTERFACE:playhouse_flags> ${ARG_DEPS})
 
-  if(PLAYHOUSE_TESTS AND TESTS)
+  if(PLAYHOUSE_TESTS AND TESTS AND NOT (ARG_UNSANITIZED AND PLAYHOUSE_SANITIZE))
     add_executable(${TARGET}_test ${TESTS})
     target_link_libraries(${TARGET}_test PRIVATE ${TARGET} rapidcheck rapidcheck_gtest GTest::gtest GTest::gmock GTest::gtest_main)
     target_compile_definitions(${TARGET}_test PRIVATE PLAYHOUSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     playhouse_test_options(${TARGET}_test)
     playhouse_precompile(${TARGET}_test ${ARG_PRECOMPILED}_test)
-    playhouse_gtest(${TARGET}_test ${NAME} SHARDS ${ARG_SHARDS})
+    if(ARG_COMPUTED)
+      playhouse_gtest(${TARGET}_test ${NAME} SHARDS ${ARG_SHARDS} COMPUTED)
+      add_dependencies(computed_tests ${TARGET}_test)
+    else()
+      playhouse_gtest(${TARGET}_test ${NAME} SHARDS ${ARG_SHARDS})
+    endif()
   endif()
   if(PLAYHOUSE_BENCHES AND BENCHES)
     add_executable(${TARGET}_bench ${BENCHES})

@@ -17,7 +17,7 @@ step "building the page" make --no-print-directory web
 step "configuring the program" tools/configure.sh release-test
 step "building the program and the tests of what is computed" cmake --build --preset release-test
 step "running the tests of what is computed, as the program is compiled" \
-  ctest --test-dir build/release --output-on-failure -j "$(nproc)" -R '^(geom|stage|wire|replicate)\.'
+  ctest --test-dir build/release --output-on-failure -j "$(nproc)" -L computed
 step "configuring the tests (address and undefined sanitizers)" tools/configure.sh ci
 step "building the tests and fuzzers (address and undefined sanitizers)" cmake --build --preset ci
 step "running every test" test_all "$@"
