@@ -20,7 +20,7 @@ double distance(Vec2 a, Vec2 b) {
   return std::sqrt(geom::dot(b - a, b - a));
 }
 
-struct Heights {
+struct HeightRange {
   double z_min, z_max;  // m
 };
 
@@ -46,7 +46,7 @@ Outline outline_at(const Solids& solids, std::size_t row, Vec2 center, const Vec
 }
 
 /// Height range of a solid in a configuration; `first` is its tree's first solid.
-Heights heights_in(const Solids& solids, std::size_t row, const TreeShape& shape, std::size_t first) {
+HeightRange heights_in(const Solids& solids, std::size_t row, const TreeShape& shape, std::size_t first) {
   if (shape.z.empty()) return {solids.z_min[row], solids.z_max[row]};
   const double z = shape.z[row - first];
   return {z + solids.z_min_M[row], z + solids.z_max_M[row]};
@@ -261,7 +261,7 @@ bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Body& n
   bool met = false;
   in.walls.near(box, [&](const Walls::Edge& edge) {
     if (met || !in.solids.is_obstacle(edge.solid) || !edge.reaches(box)) return;
-    const Heights wall{in.solids.z_min[edge.solid], in.solids.z_max[edge.solid]};
+    const HeightRange wall{in.solids.z_min[edge.solid], in.solids.z_max[edge.solid]};
     if (!z_overlaps(then, wall) || in.solids.root[edge.solid] == in.solids.root[solid]) return;
     const double inside = length_inside(then.outline, edge.a, edge.b);
     met = inside > kRounding &&
@@ -330,7 +330,7 @@ Motion::Circle Motion::circle_about(const Solids& solids, std::uint32_t tree, co
   Circle all{shape.center[0], 0, 1e300, -1e300};
   for (std::uint32_t row = first; row < trees_->first_solid[tree + 1]; ++row) {
     if (!solids.is_obstacle(row)) continue;
-    const Heights heights = heights_in(solids, row, shape, first);
+    const HeightRange heights = heights_in(solids, row, shape, first);
     all.radius = std::max(all.radius, distance(shape.center[row - first], all.center) + solids.radius[row]);
     all.z_min = std::min(all.z_min, heights.z_min);
     all.z_max = std::max(all.z_max, heights.z_max);
@@ -348,14 +348,14 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
   for (std::uint32_t row = first; row < end; ++row) {
     if (!solids.is_obstacle(row)) continue;
     const Vec2* p = shape.p.data() + (solids.first_vertex[row] - solids.first_vertex[first]);
-    const Heights heights = heights_in(solids, row, shape, first);
+    const HeightRange heights = heights_in(solids, row, shape, first);
     const Body now = body_now(solids, row),
                then{outline_at(solids, row, shape.center[row - first], p), heights.z_min, heights.z_max};
     if (!shape.z.empty() && meets_inside(in, row, now, then)) return true;
     if (near_walls && meets_wall(in, row, now, then)) return true;
     const double reach = solids.radius[row] + reach_max_;
     // Heights, like places, in the index are those before this tick.
-    const Heights near{then.z_min - rise_max_, then.z_max + rise_max_};
+    const HeightRange near{then.z_min - rise_max_, then.z_max + rise_max_};
     for (const DiscIndex::Disc* const disc : sweep.near)
       if (distance(disc->center, then.outline.center) < disc->radius + reach && z_overlaps(near, *disc) &&
           meets_other(in, row, now, then, disc->row, sweep))

@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -325,9 +327,21 @@ TEST_F(EveryColumn, has_a_row_to_change_and_a_name_of_its_own) {
       world);
 }
 
+/// Changes each part of the first value of a column.
+template <typename Values>
+PLAYHOUSE_PER_TYPE void expect_seen_by(World& world, const char* name, Values& values, bool by_hash,
+                                       bool by_sensed_hash) {
+  const std::uint64_t hash = world.hash(), sensed_hash = world.sensed_hash();
+  const auto before = values;
+  for (int part = 0; change(first_of(values), part); ++part, values = before) {
+    EXPECT_EQ(world.hash() != hash, by_hash) << name << ", part " << part;
+    EXPECT_EQ(world.sensed_hash() != sensed_hash, by_sensed_hash) << name << ", part " << part;
+  }
+  values = before;
+}
+
 TEST_F(EveryColumn, is_seen_by_the_hash_that_its_role_names) {
   const auto expect_seen = [&](bool controlled) {
-    const std::uint64_t done = world.hash(), sensed = world.sensed_hash();
     each_column(
         [&](const auto& column, auto& values) {
           if (column.role == Role::kDerived) return;            // what it follows from is seen
@@ -335,12 +349,7 @@ TEST_F(EveryColumn, is_seen_by_the_hash_that_its_role_names) {
           const bool in_done = is_done(column.role) || (column.role == Role::kSensed && controlled);
           const bool is_id = std::string_view(column.name) == "models.id";  // every hash of a model has it
           const bool in_sensed = column.role == Role::kSensed || column.role == Role::kUse || is_id;
-          const auto before = values;
-          for (int part = 0; change(first_of(values), part); ++part, values = before) {
-            EXPECT_EQ(world.hash() != done, in_done) << column.name << ", part " << part;
-            EXPECT_EQ(world.sensed_hash() != sensed, in_sensed) << column.name << ", part " << part;
-          }
-          values = before;
+          expect_seen_by(world, column.name, values, in_done, in_sensed);
         },
         world);
   };
@@ -366,37 +375,52 @@ TEST_F(EveryColumn, says_its_unit_and_frame_where_it_has_one) {
 }
 
 /// For every column and every part of its first value: save, load and comparison keep what the role says.
-TEST_F(EveryColumn, is_saved_loaded_and_compared_as_its_role_says) {
-  const auto prepare = [](World& w) {
+class SavedColumn : public EveryColumn {
+ protected:
+  SavedColumn() {
+    prepare(world);
+    prepare(original);
+    see_one_thing(original);
+  }
+  static void prepare(World& w) {
     control_parts(w);
     w.upright = false;
     w.tick_ = 5;
-  };
-  prepare(world);
-  World original(scene, 1);
-  prepare(original);
-  see_one_thing(original);
+  }
+
+  /// Changes each part of the first value of a column; `column_in` is the column in a loaded world.
+  template <typename Values>
+  PLAYHOUSE_PER_TYPE void expect_kept(const char* name, Values& values, bool kept,
+                                      const std::function<const Values&(const World&)>& column_in) {
+    const auto before = values;
+    for (int part = 0; change(first_of(values), part); ++part, values = before) {
+      std::vector<std::byte> bytes;
+      ASSERT_TRUE(save_state(world, bytes));
+      World loaded(scene, 1);
+      prepare(loaded);
+      const Result<void> result = load_state(loaded, bytes);
+      if (!result) {  // a mode that is none, a sensor of the future
+        EXPECT_TRUE(result.error().text.starts_with("is damaged")) << result.error().text;
+        continue;
+      }
+      EXPECT_EQ(column_in(loaded) == values, kept) << name << ", part " << part;
+      const std::optional<Difference> difference = first_difference(loaded, original);
+      EXPECT_EQ(difference.has_value(), kept) << name << ", part " << part;
+      if (difference) EXPECT_EQ(difference->column, name) << part;
+    }
+    values = before;
+  }
+
+  World original{scene, 1};
+};
+
+TEST_F(SavedColumn, is_saved_loaded_and_compared_as_its_role_says) {
   each_column(
       [&](const auto& column, auto& values) {
         if (column.role == Role::kPopulation) return;  // population_test.cc
-        const auto before = values;
-        for (int part = 0; change(first_of(values), part); ++part, values = before) {
-          std::vector<std::byte> bytes;
-          ASSERT_TRUE(save_state(world, bytes));
-          World loaded(scene, 1);
-          prepare(loaded);
-          const Result<void> result = load_state(loaded, bytes);
-          if (!result) {  // a mode that is none, a sensor of the future
-            EXPECT_TRUE(result.error().text.starts_with("is damaged")) << result.error().text;
-            continue;
-          }
-          const auto& values_loaded = column_of(loaded, column);
-          EXPECT_EQ(values_loaded == values, is_saved(column.role)) << column.name << ", part " << part;
-          const std::optional<Difference> difference = first_difference(loaded, original);
-          EXPECT_EQ(difference.has_value(), is_saved(column.role)) << column.name << ", part " << part;
-          if (difference) EXPECT_EQ(difference->column, column.name) << part;
-        }
-        values = before;
+        using Values = std::remove_cvref_t<decltype(values)>;
+        expect_kept<Values>(column.name, values, is_saved(column.role),
+                            [&](const World& w) -> const Values& { return column_of(w, column); });
       },
       world);
 }
