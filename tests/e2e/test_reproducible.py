@@ -74,7 +74,7 @@ class Reproducible(HouseTest):
 
     def bench(self, program, instruction_set, engine="stage"):
         with mock.patch.dict(os.environ, PLAYHOUSE_INSTRUCTION_SET=instruction_set):
-            return finish("bench", "laser", "--engine", engine, "--robots", 50, "--duration", 5, program=program)
+            return finish("bench", "laser", "--engine", engine, "--robots", 50, "--duration", 2, program=program)
 
     def test_all_instruction_sets_compute_the_same_bits(self):
         for engine in ("stage", "arena"):
