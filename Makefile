@@ -56,7 +56,7 @@ demo: build
 	@echo
 	@$(PROGRAM) run $(WORLD) --port $(PLAYER_PORT) --web $(WEB_PORT)
 
-fuzzers: setup-test web/node_modules/.installed
+fuzzers: setup-test web
 	@echo "== building the fuzzers"
 	@tools/configure.sh ci
 	@cmake --build --preset ci --target fuzzers
@@ -64,7 +64,7 @@ fuzzers: setup-test web/node_modules/.installed
 test: setup-test
 	@tools/test.sh
 
-tsan: setup-test web/node_modules/.installed
+tsan: setup-test web
 	@tools/tsan.sh
 
 fuzz: fuzzers

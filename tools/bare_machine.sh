@@ -70,7 +70,8 @@ step() {
 mirror=$(grep -rhoE '\bhttps?://[^ ]+/debian/?( |$)' /etc/apt/sources.list /etc/apt/sources.list.d/*.sources /etc/apt/sources.list.d/*.list 2>/dev/null | head -1 || true)
 mirror=${mirror:-http://deb.debian.org/debian}
 npm_setting() { [ -z "$(command -v npm)" ] || npm config get "$1" 2>/dev/null | grep -vx -e null -e undefined || true; }
-environment=(HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
+home=/srv/newcomer  # in the chroot
+environment=(HOME=$home PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
   NODE_EXTRA_CA_CERTS=/etc/ssl/certs/ca-certificates.crt)
 for variable in http_proxy https_proxy no_proxy HTTP_PROXY HTTPS_PROXY NO_PROXY CMAKE_BUILD_PARALLEL_LEVEL; do
   [ -z "${!variable:-}" ] || environment+=("$variable=${!variable}")
@@ -85,6 +86,7 @@ inside() { chroot "$root" /usr/bin/env -i "${environment[@]}" sh -euc "$1"; }
 
 make_machine() {
   debootstrap --variant=minbase --include=git,make,ca-certificates bookworm "$root" "$mirror" | sed '/^I: /d'
+  mkdir -p "$root$home"
   mount -t proc proc "$root/proc"
   mount -t tmpfs -o mode=1777 tmpfs "$root/dev/shm"
   mount -t devpts -o newinstance,ptmxmode=0666 devpts "$root/dev/pts"
@@ -140,7 +142,7 @@ downloads() {
   inside 'rm -rf /var/lib/apt/lists/*'
   echo "   $(find "$root/var/cache/apt/archives" -name '*.deb' | wc -l) packages, $(megabytes "$root"/var/cache/apt/archives/*.deb)"
   echo "   lists of packages, $(inside 'apt-get update' | sed -n 's/^Fetched \(.*\) in .*/\1/p')"
-  find "$root/root/.npm/_cacache/content-v2" -type f -print0 | xargs -0 cat | wc -c | awk '{printf "   from the registry of npm, %.0f MB\n", $1 / 1e6}'
+  find "$root$home/.npm/_cacache/content-v2" -type f -print0 | xargs -0 cat | wc -c | awk '{printf "   from the registry of npm, %.0f MB\n", $1 / 1e6}'
 }
 
 main() {

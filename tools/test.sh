@@ -8,11 +8,6 @@ cd "$(dirname "$0")/.."
 . tools/steps.sh
 trap report_steps EXIT
 
-test_all() {
-  # Longest first: ctest has no times of its own in a fresh build.
-  ctest --test-dir build/ci --output-on-failure -j "$(nproc)" "$@"
-}
-
 step "building the page" make --no-print-directory web
 step "configuring the program" tools/configure.sh release-test
 step "building the program and the tests of what is computed" cmake --build --preset release-test
@@ -20,7 +15,7 @@ step "running the tests of what is computed, as the program is compiled" \
   ctest --test-dir build/release --output-on-failure -j "$(nproc)" -L computed
 step "configuring the tests (address and undefined sanitizers)" tools/configure.sh ci
 step "building the tests and fuzzers (address and undefined sanitizers)" cmake --build --preset ci
-step "running every test" test_all "$@"
+step "running every test" ctest --test-dir build/ci --output-on-failure -j "$(nproc)" "$@"
 step "building and running tests with the thread sanitizer" tools/tsan.sh behaviour stage server drivers
 step "checking that all they read comes with the packages of tools/setup.sh" \
   tools/packages.py check --build build/release --build build/ci --build build/tsan
