@@ -103,8 +103,9 @@ include(${CMAKE_CURRENT_LIST_DIR}/Unity.cmake)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
-# COMPUTED: see playhouse_gtest. UNSANITIZED: its tests take minutes with sanitizers and run nothing that others don't. HOT: optimised with sanitizers, too, since tests spend their time there. PRECOMPILED (library if left out), OWN: see
-# Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake. SHARDS n: see playhouse_gtest.
+# COMPUTED, SHARDS n: see playhouse_gtest. UNSANITIZED: its tests take minutes with sanitizers and run nothing that others
+# don't. HOT: optimised with sanitizers, too, since tests spend their time there. PRECOMPILED (library if left out), OWN: see
+# Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake.
 function(playhouse_module NAME)
   cmake_parse_arguments(ARG "OWN;HOT;COMPUTED;UNSANITIZED" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;EXCEPT;APART;ALONE" ${ARGN})
   if(NOT ARG_PRECOMPILED)

@@ -17,6 +17,7 @@ goal=${1:-}
 [ $# -le 2 ] || usage
 root=${2:+$(realpath -m "$2")}
 cd -P "$(dirname "$0")/.."
+. tools/steps.sh
 
 fail() { echo "bare_machine.sh: $*" >&2; exit 1; }
 [ "$(id -u)" -eq 0 ] || fail "needs root, for chroot and mount"
@@ -32,7 +33,6 @@ if [ -n "$root" ]; then
 else
   root=$(mktemp -d "${TMPDIR:-/tmp}/bare_machine.XXXXXX")
 fi
-step_name=
 ended() {
   local status=$?
   [ "$status" -eq 0 ] || echo "bare_machine.sh: failed: ${step_name:-before the first step}" >&2
@@ -54,17 +54,6 @@ remove() {
 }
 trap ended EXIT
 trap 'exit 130' INT TERM
-
-timings=
-# step NAME COMMAND...: runs it, and notes how long it took.
-step() {
-  local start=$SECONDS
-  step_name=$1
-  shift
-  echo "== $step_name"
-  "$@"  # not in a condition, in which set -e would not hold
-  timings+=$(printf '%6d s  %s' $((SECONDS - start)) "$step_name")$'\n'
-}
 
 # What the network of this machine needs: its mirror of packages, its proxies, its own certificate authorities.
 mirror=$(grep -rhoE '\bhttps?://[^ ]+/debian/?( |$)' /etc/apt/sources.list /etc/apt/sources.list.d/*.sources /etc/apt/sources.list.d/*.list 2>/dev/null | head -1 || true)
@@ -146,7 +135,6 @@ downloads() {
 }
 
 main() {
-  SECONDS=0
   step "a machine with git and make" make_machine
   step "git clone" clone
   step "make demo, until the page and the devices are there" demo
@@ -157,7 +145,6 @@ main() {
     echo "== downloaded in all:"
     downloads
   fi
-  echo "== how long it took, on $(nproc) cores:"
-  printf '%s' "$timings"
+  report_steps
 }
 main; exit  # read whole before it begins: the checkout may change while it runs
