@@ -1,9 +1,9 @@
 # Headers that most files include, read once for a build instead of once for each file: a file of tests compiles in
 # half the time. tools/tidy.py checks that files include what they use of them.
 #
-# playhouse_precompile(TARGET HEADER) has the sources of a target begin with a header of precompiled/: library, world or devices, for
-# tests library_test and so on. The target must be compiled with the options of its kind, in Playhouse.cmake; one with
-# other options has the header compiled for itself: playhouse_precompile(TARGET HEADER OWN).
+# playhouse_precompile(TARGET HEADER) has the sources of a target begin with a header of precompiled/: library, world or
+# devices, for tests library_test and so on. The target must be compiled with the options of its kind, in Playhouse.cmake;
+# one with other options has the header compiled for itself: playhouse_precompile(TARGET HEADER OWN).
 
 option(PLAYHOUSE_PRECOMPILE "precompile common headers: faster, but the compiler sees no missing include" OFF)
 if(NOT PLAYHOUSE_PRECOMPILE)

@@ -2,9 +2,9 @@
 # For builds that are made once, as those of users and of continuous integration; where a file is changed and compiled
 # anew, eight are. Eight keep a unit below 15 s and 600 MB (tools/compile_times.py); where they don't, TOGETHER says how many.
 #
-# playhouse_unity(TARGET TOGETHER n APART a.cc b.cc ALONE c.cc) has the sources of a target compiled so. Each of those named has a name
-# of its own for something that another file of the folder calls the same: APART are eights of their own, ALONE are
-# compiled one at a time.
+# playhouse_unity(TARGET TOGETHER n APART a.cc b.cc ALONE c.cc) has the sources of a target compiled so. Each of those named
+# has a name of its own for something that another file of the folder calls the same, or takes as long as eight others:
+# APART are eights of their own, ALONE are compiled one at a time.
 
 option(PLAYHOUSE_UNITY "compile the files of a library eight at a time" OFF)
 
