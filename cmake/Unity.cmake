@@ -1,6 +1,7 @@
 # The files of a library, compiled eight at a time: what their headers' templates become is compiled once for the eight.
 # For builds that are made once, as those of users and of continuous integration; where a file is changed and compiled
-# anew, eight are. Eight keep a unit below 15 s and 600 MB (tools/compile_times.py); where they don't, TOGETHER says how many.
+# anew, eight are. A unit should stay below 15 s and 600 MB (tools/compile_times.py): TOGETHER says how many
+# files, where eight are too many.
 #
 # playhouse_unity(TARGET TOGETHER n APART a.cc b.cc ALONE c.cc) has the sources of a target compiled so. Each of those named
 # has a name of its own for something that another file of the folder calls the same, or takes as long as eight others:
