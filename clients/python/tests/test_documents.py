@@ -45,7 +45,8 @@ class Documents(unittest.TestCase):
                 lines.replace(ADDRESS, world.address), {}, "tutorial.md", "tutorial.md", 0
             )
             said: List[str] = []
-            result = doctest.DocTestRunner(NumbersApart()).run(session, out=said.append, clear_globs=False)
+            runner = doctest.DocTestRunner(NumbersApart(), verbose=False)  # it would take a -v of unittest as its own
+            result = runner.run(session, out=said.append, clear_globs=False)
             session.globs["client"].close()
         self.assertEqual((result.failed, "".join(said)), (0, ""))
         self.assertGreater(result.attempted, 10)
