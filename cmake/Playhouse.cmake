@@ -36,9 +36,7 @@ if(PLAYHOUSE_WERROR)
   add_compile_options(-Werror)
 endif()
 add_compile_options(-fmacro-prefix-map=${PLAYHOUSE_ROOT}/=)  # the program does not name the folder it was built in
-if(PLAYHOUSE_SANITIZE MATCHES thread)  # whose code takes ten times as long to run
-  add_compile_options(-O1)
-elseif(PLAYHOUSE_SANITIZE)  # the optimiser takes the compiler twice as long; HOT modules have it all the same
+if(PLAYHOUSE_SANITIZE)  # the optimiser takes the compiler twice as long; HOT modules have it all the same
   add_compile_options(-O0)
 endif()
 
@@ -75,11 +73,13 @@ function(playhouse_test_options TARGET)
   endif()
 endfunction()
 
-# playhouse_gtest(TARGET NAME SHARDS n COMPUTED): the tests of a program, named NAME.1 to NAME.n: n runs of the program share
+# playhouse_gtest(TARGET NAME SHARDS n COMPUTED UNSANITIZED Suite.test...): the tests of a program, named NAME.1 to NAME.n: n runs of the program share
 # them. A run of its own for each test would start a sanitized program two thousand times. Laws draw the same cases in every
-# run, so that a red one can be repeated: a hundred; with sanitizers a tenth of those that the release draws as well.
+# run, so that a red one can be repeated: a hundred; with sanitizers a tenth of those that the release draws as well. Of
+# a COMPUTED program, tests that are UNSANITIZED run in the release alone: they take minutes with sanitizers and run nothing
+# that others don't.
 function(playhouse_gtest TARGET NAME)
-  cmake_parse_arguments(ARG "COMPUTED" "SHARDS" "" ${ARGN})
+  cmake_parse_arguments(ARG "COMPUTED" "SHARDS" "UNSANITIZED" ${ARGN})
   if(NOT ARG_SHARDS)
     set(ARG_SHARDS 1)
   endif()
@@ -87,9 +87,14 @@ function(playhouse_gtest TARGET NAME)
   if(ARG_COMPUTED AND PLAYHOUSE_SANITIZE)
     set(LAWS "seed=1 max_success=10")
   endif()
+  set(FILTER)
+  if(ARG_UNSANITIZED AND PLAYHOUSE_SANITIZE)
+    list(JOIN ARG_UNSANITIZED : FILTER)
+    set(FILTER --gtest_filter=-${FILTER})
+  endif()
   foreach(SHARD RANGE 1 ${ARG_SHARDS})
     math(EXPR INDEX "${SHARD} - 1")
-    add_test(NAME ${NAME}.${SHARD} COMMAND ${TARGET} --gtest_brief=1)
+    add_test(NAME ${NAME}.${SHARD} COMMAND ${TARGET} --gtest_brief=1 ${FILTER})
     set_tests_properties(${NAME}.${SHARD} PROPERTIES TIMEOUT 1500 LABELS "$<IF:$<BOOL:${ARG_COMPUTED}>,computed,unit>"
       ENVIRONMENT "RC_PARAMS=${LAWS};GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${INDEX}"
       ENVIRONMENT_MODIFICATION "${PLAYHOUSE_TEST_SANITIZERS}")
@@ -99,15 +104,14 @@ endfunction()
 include(${CMAKE_CURRENT_LIST_DIR}/Precompiled.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/Unity.cmake)
 
-# playhouse_module(NAME DEPS a b c COMPUTED UNSANITIZED HOT PRECOMPILED world OWN EXCEPT x.cc TOGETHER 8 APART y.cc ALONE z.cc)
+# playhouse_module(NAME DEPS a b c COMPUTED UNSANITIZED Suite.test HOT PRECOMPILED world OWN EXCEPT x.cc TOGETHER 8 APART y.cc ALONE z.cc)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
-# COMPUTED, SHARDS n: see playhouse_gtest. UNSANITIZED: its tests take minutes with sanitizers and run nothing that others
-# don't. HOT: optimised with sanitizers, too, since tests spend their time there. PRECOMPILED (library if left out), OWN: see
+# COMPUTED, SHARDS n, UNSANITIZED: see playhouse_gtest; UNSANITIZED * are all its tests. HOT: optimised with sanitizers, too, since tests spend their time there. PRECOMPILED (library if left out), OWN: see
 # Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake.
 function(playhouse_module NAME)
-  cmake_parse_arguments(ARG "OWN;HOT;COMPUTED;UNSANITIZED" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;EXCEPT;APART;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "OWN;HOT;COMPUTED" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;UNSANITIZED;EXCEPT;APART;ALONE" ${ARGN})
   if(NOT ARG_PRECOMPILED)
     set(ARG_PRECOMPILED library)
   endif()
@@ -143,7 +147,7 @@ function(playhouse_module NAME)
   endif()
   target_link_libraries(${TARGET} ${SCOPE} $<BUILD_INTERFACE:playhouse_flags> ${ARG_DEPS})
 
-  if(PLAYHOUSE_TESTS AND TESTS AND NOT (ARG_UNSANITIZED AND PLAYHOUSE_SANITIZE))
+  if(PLAYHOUSE_TESTS AND TESTS AND NOT (PLAYHOUSE_SANITIZE AND "${ARG_UNSANITIZED}" STREQUAL "*"))
     add_executable(${TARGET}_test ${TESTS})
     target_link_libraries(${TARGET}_test PRIVATE ${TARGET} rapidcheck rapidcheck_gtest GTest::gtest GTest::gmock GTest::gtest_main)
     target_compile_definitions(${TARGET}_test PRIVATE PLAYHOUSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
@@ -154,7 +158,7 @@ function(playhouse_module NAME)
       set(COMPUTED COMPUTED)
       add_dependencies(computed_tests ${TARGET}_test)
     endif()
-    playhouse_gtest(${TARGET}_test ${NAME} SHARDS ${ARG_SHARDS} ${COMPUTED})
+    playhouse_gtest(${TARGET}_test ${NAME} SHARDS ${ARG_SHARDS} ${COMPUTED} UNSANITIZED ${ARG_UNSANITIZED})
   endif()
   if(PLAYHOUSE_BENCHES AND BENCHES)
     add_executable(${TARGET}_bench ${BENCHES})

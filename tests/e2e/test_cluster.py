@@ -46,7 +46,7 @@ class Cluster(HouseTest):
                 if not world.exists():
                     continue
                 with self.subTest(name, engine=engine):
-                    options = ("--fast", "--duration", 2 if engine == "arena" else 12, "--engine", engine)
+                    options = ("--fast", "--duration", 1 if engine == "arena" else 4, "--engine", engine)
                     alone = self.alone(world, *options, "--record", self.folder / "alone.mcap")
                     with self.head(world, *options, "--record", self.folder / "shared.mcap", nodes=2) as head, \
                             self.node(head) as one, self.node(head, "--workers", 2) as two:

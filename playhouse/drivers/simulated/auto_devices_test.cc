@@ -365,14 +365,14 @@ TEST_F(ManyRobots, that_come_back_have_numbers_that_others_had_in_their_place) {
 
 class VeryManyRobots : public ManyRobots {
  protected:
-  VeryManyRobots() : ManyRobots(AutoMap::kIndices) {}
+  VeryManyRobots() : ManyRobots(2000) {}  // three times as many as rest at a time
 };
 
 TEST_F(VeryManyRobots, have_devices_however_many_came_and_went_before) {
   constexpr std::size_t kAtOnce = 10;
   std::size_t came = 0, without = 0;
   std::map<std::string, std::size_t> had;
-  for (; came < 150'000; came += kAtOnce) {
+  for (; came < 6000; came += kAtOnce) {
     const std::vector<ModelId> ids = come(kAtOnce, kB);
     for (const ModelId id : ids) {
       without += names(id).empty();
@@ -383,8 +383,8 @@ TEST_F(VeryManyRobots, have_devices_however_many_came_and_went_before) {
   }
   EXPECT_EQ(without, 0u);
   EXPECT_EQ(robots->left_out(), 0u);
-  EXPECT_EQ(had.size(), AutoMap::kIndices - 3) << "all but those that are taken all the time";
-  for (const auto& [name, times] : had) EXPECT_LE(times, 3u) << name;
+  EXPECT_EQ(had.size(), indices_ - 3) << "all but those that are taken all the time";
+  for (const auto& [name, times] : had) EXPECT_LE(times, 4u) << name;
   EXPECT_EQ(site.site().device_count(), 13u);
 }
 
