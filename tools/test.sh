@@ -15,8 +15,7 @@ step "running the tests of what is computed, as the program is compiled" \
   ctest --test-dir build/release --output-on-failure -j "$(nproc)" -L computed
 step "configuring the tests (address and undefined sanitizers)" tools/configure.sh ci
 step "building the tests and fuzzers (address and undefined sanitizers)" cmake --build --preset ci
-# One more at a time than cores: many of them wait for robots that drive.
-step "running every test" ctest --test-dir build/ci --output-on-failure -j $(($(nproc) + 1)) "$@"
+step "running every test" ctest --test-dir build/ci --output-on-failure -j "$(nproc)" "$@"
 step "building and running tests with the thread sanitizer" tools/tsan.sh stage server drivers
 step "checking that all they read comes with the packages of tools/setup.sh" \
   tools/packages.py check --build build/release --build build/ci --build build/tsan

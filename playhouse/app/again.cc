@@ -22,7 +22,7 @@ Result<std::unique_ptr<OpenedRecording>> open_recording(const std::string& file,
   if (!recording) return Error{escaped(file), recording.error().text};
   auto opened = std::make_unique<OpenedRecording>();
   opened->recording = std::move(*recording);
-  Result<scene::SceneDesc> scene = scene_of(opened->recording.start.sources, others);
+  Result<scene::SceneDesc> scene = scene_of(opened->recording.start.sources, file, others);
   if (!scene) return Error{escaped(file), scene.error().text};
   opened->scene = std::move(*scene);
   Running same = running;

@@ -12,6 +12,7 @@
 #include "playhouse/app/whole_file.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
+#include "playhouse/scene/file_search.h"
 #include "playhouse/scene/ros_map.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/scene/write_world.h"
@@ -55,8 +56,7 @@ int write_text(const std::string& path, const std::string& text) {
 std::string named_from(const std::string& beside, const fs::path& file) {
   std::error_code ignored;
   if (beside.empty()) return fs::absolute(file, ignored).lexically_normal().string();
-  const fs::path folder = fs::absolute(beside, ignored).parent_path();
-  return fs::absolute(file, ignored).lexically_proximate(folder).string();
+  return scene::path_from(beside, file).string();
 }
 
 int write_plan(const ConvertOptions& options, const scene::Plan& plan, const std::string& bitmap) {
@@ -80,6 +80,19 @@ int convert_image(const ConvertOptions& options) {
   return write_plan(options, *plan, named_from(options.output, options.input));
 }
 
+/// The image of a map. An absolute path of another machine gives way to the file of that name beside the map.
+fs::path image_of(const ConvertOptions& options, const scene::RosMap& map) {
+  const fs::path folder = fs::path(options.input).parent_path();
+  const fs::path image = folder / map.image;  // absolute paths replace the folder
+  const fs::path beside = folder / image.filename();
+  std::error_code ignored;
+  if (!fs::path(map.image).is_absolute() || fs::exists(image, ignored) || !fs::exists(beside, ignored))
+    return image;
+  warn(escaped(options.input) + ": there is no " + in_quotes(map.image) + "; " + in_quotes(beside.string()) +
+       " is read instead");
+  return beside;
+}
+
 /// A map whose thresholds are not those of bitmaps has its walls in an image of its own, beside the world.
 int convert_map(const ConvertOptions& options) {
   const Result<std::string> text = read_file(options.input);
@@ -89,8 +102,9 @@ int convert_map(const ConvertOptions& options) {
     const std::string line = map.error().where.empty() ? "" : ":" + map.error().where;
     return fail_in_file({escaped(options.input) + line, map.error().text});
   }
-  const fs::path image =
-      fs::path(options.input).parent_path() / map->image;  // absolute paths replace the folder
+  for (const Error& warning : map->warnings)
+    warn(escaped(options.input) + ":" + warning.where + ": " + warning.text + "; it has no effect");
+  const fs::path image = image_of(options, *map);
   const Result<std::string> bytes = read_file(image.string());
   if (!bytes) return fail_in_file(bytes.error());
   const Result<scene::Plan> plan =

@@ -43,7 +43,7 @@ class Replica {
   Result<world::Engine*> make(world::SavedRun run) {
     running_.engine = run.engine;
     running_.seed = run.seed;
-    Result<scene::SceneDesc> scene = scene_of(run.sources, nullptr);
+    Result<scene::SceneDesc> scene = scene_of(run.sources, std::nullopt, nullptr);
     if (!scene) return scene.error();
     scene_ = std::move(*scene);
     Result<std::unique_ptr<world::Engine>> engine =

@@ -91,7 +91,7 @@ Result<void> Service::read_saved(const std::string& path) {
   sources_ = saved_->sources;
   running_.engine = saved_->engine;
   running_.seed = saved_->seed;
-  Result<scene::SceneDesc> scene = scene_of(sources_, &other_errors_);
+  Result<scene::SceneDesc> scene = scene_of(sources_, path, &other_errors_);
   if (!scene) return Error{escaped(path), scene.error().text};
   scene_ = std::move(*scene);
   return {};

@@ -27,11 +27,13 @@ Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>*
   return scene;
 }
 
-Result<scene::SceneDesc> scene_of(const scene::SourceFiles& sources, std::vector<Error>* others) {
+Result<scene::SceneDesc> scene_of(const scene::SourceFiles& sources, const std::optional<std::string>& file,
+                                  std::vector<Error>* others) {
   scene::MemoryFiles files(sources.files, sources.search_path);
   Result<scene::SceneDesc> scene =
       scene::load_world_text(sources.files.at(sources.path), sources.path, files, {}, others);
   if (!scene) return Error{{}, "its scene cannot be read: " + scene.error().line()};
+  if (file) scene->library_folder = scene::containing_folder(*file);
   controllers::describe_for(*scene);
   return scene;
 }

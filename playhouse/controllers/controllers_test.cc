@@ -297,6 +297,26 @@ TEST(PioneerFlocking, stops_and_turns_where_the_way_is_not_free) {
   EXPECT_NE(f.command(0).a, 0.3 * 0.5);
 }
 
+TEST(PioneerFlocking, turns_right_where_there_is_more_room) {
+  Fixture f(flock(1));
+  testing::measure(f.world, {0.5f, 0.5f, 0.5f, 3, 3, 3, 5, 5});
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0).x, 0);
+  const double diagonal = std::sqrt(0.5);  // beams at 0, 45, 90, -90 and -45 degrees: 0.5, 0.5, 0.5, 5 and 5 m
+  EXPECT_NEAR(f.command(0).a, 0.3 * std::atan2((0.5 - 5) * diagonal + 0.5 - 5, 0.5 + (0.5 + 5) * diagonal), 1e-6);
+}
+
+TEST(PioneerFlocking, wants_a_metre_at_30_degrees_to_either_side) {
+  for (const std::size_t beam : {1u, 11u}) {
+    Fixture f(testing::robots(1, testing::ring(12), "pioneer_flocking"));
+    std::vector<float> ranges(12, 3);
+    ranges[beam] = 0.9f;
+    testing::measure(f.world, ranges);
+    testing::decide(f.world);
+    EXPECT_EQ(f.command(0).x, 0) << beam;
+  }
+}
+
 TEST(PioneerFlocking, looks_at_nothing_behind_it) {
   Fixture f(flock(1));
   testing::measure(f.world, {3, 3, 3, 0.1f, 3, 3, 3, 3});

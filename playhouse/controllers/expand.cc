@@ -116,7 +116,7 @@ void Expand::decide(world::World& world, std::size_t begin, std::size_t end) {
     double turn = config_.gain * bearing;
     if (go) {
       turn += config_.flock * off_neighbour(world, i);
-    } else if (turn < config_.restless && config_.restless > 0) {
+    } else if (std::fabs(turn) < config_.restless) {
       turn = Rng(world.seed(), world.tick(), stream_[i]).uniform();
     }
     drive(world, robot_[i], go ? config_.cruise : 0, turn);

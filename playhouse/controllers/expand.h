@@ -26,7 +26,7 @@ struct ExpandConfig {
   std::span<const Clearance> clearance;  // ascending; beams beyond the last are ignored
   double looks = geom::kTwoPi;           // rad, to either side; beams beyond are ignored
   double flock = 0;     // rad/s per rad of heading difference to the nearest visible marker, if unobstructed
-  double restless = 0;  // rad/s; maximum random turn to the right, instead of a slower one, if obstructed
+  double restless = 0;  // rad/s; if obstructed, turns slower than this are random ones to the left
 };
 
 // Stage has a constant per sensor of its ring; here each applies halfway to the next sensor, for any ring.
@@ -41,7 +41,7 @@ inline constexpr Clearance kPioneerClearance[] = {  // sonars at 10, 30 and 50 d
     {geom::radians(70), 0.75f / 4}};
 
 inline constexpr Clearance kFlockClearance[] = {  // the same sonars
-    {geom::radians(20), 1.0f},
+    {geom::radians(40), 1.0f},
     {geom::radians(70), 0.5f}};
 
 inline constexpr ExpandConfig kExpandSwarm{.cruise = 0.3, .clearance = kSwarmClearance};

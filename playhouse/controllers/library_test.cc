@@ -194,7 +194,8 @@ TEST(Library, names_are_suggested_when_one_is_misspelt) {
 
 TEST(Library, that_is_nowhere_is_told_with_the_places) {
   EXPECT_THAT(Fixture("nowhere").error,
-              EndsWith("it is not built in, and \"nowhere.so\" is not in " TEST_LIBRARIES));
+              EndsWith("it is not built in, and \"nowhere.so\" is not in " TEST_LIBRARIES
+                       "; if you trust one elsewhere, run with --allow-library FILE.so"));
 }
 
 const std::string kProbe = TEST_LIBRARIES "/probe";
@@ -242,9 +243,13 @@ TEST(Library, is_looked_for_beside_the_world_then_in_the_environment_then_with_t
   setenv("PLAYHOUSE_PATH", "/a:/b", 1);
   setenv("STAGEPATH", ":/c", 1);
   scene::SceneDesc scene;
-  scene.path = "worlds/x.world";
+  scene.library_folder = "worlds";
   const std::vector<std::filesystem::path> expected{"worlds", "/a", "/b", "/c", "/program"};
   EXPECT_EQ(libraries::library_folders(scene, "/program"), expected);
+  scene.library_folder.clear();
+  scene.path = "/forged/x.world";
+  EXPECT_EQ(libraries::library_folders(scene, "/program"),
+            (std::vector<std::filesystem::path>{"/a", "/b", "/c", "/program"}));
   unsetenv("PLAYHOUSE_PATH");
   unsetenv("STAGEPATH");
 }

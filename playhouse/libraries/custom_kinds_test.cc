@@ -69,7 +69,8 @@ TEST(CustomKinds, without_a_library_are_refused) {
 TEST(CustomKinds, whose_library_is_misspelt_or_nowhere_are_told_with_the_nearest_and_the_places) {
   EXPECT_EQ(Fixture("prob").error, "test.world:2: no custom model \"prob\" (did you mean \"probe\"?)");
   EXPECT_EQ(Fixture("nowhere").error,
-            "test.world:2: no custom model \"nowhere\": \"nowhere.so\" is not in " TEST_LIBRARIES);
+            "test.world:2: no custom model \"nowhere\": \"nowhere.so\" is not in " TEST_LIBRARIES
+            "; if you trust one elsewhere, run with --allow-library FILE.so");
 }
 
 TEST(CustomKinds, whose_library_is_none_of_them_are_refused) {

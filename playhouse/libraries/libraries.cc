@@ -16,14 +16,16 @@ std::string file_of(std::string_view name) {
   return std::string(name) + (name.ends_with(".so") ? "" : ".so");
 }
 
-/// The first match in the search path; empty if there is none.
-std::filesystem::path find(std::string_view name, std::span<const std::filesystem::path> folders) {
-  for (const std::filesystem::path& folder : folders) {
+/// The first match in the search path, then among the allowed files; empty if there is none.
+std::filesystem::path find(std::string_view name, const Libraries& libraries) {
+  for (const std::filesystem::path& folder : libraries.folders) {
     std::filesystem::path file = folder / file_of(name);
     std::error_code ignored;
     if (std::filesystem::is_regular_file(file, ignored)) return file;
   }
-  return {};
+  const auto allowed = std::ranges::find_if(
+      libraries.allowed, [&](const std::filesystem::path& file) { return file.filename() == file_of(name); });
+  return allowed == libraries.allowed.end() ? std::filesystem::path() : *allowed;
 }
 
 /// All names in the search path, for suggestions.
@@ -54,7 +56,8 @@ Error unknown(const Wanted& wanted, const Libraries& libraries) {
   for (const std::filesystem::path& folder : libraries.folders)
     places += (places.empty() ? "" : ", ") + escaped(folder.string());
   const char* const not_built_in = wanted.built_ins.empty() ? ": " : ": it is not built in, and ";
-  return {wanted.where, no + not_built_in + file + " is not in " + places};
+  return {wanted.where, no + not_built_in + file + " is not in " + places +
+                            "; if you trust one elsewhere, run with --allow-library FILE.so"};
 }
 
 /// True if a name escapes the search path.
@@ -76,8 +79,7 @@ bool is_allowed(const std::string& name, const std::filesystem::path& file, cons
 std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene,
                                                    const std::filesystem::path& program_folder) {
   std::vector<std::filesystem::path> folders;
-  const std::filesystem::path folder = std::filesystem::path(scene.path).parent_path();
-  folders.push_back(folder.empty() ? "." : folder);
+  if (!scene.library_folder.empty()) folders.emplace_back(scene.library_folder);
   for (const char* variable : {"PLAYHOUSE_PATH", "STAGEPATH"})
     for (std::string& named : folders_of(variable)) folders.emplace_back(std::move(named));
   folders.push_back(program_folder);
@@ -86,7 +88,7 @@ std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene
 
 Result<std::shared_ptr<SharedLibrary>> load(const Wanted& wanted, const Libraries& libraries,
                                             std::vector<std::string>& warnings) {
-  const std::filesystem::path file = find(wanted.name, libraries.folders);
+  const std::filesystem::path file = find(wanted.name, libraries);
   if (file.empty()) return unknown(wanted, libraries);
   const std::string which = std::string(wanted.provided.what) + " " + in_quotes(wanted.name);
   const std::string path = escaped(std::filesystem::absolute(file).lexically_normal().string());

@@ -21,11 +21,11 @@ struct Libraries {
   enum class Use : std::uint8_t { kLoad, kFind };  // kFind: located but not loaded, for checks
 
   std::vector<std::filesystem::path> folders;  // search path for names, in order
-  std::vector<std::filesystem::path> allowed;  // allowed files elsewhere
+  std::vector<std::filesystem::path> allowed;  // allowed files elsewhere, also found by their names alone
   Use use = Use::kLoad;
 };
 
-/// The search path: the folder of the world file, those of
+/// The search path: the scene's library_folder, those of
 /// PLAYHOUSE_PATH and STAGEPATH (colon-separated), and `program_folder`.
 std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene,
                                                    const std::filesystem::path& program_folder);

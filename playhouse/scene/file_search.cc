@@ -1,12 +1,25 @@
 #include "playhouse/scene/file_search.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 
 namespace playhouse::scene {
+
+std::filesystem::path path_from(const std::filesystem::path& beside, const std::filesystem::path& file) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path folder = fs::absolute(beside, ignored).lexically_normal().parent_path();
+  const fs::path named = fs::absolute(file, ignored).lexically_normal().lexically_relative(folder);
+  if (fs::equivalent(fs::absolute(beside, ignored).parent_path() / named, file, ignored)) return named;
+  const auto physical = [&](const fs::path& path) {
+    return fs::weakly_canonical(fs::absolute(path, ignored).parent_path(), ignored) / path.filename();
+  };
+  return physical(file).lexically_relative(physical(beside).parent_path());
+}
 
 std::vector<std::string> folders_for(const std::string& top_level, const std::string& named_by,
                                      const FileReader& files) {
@@ -19,10 +32,24 @@ std::vector<std::string> folders_for(const std::string& top_level, const std::st
   return folders;
 }
 
+namespace {
+
+/// The first of the folders that has a file of this name; empty if there is none.
+std::string folder_with(const std::vector<std::string>& folders, std::string_view name, const FileReader& files) {
+  for (const std::string& folder : folders)
+    if (std::ranges::count(files.names_in(folder), name) > 0) return folder.empty() ? "./" : folder;
+  return {};
+}
+
+}  // namespace
+
 std::string also_not_in(const std::vector<std::string>& folders, std::string_view name,
                         const FileReader& files, const std::function<bool(std::string_view)>& fits) {
   const bool is_whole = resolve("", name) == resolve("/", name);  // absolute
   const std::string below = is_whole ? "" : folder_of(name);
+  if (const std::string_view alone = name.substr(folder_of(name).size()); is_whole)  // of another machine
+    if (const std::string folder = folder_with(folders, alone, files); !folder.empty())
+      return "; " + in_quotes(alone) + " alone is found in " + escaped(folder);
   std::vector<std::string> names;
   std::string places;
   for (const std::string& folder : folders) {

@@ -2,6 +2,7 @@
 
 /// Search paths for files named in a scene: includes, bitmaps, meshes.
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -17,8 +18,12 @@ namespace playhouse::scene {
 std::vector<std::string> folders_for(const std::string& top_level, const std::string& named_by,
                                      const FileReader& files);
 
+/// The path of `file` from the folder of `beside`: as both are named, if that leads to the file, else by the folders
+/// that their symbolic links lead to.
+std::filesystem::path path_from(const std::filesystem::path& beside, const std::filesystem::path& file);
+
 /// Suffix of an error about `name` missing in the first folder: the other
-/// folders, and the most similar file name in any of them that `fits`.
+/// folders, and the most similar file name in any of them that `fits`; of an absolute path, the folder where its last part is.
 std::string also_not_in(const std::vector<std::string>& folders, std::string_view name,
                         const FileReader& files, const std::function<bool(std::string_view)>& fits);
 

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kKeys = {"image",           "resolution",  "origin", "negate",
                                                    "occupied_thresh", "free_thresh", "mode"};
+constexpr std::size_t kMostWarnings = 16;
 constexpr std::array<std::string_view, 3> kModes = {"trinary", "scale", "raw"};
 
 Error at(const YAML::Mark& mark, const std::string& text) {
@@ -73,14 +74,18 @@ Result<RosMap> map_of(const YAML::Node& root) {
   std::set<std::string> given;
   for (const auto& entry : root) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
-    if (std::ranges::find(kKeys, key) == kKeys.end())
-      return at(entry.first.Mark(),
-                fmt::format("there is no key {}{}", in_quotes(key), did_you_mean(key, kKeys)));
+    if (std::ranges::find(kKeys, key) == kKeys.end()) {  // map servers ignore it
+      if (map.warnings.size() == kMostWarnings) continue;
+      map.warnings.push_back(at(entry.first.Mark(), fmt::format("there is no key {}{}", in_quotes(key),
+                                                                did_you_mean(key, kKeys))));
+      continue;
+    }
     given.insert(key);
     if (const Result<void> read = read_key(key, entry.second, map); !read) return read.error();
   }
   for (const std::string key : {"image", "resolution", "origin"})
-    if (!given.contains(key)) return Error{"", fmt::format("lacks {}", in_quotes(key))};
+    if (!given.contains(key))
+      return map.warnings.empty() ? Error{"", fmt::format("lacks {}", in_quotes(key))} : map.warnings.front();
   if (!(map.resolution > 0)) return at(root["resolution"].Mark(), "\"resolution\" wants a number above 0");
   if (map.free > map.occupied)
     return at(root.Mark(), "\"free_thresh\" is above \"occupied_thresh\", so a pixel might be both");

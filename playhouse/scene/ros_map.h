@@ -9,7 +9,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "playhouse/base/result.h"
 #include "playhouse/scene/plan.h"
 
 namespace playhouse::scene {
@@ -22,6 +24,7 @@ struct RosMap {
   bool negate = false;
   double occupied = 0.65, free = 0.25;  // thresholds in 0 .. 1: above occupied is wall, below free is free
   std::string mode = "trinary";
+  std::vector<Error> warnings;  // with lines: keys that have no effect
 };
 
 /// Fails with line and reason.

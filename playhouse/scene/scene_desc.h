@@ -118,6 +118,9 @@ struct TreeDesc {
 
 struct SceneDesc : WorldDesc {
   std::string path;                // of the top-level file
+  /// Where libraries are looked for first: the folder of the file on disk that whoever started the program named; empty:
+  /// nowhere. Never from the contents of a file or a peer, for libraries run with all rights.
+  std::string library_folder;
   std::vector<std::string> files;  // all files read; row 0 is the top-level one
   WindowDesc window;
   Units units;                                 // of the top-level file

@@ -125,6 +125,13 @@ std::string folder_of(std::string_view path) {
   return slash == std::string_view::npos ? std::string{} : std::string(path.substr(0, slash + 1));
 }
 
+std::string containing_folder(std::string_view path) {
+  std::string folder = folder_of(path);
+  if (folder.empty()) return ".";
+  if (folder.size() > 1) folder.pop_back();
+  return folder;
+}
+
 std::string resolve(const std::string& folder, std::string_view name) {
   if (!name.empty() && (name.front() == '/' || name.front() == '~')) return std::string(name);
   return folder + std::string(name);

@@ -116,6 +116,9 @@ class SourceTexts {
 /// Folder of a path with trailing slash, or "".
 std::string folder_of(std::string_view path);
 
+/// The same as a path of its own: without the slash, "." for "".
+std::string containing_folder(std::string_view path);
+
 /// `name` unchanged if it starts with '/' or '~', else `folder` + `name`.
 std::string resolve(const std::string& folder, std::string_view name);
 

@@ -570,7 +570,9 @@ Result<SceneDesc> load_world(const std::string& path, NamedBy by, std::vector<Er
   const auto load = [&](std::string text, const std::string& found) {
     kept.path = found;
     if (sources) kept.files[found] = text;
-    return load_world_text(std::move(text), found, files, {}, others);
+    Result<SceneDesc> scene = load_world_text(std::move(text), found, files, {}, others);
+    if (scene) scene->library_folder = containing_folder(found);
+    return scene;
   };
   Result<std::string> text = DiskFiles(by).read(path);
   if (text) return load(std::move(*text), path);

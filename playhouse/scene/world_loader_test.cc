@@ -261,6 +261,13 @@ TEST(WorldText, names_of_any_length_and_bytes_are_one_short_line) {
   }
 }
 
+TEST(WorldText, a_path_of_another_machine_is_an_error_that_says_where_the_name_alone_is_found) {
+  for (const std::string text : {"include \"/opt/stage/x.inc\"", "model( bitmap \"/opt/stage/x.inc\" )",
+                                 "model( mesh \"/opt/stage/x.inc\" )"})
+    EXPECT_THAT(error_of(text, {{"w/x.inc", ""}}),
+                HasSubstr("\"/opt/stage/x.inc\" cannot be opened: no such file; \"x.inc\" alone is found in w/"));
+}
+
 TEST(WorldText, an_include_cycle_is_reported_not_followed) {
   EXPECT_EQ(
       error_of("include \"a.inc\"", {{"w/a.inc", "\ninclude \"b.inc\""}, {"w/b.inc", "include \"a.inc\""}}),
@@ -1105,7 +1112,7 @@ TEST(WorldFiles, an_include_is_looked_for_beside_the_files_and_then_in_the_searc
       "(did you mean \"further.inc\"?)");
   EXPECT_EQ(
       load_world_text("include \"/far.inc\"", "w/t.world", files).error().line(),
-      "w/t.world:1: included file \"/far.inc\" cannot be opened: no such file (did you mean \"far.inc\"?)");
+      "w/t.world:1: included file \"/far.inc\" cannot be opened: no such file; \"far.inc\" alone is found in lib/");
 }
 
 TEST(WorldFiles, a_bitmap_is_looked_for_as_an_include_is_and_a_warning_says_where_it_was_found) {

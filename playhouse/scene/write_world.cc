@@ -14,6 +14,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/scene/body.h"
 #include "playhouse/scene/expand.h"
+#include "playhouse/scene/file_search.h"
 #include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/generated/write_kinds.h"
@@ -401,13 +402,11 @@ std::string WorldWriter::unsaid_token(const Kind& kind, const std::string& paren
 }
 
 std::string WorldWriter::file_name(const std::string& path) const {
+  if (!path_.empty())
+    if (const auto below = path_from(path_, path); !below.empty() && *below.begin() != "..") return below.string();
   std::error_code error;
-  const auto file = std::filesystem::absolute(path, error).lexically_normal();
-  if (error) return path;
-  if (path_.empty()) return file.string();
-  const auto self = std::filesystem::absolute(path_, error).lexically_normal();
-  const auto below = file.lexically_relative(self.parent_path());
-  return error || below.empty() || *below.begin() == ".." ? file.string() : below.string();
+  const auto file = std::filesystem::canonical(path, error);
+  return error ? std::filesystem::absolute(path, error).lexically_normal().string() : file.string();
 }
 
 }  // namespace

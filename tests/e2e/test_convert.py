@@ -1,8 +1,10 @@
 """Worlds for older versions of Stage: they run, and `convert` writes them in today's words, which run the same."""
 
+import contextlib
 import json
 import struct
 import unittest
+from pathlib import Path
 
 from house import HouseTest, finish
 
@@ -194,6 +196,39 @@ class Convert(HouseTest):
         done = finish("convert", self.write("map.yaml", "image: plan.pbm\nresoluton: 1\n"))
         self.assertEqual(done.returncode, 2)
         self.assertIn('map.yaml:2: error: there is no key "resoluton" (did you mean "resolution"?)', done.stderr)
+
+    ROOM = "P2 4 4 255 " + "0 0 0 0 0 254 254 0 0 254 254 0 0 0 0 0\n"
+    MAP = "image: {}\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
+
+    def test_a_world_names_its_image_from_any_folder_and_through_links(self):
+        (self.folder / "maps").mkdir()
+        (self.folder / "data" / "worlds").mkdir(parents=True)
+        (self.folder / "link").symlink_to("data/worlds")
+        self.write("maps/m.pgm", self.ROOM)
+        self.write("maps/map.yaml", self.MAP.format("m.pgm"))
+        with contextlib.chdir(self.folder / "maps"):
+            for output in ("../x.world", "../link/x.world", "../data/worlds/y.world", "./z.world", str(self.folder / "maps/../a.world")):
+                for source in (("map.yaml",), ("m.pgm", "--scale", "0.5")):
+                    with self.subTest(output, source=source):
+                        done = finish("convert", *source, "-o", output)
+                        self.assertEqual(done.returncode, 0, done.stderr)
+                        self.assertIn('bitmap "', Path(output).read_text())
+                        self.assertNotIn(str(self.folder), Path(output).read_text(), "the path is relative")
+                        done = finish("check", output)
+                        self.assertEqual(done.returncode, 0, done.stderr)
+                        written = self.folder / "data" / "worlds" / "again.world"
+                        done = finish("convert", output, "-o", "../link/again.world")
+                        self.assertEqual(done.returncode, 0, done.stderr)
+                        self.assertEqual(finish("check", written).returncode, 0)
+
+    def test_a_map_of_another_machine_is_read(self):
+        self.write("m.pgm", self.ROOM)
+        file = self.write("map.yaml", self.MAP.format("/home/robot/maps/m.pgm") + "floor: 2\n")
+        done = finish("convert", file, "-o", self.folder / "lab.world")
+        self.assertEqual((done.returncode, done.stderr.splitlines()), (0, [
+            f'{file}:7: warning: there is no key "floor"; it has no effect',
+            f'warning: {file}: there is no "/home/robot/maps/m.pgm"; "{self.folder}/m.pgm" is read instead']))
+        self.assertEqual(finish("check", self.folder / "lab.world").returncode, 0)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from house import ROOT, HouseTest, finish
+from house import ROOT, House, HouseTest, finish
 
 EXAMPLE = ROOT / "examples" / "custom"
 # Of the program: it has the install script.
@@ -120,6 +120,33 @@ class Libraries(HouseTest):
         whole = self.result_of(world, "--duration", 20, "--save-at", 10, saved)
         rest = self.result_of("--from", saved, "--duration", 20)
         self.assertEqual(whole["hash"], rest["hash"])
+
+    def test_no_file_and_no_peer_names_the_folder_of_a_library(self):
+        """Code beside the world, which a saved run and a recording made of it name."""
+        there, here = self.folder / "there", self.folder / "here"
+        for folder in (there, here):
+            folder.mkdir()
+        libraries = [Path(shutil.copy(file, there)) for file in self.libraries.glob("*.so")]
+        world = Path(shutil.copy(self.yard, there))
+        with mock.patch.dict(os.environ, PLAYHOUSE_PATH=""):
+            run, film = here / "half.run", here / "film.mcap"
+            whole = self.result_of(world, "--duration", 2, "--save-at", 1, run, "--record", film)
+            allowed = [word for library in libraries for word in ("--allow-library", library)]
+            for begin in (("--from", run, "--duration", 2, "--port", 0, "--headless", "--fast"), ("--again", film)):
+                with self.subTest(begin[0]):
+                    done = finish("run", *begin)
+                    self.assertEqual(done.returncode, 2, done.stderr)
+                    self.assertRegex(done.stderr, rf'"\w+\.so" is not in {here}, .*--allow-library')
+                    self.assertNotIn("loads", done.stderr + done.stdout)
+                    done = finish("run", *begin, "--json", *allowed)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    self.assertEqual(json.loads(done.stdout)["hash"], whole["hash"])
+            done = finish("replay", film, "--web", 0)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            with House("run", world, "--cluster", 0, "--port", 0, "--headless", "--speed", 1) as head:
+                done = finish("node", head.wait_for_line(r"^cluster nodes: (127\.0\.0\.1:\d+)$").group(1))
+                self.assertNotEqual(done.returncode, 0, done.stderr)
+                self.assertIn("is not in", done.stderr)
 
     def test_the_walk_of_the_documentation_leads_to_what_it_says(self):
         walk = (ROOT / "docs" / "libraries.md").read_text()

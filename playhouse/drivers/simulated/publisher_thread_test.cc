@@ -54,7 +54,9 @@ TEST(PublisherThread, does_what_was_begun_while_nobody_asks_for_the_end) {
   thread.begin(works);
   thread.go_on();
   while (!done) std::this_thread::yield();
+  EXPECT_TRUE(thread.under_way()) << "until finish()";
   thread.finish(workers);
+  EXPECT_FALSE(thread.under_way());
 }
 
 TEST(PublisherThread, finishes_at_once_where_nothing_was_begun) {
