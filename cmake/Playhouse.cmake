@@ -73,8 +73,8 @@ function(playhouse_test_options TARGET)
   endif()
 endfunction()
 
-# playhouse_gtest(TARGET NAME SHARDS n COMPUTED UNSANITIZED Suite.test...): the tests of a program, named NAME.1 to NAME.n: n runs of the program share
-# them. A run of its own for each test would start a sanitized program two thousand times. Laws draw the same cases in every
+# playhouse_gtest(TARGET NAME SHARDS n COMPUTED UNSANITIZED Suite.test...): the tests of a program, named NAME.1 to NAME.n:
+# n runs of the program share them. A run of its own for each test would start a sanitized program two thousand times. Laws draw the same cases in every
 # run, so that a red one can be repeated: a hundred; with sanitizers a tenth of those that the release draws as well. Of
 # a COMPUTED program, tests that are UNSANITIZED run in the release alone: they take minutes with sanitizers and run nothing
 # that others don't.
@@ -108,8 +108,8 @@ include(${CMAKE_CURRENT_LIST_DIR}/Unity.cmake)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
-# COMPUTED, SHARDS n, UNSANITIZED: see playhouse_gtest; UNSANITIZED * are all its tests. HOT: optimised with sanitizers, too, since tests spend their time there. PRECOMPILED (library if left out), OWN: see
-# Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake.
+# COMPUTED, SHARDS n, UNSANITIZED: see playhouse_gtest; UNSANITIZED * are all its tests. HOT: optimised with sanitizers,
+# too, since tests spend their time there. PRECOMPILED (library if left out), OWN: see Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake.
 function(playhouse_module NAME)
   cmake_parse_arguments(ARG "OWN;HOT;COMPUTED" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;UNSANITIZED;EXCEPT;APART;ALONE" ${ARGN})
   if(NOT ARG_PRECOMPILED)

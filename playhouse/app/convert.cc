@@ -54,9 +54,7 @@ int write_text(const std::string& path, const std::string& text) {
 
 /// Name of a file relative to the folder of `beside`, or absolute if that is empty.
 std::string named_from(const std::string& beside, const fs::path& file) {
-  std::error_code ignored;
-  if (beside.empty()) return fs::absolute(file, ignored).lexically_normal().string();
-  return scene::path_from(beside, file).string();
+  return (beside.empty() ? scene::physical_path(file) : scene::path_from(beside, file)).string();
 }
 
 int write_plan(const ConvertOptions& options, const scene::Plan& plan, const std::string& bitmap) {

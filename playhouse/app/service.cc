@@ -112,8 +112,7 @@ Result<void> Service::save(const world::World& world, const std::string& file) c
 }
 
 Result<void> Service::let_clients_save(const std::string& file) {
-  const std::string folder = scene::folder_of(file);
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
+  if (access(scene::containing_folder(file).c_str(), W_OK | X_OK) != 0)
     return Error{escaped(file), "cannot be written: " + std::generic_category().message(errno)};
   simulation().save_by([this, file](const world::World& world) { world_saver_.save(world, file); });
   return {};

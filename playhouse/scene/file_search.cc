@@ -9,16 +9,19 @@
 
 namespace playhouse::scene {
 
+std::filesystem::path physical_path(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const std::filesystem::path whole = std::filesystem::absolute(file, ignored);
+  return std::filesystem::weakly_canonical(whole.parent_path(), ignored) / whole.filename();
+}
+
 std::filesystem::path path_from(const std::filesystem::path& beside, const std::filesystem::path& file) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   const fs::path folder = fs::absolute(beside, ignored).lexically_normal().parent_path();
   const fs::path named = fs::absolute(file, ignored).lexically_normal().lexically_relative(folder);
   if (fs::equivalent(fs::absolute(beside, ignored).parent_path() / named, file, ignored)) return named;
-  const auto physical = [&](const fs::path& path) {
-    return fs::weakly_canonical(fs::absolute(path, ignored).parent_path(), ignored) / path.filename();
-  };
-  return physical(file).lexically_relative(physical(beside).parent_path());
+  return physical_path(file).lexically_relative(physical_path(beside).parent_path());
 }
 
 std::vector<std::string> folders_for(const std::string& top_level, const std::string& named_by,

@@ -18,6 +18,9 @@ namespace playhouse::scene {
 std::vector<std::string> folders_for(const std::string& top_level, const std::string& named_by,
                                      const FileReader& files);
 
+/// The absolute path of a file, without the symbolic links and ".." of its folders; the file's own name stays.
+std::filesystem::path physical_path(const std::filesystem::path& file);
+
 /// The path of `file` from the folder of `beside`: as both are named, if that leads to the file, else by the folders
 /// that their symbolic links lead to.
 std::filesystem::path path_from(const std::filesystem::path& beside, const std::filesystem::path& file);

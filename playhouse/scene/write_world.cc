@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 #include <set>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -404,9 +403,7 @@ std::string WorldWriter::unsaid_token(const Kind& kind, const std::string& paren
 std::string WorldWriter::file_name(const std::string& path) const {
   if (!path_.empty())
     if (const auto below = path_from(path_, path); !below.empty() && *below.begin() != "..") return below.string();
-  std::error_code error;
-  const auto file = std::filesystem::canonical(path, error);
-  return error ? std::filesystem::absolute(path, error).lexically_normal().string() : file.string();
+  return physical_path(path).string();
 }
 
 }  // namespace
