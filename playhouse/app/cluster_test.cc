@@ -38,7 +38,7 @@ robot( name "d" pose [-3 0 0 200] ) robot( name "e" pose [0 0 0 300] ) robot( na
 class Instance {
  public:
   explicit Instance(scene::SourceFiles sources, const std::string& engine = kStage, std::uint64_t seed = 1)
-      : sources(std::move(sources)), scene_(*scene_of(this->sources, nullptr)) {
+      : sources(std::move(sources)), scene_(*scene_of(this->sources, std::nullopt, nullptr)) {
     this->engine = *make_engine(scene_, {.engine = engine, .seed = seed}, controllers::Libraries::Use::kLoad,
                                 [](const std::string&) {});
   }

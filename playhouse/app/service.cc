@@ -383,8 +383,10 @@ Outcome Service::run(const std::function<void(int signal)>& ended) {
   simulation().run();
   const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (ended) ended(signal_.load());
-  loop_.post([this] { server_->finish([this] { loop_.finish(); }); });
-  simulation().discard();  // nobody would reply from now on
+  loop_.post([this] {
+    server_->finish([this] { loop_.finish(); });
+    simulation().discard();  // only now: the server takes what is dropped before finish() for a refusal
+  });
   if (observers_) web_loop_.post([this] { observers_->say_goodbye("the run has ended"); });
   web_loop_.stop();
   io.join();

@@ -80,7 +80,7 @@ class Simulation final : public world::Control {
   /// Before run(), or between two calls: allows `ticks` further ticks.
   void extend(std::uint64_t ticks) { end_tick_ = engine_->world().tick() + ticks; }
   /// After the last run(): rejects pending and later requests
-  /// while their callers still exist. Called on the tick thread.
+  /// while their callers still exist. Any thread, while run() is not running.
   void discard();
   bool discarded() const { return inbox_.closed(); }  // any thread
   /// What to answer to whoever asked for what post() rejected. Any thread.
