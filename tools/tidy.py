@@ -26,7 +26,7 @@ RANK = {module: rank for rank, modules in enumerate(RANKS) for module in modules
 # server nothing of devices, although the rank would allow it.
 FORBIDDEN = {
     "world": {"wire", "net"}, "behaviour": {"wire", "net", "device"}, "stage": {"wire", "net", "device"}, "arena": {"wire", "net", "device"}, "controllers": {"wire", "net", "device"},
-    "scenarios": {"wire", "net", "device"}, "libraries": {"wire", "net", "device"}, "record": {"wire", "net", "device"}, "cluster": {"wire", "net", "device"}, "wire": {"geom", "mesh"}, "net": {"geom", "mesh"}, "device": {"net", "scene"},
+    "scenarios": {"wire", "net", "device"}, "libraries": {"wire", "net", "device"}, "record": {"wire", "net", "device"}, "cluster": {"wire", "device"}, "wire": {"geom", "mesh"}, "net": {"geom", "mesh"}, "device": {"net", "scene"},
     "server": {"scene", "world", "replicate", "controllers", "behaviour", "stage", "arena", "scenarios"},
     "web_server": {"wire", "device", "controllers", "behaviour", "stage", "arena", "scenarios"},
     "observers": {"wire", "device", "controllers", "behaviour", "stage", "arena", "scenarios", "drivers", "server"},

@@ -3,6 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <fstream>
 #include <map>
 #include <thread>
 
@@ -25,6 +32,13 @@ using cluster::Type;
 using testing::HasSubstr;
 
 constexpr Seconds kLong{60};
+
+/// Memory of this process.
+std::size_t resident_bytes() {
+  std::size_t all = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> all >> resident;
+  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
 
 constexpr const char* kWorld = R"(
 interval_sim 100
@@ -218,34 +232,193 @@ TEST_F(ClusterTest, a_node_that_says_nothing_is_lost_and_its_share_is_not) {
   EXPECT_EQ(hashes, alone(30));
 }
 
-TEST_F(ClusterTest, shares_that_are_none_fail_the_run) {
-  const std::vector<Bytes> shares = {{}, Bytes(3), Bytes(17), Bytes(5000, std::byte{0xFF})};
-  for (const Bytes& share : shares) {
+/// What a node shares in the first ticks of the test's world: share 1 of 2.
+class FirstShares : private world::Division {
+ public:
+  explicit FirstShares(int ticks) : run_(Instance::test_world()) {
+    run_.engine->divide(this);
+    for (int tick = 0; tick < ticks; ++tick) {
+      hashes_ = {run_.engine->world().hash(), run_.engine->world().sensed_hash()};
+      run_.engine->step();
+    }
+  }
+  /// The body of a message kShare at this tick, the first one with the hashes of a check.
+  Bytes of(std::size_t tick) const { return shares_[tick]; }
+
+ private:
+  void run(world::DividedWork& work) override {
+    Bytes share, other;
+    if (shares_.empty()) {
+      Packer(share).u64(hashes_.first);
+      Packer(share).u64(hashes_.second);
+    }
+    work.compute({1, 2}, share);
+    work.compute({0, 2}, other);
+    shares_.push_back(std::move(share));
+  }
+
+  Instance run_;
+  std::pair<std::uint64_t, std::uint64_t> hashes_;
+  std::vector<Bytes> shares_;
+};
+
+const std::vector<Bytes> kInvalidShares = {{}, Bytes(3), Bytes(16), Bytes(17), Bytes(5000, std::byte{0xFF})};
+
+TEST_F(ClusterTest, a_node_whose_first_share_is_another_is_refused_and_the_run_goes_on) {
+  for (const Bytes& share : kInvalidShares) {
     begin(1);
     Stream bad = joined();
-    // The first tick is a check, which compares; in the second the share is used.
+    EXPECT_TRUE(bad.send(Type::kShare, {share}, kLong));
     Hashes hashes;
-    EXPECT_TRUE(bad.send(Type::kShare, {share}, kLong));
-    EXPECT_TRUE(bad.send(Type::kShare, {share}, kLong));
     step(*head_, 10, hashes);
     EXPECT_EQ(head_->nodes(), 0u);
+    EXPECT_EQ(failure_, "");
+    EXPECT_EQ(hashes, alone(10));
+  }
+  begin(1);
+  Stream wrong = joined();
+  Bytes share = FirstShares(1).of(0);
+  share.back() ^= std::byte{1};
+  EXPECT_TRUE(wrong.send(Type::kShare, {share}, kLong));
+  head_->step();
+  EXPECT_EQ(head_->nodes(), 0u);
+  EXPECT_EQ(failure_, "");
+}
+
+TEST_F(ClusterTest, a_node_that_took_part_and_measures_something_else_fails_the_run) {
+  const FirstShares right(1);
+  for (const Bytes& share : kInvalidShares) {
+    begin(1);
+    Stream bad = joined();
+    EXPECT_TRUE(bad.send(Type::kShare, {right.of(0)}, kLong));
+    head_->step();
+    EXPECT_EQ(head_->nodes(), 1u);
+    EXPECT_TRUE(bad.send(Type::kShare, {share}, kLong));
+    head_->step();
+    EXPECT_EQ(head_->nodes(), 0u);
     EXPECT_THAT(failure_, HasSubstr("cluster: 127.0.0.1:"));
+    EXPECT_THAT(failure_, HasSubstr("at 0.1 s "));
     failure_.clear();
   }
 }
 
-TEST_F(ClusterTest, a_node_that_measures_something_else_fails_the_run) {
-  begin(1);
-  Stream wrong = joined();
-  Instance run(Instance::test_world());
-  Bytes share;
-  Packer(share).u64(run.engine->world().hash());
-  Packer(share).u64(run.engine->world().sensed_hash() + 1);
-  Packer(share).varint(0);
-  EXPECT_TRUE(wrong.send(Type::kShare, {share}, kLong));
+TEST_F(ClusterTest, whoever_sends_byte_by_byte_holds_a_tick_no_longer_than_whoever_is_silent) {
+  begin(1, Seconds{0.3});
+  Stream slow = joined();
+  std::atomic<bool> over = false;
+  std::thread trickle([&] {
+    const int socket = slow.socket();
+    const std::array<unsigned char, 5> announced{0, 0, 0, 1, static_cast<unsigned char>(Type::kShare)};  // 16 MiB
+    for (std::size_t i = 0; !over; ++i) {
+      const unsigned char byte = i < announced.size() ? announced[i] : 0;
+      if (::send(socket, &byte, 1, MSG_NOSIGNAL) < 0) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  });
+  Hashes hashes;
+  step(*head_, 2, hashes);
+  over = true;
+  trickle.join();
+  EXPECT_EQ(head_->nodes(), 0u);
+  EXPECT_EQ(hashes, alone(2));
+}
+
+TEST_F(ClusterTest, after_a_silent_node_its_address_waits_for_the_next) {
+  begin(1, Seconds{0.1});
+  const Stream silent = joined();
+  Hashes hashes;
+  step(*head_, 2, hashes);
+  ASSERT_EQ(head_->nodes(), 0u);
+  Stream next = joined();
   head_->step();
-  EXPECT_THAT(failure_, HasSubstr("cluster: 127.0.0.1:"));
-  EXPECT_THAT(failure_, HasSubstr("at 0.0 s its world is another one"));
+  const Result<cluster::Message> said = next.wait(kLong);
+  ASSERT_TRUE(said);
+  EXPECT_EQ(said->type, Type::kRefusal);
+  Unpacker in(said->body);
+  EXPECT_THAT(in.text(), HasSubstr("a node at its address was silent: in "));
+}
+
+TEST_F(ClusterTest, silent_connections_keep_no_node_out) {
+  begin(0);
+  std::vector<Stream> silent;
+  for (int i = 0; i < 300; ++i) silent.push_back(*Stream::connect("127.0.0.1", port_, kLong));
+  Hashes hashes;
+  step(*head_, 3, hashes);
+  NodeThread node(head_, port_);
+  EXPECT_TRUE(step_until(1, hashes));
+}
+
+TEST_F(ClusterTest, a_hundred_nodes_that_do_not_read_share_one_copy_of_the_world) {
+  scene::SourceFiles sources = Instance::test_world();
+  sources.files["test.world"] += "\n# " + std::string(8 << 20, 'x');
+  run_ = std::make_unique<Instance>(sources);
+  head_ = std::make_unique<Head>(std::move(run_->engine), run_->sources, Head::Options{}, [](const Error&) {});
+  port_ = *head_->listen();
+  std::vector<Stream> streams;
+  for (int i = 0; i < 100; ++i) {
+    streams.push_back(*Stream::connect("127.0.0.1", port_, kLong));
+    EXPECT_TRUE(streams.back().send(Type::kHello, {cluster::hello()}, kLong));
+  }
+  const std::size_t before = resident_bytes();
+  head_->step();
+  EXPECT_LT(resident_bytes(), before + (std::size_t{100} << 20));  // a copy each would be 800 MB
+}
+
+TEST_F(ClusterTest, nodes_need_the_token_of_the_run) {
+  run_ = std::make_unique<Instance>(Instance::test_world());
+  head_ = std::make_unique<Head>(std::move(run_->engine), run_->sources, Head::Options{.token = "secret"},
+                                 [](const Error&) {});
+  port_ = *head_->listen();
+  for (const std::string token : {"", "secre", "secret2"}) {
+    Stream stranger = *Stream::connect("127.0.0.1", port_, kLong);
+    EXPECT_TRUE(stranger.send(Type::kHello, {cluster::hello(token)}, kLong));
+    head_->step();
+    const Result<cluster::Message> said = stranger.wait(kLong);
+    ASSERT_TRUE(said);
+    EXPECT_EQ(said->type, Type::kRefusal) << token;
+  }
+  Stream node = *Stream::connect("127.0.0.1", port_, kLong);
+  EXPECT_TRUE(node.send(Type::kHello, {cluster::hello("secret")}, kLong));
+  head_->step();
+  head_->step();
+  const Result<cluster::Message> said = node.wait(kLong);
+  ASSERT_TRUE(said);
+  EXPECT_EQ(said->type, Type::kWorld);
+}
+
+/// A server that accepts one connection, and does with it what is asked.
+Result<cluster::Node::Summary> node_of(const std::function<void(int socket)>& head) {
+  const int listener = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  EXPECT_EQ(bind(listener, reinterpret_cast<sockaddr*>(&address), size), 0);
+  EXPECT_EQ(listen(listener, 1), 0);
+  EXPECT_EQ(getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size), 0);
+  cluster::Node node(*Stream::connect("127.0.0.1", ntohs(address.sin_port), kLong), "", Seconds{0.2});
+  const int peer = accept(listener, nullptr, nullptr);
+  head(peer);
+  const Result<cluster::Node::Summary> done =
+      node.run([](world::SavedRun) -> Result<world::Engine*> { return Error{"", "no world"}; });
+  close(peer);
+  close(listener);
+  return done;
+}
+
+TEST(ClusterNodeTest, a_head_that_says_nothing_is_not_waited_for_for_ever) {
+  const Result<cluster::Node::Summary> done = node_of([](int) {});
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().text, "is silent for 0.2 s");
+}
+
+TEST(ClusterNodeTest, a_head_that_announces_4_GiB_is_left) {
+  const Result<cluster::Node::Summary> done = node_of([](int socket) {
+    const std::array<unsigned char, 5> head{0xFF, 0xFF, 0xFF, 0xFF, static_cast<unsigned char>(Type::kWorld)};
+    EXPECT_EQ(send(socket, head.data(), head.size(), 0), 5);
+  });
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().text, "sent a message of 4294967295 bytes, 1073741824 at most");
 }
 
 TEST_F(ClusterTest, strangers_are_refused) {

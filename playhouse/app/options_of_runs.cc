@@ -101,6 +101,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
 
 void add_node(CLI::App& app, NodeOptions& options) {
   app.add_option("HOST[:PORT]", options.head, "a run with --cluster")->required();
+  app.add_option("--token", options.token, "token of the run, if it has one")->check(check_token);
   app.add_option("--wait", options.wait, "seconds for the run to begin")
       ->check(check_not_negative)
       ->capture_default_str();

@@ -22,8 +22,10 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log_at.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/net/fair_share.h"
 #include "playhouse/record/mcap_writer.h"
 #include "playhouse/scene/world_loader.h"
+#include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/state.h"
 
@@ -243,9 +245,14 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
   }
   const drivers::Simulation::Options pace = pace_of(scene_, serving_, running_, quit_time_);
   if (!running_.cluster) return std::make_unique<drivers::Simulation>(std::move(*engine), pace);
+  const bool is_open = !net::is_local(serving_.bind + ":0");
+  if (is_open && running_.cluster_token.empty()) running_.cluster_token = web_server::random_token();
   auto head = std::make_unique<cluster::Head>(
       std::move(*engine), sources_,
-      cluster::Head::Options{.bind = serving_.bind, .port = *running_.cluster, .nodes = running_.nodes},
+      cluster::Head::Options{.bind = serving_.bind,
+                             .port = *running_.cluster,
+                             .nodes = running_.nodes,
+                             .token = running_.cluster_token},
       [this](const Error& why) { fail_run(why); });
   head_ = head.get();
   const Result<std::uint16_t> port = head_->listen();
@@ -345,7 +352,10 @@ std::vector<std::string> Service::places() const {
     }
   }
   if (observers_) lines.push_back(fmt::format("observers: {}:{}", host, observer_port_));
-  if (head_ != nullptr) lines.push_back(fmt::format("cluster nodes: {}:{}", host, cluster_port_));
+  const std::string& token = running_.cluster_token;
+  if (head_ != nullptr)
+    lines.push_back(fmt::format("cluster nodes: {}:{}{}", host, cluster_port_,
+                                token.empty() ? "" : " --token " + token));
   return lines;
 }
 

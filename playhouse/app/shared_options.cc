@@ -26,6 +26,11 @@ void add_cluster(CLI::App& app, Running& running) {
       ->check(check_count<std::size_t, 0, limits::kClusterNodes>)
       ->capture_default_str()
       ->needs(cluster);
+  app.add_option("--cluster-token", running.cluster_token,
+                 "that nodes have to have (beyond this machine a random one, printed; on it none)")
+      ->type_name("TOKEN")
+      ->check(check_token)
+      ->needs(cluster);
 }
 
 }  // namespace

@@ -155,6 +155,9 @@ static_assert(kSessionAnswers * 8 <= kRequestQueue, "one client alone must not f
 inline constexpr std::size_t kClusterNodes = 255;        // beside the head, and connections that want to join
 inline constexpr std::size_t kClusterHelloBytes = 4096;  // of a message of a node that does not take part yet
 inline constexpr std::size_t kClusterMessageBytes = 1u << 30;  // of one that does
-inline constexpr double kClusterSilentSeconds = 30;            // then a node is lost
+inline constexpr double kClusterSilentSeconds = 5;             // of a tick, or a hello: then a node is lost
+inline constexpr double kClusterBytesPerSecond = 10e6;         // of a slow network: more bytes have more time
+inline constexpr std::size_t kClusterWorldBytes = 16u << 20;   // of the world, sent between two ticks
+inline constexpr double kClusterQuarantineSeconds = 60;        // of the network of a node that was silent
 
 }  // namespace playhouse::limits

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
@@ -16,6 +17,7 @@
 #include "playhouse/base/log.h"
 #include "playhouse/base/packing.h"
 #include "playhouse/cluster/hello.h"
+#include "playhouse/net/fair_share.h"
 #include "playhouse/record/whole_state.h"
 #include "playhouse/world/saved_run.h"
 
@@ -29,7 +31,13 @@ constexpr std::uint64_t kCheckTicks = 100;
 
 constexpr int kPollMilliseconds = 50;        // between looks at stop()
 constexpr std::chrono::minutes kMaking{10};  // for a node to make its engine
-constexpr Seconds kLastMessage{1};           // for a last message
+constexpr Seconds kLastMessages{1};          // for the last messages to all
+constexpr std::size_t kShareBytes = 16 << 20;  // of a share of any world
+constexpr double kSlowerNode = 10;           // times the head's own share: of a node that computes slower
+
+Seconds since(Clock::time_point start) {
+  return Clock::now() - start;
+}
 
 }  // namespace
 
@@ -41,7 +49,8 @@ Head::Head(std::unique_ptr<world::Engine> engine, scene::SourceFiles sources, Op
       fail_(std::move(fail)) {}
 
 Head::~Head() {
-  for (const auto& node : nodes_) static_cast<void>(node->stream.send(Type::kEnd, {}, kLastMessage));
+  const Until end = until(kLastMessages);
+  for (const auto& node : nodes_) static_cast<void>(node->stream.send(Type::kEnd, {}, end));
   for (Pending& pending : pending_) static_cast<void>(pending.stream.send(Type::kEnd, {}, Seconds{0}));
   if (listener_ >= 0) ::close(listener_);
 }
@@ -69,28 +78,35 @@ Result<std::uint16_t> Head::listen() {
   return ntohs(is_v6 ? v6->sin6_port : v4->sin_port);
 }
 
+/// When there is no room, the oldest of the network with the most gives way.
 void Head::accept_all() {
-  for (;;) {
+  for (std::size_t accepted = 0; accepted < limits::kClusterNodes; ++accepted) {
     const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
     if (socket < 0) return;
     Stream stream(socket, limits::kClusterHelloBytes);
-    if (pending_.size() >= limits::kClusterNodes) continue;  // closes it
-    std::string name = stream.peer();
-    pending_.push_back({std::move(stream), std::move(name), Clock::now()});
+    std::string name = stream.peer(), network = net::network_of(name);
+    if (pending_.size() >= limits::kClusterNodes) {
+      std::vector<net::Holder> holders;
+      for (const Pending& pending : pending_) holders.push_back({pending.network, pending.since});
+      const auto place = static_cast<std::ptrdiff_t>(net::gives_way(holders));
+      pending_.erase(std::next(pending_.begin(), place));
+    }
+    pending_.push_back({std::move(stream), std::move(name), std::move(network), Clock::now()});
   }
 }
 
 /// Goes on with those that want to join; none of them delays a tick.
 void Head::admit() {
   accept_all();
+  std::size_t room = limits::kClusterWorldBytes;
   for (auto pending = pending_.begin(); pending != pending_.end();) {
     const auto next = std::next(pending);
-    if (!negotiate(*pending)) pending_.erase(pending);
+    if (!negotiate(*pending, room)) pending_.erase(pending);
     pending = next;
   }
 }
 
-bool Head::negotiate(Pending& pending) {
+bool Head::negotiate(Pending& pending, std::size_t& room) {
   const auto end = [&](const std::string& why) {
     log::warn("cluster: {}: {}", pending.name, why);
     return false;
@@ -100,41 +116,60 @@ bool Head::negotiate(Pending& pending) {
   if (!message) return end(message.error().text);
   if (!*message) {
     if (!received) return end(received.error().text);
-    const Result<bool> sent = pending.stream.flush();
+    const Result<std::size_t> sent = pending.stream.flush(room);
     if (!sent) return end(sent.error().text);
-    const auto patience = pending.has_world ? Clock::duration(kMaking)
-                                            : std::chrono::duration_cast<Clock::duration>(options_.patience);
-    return Clock::now() - pending.since < patience || end("is silent");
+    room -= *sent;
+    const Seconds patience = pending.has_world ? Seconds(kMaking) : options_.patience;
+    return since(pending.since) < patience || end("is silent");
   }
   const Message& said = **message;
   if (said.type == Type::kRefusal) {
     Unpacker in(said.body);
     return end("cannot join: " + escaped(in.text()));
   }
-  const auto refuse = [&](const std::string& why) {
-    Bytes body;
-    Packer(body).text(why);
-    static_cast<void>(pending.stream.send(Type::kRefusal, {body}, kLastMessage));
-    return end("cannot join: " + why);
-  };
-  if (!pending.has_world) {
-    if (said.type != Type::kHello) return end("does not speak the protocol of clusters");
-    if (const std::string why = why_not_joined(said.body); !why.empty()) return refuse(why);
-    const world::World& world = engine_->world();
-    if (world_.empty()) world_ = world::encode(world::SavedRun{sources_, world.engine, world.seed(), {}});
-    pending.stream.queue(Type::kWorld, world_);
-    pending.has_world = true;
-    return true;
-  }
-  if (said.type != Type::kReady) return end("does not speak the protocol of clusters");
+  if (!pending.has_world && said.type == Type::kHello) return welcome(pending, said.body);
+  if (!pending.has_world || said.type != Type::kReady) return end("does not speak the protocol of clusters");
   if (nodes_.size() + joining_.size() >= limits::kClusterNodes)
-    return refuse(fmt::format("there are {} nodes, the most", limits::kClusterNodes));
+    return refuse(pending, fmt::format("there are {} nodes, the most", limits::kClusterNodes));
   join(pending);
   return false;
 }
 
+bool Head::welcome(Pending& pending, std::span<const std::byte> hello) {
+  if (const std::string why = why_not_joined(hello, options_.token); !why.empty()) return refuse(pending, why);
+  if (const int left = quarantine_of(pending.network); left > 0)
+    return refuse(pending, fmt::format("a node at its address was silent: in {} s it can", left));
+  pending.stream.queue(Type::kWorld, world_message());
+  pending.has_world = true;
+  return true;
+}
+
+bool Head::refuse(Pending& pending, const std::string& why) {
+  Bytes body;
+  Packer(body).text(why);
+  static_cast<void>(pending.stream.send(Type::kRefusal, {body}, Seconds{0}));
+  log::warn("cluster: {}: cannot join: {}", pending.name, why);
+  return false;
+}
+
+/// Encoded once, for all nodes.
+const std::shared_ptr<const Bytes>& Head::world_message() {
+  const world::World& world = engine_->world();
+  if (world_ == nullptr)
+    world_ = std::make_shared<const Bytes>(
+        world::encode(world::SavedRun{sources_, world.engine, world.seed(), {}}));
+  return world_;
+}
+
+/// Seconds until a node of this network may join, after one that was silent; 0: at once.
+int Head::quarantine_of(const std::string& network) const {
+  const auto silenced = silenced_.find(network);
+  if (silenced == silenced_.end()) return 0;
+  const Seconds left = Seconds{limits::kClusterQuarantineSeconds} - since(silenced->second);
+  return std::max(0, static_cast<int>(std::ceil(left.count())));
+}
+
 void Head::join(Pending& pending) {
-  pending.stream.accept_up_to(limits::kClusterMessageBytes);
   auto node = std::make_unique<Node>(Node{std::move(pending.stream), pending.name});
   joining_.push_back(std::move(node));
 }
@@ -149,7 +184,10 @@ void Head::wait_for_nodes() {
       log::info("waiting for nodes: {} of {} are there", joining_.size(), options_.nodes);
     told = joining_.size();
     std::vector<pollfd> entries{{listener_, POLLIN, 0}};
-    for (const Pending& pending : pending_) entries.push_back({pending.stream.socket(), POLLIN, 0});
+    for (const Pending& pending : pending_) {
+      const auto events = static_cast<short>(pending.stream.has_queued() ? POLLIN | POLLOUT : POLLIN);
+      entries.push_back({pending.stream.socket(), events, 0});
+    }
     poll(entries.data(), entries.size(), kPollMilliseconds);
   }
 }
@@ -204,6 +242,10 @@ void Head::send_steps() {
     nodes_.push_back(std::move(node));
   }
   joining_.clear();
+  state_bytes_ = state.size();
+  if (check_ || !changes->empty()) bound_shares();
+  const std::size_t bytes = nodes_.size() * (state.size() + changes->size());
+  const Until end = until(options_.patience, bytes, &stopped_);
   for (std::size_t index = 0; index < nodes_.size(); ++index) {
     Node& node = *nodes_[index];
     Step step{share_of(index), check_, {}, {}};
@@ -215,15 +257,23 @@ void Head::send_steps() {
     Bytes body;
     encode(step, body);
     node.has_shared = false;
-    const Result<void> sent = node.stream.send(Type::kStep, {body}, options_.patience);
+    const Result<void> sent = node.stream.send(Type::kStep, {body}, end);
     if (!sent) lose(node, sent.error().text);
   }
+}
+
+/// A share is smaller than the measurements of the world, which are part of it.
+void Head::bound_shares() {
+  const std::size_t most = std::min(limits::kClusterMessageBytes, kShareBytes + 2 * engine_->world().bytes());
+  for (const auto& node : nodes_) node->stream.accept_up_to(most);
 }
 
 /// Results are passed on as they come, so that nodes take them while others still compute.
 void Head::run(world::DividedWork& work) {
   Bytes own;
+  const Clock::time_point start = Clock::now();
   work.compute({0, nodes_.size() + 1}, own);
+  expect_shares(since(start), own.size());
   pass_on(0, own);
   gather(work);
   for (std::size_t index = 0; index < nodes_.size(); ++index) {
@@ -234,12 +284,16 @@ void Head::run(world::DividedWork& work) {
   }
 }
 
+/// One end for the exchange with all nodes, whatever they send meanwhile: a node holds no tick for longer. The head's
+/// own share took `own` and has so many bytes; a node that is new loads the state first.
+void Head::expect_shares(Seconds own, std::size_t bytes) {
+  const std::size_t exchanged = bytes * nodes_.size() * nodes_.size();
+  end_ = until(options_.patience + own * kSlowerNode, exchanged + state_bytes_, &stopped_);
+}
+
 /// Waits until each node has shared its results or is lost.
 void Head::gather(world::DividedWork& work) {
-  const auto deadline_from_now = [&] {
-    return Clock::now() + std::chrono::duration_cast<Clock::duration>(options_.patience);
-  };
-  for (Clock::time_point deadline = deadline_from_now();;) {
+  for (;;) {
     std::vector<pollfd> missing;
     for (std::size_t index = 0; index < nodes_.size(); ++index) {
       const Node& node = *nodes_[index];
@@ -247,13 +301,14 @@ void Head::gather(world::DividedWork& work) {
       if (!node.lost && !node.has_shared) missing.push_back({node.stream.socket(), POLLIN, 0});
     }
     if (missing.empty()) return;
-    const int come = poll(missing.data(), missing.size(), kPollMilliseconds);
-    if (come > 0) deadline = deadline_from_now();
-    if (come == 0 && (stopped_ || Clock::now() >= deadline)) break;
+    if (Clock::now() >= end_.deadline) break;
+    if (poll(missing.data(), missing.size(), kPollMilliseconds) == 0 && stopped_) break;
   }
-  for (const auto& node : nodes_)
-    if (!node->has_shared)
-      lose(*node, stopped_ ? "the run ends" : fmt::format("is silent for {:g} s", options_.patience.count()));
+  for (const auto& node : nodes_) {
+    if (node->has_shared || node->lost) continue;
+    if (!stopped_) silenced_[net::network_of(node->name)] = Clock::now();
+    lose(*node, stopped_ ? "the run ends" : "has not shared its results in time");
+  }
 }
 
 void Head::receive_share(world::DividedWork& work, std::size_t index) {
@@ -298,7 +353,7 @@ void Head::pass_on(std::size_t share, std::span<const std::byte> results) {
   for (std::size_t to = 0; to < nodes_.size(); ++to) {
     Node& node = *nodes_[to];
     if (node.lost || to + 1 == share) continue;
-    const Result<void> sent = node.stream.send(Type::kResults, {index, results}, options_.patience);
+    const Result<void> sent = node.stream.send(Type::kResults, {index, results}, end_);
     if (!sent) lose(node, sent.error().text);
   }
 }
@@ -320,6 +375,7 @@ void Head::drop_lost() {
 void Head::fail(Node& node, const std::string& what) {
   const world::World& world = engine_->world();
   const std::string why = fmt::format("at {:.1f} s {}", world.time(), what);
+  if (node.is_new) return lose(node, why);  // it was verified before anything of it was used
   if (!failed_)
     fail_({"cluster", fmt::format("{}: {}; the program and libraries of a node have to be those of the head",
                                   node.name, why)});

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <functional>
 #include <list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,10 +29,12 @@ class Head final : public world::Engine, public world::RunListener, private worl
     std::string bind = "127.0.0.1";
     std::uint16_t port = 0;                           // 0: any free one
     std::size_t nodes = 0;                            // to wait for before the first tick
-    Seconds patience{limits::kClusterSilentSeconds};  // with a node that is silent
+    std::string token = {};                           // that nodes have to have; empty: whoever connects
+    Seconds patience{limits::kClusterSilentSeconds};  // with all nodes in a tick, and with a silent connection
   };
   /// The world of `engine` is that of `sources`. `fail` is called, on the tick thread, when
-  /// a node is found to compute something else: the run is worthless from then on.
+  /// a node that took part is found to compute something else: the run is worthless from then on. One that does
+  /// so in its first tick is refused, and the run goes on.
   Head(std::unique_ptr<world::Engine> engine, scene::SourceFiles sources, Options options,
        std::function<void(const Error&)> fail);
   ~Head() override;
@@ -57,9 +60,9 @@ class Head final : public world::Engine, public world::RunListener, private worl
   /// A connection that does not take part yet.
   struct Pending {
     Stream stream;
-    std::string name;
+    std::string name, network;
     std::chrono::steady_clock::time_point since;
-    bool has_world = false;
+    bool has_world = false;  // or is being sent it
   };
   struct Node {
     Stream stream;
@@ -72,8 +75,12 @@ class Head final : public world::Engine, public world::RunListener, private worl
 
   void admit();
   void accept_all();
-  /// False: the connection is over.
-  bool negotiate(Pending& pending);
+  /// False: the connection is over. `room`: bytes that may still be sent before the next tick.
+  bool negotiate(Pending& pending, std::size_t& room);
+  bool welcome(Pending& pending, std::span<const std::byte> hello);
+  bool refuse(Pending& pending, const std::string& why);
+  const std::shared_ptr<const Bytes>& world_message();
+  int quarantine_of(const std::string& network) const;
   void join(Pending& pending);
   void wait_for_nodes();
   void send_steps();
@@ -85,6 +92,8 @@ class Head final : public world::Engine, public world::RunListener, private worl
   bool is_verified(std::size_t index) const;
   void pass_on(std::size_t share, std::span<const std::byte> results);
   world::Share share_of(std::size_t index) const { return {index + 1, nodes_.size() + 1}; }
+  void expect_shares(Seconds own, std::size_t bytes);
+  void bound_shares();
   void lose(Node& node, const std::string& why);
   void drop_lost();
   void fail(Node& node, const std::string& what);
@@ -99,10 +108,13 @@ class Head final : public world::Engine, public world::RunListener, private worl
 
   std::list<Pending> pending_;
   std::vector<std::unique_ptr<Node>> nodes_, joining_;  // joining_ take part from the next tick on
-  Bytes world_;                                         // the body of a message kWorld
+  std::shared_ptr<const Bytes> world_;                  // the body of a message kWorld
+  std::map<std::string, std::chrono::steady_clock::time_point> silenced_;  // networks of nodes that were silent
   std::optional<Bytes> before_;                         // the state before the changes since the last tick
   std::uint64_t ticks_ = 0;                             // with nodes
   bool check_ = false;                                  // in this tick
+  std::size_t state_bytes_ = 0;                         // sent in this tick to a node that is new
+  Until end_{};                                         // of the exchange of results in this tick
   Hashes hashes_;                                       // at the check
 };
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/packing.h"
 #include "playhouse/cluster/hello.h"
 #include "playhouse/record/whole_state.h"
@@ -10,18 +11,20 @@
 namespace playhouse::cluster {
 namespace {
 
-/// The head reads a share at once. If it does not, it or the network between is gone.
-constexpr Seconds kPatience{60};
-
 Error unexpected() {
   return {"", "does not speak the protocol of clusters"};
 }
 
 }  // namespace
 
-/// A run may be paused for as long as its user likes.
-Result<Message> Node::next() {
-  const Result<Message> message = stream_.wait({});
+Node::Node(Stream stream, std::string token, Seconds patience)
+    : stream_(std::move(stream)), token_(std::move(token)), patience_(patience) {
+  stream_.accept_up_to(limits::kClusterMessageBytes);
+}
+
+/// A run may be paused for as long as its user likes: without patience, waits for ever for a message to begin.
+Result<Message> Node::next(std::optional<Seconds> patience) {
+  const Result<Message> message = stream_.wait(patience);
   if (!message || message->type != Type::kRefusal) return message;
   Unpacker in(message->body);
   return Error{"", "refuses this node: " + escaped(in.text())};
@@ -29,8 +32,8 @@ Result<Message> Node::next() {
 
 /// False: the run has ended.
 Result<bool> Node::join(const EngineMaker& make) {
-  if (const Result<void> sent = stream_.send(Type::kHello, {hello()}, kPatience); !sent) return sent.error();
-  const Result<Message> world = next();
+  if (const Result<void> sent = stream_.send(Type::kHello, {hello(token_)}, kPatience); !sent) return sent.error();
+  const Result<Message> world = next(patience_);
   if (!world) return world.error();
   if (world->type == Type::kEnd) return false;
   if (world->type != Type::kWorld) return unexpected();

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "playhouse/cluster/step.h"
 #include "playhouse/cluster/stream.h"
@@ -24,19 +25,24 @@ class Node final : private world::Division {
     double from = 0, to = 0;  // simulated time [s]
   };
 
-  explicit Node(Stream stream) : stream_(std::move(stream)) {}
+  /// `patience`: for the head to begin the run. `token`: of the run, if it has one.
+  explicit Node(Stream stream, std::string token = {}, Seconds patience = kPatience);
 
   /// Takes part until the run ends. Fails if the head refuses or is gone, or the engine cannot be made.
   Result<Summary> run(const EngineMaker& make);
 
  private:
-  Result<Message> next();
+  Result<Message> next(std::optional<Seconds> patience = {});
   Result<bool> join(const EngineMaker& make);
   Result<void> prepare(const Step& step);
   void run(world::DividedWork& work) override;
   Result<void> share(world::DividedWork& work);
 
+  static constexpr Seconds kPatience{60};
+
   Stream stream_;
+  std::string token_;
+  Seconds patience_;
   world::Engine* engine_ = nullptr;
   world::Share share_;
   std::optional<Hashes> hashes_;  // for the head, at a check

@@ -17,6 +17,7 @@
 #include <system_error>
 #include <utility>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/base/packing.h"
 
 namespace playhouse::cluster {
@@ -27,33 +28,36 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kHeadBytes = 5;           // size of the body and type
 constexpr std::size_t kPieceBytes = 256 << 10;  // read from a socket at once
 constexpr int kIdleSeconds = 10;                // before the system asks whether a silent peer still exists
-
-Clock::time_point deadline_after(Seconds patience) {
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(patience);
-}
+constexpr std::int64_t kPollMilliseconds = 50;  // between looks at Until::stopped
+constexpr Seconds kRestOfMessage{30};           // for what has begun
 
 /// Those of the events that have come, or others that the next system call reports; 0 when the
-/// time is over. Without a deadline: waits for ever.
-short wait_for(int socket, short events, std::optional<Clock::time_point> deadline) {
+/// time is over. Without an end: waits for ever.
+short wait_for(int socket, short events, const std::optional<Until>& until) {
   for (;;) {
     int milliseconds = -1;
-    if (deadline) {
-      const auto left = std::chrono::ceil<std::chrono::milliseconds>(*deadline - Clock::now()).count();
-      milliseconds = static_cast<int>(std::clamp<std::int64_t>(left, 0, INT_MAX));
+    bool is_last = !until;
+    if (until) {
+      const std::int64_t left =
+          std::chrono::ceil<std::chrono::milliseconds>(until->deadline - Clock::now()).count();
+      const std::int64_t most = until->stopped != nullptr ? kPollMilliseconds : INT_MAX;
+      is_last = left <= most;
+      milliseconds = static_cast<int>(std::clamp<std::int64_t>(left, 0, most));
     }
     pollfd entry{socket, events, 0};
     const int ready = poll(&entry, 1, milliseconds);
     if (ready > 0) return entry.revents;
-    if (ready == 0) return 0;
-    if (errno != EINTR) return events;
+    if (ready < 0 && errno != EINTR) return events;
+    if (ready == 0 && is_last) return 0;
+    if (until && until->stopped != nullptr && *until->stopped) return 0;
   }
 }
 
 /// 0 or errno.
-int connect_within(int socket, const addrinfo& address, Clock::time_point deadline) {
+int connect_within(int socket, const addrinfo& address, const Until& end) {
   if (::connect(socket, address.ai_addr, address.ai_addrlen) == 0) return 0;
   if (errno != EINPROGRESS) return errno;
-  if (wait_for(socket, POLLOUT, deadline) == 0) return ETIMEDOUT;
+  if (wait_for(socket, POLLOUT, end) == 0) return ETIMEDOUT;
   int fault = 0;
   socklen_t size = sizeof fault;
   return getsockopt(socket, SOL_SOCKET, SO_ERROR, &fault, &size) == 0 ? fault : errno;
@@ -64,6 +68,11 @@ void set(int socket, int level, int option, int value) {
 }
 
 }  // namespace
+
+Until until(Seconds patience, std::size_t bytes, const std::atomic<bool>* stopped) {
+  const Seconds all = patience + Seconds{static_cast<double>(bytes) / limits::kClusterBytesPerSecond};
+  return {Clock::now() + std::chrono::duration_cast<Clock::duration>(all), stopped};
+}
 
 std::string reason(int code) {
   return std::generic_category().message(code);
@@ -84,7 +93,7 @@ Stream::Stream(Stream&& other) noexcept
       limit_(other.limit_),
       in_(std::move(other.in_)),
       begin_(other.begin_),
-      out_(std::move(other.out_)),
+      queued_(std::move(other.queued_)),
       sent_(other.sent_) {}
 
 Stream& Stream::operator=(Stream&& other) noexcept {
@@ -92,7 +101,7 @@ Stream& Stream::operator=(Stream&& other) noexcept {
   std::swap(limit_, other.limit_);
   std::swap(in_, other.in_);
   std::swap(begin_, other.begin_);
-  std::swap(out_, other.out_);
+  std::swap(queued_, other.queued_);
   std::swap(sent_, other.sent_);
   return *this;
 }
@@ -119,7 +128,7 @@ Result<Stream> Stream::connect(const std::string& host, std::uint16_t port, Seco
     const int socket = ::socket(address->ai_family, address->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC,
                                 address->ai_protocol);
     Stream stream(socket, SIZE_MAX);
-    fault = socket < 0 ? errno : connect_within(socket, *address, deadline_after(patience));
+    fault = socket < 0 ? errno : connect_within(socket, *address, until(patience));
     if (fault == 0) return stream;
   }
   return Error{"", reason(fault)};
@@ -138,30 +147,38 @@ std::string Stream::peer() const {
   return fmt::format("{}{}{}:{}", is_v6 ? "[" : "", host.data(), is_v6 ? "]" : "", port.data());
 }
 
-void Stream::queue(Type type, std::span<const std::byte> body) {
-  Packer head(out_);
-  head.u32(static_cast<std::uint32_t>(body.size()));
-  head.u8(static_cast<std::uint8_t>(type));
-  out_.insert(out_.end(), body.begin(), body.end());
+void Stream::queue(Type type, std::shared_ptr<const Bytes> body) {
+  Bytes head;
+  Packer(head).u32(static_cast<std::uint32_t>(body->size()));
+  Packer(head).u8(static_cast<std::uint8_t>(type));
+  queued_.push_back(std::make_shared<const Bytes>(std::move(head)));
+  if (!body->empty()) queued_.push_back(std::move(body));
 }
 
-Result<bool> Stream::flush() {
-  while (sent_ < out_.size()) {
-    const ssize_t sent = ::send(socket_, out_.data() + sent_, out_.size() - sent_, MSG_NOSIGNAL);
-    if (sent >= 0) {
-      sent_ += static_cast<std::size_t>(sent);
-    } else if (errno == EAGAIN) {
-      return false;
-    } else if (errno != EINTR) {
-      return Error{"", reason(errno)};
-    }
+Result<std::size_t> Stream::flush(std::size_t most) {
+  std::size_t all = 0;
+  while (!queued_.empty() && all < most) {
+    const std::span<const std::byte> left = std::span(*queued_.front()).subspan(sent_);
+    const ssize_t sent = ::send(socket_, left.data(), std::min(left.size(), most - all), MSG_NOSIGNAL);
+    if (sent < 0 && errno == EAGAIN) break;
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) return Error{"", reason(errno)};
+    all += static_cast<std::size_t>(sent);
+    sent_ += static_cast<std::size_t>(sent);
+    if (sent_ < queued_.front()->size()) continue;
+    queued_.pop_front();
+    sent_ = 0;
   }
-  out_ = {};
-  sent_ = 0;
-  return true;
+  return all;
 }
 
-Result<void> Stream::send(Type type, std::span<const std::span<const std::byte>> body, Seconds patience) {
+Result<void> Stream::send(Type type, std::initializer_list<std::span<const std::byte>> body, Seconds patience) {
+  std::size_t size = 0;
+  for (const std::span<const std::byte> piece : body) size += piece.size();
+  return send(type, std::span(body), until(patience, size));
+}
+
+Result<void> Stream::send(Type type, std::span<const std::span<const std::byte>> body, Until until) {
   std::size_t size = 0;
   for (const std::span<const std::byte> piece : body) size += piece.size();
   if (size > UINT32_MAX) return Error{"", "a message is larger than 4 GiB"};
@@ -169,11 +186,13 @@ Result<void> Stream::send(Type type, std::span<const std::span<const std::byte>>
   Packer(head).u32(static_cast<std::uint32_t>(size));
   Packer(head).u8(static_cast<std::uint8_t>(type));
   std::vector<iovec> pieces;
-  if (sent_ < out_.size()) pieces.push_back({out_.data() + sent_, out_.size() - sent_});
-  pieces.push_back({head.data(), head.size()});
-  for (const std::span<const std::byte> piece : body)
+  const auto add = [&pieces](std::span<const std::byte> piece) {
     if (!piece.empty()) pieces.push_back({const_cast<std::byte*>(piece.data()), piece.size()});
-  Clock::time_point deadline = deadline_after(patience);
+  };
+  for (const auto& queued : queued_)
+    add(std::span(*queued).subspan(queued == queued_.front() ? sent_ : 0));
+  add(head);
+  for (const std::span<const std::byte> piece : body) add(piece);
   for (std::size_t first = 0; first < pieces.size();) {
     msghdr message{};
     message.msg_iov = pieces.data() + first;
@@ -184,20 +203,19 @@ Result<void> Stream::send(Type type, std::span<const std::span<const std::byte>>
       if (errno != EAGAIN) return Error{"", reason(errno)};
       // Receives meanwhile: the peer may wait for that before it reads.
       const auto wanted = static_cast<short>(has_room() ? POLLIN | POLLOUT : POLLOUT);
-      const short events = wait_for(socket_, wanted, deadline);
-      if (events == 0) return Error{"", fmt::format("takes nothing for {:g} s", patience.count())};
+      const short events = Clock::now() < until.deadline ? wait_for(socket_, wanted, until) : short{0};
+      if (events == 0) return Error{"", fmt::format("has not taken {} bytes in time", size)};
       if ((events & POLLIN) != 0)
         if (const Result<void> received = receive(); !received) return received;
       continue;
     }
-    deadline = deadline_after(patience);
     auto left = static_cast<std::size_t>(sent);
     while (first < pieces.size() && left >= pieces[first].iov_len) left -= pieces[first++].iov_len;
     if (first == pieces.size()) break;
     pieces[first].iov_base = static_cast<std::byte*>(pieces[first].iov_base) + left;
     pieces[first].iov_len -= left;
   }
-  out_ = {};
+  queued_.clear();
   sent_ = 0;
   return {};
 }
@@ -237,18 +255,31 @@ Result<std::optional<Message>> Stream::next() {
 }
 
 Result<Message> Stream::wait(std::optional<Seconds> patience) {
-  std::optional<Clock::time_point> deadline;
-  if (patience) deadline = deadline_after(*patience);
+  std::optional<Until> end;
+  if (patience) end = until(*patience);
+  std::optional<Clock::time_point> began;
   Result<void> received;
   for (;;) {
     const Result<std::optional<Message>> message = next();
     if (!message) return message.error();
     if (*message) return **message;
     if (!received) return received.error();
-    if (!wait_for(socket_, POLLIN, deadline))
-      return Error{"", fmt::format("is silent for {:g} s", patience->count())};
+    if (in_.size() > begin_) {
+      if (!began) began = Clock::now();
+      end = until(kRestOfMessage, announced());
+      end->deadline -= Clock::now() - *began;
+    }
+    if (end && Clock::now() >= end->deadline) break;
+    if (!wait_for(socket_, POLLIN, end)) break;
     received = receive();
   }
+  return Error{"", began ? "sends a message too slowly" : fmt::format("is silent for {:g} s", patience->count())};
+}
+
+/// Bytes of the message that has begun, if its head has come.
+std::size_t Stream::announced() const {
+  const std::span<const std::byte> bytes = std::span(in_).subspan(begin_);
+  return bytes.size() < kHeadBytes ? 0 : Unpacker(bytes).u32();
 }
 
 }  // namespace playhouse::cluster

@@ -3,10 +3,13 @@
 /// Stream: messages between head and node of a cluster over a TCP connection.
 /// docs/cluster.md specifies the layout. Sockets are non-blocking. Single-threaded.
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,6 +38,14 @@ struct Message {
   std::span<const std::byte> body;
 };
 
+/// When waiting ends, whatever has arrived until then: a peer cannot put it off byte by byte.
+struct Until {
+  std::chrono::steady_clock::time_point deadline;
+  const std::atomic<bool>* stopped = nullptr;  // ends it as well, within 50 ms
+};
+/// `patience` from now on, and the time of `bytes` on a slow network.
+Until until(Seconds patience, std::size_t bytes = 0, const std::atomic<bool>* stopped = nullptr);
+
 /// What the system says of an errno.
 std::string reason(int code);
 
@@ -54,17 +65,21 @@ class Stream {
   std::string peer() const;
   void accept_up_to(std::size_t limit) { limit_ = limit; }
 
-  /// Queues a message for flush().
-  void queue(Type type, std::span<const std::byte> body);
-  /// Sends what is queued as far as the peer takes it, without waiting. True: nothing is left.
-  Result<bool> flush();
+  /// Queues a message for flush(). The body is shared, not copied.
+  void queue(Type type, std::shared_ptr<const Bytes> body);
+  bool has_queued() const { return !queued_.empty(); }
+  /// Sends what is queued as far as the peer takes it, without waiting, `most` bytes at most. Returns their
+  /// number.
+  Result<std::size_t> flush(std::size_t most);
 
   /// Sends a message with this body, in pieces, after what is queued; meanwhile receives, up to the limit.
-  /// Fails if the peer is gone, or takes nothing for so long.
-  Result<void> send(Type type, std::span<const std::span<const std::byte>> body, Seconds patience);
-  Result<void> send(Type type, std::initializer_list<std::span<const std::byte>> body, Seconds patience) {
-    return send(type, std::span(body), patience);
+  /// Fails if the peer is gone, or has not taken it all in time.
+  Result<void> send(Type type, std::span<const std::span<const std::byte>> body, Until until);
+  Result<void> send(Type type, std::initializer_list<std::span<const std::byte>> body, Until until) {
+    return send(type, std::span(body), until);
   }
+  /// The patience grows with the size of the message.
+  Result<void> send(Type type, std::initializer_list<std::span<const std::byte>> body, Seconds patience);
 
   /// Receives what has arrived, without waiting. Fails if the peer is gone; what it has sent remains to be
   /// taken.
@@ -72,19 +87,21 @@ class Stream {
   /// The next message, if it has arrived completely; valid until the next call of either. Fails on one over
   /// the limit.
   Result<std::optional<Message>> next();
-  /// The next message, waiting for it. No time: for ever.
+  /// The next message, waiting for it. The patience is for its first byte, none: for ever; the rest has to follow
+  /// at the rate of a slow network.
   Result<Message> wait(std::optional<Seconds> patience);
 
  private:
   void close();
+  std::size_t announced() const;
   bool has_room() const { return in_.size() - begin_ <= limit_; }
 
   int socket_;
   std::size_t limit_;
   Bytes in_;               // received
   std::size_t begin_ = 0;  // of in_: taken
-  Bytes out_;              // queued
-  std::size_t sent_ = 0;   // of out_
+  std::deque<std::shared_ptr<const Bytes>> queued_;
+  std::size_t sent_ = 0;  // of the first of queued_
 };
 
 }  // namespace playhouse::cluster

@@ -134,6 +134,46 @@ class Cluster(HouseTest):
                 self.assertEqual(node.wait(), 1)
                 self.assertRegex(node.log(), rf"error: 127\.0\.0\.1:{port}: (closed the connection|Connection reset by peer)")
 
+    def test_a_stranger_that_shares_nonsense_does_not_end_the_run(self):
+        world = self.world(SWARM)
+        with self.head(world, "--speed", 1, "--duration", 3) as head:
+            port = int(head.wait_for_line(r"^cluster nodes: 127\.0\.0\.1:(\d+)$").group(1))
+            version = finish("--version").stdout.split()[1]
+            hello = b"".join(bytes([len(text)]) + text for text in (b"playhouse cluster 1", version.encode(), b""))
+            with socket.create_connection(("127.0.0.1", port), timeout=PATIENCE) as stranger:
+                stranger.sendall(struct.pack("<IB", len(hello), 1) + hello + struct.pack("<IB", 0, 3))
+                stranger.sendall(struct.pack("<IB", 16, 6) + bytes(16))
+                head.wait_for_line(r"warning: cluster: 127\.0\.0\.1:\d+ is lost: at [\d.]+ s its world is another one")
+            shared = self.result_of(head)
+        self.assertEqual(shared, self.alone(world, "--fast", "--duration", 3))
+
+    def test_beyond_this_machine_nodes_need_a_token(self):
+        world = self.world(SWARM)
+        with self.head(world, "--speed", 1, "--bind", "0.0.0.0") as head:
+            line = head.wait_for_line(r"^cluster nodes: [^ ]+:(\d+) --token (\w{26})$")
+            address = f"127.0.0.1:{line.group(1)}"
+            refused = finish("node", address, "--wait", 1)
+            self.assertEqual(refused.returncode, 1)
+            self.assertIn("refuses this node: its token is not that of the run; node --token takes it", refused.stderr)
+            with House("node", address, "--token", line.group(2)) as node:
+                head.wait_for_line("takes part from")
+                self.assertEqual(head.end(signal.SIGTERM), 128 + signal.SIGTERM)
+                self.assertEqual(node.wait(), 0, node.log())
+        with self.head(world, "--fast", "--duration", 2, "--cluster-token", "ours", nodes=1) as head:
+            port = head.wait_for_line(r"^cluster nodes: 127\.0\.0\.1:(\d+) --token ours$").group(1)
+            with House("node", f"127.0.0.1:{port}", "--token", "ours") as node:
+                self.assertEqual(head.wait(), 0, head.log())
+                self.assertEqual(node.wait(), 0, node.log())
+
+    def test_a_head_that_is_silent_is_left(self):
+        with socket.create_server(("127.0.0.1", 0)) as server, \
+                House("node", f"127.0.0.1:{server.getsockname()[1]}", "--wait", 0) as node:
+            peer, _ = server.accept()
+            with peer:
+                peer.sendall(struct.pack("<IB", 0xFFFFFFFF, 2))
+                self.assertEqual(node.wait(), 1)
+            self.assertIn("sent a message of 4294967295 bytes, 1073741824 at most", node.log())
+
     def test_a_run_that_never_begins(self):
         with socket.create_server(("127.0.0.1", 0)) as server:
             port = server.getsockname()[1]
