@@ -103,7 +103,7 @@ int convert_map(const ConvertOptions& options) {
   for (const Error& warning : map->warnings)
     warn(escaped(options.input) + ":" + warning.where + ": " + warning.text + "; it has no effect");
   const fs::path image = image_of(options, *map);
-  const Result<std::string> bytes = read_file(image.string());
+  const Result<std::string> bytes = read_file(image.string(), scene::NamedBy::kFile);
   if (!bytes) return fail_in_file(bytes.error());
   const Result<scene::Plan> plan =
       scene::plan_of_ros_map(*map, *bytes, fs::path(options.input).stem().string());

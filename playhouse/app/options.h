@@ -109,6 +109,7 @@ struct NodeOptions {
 };
 
 struct RobotOptions {
+  double wait = 30;                // seconds for the server to answer
   std::vector<std::string> files;  // .toml
   std::string server;              // "host" or "host:port" of the world
   std::uint16_t port = kPlayerPort;

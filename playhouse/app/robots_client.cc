@@ -91,12 +91,21 @@ void RobotsClient::fail_with(const Error& error) {
   service_.end(kFailed);
 }
 
+/// A peer may speak the protocol up to its banner, and no further.
+void RobotsClient::expect_answer() {
+  answer_ = service_.loop().after(options_.patience, [this] {
+    fail_with({relay_->remote().name(), fmt::format("has not answered for {:g} s", options_.patience)});
+  });
+}
+
 void RobotsClient::bring_next() {
   if (next_ == robots_.size()) return;
   Robot& robot = robots_[next_++];
+  expect_answer();
   relay_->remote().ask(
       kWorld, sim::kReqSetProperty, property(robot.desc.type, "robot", value_of(robot.desc)),
       [this, &robot](bool ack, std::span<const std::byte> body) {
+        answer_.reset();
         if (!relay_->remote().is_connected()) return;  // reported already
         const std::string told = text_of(body);
         if (ack) return came(robot, told);
@@ -106,8 +115,10 @@ void RobotsClient::bring_next() {
 
 void RobotsClient::came(Robot& robot, std::string name) {
   robot.name = std::move(name);
+  expect_answer();
   relay_->remote().ask(kWorld, sim::kReqGetProperty, property(robot.name, "devices", {}),
                        [this, &robot](bool ack, std::span<const std::byte> body) {
+                         answer_.reset();
                          if (!relay_->remote().is_connected()) return;
                          if (ack) return serve(robot, text_of(body));
                          fail_with({robot.desc.where, in_quotes(robot.name) + " left the world again"});

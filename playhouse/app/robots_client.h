@@ -23,6 +23,7 @@ class RobotsClient {
     std::uint16_t server_port = 6665;
     std::string bind;           // address of the local ports
     std::uint16_t port = 6665;  // for the first robot without a port, counting up; 0: any free ones
+    double patience = 30;       // s, for an answer while robots are brought
   };
   /// `service` must outlive it; the site is opened in it.
   RobotsClient(DeviceService& service, Options options, std::vector<scene::RobotDesc> robots);
@@ -40,6 +41,7 @@ class RobotsClient {
   };
 
   void bring_next();
+  void expect_answer();
   void came(Robot& robot, std::string name);
   void serve(Robot& robot, const std::string& devices);
   void retired(drivers::RemoteDevice device);
@@ -56,7 +58,7 @@ class RobotsClient {
   std::size_t next_ = 0;  // next to be spawned
   std::uint16_t next_port_;
   drivers::Passthrough* relay_;
-  std::unique_ptr<net::Timer> look_after_;
+  std::unique_ptr<net::Timer> look_after_, answer_;
 };
 
 }  // namespace playhouse::app

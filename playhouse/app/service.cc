@@ -20,6 +20,7 @@
 #include "playhouse/app/kept_files.h"
 #include "playhouse/app/whole_file.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/log_at.h"
 #include "playhouse/base/log_output.h"
 #include "playhouse/net/fair_share.h"
@@ -84,7 +85,7 @@ Result<void> Service::read_world(const std::string& path, scene::NamedBy by) {
 }
 
 Result<void> Service::read_saved(const std::string& path) {
-  const Result<std::string> bytes = read_file(path);
+  const Result<std::string> bytes = read_file(path, scene::NamedBy::kPerson, limits::kSavedRunBytes);
   if (!bytes) return bytes.error();
   Result<world::SavedRun> run = world::decode_saved_run(std::as_bytes(std::span(*bytes)));
   if (!run) return Error{escaped(path), run.error().text};

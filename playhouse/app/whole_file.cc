@@ -5,9 +5,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <memory>
-#include <sstream>
 #include <system_error>
 
 #include "playhouse/base/in_quotes.h"
@@ -23,14 +20,10 @@ Error fault(const std::string& path, const std::string& what, int code) {
 
 }  // namespace
 
-Result<std::string> read_file(const std::string& path) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file && file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
-  if (!file.is_open() || file.bad() || (file.fail() && errno != 0))
-    return fault(path, "cannot be read", errno);
-  return std::move(text).str();
+Result<std::string> read_file(const std::string& path, scene::NamedBy by, std::size_t most) {
+  Result<std::string> text = scene::DiskFiles(by, most).read(path);
+  if (!text) return Error{escaped(path), text.error().text};
+  return text;
 }
 
 Result<void> check_writable(const std::string& path) {

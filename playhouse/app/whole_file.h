@@ -4,12 +4,16 @@
 #include <span>
 #include <string>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
+#include "playhouse/scene/source_text.h"
 
 namespace playhouse::app {
 
-/// Reads a whole file. Errors include its name.
-Result<std::string> read_file(const std::string& path);
+/// Reads a whole file, `most` bytes of it: a regular one, or a pipe if a person named it, never a device without end.
+/// Errors include its name.
+Result<std::string> read_file(const std::string& path, scene::NamedBy by = scene::NamedBy::kPerson,
+                              std::size_t most = limits::kFileBytes);
 
 /// Fails, as a later write would, if the name is a folder's or no file can be created in its folder.
 Result<void> check_writable(const std::string& path);

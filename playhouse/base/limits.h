@@ -119,6 +119,7 @@ inline constexpr std::size_t kRadioReceives = 256;       // messages that one ra
 
 // Files.
 inline constexpr std::size_t kFileBytes = 64u << 20;
+inline constexpr std::size_t kSavedRunBytes = 1u << 30;
 inline constexpr int kIncludeDepth = 32;
 inline constexpr std::size_t kIncludes = 1u << 16;   // of all include statements, each as often as it is met
 inline constexpr std::size_t kWarningsOfAKind = 20;  // of one file; the others are counted
@@ -133,6 +134,9 @@ inline constexpr std::size_t kBitmapPixels = 1u << 28;    // of all bitmaps of a
 inline constexpr std::size_t kBitmapBytes = 64u << 20;    // of their files
 inline constexpr std::size_t kCorners = 1u << 22;    // of all bodies of a world, bitmaps' contours included
 inline constexpr std::size_t kTextBytes = 1u << 27;  // names and texts of all models
+inline constexpr std::size_t kBroughtModels = 1u << 14;   // of them, that clients and pages brought in all
+inline constexpr std::size_t kBroughtSensors = 1u << 16;  // of those
+inline constexpr std::size_t kBroughtBeams = 1u << 22;    // of those
 inline constexpr std::size_t kSensors = 1u << 24;    // of all rangers of a world
 inline constexpr std::size_t kOldParts =
     1u << 18;  // of rangers and bodies, that worlds of Stage 2 tell of by numbered words

@@ -18,17 +18,17 @@
 namespace playhouse::scene {
 namespace {
 
-Error too_large() {
-  return {{}, "cannot be read: larger than " + std::to_string(limits::kFileBytes >> 20) + " MiB"};
+Error too_large(std::size_t most) {
+  return {{}, "cannot be read: larger than " + std::to_string(most >> 20) + " MiB"};
 }
 
 /// Reads to the end: pipes and files of the kernel do not announce their size.
-Result<std::string> read_all(std::FILE& file) {
+Result<std::string> read_all(std::FILE& file, std::size_t most) {
   std::string text;
   char chunk[1 << 16];
   while (const std::size_t count = std::fread(chunk, 1, sizeof chunk, &file)) {
     text.append(chunk, count);
-    if (text.size() > limits::kFileBytes) return too_large();
+    if (text.size() > most) return too_large(most);
   }
   if (std::ferror(&file)) return Error{{}, std::string("cannot be read: ") + std::strerror(errno)};
   return text;
@@ -54,7 +54,7 @@ Result<std::string> DiskFiles::read(const std::string& path) {
   struct stat opened {};  // re-checked: the name may refer to another file now
   if (!pipes && (::fstat(descriptor, &opened) != 0 || !S_ISREG(opened.st_mode)))
     return Error{{}, "cannot be opened: not a regular file"};
-  return read_all(*file);
+  return read_all(*file, most_);
 }
 
 std::vector<std::string> DiskFiles::search_path() const {
@@ -84,7 +84,7 @@ Result<std::string> RecordedFiles::read(const std::string& path) {
 Result<std::string> MemoryFiles::read(const std::string& path) {
   const auto found = files_.find(path);
   if (found == files_.end()) return Error{{}, "cannot be opened: no such file"};
-  if (found->second.size() > limits::kFileBytes) return too_large();
+  if (found->second.size() > limits::kFileBytes) return too_large(limits::kFileBytes);
   return found->second;
 }
 

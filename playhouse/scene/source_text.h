@@ -3,6 +3,7 @@
 /// Sources of a scene or configuration: where bytes come from (disk, or memory
 /// in tests and fuzzers), and positions in them. Independent of grammar.
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/scene/scene_desc.h"
 
@@ -39,7 +41,9 @@ enum class NamedBy : std::uint8_t { kPerson, kFile };
 /// Files on disk.
 class DiskFiles final : public FileReader {
  public:
-  explicit DiskFiles(NamedBy by = NamedBy::kFile) : by_(by) {}
+  /// `most`: bytes of a file.
+  explicit DiskFiles(NamedBy by = NamedBy::kFile, std::size_t most = limits::kFileBytes)
+      : by_(by), most_(most) {}
   Result<std::string> read(const std::string& path) override;
   /// The folders of PLAYHOUSE_PATH and of STAGEPATH, then
   /// the worlds that come with the program (shipped_worlds.h).
@@ -48,6 +52,7 @@ class DiskFiles final : public FileReader {
 
  private:
   NamedBy by_;
+  std::size_t most_;
 };
 
 /// Files in memory.

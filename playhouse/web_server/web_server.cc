@@ -411,6 +411,7 @@ class WebServer::Impl final : public net::HttpService,
       return post_change([copy, tell = teller(from)](world::World& world) {
         const world::ModelRow model = world.row(copy.model);
         if (!model) return;
+        if (const Result<void> room = world::check_budget(world); !room) return tell(room.error().text);
         const auto came = world::spawn_like(world, model, {copy.x, copy.y, 0, copy.a});
         if (!came) tell(came.error().text);
       });
@@ -421,6 +422,7 @@ class WebServer::Impl final : public net::HttpService,
     if (add.robot >= prototypes_.addable().size()) return Error{"", "there is no such robot to add"};
     const std::uint32_t desc = prototypes_.addable()[add.robot].desc;
     return post_change([add, desc, tell = teller(from)](world::World& world) {
+      if (const Result<void> room = world::check_budget(world); !room) return tell(room.error().text);
       const geom::Pose X_WM{add.x, add.y, world.scene().models[desc].X_PM.z, add.a};
       const auto came = world::spawn(world, desc, X_WM);
       if (!came) tell(came.error().text);

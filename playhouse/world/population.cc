@@ -283,6 +283,27 @@ Result<void> Population::check_room(std::span<const std::uint32_t> descs) const 
   return {};
 }
 
+/// Ids ascend with rows: the models that came are the last ones, and so are their sensors and beams.
+Result<void> check_budget(const World& world) {
+  const std::vector<ModelId>& ids = world.models.id;
+  const auto first = std::ranges::lower_bound(ids, Population::first_of_run(world));
+  const auto row = static_cast<std::uint32_t>(first - ids.begin());
+  const std::vector<ModelRow>& rangers = world.rangers.model;
+  const auto ranger = std::ranges::lower_bound(rangers, row, {}, &ModelRow::index) - rangers.begin();
+  std::size_t sensors = 0, beams = 0;
+  for (auto each = static_cast<std::size_t>(ranger); each < rangers.size() && sensors == 0; ++each) {
+    if (world.rangers.sensor_count[each] == 0) continue;
+    const std::uint32_t sensor = world.rangers.first_sensor[each];
+    sensors = world.sensors.size() - sensor;
+    beams = world.sensors.ranges.size() - world.sensors.first_beam[sensor];
+  }
+  const std::size_t models = ids.size() - row;
+  if (models < limits::kBroughtModels && sensors < limits::kBroughtSensors && beams < limits::kBroughtBeams)
+    return {};
+  return Error{{}, "the run is full: " + std::to_string(models) + " models with " + std::to_string(sensors) +
+                       " sensors and " + std::to_string(beams) + " beams came"};
+}
+
 bool Population::derive() {
   if (!derive_trees()) return false;
   derive_parts();
@@ -403,10 +424,7 @@ std::string fresh_name(const World& world, std::string_view like) {
   const bool is_numbered = tilde != std::string_view::npos && tilde + 1 < like.size() &&
                            like.find_first_not_of("0123456789", tilde + 1) == std::string_view::npos;
   const std::string name(is_numbered ? like.substr(0, tilde) : like);
-  for (std::uint32_t number = 2;; ++number) {
-    std::string candidate = name + "~" + std::to_string(number);
-    if (!world.find(candidate)) return candidate;
-  }
+  return name + "~" + std::to_string(world.fresh_number(name));
 }
 
 Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X_WM, std::string name) {
@@ -471,10 +489,8 @@ void detach_from(World& world, std::span<const std::uint32_t> tops) {
     const bool goes = std::ranges::binary_search(tops, world.models.root[part]);
     if (goes && was_attached(world, part)) attached.push_back(world.models.id[part]);
   }
-  for (const ModelId part : attached) {
-    const Result<void> detached = detach(world, part);
-    PLAYHOUSE_ASSERT(detached.ok());
-  }
+  const Result<void> detached = detach(world, attached);
+  PLAYHOUSE_ASSERT(detached.ok());
 }
 
 }  // namespace
@@ -505,50 +521,98 @@ Result<void> despawn(World& world, std::span<const ModelId> models) {
   return {};
 }
 
-Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pose& X_PC) {
-  const ModelRow child_row = world.row(child), parent_row = world.row(parent);
-  if (!child_row || !parent_row) return no_model();
-  Models& models = world.models;
-  if (!is_place(X_PC)) return Error{{}, "the pose is not finite, or too far away"};
-  if (models.parent_id[child_row.index]) return Error{{}, "it is a part of another model"};
-  if (models.root[parent_row.index] == child_row.index) return Error{{}, "it cannot be a part of itself"};
-  const Mobility mobility = models.mobility[child_row.index];
-  if (mobility != Mobility::kLoose || holds_driven(world, child_row.index))
+namespace {
+
+/// Why a model cannot be attached to the parent at this pose, if it can't.
+Result<void> check_attachment(const World& world, const Attachment& attachment, ModelRow parent) {
+  const ModelRow child = world.row(attachment.child);
+  if (!child) return no_model();
+  const Models& models = world.models;
+  if (!is_place(attachment.X_PC)) return Error{{}, "the pose is not finite, or too far away"};
+  if (models.parent_id[child.index]) return Error{{}, "it is a part of another model"};
+  if (models.root[parent.index] == child.index) return Error{{}, "it cannot be a part of itself"};
+  if (models.mobility[child.index] != Mobility::kLoose || holds_driven(world, child.index))
     return Error{{}, "only what is loose can be attached"};
+  return {};
+}
+
+}  // namespace
+
+Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pose& X_PC) {
+  const Attachment attachment{child, X_PC};
+  return attach(world, std::span(&attachment, 1), parent);
+}
+
+Result<void> attach(World& world, std::span<const Attachment> children, ModelId parent) {
+  const ModelRow parent_row = world.row(parent);
+  if (!parent_row) return no_model();
+  for (const Attachment& each : children)
+    if (const Result<void> checked = check_attachment(world, each, parent_row); !checked) return checked;
+  if (children.empty()) return {};
+  Models& models = world.models;
   const Mobility parents = models.mobility[parent_row.index];
-  models.parent_id[child_row.index] = parent;
+  const auto set_parents = [&](ModelId to) {
+    for (const Attachment& each : children) models.parent_id[world.row(each.child).index] = to;
+  };
+  set_parents(parent);
   Population population(world);
   if (!population.derive()) {
-    models.parent_id[child_row.index] = {};
+    set_parents({});
     population.derive();
     return Error{{}, "too many models would be attached to each other"};
   }
-  models.X_PM.own(child_row.index) = {X_PC.x, X_PC.y, X_PC.z, geom::normalize(X_PC.a)};
-  models.tilt_PM.set(child_row.index, {});
-  place_tree(world, child_row);
-  models.V_WM.set(child_row.index, {});
+  for (const auto& [child, X_PC] : children) {
+    const ModelRow row = world.row(child);
+    models.X_PM.own(row.index) = {X_PC.x, X_PC.y, X_PC.z, geom::normalize(X_PC.a)};
+    models.tilt_PM.set(row.index, {});
+    place_tree(world, row);
+    models.V_WM.set(row.index, {});
+    world.changes.add({Change::Kind::kAttach, child, parent, 0, std::min(Mobility::kLoose, parents)});
+  }
   wake(models);
-  world.changes.add({Change::Kind::kAttach, child, parent, 0, std::min(mobility, parents)});
   return {};
 }
 
 Result<void> detach(World& world, ModelId child) {
-  const ModelRow row = world.row(child);
-  if (!row) return no_model();
-  if (!was_attached(world, row.index)) return Error{{}, "it is not attached to anything"};
-  const ModelId parent = world.models.parent_id[row.index];
-  world.models.parent_id[row.index] = {};
-  world.models.X_PM.own(row.index) = world.models.X_WM[row.index];
-  world.models.tilt_PM.set(row.index, world.models.tilt_WM[row.index]);
+  return detach(world, std::span(&child, 1));
+}
+
+Result<void> detach(World& world, std::span<const ModelId> children) {
+  for (const ModelId child : children) {
+    const ModelRow row = world.row(child);
+    if (!row) return no_model();
+    if (!was_attached(world, row.index)) return Error{{}, "it is not attached to anything"};
+  }
+  if (children.empty()) return {};
+  Models& models = world.models;
+  std::vector<ModelId> parents;
+  std::vector<Mobility> mobility;  // of the parents, which may be detached as well
+  for (const ModelId child : children) {
+    const std::uint32_t row = world.row(child).index;
+    parents.push_back(models.parent_id[row]);
+    mobility.push_back(models.mobility[models.parent[row]]);
+    models.parent_id[row] = {};
+    models.X_PM.own(row) = models.X_WM[row];
+    models.tilt_PM.set(row, models.tilt_WM[row]);
+  }
   Population population(world);
   const bool derived = population.derive();
   PLAYHOUSE_ASSERT(derived);
-  world.models.V_WM.set(row.index, {});
-  wake(world.models);
-  const Mobility parents = world.models.mobility[world.row(parent).index];
-  world.changes.add(
-      {Change::Kind::kDetach, child, parent, 0, std::min(world.models.mobility[row.index], parents)});
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const std::uint32_t row = world.row(children[i]).index, parent = world.row(parents[i]).index;
+    models.V_WM.set(row, {});
+    const Mobility least = std::min({mobility[i], models.mobility[parent], models.mobility[row]});
+    world.changes.add({Change::Kind::kDetach, children[i], parents[i], 0, least});
+  }
+  wake(models);
   return {};
+}
+
+std::vector<ModelId> attached_models(const World& world) {
+  std::vector<ModelId> attached;
+  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+    if (was_attached(world, row)) attached.push_back(world.models.id[row]);
+  return attached;
 }
 
 }  // namespace playhouse::world

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "playhouse/base/result.h"
 #include "playhouse/world/world.h"
@@ -20,6 +21,10 @@ namespace playhouse::world {
 /// the id of the root; the ids of its parts follow. Cost: the size of the tree. Fails on an
 /// invalid prototype, an invalid pose, a name in use, and at capacity (base/limits.h).
 Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X_WM, std::string name = {});
+
+/// For a spawn that a peer asks for, before it: fails if the models that came during the run are as many as peers
+/// may bring in all (base/limits.h, kBrought...).
+Result<void> check_budget(const World& world);
 
 /// A unique name derived from this one: with the smallest free number
 /// appended, replacing the number that it may have ("r0~3" for "r0~2").
@@ -40,8 +45,20 @@ Result<void> despawn(World& world, std::span<const ModelId> models);
 /// in the child's tree, if the child is fixed or has a driven part, or if either does not exist.
 Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pose& X_PC);
 
+/// Attaches several to one parent, at their poses in it, at the cost of one. Atomic. Fails as attach().
+struct Attachment {
+  ModelId child;
+  geom::Pose X_PC;
+};
+Result<void> attach(World& world, std::span<const Attachment> children, ModelId parent);
+
 /// Detaches an attached model: it becomes a root at its present pose. Fails for any other model.
 Result<void> detach(World& world, ModelId child);
+/// Detaches several, each named once, at the cost of one. Atomic. Fails as detach().
+Result<void> detach(World& world, std::span<const ModelId> children);
+
+/// All attached models, ascending.
+std::vector<ModelId> attached_models(const World& world);
 
 /// Insertion and removal of rows, for spawn() and others and for loading a state.
 class Population {
@@ -75,6 +92,8 @@ class Population {
   std::uint64_t& seed() { return world_.seed_; }
   std::map<ModelId, Given>& given() { return world_.given_; }
   static std::uint32_t next_id(const World& world) { return world.next_id_; }
+  /// The least id of a model that comes during the run.
+  static ModelId first_of_run(const World& world) { return {world.first_id_.back()}; }
   static const Serials& serials(const World& world) { return world.serials_; }
   static const std::map<ModelId, Given>& given(const World& world) { return world.given_; }
   /// Completes what append() defers, for the models from row `first` on.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/base/rng.h"
 #include "playhouse/scene/testing_expanded.h"
 #include "playhouse/world/columns.h"
@@ -226,6 +227,73 @@ TEST_F(PopulationTest, names_are_found_as_in_a_world_that_never_changed) {
          {"wall", "r", "r~2", "r~3", "r~3.ranger:0", "s", "s~2", "s.ranger:0", "puck", "x"})
       EXPECT_EQ(changed.find(name), again.find(name)) << name;
   }
+}
+
+TEST_F(PopulationTest, peers_bring_so_many_models_sensors_and_beams_and_no_more) {
+  const auto spawns_until_full = [](scene::SceneDesc scene, std::size_t most) {
+    World full(scene, 1);
+    std::size_t spawns = 0;
+    while (spawns < most && check_budget(full)) {
+      EXPECT_TRUE(spawn(full, 5, {}, "n" + std::to_string(spawns)));
+      ++spawns;
+    }
+    return spawns;
+  };
+  scene::SceneDesc many = scene;  // of a robot with a ranger: two models
+  EXPECT_EQ(spawns_until_full(many, 1 << 15), limits::kBroughtModels / 2);
+  many.models[6].sensors.resize(64);
+  EXPECT_EQ(spawns_until_full(many, 1 << 15), limits::kBroughtSensors / 64);
+  for (scene::RangerSensorDesc& sensor : many.models[6].sensors) sensor.samples = 1024;
+  EXPECT_EQ(spawns_until_full(many, 1 << 15), limits::kBroughtBeams / (64 * 1024));
+  World whoever_went(scene, 1);
+  for (std::size_t i = 0; i < 10; ++i) {
+    const Result<ModelId> id = spawn(whoever_went, 5, {});
+    ASSERT_TRUE(id && despawn(whoever_went, *id));
+  }
+  EXPECT_TRUE(check_budget(whoever_went));
+}
+
+TEST_F(PopulationTest, the_smallest_free_number_is_given_whoever_went) {
+  std::vector<ModelId> ids;
+  for (int number = 2; number < 12; ++number) {
+    ids.push_back(spawned(1, {}));
+    EXPECT_EQ(name(ids.back()), "r~" + std::to_string(number));
+  }
+  EXPECT_EQ(name(spawned(5, {})), "s~2") << "numbers are those of a name";
+  spawned(1, {}, "r~12");
+  ASSERT_TRUE(despawn(world, ids[3]).ok());
+  EXPECT_EQ(name(spawned(1, {})), "r~5");
+  EXPECT_EQ(name(spawned(1, {})), "r~13");
+}
+
+TEST_F(PopulationTest, several_are_attached_and_detached_as_they_would_be_one_by_one) {
+  World other(scene, 1);
+  std::vector<ModelId> pucks;
+  std::vector<Attachment> attachments;
+  for (int i = 0; i < 3; ++i) {
+    pucks.push_back(spawned(4, {1.0 * i, 0, 0, 0}));
+    ASSERT_TRUE(spawn(other, 4, {1.0 * i, 0, 0, 0}).ok());
+    attachments.push_back({pucks.back(), {0.1 * i, 0.2, 0, 0.5}});
+  }
+  const auto kinds = [](const World& w) {
+    std::vector<std::pair<Change::Kind, Mobility>> list;
+    for (const Change& change : w.changes.since(0)) list.emplace_back(change.kind, change.mobility);
+    return list;
+  };
+  ASSERT_TRUE(attach(world, attachments, {2}).ok());
+  for (const auto& [child, X_PC] : attachments) ASSERT_TRUE(attach(other, child, {2}, X_PC).ok());
+  EXPECT_EQ(world.hash(), other.hash());
+  EXPECT_EQ(attached_models(world), pucks);
+  expect_whole();
+  EXPECT_FALSE(attach(world, attachments, {2}).ok()) << "they are parts already";
+  EXPECT_FALSE(detach(world, std::vector{pucks[0], ModelId{1}}).ok()) << "all or nothing";
+  EXPECT_EQ(world.hash(), other.hash());
+  ASSERT_TRUE(detach(world, pucks).ok());
+  for (const ModelId puck : pucks) ASSERT_TRUE(detach(other, puck).ok());
+  EXPECT_EQ(world.hash(), other.hash());
+  EXPECT_EQ(kinds(world), kinds(other));
+  EXPECT_TRUE(attached_models(world).empty());
+  expect_whole();
 }
 
 TEST_F(PopulationTest, several_go_as_they_would_one_by_one) {

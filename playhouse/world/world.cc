@@ -181,6 +181,7 @@ void World::index_names() const {
   by_name_.clear();
   by_alias_.clear();
   odd_.clear();
+  fresh_from_.clear();
   const auto is_below = [](const std::string& token, const std::string& top) {
     return scene::token_in(token, top, "").size() < token.size();
   };
@@ -210,6 +211,7 @@ void World::add_names(std::uint32_t first) const {
 /// Removes a model's names.
 void World::remove_names(ModelRow row) const {
   if (!names_known_ || desc(row).parent >= 0) return;
+  fresh_from_.clear();
   const Origin from = origin(row);
   by_name_.erase({token_of(from, Token::kName), from.first});
   if (from.tree != ModelRow::kNone) by_alias_.erase({token_of(from, Token::kAlias), from.first});
@@ -261,6 +263,13 @@ ModelRow World::find(std::string_view name) const {
   if (!names_known_) index_names();
   const ModelRow given = find(name, Token::kName);
   return given ? given : find(name, Token::kAlias);
+}
+
+std::uint32_t World::fresh_number(const std::string& name) const {
+  if (!names_known_) index_names();
+  std::uint32_t& number = fresh_from_.try_emplace(name, 2).first->second;
+  while (find(name + "~" + std::to_string(number))) ++number;
+  return number;
 }
 
 std::uint64_t World::hash_of(std::uint32_t model, bool (*is_in)(Role)) const {
@@ -394,10 +403,8 @@ bool set_spatial_pose(World& world, ModelRow model, const geom::SpatialPose& X_P
 }
 
 void return_to_start(World& world) {
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    const Result<void> detached = detach(world, world.models.id[row]);
-    static_cast<void>(detached);  // most are not attached
-  }
+  const Result<void> detached = detach(world, attached_models(world));
+  PLAYHOUSE_ASSERT(detached.ok());
   World start(world.scene(), world.seed());
   Population population(world), at_start(start);
   at_start.clear();

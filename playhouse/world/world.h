@@ -75,6 +75,8 @@ class World : public Tables {
   std::string alias(ModelRow row) const;
   /// Look-up by name or default name; none if there is no such model. Of duplicates the last one wins.
   ModelRow find(std::string_view name) const;
+  /// The smallest number from 2 on for which no model is called "NAME~NUMBER". Tick thread.
+  std::uint32_t fresh_number(const std::string& name) const;
   /// Rows of attached models, ascending; for range-based for.
   class Children;
   Children children(ModelRow row) const;
@@ -157,6 +159,7 @@ class World : public Tables {
   mutable std::set<Named> by_name_, by_alias_;
   mutable std::vector<std::uint32_t> odd_;  // descriptions of parts whose tokens lack the root's as a prefix
   mutable bool names_known_ = false;        // the sets are complete; built on first use
+  mutable std::map<std::string, std::uint32_t> fresh_from_;  // all numbers of a name below are in use
 };
 
 class World::Children {

@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import os
 import struct
 import unittest
 from pathlib import Path
@@ -193,6 +194,11 @@ class Convert(HouseTest):
         done = finish("convert", self.write("plan.pbm", "P1 1 1 1"))
         self.assertEqual(done.returncode, 2)
         self.assertIn("--scale", done.stderr)
+        os.mkfifo(self.folder / "pipe.pgm")
+        for endless in ("/dev/zero", "pipe.pgm"):
+            done = finish("convert", self.write("map.yaml", self.MAP.format(endless)))
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, r"error: cannot be opened: not a regular file\n$")
         done = finish("convert", self.write("map.yaml", "image: plan.pbm\nresoluton: 1\n"))
         self.assertEqual(done.returncode, 2)
         self.assertIn('map.yaml:2: error: there is no key "resoluton" (did you mean "resolution"?)', done.stderr)

@@ -178,7 +178,7 @@ class Saved(HouseTest):
             line = self.refused("--from", other)
             self.assertIn(str(other), line)
             self.assertIn(why, line)
-        self.assertIn("cannot be read", self.refused("--from", other.with_name("none.run")))
+        self.assertIn("cannot be opened: no such file", self.refused("--from", other.with_name("none.run")))
 
     def test_a_save_that_fails_is_an_error(self):
         self.assertIn("before 9 s", self.refused(self.world(swarm()), "--duration", 1, "--save-at", 9, self.saved))

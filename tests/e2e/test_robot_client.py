@@ -2,8 +2,10 @@
 
 import json
 import signal
+import socket
 import struct
 import sys
+import threading
 import unittest
 
 from house import (ACK, DATA, LASER, NACK, PLAYER, POSITION2D, REFERENCE, REQ, ROOT, SIMULATION, Client, House,
@@ -189,6 +191,19 @@ class RobotClient(HouseTest):
             self.assertEqual(len(errors), 1, robot.log())
             self.assertIn(line, errors[0])
         self.wait_until_gone(admin, "ann")
+        with socket.create_server(("127.0.0.1", 0)) as server:
+            host, port = server.getsockname()
+
+            def greet() -> None:
+                peer, _ = server.accept()
+                with peer:
+                    peer.sendall(b"Player v.3.1.0".ljust(32, b"\0"))
+                    while peer.recv(4096):
+                        pass
+
+            threading.Thread(target=greet, daemon=True).start()
+            mute = finish("robot", self.write("bob.toml", BOB), "--server", f"{host}:{port}", "--port", 0, "--wait", 0.3)
+        self.assertEqual((mute.returncode, mute.stderr), (1, f"{host}:{port}: error: has not answered for 0.3 s\n"))
         nobody = finish("robot", self.write("bob.toml", BOB), "--server", "127.0.0.1:1", "--port", 0)
         self.assertEqual(nobody.returncode, 1)
         self.assertEqual(nobody.stderr, "127.0.0.1:1: error: cannot connect: Connection refused\n")

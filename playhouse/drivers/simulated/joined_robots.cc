@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -37,7 +38,7 @@ void JoinedRobots::follow(Simulation& simulation, Brought& brought, const world:
   std::vector<Joined>& robots = found->second->robots;
   const auto gone = std::ranges::find(robots, change.model, &Joined::robot);
   if (gone != robots.end()) {
-    simulation.post_always([joined = *gone](world::World& world) { leave(world, joined); }, {});
+    simulation.post_always([joined = *gone](world::World& world) { leave(world, std::span(&joined, 1)); }, {});
     robots.erase(gone);
   }
   brought.erase(found);
@@ -54,7 +55,7 @@ std::shared_ptr<JoinedRobots::Owned> JoinedRobots::owned_by(device::Caller& call
         // After the changes that spawned them.
         simulation.post_always(
             [owned, name](world::World& world) {
-              for (const Joined& each : owned->robots) leave(world, each);
+              leave(world, owned->robots);
               if (!owned->robots.empty())
                 log::info("{}: gone, and its {} robots with it", name, owned->robots.size());
               owned->robots.clear();

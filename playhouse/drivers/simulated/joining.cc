@@ -101,7 +101,8 @@ geom::Pose place_on(const World& world, const Joined& joined, const Type& type,
   return X_RS;
 }
 
-Result<void> add_sensor(World& world, Joined& joined, const JoinRequest::Sensor& sensor) {
+/// Spawns a sensor, not attached yet. Returns where it goes.
+Result<world::Attachment> make_sensor(World& world, Joined& joined, const JoinRequest::Sensor& sensor) {
   const Result<Type> type = find_type(world, sensor.type, false);
   if (!type) return type.error();
   const std::string wanted = joined.name + "-" + sensor.type;
@@ -110,10 +111,17 @@ Result<void> add_sensor(World& world, Joined& joined, const JoinRequest::Sensor&
                    world.find(wanted) ? world::fresh_name(world, wanted) : wanted);
   if (!came) return came.error();
   joined.sensors.push_back(*came);
-  const Result<void> attached =
-      world::attach(world, *came, joined.robot, place_on(world, joined, *type, sensor));
-  if (!attached) return Error{"", in_quotes(sensor.type) + ": " + attached.error().text};
-  return {};
+  return world::Attachment{*came, place_on(world, joined, *type, sensor)};
+}
+
+Result<void> add_sensors(World& world, Joined& joined, std::span<const JoinRequest::Sensor> sensors) {
+  std::vector<world::Attachment> attachments;
+  for (const JoinRequest::Sensor& sensor : sensors) {
+    const Result<world::Attachment> made = make_sensor(world, joined, sensor);
+    if (!made) return made.error();
+    attachments.push_back(*made);
+  }
+  return world::attach(world, attachments, joined.robot);
 }
 
 }  // namespace
@@ -147,6 +155,7 @@ Result<JoinRequest> parse_join_request(std::string_view type, std::string_view v
 }
 
 Result<Joined> join(World& world, const JoinRequest& request) {
+  if (const Result<void> room = world::check_budget(world); !room) return room.error();
   const Result<Type> type = find_type(world, request.type, true);
   if (!type) return type.error();
   // Validates everything before the first spawn: atomic.
@@ -170,26 +179,29 @@ Result<Joined> join(World& world, const JoinRequest& request) {
   const world::ModelRow row = world.row(*came);
   if (color) world::set_color(world, row, *color);
   Joined joined{*came, world.name(row), {}};
-  for (const JoinRequest::Sensor& sensor : request.sensors) {
-    if (const Result<void> added = add_sensor(world, joined, sensor); !added) {
-      leave(world, joined);
-      return added.error();
-    }
+  if (const Result<void> added = add_sensors(world, joined, request.sensors); !added) {
+    leave(world, std::span(&joined, 1));
+    return added.error();
   }
   return joined;
 }
 
-/// After a restart another model may have the robot's id.
-void leave(World& world, const Joined& joined) {
-  const world::ModelRow robot = world.row(joined.robot);
-  const bool is_it = robot && world.name(robot) == joined.name;
-  for (const world::ModelId sensor : joined.sensors) {
-    const world::ModelRow row = world.row(sensor);
-    if (!row || !world.name(row).starts_with(joined.name + "-")) continue;
-    if (world.models.parent_id[row.index]) static_cast<void>(world::detach(world, sensor));
-    static_cast<void>(world::despawn(world, sensor));
+/// After a restart other models may have the ids.
+void leave(World& world, std::span<const Joined> joined) {
+  std::vector<world::ModelId> gone, attached;
+  for (const Joined& each : joined) {
+    for (const world::ModelId sensor : each.sensors) {
+      const world::ModelRow row = world.row(sensor);
+      if (!row || world.desc(row).parent >= 0 || !world.name(row).starts_with(each.name + "-")) continue;
+      if (world.models.parent_id[row.index]) attached.push_back(sensor);
+      gone.push_back(sensor);
+    }
+    const world::ModelRow robot = world.row(each.robot);
+    if (robot && !world.models.parent_id[robot.index] && world.name(robot) == each.name)
+      gone.push_back(each.robot);
   }
-  if (is_it) static_cast<void>(world::despawn(world, joined.robot));
+  static_cast<void>(world::detach(world, attached));
+  static_cast<void>(world::despawn(world, gone));
 }
 
 }  // namespace playhouse::drivers

@@ -5,6 +5,7 @@
 /// of a model, which is copied. Thread: the tick thread, between steps.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,8 +43,8 @@ struct Joined {
 /// type, name in use, place occupied, world full.
 Result<Joined> join(world::World& world, const JoinRequest& request);
 
-/// Removes the robot and its sensors as far as they still exist.
-void leave(world::World& world, const Joined& joined);
+/// Removes robots and their sensors as far as they still exist, at the cost of one.
+void leave(world::World& world, std::span<const Joined> joined);
 
 /// True if a tree of the prototype whose root is at this
 /// row of SceneDesc::models would hit no obstacle at X_WM.

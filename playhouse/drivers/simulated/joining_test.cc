@@ -144,12 +144,12 @@ TEST_F(Joining, leaving_takes_the_sensors_along_and_nothing_else) {
   come(request("cart", 0, 0, {"bob", "", "scanner"}));
   const Joined bob = last;
   come(request("cart", 1, 0, {"eve", "", "scanner"}));
-  ASSERT_TRUE(simulation().post([&](world::World& world) { leave(world, bob); }));
+  ASSERT_TRUE(simulation().post([&](world::World& world) { leave(world, std::span(&bob, 1)); }));
   site.run(1);
   EXPECT_FALSE(world().find("bob"));
   EXPECT_FALSE(world().find("bob-scanner"));
   EXPECT_TRUE(world().find("eve-scanner"));
-  ASSERT_TRUE(simulation().post([&](world::World& world) { leave(world, bob); }));
+  ASSERT_TRUE(simulation().post([&](world::World& world) { leave(world, std::span(&bob, 1)); }));
   site.run(1);
   EXPECT_EQ(world().models.size(), 4u);
 }

@@ -121,6 +121,7 @@ void spawn(Simulation& simulation, const Asked& asked) {
     const std::string_view like = wire::text(asked.request.name);
     const world::ModelRow model = world.find(like);
     if (!model) return asked.nack("there is no model " + in_quotes(like));
+    if (const Result<void> room = world::check_budget(world); !room) return asked.nack(room.error().text);
     const auto came = world::spawn_like(world, model, at, name);
     if (!came) return asked.nack(came.error().text);
     asked.ack(wire::c_string(world.name(world.row(*came))));

@@ -8,8 +8,10 @@
 #include <memory>
 #include <string>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/wire/codec.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -50,6 +52,22 @@ TEST_F(WorldRequests, for_steps_tell_how_many_there_may_be) {
   EXPECT_FALSE(simulation_->pace().paused) << "it was refused";
   open(LockStep::Options{});
   EXPECT_EQ(step((1u << 20) + 1), "a number of ticks is wanted, 1 to 1048576, in 4 or 8 bytes");
+}
+
+TEST_F(WorldRequests, for_spawns_are_refused_once_the_run_is_full) {
+  open({});
+  world::World& world = simulation_->engine().world();
+  for (std::size_t i = 0; i < limits::kBroughtModels; ++i)
+    ASSERT_TRUE(world::spawn(world, 0, {}, "n" + std::to_string(i)));
+  device::Replier replier(recorder_, ++ticket_);
+  const sim::PropertyReq request{wire::c_string("r0"), wire::c_string("spawn"), 0, std::string(24, '\0')};
+  ASSERT_TRUE(ask_for_world(*simulation_, request, &client_, replier));
+  simulation_->extend(1);
+  simulation_->run();
+  ASSERT_TRUE(recorder_.answers.contains(ticket_));
+  EXPECT_FALSE(recorder_.answers[ticket_].ack);
+  const Result<sim::PropertyReq> told = wire::decode<sim::PropertyReq>(recorder_.answers[ticket_].body);
+  EXPECT_EQ(wire::text(told->value), "the run is full: 16384 models with 0 sensors and 0 beams came");
 }
 
 TEST_F(WorldRequests, that_are_refused_leave_nothing_with_the_client) {
