@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -38,15 +40,62 @@ constexpr std::pair<std::string_view, Factory> kDrivers[] = {
     {"wavefront", make_wavefront},
 };
 
-Result<std::unique_ptr<device::Driver>> make_driver(const scene::CfgSection& section, Site& site) {
+/// What does instead of a driver of Player that is none of ours.
+constexpr std::pair<std::string_view, std::string_view> kInstead[] = {
+    {"readlog", "; \"playhouse replay\" shows a recording"},
+    {"writelog", "; the option --record records a run"},
+};
+
+Factory find_driver(std::string_view name) {
+  const auto found = std::ranges::find(kDrivers, name, &std::pair<std::string_view, Factory>::first);
+  return found == std::end(kDrivers) ? nullptr : found->second;
+}
+
+std::string no_such_driver(const std::string& name) {
   std::vector<std::string_view> names;
-  for (const auto& [name, make] : kDrivers) {
-    if (name == section.name()) return make(section, site);
-    names.push_back(name);
+  for (const auto& [known, make] : kDrivers) names.push_back(known);
+  const auto instead = std::ranges::find(kInstead, name, &std::pair<std::string_view, std::string_view>::first);
+  if (instead != std::end(kInstead)) return fmt::format("this program has no such driver{}", instead->second);
+  return fmt::format("this program has no such driver{}; it has {}", did_you_mean(name, names),
+                     fmt::join(names, ", "));
+}
+
+/// The addresses of a field that can be resolved.
+std::vector<device::Address> devices_of(const scene::CfgSection& section, std::string_view key,
+                                        const Site& site) {
+  std::vector<device::Address> devices;
+  for (const scene::DeviceAddress& named : section.addresses(key))
+    if (const Result<device::Address> address = site.resolve(named)) devices.push_back(*address);
+  return devices;
+}
+
+/// The sections to make: those of known drivers whose required devices are not those of sections that are
+/// left out. A warning for each of the others, so that one driver that we lack does not keep a file from running.
+std::vector<const scene::CfgSection*> sections_to_make(const scene::CfgFile& file, Site& site) {
+  std::vector<const scene::CfgSection*> kept;
+  std::map<device::Address, std::string> lacking;  // devices of sections left out, and where these are
+  const auto leave_out = [&](const scene::CfgSection& section, const std::string& why) {
+    site.warn(fmt::format("{}: driver {} is left out: {}", section.at("name"), in_quotes(section.name()), why));
+    for (const device::Address& device : devices_of(section, "provides", site)) lacking[device] = section.at();
+  };
+  for (const scene::CfgSection& section : file.drivers) {
+    if (find_driver(section.name()) != nullptr)
+      kept.push_back(&section);
+    else
+      leave_out(section, no_such_driver(section.name()));
   }
-  return Error{section.at("name"),
-               fmt::format("there is no driver {}{}; this program has {}", in_quotes(section.name()),
-                           did_you_mean(section.name(), names), fmt::join(names, ", "))};
+  const auto lacks_one = [&](const scene::CfgSection* section) {
+    for (const device::Address& device : devices_of(*section, "requires", site)) {
+      const auto found = lacking.find(device);
+      if (found == lacking.end()) continue;
+      leave_out(*section, fmt::format("it requires {}, which {} would provide", in_quotes(site.shown(device)),
+                                      found->second));
+      return true;
+    }
+    return false;
+  };
+  while (std::erase_if(kept, lacks_one) > 0) continue;
+  return kept;
 }
 
 /// Holds all devices of the section open for the program's lifetime.
@@ -67,21 +116,27 @@ Result<void> keep_open(const scene::CfgSection& section, Site& site) {
 
 Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::CfgFile& file, Site& site) {
   std::vector<std::unique_ptr<device::Driver>> drivers;
-  for (const scene::CfgSection& section : file.drivers) {
-    Result<std::unique_ptr<device::Driver>> driver = make_driver(section, site);
+  const std::vector<const scene::CfgSection*> sections = sections_to_make(file, site);
+  if (sections.empty()) {
+    const scene::CfgSection& first = file.drivers.front();
+    return Error{first.at("name"),
+                 fmt::format("driver {}: {}", in_quotes(first.name()), no_such_driver(first.name()))};
+  }
+  for (const scene::CfgSection* section : sections) {
+    Result<std::unique_ptr<device::Driver>> driver = find_driver(section->name())(*section, site);
     if (!driver) return driver.error();
     drivers.push_back(std::move(*driver));
-    if (const Result<void> fault = section.fault(); !fault) return fault.error();
+    if (const Result<void> fault = section->fault(); !fault) return fault.error();
   }
   Result<std::vector<std::unique_ptr<device::Driver>>> remote = make_remote_devices(site);
   if (!remote) return remote.error();
   std::ranges::move(*remote, std::back_inserter(drivers));
   if (const Result<void> finished = site.finish(); !finished) return finished.error();
-  for (const scene::CfgSection& section : file.drivers) {
-    if (section.flag("alwayson", false)) {
-      if (const Result<void> open = keep_open(section, site); !open) return open.error();
+  for (const scene::CfgSection* section : sections) {
+    if (section->flag("alwayson", false)) {
+      if (const Result<void> open = keep_open(*section, site); !open) return open.error();
     }
-    for (const std::string& line : section.unread()) site.warn(line);
+    for (const std::string& line : section->unread()) site.warn(line);
   }
   if (site.device_count() == 0) return Error{file.path, "no driver of this file provides a device"};
   return drivers;

@@ -280,6 +280,30 @@ driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
   EXPECT_EQ(site.site().simulation()->source_count(), 0u);
 }
 
+TEST(Registry, leaves_out_drivers_that_it_lacks_and_those_that_require_them) {
+  MemorySite site(kWorld);
+  ASSERT_EQ(site.build(std::string(kStage) + R"(
+driver( name "stage" provides ["position2d:0" "laser:0"] model "r0" )
+driver( name "rangertolaser" requires ["ranger:7"] provides ["laser:7"] )
+driver( name "lasertoranger" requires ["laser:0"] provides ["ranger:7"] speed 3 )
+driver( name "writelog" requires ["laser:0"] provides ["log:0"] alwayson 1 )
+driver( name "nd" requires ["position2d:0" "laser:7"] provides ["position2d:7"] ))"),
+            "");
+  EXPECT_THAT(site.devices(), ElementsAre("6665:31:0=stage", "6665:4:0=stage", "6665:6:0=stage"));
+  EXPECT_THAT(
+      site.site().warnings(),
+      ElementsAre(
+          "test.cfg:5: driver \"lasertoranger\" is left out: this program has no such driver; it has "
+          "amcl, mapfile, nd, passthrough, rangertolaser, relay, stage, vfh, wavefront",
+          "test.cfg:6: driver \"writelog\" is left out: this program has no such driver; the option --record "
+          "records a run",
+          "test.cfg:4: driver \"rangertolaser\" is left out: it requires \"ranger:7\", which test.cfg:5 would "
+          "provide",
+          "test.cfg:7: driver \"nd\" is left out: it requires \"laser:7\", which test.cfg:4 would provide"));
+  EXPECT_THAT(fault("driver( name \"writelog\" provides [\"log:0\"] )"),
+              StartsWith("test.cfg:1: driver \"writelog\": this program has no such driver; "));
+}
+
 TEST(RangerToLaser, says_what_is_wrong_and_where) {
   const std::string stage = kStage;
   EXPECT_THAT(
