@@ -32,7 +32,7 @@ class Energy(HouseTest):
             state = lambda: State(client.next_data(POWER, 0).body)
             at_rest = state()
             self.assertTrue(at_rest.valid & MASK_JOULES)
-            self.assertEqual((at_rest.watts, at_rest.charging), (1, 0))
+            self.assertEqual((at_rest.watts, at_rest.charging), (0, 0), "who reads draws nothing")
             self.assertEqual(client.open(POSITION2D, 0).type, ACK)
             client.drive(0, 0.5)
             while (driving := state()).watts < 2:

@@ -2,13 +2,20 @@
 
 import json
 import os
+import re
+import shutil
+import signal
 import subprocess
+import sys
 import unittest
 from pathlib import Path
 from unittest import mock
 
-from house import (ACK, FIDUCIAL, POSITION2D, PROGRAM, RANGER, ROOT, SONAR, Client, House, HouseTest,
+from house import (ACK, FIDUCIAL, PATIENCE, POSITION2D, PROGRAM, RANGER, ROOT, SONAR, Client, House, HouseTest,
                    finish)
+
+sys.path.insert(0, str(ROOT / "clients/python"))
+from playhouse_client import connect  # noqa: E402
 
 SWARM = """
 interval_sim 100
@@ -68,6 +75,30 @@ class Reproducible(HouseTest):
             watched = json.loads(house.output())
         self.assertEqual((watched["ticks"], watched["hash"]), (alone["ticks"], alone["hash"]))
         self.assertNotEqual(watched["sensed_hash"], alone["sensed_hash"])
+
+    def hash_with_readers(self, world: Path, engine: str, opens: bool) -> str:
+        """Of a run of 20 ticks, of which a client of another connection has every device open but for the first."""
+        with House("run", world, "--engine", engine, "--port", 0, "--headless", "--lock-step", "--duration", 1000, "--json",
+                   program=self.release()) as house:
+            with connect(f":{house.port()}", timeout=PATIENCE) as stepper, Client(house.port()) as reader:
+                stepper.simulation(0).step(1)
+                for interf, index in reader.devices()[:500] if opens else ():
+                    self.assertEqual(reader.open(interf, index).type, ACK)
+                stepper.simulation(0).step(19)
+            self.assertEqual(house.end(signal.SIGINT), 130, house.log())
+            result = json.loads(house.output())
+        self.assertEqual(result["ticks"], 20)
+        return result["hash"]
+
+    def test_whoever_opens_every_device_of_an_example_world_changes_nothing(self):
+        worlds = self.folder / "worlds"
+        shutil.copytree(ROOT / "worlds", worlds)
+        for file in [*worlds.glob("*.world"), *worlds.glob("*.inc")]:  # batteries for all robots
+            file.write_text(re.sub(r"\bposition\s*\(", "position( joules 5000 ", file.read_text()))
+        for world in sorted(worlds.glob("*.world")):
+            for engine in ("stage", "arena") if world.stem == "gripper" else ("stage",):
+                with self.subTest(world.stem, engine=engine):
+                    self.assertEqual(self.hash_with_readers(world, engine, True), self.hash_with_readers(world, engine, False))
 
     def test_the_release_program_computes_the_same_bits(self):
         self.assertEqual(self.hashes_of(), self.hashes_of(program=self.release()))

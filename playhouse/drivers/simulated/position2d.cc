@@ -71,6 +71,10 @@ std::span<const Served> Position2d::served() const {
   return kServed;
 }
 
+bool Position2d::acts(std::uint8_t request) const {
+  return request == p2d::kReqMotorPower;
+}
+
 device::Taken Position2d::command(const device::Message& message) {
   Change command = meaning(message);
   if (!command) return device::Taken::kNo;

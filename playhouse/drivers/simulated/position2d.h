@@ -24,6 +24,7 @@ class Position2d final : public SimulatedDevice {
   std::span<const Served> served() const override;
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
+  bool acts(std::uint8_t request) const override;
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
   void closed(world::World& world, world::ModelRow model) override;
 

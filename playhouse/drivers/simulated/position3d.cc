@@ -52,6 +52,7 @@ class Position3d final : public SimulatedDevice {
   std::span<const Served> served() const override;
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
+  bool acts(std::uint8_t request) const override { return request == p3d::kReqMotorPower; }
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
   void closed(world::World& world, world::ModelRow model) override {
     world.positions.motor_on[world.models.part[model.index]] = 1;

@@ -34,6 +34,7 @@ class Power final : public SimulatedDevice {
     return kServed;
   }
 
+  bool acts(std::uint8_t request) const override { return request == pow::kReqSetChargingPolicy; }
   void request(const device::Message& message, device::Replier replier) override {
     const auto value = wire::decode<pow::ChargepolicyConfig>(message.body);
     if (!value) return;

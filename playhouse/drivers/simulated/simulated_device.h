@@ -5,6 +5,7 @@
 /// at construction and sent at once; what needs the world is posted to the tick thread.
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -31,7 +32,8 @@ struct Served {
 
 class SimulatedDevice : public Source {
  public:
-  /// `model` is subscribed while the device is open; none for a device of the whole world.
+  /// `model` is watched while the device is open, and used from a client's first command on: whoever reads draws no
+  /// power and changes nothing. None for a device of the whole world.
   SimulatedDevice(Simulation& simulation, world::ModelId model) : simulation_(simulation), model_(model) {}
   SimulatedDevice(const SimulatedDevice&) = delete;
   SimulatedDevice& operator=(const SimulatedDevice&) = delete;
@@ -42,11 +44,15 @@ class SimulatedDevice : public Source {
   void set_id(device::DeviceId id) { id_ = id; }
   /// Tick thread: the device was opened, closed.
   void begin(world::World& world) {
-    use_.begin(world, simulation_, model_);
+    watch_.watch(world, simulation_, model_);
     opened(world);
   }
+  void use(world::World& world) {
+    if (!std::exchange(is_used_, true)) use_.begin(world, simulation_, model_);
+  }
   void end(world::World& world) {
-    if (const world::ModelRow model = use_.end(world, simulation_)) closed(world, model);
+    if (std::exchange(is_used_, false)) use_.end(world, simulation_);
+    if (const world::ModelRow model = watch_.end(world, simulation_)) closed(world, model);
     ended(world);
   }
 
@@ -61,6 +67,11 @@ class SimulatedDevice : public Source {
     return static_cast<void>(message), device::Taken::kNo;
   }
   virtual void request(const device::Message& message, device::Replier replier) = 0;
+  /// True if a request uses the model, as a command does.
+  virtual bool acts(std::uint8_t request) const { return static_cast<void>(request), false; }
+  /// True once after each open: the first command or acting request.
+  bool is_first_act() { return !has_acted_.exchange(true); }
+  void forget_acts() { has_acted_ = false; }
 
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     static_cast<void>(world), static_cast<void>(out);
@@ -104,7 +115,9 @@ class SimulatedDevice : public Source {
   Simulation& simulation_;
   world::ModelId model_;
   device::DeviceId id_;
-  world::Use use_;
+  std::atomic<bool> has_acted_ = false;  // since it was opened
+  world::Use watch_, use_;
+  bool is_used_ = false;
 };
 
 }  // namespace playhouse::drivers

@@ -45,6 +45,7 @@ Result<void> SimulatedDriver::start(device::DeviceId id) {
 void SimulatedDriver::stop(device::DeviceId id) {
   const Device device = find(id);
   PLAYHOUSE_ASSERT(device != nullptr);
+  device->forget_acts();
   simulation_.post_always(
       [device, &simulation = simulation_](world::World& world) {
         simulation.remove_source(*device);
@@ -56,12 +57,20 @@ void SimulatedDriver::stop(device::DeviceId id) {
 device::Taken SimulatedDriver::command(const device::Message& message) {
   const Device device = find(message.device);
   if (device == nullptr || !device->serves(message.type, message.subtype)) return device::Taken::kNo;
-  return device->command(message);
+  const device::Taken taken = device->command(message);
+  if (taken != device::Taken::kNo) note_act(device);
+  return taken;
+}
+
+void SimulatedDriver::note_act(const Device& device) {
+  if (device->is_first_act())
+    simulation_.post_always([device](world::World& world) { device->use(world); }, device->robot());
 }
 
 void SimulatedDriver::request(const device::Message& message, device::Replier replier) {
   const Device device = find(message.device);
   if (device == nullptr || !device->serves(message.type, message.subtype)) return;
+  if (device->acts(message.subtype)) note_act(device);
   device->request(message, std::move(replier));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 /// SimulatedDriver: the driver of all devices of a simulated world. Dispatches
-/// messages to devices, and subscribes a model while its device is open.
+/// messages to devices, watches a model while its device is open, and uses it once it is commanded.
 
 #include <cstddef>
 #include <map>
@@ -36,6 +36,7 @@ class SimulatedDriver final : public device::Driver {
  private:
   using Device = std::shared_ptr<SimulatedDevice>;  // shared with changes queued for the tick thread
   Device find(device::DeviceId id) const;
+  void note_act(const Device& device);
 
   Simulation& simulation_;
   std::string name_;
