@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <map>
 #include <string_view>
+#include <vector>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/replicate/views.h"
 #include "playhouse/world/camera.h"
 #include "playhouse/world/columns.h"
+#include "playhouse/world/periods.h"
 #include "playhouse/world/values.h"
 
 namespace playhouse::record {
 namespace {
+
+constexpr double kNearlyAStep = 0.999;  // between the last beam of a circle and its first one
 
 const std::string kRule = std::string(80, '=') + "\n";
 const std::string kTime = kRule + "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n";
@@ -257,19 +262,32 @@ Bytes transforms_message(std::uint64_t ns, std::span<const Transform> transforms
   return out.message();
 }
 
+/// REP 117: a beam without a return has no range_max, but +infinity.
+std::vector<float> with_infinity(std::span<const float> ranges, double range_max) {
+  std::vector<float> seen(ranges.begin(), ranges.end());
+  for (float& range : seen)
+    if (range >= static_cast<float>(range_max)) range = std::numeric_limits<float>::infinity();
+  return seen;
+}
+
 Bytes scan_message(std::uint64_t ns, const std::string& frame, const world::World& world,
                    world::ModelRow model, world::SensorRow sensor) {
   const std::uint32_t ranger = world.models.part[model.index];
   const std::uint32_t nth = sensor.index - world.rangers.first_sensor[ranger];
   const scene::RangerSensorDesc& desc = world.desc(model).sensors[nth];
   const double step = desc.samples > 1 ? desc.fov / (desc.samples - 1) : 0;
-  const std::size_t first = world.sensors.first_beam[sensor.index],
-                    count = world.sensors.beam_count[sensor.index];
+  const std::size_t first = world.sensors.first_beam[sensor.index];
+  // Of a full circle the last beam is the first one again, which consumers of LaserScan do not expect.
+  const bool is_circle = desc.samples > 1 && 2 * geom::kPi - desc.fov < step * kNearlyAStep;
+  const std::size_t count = world.sensors.beam_count[sensor.index] - (is_circle ? 1 : 0);
+  const double angle_max = desc.fov / 2 - (is_circle ? step : 0);
+  const double scan_time =
+      static_cast<double>(world::update_ticks(world, model)) * world.scene().interval;
   CdrWriter out;
   put_header(out, ns, frame);
-  for (const double number : {-desc.fov / 2, desc.fov / 2, step, 0.0, 0.0, desc.range_min, desc.range_max})
+  for (const double number : {-desc.fov / 2, angle_max, step, 0.0, scan_time, desc.range_min, desc.range_max})
     out.number(static_cast<float>(number));
-  out.floats(std::span(world.sensors.ranges).subspan(first, count));
+  out.floats(with_infinity(std::span(world.sensors.ranges).subspan(first, count), desc.range_max));
   out.floats(std::span(world.sensors.intensities).subspan(first, count));
   return out.message();
 }

@@ -40,7 +40,8 @@ struct Transform {
 };
 Bytes transforms_message(std::uint64_t ns, std::span<const Transform> transforms);
 
-/// The latest measurement of one sensor; `model` is its ranger.
+/// The latest measurement of one sensor, as REP 117 has it: +infinity where nothing returned. Of a full circle without
+/// the last beam, which is the first one again. `model` is its ranger.
 Bytes scan_message(std::uint64_t ns, const std::string& frame, const world::World& world,
                    world::ModelRow model, world::SensorRow sensor);
 /// The latest measurements of all sensors of a ranger.

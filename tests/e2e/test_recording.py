@@ -274,6 +274,33 @@ robot( name "r0" pose [0 0 0 0] )
         self.assertAlmostEqual(beam, 2.9, places=5)
         self.assertEqual(len([name for name in scans[0] if name.startswith("ranges.")]), 181)
 
+    def test_scans_are_as_consumers_of_ros_expect_them(self):
+        world = self.write("circle.world", """interval_sim 50
+            position( name "r" size [0.2 0.2 0.2] pose [0 0 0 0] update_interval 50
+              ranger( size [0.1 0.1 0.1] update_interval 200 sensor( range [0.1 4] fov 360 samples 361 ) )
+              ranger( size [0.1 0.1 0.1] sensor( range [0.1 4] fov 359 samples 360 ) )
+              ranger( size [0.1 0.1 0.1] sensor( range [0.1 4] fov 90 samples 91 ) ) )
+            model( pose [2.5 0 0 0] size [1 1 1] )""")
+        done = finish("run", world, "--port", 0, "--headless", "--fast", "--duration", 1, "--record", self.file)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.export()
+        for ranger, count, fov, period in ((0, 360, 360, 0.2), (1, 360, 359, 0.1), (2, 91, 90, 0.1)):
+            scan = self.table(f"r.ranger_{ranger}.scan")[-1]
+            value = lambda name: float(scan[name])
+            ranges = [float(text) for name, text in scan.items() if name.startswith("ranges.")]
+            self.assertEqual(len(ranges), count)
+            self.assertEqual(len([name for name in scan if name.startswith("intensities.")]), count)
+            self.assertAlmostEqual(value("angle_min"), -math.radians(fov / 2), places=6)
+            self.assertAlmostEqual(value("angle_increment"), math.radians(1), places=6)
+            # As many as slam_toolbox counts, which takes a scan for a circle if its ends are less than a step apart.
+            reach = value("angle_max") - value("angle_min")
+            is_circle = abs(reach - 2 * math.pi) < value("angle_increment") - 2 * math.pi * 2 ** -23
+            self.assertEqual(round(reach / value("angle_increment")) + (0 if is_circle else 1), count)
+            self.assertAlmostEqual(value("scan_time"), period, places=6)
+            ahead = min(range(count), key=lambda beam: abs(value("angle_min") + beam * value("angle_increment")))
+            self.assertAlmostEqual(ranges[ahead], 2, places=3)
+            self.assertEqual(ranges[0] if fov > 90 else ranges[-1], math.inf)
+
     def test_only_what_was_chosen_is_recorded(self):
         self.record("--record-only", "ranger@r0,position@r1")
         self.export()
