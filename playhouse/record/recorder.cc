@@ -88,8 +88,8 @@ void Recorder::give_up(const Error& why) {
   log::warn("the recording has data alone, and cannot be run again or replayed: {}", why.line());
 }
 
-std::uint64_t Recorder::ns() const {
-  return static_cast<std::uint64_t>(std::llround(static_cast<double>(steps_) * interval_ * 1e9));
+std::uint64_t Recorder::ns(std::uint64_t ago) const {
+  return static_cast<std::uint64_t>(std::llround(static_cast<double>(steps_ - ago) * interval_ * 1e9));
 }
 
 std::optional<std::uint16_t> Recorder::channel_of(const std::string& topic, const std::string& schema) {
@@ -112,11 +112,12 @@ std::optional<std::uint16_t> Recorder::channel_of(const std::string& topic, cons
 }
 
 void Recorder::put_message(const world::World& world, const std::string& topic, const std::string& schema,
-                           const Bytes& body) {
+                           const Bytes& body, std::uint64_t ago) {
   const std::optional<std::uint16_t> channel = channel_of(topic, schema);
   if (!channel) return;
-  const auto published = static_cast<std::uint64_t>(std::llround(world.time() * 1e9));
-  put(out_, Message{*channel, sequence_[*channel]++, ns(), published, body});
+  const double time = world.time_of(world.tick() - ago);
+  const auto published = static_cast<std::uint64_t>(std::llround(time * 1e9));
+  put(out_, Message{*channel, sequence_[*channel]++, ns(ago), published, body});
 }
 
 void Recorder::hand_over() {
@@ -284,8 +285,10 @@ void Recorder::record_state(const world::World& world) {
   put_message(world, "/playhouse/states", kState, message.message());
 }
 
+/// What moves after a standstill, or jumps, is recorded at the tick before as well: readers interpolate between
+/// two transforms, and would have it creep all the while.
 void Recorder::record_poses(const world::World& world, bool all) {
-  std::vector<Transform> changed;
+  std::vector<Transform> changed, stood;
   for (Framed& frame : frames_) {
     const world::ModelRow row = world.row(frame.model), parent = world.row(frame.parent);
     geom::SpatialPose X_WF = world::pose_in_world(world.models, row);
@@ -294,7 +297,10 @@ void Recorder::record_poses(const world::World& world, bool all) {
       X_WF.X = geom::compose(geom::compose(X_WF.X, desc.X_MB), desc.sensors[frame.sensor].X_BS);
     }
     geom::SpatialPose X = pose_in(world, parent, X_WF);
-    if (!all && X == frame.last.X && !frame.last.child.empty()) continue;
+    const bool is_known = !frame.last.child.empty();
+    if (!all && X == frame.last.X && is_known) continue;
+    if (is_known && !(X == frame.last.X) && steps_ > frame.step + 1) stood.push_back(frame.last);
+    frame.step = steps_;
     if (frame.last.child.empty()) {
       frame.last.child = label(world, row) + (frame.is_sensor ? "/" + std::to_string(frame.sensor) : "");
       frame.last.parent = parent ? label(world, parent) : kWorldFrame;
@@ -302,6 +308,7 @@ void Recorder::record_poses(const world::World& world, bool all) {
     frame.last.X = X;
     changed.push_back(frame.last);
   }
+  if (!stood.empty()) put_message(world, "/tf", kTransforms, transforms_message(ns(1), stood), 1);
   if (!changed.empty()) put_message(world, "/tf", kTransforms, transforms_message(ns(), changed));
 }
 

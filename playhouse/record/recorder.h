@@ -59,6 +59,7 @@ class Recorder final : public world::RunListener {
     std::uint32_t sensor = 0;
     bool is_sensor = false;
     Transform last;
+    std::uint64_t step = 0;  // of steps_, when `last` was recorded
   };
 
   void look_around(const world::World& world);
@@ -73,8 +74,9 @@ class Recorder final : public world::RunListener {
   /// None at the limit on channels.
   std::optional<std::uint16_t> channel_of(const std::string& topic, const std::string& schema);
   void put_message(const world::World& world, const std::string& topic, const std::string& schema,
-                   const Bytes& body);
-  std::uint64_t ns() const;
+                   const Bytes& body, std::uint64_t ago = 0);
+  /// Time of the file, so many ticks ago. [ns]
+  std::uint64_t ns(std::uint64_t ago = 0) const;
   void give_up(const Error& why);
   void hand_over();
 

@@ -301,6 +301,29 @@ robot( name "r0" pose [0 0 0 0] )
             self.assertAlmostEqual(ranges[ahead], 2, places=3)
             self.assertEqual(ranges[0] if fov > 90 else ranges[-1], math.inf)
 
+    def test_between_two_transforms_nothing_moves_that_stood(self):
+        world = self.write("still.world", 'interval_sim 100 position( name "r" size [0.2 0.2 0.2] )')
+        with House("run", world, "--port", 0, "--headless", "--lock-step", "--duration", 3, "--record", self.file) as house, \
+                connect(f":{house.port()}", timeout=PATIENCE) as client:
+            simulator, robot = client.simulation(0), client.position2d(0)
+            simulator.step(17)
+            simulator.set_pose("r", 5, 0, 0)
+            simulator.step(5)
+            robot.drive(1, 0, 0)
+            simulator.step(5)
+            robot.drive(0, 0, 0)
+            with self.assertRaises(RunEnded):
+                while True:
+                    simulator.step()
+            self.assertEqual(house.wait(), 0, house.log())
+        self.export()
+        poses = [(float(row["time"]), float(row["transforms.transform.translation.x"])) for row in self.table("tf")
+                 if row["transforms.child_frame_id"] == "r"]
+        at = lambda time: next(x0 + (x1 - x0) * (time - t0) / (t1 - t0) for (t0, x0), (t1, x1) in zip(poses, poses[1:]) if t0 < time <= t1)
+        self.assertEqual(poses, sorted(poses))
+        for time, x in ((1.5, 0), (1.69, 0), (1.8, 5), (2.15, 5), (2.19, 5), (2.3, 5.1), (2.7, 5.5)):
+            self.assertAlmostEqual(at(time), x, places=6, msg=f"{time} s of {poses}")
+
     def test_only_what_was_chosen_is_recorded(self):
         self.record("--record-only", "ranger@r0,position@r1")
         self.export()
