@@ -40,11 +40,29 @@ const char* word_of(world::Change::Kind kind) {
   return "";
 }
 
-/// Topic name: letters and digits, _ for others, / between levels.
-std::string as_topic(std::string name) {
-  for (char& letter : name)
-    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = letter == '.' ? '/' : '_';
-  return name;
+/// One level of a topic as ROS 2 accepts it: letters and digits, one _ for others between them, no digit first.
+std::string as_level(std::string_view name) {
+  std::string level;
+  for (const char letter : name) {
+    if (std::isalnum(static_cast<unsigned char>(letter)) != 0)
+      level += letter;
+    else if (!level.empty() && level.back() != '_')
+      level += '_';
+  }
+  if (level.ends_with('_')) level.pop_back();
+  const bool is_plain = !level.empty() && std::isdigit(static_cast<unsigned char>(level.front())) == 0;
+  return is_plain ? level : "m" + level;
+}
+
+/// Topic name: a level for each part of a name, which dots separate.
+std::string as_topic(std::string_view name) {
+  std::string topic;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('.', begin), name.size());
+    topic += (topic.empty() ? "" : "/") + as_level(name.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return topic;
 }
 
 /// Pose of a model or sensor in another model's frame.
@@ -126,10 +144,27 @@ void Recorder::hand_over() {
 
 // --- population
 
-std::string Recorder::label(const world::World& world, world::ModelRow model) const {
-  std::string name = world.name(model);
-  if (name.empty()) name = world.alias(model);
-  return as_topic(std::move(name));
+/// Models whose names differ in characters that topics lack get a number each: one topic, and frame, for one model.
+std::string Recorder::label(const world::World& world, world::ModelRow model) {
+  const auto name_of = [&world](world::ModelRow row) {
+    std::string name = world.name(row);
+    return name.empty() ? world.alias(row) : name;
+  };
+  const std::string name = name_of(model);
+  std::string topic = as_topic(name);
+  if (const world::ModelRow top{world.models.root[model.index]}; top != model) {
+    const std::string of_top = name_of(top) + ".";
+    if (name.starts_with(of_top))
+      topic = label(world, top) + "/" + as_topic(std::string_view(name).substr(of_top.size()));
+  }
+  const world::ModelId id = world.id(model);
+  for (int number = 1;; ++number) {
+    std::string label = number == 1 ? topic : topic + "_" + std::to_string(number);
+    world::ModelId& owner = labels_.try_emplace(label, id).first->second;
+    if (owner != id && world.row(owner)) continue;
+    owner = id;
+    return label;
+  }
 }
 
 void Recorder::look_around(const world::World& world) {

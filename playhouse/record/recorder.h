@@ -66,7 +66,7 @@ class Recorder final : public world::RunListener {
   void add_model(const world::World& world, world::ModelRow model);
   void add_ranger(const world::World& world, world::ModelRow model);
   void watch_all(world::World& world);
-  std::string label(const world::World& world, world::ModelRow model) const;
+  std::string label(const world::World& world, world::ModelRow model);
   void record_poses(const world::World& world, bool all);
   void record_models(const world::World& world);
   void record_state(const world::World& world);
@@ -82,6 +82,7 @@ class Recorder final : public world::RunListener {
 
   RecordThread& file_;
   const Selection selection_;
+  std::map<std::string, world::ModelId> labels_;  // and whose they are, or were
   world::Control& control_;
 
   Bytes out_;  // of this tick

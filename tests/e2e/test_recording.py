@@ -301,6 +301,19 @@ robot( name "r0" pose [0 0 0 0] )
             self.assertAlmostEqual(ranges[ahead], 2, places=3)
             self.assertEqual(ranges[0] if fov > 90 else ranges[-1], math.inf)
 
+    def test_each_model_has_a_topic_and_frame_of_its_own_that_ros_accepts(self):
+        names = ("a b", "a-b", "a_b", "1", "_x_", "y--z", "\u00e4")
+        world = self.write("names.world", "interval_sim 100\n" + "\n".join(
+            f'position( name "{name}" size [0.2 0.2 0.2] pose [{i} 0 0 0] ranger( sensor( samples 3 ) ) )' for i, name in enumerate(names)))
+        done = finish("run", world, "--port", 0, "--headless", "--fast", "--duration", 2, "--record", self.file)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.export()
+        frames = {row["transforms.child_frame_id"] for row in self.table("tf")}
+        self.assertEqual({frame for frame in frames if "/" not in frame}, {"a_b", "a_b_2", "a_b_3", "m1", "x", "y_z", "m"})
+        topics = {path.name.removesuffix(".position.csv") for path in (self.folder / "run").glob("*.position.csv")}
+        self.assertEqual(topics, {"a_b", "a_b_2", "a_b_3", "m1", "x", "y_z", "m"})
+        self.assertTrue((self.folder / "run/a_b_2.ranger_0.scan.csv").exists())
+
     def test_between_two_transforms_nothing_moves_that_stood(self):
         world = self.write("still.world", 'interval_sim 100 position( name "r" size [0.2 0.2 0.2] )')
         with House("run", world, "--port", 0, "--headless", "--lock-step", "--duration", 3, "--record", self.file) as house, \
