@@ -12,6 +12,11 @@ VectorEnv has the interface of Gymnasium's vector environments, ParallelEnv that
 the common base. Requires numpy and Python 3.9; see docs/gym.md.
 """
 
+try:
+    import numpy as _numpy  # noqa: F401
+except ModuleNotFoundError:
+    raise ModuleNotFoundError("playhouse_gym needs numpy: apt install python3-numpy, or pip install numpy", name="numpy") from None
+
 from .arena import Arena, ArenaError
 from .episodes import collided, progress, ranges
 from .parallel_env import ParallelEnv

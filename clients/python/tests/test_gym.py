@@ -166,6 +166,15 @@ class TheArena(WithWorld):
 
 
 @needed
+class WithoutNumpy(unittest.TestCase):
+    def test_the_import_says_what_to_install(self) -> None:
+        code = "import sys; sys.modules['numpy'] = None; import playhouse_gym"
+        done = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "clients/python", capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.splitlines()[-1],
+                         "ModuleNotFoundError: playhouse_gym needs numpy: apt install python3-numpy, or pip install numpy")
+
+
 class Recorded(WithWorld):
     def record(self, file: pathlib.Path) -> np.ndarray:
         """Three episodes, of which one begins anew with another seed and one agent is put elsewhere in another."""
