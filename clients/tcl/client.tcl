@@ -283,6 +283,12 @@ oo::class create ::playhouse::Client {
         }
     }
 
+    # Drops all data received so far: the run that they are of is over. Called at the answer to a reset with a seed.
+    method forgetRun {} {
+        $session dropAllWaiting
+        my ForgetLater -Inf
+    }
+
     # Removes a closed device from the open ones; called by it.
     method closed {device} {
         set place [list [$device code] [$device index]]
@@ -345,8 +351,12 @@ oo::class create ::playhouse::Client {
                 $session skip
                 continue
             }
-            # The last data of a retired device belong to it, unless a new device has its address.
             set takers [dict get $devices [list $code $index]]
+            foreach device $takers {
+                # Another client restarted or rewound the run.
+                if {[$device goesBack $name $time]} {my ForgetLater $time}
+            }
+            # The last data of a retired device belong to it, unless a new device has its address.
             set living [lmap device $takers {if {[$device gone]} continue; set device}]
             foreach device [expr {[llength $living] ? $living : $takers}] {
                 if {[info object isa object $device]} {$device take $name $value $time} ;# a callback may destroy others
@@ -354,6 +364,13 @@ oo::class create ::playhouse::Client {
             incr count
         }
         return $count
+    }
+
+    # Drops the data of devices whose last are later than this time: of a run that is over when time goes back.
+    method ForgetLater {time} {
+        foreach device [concat {*}[dict values $devices]] {
+            if {[$device timestamp] > $time} {$device forgetData}
+        }
     }
 
     # Delivers what has arrived, for listen; called by the event loop.

@@ -67,7 +67,7 @@ oo::class create ::playhouse::Device {
     # commands.
     method gone {} {return [expr {$gone ne ""}]}
 
-    # Whether any data have arrived since this device was opened.
+    # Whether any data have arrived since this device was opened, and since the run was restarted.
     method hasData {} {return [expr {[dict size $newest] > 0}]}
     # Whether data have arrived since the last nextData.
     method fresh {} {return $fresh}
@@ -75,10 +75,11 @@ oo::class create ::playhouse::Device {
     method timestamp {} {return $timestamp}
 
     # Sends a request, as position2d.req.get_geom, with a value of its struct, and waits for the answer: its value,
-    # empty if it has no body. Errors of kind REFUSED or TIMEOUT.
-    method request {message {payload ""} {seconds ""}} {
+    # empty if it has no body. Errors of kind REFUSED or TIMEOUT. `acknowledged`, if any, is a command that is called at
+    # the ACK, before any later message is dispatched.
+    method request {message {payload ""} {seconds ""} {acknowledged ""}} {
         my InsistOnOpen
-        set body [my Use {$session request $code $index $message $payload $seconds}]
+        set body [my Use {$session request $code $index $message $payload $seconds $acknowledged}]
         set struct [lindex [messageOf $message] 3]
         if {$struct eq "" || [string length $body] == 0} return
         return [decode $struct $body]
@@ -217,6 +218,18 @@ oo::class create ::playhouse::Device {
         if {$callback ne ""} {uplevel #0 [list {*}$callback $message $value $time]}
     }
 
+    # Whether data of this time are earlier than the last of their kind: the simulated time went back.
+    method goesBack {message time} {
+        return [expr {[dict exists $newest $message] && $time < [lindex [dict get $newest $message] 1]}]
+    }
+
+    # Drops all data, as before the first: the run that they are of is over.
+    method forgetData {} {
+        set newest {}
+        set timestamp 0.0
+        set fresh 0
+    }
+
     # Marks the device as retired by the server, whose own port number is `port`.
     method retire {port} {
         if {$gone eq ""} {set gone "$port:[my name] is gone: the server retired it"}
@@ -247,10 +260,14 @@ oo::class create ::playhouse::Device {
 
     # The same and its server time (s).
     method Stamped {message} {
-        if {![dict exists $newest $message]} {
-            fail NODATA "[$session peer]: [my name] has sent no data yet; nextData waits for them"
-        }
+        if {![dict exists $newest $message]} {fail NODATA "[$session peer]: [my name] [my LackOf $message]"}
         return [dict get $newest $message]
+    }
+
+    # Why there is no value of a data message.
+    method LackOf {message} {
+        if {![my hasData]} {return "has sent no data yet; nextData waits for them"}
+        return "sends [join [dict keys $newest] {, }], not $message"
     }
 
     # The answer to a request that must have contents.
@@ -336,6 +353,11 @@ oo::class create ::playhouse::Keeping {
         lappend kept [my Meaning $value]
         if {[llength $kept] > 1024} {set kept [lrange $kept end-1023 end]} ;# the oldest are dropped
         next $message $value $time
+    }
+
+    method forgetData {} {
+        set kept {}
+        next
     }
 
     method Next {seconds} {

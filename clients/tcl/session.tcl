@@ -34,7 +34,8 @@ oo::class create ::playhouse::Session {
         set abandoned {} ;# keys of requests that timed out and have no answer yet
         set sequence 0
         set requests 0
-        set pending {} ;# number of a request that waits -> its key, its sequence, whether it settled an abandoned one
+        # Number of a request that waits -> its key, its sequence, whether it settled an abandoned one, what to call at its ACK.
+        set pending {}
         set answers {} ;# number of a request -> its answer
         set gathering {} ;# reason to hold commands -> whether it holds
     }
@@ -77,13 +78,14 @@ oo::class create ::playhouse::Session {
     }
 
     # Sends and waits for the ACK; returns its undecoded body. An error of kind REFUSED on NACK, TIMEOUT on silence.
-    method request {code index message {payload ""} {seconds ""}} {
+    # `acknowledged`, if any, is a command that is called at the ACK, before any later message is dispatched.
+    method request {code index message {payload ""} {seconds ""} {acknowledged ""}} {
         set seconds [my timeoutOrOwn $seconds]
         my send $code $index $message $payload
         set whose "$message of [deviceName $code $index]"
         set key [list $code $index [lindex [messageOf $message] 2]]
         try {
-            lassign [my Answer $key [expr {[now] + $seconds}]] header body
+            lassign [my Answer $key [expr {[now] + $seconds}] $acknowledged] header body
         } trap {PLAYHOUSE TIMEOUT} {} {
             fail TIMEOUT "[my peer]: no answer to $whose in [format %g $seconds] s"
         }
@@ -138,6 +140,11 @@ oo::class create ::playhouse::Session {
         return $message
     }
 
+    # Drops all queued data.
+    method dropAllWaiting {} {
+        set queue {}
+    }
+
     # Drops queued data of a retired device, so that they are not delivered to a new device at its address.
     method dropWaiting {code index} {
         set kept {}
@@ -147,9 +154,9 @@ oo::class create ::playhouse::Session {
         set queue $kept
     }
 
-    method Answer {key deadline} {
+    method Answer {key deadline acknowledged} {
         set number [incr requests]
-        dict set pending $number [list $key $sequence 0]
+        dict set pending $number [list $key $sequence 0 $acknowledged]
         try {
             set end ""
             while {![dict exists $answers $number]} {my sortNext $deadline end}
@@ -198,11 +205,12 @@ oo::class create ::playhouse::Session {
     method TakeAnswer {key number message} {
         set matching 0
         dict for {request entry} $pending {
-            lassign $entry wanted own settled
+            lassign $entry wanted own settled acknowledged
             if {$wanted ne $key || [dict exists $answers $request]} continue
             # 0 is the number of requests before the first time-out, and of servers that do not return numbers.
             if {$number ? $number == $own : $key ni $abandoned} {
                 dict set answers $request $message
+                if {[lindex $message 0 2] == 4} {{*}$acknowledged}
                 return 1
             }
             set matching $request

@@ -1,5 +1,6 @@
 #include "client.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -259,14 +260,31 @@ static bool takes(const ph_device *device, bool any_there) {
   return device->open && (device->gone[0] == '\0' || !any_there);
 }
 
+/** Drops the data of devices whose last are later than this time (s): of a run that is over when time goes
+ * back. */
+static void forget_later(ph_client *client, double timestamp) {
+  for (size_t i = 0; i < client->open_count; ++i) {
+    for (ph_device *each = client->open[i]; each != NULL; each = each->same) {
+      if (each->timestamp > timestamp) ph_device_forget_data(each);
+    }
+  }
+}
+
+void ph_client_forget_run(ph_client *client) {
+  ph_session_drop_all_waiting(&client->session);
+  forget_later(client, -INFINITY);
+}
+
 /** Hands a value to the devices of its address, as they are before the first callback. */
 static ph_status hand_out(ph_client *client, size_t at, const ph_value *value, ph_error *error) {
-  bool any_there = false;
+  bool any_there = false, goes_back = false;
   size_t count = 0;
   for (ph_device *each = client->open[at]; each != NULL; each = each->same) {
+    goes_back = goes_back || ph_device_goes_back(each, value);
     any_there = any_there || each->gone[0] == '\0';
     ++count;
   }
+  if (goes_back) forget_later(client, value->timestamp);  // another client restarted or rewound the run
   ph_device *few[8], **takers = count <= 8 ? few : malloc(count * sizeof *takers);
   if (takers == NULL) return ph_fail_no_memory(error);
   count = 0;

@@ -29,5 +29,7 @@ bool ph_client_add(ph_client *client, ph_device *device);
 void ph_client_forget(ph_client *client, ph_device *device);
 /** In push mode, delivers data that have arrived to the devices, without waiting for more. */
 ph_status ph_client_deliver_pushed(ph_client *client, ph_error *error);
+/** Drops all data received so far: the run that they are of is over. */
+void ph_client_forget_run(ph_client *client);
 
 #endif /* PLAYHOUSE_C_SRC_CLIENT_H */

@@ -215,6 +215,10 @@ ph_status ph_device_stamped(const ph_device *device, const ph_message_type *mess
                             ph_error *error) {
   *value = ph_device_latest(device, message);
   if (*value != NULL) return PH_OK;
+  if (device->latest_count > 0) {
+    return ph_fail(error, PH_NO_DATA, "%s: %s sends %s, not %s", peer_of(device), device->name,
+                   device->latest[0]->message->name, message->name);
+  }
   return ph_fail(error, PH_NO_DATA, "%s: %s has sent no data yet; next_data() waits for them",
                  peer_of(device), device->name);
 }
@@ -241,6 +245,18 @@ ph_status ph_device_take(ph_device *device, const ph_value *value, ph_error *err
   device->fresh = true;
   if (device->callback != NULL) device->callback(device->context, value);
   return PH_OK;
+}
+
+bool ph_device_goes_back(const ph_device *device, const ph_value *value) {
+  const ph_value *last = ph_device_latest(device, value->message);
+  return last != NULL && value->timestamp < last->timestamp;
+}
+
+void ph_device_forget_data(ph_device *device) {
+  if (device->class_of->forget != NULL) device->class_of->forget(device);
+  while (device->latest_count > 0) ph_value_free(device->latest[--device->latest_count]);
+  device->timestamp = 0.0;
+  device->fresh = false;
 }
 
 void ph_device_retire(ph_device *device, uint32_t port) {

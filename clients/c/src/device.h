@@ -16,6 +16,8 @@ typedef struct ph_class {
   ph_status (*prepare)(ph_device *device, ph_error *error);
   /** Takes note of data from ph_client_read(), before the callback. */
   void (*take)(ph_device *device, const ph_value *value);
+  /** Drops what the proxy keeps of data: the run that they are of is over. */
+  void (*forget)(ph_device *device);
   /** Called before closing, while the server can be reached. */
   void (*before_close)(ph_device *device);
   /** Releases what the proxy has. */
@@ -50,6 +52,10 @@ ph_device *ph_device_new(ph_client *client, const char *interface_name, int inde
 void ph_device_release(ph_device *device);
 /** Receives data from ph_client_read(). */
 ph_status ph_device_take(ph_device *device, const ph_value *value, ph_error *error);
+/** Whether data are earlier than the last of their kind: the simulated time went back. */
+bool ph_device_goes_back(const ph_device *device, const ph_value *value);
+/** Drops all data, as before the first: the run that they are of is over. */
+void ph_device_forget_data(ph_device *device);
 /** Marks the device as retired by the server, whose own port number is `port`. */
 void ph_device_retire(ph_device *device, uint32_t port);
 

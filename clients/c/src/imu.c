@@ -1,5 +1,7 @@
 #include "playhouse/c/imu.h"
 
+#include <ctype.h>
+
 #include "proxy.h"
 
 struct ph_imu {
@@ -14,6 +16,17 @@ ph_status ph_imu_send(ph_imu *unit, const ph_message_type *datatype, ph_error *e
   return ph_device_tell(&unit->device, PH_IMU_REQ_SET_DATATYPE, &body, error);
 }
 
+/** The newest data of a message. If only others came, the error tells how to select it. */
+static ph_status stamped(const ph_imu *unit, const ph_message_type *message, const ph_value **value,
+                         ph_error *error) {
+  const ph_status status = ph_device_stamped(&unit->device, message, value, error);
+  if (status == PH_OK || error == NULL || !ph_device_has_data(&unit->device)) return status;
+  char constant[32] = "";
+  for (size_t i = 0; message->name[i] != '\0' && i + 1 < sizeof constant; ++i)
+    constant[i] = message->name[i] == '.' ? '_' : (char)toupper((unsigned char)message->name[i]);
+  return ph_fail(error, status, "%s; ph_imu_send(unit, PH_%s) selects it", error->text, constant);
+}
+
 /** The newest data of several messages; PH_NO_DATA before the first of all. */
 static ph_status newest(const ph_imu *unit, const ph_message_type *const *messages, size_t count,
                         const ph_value **value, ph_error *error) {
@@ -23,7 +36,7 @@ static ph_status newest(const ph_imu *unit, const ph_message_type *const *messag
     if (each != NULL && (found == NULL || each->timestamp > found->timestamp)) found = each;
   }
   *value = found;
-  return found != NULL ? PH_OK : ph_device_stamped(&unit->device, messages[0], value, error);
+  return found != NULL ? PH_OK : stamped(unit, messages[0], value, error);
 }
 
 ph_status ph_imu_pose(ph_imu *unit, ph_pose3d *pose, ph_error *error) {
@@ -38,7 +51,7 @@ ph_status ph_imu_pose(ph_imu *unit, ph_pose3d *pose, ph_error *error) {
 
 ph_status ph_imu_velocity(ph_imu *unit, ph_pose3d *velocity, ph_error *error) {
   const ph_value *value = NULL;
-  PH_TRY(ph_device_stamped(&unit->device, PH_IMU_DATA_FULLSTATE, &value, error));
+  PH_TRY(stamped(unit, PH_IMU_DATA_FULLSTATE, &value, error));
   *velocity = ph_pose3d_of(((const ph_imu_data_fullstate *)value->data)->vel);
   return PH_OK;
 }
@@ -62,7 +75,7 @@ ph_status ph_imu_inertia(ph_imu *unit, ph_inertia *inertia, ph_error *error) {
 
 ph_status ph_imu_attitude(ph_imu *unit, double attitude[3], ph_error *error) {
   const ph_value *value = NULL;
-  PH_TRY(ph_device_stamped(&unit->device, PH_IMU_DATA_EULER, &value, error));
+  PH_TRY(stamped(unit, PH_IMU_DATA_EULER, &value, error));
   const ph_common_orientation3d *turns = &((const ph_imu_data_euler *)value->data)->orientation;
   attitude[0] = turns->proll;
   attitude[1] = turns->ppitch;
@@ -72,7 +85,7 @@ ph_status ph_imu_attitude(ph_imu *unit, double attitude[3], ph_error *error) {
 
 ph_status ph_imu_quaternion(ph_imu *unit, double quaternion[4], ph_error *error) {
   const ph_value *value = NULL;
-  PH_TRY(ph_device_stamped(&unit->device, PH_IMU_DATA_QUAT, &value, error));
+  PH_TRY(stamped(unit, PH_IMU_DATA_QUAT, &value, error));
   const ph_imu_data_quat *data = value->data;
   quaternion[0] = (double)data->q0;
   quaternion[1] = (double)data->q1;

@@ -14,12 +14,19 @@ static void take(ph_device *device, const ph_value *value) {
   ph_kept_add(&((ph_opaque *)device)->kept, value);
 }
 
+static void forget(ph_device *device) {
+  ph_kept_clear(&((ph_opaque *)device)->kept);
+}
+
 static void release(ph_device *device) {
   ph_kept_free(&((ph_opaque *)device)->kept);
 }
 
-const ph_class ph_opaque_class = {
-    .interface_name = "opaque", .size = sizeof(ph_opaque), .take = take, .release = release};
+const ph_class ph_opaque_class = {.interface_name = "opaque",
+                                  .size = sizeof(ph_opaque),
+                                  .take = take,
+                                  .forget = forget,
+                                  .release = release};
 PH_DEFINE_PROXY(opaque)
 
 /** PH_WIRE_ERROR if a message is too long even for its count. */

@@ -83,6 +83,13 @@ const ph_value *ph_kept_take(ph_kept *kept) {
   return kept->taken;
 }
 
+void ph_kept_clear(ph_kept *kept) {
+  for (; kept->count > 0; --kept->count) {
+    ph_value_free(kept->values[kept->first]);
+    kept->first = (kept->first + 1) % MOST;
+  }
+}
+
 void ph_kept_free(ph_kept *kept) {
   while (ph_kept_take(kept) != NULL) {
   }

@@ -68,6 +68,8 @@ typedef struct ph_kept {
 void ph_kept_add(ph_kept *kept, const ph_value *value);
 /** The oldest message, which is kept until the next call; NULL if there is none. */
 const ph_value *ph_kept_take(ph_kept *kept);
+/** Drops the messages that were not given out. */
+void ph_kept_clear(ph_kept *kept);
 void ph_kept_free(ph_kept *kept);
 
 extern const ph_class ph_aio_class, ph_bumper_class, ph_camera_class, ph_fiducial_class, ph_gps_class,

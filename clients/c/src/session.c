@@ -31,10 +31,7 @@ ph_status ph_session_open(ph_session *session, const char *host, uint16_t port, 
 }
 
 void ph_session_free(ph_session *session) {
-  for (ph_message *each = ph_session_next_waiting(session); each != NULL;
-       each = ph_session_next_waiting(session)) {
-    free(each);
-  }
+  ph_session_drop_all_waiting(session);
   ph_connection_free(&session->connection);
   ph_buffer_free(&session->out);
   ph_buffer_free(&session->refusal);
@@ -169,6 +166,13 @@ ph_message *ph_session_next_waiting(ph_session *session) {
   if (session->oldest == NULL) session->newest = NULL;
   --session->waiting_count;
   return taken;
+}
+
+void ph_session_drop_all_waiting(ph_session *session) {
+  for (ph_message *each = ph_session_next_waiting(session); each != NULL;
+       each = ph_session_next_waiting(session)) {
+    free(each);
+  }
 }
 
 void ph_session_drop_waiting(ph_session *session, uint16_t code, uint16_t index) {

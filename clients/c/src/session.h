@@ -75,5 +75,7 @@ ph_status ph_session_sort_next(ph_session *session, double deadline, ph_error *e
 ph_message *ph_session_next_waiting(ph_session *session);
 /** Drops queued data of a retired device, so that they are not delivered to a new device at its address. */
 void ph_session_drop_waiting(ph_session *session, uint16_t code, uint16_t index);
+/** Drops all queued data. */
+void ph_session_drop_all_waiting(ph_session *session);
 
 #endif /* PLAYHOUSE_C_SESSION_H */

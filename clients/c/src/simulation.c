@@ -135,7 +135,9 @@ ph_status ph_simulation_reset(ph_simulation *simulation, ph_error *error) {
 ph_status ph_simulation_restart(ph_simulation *simulation, uint64_t seed, ph_error *error) {
   uint8_t value[8];
   store_low_first(seed, sizeof value, value);
-  return of_world(simulation, "reset", value, sizeof value, "", PH_OWN_TIMEOUT, NULL, error);
+  PH_TRY(of_world(simulation, "reset", value, sizeof value, "", PH_OWN_TIMEOUT, NULL, error));
+  ph_client_forget_run(simulation->device.client);
+  return PH_OK;
 }
 
 ph_status ph_simulation_join(ph_simulation *simulation, const char *name, ph_error *error) {

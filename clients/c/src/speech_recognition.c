@@ -12,6 +12,10 @@ static void take(ph_device *device, const ph_value *value) {
   ph_kept_add(&((ph_speech_recognition *)device)->kept, value);
 }
 
+static void forget(ph_device *device) {
+  ph_kept_clear(&((ph_speech_recognition *)device)->kept);
+}
+
 static void release(ph_device *device) {
   ph_kept_free(&((ph_speech_recognition *)device)->kept);
 }
@@ -19,6 +23,7 @@ static void release(ph_device *device) {
 const ph_class ph_speech_recognition_class = {.interface_name = "speech_recognition",
                                               .size = sizeof(ph_speech_recognition),
                                               .take = take,
+                                              .forget = forget,
                                               .release = release};
 PH_DEFINE_PROXY(speech_recognition)
 

@@ -273,6 +273,19 @@ TEST(Proxies, AnInertialUnitTellsTheNewerOfTwoKindsOfData) {
   EXPECT_THAT(sent(server.finish(), PH_IMU_REQ_RESET_EULER), ElementsAre());
 }
 
+TEST(Proxies, DataOfAnotherKindAreNamed) {
+  FakeServer server(rounds([](Peer &peer) {
+    peer.data(PH_IMU_DATA_STATE, body(ph_imu_data_state_type, ph_imu_data_state{}));
+  }));
+  const Client client = connected(server.address());
+  ph_imu *unit = OPEN(imu, client);
+  ph_inertia inertia{};
+  read_one(client);
+  EXPECT_FAILS(ph_imu_inertia(unit, &inertia, &error), PH_NO_DATA,
+               "imu:0 sends imu.data.state, not imu.data.calib; ph_imu_send(unit, PH_IMU_DATA_CALIB) selects it");
+  EXPECT_EQ(ph_imu_inertia(unit, &inertia, nullptr), PH_NO_DATA);
+}
+
 TEST(Proxies, AReceiverTellsDegreesAndMetresAndACloudPoints) {
   FakeServer server(rounds([](Peer &peer) {
     const ph_gps_data fix = {1,         0, 507747000, -60839000, 220500, 0.5, 1.5, 294000.0,
@@ -604,6 +617,67 @@ TEST(Simulations, WhatIsAskedOfTheWorld) {
   const ph_simulation_property_req seed = {"", 1, "reset", 6, 0, "\7\0\0\0\0\0\0\0", 8};
   EXPECT_EQ(requests[1], body(ph_simulation_property_req_type, step));
   EXPECT_EQ(requests[2], body(ph_simulation_property_req_type, seed));
+}
+
+TEST(Simulations, ARestartDropsWhatCameBeforeItsAnswerAndKeepsWhatComesAfter) {
+  FakeServer server(script([](Peer &peer, const Received &message) {
+    const ph_opaque_data old = {reinterpret_cast<const std::uint8_t *>("old"), 3};
+    peer.position(2.0, 2.0);
+    peer.data(PH_OPAQUE_DATA_STATE, body(ph_opaque_data_type, old), 0, 2.0);
+    peer.answer(message, message.body);
+    peer.position(3.0, 0.5);
+    return true;
+  }));
+  const Client client = connected(server.address(), PH_MODE_PUSH);
+  ph_simulation *world = OPEN(simulation, client);
+  ph_position2d *robot = OPEN(position2d, client);
+  ph_opaque *radio = OPEN(opaque, client);
+  const ph_device *device = ph_position2d_device(robot);
+  EXPECT_WORKS(ph_simulation_step(world, 1, INFINITY, &error));
+  EXPECT_TRUE(ph_device_has_data(device));
+  EXPECT_WORKS(ph_simulation_restart(world, 7, &error));
+  EXPECT_FALSE(ph_device_has_data(device));
+  EXPECT_FALSE(ph_device_fresh(device));
+  EXPECT_EQ(ph_device_timestamp(device), 0.0);
+  const std::uint8_t *bytes = nullptr;
+  std::size_t size = 0;
+  EXPECT_FALSE(ph_opaque_take_message(radio, &bytes, &size));
+  ph_state state{};
+  EXPECT_FAILS(ph_position2d_state(robot, &state, &error), PH_NO_DATA, "has sent no data yet");
+  EXPECT_WORKS(ph_position2d_next_data(robot, PH_OWN_TIMEOUT, &error));
+  EXPECT_WORKS(ph_position2d_state(robot, &state, &error));
+  EXPECT_EQ(state.pose.x, 3.0);
+}
+
+TEST(Simulations, ARefusedRestartDropsNothing) {
+  FakeServer server(script([](Peer &peer, const Received &message) {
+    peer.position(2.0);
+    peer.answer(message, {}, PH_KIND_NACK);
+    return true;
+  }));
+  const Client client = connected(server.address(), PH_MODE_PUSH);
+  ph_position2d *robot = OPEN(position2d, client);
+  EXPECT_FAILS(ph_simulation_restart(OPEN(simulation, client), 7, &error), PH_REQUEST_REFUSED,
+               "reset was refused");
+  read_one(client);
+  EXPECT_TRUE(ph_device_has_data(ph_position2d_device(robot)));
+}
+
+TEST(Simulations, ATimeThatGoesBackDropsWhatOtherDevicesHaveOfALaterOne) {
+  FakeServer server(script([](Peer &peer, const Received &message) {
+    const ph_position2d_data data{};
+    peer.position(1.0, 1.0);
+    peer.data(PH_POSITION2D_DATA_STATE, body(ph_position2d_data_type, data), 1, 2.0);
+    peer.position(2.0, 0.5);
+    peer.answer(message, message.body);
+    return true;
+  }));
+  const Client client = connected(server.address(), PH_MODE_PUSH);
+  ph_position2d *back = OPEN(position2d, client);
+  ph_position2d *later = opened(ph_position2d_open(client.get(), 1, PH_ACCESS_ALL, nullptr));
+  EXPECT_WORKS(ph_simulation_step(OPEN(simulation, client), 1, INFINITY, &error));
+  EXPECT_EQ(ph_device_timestamp(ph_position2d_device(back)), 0.5);
+  EXPECT_FALSE(ph_device_has_data(ph_position2d_device(later)));
 }
 
 }  // namespace

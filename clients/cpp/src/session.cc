@@ -1,6 +1,7 @@
 #include "session.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "playhouse/wire/codec.h"
@@ -29,6 +30,13 @@ bool is_answer(const wire::Header& header) {
 void keep(Slot& slot, const std::vector<std::byte>& body) {
   if (slot.kept.size() == slot.kept_limit) slot.kept.pop_front();
   slot.kept.push_back(body);
+}
+
+void forget_data(Slot& slot) {
+  slot.latest.clear();
+  slot.kept.clear();
+  slot.timestamp = 0;
+  slot.fresh = false;
 }
 
 }  // namespace
@@ -241,6 +249,7 @@ bool Session::deliver_one(const Message& message) {
   const wire::Header& header = message.header;
   const wire::MessageDef* row = wire::find_message(header.interf, wire::MessageType::kData, header.subtype);
   if (row == nullptr || !row->check(message.body).empty()) return false;
+  if (goes_back(header)) forget_later(header.timestamp);  // another client restarted or rewound the run
   bool taken = false;
   const bool is_open = has_open(header.interf, header.index);  // else: last data of a retired device
   const std::vector<Slot*> slots = slots_;                     // a callback may open and close devices
@@ -257,6 +266,27 @@ bool Session::deliver_one(const Message& message) {
     if (on_data) on_data(header.subtype, message.body, header.timestamp);
   }
   return taken;
+}
+
+/// Whether data are earlier than the last of their device and kind: the simulated time went back.
+bool Session::goes_back(const wire::Header& header) const {
+  return std::ranges::any_of(slots_, [&](const Slot* slot) {
+    if (slot->interf != header.interf || slot->index != header.index) return false;
+    const auto last = slot->latest.find(header.subtype);
+    return last != slot->latest.end() && header.timestamp < last->second.timestamp;
+  });
+}
+
+/// Drops the data of devices whose last are later: of a run that is over when time goes back.
+void Session::forget_later(double timestamp) {
+  for (Slot* slot : slots_) {
+    if (slot->timestamp > timestamp) forget_data(*slot);
+  }
+}
+
+void Session::forget_run() {
+  waiting_.clear();
+  forget_later(-std::numeric_limits<double>::infinity());
 }
 
 void Session::add(Slot& slot) {

@@ -72,6 +72,8 @@ class Session {
   Result<std::size_t> read(Seconds patience);
   /// Push mode: dispatches the data that have arrived, without waiting for more.
   void deliver_pushed();
+  /// Drops all data received so far: the run that they are of is over.
+  void forget_run();
 
   /// `slot` must keep its address until remove().
   void add(Slot& slot);
@@ -102,6 +104,8 @@ class Session {
   Result<std::size_t> read_pushed(Deadline deadline);
   std::size_t deliver();
   bool deliver_one(const Message& message);
+  bool goes_back(const wire::Header& header) const;
+  void forget_later(double timestamp);
   std::string describe(const Key& key) const;
 
   Connection connection_;

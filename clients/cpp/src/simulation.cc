@@ -130,7 +130,10 @@ Result<void> Simulation::step(std::uint32_t ticks, Seconds patience) {
 }
 
 Result<void> Simulation::reset(std::uint64_t seed) {
-  return done(ask_world("", "reset", raw(seed), patience()));
+  const auto done = ask_world("", "reset", raw(seed), patience());
+  if (!done) return done.error();
+  device_.session_->forget_run();
+  return {};
 }
 
 Result<std::string> Simulation::spawn(std::string_view like, const Pose& pose, std::string_view name) {

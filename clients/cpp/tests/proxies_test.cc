@@ -10,6 +10,7 @@
 #include "playhouse/wire/generated/player.h"
 #include "playhouse_client/client.h"
 #include "playhouse_client/robot.h"
+#include "playhouse_client/simulation.h"
 #include "testing_scripts.h"
 
 namespace playhouse::client {
@@ -432,6 +433,58 @@ TEST(Radio, SendsToAllByCommandAndToOneByRequest) {
   }
   EXPECT_THAT(sent, ElementsAre("to all", std::string("10.0.0.1\0to one", 15),
                                 std::string("9.9.9.9\0to nobody", 17)));
+}
+
+TEST(Resetting, DropsWhatCameBeforeTheAnswerAndKeepsWhatComesAfter) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    peer.position(2, 2.0);
+    say_data(peer, wire::opaque::kCode, bytes_of("old"));
+    peer.answer(message, message.body);
+    peer.position(3, 0.5);
+  }));
+  Client client = connect(server, {.mode = Mode::kPush});
+  Position2d robot = open_robot(client);
+  Result<Opaque> radio = Opaque::open(client, 0);
+  Result<Simulation> world = Simulation::open(client, 0);
+  ASSERT_TRUE(radio && world && world->step());
+  ASSERT_TRUE(robot.state());
+  ASSERT_TRUE(world->reset(7));
+  EXPECT_FALSE(robot.state());
+  EXPECT_FALSE(robot.device().take_fresh());
+  EXPECT_EQ(robot.device().timestamp(), 0);
+  EXPECT_THAT(radio->take_messages(), IsEmpty());
+  ASSERT_TRUE(client.read());
+  EXPECT_EQ(robot.state()->pose.x, 3);
+}
+
+TEST(Resetting, DropsNothingIfItIsRefused) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    peer.position(2);
+    peer.answer(message, {}, MessageType::kNack);
+  }));
+  Client client = connect(server, {.mode = Mode::kPush});
+  Position2d robot = open_robot(client);
+  Result<Simulation> world = Simulation::open(client, 0);
+  ASSERT_TRUE(world);
+  EXPECT_FALSE(world->reset(7));
+  ASSERT_TRUE(client.read());
+  EXPECT_EQ(robot.state()->pose.x, 2);
+}
+
+TEST(Resetting, ATimeThatGoesBackDropsWhatOtherDevicesHaveOfALaterOne) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    peer.position(1, 1.0);
+    say_data(peer, wire::aio::kCode, wire::aio::Data{{0.5f}});
+    peer.position(2, 0.5);
+    peer.answer(message, message.body);
+  }));
+  Client client = connect(server, {.mode = Mode::kPush});
+  Position2d robot = open_robot(client);
+  Result<Aio> box = Aio::open(client, 0);
+  Result<Simulation> world = Simulation::open(client, 0);
+  ASSERT_TRUE(box && world && world->step());
+  EXPECT_EQ(robot.state()->pose.x, 2);
+  EXPECT_THAT(box->voltages(), IsEmpty());
 }
 
 }  // namespace

@@ -251,15 +251,32 @@ disconnection after data is left to the next call, so that the data are delivere
   (let* ((header (message-header message))
          (row (find-message (header-interface header) :data (header-subtype header)))
          (takers (devices-at client (header-interface header) (header-index header)))
+         (time (header-timestamp header))
          (value (and row takers (message-type-payload row)
                      (handler-case (decode (message-type-payload row) (message-body message))
                        (wire-error () nil)))))
     (cond (value
+           ;; Another client restarted or rewound the run.
+           (when (some (lambda (device) (goes-back-p device row time)) takers)
+             (forget-later client time))
            ;; The last data of a retired device belong to it, unless a new device has its address.
            (dolist (device (or (remove-if #'device-gone-p takers) takers) t)
-             (take device row value (header-timestamp header))))
+             (take device row value time)))
           (t (incf (skipped-count (session-of client)))
              nil))))
+
+(defun forget-later (client time)
+  "Drops the data of devices whose last are later than this time (s): of a run that is over when time goes back."
+  (forget-data-if client (lambda (device) (without-float-traps (> (device-timestamp device) time)))))
+
+(defun forget-run (client)
+  "Drops all data received so far: the run that they are of is over."
+  (take-all (waiting (session-of client)))
+  (forget-data-if client #'identity))
+
+(defun forget-data-if (client test)
+  (loop for devices being the hash-values of (open-devices client)
+        do (mapc #'forget-data (remove-if-not test devices))))
 
 (defun deliver-pushed (client)
   "In push mode, delivers data that have arrived to the devices, without waiting for more."

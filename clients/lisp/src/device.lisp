@@ -35,6 +35,19 @@ ranger a scan, and so on for each proxy; of opaque and speech-recognition the ne
 (defgeneric take (device message value timestamp)
   (:documentation "Receives data from read-data."))
 
+(defgeneric lack-of (device message)
+  (:documentation "Why there is no value of a data message.")
+  (:method (device message)
+    (if (device-has-data-p device)
+        (format nil "sends ~{~a~^, ~}, not ~a"
+                (loop for (subtype) in (reverse (latest-of device))
+                      collect (message-type-name (find-message (device-code device) :data subtype)))
+                (message-type-name message))
+        "has sent no data yet; next-data waits for them")))
+
+(defgeneric forget-data (device)
+  (:documentation "Drops all data, as before the first: the run that they are of is over."))
+
 (defgeneric close-device (device)
   (:documentation "Closes the device; a second call has no effect. A base that moves is stopped first."))
 
@@ -56,7 +69,7 @@ commands."
   (and (gone-text device) t))
 
 (defun device-has-data-p (device)
-  "Whether any data have arrived since this device was opened."
+  "Whether any data have arrived since this device was opened, and since the run was restarted."
   (and (latest-of device) t))
 
 (defun request (device message &optional payload timeout)
@@ -91,7 +104,7 @@ commands."
   "The newest value of a data message and its time (s). Signals no-data before the first."
   (multiple-value-bind (value timestamp) (latest device message)
     (unless value
-      (fail 'no-data "~a: ~a has sent no data yet; next-data waits for them" (peer device) (device-name device)))
+      (fail 'no-data "~a: ~a ~a" (peer device) (device-name device) (lack-of device message)))
     (values value timestamp)))
 
 (defun on-data (device function)
@@ -222,6 +235,16 @@ value to the wire and back.")
         (device-fresh-p device) t)
   (when (callback-of device)
     (funcall (callback-of device) message value timestamp)))
+
+(defun goes-back-p (device message timestamp)
+  "Whether data of this time are earlier than the last of their kind: the simulated time went back."
+  (let ((entry (assoc (message-type-subtype message) (latest-of device))))
+    (and entry (without-float-traps (< timestamp (third entry)))))) ; a server may send a NaN
+
+(defmethod forget-data ((device device))
+  (setf (latest-of device) '()
+        (device-timestamp device) 0d0
+        (device-fresh-p device) nil))
 
 (defun retire (device port)
   "Marks the device as retired by the server, whose own port number is PORT."

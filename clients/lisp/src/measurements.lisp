@@ -51,6 +51,11 @@ when level and at rest; turn rates in rad/s; magnetic field, in a unit of the se
   (request imu playhouse.imu:+req-set-datatype+
            (playhouse.imu:make-datatype-config :value (message-type-subtype datatype))))
 
+(defmethod lack-of ((imu imu) message)
+  (let ((name (message-type-name message)))
+    (format nil "~a~@[; (send imu playhouse.imu:+~a+) selects it~]" (call-next-method)
+            (and (device-has-data-p imu) (substitute #\- #\. (subseq name (1+ (position #\. name))))))))
+
 (defun newest-of (device &rest messages)
   "The newest value of several data messages. Signals no-data before the first."
   (let ((best nil) (best-time nil))

@@ -27,6 +27,9 @@
       (dequeue queue))
     (enqueue (meaning device value) queue)))
 
+(defmethod forget-data :before ((device keeping))
+  (take-all (kept device)))
+
 (defmethod next-update ((device keeping) &key timeout)
   (loop while (queue-empty-p (kept device))
         do (next-data device :timeout timeout))

@@ -43,10 +43,11 @@
 
 (define-operation reset-world ((simulator simulation) &optional seed)
   "Moves everything back to its pose in the world file, while time continues. With a seed the run restarts with that
-seed: at tick 0, with the initial models and their ids. That requires lock-step, else the server refuses:
-request-refused."
+seed: at tick 0, with the initial models and their ids, and devices have no data until new ones arrive. That requires
+lock-step, else the server refuses: request-refused."
   (cond (seed (insist-on-whole simulator "seed" seed 0 (1- (ash 1 64)))
-              (request-of-world simulator "reset" (little-endian seed 8)))
+              (request-of-world simulator "reset" (little-endian seed 8))
+              (forget-run (client-of simulator)))
         (t (command simulator playhouse.simulation:+cmd-reset+)))
   (values))
 

@@ -120,6 +120,13 @@
           (check (= (face-length face) 0.5))
           (check (= (face-radius face) 0)))))))
 
+(deftest data-of-another-kind-are-named
+  (with-data (client (playhouse.imu:+data-state+ (playhouse.imu:make-data-state)))
+    (with-device (unit client :imu)
+      (next-data unit)
+      (check-error no-data "imu:0 sends imu.data.state, not imu.data.calib; (send imu playhouse.imu:+data-calib+) selects it"
+        (inertia unit)))))
+
 (deftest an-inertial-unit-tells-what-it-feels-and-how-it-stands
   (let ((felt (playhouse.imu:make-data-calib :accel-x 0.5 :accel-y 0.25 :accel-z 9.75 :gyro-z 1.5 :magn-y 0.5
                                             :magn-z -0.5))
@@ -431,6 +438,63 @@
                          ("reset" "" #(2 1 0 0 0 0 0 0))
                          ("remove" "r9" #())
                          ("step" "" #(1 0 0 0)))))))))
+
+(deftest a-reset-drops-what-came-before-its-answer-and-keeps-what-comes-after
+  (with-connection (client (rounds (peer header body)
+                             (put-state peer 2d0 :timestamp 2d0)
+                             (put-data peer playhouse.opaque:+data-state+
+                                       (playhouse.opaque:make-data :data (bytes-of "old")) :timestamp 2d0)
+                             (answer peer header :body body)
+                             (put-state peer 3d0 :timestamp 0.5d0))
+                           :mode :push)
+    (let ((robot (open-device client :position2d)) (radio (open-device client :opaque))
+          (simulator (open-device client :simulation)))
+      (step-world simulator)
+      (check (device-has-data-p robot))
+      (check (device-has-data-p radio))
+      (reset-world simulator 7)
+      (dolist (device (list robot radio))
+        (check (not (device-has-data-p device)))
+        (check (not (device-fresh-p device)))
+        (check (zerop (device-timestamp device))))
+      (check (null (take-messages radio)))
+      (check-error no-data "position2d:0 has sent no data yet" (state robot))
+      (next-data robot)
+      (check (= (pose-x (state-pose (state robot))) 3)))))
+
+(deftest a-refused-reset-drops-nothing
+  (with-connection (client (rounds (peer header)
+                             (put-state peer 2d0)
+                             (answer peer header :kind :nack))
+                           :mode :push)
+    (let ((robot (open-device client :position2d)) (simulator (open-device client :simulation)))
+      (check-error request-refused "reset was refused" (reset-world simulator 7))
+      (read-data client)
+      (check (device-has-data-p robot)))))
+
+(deftest a-time-that-goes-back-drops-what-other-devices-have-of-a-later-one
+  (with-connection (client (rounds (peer header body)
+                             (put-state peer 1d0 :index 0 :timestamp 0.5d0)
+                             (put-state peer 2d0 :index 1 :timestamp 1d0)
+                             (put-state peer 3d0 :index 2 :timestamp 2d0)
+                             (put-state peer 4d0 :index 1 :timestamp 0.5d0)
+                             (answer peer header :body body))
+                           :mode :push)
+    (let ((before (open-device client :position2d 0)) (back (open-device client :position2d 1))
+          (later (open-device client :position2d 2)))
+      (step-world (open-device client :simulation))
+      (check (= (pose-x (state-pose (state before))) 1))
+      (check (= (pose-x (state-pose (state back))) 4))
+      (check (not (device-has-data-p later))))))
+
+;; It is compared, and SBCL traps that by default.
+(deftest a-time-that-is-not-a-number-does-no-harm
+  (with-data (client (playhouse.position2d:+data-state+ (base-data 1d0) :timestamp *nan*)
+                     (playhouse.position2d:+data-state+ (base-data 2d0) :timestamp 1d0)
+                     (playhouse.position2d:+data-state+ (base-data 3d0) :timestamp 0.5d0))
+    (let ((robot (open-device client :position2d)))
+      (check (= (read-data client) 3))
+      (check (= (pose-x (state-pose (state robot))) 3)))))
 
 ;;; Functions of other interfaces
 

@@ -1,6 +1,7 @@
 """A connection to a Player server, and requests to the server itself."""
 
 import enum
+import math
 import time
 from typing import Callable, Dict, List, NamedTuple, Optional, Tuple, Type, TypeVar
 
@@ -249,6 +250,11 @@ class Client:
             finally:
                 self._reading = False
 
+    def forget_run(self) -> None:
+        """Drops all data received so far: the run that they are of is over. Called by Simulation.reset()."""
+        self._session.waiting.clear()
+        self._forget_later(-math.inf)
+
     def forget(self, device: Device) -> None:
         """Removes a closed device from the list; called by Device.close()."""
         same = self._devices.get((device.code, device.index), [])
@@ -316,6 +322,12 @@ class Client:
             self._robots[key] = Robot(self, family, self._session.server_port)
         return self._robots[key]
 
+    def _forget_later(self, timestamp: float) -> None:
+        """Drops the data of devices whose last are later than this time (s): of a run that is over when time goes back."""
+        for device in [each for same in self._devices.values() for each in same]:
+            if device.timestamp > timestamp:
+                device.forget_data()
+
     def _retire(self, addr: common.Devaddr) -> None:
         for device in self._devices.get((addr.interf, addr.index), []):
             device.retire(addr.robot)
@@ -375,6 +387,8 @@ class Client:
             except WireError:
                 self._session.skipped_count += 1
                 continue
+            if any(each.goes_back(row, header.timestamp) for each in takers):  # another client restarted or rewound the run
+                self._forget_later(header.timestamp)
             # The last data of a retired device belong to it, unless a new device has its address.
             for device in [each for each in takers if not each.gone] or list(takers):
                 device.take(row, value, header.timestamp)

@@ -8,9 +8,9 @@ import time
 from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Type, TypeVar, Union
 
 from .errors import DeviceClosed, DeviceGone, InvalidValue, NoData, RequestRefused, RequestTimeout
-from .generated import INTERFACES, common, player
+from .generated import INTERFACES, common, find_message, player
 from .session import Session, device_name
-from .wire import MessageType, Struct, c_string, text
+from .wire import Kind, MessageType, Struct, c_string, text
 
 if TYPE_CHECKING:
     from .client import Client
@@ -111,7 +111,7 @@ class Device:
 
     @property
     def has_data(self) -> bool:
-        """Whether any data have arrived since this device was opened."""
+        """Whether any data have arrived since this device was opened, and since the run was restarted."""
         return bool(self._latest)
 
     def request(
@@ -188,6 +188,16 @@ class Device:
         if self._callback:
             self._callback(message, value, timestamp)
 
+    def goes_back(self, message: MessageType, timestamp: float) -> bool:
+        """Whether data of this time are earlier than the last of their kind: the simulated time went back."""
+        return message.subtype in self._latest and timestamp < self._latest[message.subtype][1]
+
+    def forget_data(self) -> None:
+        """Drops all data, as before the first: the run that they are of is over."""
+        self._latest.clear()
+        self.timestamp = 0.0
+        self.fresh = False
+
     def retire(self, port: int) -> None:
         """Marks the device as retired by the server, whose own port number is `port`."""
         self._gone = self._gone or f"{port}:{self.name} is gone: the server retired it"
@@ -225,8 +235,15 @@ class Device:
     def _stamped(self, message: MessageType) -> Tuple[Any, float]:
         """The newest value of a data message and its server time (s). Raises NoData before the first."""
         if message.subtype not in self._latest:
-            raise NoData(f"{self._session.peer}: {self.name} has sent no data yet; next_data() waits for them")
+            raise NoData(f"{self._session.peer}: {self.name} {self._lack_of(message)}")
         return self._latest[message.subtype]
+
+    def _lack_of(self, message: MessageType) -> str:
+        """Why there is no value of a data message."""
+        if not self._latest:
+            return "has sent no data yet; next_data() waits for them"
+        sent = [row.name for row in (find_message(self.code, Kind.DATA, subtype) for subtype in self._latest) if row]
+        return f"sends {', '.join(sent)}, not {message.name}"
 
     def _set_access(self, access: int) -> str:
         body = player.DeviceReq(common.Devaddr(0, 0, self.code, self.index), int(access))

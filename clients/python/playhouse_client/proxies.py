@@ -677,6 +677,11 @@ class Imu(Device):
         self._insist_on_finite(roll=roll, pitch=pitch, yaw=yaw)
         self.request(imu.REQ_RESET_EULER, imu.ResetEulerConfig(common.Pose3d(0.0, 0.0, 0.0, roll, pitch, yaw)))
 
+    def _lack_of(self, message: MessageType) -> str:
+        why = super()._lack_of(message)
+        constant = message.name.replace("imu.", "", 1).replace(".", "_").upper()
+        return f"{why}; send(imu.{constant}) selects it" if self.has_data else why
+
     def _newest_of(self, *kinds: MessageType) -> Any:
         known = [self._stamped(kind) for kind in kinds if self.latest(kind) is not None]
         return max(known, key=lambda each: each[1])[0] if known else self._stamped(kinds[0])[0]
@@ -753,6 +758,10 @@ class _Keeping(Device, Generic[Kept]):
     def take(self, message: MessageType, value: Struct, timestamp: float) -> None:
         self._kept.append(self._meaning(value))
         super().take(message, value, timestamp)
+
+    def forget_data(self) -> None:
+        self._kept.clear()
+        super().forget_data()
 
     def _meaning(self, value: Struct) -> Kept:
         raise NotImplementedError
@@ -957,13 +966,14 @@ class Simulation(Device):
 
     def reset(self, seed: Optional[int] = None) -> None:
         """Moves everything back to its pose in the world file, while time continues. With a seed the run restarts with
-        that seed: at tick 0, with the initial models and their ids. That requires lock-step, else the server
-        refuses: RequestRefused."""
+        that seed: at tick 0, with the initial models and their ids, and devices have no data until new ones arrive. That
+        requires lock-step, else the server refuses: RequestRefused."""
         if seed is None:
             self.command(simulation.CMD_RESET)
             return
         self._insist_on_whole("seed", seed, 0, (1 << 64) - 1)
         self._of_world("reset", struct.pack("<Q", seed))
+        self._client.forget_run()
 
     def join(self, name: str) -> None:
         """Joins a lock-step run as a member of this name until the connection is closed: ticks wait for its steps.

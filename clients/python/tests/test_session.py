@@ -15,7 +15,7 @@ from playhouse_client import (
 from playhouse_client.connection import Message
 from playhouse_client.generated import aio, bumper, camera, common, gps, imu, laser, localize, planner, player, pointcloud3d, position2d
 from playhouse_client.generated import map as grid_map
-from playhouse_client.generated import position3d, ptz
+from playhouse_client.generated import opaque, position3d, ptz, simulation
 from playhouse_client.wire import Kind
 
 DATA_REQUEST = player.REQ_DATA.subtype
@@ -278,6 +278,18 @@ class Reading(unittest.TestCase):
             assert server.peer is not None
             asked = [m for m in server.peer.received if m[11] == 60 and m[19] == Kind.REQ]
             self.assertEqual([m[40:] for m in asked], [b"\0\0\0\x04", b"\0\0\0\0"], "euler, and the heading")
+
+    def test_data_of_another_kind_are_named(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.data(imu.DATA_STATE, imu.DataState(common.Pose3d()))
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client, client.imu(0) as unit:
+            unit.next_data()
+            line = r"imu:0 sends imu\.data\.state, not imu\.data\.calib; send\(imu\.DATA_CALIB\) selects it$"
+            with self.assertRaisesRegex(NoData, line):
+                unit.inertia
 
     def test_a_receiver_tells_degrees_and_metres_and_a_cloud_points(self) -> None:
         def rounds(peer: Peer, message: Message) -> None:
@@ -597,6 +609,51 @@ class Asking(unittest.TestCase):
                 client.device("dio").set_property("lamp", 7)
             with self.assertRaisesRegex(RequestRefused, 'get_pose2d of model "nosuch" was refused'):
                 client.simulation(0).pose("nosuch")
+
+    def test_a_reset_drops_what_came_before_its_answer_and_keeps_what_comes_after(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.data(position2d.DATA_STATE, state(2.0), timestamp=2.0)
+            peer.data(opaque.DATA_STATE, opaque.Data(b"old"), timestamp=2.0)
+            peer.answer(message, body=message.body)
+            peer.data(position2d.DATA_STATE, state(3.0), timestamp=0.5)
+
+        with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
+            robot, radio, simulator = client.position2d(0), client.opaque(0), client.simulation(0)
+            simulator.step()
+            self.assertTrue(robot.has_data and radio.has_data)
+            simulator.reset(7)
+            for device in (robot, radio):
+                self.assertEqual((device.has_data, device.fresh, device.timestamp), (False, False, 0.0))
+            self.assertEqual(radio.take_messages(), [])
+            with self.assertRaises(NoData):
+                robot.pose
+            robot.next_data()
+            self.assertEqual((robot.pose.x, robot.timestamp), (3.0, 0.5))
+
+    def test_a_refused_reset_drops_nothing(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.data(position2d.DATA_STATE, state(2.0))
+            peer.answer(message, Kind.NACK)
+
+        with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
+            robot, simulator = client.position2d(0), client.simulation(0)
+            with self.assertRaises(RequestRefused):
+                simulator.reset(7)
+            client.read()
+            self.assertEqual(robot.pose.x, 2.0)
+
+    def test_a_time_that_goes_back_drops_what_other_devices_have_of_a_later_one(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.data(position2d.DATA_STATE, state(1.0), 0, 0.5)
+            peer.data(position2d.DATA_STATE, state(2.0), 1, 1.0)
+            peer.data(position2d.DATA_STATE, state(3.0), 2, 2.0)
+            peer.data(position2d.DATA_STATE, state(4.0), 1, 0.5)
+            peer.answer(message, body=message.body)
+
+        with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
+            before, back, later = (client.position2d(index) for index in range(3))
+            client.simulation(0).step()
+            self.assertEqual((before.pose.x, back.pose.x, later.has_data), (1.0, 4.0, False))
 
     def test_values_that_mean_nothing_are_not_sent(self) -> None:
         nan, inf = float("nan"), float("inf")

@@ -225,6 +225,10 @@ oo::class create ::playhouse::Imu {
         return
     }
 
+    method LackOf {message} {
+        return [next $message][expr {[my hasData] ? "; send $message selects it" : ""}]
+    }
+
     method Axes {data what} {
         return [lmap axis {x y z} {dict get $data ${what}_$axis}]
     }

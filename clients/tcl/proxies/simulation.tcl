@@ -37,8 +37,8 @@ oo::class create ::playhouse::Simulation {
     }
 
     # Moves everything back to its pose in the world file, while time continues. With a seed the run restarts with
-    # that seed: at tick 0, with the initial models and their ids. That requires lock-step, else it is an error of
-    # kind REFUSED.
+    # that seed: at tick 0, with the initial models and their ids, and devices have no data until new ones arrive. That
+    # requires lock-step, else it is an error of kind REFUSED.
     method reset {{seed ""}} {
         if {$seed eq ""} {
             my command simulation.cmd.reset
@@ -46,7 +46,7 @@ oo::class create ::playhouse::Simulation {
             return
         }
         my InsistOnWhole seed $seed 0 18446744073709551615
-        my OfWorld reset [binary format w $seed]
+        my OfWorld reset [binary format w $seed] "" "" [list $client forgetRun]
         return
     }
 
@@ -85,10 +85,10 @@ oo::class create ::playhouse::Simulation {
         return
     }
 
-    method OfWorld {property value {model ""} {seconds ""}} {
+    method OfWorld {property value {model ""} {seconds ""} {acknowledged ""}} {
         set request [dict create name [cString $model] prop [cString $property] index 0 value $value]
         try {
-            set answer [my request simulation.req.set_property $request $seconds]
+            set answer [my request simulation.req.set_property $request $seconds $acknowledged]
             if {[dict size $answer]} {return $answer}
             return $request
         } trap {PLAYHOUSE REFUSED} {- options} {

@@ -347,6 +347,12 @@ export class Client {
     this.devicesByPlace.set(placeOf(device.code, device.index), [...same, device]);
   }
 
+  /** Drops all data received so far: the run that they are of is over. Called by Simulation at the answer to a reset. */
+  forgetRun(): void {
+    this.session.waiting = [];
+    this.forgetLater(-Infinity);
+  }
+
   /** Removes a closed device from the list. Called by Device. */
   forget(device: Device): void {
     const place = placeOf(device.code, device.index);
@@ -432,6 +438,13 @@ export class Client {
     return found;
   }
 
+  /** Drops the data of devices whose last are later than this time: of a run that is over when time goes back. */
+  private forgetLater(timestamp: number): void {
+    for (const device of [...this.devicesByPlace.values()].flat()) {
+      if (device.timestamp > timestamp) device.forgetData();
+    }
+  }
+
   private retire(at: common.Devaddr): void {
     for (const device of this.devicesByPlace.get(placeOf(at.interf, at.index)) ?? []) device.retire(at.robot);
   }
@@ -506,10 +519,13 @@ export class Client {
         this.session.skippedCount += 1;
         continue;
       }
+      const { timestamp } = message.header;
+      // Another client restarted or rewound the run.
+      if (takers.some((device) => device.goesBack(data.row, timestamp))) this.forgetLater(timestamp);
       // The last data of a retired device belong to it, unless a new device has its address.
       const there = takers.filter(({ gone }) => !gone);
       for (const device of there.length > 0 ? there : takers) {
-        await this.callBack(() => device.take(data.row, data.value, message.header.timestamp));
+        await this.callBack(() => device.take(data.row, data.value, timestamp));
       }
       count += 1;
     }

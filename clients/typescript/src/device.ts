@@ -5,10 +5,10 @@ import { now } from './bell.js';
 import type { Client } from './client.js';
 import type { Message } from './connection.js';
 import { DeviceClosed, DeviceGone, InvalidValue, NoData, RequestRefused, RequestTimeout } from './errors.js';
-import { common, INTERFACES, player } from './generated/index.js';
+import { common, findMessage, INTERFACES, player } from './generated/index.js';
 import { decodedOrNothing, deviceName, encoded, type Session } from './session.js';
 import { cString, didYouMean, shown, text } from './text.js';
-import type { AnyMessage, MessageType } from './wire.js';
+import { Kind, type AnyMessage, type MessageType } from './wire.js';
 
 /** Access to a device. The character codes are those of Player's first servers. */
 export const Access = { ALL: player.OPEN_MODE, READ: 'r'.charCodeAt(0), WRITE: 'w'.charCodeAt(0) } as const;
@@ -83,18 +83,21 @@ export class Device {
     return this.goneBecause !== '';
   }
 
-  /** Whether any data have arrived since this device was opened. */
+  /** Whether any data have arrived since this device was opened, and since the run was restarted. */
   get hasData(): boolean {
     return this.newest.size > 0;
   }
 
   /**
    * Sends a request and waits for the answer, undefined if it has no body; fields that the payload lacks are zero or
-   * empty. Throws RequestRefused, and RequestTimeout after `timeout` s.
+   * empty. Throws RequestRefused, and RequestTimeout after `timeout` s. `answered` is called with an ACK before any later
+   * message is looked at.
    */
-  async request<T>(message: MessageType<T>, payload?: Partial<T>, timeout?: number): Promise<T | undefined> {
+  async request<T>(
+    message: MessageType<T>, payload?: Partial<T>, timeout?: number, answered: (answer: Message) => void = () => {},
+  ): Promise<T | undefined> {
     this.insistOnOpen();
-    const answer = await this.session.request<T>(this.code, this.index, message, payload, { timeout });
+    const answer = await this.session.request<T>(this.code, this.index, message, payload, { timeout, answered });
     return message.payload && answer.body.length > 0 ? message.payload.decode(answer.body) : undefined;
   }
 
@@ -211,6 +214,19 @@ export class Device {
     return this.callback?.(message, value, timestamp);
   }
 
+  /** Whether data of this time are earlier than the last of their kind: the simulated time went back. */
+  goesBack(message: AnyMessage, timestamp: number): boolean {
+    const last = this.newest.get(message.subtype);
+    return last !== undefined && timestamp < last.time;
+  }
+
+  /** Drops all data, as before the first: the run that they are of is over. Called by Client. */
+  forgetData(): void {
+    this.newest.clear();
+    this.timestamp = 0;
+    this.fresh = false;
+  }
+
   /** Marks the device as retired by the server, whose own port number is `port`. Called by Client. */
   retire(port: number): void {
     this.goneBecause ||= `${port}:${this.name} is gone: the server retired it`;
@@ -248,10 +264,15 @@ export class Device {
   /** The newest value of a data message and its time. Throws NoData before the first. */
   protected stamped<T>(message: MessageType<T>): Stamped<T> {
     const found = this.newest.get(message.subtype) as Stamped<T> | undefined;
-    if (!found) {
-      throw new NoData(`${this.session.peer}: ${this.name} has sent no data yet; nextData() waits for them`);
-    }
+    if (!found) throw new NoData(`${this.session.peer}: ${this.name} ${this.lackOf(message)}`);
     return found;
+  }
+
+  /** Why there is no value of a data message. */
+  protected lackOf(message: AnyMessage): string {
+    if (!this.hasData) return 'has sent no data yet; nextData() waits for them';
+    const sent = [...this.newest.keys()].map((subtype) => findMessage(this.code, Kind.DATA, subtype)?.name);
+    return `sends ${sent.join(', ')}, not ${message.name}`;
   }
 
   private insistOnOpen(): void {

@@ -2,11 +2,12 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { common, player, position2d } from '../src/generated/index.js';
+import { common, opaque, player, position2d } from '../src/generated/index.js';
 import {
-  Access, connect, ConnectionLost, DeviceClosed, DeviceGone, InvalidValue, Kind, Mode, RequestRefused, RequestTimeout, Rule, WireError,
+  Access, connect, ConnectionLost, DeviceClosed, DeviceGone, InvalidValue, Kind, Mode, NoData, RequestRefused, RequestTimeout, Rule, WireError,
 } from '../src/index.js';
 import type { Message } from '../src/connection.js';
+import { at } from './at.js';
 import { fails, Leave, withClient, withServer, type Peer } from './fake_server.js';
 
 const kGeom = position2d.Geom.encode({});
@@ -175,6 +176,56 @@ test('values that mean nothing are not sent', async () => {
     await fails(() => robot.setInt('key', 1.5), InvalidValue, /value is 1\.5, not a whole number/);
     await fails(() => simulator.pose('r0\0'), WireError, /has a NUL in it/);
     await fails(() => simulator.pose('r\udcff'), WireError, /cannot be sent as UTF-8/);
+  }, { mode: Mode.PUSH });
+});
+
+test('a reset drops what came before its answer and keeps what comes after', async () => {
+  const rounds = (peer: Peer, message: Message): void => {
+    peer.data(position2d.DATA_STATE, at(2), { timestamp: 2 });
+    peer.data(opaque.DATA_STATE, { data: Buffer.from('old') }, { timestamp: 2 });
+    peer.answer(message, Kind.ACK, message.body);
+    peer.data(position2d.DATA_STATE, at(3), { timestamp: 0.5 });
+  };
+  await withClient(rounds, async (client) => {
+    const [robot, radio, simulator] = [await client.position2d(0), await client.opaque(0), await client.simulation(0)];
+    await simulator.step();
+    assert.ok(robot.hasData && radio.hasData);
+    await simulator.reset(7);
+    for (const device of [robot, radio]) {
+      assert.deepEqual([device.hasData, device.fresh, device.timestamp], [false, false, 0]);
+    }
+    assert.deepEqual(radio.takeMessages(), []);
+    await fails(() => robot.pose, NoData, /position2d:0 has sent no data yet/);
+    await robot.nextData();
+    assert.deepEqual([robot.pose.x, robot.timestamp], [3, 0.5]);
+  }, { mode: Mode.PUSH });
+});
+
+test('a refused reset drops nothing', async () => {
+  const rounds = (peer: Peer, message: Message): void => {
+    peer.data(position2d.DATA_STATE, at(2));
+    peer.answer(message, Kind.NACK);
+  };
+  await withClient(rounds, async (client) => {
+    const [robot, simulator] = [await client.position2d(0), await client.simulation(0)];
+    await fails(() => simulator.reset(7), RequestRefused, /reset was refused/);
+    await client.read();
+    assert.equal(robot.pose.x, 2);
+  }, { mode: Mode.PUSH });
+});
+
+test('a time that goes back drops what other devices have of a later one', async () => {
+  const rounds = (peer: Peer, message: Message): void => {
+    peer.data(position2d.DATA_STATE, at(1), { index: 0, timestamp: 0.5 });
+    peer.data(position2d.DATA_STATE, at(2), { index: 1, timestamp: 1 });
+    peer.data(position2d.DATA_STATE, at(3), { index: 2, timestamp: 2 });
+    peer.data(position2d.DATA_STATE, at(4), { index: 1, timestamp: 0.5 });
+    peer.answer(message, Kind.ACK, message.body);
+  };
+  await withClient(rounds, async (client) => {
+    const [before, back, later] = [await client.position2d(0), await client.position2d(1), await client.position2d(2)];
+    await (await client.simulation(0)).step();
+    assert.deepEqual([before.pose.x, back.pose.x, later.hasData], [1, 4, false]);
   }, { mode: Mode.PUSH });
 });
 

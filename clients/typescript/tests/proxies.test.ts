@@ -252,6 +252,15 @@ test('an inertial unit tells what it feels and how it stands', async () => {
   });
 });
 
+test('data of another kind are named', async () => {
+  await withClient(serving([], (peer) => peer.data(imu.DATA_STATE, {})), async (client) => {
+    const unit = await client.imu(0);
+    await unit.nextData();
+    const line = /imu:0 sends imu\.data\.state, not imu\.data\.calib; send\(imu\.DATA_CALIB\) selects it$/;
+    await fails(() => unit.inertia, NoData, line);
+  });
+});
+
 test('a receiver tells degrees and metres, a cloud points, a box voltages', async () => {
   const told = { latitude: 507747000, longitude: -60839000, altitude: 220500, quality: 1, numSats: 8, errHorz: 2, utmE: 294000, course: 1.5 };
   const say = (peer: Peer): void => {

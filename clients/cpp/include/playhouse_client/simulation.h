@@ -40,7 +40,8 @@ class Simulation {
   /// mode: they are queued for Client::read(). Without lock-step the world is paused afterwards.
   Result<void> step(std::uint32_t ticks = 1);
   Result<void> step(std::uint32_t ticks, Seconds patience);
-  /// Restarts the run with this seed: at tick 0, with the initial models and their ids.
+  /// Restarts the run with this seed: at tick 0, with the initial models and their ids. Devices have no data
+  /// until new ones arrive.
   /// An error if the server does not keep the initial state, as without lock-step.
   Result<void> reset(std::uint64_t seed);
   /// Spawns a copy of the robot `like` at a pose in the world frame.

@@ -58,6 +58,12 @@ export class Imu extends Device {
     await this.request(imu.REQ_RESET_EULER, { orientation });
   }
 
+  protected override lackOf(message: AnyMessage): string {
+    const why = super.lackOf(message);
+    const constant = message.name.replace('imu.', '').replaceAll('.', '_').toUpperCase();
+    return this.hasData ? `${why}; send(imu.${constant}) selects it` : why;
+  }
+
   /** The newest value of several kinds of data. Throws NoData if there is none. */
   private newestOf<T>(...kinds: AnyMessage[]): T {
     const known = kinds.filter((kind) => this.latest(kind) !== undefined);

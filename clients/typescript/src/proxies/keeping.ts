@@ -22,6 +22,11 @@ export abstract class Keeping<Kept> extends Device {
     return super.take(message, value, timestamp);
   }
 
+  override forgetData(): void {
+    this.kept = [];
+    super.forgetData();
+  }
+
   protected abstract meaning(value: unknown): Kept;
 
   /** Empties the queue; returns what was in it, in order. */

@@ -1,6 +1,7 @@
 import { Device } from '../device.js';
 import { RequestRefused, RunEnded } from '../errors.js';
 import { simulation } from '../generated/index.js';
+import type { RequestOptions } from '../session.js';
 import { cString, text } from '../text.js';
 import type { Pose, Pose3d } from '../values.js';
 import type { MessageType } from '../wire.js';
@@ -42,8 +43,8 @@ export class Simulation extends Device {
 
   /**
    * Moves everything back to its pose in the world file, while time continues. With a seed the run restarts with that
-   * seed: at tick 0, with the initial models and their ids. That requires lock-step, else the server refuses:
-   * RequestRefused.
+   * seed: at tick 0, with the initial models and their ids, and devices have no data until new ones arrive. That
+   * requires lock-step, else the server refuses: RequestRefused.
    */
   async reset(seed?: number | bigint): Promise<void> {
     if (seed === undefined) {
@@ -53,7 +54,7 @@ export class Simulation extends Device {
     this.insistOnWhole('seed', seed, 0, 2n ** 64n - 1n);
     const value = Buffer.alloc(8);
     value.writeBigUInt64LE(BigInt(seed));
-    await this.ofWorld('reset', value);
+    await this.ofWorld('reset', value, { answered: () => this.client.forgetRun() });
   }
 
   /**
@@ -73,7 +74,7 @@ export class Simulation extends Device {
     this.insistOnWhole('ticks', ticks, 1, 2 ** 20);
     const value = Buffer.alloc(4);
     value.writeUInt32LE(ticks);
-    await this.ofWorld('step', value, '', timeout);
+    await this.ofWorld('step', value, { timeout });
     await this.client.deliverPushed();
   }
 
@@ -83,18 +84,20 @@ export class Simulation extends Device {
     const pose = Buffer.alloc(24);
     [x, y, a].forEach((number, i) => pose.writeDoubleLE(number, 8 * i));
     const value = Buffer.concat([pose, name ? cString(name) : new Uint8Array()]);
-    return text((await this.ofWorld('spawn', value, like)).value);
+    return text((await this.ofWorld('spawn', value, {}, like)).value);
   }
 
   /** Removes a top-level model from the world, with its descendants. */
   async remove(name: string): Promise<void> {
-    await this.ofWorld('remove', new Uint8Array(), name);
+    await this.ofWorld('remove', new Uint8Array(), {}, name);
   }
 
-  private async ofWorld(prop: string, value: Uint8Array, name = '', timeout?: number): Promise<simulation.PropertyReq> {
+  private async ofWorld(
+    prop: string, value: Uint8Array, { timeout, answered }: RequestOptions = {}, name = '',
+  ): Promise<simulation.PropertyReq> {
     const request = simulation.PropertyReq.make({ name: cString(name), prop: cString(prop), value });
     try {
-      return (await this.request(simulation.REQ_SET_PROPERTY, request, timeout)) ?? request;
+      return (await this.request(simulation.REQ_SET_PROPERTY, request, timeout, answered)) ?? request;
     } catch (error) {
       if (!(error instanceof RequestRefused)) throw error;
       const told = error.body.length > 0 ? text(simulation.PropertyReq.decode(error.body).value) : '';

@@ -22,8 +22,9 @@ ph_status ph_simulation_pause(ph_simulation *simulation, ph_error *error);
 ph_status ph_simulation_save(ph_simulation *simulation, ph_error *error);
 /** Moves everything back to its pose in the world file, while time continues. */
 ph_status ph_simulation_reset(ph_simulation *simulation, ph_error *error);
-/** Restarts the run with a seed: at tick 0, with the initial models and their ids. That requires lock-step,
- * else the server refuses: PH_REQUEST_REFUSED. */
+/** Restarts the run with a seed: at tick 0, with the initial models and their ids. Devices have no data until
+ * new ones arrive; what they gave out of older ones is no longer valid. That requires lock-step, else the
+ * server refuses: PH_REQUEST_REFUSED. */
 ph_status ph_simulation_restart(ph_simulation *simulation, uint64_t seed, ph_error *error);
 /** Joins a lock-step run as a member of this name until the connection is closed: ticks wait for its steps.
  * Open devices first. PH_REQUEST_REFUSED with the reason. */

@@ -440,6 +440,12 @@ public final class Client implements AutoCloseable {
     }
   }
 
+  /** Drops all data received so far: the run that they are of is over. Called by Simulation.reset(). */
+  void forgetRun() {
+    session.dropWaiting();
+    forgetLater(Double.NEGATIVE_INFINITY);
+  }
+
   /** Removes a closed device from the list; called by Device.close(). */
   void forget(Device device) {
     List<Device> same = devices.getOrDefault(address(device.code(), device.index()), List.of());
@@ -512,6 +518,12 @@ public final class Client implements AutoCloseable {
     List<DeviceAddress> all = family.stream().flatMap(model -> model.devices().stream()).toList();
     return robots.computeIfAbsent(
         new RobotKey(family.get(0).name(), all), key -> new Robot(this, family, session.serverPort()));
+  }
+
+  /** Drops the data of devices whose last are later than this time: of a run that is over when time goes back. */
+  private void forgetLater(double time) {
+    devices.values().stream().flatMap(List::stream).filter(device -> device.timestamp() > time)
+        .forEach(Device::forgetData);
   }
 
   private void retire(CommonMessages.Devaddr at) {
@@ -599,6 +611,9 @@ public final class Client implements AutoCloseable {
       value = row.decode(message.body());
     } catch (WireException error) {
       return false;
+    }
+    if (takers.stream().anyMatch(device -> device.goesBack(row, header.timestamp()))) {
+      forgetLater(header.timestamp());  // another client restarted or rewound the run
     }
     // The last data of a retired device belong to it, unless a new device has its address.
     List<Device> here = takers.stream().filter(device -> !device.isGone()).toList();

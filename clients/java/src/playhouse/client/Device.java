@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import playhouse.client.wire.Catalogue;
 import playhouse.client.wire.CommonMessages;
 import playhouse.client.wire.MessageType;
@@ -88,7 +89,7 @@ public class Device implements AutoCloseable {
     return fresh;
   }
 
-  /** Whether any data have arrived since this device was opened. */
+  /** Whether any data have arrived since this device was opened, and since the run was restarted. */
   public boolean hasData() {
     return !latest.isEmpty();
   }
@@ -267,6 +268,19 @@ public class Device implements AutoCloseable {
     listener.take(message, value, time);
   }
 
+  /** Whether data of this time are earlier than the last of their kind: the simulated time went back. */
+  final boolean goesBack(MessageType<?> message, double time) {
+    Stamped<?> last = latest.get(message);
+    return last != null && time < last.time();
+  }
+
+  /** Drops all data, as before the first: the run that they are of is over. */
+  void forgetData() {
+    latest.clear();
+    timestamp = 0;
+    fresh = false;
+  }
+
   /** Marks the device as retired by the server, whose own port number is {@code port}. */
   void retire(long port) {
     gone = isGone() ? gone : port + ":" + name() + " is gone: the server retired it";
@@ -282,8 +296,17 @@ public class Device implements AutoCloseable {
 
   /** The newest value of a data message. Throws NoDataException before the first. */
   final <P extends Struct> Stamped<P> stamped(MessageType<P> message) {
-    return found(message).orElseThrow(() -> new NoDataException(
-        session.peer() + ": " + name() + " has sent no data yet; nextData() waits for them"));
+    return found(message)
+        .orElseThrow(() -> new NoDataException(session.peer() + ": " + name() + " " + lackOf(message)));
+  }
+
+  /** Why there is no value of a data message. */
+  String lackOf(MessageType<?> message) {
+    if (!hasData()) {
+      return "has sent no data yet; nextData() waits for them";
+    }
+    String sent = latest.keySet().stream().map(MessageType::name).sorted().collect(Collectors.joining(", "));
+    return "sends " + sent + ", not " + message.name();
   }
 
   /** The answer to a request, which must have contents. */

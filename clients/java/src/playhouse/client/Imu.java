@@ -2,6 +2,7 @@ package playhouse.client;
 
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.Locale;
 import playhouse.client.wire.CommonMessages;
 import playhouse.client.wire.ImuMessages;
 import playhouse.client.wire.MessageType;
@@ -68,6 +69,12 @@ public final class Imu extends Device {
     insistOnFinite("yaw", attitude.yaw());
     Pose3d turned = new Pose3d(0, 0, 0, attitude.roll(), attitude.pitch(), attitude.yaw());
     request(ImuMessages.REQ_RESET_EULER, new ImuMessages.ResetEulerConfig(turned.onWire()));
+  }
+
+  @Override
+  String lackOf(MessageType<?> message) {
+    String constant = message.name().replaceFirst("imu[.]", "").replace('.', '_').toUpperCase(Locale.ROOT);
+    return super.lackOf(message) + (hasData() ? "; send(ImuMessages." + constant + ") selects it" : "");
   }
 
   private static Inertia inertiaOf(ImuMessages.DataCalib data) {

@@ -39,6 +39,12 @@ abstract class Keeping<T> extends Updating<T> {
     super.take(message, value, time);
   }
 
+  @Override
+  void forgetData() {
+    kept.clear();
+    super.forgetData();
+  }
+
   List<T> takeKept() {
     List<T> taken = new ArrayList<>(kept);
     kept.clear();

@@ -179,6 +179,11 @@ final class Session {
     }
   }
 
+  /** Drops all queued data. */
+  void dropWaiting() {
+    waiting.clear();
+  }
+
   /** Drops queued data of a retired device, so that they are not delivered to a new device at its address. */
   void dropWaiting(int interfaceCode, int index) {
     int before = waiting.size();

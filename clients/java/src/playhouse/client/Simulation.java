@@ -68,10 +68,12 @@ public final class Simulation extends Device {
 
   /**
    * Restarts the run with a seed, an unsigned number of 64 bits: at tick 0, with the initial models and their
-   * ids. That requires lock-step, else the server refuses: RequestRefusedException.
+   * ids. Devices have no data until new ones arrive. That requires lock-step, else the server refuses:
+   * RequestRefusedException.
    */
   public void reset(long seed) {
     ofWorld("reset", littleEndian(Long.BYTES).putLong(seed), "", session().timeout());
+    client().forgetRun();
   }
 
   /**

@@ -222,6 +222,19 @@ public final class ProxiesTest {
   }
 
   @Test
+  public void dataOfAnotherKindAreNamed() {
+    try (FakeServer server = FakeServer.serving((peer, message) -> {
+      peer.answer(message);
+      peer.data(ImuMessages.DATA_STATE, new ImuMessages.DataState());
+      peer.synch();
+    }); Client client = Client.connect(server.address()); Imu unit = client.imu(0)) {
+      unit.nextData();
+      Expect.error(NoDataException.class, "imu:0 sends imu[.]data[.]state, not imu[.]data[.]calib;"
+          + " send[(]ImuMessages[.]DATA_CALIB[)] selects it$", unit::inertia);
+    }
+  }
+
+  @Test
   public void aReceiverTellsDegreesAndMetresAndACloudPoints() {
     GpsMessages.Data fixed = new GpsMessages.Data(
         1, 0, 507747000, -60839000, 220500, 0.5, 1.5, 294000, 5628000, 1, 8, 10, 15, 2, 3);

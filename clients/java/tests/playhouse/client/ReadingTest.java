@@ -16,6 +16,7 @@ import playhouse.client.wire.CommonMessages;
 import playhouse.client.wire.Header;
 import playhouse.client.wire.Kind;
 import playhouse.client.wire.LaserMessages;
+import playhouse.client.wire.OpaqueMessages;
 import playhouse.client.wire.PlayerMessages;
 import playhouse.client.wire.Position2dMessages;
 
@@ -339,6 +340,62 @@ public final class ReadingTest {
     }); Client client = Client.connect(server.address(), Options.DEFAULT.withTimeout(Options.FOREVER))) {
       client.position2d(0).nextData();
       assertEquals(1, client.read(Options.FOREVER));
+    }
+  }
+
+  @Test
+  public void aResetDropsWhatCameBeforeItsAnswerAndKeepsWhatComesAfter() {
+    try (FakeServer server = FakeServer.serving((peer, message) -> {
+      peer.data(Position2dMessages.DATA_STATE, Expect.state(2), 2);
+      peer.data(OpaqueMessages.DATA_STATE, new OpaqueMessages.Data(new byte[] {7}), 2);
+      peer.answer(message, message.body());
+      peer.data(Position2dMessages.DATA_STATE, Expect.state(3), 0.5);
+    }); Client client = Client.connect(server.address(), Expect.PUSH)) {
+      Position2d robot = client.position2d(0);
+      Opaque radio = client.opaque(0);
+      Simulation simulator = client.simulation(0);
+      simulator.step();
+      assertTrue(robot.hasData() && radio.hasData());
+      simulator.reset(7);
+      for (Device device : List.of(robot, radio)) {
+        assertFalse(device.hasData());
+        assertFalse(device.isFresh());
+        assertEquals(0, device.timestamp(), 0);
+      }
+      assertTrue(radio.takeMessages().isEmpty());
+      Expect.error(NoDataException.class, "position2d:0 has sent no data yet", robot::pose);
+      robot.nextData();
+      assertEquals(3, robot.pose().x(), 0);
+    }
+  }
+
+  @Test
+  public void aRefusedResetDropsNothing() {
+    try (FakeServer server = FakeServer.serving((peer, message) -> {
+      peer.data(Position2dMessages.DATA_STATE, Expect.state(2));
+      peer.refuse(message);
+    }); Client client = Client.connect(server.address(), Expect.PUSH)) {
+      Position2d robot = client.position2d(0);
+      Simulation simulator = client.simulation(0);
+      Expect.error(RequestRefusedException.class, "reset was refused", () -> simulator.reset(7));
+      client.read();
+      assertEquals(2, robot.pose().x(), 0);
+    }
+  }
+
+  @Test
+  public void aTimeThatGoesBackDropsWhatOtherDevicesHaveOfALaterOne() {
+    try (FakeServer server = FakeServer.serving((peer, message) -> {
+      peer.data(Position2dMessages.DATA_STATE, Expect.state(1), 1);
+      peer.data(OpaqueMessages.DATA_STATE, new OpaqueMessages.Data(new byte[] {7}), 2);
+      peer.data(Position2dMessages.DATA_STATE, Expect.state(2), 0.5);
+      peer.answer(message, message.body());
+    }); Client client = Client.connect(server.address(), Expect.PUSH)) {
+      Position2d robot = client.position2d(0);
+      Opaque radio = client.opaque(0);
+      client.simulation(0).step();
+      assertEquals(2, robot.pose().x(), 0);
+      assertFalse(radio.hasData());
     }
   }
 }
