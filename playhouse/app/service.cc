@@ -26,6 +26,7 @@
 #include "playhouse/net/fair_share.h"
 #include "playhouse/record/mcap_writer.h"
 #include "playhouse/scene/world_loader.h"
+#include "playhouse/stage/blocked_starts.h"
 #include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/state.h"
@@ -243,6 +244,8 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
   if (saved_) {
     const Result<void> loaded = world::load_state((*engine)->world(), saved_->state);
     if (!loaded) return Error{{}, "the saved run " + loaded.error().text};
+  } else {
+    for (const std::string& warning : stage::blocked_starts((*engine)->world())) warn_(warning);
   }
   const drivers::Simulation::Options pace = pace_of(scene_, serving_, running_, quit_time_);
   if (!running_.cluster) return std::make_unique<drivers::Simulation>(std::move(*engine), pace);

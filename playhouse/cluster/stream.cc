@@ -28,7 +28,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kHeadBytes = 5;           // size of the body and type
 constexpr std::size_t kPieceBytes = 256 << 10;  // read from a socket at once
 constexpr int kIdleSeconds = 10;                // before the system asks whether a silent peer still exists
-constexpr std::int64_t kPollMilliseconds = 50;  // between looks at Until::stopped
+constexpr std::int64_t kLookMilliseconds = 50;  // between looks at Until::stopped
 constexpr Seconds kRestOfMessage{30};           // for what has begun
 
 /// Those of the events that have come, or others that the next system call reports; 0 when the
@@ -40,7 +40,7 @@ short wait_for(int socket, short events, const std::optional<Until>& until) {
     if (until) {
       const std::int64_t left =
           std::chrono::ceil<std::chrono::milliseconds>(until->deadline - Clock::now()).count();
-      const std::int64_t most = until->stopped != nullptr ? kPollMilliseconds : INT_MAX;
+      const std::int64_t most = until->stopped != nullptr ? kLookMilliseconds : INT_MAX;
       is_last = left <= most;
       milliseconds = static_cast<int>(std::clamp<std::int64_t>(left, 0, most));
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "playhouse/stage/enclosure.h"
+#include "playhouse/stage/overlap.h"
 
 namespace playhouse::stage {
 namespace {
@@ -15,19 +16,6 @@ double signed_area(std::span<const Vec2> polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i)
     doubled += geom::cross(polygon[i], polygon[(i + 1) % polygon.size()]);
   return 0.5 * doubled;
-}
-
-/// True if the counter-clockwise polygon turns left at every corner and has winding number 1.
-bool is_convex(std::span<const Vec2> polygon) {
-  const std::size_t n = polygon.size();
-  int upward_turns = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 in = polygon[(i + 1) % n] - polygon[i];
-    const Vec2 out = polygon[(i + 2) % n] - polygon[(i + 1) % n];
-    if (geom::cross(in, out) < 0) return false;
-    if (in.y < 0 && out.y >= 0) ++upward_turns;
-  }
-  return upward_turns <= 1;
 }
 
 /// The convex hull, counter-clockwise, without collinear corners (Andrew's monotone chain).

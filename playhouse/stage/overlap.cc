@@ -105,6 +105,18 @@ bool segments_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 }  // namespace
 
+bool is_convex(std::span<const Vec2> polygon) {
+  const std::size_t n = polygon.size();
+  int upward_turns = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 in = polygon[(i + 1) % n] - polygon[i];
+    const Vec2 out = polygon[(i + 2) % n] - polygon[(i + 1) % n];
+    if (geom::cross(in, out) < 0) return false;
+    if (in.y < 0 && out.y >= 0) ++upward_turns;
+  }
+  return upward_turns <= 1;
+}
+
 double length_inside(const Outline& polygon, Vec2 a, Vec2 b) {
   return polygon.convex ? length_inside_convex(polygon.p, a, b) : length_inside_any(polygon.p, a, b);
 }

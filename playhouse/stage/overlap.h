@@ -18,6 +18,9 @@ struct Outline {
   bool convex = false;
 };
 
+/// True if the counter-clockwise polygon turns left at every corner and has winding number 1.
+bool is_convex(std::span<const geom::Vec2> polygon);
+
 /// Length of the part of the segment a-b that is inside the polygon by more than kTouch. [m]
 double length_inside(const Outline& polygon, geom::Vec2 a, geom::Vec2 b);
 

@@ -7,28 +7,12 @@
 
 #include "playhouse/drivers/simulated/joining.h"
 #include "playhouse/stage/overlap.h"
+#include "playhouse/stage/solids.h"
 
 namespace playhouse::drivers {
 namespace {
 
-/// A prism in W.
-struct Solid {
-  std::vector<geom::Vec2> p;
-  double bottom = 0, top = 0;
-};
-
-std::vector<geom::Vec2> moved(const geom::Pose& X_WB, std::span<const geom::Vec2> points) {
-  std::vector<geom::Vec2> result;
-  for (const geom::Vec2 p : points) result.push_back(geom::transform(X_WB, p));
-  return result;
-}
-
-void add_blocks(const scene::ModelDesc& desc, const geom::Pose& X_WM, std::vector<Solid>& solids) {
-  if (!desc.obstacle_return) return;
-  const geom::Pose X_WB = geom::compose(X_WM, desc.X_MB);
-  for (const scene::Block& block : desc.blocks)
-    solids.push_back({moved(X_WB, block.points), X_WB.z + block.z_min, X_WB.z + block.z_max});
-}
+using stage::Solid;
 
 std::vector<Solid> solids_of(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM) {
   const std::vector<scene::ModelDesc>& models = world.scene().models;
@@ -38,31 +22,27 @@ std::vector<Solid> solids_of(const world::World& world, std::uint32_t prototype,
     const scene::ModelDesc& desc = models[prototype + i];
     poses.push_back(
         i == 0 ? X_WM : geom::compose(poses[static_cast<std::uint32_t>(desc.parent) - prototype], desc.X_PM));
-    add_blocks(desc, poses.back(), solids);
+    stage::add_blocks(desc, poses.back(), solids);
   }
   return solids;
 }
 
-bool meet_in_height(const Solid& a, double bottom, double top) {
-  return a.bottom < top && bottom < a.top;
-}
-
 bool meets_blocks(const Solid& solid, std::span<const Solid> others) {
   return std::ranges::any_of(others, [&](const Solid& other) {
-    return meet_in_height(solid, other.bottom, other.top) && stage::touch(solid.p, other.p);
+    return stage::share_heights(solid, other.bottom, other.top) && stage::touch(solid.p, other.p);
   });
 }
 
 /// True if an edge of the loops penetrates the outline, or if that is inside by the even-odd rule.
 bool meets_contours(const Solid& solid, const scene::Contours& contours, const geom::Pose& X_WB) {
-  if (!meet_in_height(solid, X_WB.z + contours.z_min, X_WB.z + contours.z_max)) return false;
+  if (!stage::share_heights(solid, X_WB.z + contours.z_min, X_WB.z + contours.z_max)) return false;
   geom::Vec2 sum{};
   for (const geom::Vec2 p : solid.p) sum = sum + p;
   const stage::Outline outline{solid.p, (1.0 / static_cast<double>(solid.p.size())) * sum, false};
   const geom::Vec2 inner = solid.p.front();
   bool inside = false;
   for (const std::vector<geom::Vec2>& loop : contours.loops) {
-    const std::vector<geom::Vec2> p = moved(X_WB, loop);
+    const std::vector<geom::Vec2> p = stage::moved(X_WB, loop);
     for (std::size_t i = 0, before = p.size() - 1; i < p.size(); before = i++) {
       const geom::Vec2 a = p[before], b = p[i];
       if (stage::length_inside(outline, a, b) > 0) return true;
@@ -81,7 +61,7 @@ bool is_free(const world::World& world, std::uint32_t prototype, const geom::Pos
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     const scene::ModelDesc& desc = world.desc({row});
     const geom::Pose& X_WO = world.models.X_WM[row];
-    add_blocks(desc, X_WO, others);
+    stage::add_blocks(desc, X_WO, others);
     if (!desc.obstacle_return) continue;
     const geom::Pose X_WB = geom::compose(X_WO, desc.X_MB);
     for (const scene::Contours& contours : desc.bitmaps)

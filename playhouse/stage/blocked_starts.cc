@@ -1,0 +1,212 @@
+#include "playhouse/stage/blocked_starts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
+#include "playhouse/stage/overlap.h"
+#include "playhouse/stage/solids.h"
+
+namespace playhouse::stage {
+namespace {
+
+using world::World;
+
+constexpr std::size_t kMostRobots = 10'000;  // of a world that is looked at: more are placed by programs
+constexpr std::size_t kMostPairs = 1000;     // that are looked for: robots may all be at one place
+constexpr double kLeastRow = 0.25;           // m
+constexpr double kMostRows = 4096;           // of an extent, so that long things are in so many rows at most
+
+struct Box {
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool meets(const Box& other) const {
+    return x0 <= other.x1 && other.x0 <= x1 && y0 <= other.y1 && other.y0 <= y1;
+  }
+};
+
+Box box_of(std::span<const geom::Vec2> points) {
+  Box box{points[0].x, points[0].y, points[0].x, points[0].y};
+  for (const geom::Vec2 p : points)
+    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
+  return box;
+}
+
+/// A block of a model.
+struct Body {
+  Solid solid;
+  Box box;
+  std::uint32_t model = 0;
+  bool is_robots = false;
+};
+
+/// An edge of the contours of a bitmap.
+struct Edge {
+  geom::Vec2 a, b;
+  std::uint32_t contours = 0;  // number of its contours
+};
+
+struct BitmapWalls {
+  std::uint32_t model = 0;
+  double bottom = 0, top = 0;
+};
+
+/// Numbers of things by the rows of the plane that they are in.
+class RowIndex {
+ public:
+  RowIndex(double low, double high) : low_(low), height_(std::max(kLeastRow, (high - low) / kMostRows)) {
+    rows_.resize(static_cast<std::size_t>((high - low) / height_) + 1);
+  }
+  void add(std::uint32_t thing, double y0, double y1) {
+    for (std::size_t row = row_of(y0); row <= row_of(y1); ++row) rows_[row].push_back(thing);
+  }
+  /// Of one row. What spans several is in each.
+  std::span<const std::uint32_t> at(std::size_t row) const { return rows_[row]; }
+  std::size_t row_of(double y) const {
+    const double row = std::floor((y - low_) / height_);
+    return static_cast<std::size_t>(std::clamp(row, 0.0, static_cast<double>(rows_.size() - 1)));
+  }
+
+ private:
+  double low_, height_;
+  std::vector<std::vector<std::uint32_t>> rows_;
+};
+
+Outline outline_of(const Solid& solid) {
+  geom::Vec2 sum{};
+  for (const geom::Vec2 p : solid.p) sum = sum + p;
+  return {solid.p, (1.0 / static_cast<double>(solid.p.size())) * sum, is_convex(solid.p)};
+}
+
+class Search {
+ public:
+  explicit Search(const World& world) : world_(world) {
+    for (std::uint32_t row = 0; row < world.models.size(); ++row) add_model(row);
+  }
+
+  /// Pairs of models: a robot's part, and what it overlaps.
+  std::set<std::pair<std::uint32_t, std::uint32_t>> run() {
+    if (bodies_.empty()) return {};
+    const auto [low, high] = extent();
+    RowIndex bodies(low, high), edges(low, high);
+    for (std::uint32_t i = 0; i < bodies_.size(); ++i) bodies.add(i, bodies_[i].box.y0, bodies_[i].box.y1);
+    for (std::uint32_t i = 0; i < edges_.size(); ++i)
+      edges.add(i, std::min(edges_[i].a.y, edges_[i].b.y), std::max(edges_[i].a.y, edges_[i].b.y));
+    for (const Body& body : bodies_) {
+      if (found_.size() >= kMostPairs) break;
+      if (!body.is_robots) continue;
+      look_at_bodies(body, bodies);
+      look_at_walls(body, edges);
+    }
+    return found_;
+  }
+
+ private:
+  void add_model(std::uint32_t row) {
+    const scene::ModelDesc& desc = world_.desc({row});
+    const geom::Pose& X_WM = world_.models.X_WM[row];
+    std::vector<Solid> solids;
+    add_blocks(desc, X_WM, solids);
+    const bool is_robots = world_.models.mobility[row] == world::Mobility::kDriven;
+    for (Solid& solid : solids) {
+      const Box box = box_of(solid.p);
+      bodies_.push_back({std::move(solid), box, row, is_robots});
+    }
+    if (!desc.obstacle_return) return;
+    const geom::Pose X_WB = geom::compose(X_WM, desc.X_MB);
+    for (const scene::Contours& contours : desc.bitmaps) {
+      const auto number = static_cast<std::uint32_t>(walls_.size());
+      walls_.push_back({row, X_WB.z + contours.z_min, X_WB.z + contours.z_max});
+      for (const std::vector<geom::Vec2>& loop : contours.loops) {
+        const std::vector<geom::Vec2> p = moved(X_WB, loop);
+        for (std::size_t i = 0, before = p.size() - 1; i < p.size(); before = i++)
+          edges_.push_back({p[before], p[i], number});
+      }
+    }
+  }
+
+  /// Of y.
+  std::pair<double, double> extent() const {
+    double low = bodies_[0].box.y0, high = bodies_[0].box.y1;
+    for (const Body& body : bodies_) low = std::min(low, body.box.y0), high = std::max(high, body.box.y1);
+    for (const Edge& edge : edges_) low = std::min(low, edge.a.y), high = std::max(high, edge.a.y);
+    return {low, high};
+  }
+
+  bool are_of_one_tree(std::uint32_t one, std::uint32_t other) const {
+    return world_.models.root[one] == world_.models.root[other];
+  }
+
+  void look_at_bodies(const Body& body, const RowIndex& index) {
+    for (std::size_t row = index.row_of(body.box.y0); row <= index.row_of(body.box.y1); ++row)
+      for (const std::uint32_t number : index.at(row)) {
+        if (found_.size() >= kMostPairs) return;
+        const Body& other = bodies_[number];
+        if (are_of_one_tree(body.model, other.model) || !body.box.meets(other.box)) continue;
+        if (other.is_robots && other.model < body.model) continue;  // of two robots the first one has the line
+        if (!share_heights(body.solid, other.solid.bottom, other.solid.top)) continue;
+        if (overlap(outline_of(body.solid), outline_of(other.solid))) found_.insert({body.model, other.model});
+      }
+  }
+
+  /// In walls: an edge goes through the body, or the body is within them, by the even-odd rule.
+  void look_at_walls(const Body& body, const RowIndex& index) {
+    const Outline outline = outline_of(body.solid);
+    const geom::Vec2 inner = body.solid.p.front();
+    std::map<std::uint32_t, bool> inside;
+    for (std::size_t row = index.row_of(body.box.y0); row <= index.row_of(body.box.y1); ++row) {
+      const bool is_row_of_inner = row == index.row_of(inner.y);
+      for (const std::uint32_t number : index.at(row)) {
+        const auto [a, b, contours] = edges_[number];
+        const BitmapWalls& walls = walls_[contours];
+        if (are_of_one_tree(body.model, walls.model) || !share_heights(body.solid, walls.bottom, walls.top))
+          continue;
+        const geom::Vec2 ends[] = {a, b};
+        if (body.box.meets(box_of(ends)) && length_inside(outline, a, b) > kTouch)
+          found_.insert({body.model, walls.model});
+        if (is_row_of_inner && (a.y > inner.y) != (b.y > inner.y) &&
+            inner.x < a.x + (b.x - a.x) * (inner.y - a.y) / (b.y - a.y))
+          inside[contours] = !inside[contours];
+      }
+    }
+    for (const auto& [contours, is_inside] : inside)
+      if (is_inside) found_.insert({body.model, walls_[contours].model});
+  }
+
+  const World& world_;
+  std::vector<Body> bodies_;
+  std::vector<Edge> edges_;
+  std::vector<BitmapWalls> walls_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> found_;
+};
+
+std::string shown(const World& world, std::uint32_t model) {
+  const std::string name = world.name({model});
+  return in_quotes(name.empty() ? world.alias({model}) : name);
+}
+
+}  // namespace
+
+std::vector<std::string> blocked_starts(const World& world) {
+  if (world.positions.size() == 0 || world.positions.size() > kMostRobots) return {};
+  std::set<std::pair<std::uint32_t, std::uint32_t>> roots;
+  const auto& root = world.models.root;
+  for (const auto& [robot, other] : Search(world).run()) roots.insert({root[robot], root[other]});
+  std::vector<std::string> lines;
+  for (const auto& [robot, other] : roots) {
+    if (lines.size() == limits::kWarningsOfAKind) {
+      lines.push_back(world.scene().path + ": further robots start in something");
+      break;
+    }
+    lines.push_back(world.scene().at(world.where({robot})) + ": " + shown(world, robot) + " starts in " +
+                    shown(world, other) + ": it stalls there");
+  }
+  return lines;
+}
+
+}  // namespace playhouse::stage
