@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,20 +17,22 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
+constexpr const char* kBitmap =
+    "P1 8 8\n"
+    "1 1 1 1 1 1 1 1\n"
+    "1 0 0 0 0 0 0 1\n"
+    "1 0 0 0 0 0 0 1\n"
+    "1 0 0 0 0 0 0 1\n"
+    "1 0 0 0 1 1 1 1\n"
+    "1 0 0 0 1 1 1 1\n"
+    "1 0 0 0 1 1 1 1\n"
+    "1 1 1 1 1 1 1 1\n";
 constexpr const char* kPlan =
     "define plan model( size [4 4 1] obstacle_return 1 )\n"
     "define robot position( size [0.4 0.4 0.3] origin [0 0 0 0] )\n";
 
 std::vector<std::string> lines_of(const std::string& models) {
-  scene::MemoryFiles files({{"plan.pbm", "P1 8 8\n"
-                                         "1 1 1 1 1 1 1 1\n"
-                                         "1 0 0 0 0 0 0 1\n"
-                                         "1 0 0 0 0 0 0 1\n"
-                                         "1 0 0 0 0 0 0 1\n"
-                                         "1 0 0 0 1 1 1 1\n"
-                                         "1 0 0 0 1 1 1 1\n"
-                                         "1 0 0 0 1 1 1 1\n"
-                                         "1 1 1 1 1 1 1 1\n"}});
+  scene::MemoryFiles files(std::map<std::string, std::string>{{"plan.pbm", kBitmap}});
   const auto scene = scene::load_world_text(kPlan + models, "t.world", files);
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().line());
   const world::World world(scene.value(), 1);
