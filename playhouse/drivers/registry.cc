@@ -116,12 +116,13 @@ Result<void> keep_open(const scene::CfgSection& section, Site& site) {
 
 Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::CfgFile& file, Site& site) {
   std::vector<std::unique_ptr<device::Driver>> drivers;
-  const std::vector<const scene::CfgSection*> sections = sections_to_make(file, site);
-  if (sections.empty()) {
+  const auto is_known = [](const scene::CfgSection& section) { return find_driver(section.name()) != nullptr; };
+  if (std::ranges::none_of(file.drivers, is_known)) {
     const scene::CfgSection& first = file.drivers.front();
     return Error{first.at("name"),
                  fmt::format("driver {}: {}", in_quotes(first.name()), no_such_driver(first.name()))};
   }
+  const std::vector<const scene::CfgSection*> sections = sections_to_make(file, site);
   for (const scene::CfgSection* section : sections) {
     Result<std::unique_ptr<device::Driver>> driver = find_driver(section->name())(*section, site);
     if (!driver) return driver.error();

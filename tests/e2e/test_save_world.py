@@ -122,7 +122,7 @@ class SaveWorld(HouseTest):
     def test_no_file_that_is_read_is_written_over(self):
         self.write("plan.pbm", "P1 2 2 1001")
         self.write("walls.inc", 'model( bitmap "plan.pbm" size [4 4 1] )')
-        world = self.world('include "walls.inc"\nposition( name "r0" )')
+        world = self.world('include "walls.inc"\nposition( name "r0" pose [1 1 0 0] )')
         cfg = self.write("test.cfg", CFG)
         state = self.folder / "a.run"
         always = ["--port", "0", "--headless", "--fast", "--duration", "1"]
