@@ -23,24 +23,16 @@ constexpr std::size_t kMostPairs = 1000;     // that are looked for: robots may 
 constexpr double kLeastRow = 0.25;           // m
 constexpr double kMostRows = 4096;           // of an extent, so that long things are in so many rows at most
 
-struct Box {
-  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  bool meets(const Box& other) const {
-    return x0 <= other.x1 && other.x0 <= x1 && y0 <= other.y1 && other.y0 <= y1;
-  }
-};
-
-Box box_of(std::span<const geom::Vec2> points) {
-  Box box{points[0].x, points[0].y, points[0].x, points[0].y};
-  for (const geom::Vec2 p : points)
-    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
+geom::Box box_of(std::span<const geom::Vec2> points) {
+  geom::Box box;
+  for (const geom::Vec2 p : points) box.add(p);
   return box;
 }
 
 /// A block of a model.
 struct Body {
   Solid solid;
-  Box box;
+  geom::Box box;
   std::uint32_t model = 0;
   bool is_robots = false;
 };
@@ -77,12 +69,6 @@ class RowIndex {
   std::vector<std::vector<std::uint32_t>> rows_;
 };
 
-Outline outline_of(const Solid& solid) {
-  geom::Vec2 sum{};
-  for (const geom::Vec2 p : solid.p) sum = sum + p;
-  return {solid.p, (1.0 / static_cast<double>(solid.p.size())) * sum, is_convex(solid.p)};
-}
-
 class Search {
  public:
   explicit Search(const World& world) : world_(world) {
@@ -94,7 +80,7 @@ class Search {
     if (bodies_.empty()) return {};
     const auto [low, high] = extent();
     RowIndex bodies(low, high), edges(low, high);
-    for (std::uint32_t i = 0; i < bodies_.size(); ++i) bodies.add(i, bodies_[i].box.y0, bodies_[i].box.y1);
+    for (std::uint32_t i = 0; i < bodies_.size(); ++i) bodies.add(i, bodies_[i].box.y_min, bodies_[i].box.y_max);
     for (std::uint32_t i = 0; i < edges_.size(); ++i)
       edges.add(i, std::min(edges_[i].a.y, edges_[i].b.y), std::max(edges_[i].a.y, edges_[i].b.y));
     for (const Body& body : bodies_) {
@@ -114,7 +100,7 @@ class Search {
     add_blocks(desc, X_WM, solids);
     const bool is_robots = world_.models.mobility[row] == world::Mobility::kDriven;
     for (Solid& solid : solids) {
-      const Box box = box_of(solid.p);
+      const geom::Box box = box_of(solid.p);
       bodies_.push_back({std::move(solid), box, row, is_robots});
     }
     if (!desc.obstacle_return) return;
@@ -132,8 +118,8 @@ class Search {
 
   /// Of y.
   std::pair<double, double> extent() const {
-    double low = bodies_[0].box.y0, high = bodies_[0].box.y1;
-    for (const Body& body : bodies_) low = std::min(low, body.box.y0), high = std::max(high, body.box.y1);
+    double low = bodies_[0].box.y_min, high = bodies_[0].box.y_max;
+    for (const Body& body : bodies_) low = std::min(low, body.box.y_min), high = std::max(high, body.box.y_max);
     for (const Edge& edge : edges_) low = std::min(low, edge.a.y), high = std::max(high, edge.a.y);
     return {low, high};
   }
@@ -143,11 +129,11 @@ class Search {
   }
 
   void look_at_bodies(const Body& body, const RowIndex& index) {
-    for (std::size_t row = index.row_of(body.box.y0); row <= index.row_of(body.box.y1); ++row)
+    for (std::size_t row = index.row_of(body.box.y_min); row <= index.row_of(body.box.y_max); ++row)
       for (const std::uint32_t number : index.at(row)) {
         if (found_.size() >= kMostPairs) return;
         const Body& other = bodies_[number];
-        if (are_of_one_tree(body.model, other.model) || !body.box.meets(other.box)) continue;
+        if (are_of_one_tree(body.model, other.model) || !body.box.overlaps(other.box)) continue;
         if (other.is_robots && other.model < body.model) continue;  // of two robots the first one has the line
         if (!share_heights(body.solid, other.solid.bottom, other.solid.top)) continue;
         if (overlap(outline_of(body.solid), outline_of(other.solid))) found_.insert({body.model, other.model});
@@ -159,7 +145,7 @@ class Search {
     const Outline outline = outline_of(body.solid);
     const geom::Vec2 inner = body.solid.p.front();
     std::map<std::uint32_t, bool> inside;
-    for (std::size_t row = index.row_of(body.box.y0); row <= index.row_of(body.box.y1); ++row) {
+    for (std::size_t row = index.row_of(body.box.y_min); row <= index.row_of(body.box.y_max); ++row) {
       const bool is_row_of_inner = row == index.row_of(inner.y);
       for (const std::uint32_t number : index.at(row)) {
         const auto [a, b, contours] = edges_[number];
@@ -167,11 +153,9 @@ class Search {
         if (are_of_one_tree(body.model, walls.model) || !share_heights(body.solid, walls.bottom, walls.top))
           continue;
         const geom::Vec2 ends[] = {a, b};
-        if (body.box.meets(box_of(ends)) && length_inside(outline, a, b) > kTouch)
+        if (body.box.overlaps(box_of(ends)) && length_inside(outline, a, b) > kTouch)
           found_.insert({body.model, walls.model});
-        if (is_row_of_inner && (a.y > inner.y) != (b.y > inner.y) &&
-            inner.x < a.x + (b.x - a.x) * (inner.y - a.y) / (b.y - a.y))
-          inside[contours] = !inside[contours];
+        if (is_row_of_inner && ray_crosses(inner, a, b)) inside[contours] = !inside[contours];
       }
     }
     for (const auto& [contours, is_inside] : inside)

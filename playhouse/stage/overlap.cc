@@ -52,7 +52,7 @@ bool is_inside_any(std::span<const Vec2> polygon, Vec2 p) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 a = polygon[i], b = corner_after(polygon, i);
     if (distance_to_segment(p, a, b) <= kTouch) return false;
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) odd = !odd;
+    if (ray_crosses(p, a, b)) odd = !odd;
   }
   return odd;
 }

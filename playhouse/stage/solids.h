@@ -8,6 +8,7 @@
 
 #include "playhouse/geom/pose.h"
 #include "playhouse/scene/scene_desc.h"
+#include "playhouse/stage/overlap.h"
 
 namespace playhouse::stage {
 
@@ -22,6 +23,9 @@ std::vector<geom::Vec2> moved(const geom::Pose& X_WB, std::span<const geom::Vec2
 
 /// Appends the blocks of a model at X_WM; none if it is no obstacle.
 void add_blocks(const scene::ModelDesc& desc, const geom::Pose& X_WM, std::vector<Solid>& solids);
+
+/// The polygon of a solid, which must outlive it.
+Outline outline_of(const Solid& solid);
 
 /// True if the heights of a solid and of [bottom, top] overlap.
 bool share_heights(const Solid& solid, double bottom, double top);

@@ -36,9 +36,7 @@ bool meets_blocks(const Solid& solid, std::span<const Solid> others) {
 /// True if an edge of the loops penetrates the outline, or if that is inside by the even-odd rule.
 bool meets_contours(const Solid& solid, const scene::Contours& contours, const geom::Pose& X_WB) {
   if (!stage::share_heights(solid, X_WB.z + contours.z_min, X_WB.z + contours.z_max)) return false;
-  geom::Vec2 sum{};
-  for (const geom::Vec2 p : solid.p) sum = sum + p;
-  const stage::Outline outline{solid.p, (1.0 / static_cast<double>(solid.p.size())) * sum, false};
+  const stage::Outline outline = stage::outline_of(solid);
   const geom::Vec2 inner = solid.p.front();
   bool inside = false;
   for (const std::vector<geom::Vec2>& loop : contours.loops) {
@@ -46,8 +44,7 @@ bool meets_contours(const Solid& solid, const scene::Contours& contours, const g
     for (std::size_t i = 0, before = p.size() - 1; i < p.size(); before = i++) {
       const geom::Vec2 a = p[before], b = p[i];
       if (stage::length_inside(outline, a, b) > 0) return true;
-      if ((a.y > inner.y) != (b.y > inner.y) && inner.x < a.x + (b.x - a.x) * (inner.y - a.y) / (b.y - a.y))
-        inside = !inside;
+      if (stage::ray_crosses(inner, a, b)) inside = !inside;
     }
   }
   return inside;

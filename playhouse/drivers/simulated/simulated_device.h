@@ -47,11 +47,10 @@ class SimulatedDevice : public Source {
     watch_.watch(world, simulation_, model_);
     opened(world);
   }
-  void use(world::World& world) {
-    if (!std::exchange(is_used_, true)) use_.begin(world, simulation_, model_);
-  }
+  /// Once after each open, at is_first_act().
+  void use(world::World& world) { use_.begin(world, simulation_, model_); }
   void end(world::World& world) {
-    if (std::exchange(is_used_, false)) use_.end(world, simulation_);
+    use_.end(world, simulation_);
     if (const world::ModelRow model = watch_.end(world, simulation_)) closed(world, model);
     ended(world);
   }
@@ -117,7 +116,6 @@ class SimulatedDevice : public Source {
   device::DeviceId id_;
   std::atomic<bool> has_acted_ = false;  // since it was opened
   world::Use watch_, use_;
-  bool is_used_ = false;
 };
 
 }  // namespace playhouse::drivers
