@@ -11,8 +11,6 @@
 namespace playhouse::web_server {
 namespace {
 
-constexpr std::chrono::seconds kJoinPeriod{1};  // of one viewer, least
-
 bool walks(const scene::ModelDesc& model) {
   return model.position && model.position->drive == scene::Drive::kWalk;
 }
@@ -33,7 +31,7 @@ Result<void> Bodies::join(const replicate::Join& join, std::uint32_t viewer, con
     return Error{"",
                  "nobody can join this world: it has no position with drive \"walk\" (worlds/person.inc)"};
   const Clock::time_point now = Clock::now();
-  if (const auto own = bodies_.find(viewer); own != bodies_.end() && now - own->second->asked < kJoinPeriod)
+  if (const auto own = bodies_.find(viewer); own != bodies_.end() && now - own->second->asked < join_period_)
     return Error{"", "you have joined just now; try again in a second"};
   leave(viewer);
   const auto body = bodies_[viewer] = std::make_shared<Body>();

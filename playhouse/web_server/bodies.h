@@ -28,19 +28,21 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
   /// Called when a body has been spawned; `walk`: JSON parameters of its gait, for client-side prediction.
   using Came = std::function<void(std::uint32_t viewer, world::ModelId body, const std::string& walk)>;
 
-  /// References must outlive this; `engine` is its name. Must
-  /// be owned by a shared_ptr: queued changes hold a weak one.
+  /// References must outlive this; `engine` is its name; `join_period`: the least time between two
+  /// joins of one viewer. Must be owned by a shared_ptr: queued changes hold a weak one.
   Bodies(net::IoLoop& loop, world::Control& control, const scene::SceneDesc& scene,
-         const replicate::Prototypes& prototypes, std::string engine, Came came)
+         const replicate::Prototypes& prototypes, std::string engine, std::chrono::milliseconds join_period,
+         Came came)
       : loop_(loop),
         control_(control),
         scene_(scene),
         prototypes_(prototypes),
         engine_(std::move(engine)),
+        join_period_(join_period),
         came_(std::move(came)) {}
 
   /// Spawns a person for the viewer, under this name or one derived from it; replaces
-  /// its previous body. Fails within a second of the last time: a body that comes changes the
+  /// its previous body. Fails within the join period after the last time: a body that comes changes the
   /// population, of which every viewer is told. Later errors are passed to `tell`, on the tick thread.
   Result<void> join(const replicate::Join& join, std::uint32_t viewer, const std::string& name,
                     std::function<void(std::string)> tell);
@@ -70,6 +72,7 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
   const scene::SceneDesc& scene_;
   const replicate::Prototypes& prototypes_;
   const std::string engine_;
+  const std::chrono::milliseconds join_period_;
   const Came came_;
   std::map<std::uint32_t, std::shared_ptr<Body>> bodies_;  // by viewer number
 };

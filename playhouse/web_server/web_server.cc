@@ -70,9 +70,11 @@ class WebServer::Impl final : public net::HttpService,
         mesh_files_(prototypes_.meshes()),
         feed_(world, prototypes_, std::move(devices)),
         newest_(feed_.first_layout()),
-        bodies_(std::make_shared<Bodies>(loop, control, scene_, prototypes_, world.engine,
-                                         [this](std::uint32_t viewer, world::ModelId body,
-                                                const std::string& walk) { joined(viewer, body, walk); })),
+        bodies_(std::make_shared<Bodies>(
+            loop, control, scene_, prototypes_, world.engine, options_.join_period,
+            [this](std::uint32_t viewer, world::ModelId body, const std::string& walk) {
+              joined(viewer, body, walk);
+            })),
         sensors_(loop, control),
         driven_(loop, control),
         ids_given_(newest_->ids_given) {}

@@ -32,6 +32,7 @@ struct WebOptions {
   std::span<const PageFile> page;  // usually page_files()
   std::string host_name;           // of this machine; empty: ask the system
   std::chrono::milliseconds viewer_quiet = std::chrono::seconds(limits::kViewerQuietSeconds);  // for tests
+  std::chrono::milliseconds join_period = std::chrono::seconds(1);  // between two bodies; for tests
   std::vector<std::string> further_names;                        // further allowed host names
   GuestBook guests;                                              // access list
   std::size_t viewers = limits::kViewers;                        // limit on simultaneous viewers
