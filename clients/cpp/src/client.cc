@@ -9,6 +9,7 @@
 #include "model_list.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/wire/auth_key.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/common.h"
 #include "playhouse/wire/generated/player.h"
@@ -88,10 +89,22 @@ Result<Client> Client::connect(const std::string& host, std::uint16_t port, cons
   Result<Connection> connection = Connection::open(host, port, deadline_after(options.timeout));
   if (!connection) return connection.error();
   Client made(std::make_shared<Session>(std::move(*connection), options));
+  if (!options.token.empty())
+    if (const Result<void> admitted = made.authenticate(options.token); !admitted) return admitted.error();
   if (options.mode != Mode::kPush) {
     if (const Result<void> set = made.set_mode(options.mode); !set) return set.error();
   }
   return made;
+}
+
+Result<void> Client::authenticate(std::string_view token) {
+  if (token.size() > wire::kAuthKeyBytes)
+    return Error{peer(), "a token has " + std::to_string(wire::kAuthKeyBytes) + " letters at most"};
+  const player::DeviceAuthReq key{{token.begin(), token.end()}};
+  const auto answer = session_->request(player::kCode, 0, player::kReqAuth, wire::encode(key));
+  if (answer) return {};
+  if (!connected()) return answer.error();
+  return Error{peer(), "the token is refused; a run without --guests wants none"};
 }
 
 Result<Client> Client::connect(std::string_view address, const Options& options) {

@@ -123,4 +123,28 @@ Result<Map> Robot::map(std::size_t n, Access access) const {
   return open<Map>("map", n, access);
 }
 
+Result<Gripper> Robot::gripper(std::size_t n, Access access) const {
+  return open<Gripper>("gripper", n, access);
+}
+
+Result<Power> Robot::power(std::size_t n, Access access) const {
+  return open<Power>("power", n, access);
+}
+
+Result<Blobfinder> Robot::blobfinder(std::size_t n, Access access) const {
+  return open<Blobfinder>("blobfinder", n, access);
+}
+
+Result<Wifi> Robot::wifi(std::size_t n, Access access) const {
+  return open<Wifi>("wifi", n, access);
+}
+
+Result<ActArray> Robot::actarray(std::size_t n, Access access) const {
+  return open<ActArray>("actarray", n, access);
+}
+
+Result<BlinkenLight> Robot::blinkenlight(std::size_t n, Access access) const {
+  return open<BlinkenLight>("blinkenlight", n, access);
+}
+
 }  // namespace playhouse::client

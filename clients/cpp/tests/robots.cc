@@ -1,7 +1,7 @@
-/// Uses radio, camera, speech, IMU and drivers on a map of the real server through this library:
-/// robots radio|camera|voice|inertia|course HOST:PORT, with worlds/radio.world,
-/// camera.world, radio.world, outdoor.world or navigate.cfg respectively. Prints what fails and exits with 1.
-/// Run by clients/python/tests/test_server.py.
+/// Uses radio, camera, speech, IMU, drivers on a map and equipment of the real server through this library:
+/// robots radio|camera|voice|inertia|course|equipment HOST:PORT, with worlds/radio.world, camera.world,
+/// radio.world, outdoor.world, navigate.cfg or clients/python/tests/equipment.world respectively. Prints what
+/// fails and exits with 1. Run by test_server.py and test_equipment.py in clients/python/tests.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "must.h"
-#include "playhouse/wire/generated/wifi.h"
 #include "playhouse_client/robot.h"
 #include "playhouse_client/simulation.h"
 
@@ -32,12 +31,10 @@ void must_refuse(const Result<void>& result, const std::string& what) {
 
 /// Network address of the radio with the best link to this one.
 std::string nearest(Client& client) {
-  Device air = must(Device::open(client, wire::wifi::kCode, 0));
-  while (!air.take_fresh()) must(client.read());
-  const auto data = air.latest<wire::wifi::Data>(wire::wifi::kDataState);
-  must_be(data && !data->links.empty(), "a radio hears another one");
-  const auto& ip = data->links.front().ip;
-  return {ip.begin(), ip.end()};
+  const Wifi air = must(Wifi::open(client, 0));
+  while (!air.state()) must(client.read());
+  must_be(!air.links().empty(), "a radio hears another one");
+  return air.links().front().ip;
 }
 
 void use_radios(const std::string& address) {
@@ -168,6 +165,78 @@ void use_drivers_on_a_map(const std::string& address) {
   must_be(distance(must(simulation.pose("r0")), goal) < 0.6, "it is at the goal");
 }
 
+void use_gripper(Client& client, Gripper hand) {
+  Simulation simulation = must(Simulation::open(client, 0));
+  must_be(must(hand.geometry()).beam_count == 2, "it has two beams");
+  while (!hand.state() || hand.state()->beams == 0) must(client.read());
+  must_be(hand.state()->open, "it is open, and the puck is between its fingers");
+  must(hand.close_fingers());
+  while (!hand.state()->closed) must(client.read());
+  must_be(must(simulation.pose("puck")) == Pose{}, "the puck is in the gripper");
+  must(hand.open_fingers());
+  while (!hand.state()->moving) must(client.read());
+  must(hand.stop());
+  while (hand.state()->moving) must(client.read());
+  must_be(!hand.state()->open && !hand.state()->closed, "it was stopped in between");
+}
+
+void use_joint(Client& client, ActArray arm) {
+  must_be(must(arm.geometry()).joints.at(0).highest == 2, "it slides by 2 m");
+  while (arm.joints().empty()) must(client.read());
+  must(arm.move_to(0, 1.5));
+  while (std::abs(arm.joints()[0].position - 1.5) > 1e-3) must(client.read());
+  must(arm.set_speed(ActArray::kAll, 0.25));
+  must(arm.home());
+  while (std::abs(arm.joints()[0].position - 0.5) > 1e-3) {
+    must(client.read());
+    must_be(arm.joints()[0].speed > -0.26, "it goes home slowly");
+  }
+  must(arm.set_brakes(true));
+  while (!arm.joints()[0].braked) must(client.read());
+  must(arm.set_motor_power(false));
+  while (arm.state()->motors_on) must(client.read());
+  must_refuse(arm.set_speed(0, 5), "a speed over the limit");
+}
+
+void use_battery(Client& client, Power battery) {
+  while (!battery.state()) must(client.read());
+  const PowerState state = *battery.state();
+  must_be(state.charging == Charging::kNo && !state.volts, "it is not charged, and tells no voltage");
+  must_be(state.joules <= 1000 && std::abs(*state.percent - *state.joules / 20) < 1e-3, "it is half full");
+  must(battery.set_charging_policy(false, true));
+  while (battery.state()->charging != Charging::kImpossible) must(client.read());
+}
+
+void use_lamp(Client& client, BlinkenLight lamp) {
+  while (!lamp.state()) must(client.read());
+  must_be(lamp.state()->on && lamp.state()->color == Rgb{0, 0, 255}, "it is on and blue");
+  must(lamp.set_power(false));
+  must(lamp.set_color({255, 0, 0}));
+  must(lamp.flash(2));
+  while (lamp.state()->period != 2) must(client.read());
+  must_be(!lamp.state()->on && lamp.state()->color == Rgb{255, 0, 0}, "it is off and red");
+  must(lamp.set(true, 0, 1, {0, 255, 0}));
+  while (!lamp.state()->on || lamp.state()->period != 0) must(client.read());
+}
+
+void use_equipment(const std::string& address) {
+  Client client = must(Client::connect(address));
+  const Robot robot = must(client.robot("r0"));
+  use_gripper(client, must(robot.gripper()));
+  use_joint(client, must(robot.actarray()));
+  use_battery(client, must(robot.power()));
+  use_lamp(client, must(robot.blinkenlight()));
+  const Blobfinder eye = must(robot.blobfinder());
+  Wifi radio = must(robot.wifi());
+  while (eye.blobs().empty() || radio.links().empty()) must(client.read());
+  const Blob ball = eye.blobs().front();
+  must_be(ball.channel == 1 && ball.color == Rgb{255, 0, 0} && std::abs(ball.range - 3) < 0.1,
+          "it sees the ball");
+  const Link link = radio.links().front();
+  must_be(link.ip == "10.0.0.2" && link.level < 0 && link.noise == -100, "it hears the other radio");
+  must_be(must(radio.mac()) == "02:00:00:00:00:01", "it knows its own address");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -182,8 +251,10 @@ int main(int argc, char** argv) {
     use_inertia(argv[2]);
   } else if (use == "course") {
     use_drivers_on_a_map(argv[2]);
+  } else if (use == "equipment") {
+    use_equipment(argv[2]);
   } else {
-    fail("usage: robots radio|camera|voice|inertia|course HOST:PORT");
+    fail("usage: robots radio|camera|voice|inertia|course|equipment HOST:PORT");
   }
   return 0;
 }

@@ -11,6 +11,27 @@
 
 from .client import Client, DeviceEntry, Mode, Rule, connect
 from .device import Access, Device
+from .equipment import (
+    ActArray,
+    ActArrayGeometry,
+    ActArrayState,
+    BlinkenLight,
+    Blob,
+    Blobfinder,
+    Charging,
+    Gripper,
+    GripperGeometry,
+    GripperState,
+    ImageSize,
+    Joint,
+    JointGeometry,
+    LightState,
+    Link,
+    Power,
+    PowerState,
+    Wifi,
+    WifiState,
+)
 from .errors import (
     ConnectionLost,
     DeviceClosed,
@@ -73,8 +94,14 @@ from .robot import Robot
 __version__ = "0.1.0"
 
 __all__ = [
-    "Access", "Aio", "Bumper", "Camera", "Cell", "Client", "ConnectionLost", "Covariance", "Device", "DeviceAddress", "DeviceClosed",
-    "DeviceEntry", "DeviceGone", "Face", "Fiducial", "Fix", "Geometry", "Gps", "Grid", "Hypothesis", "Image", "Imu", "Inertia", "InvalidValue", "Laser", "Localize", "Map", "Marker", "Mode", "Model", "NoData",
-    "Opaque", "Particle", "Path", "Planner", "PlannerState", "PlayerError", "Point", "PointCloud3d", "Pose", "Pose3d", "Position2d", "Position3d", "Ptz", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule",
-    "RunEnded", "Scan", "Simulation", "Size", "Sonar", "Speech", "SpeechRecognition", "State", "State3d", "Velocity", "View", "WireError", "connect",
+    "Access", "ActArray", "ActArrayGeometry", "ActArrayState", "Aio", "BlinkenLight", "Blob", "Blobfinder",
+    "Bumper", "Camera", "Cell", "Charging", "Client", "ConnectionLost", "Covariance", "Device",
+    "DeviceAddress", "DeviceClosed", "DeviceEntry", "DeviceGone", "Face", "Fiducial", "Fix", "Geometry",
+    "Gps", "Grid", "Gripper", "GripperGeometry", "GripperState", "Hypothesis", "Image", "ImageSize", "Imu",
+    "Inertia", "InvalidValue", "Joint", "JointGeometry", "Laser", "LightState", "Link", "Localize", "Map",
+    "Marker", "Mode", "Model", "NoData", "Opaque", "Particle", "Path", "Planner", "PlannerState",
+    "PlayerError", "Point", "PointCloud3d", "Pose", "Pose3d", "Position2d", "Position3d", "Power",
+    "PowerState", "Ptz", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule", "RunEnded", "Scan",
+    "Simulation", "Size", "Sonar", "Speech", "SpeechRecognition", "State", "State3d", "Velocity", "View",
+    "Wifi", "WifiState", "WireError", "connect",
 ]

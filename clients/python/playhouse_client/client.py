@@ -7,6 +7,7 @@ from typing import Callable, Dict, List, NamedTuple, Optional, Tuple, Type, Type
 
 from .connection import Connection
 from .device import Access, Device, did_you_mean
+from .equipment import ActArray, BlinkenLight, Blobfinder, Gripper, Power, Wifi
 from .errors import ConnectionLost, PlayerError, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, find_message, player, simulation
 from .models import DeviceAddress, Model, ask_models, families
@@ -28,6 +29,8 @@ _PROXIES: Dict[str, Type[Device]] = {
     "aio": Aio, "bumper": Bumper, "camera": Camera, "ptz": Ptz, "opaque": Opaque, "simulation": Simulation,
     "position3d": Position3d, "imu": Imu, "gps": Gps, "pointcloud3d": PointCloud3d,
     "speech": Speech, "speech_recognition": SpeechRecognition, "localize": Localize, "planner": Planner, "map": Map,
+    "power": Power, "gripper": Gripper, "actarray": ActArray, "blinkenlight": BlinkenLight,
+    "blobfinder": Blobfinder, "wifi": Wifi,
 }
 _Place = Tuple[int, str, int]  # port, interface, index
 
@@ -76,6 +79,7 @@ class Client:
         *,
         mode: Mode = Mode.PULL,
         timeout: float = 5.0,
+        token: str = "",
     ) -> None:
         self._devices: Dict[Tuple[int, int], List[Device]] = {}
         self._session = Session(Connection(host, port, timeout), timeout, self._retire)
@@ -83,13 +87,20 @@ class Client:
         self._robots: Dict[Tuple[str, Tuple[DeviceAddress, ...]], Robot] = {}  # by name and devices
         self._reading = False
         self.mode = Mode.PUSH  # initial mode of a server
-        if mode == Mode.PUSH:
-            return
         try:
-            self.set_mode(mode)
+            if token:
+                self._authenticate(token)
+            if mode != Mode.PUSH:
+                self.set_mode(mode)
         except BaseException:
             self.close()
             raise
+
+    def _authenticate(self, token: str) -> None:
+        try:
+            self._session.request(player.CODE, 0, player.REQ_AUTH, player.DeviceAuthReq(token.encode()))
+        except RequestRefused:
+            raise RequestRefused("the token is refused; a run without --guests wants none") from None
 
     @property
     def banner(self) -> str:
@@ -211,6 +222,24 @@ class Client:
 
     def map(self, index: int = 0, access: Access = Access.ALL) -> Map:
         return self._open(Map, "map", index, access)
+
+    def gripper(self, index: int = 0, access: Access = Access.ALL) -> Gripper:
+        return self._open(Gripper, "gripper", index, access)
+
+    def power(self, index: int = 0, access: Access = Access.ALL) -> Power:
+        return self._open(Power, "power", index, access)
+
+    def blobfinder(self, index: int = 0, access: Access = Access.ALL) -> Blobfinder:
+        return self._open(Blobfinder, "blobfinder", index, access)
+
+    def wifi(self, index: int = 0, access: Access = Access.ALL) -> Wifi:
+        return self._open(Wifi, "wifi", index, access)
+
+    def actarray(self, index: int = 0, access: Access = Access.ALL) -> ActArray:
+        return self._open(ActArray, "actarray", index, access)
+
+    def blinkenlight(self, index: int = 0, access: Access = Access.ALL) -> BlinkenLight:
+        return self._open(BlinkenLight, "blinkenlight", index, access)
 
     def simulation(self, index: int = 0, access: Access = Access.ALL) -> Simulation:
         return self._open(Simulation, "simulation", index, access)
@@ -405,9 +434,10 @@ def _split(address: str) -> Tuple[str, str]:
     return (host, port) if colon else (address, str(DEFAULT_PORT))
 
 
-def connect(address: str = DEFAULT_HOST, *, mode: Mode = Mode.PULL, timeout: float = 5.0) -> Client:
-    """Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults are 127.0.0.1 and 6665."""
+def connect(address: str = DEFAULT_HOST, *, mode: Mode = Mode.PULL, timeout: float = 5.0, token: str = "") -> Client:
+    """Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults are 127.0.0.1 and 6665. token: of a guest,
+    for a run with --guests."""
     host, port = _split(address)
     if not port.isdigit() or not 0 < int(port) < 65536:
         raise ConnectionLost(f'"{address}" is not HOST or HOST:PORT')
-    return Client(host or DEFAULT_HOST, int(port), mode=mode, timeout=timeout)
+    return Client(host or DEFAULT_HOST, int(port), mode=mode, timeout=timeout, token=token)

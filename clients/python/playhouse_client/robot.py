@@ -2,7 +2,8 @@
 
 from typing import TYPE_CHECKING, Dict, List, cast
 
-from .device import Device
+from .device import Device, code_of
+from .equipment import ActArray, BlinkenLight, Blobfinder, Gripper, Power, Wifi
 from .errors import RequestRefused
 from .models import DeviceAddress, Model
 from .proxies import Aio, Bumper, Camera, Fiducial, Gps, Imu, Laser, Localize, Map, Opaque, Planner, PointCloud3d, Position2d, Position3d, Ptz, Ranger, Sonar, Speech, SpeechRecognition
@@ -14,10 +15,12 @@ if TYPE_CHECKING:
 class Robot:
     """A model and its descendants, returned by Client.robot() and Client.robots().
 
-    `name` and `type` are those of the world file; `models` are the model itself and its descendants, `devices` the
-    addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar`, `fiducial`, `bumper`, `camera`, `ptz`,
-    `opaque`, `aio`, `position3d`, `imu`, `gps`, `pointcloud3d`, `speech`, `speech_recognition`, `localize`, `planner` and `map` are the first of their interface, `lasers` and so on all of them, opened on first use. The end of a
-    `with` block, or close(), closes devices opened here; a moving robot is stopped first.
+    `name` and `type` are those of the world file; `models` are the model itself and its descendants,
+    `devices` the addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar`, `fiducial`,
+    `bumper`, `camera`, `ptz`, `opaque`, `aio`, `position3d`, `imu`, `gps`, `pointcloud3d`, `speech`,
+    `speech_recognition`, `localize`, `planner`, `map`, `gripper`, `power`, `blobfinder`, `wifi`, `actarray`
+    and `blinkenlight` are the first of their interface, `lasers` and so on all of them, opened on first use.
+    The end of a `with` block, or close(), closes devices opened here; a moving robot is stopped first.
     """
 
     def __init__(self, client: "Client", models: List[Model], port: int) -> None:
@@ -34,6 +37,7 @@ class Robot:
 
     def device(self, interface: str, nth: int = 0) -> Device:
         """The robot's device of an interface at index `nth`, from 0."""
+        code_of(interface)  # raises InvalidValue for an unknown one
         here = self._reachable(interface)
         if not 0 <= nth < len(here):
             number = f" number {nth}" if nth else ""
@@ -117,6 +121,30 @@ class Robot:
         return cast(Map, self.device("map"))
 
     @property
+    def gripper(self) -> Gripper:
+        return cast(Gripper, self.device("gripper"))
+
+    @property
+    def power(self) -> Power:
+        return cast(Power, self.device("power"))
+
+    @property
+    def blobfinder(self) -> Blobfinder:
+        return cast(Blobfinder, self.device("blobfinder"))
+
+    @property
+    def wifi(self) -> Wifi:
+        return cast(Wifi, self.device("wifi"))
+
+    @property
+    def actarray(self) -> ActArray:
+        return cast(ActArray, self.device("actarray"))
+
+    @property
+    def blinkenlight(self) -> BlinkenLight:
+        return cast(BlinkenLight, self.device("blinkenlight"))
+
+    @property
     def position2ds(self) -> List[Position2d]:
         return cast(List[Position2d], self._all("position2d"))
 
@@ -191,6 +219,30 @@ class Robot:
     @property
     def maps(self) -> List[Map]:
         return cast(List[Map], self._all("map"))
+
+    @property
+    def grippers(self) -> List[Gripper]:
+        return cast(List[Gripper], self._all("gripper"))
+
+    @property
+    def powers(self) -> List[Power]:
+        return cast(List[Power], self._all("power"))
+
+    @property
+    def blobfinders(self) -> List[Blobfinder]:
+        return cast(List[Blobfinder], self._all("blobfinder"))
+
+    @property
+    def wifis(self) -> List[Wifi]:
+        return cast(List[Wifi], self._all("wifi"))
+
+    @property
+    def actarrays(self) -> List[ActArray]:
+        return cast(List[ActArray], self._all("actarray"))
+
+    @property
+    def blinkenlights(self) -> List[BlinkenLight]:
+        return cast(List[BlinkenLight], self._all("blinkenlight"))
 
     def close(self) -> None:
         """Closes devices opened here, in reverse order of opening. They reopen on use."""

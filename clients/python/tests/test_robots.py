@@ -5,7 +5,7 @@ from typing import Callable, Dict, List
 
 import package  # noqa: F401
 from fake_server import FakeServer, Peer
-from playhouse_client import DeviceAddress, Model, RequestRefused, WireError, connect
+from playhouse_client import DeviceAddress, InvalidValue, Model, RequestRefused, WireError, connect
 from playhouse_client.connection import Message
 from playhouse_client.generated import common, player, ranger, simulation
 from playhouse_client.models import families, parse_models
@@ -175,6 +175,9 @@ class Robots(unittest.TestCase):
                 client.robot("gest")
             with self.assertRaisesRegex(RequestRefused, r'there is no robot "xyzzy" at \S+$'):
                 client.robot("xyzzy")
+            wrong = r'there is no interface "lazer" \(did you mean "laser"\?\)'
+            with self.assertRaisesRegex(InvalidValue, wrong):
+                client.robot("guest").device("lazer")
 
     def test_a_device_that_a_robot_lacks_is_told_with_what_it_has(self) -> None:
         with FakeServer(house) as server, connect(server.address) as client:

@@ -8,7 +8,7 @@ import languages
 from paths import distance
 from server_program import HANG, SPEED, World, needed
 from playhouse_client import Access, Covariance, Mode, RequestRefused, connect
-from playhouse_client.generated import position2d, wifi
+from playhouse_client.generated import position2d
 
 
 @needed
@@ -16,11 +16,7 @@ class Radios(unittest.TestCase):
     def test_messages_come_whole_and_in_order_and_to_whom_they_are_sent(self) -> None:
         with World("radio.world") as world, connect(world.address) as client, connect(world.address) as other:
             radio, receiver = client.opaque(0), other.opaque(1)
-            air = client.device("wifi", 0)
-            air.next_data()
-            data = air.latest(wifi.DATA_STATE)
-            assert isinstance(data, wifi.Data)
-            nearest = bytes(data.links[0].ip).decode()  # of robot 1
+            nearest = next(client.wifi(0).updates()).links[0].ip  # of robot 1
             radio.send(b"to all")
             radio.send_to(nearest, b"\0to one")
             radio.send_to("", b"")

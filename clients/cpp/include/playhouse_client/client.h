@@ -24,6 +24,7 @@ enum class Mode : std::uint8_t { kPush = 1, kPull = 2 };
 struct Options {
   Mode mode = Mode::kPull;
   Seconds timeout{5.0};  // timeout of connect, of every request and of read()
+  std::string token{};   // of a guest, for a run with --guests; empty: none
 };
 
 /// What the server does with a message for this client while a similar one is still queued.
@@ -106,6 +107,7 @@ class Client {
  private:
   friend class Device;
   explicit Client(std::shared_ptr<Session> session) : session_(std::move(session)) {}
+  Result<void> authenticate(std::string_view token);
   Result<std::vector<Model>> told_models(const std::vector<DeviceAddress>& devices);
 
   std::shared_ptr<Session> session_;

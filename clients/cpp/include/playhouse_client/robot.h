@@ -8,11 +8,15 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse_client/actarray.h"
 #include "playhouse_client/aio.h"
+#include "playhouse_client/blinkenlight.h"
+#include "playhouse_client/blobfinder.h"
 #include "playhouse_client/bumper.h"
 #include "playhouse_client/camera.h"
 #include "playhouse_client/fiducial.h"
 #include "playhouse_client/gps.h"
+#include "playhouse_client/gripper.h"
 #include "playhouse_client/imu.h"
 #include "playhouse_client/laser.h"
 #include "playhouse_client/localize.h"
@@ -23,11 +27,13 @@
 #include "playhouse_client/pointcloud3d.h"
 #include "playhouse_client/position2d.h"
 #include "playhouse_client/position3d.h"
+#include "playhouse_client/power.h"
 #include "playhouse_client/ptz.h"
 #include "playhouse_client/ranger.h"
 #include "playhouse_client/sonar.h"
 #include "playhouse_client/speech.h"
 #include "playhouse_client/speech_recognition.h"
+#include "playhouse_client/wifi.h"
 
 namespace playhouse::client {
 
@@ -66,6 +72,12 @@ class Robot {
   Result<Localize> localize(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Planner> planner(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Map> map(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Gripper> gripper(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Power> power(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Blobfinder> blobfinder(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Wifi> wifi(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<ActArray> actarray(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<BlinkenLight> blinkenlight(std::size_t n = 0, Access access = Access::kAll) const;
   /// Opens a device of any interface, by the interface's name.
   Result<Device> device(std::string_view interf, std::size_t n = 0, Access access = Access::kAll) const;
 
