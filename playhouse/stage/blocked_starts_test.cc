@@ -43,7 +43,28 @@ TEST(BlockedStarts, are_none_where_bodies_only_touch_or_are_above_each_other) {
   EXPECT_THAT(lines_of("robot( name \"a\" ) robot( name \"b\" pose [0.4 0 0 0] )"), IsEmpty());
   EXPECT_THAT(lines_of("robot( name \"a\" ) model( size [1 1 0.2] pose [0 0 0.3 0] )"), IsEmpty());
   EXPECT_THAT(lines_of("robot( name \"a\" ) model( size [1 1 1] obstacle_return 0 )"), IsEmpty());
-  EXPECT_THAT(lines_of("robot( name \"a\" ranger( ) model( size [0.1 0.1 0.1] pose [0 0 -0.2 0] ) )"), IsEmpty());
+  EXPECT_THAT(lines_of("robot( name \"a\" ranger( ) model( size [0.1 0.1 0.1] pose [0 0 -0.2 0] ) )"),
+              IsEmpty());
+}
+
+TEST(OverlappedBy, is_what_a_model_was_put_into) {
+  scene::MemoryFiles files(std::map<std::string, std::string>{{"plan.pbm", kBitmap}});
+  const auto scene = scene::load_world_text(std::string(kPlan) +
+                                                "model( name \"box\" size [1 1 1] )\n"
+                                                "robot( name \"a\" pose [3 0 0 0] ranger( name \"eye\" ) )\n"
+                                                "plan( name \"walls\" pose [9 0 0 0] bitmap \"plan.pbm\" )\n",
+                                            "t.world", files);
+  ASSERT_TRUE(scene) << scene.error().line();
+  world::World world(scene.value(), 1);
+  const world::ModelRow robot = world.find("a"), box = world.find("box");
+  EXPECT_EQ(overlapped_by(world, robot), "");
+  ASSERT_TRUE(world::set_pose(world, robot, {0.6, 0, 0, 0}));
+  EXPECT_EQ(overlapped_by(world, robot), "\"box\"");
+  EXPECT_EQ(overlapped_by(world, box), "\"a\"") << "also what stands onto a robot";
+  ASSERT_TRUE(world::set_pose(world, robot, {8, -1, 0, 0}));
+  EXPECT_EQ(overlapped_by(world, robot), "");
+  ASSERT_TRUE(world::set_pose(world, robot, {10, -1, 0, 0}));
+  EXPECT_EQ(overlapped_by(world, robot), "\"walls\"");
 }
 
 TEST(BlockedStarts, have_a_line_for_each_pair_at_the_robots_place_in_the_file) {

@@ -106,7 +106,7 @@ void reset(Simulation& simulation, const Asked& asked) {
 }
 
 /// Payload: x, y [m], heading [rad] as float64, then an optional name.
-void spawn(Simulation& simulation, const Asked& asked) {
+void spawn(Simulation& simulation, const Asked& asked, OverlapWarnings& overlaps) {
   double place[3];
   const std::string& value = asked.request.value;
   if (value.size() < sizeof place)
@@ -117,13 +117,14 @@ void spawn(Simulation& simulation, const Asked& asked) {
     return asked.nack("the pose is none");
   if (!name.empty() && !world::can_be_said(name)) return asked.nack("the name is no line of text");
   const geom::Pose at{place[0], place[1], 0, place[2]};
-  const bool posted = simulation.post([asked, at, name](world::World& world) {
+  const bool posted = simulation.post([asked, at, name, &overlaps](world::World& world) {
     const std::string_view like = wire::text(asked.request.name);
     const world::ModelRow model = world.find(like);
     if (!model) return asked.nack("there is no model " + in_quotes(like));
     if (const Result<void> room = world::check_budget(world); !room) return asked.nack(room.error().text);
     const auto came = world::spawn_like(world, model, at, name);
     if (!came) return asked.nack(came.error().text);
+    overlaps.placed(world, world.row(*came), "spawned");
     asked.ack(wire::c_string(world.name(world.row(*came))));
   });
   if (!posted) asked.nack(simulation.why_not_posted());
@@ -144,7 +145,7 @@ void remove(Simulation& simulation, const Asked& asked) {
 }  // namespace
 
 bool ask_for_world(Simulation& simulation, const sim::PropertyReq& request, device::Caller* caller,
-                   device::Replier& replier) {
+                   device::Replier& replier, OverlapWarnings& overlaps) {
   const std::string_view name = wire::text(request.name), property = wire::text(request.prop);
   const bool of_world = name.empty() || name == "world";
   const bool known = of_world ? property == "join" || property == "step" || property == "reset"
@@ -158,7 +159,7 @@ bool ask_for_world(Simulation& simulation, const sim::PropertyReq& request, devi
   } else if (property == "reset") {
     reset(simulation, asked);
   } else if (property == "spawn") {
-    spawn(simulation, asked);
+    spawn(simulation, asked, overlaps);
   } else {
     remove(simulation, asked);
   }

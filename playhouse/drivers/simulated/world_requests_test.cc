@@ -30,7 +30,7 @@ class WorldRequests : public ::testing::Test {
   std::string ask(const std::string& property, const std::string& value) {
     device::Replier replier(recorder_, ++ticket_);
     const sim::PropertyReq request{wire::c_string("world"), wire::c_string(property), 0, value};
-    EXPECT_TRUE(ask_for_world(*simulation_, request, &client_, replier));
+    EXPECT_TRUE(ask_for_world(*simulation_, request, &client_, replier, overlaps_));
     const auto answer = recorder_.answers.find(ticket_);
     if (answer == recorder_.answers.end() || answer->second.ack) return {};
     return std::string(wire::text(wire::decode<sim::PropertyReq>(answer->second.body)->value));
@@ -42,6 +42,7 @@ class WorldRequests : public ::testing::Test {
   const scene::SceneDesc scene_ = testing::scene_of("interval_sim 100\nposition( name \"r0\" )\n");
   testing::Recorder recorder_;
   device::Caller client_{"somebody"};
+  OverlapWarnings overlaps_;
   std::unique_ptr<Simulation> simulation_;
   std::uint64_t ticket_ = 0;
 };
@@ -61,7 +62,7 @@ TEST_F(WorldRequests, for_spawns_are_refused_once_the_run_is_full) {
     ASSERT_TRUE(world::spawn(world, 0, {}, "n" + std::to_string(i)));
   device::Replier replier(recorder_, ++ticket_);
   const sim::PropertyReq request{wire::c_string("r0"), wire::c_string("spawn"), 0, std::string(24, '\0')};
-  ASSERT_TRUE(ask_for_world(*simulation_, request, &client_, replier));
+  ASSERT_TRUE(ask_for_world(*simulation_, request, &client_, replier, overlaps_));
   simulation_->extend(1);
   simulation_->run();
   ASSERT_TRUE(recorder_.answers.contains(ticket_));
