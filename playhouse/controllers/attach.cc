@@ -16,6 +16,7 @@
 #include "playhouse/controllers/fasr.h"
 #include "playhouse/controllers/lasernoise.h"
 #include "playhouse/controllers/loaded.h"
+#include "playhouse/controllers/patrol.h"
 #include "playhouse/controllers/rasterize.h"
 #include "playhouse/controllers/source_sink.h"
 #include "playhouse/controllers/wander.h"
@@ -58,6 +59,7 @@ constexpr auto kBuiltIns = std::to_array<BuiltIn>({
     {"expand_pioneer", make_expand<kExpandPioneer>},
     {"pioneer_flocking", make_expand<kPioneerFlocking>},
     {"diffusion", make_diffusion},
+    {"patrol", make<Patrol>},
     {"source", make<Source>},
     {"sink", make<Sink>},
     {"lasernoise", make<LaserNoise>},

@@ -302,8 +302,10 @@ TEST(PioneerFlocking, turns_right_where_there_is_more_room) {
   testing::measure(f.world, {0.5f, 0.5f, 0.5f, 3, 3, 3, 5, 5});
   testing::decide(f.world);
   EXPECT_EQ(f.command(0).x, 0);
-  const double diagonal = std::sqrt(0.5);  // beams at 0, 45, 90, -90 and -45 degrees: 0.5, 0.5, 0.5, 5 and 5 m
-  EXPECT_NEAR(f.command(0).a, 0.3 * std::atan2((0.5 - 5) * diagonal + 0.5 - 5, 0.5 + (0.5 + 5) * diagonal), 1e-6);
+  const double diagonal =
+      std::sqrt(0.5);  // beams at 0, 45, 90, -90 and -45 degrees: 0.5, 0.5, 0.5, 5 and 5 m
+  EXPECT_NEAR(f.command(0).a, 0.3 * std::atan2((0.5 - 5) * diagonal + 0.5 - 5, 0.5 + (0.5 + 5) * diagonal),
+              1e-6);
 }
 
 TEST(PioneerFlocking, wants_a_metre_at_30_degrees_to_either_side) {
@@ -412,6 +414,43 @@ TEST(Dynamic, gives_its_model_a_hundred_parts_within_a_metre) {
     }
     EXPECT_EQ(parts, 100);
   }
+}
+
+TEST(Patrol, goes_from_waypoint_to_waypoint_and_begins_again) {
+  Fixture f(testing::robots(1, {}, "patrol 0.5 3 0 0 4"));
+  ASSERT_EQ(f.error, "");
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0), (geom::Twist{0.5, 0, 0, 0})) << "ahead";
+  f.world.models.X_WM[0] = {2.95, 0, 0, 0};  // there: the second is behind, to the left
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0), (geom::Twist{0, 0, 0, 1.5}));
+  f.world.models.X_WM[0] = {0, 2, 0, geom::radians(80)};
+  testing::decide(f.world);
+  EXPECT_NEAR(f.command(0).x, 0.5 * std::cos(geom::radians(10)), 1e-12);
+  EXPECT_NEAR(f.command(0).a, 3 * geom::radians(10), 1e-12);
+  f.world.models.X_WM[0] = {0, 4, 0, geom::radians(-45)};  // and back to the first
+  testing::decide(f.world);
+  EXPECT_GT(f.command(0).x, 0.4);
+}
+
+TEST(Patrol, stays_at_its_only_waypoint) {
+  Fixture f(testing::robots(1, {}, "patrol 0 0.05"));
+  ASSERT_EQ(f.error, "");
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0), geom::Twist());
+}
+
+TEST(Patrol, says_what_is_wrong_with_its_arguments) {
+  const auto error = [](const std::string& ctrl) { return Fixture(testing::robots(1, {}, ctrl)).error; };
+  EXPECT_THAT(error("patrol"), HasSubstr("controller \"patrol\" of \"r0\": wants [SPEED] X Y"));
+  EXPECT_THAT(error("patrol 1"), HasSubstr("wants [SPEED] X Y"));
+  EXPECT_THAT(error("patrol 1 1 two 2"), HasSubstr("not \"two\""));
+  EXPECT_THAT(error("patrol 1 nan"), HasSubstr("not \"nan\""));
+  EXPECT_THAT(error("patrol -1 2 2"), HasSubstr("a speed is more than 0"));
+  EXPECT_THAT(error("patrol 1e12 2"), HasSubstr("out of the largest world"));
+  scene::SceneDesc car = testing::robots(1, {}, "patrol 1 1");
+  car.models[0].position->drive = scene::Drive::kCar;
+  EXPECT_THAT(Fixture(std::move(car)).error, HasSubstr("a car cannot turn"));
 }
 
 TEST(Attach, names_the_line_and_the_nearest_word_for_an_unknown_controller) {
