@@ -57,7 +57,8 @@ void print_table(const std::vector<client::DeviceEntry>& devices) {
 int devices(const DevicesOptions& options) {
   const Result<client::Address> server = parse_server(options.server);
   if (!server) return fail(server.error(), kUsage);
-  Result<client::Client> client = client::Client::connect(server->host, server->port);
+  Result<client::Client> client =
+      client::Client::connect(server->host, server->port, {.token = options.token});
   if (!client) return fail(client.error());
   const Result<std::vector<client::DeviceEntry>> devices = client->devices();
   if (!devices) return fail(devices.error());

@@ -113,8 +113,8 @@ int drive(const DriveOptions& options) {
     return fail({"", "drive wants a position2d device or a robot's name"}, kUsage);
   const Result<client::Address> server = parse_server(options.server);
   if (!server) return fail(server.error(), kUsage);
-  Result<client::Client> client =
-      client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});
+  Result<client::Client> client = client::Client::connect(
+      server->host, server->port, {.mode = client::Mode::kPush, .token = options.token});
   if (!client) return fail(client.error());
   const Result<DeviceName> name = find_device(*client, *wanted, &drives);
   if (!name) return fail(name.error());

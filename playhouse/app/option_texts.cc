@@ -14,6 +14,7 @@
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/base/split.h"
 #include "playhouse/record/selection.h"
+#include "playhouse/wire/auth_key.h"
 
 namespace playhouse::app {
 namespace {
@@ -89,6 +90,11 @@ std::string check_positive(const std::string& text) {
 std::string check_token(const std::string& text) {
   const bool good = !text.empty() && text.size() <= limits::kTokenBytes;
   return good ? "" : fmt::format("a token of 1 to {} letters is wanted", limits::kTokenBytes);
+}
+
+std::string check_auth_key(const std::string& text) {
+  const bool good = !text.empty() && text.size() <= wire::kAuthKeyBytes;
+  return good ? "" : fmt::format("a token of 1 to {} letters is wanted", wire::kAuthKeyBytes);
 }
 
 std::string check_selection(const std::string& text) {

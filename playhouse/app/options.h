@@ -112,6 +112,7 @@ struct RobotOptions {
   double wait = 30;                // seconds for the server to answer
   std::vector<std::string> files;  // .toml
   std::string server;              // "host" or "host:port" of the world
+  std::string token;               // of a guest; empty: none
   std::uint16_t port = kPlayerPort;
   std::string bind = "127.0.0.1";
 };
@@ -132,11 +133,13 @@ struct VerifyOptions {
 
 struct DevicesOptions {
   std::string server;  // "host", "host:port" or ""
+  std::string token;   // of a guest; empty: none
   bool json = false;   // an object per device
 };
 
 struct WatchOptions {
   std::string server;
+  std::string token;        // of a guest; empty: none
   std::string device;       // "laser:0", or the name of a model
   std::uint64_t count = 0;  // messages until the end; 0: for ever
 };
@@ -159,6 +162,7 @@ struct ObserveOptions {
 
 struct DriveOptions {
   std::string server;
+  std::string token;  // of a guest; empty: none
   std::string device;
 };
 

@@ -118,6 +118,7 @@ void add_robot(CLI::App& app, RobotOptions& options) {
                  "0: any free ones, printed")
       ->check(check_port)
       ->capture_default_str();
+  add_auth_key(app, options.token);
   app.add_option("--wait", options.wait, "seconds for the server to answer")
       ->check(check_positive)
       ->capture_default_str();

@@ -41,6 +41,7 @@ void add_export(CLI::App& app, ExportOptions& options) {
 void add_devices(CLI::App& app, DevicesOptions& options) {
   app.add_option("HOST[:PORT]", options.server, "the server (127.0.0.1:6665)");
   app.add_flag("--json", options.json, "one JSON object per line and device");
+  add_auth_key(app, options.token);
 }
 
 void add_watch(CLI::App& app, WatchOptions& options) {
@@ -48,6 +49,7 @@ void add_watch(CLI::App& app, WatchOptions& options) {
   app.add_option("DEVICE", options.device, "INTERFACE:INDEX, e.g. laser:0, or a model's name")->required();
   app.add_option("--count", options.count, "end after so many messages")
       ->check(check_count<std::uint64_t, 1>);
+  add_auth_key(app, options.token);
 }
 
 void add_observe(CLI::App& app, ObserveOptions& options) {
@@ -74,6 +76,7 @@ void add_observe(CLI::App& app, ObserveOptions& options) {
 void add_drive(CLI::App& app, DriveOptions& options) {
   app.add_option("HOST[:PORT]", options.server, "the server")->required();
   app.add_option("ROBOT", options.device, "a model's name, or a device, e.g. position2d:0")->required();
+  add_auth_key(app, options.token);
 }
 
 void add_check(CLI::App& app, CheckOptions& options) {

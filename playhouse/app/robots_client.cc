@@ -72,6 +72,7 @@ RobotsClient::RobotsClient(DeviceService& service, Options options, std::vector<
       std::make_unique<drivers::Passthrough>(service.open_site(options_.port), options_.host,
                                              options_.server_port, drivers::Passthrough::AfterLoss::kRetire);
   relay_ = relay.get();
+  relay_->remote().set_token(options_.token);
   service.take(std::move(relay));
   relay_->watch({.connected = [this] { bring_next(); },
                  .lost =

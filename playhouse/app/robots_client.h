@@ -24,6 +24,7 @@ class RobotsClient {
     std::string bind;           // address of the local ports
     std::uint16_t port = 6665;  // for the first robot without a port, counting up; 0: any free ones
     double patience = 30;       // s, for an answer while robots are brought
+    std::string token;          // of a guest; empty: none
   };
   /// `service` must outlive it; the site is opened in it.
   RobotsClient(DeviceService& service, Options options, std::vector<scene::RobotDesc> robots);

@@ -26,6 +26,7 @@
 #include "playhouse/net/fair_share.h"
 #include "playhouse/record/mcap_writer.h"
 #include "playhouse/scene/world_loader.h"
+#include "playhouse/stage/blind_rangers.h"
 #include "playhouse/stage/blocked_starts.h"
 #include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
@@ -246,18 +247,18 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
     if (!loaded) return Error{{}, "the saved run " + loaded.error().text};
   } else {
     for (const std::string& warning : stage::blocked_starts((*engine)->world())) warn_(warning);
+    for (const std::string& warning : stage::blind_rangers((*engine)->world())) warn_(warning);
   }
   const drivers::Simulation::Options pace = pace_of(scene_, serving_, running_, quit_time_);
   if (!running_.cluster) return std::make_unique<drivers::Simulation>(std::move(*engine), pace);
   const bool is_open = !net::is_local(serving_.bind + ":0");
   if (is_open && running_.cluster_token.empty()) running_.cluster_token = web_server::random_token();
-  auto head = std::make_unique<cluster::Head>(
-      std::move(*engine), sources_,
-      cluster::Head::Options{.bind = serving_.bind,
-                             .port = *running_.cluster,
-                             .nodes = running_.nodes,
-                             .token = running_.cluster_token},
-      [this](const Error& why) { fail_run(why); });
+  auto head = std::make_unique<cluster::Head>(std::move(*engine), sources_,
+                                              cluster::Head::Options{.bind = serving_.bind,
+                                                                     .port = *running_.cluster,
+                                                                     .nodes = running_.nodes,
+                                                                     .token = running_.cluster_token},
+                                              [this](const Error& why) { fail_run(why); });
   head_ = head.get();
   const Result<std::uint16_t> port = head_->listen();
   if (!port) return port.error();
@@ -280,13 +281,18 @@ void Service::stop() {
 
 Result<void> Service::read_guests() {
   if (serving_.guests.empty()) return {};
-  if (!serving_.web && !serving_.observers)
-    return Error{{}, "--guests is for the page, which --headless and --web off leave out, and --observers"};
   Result<std::string> text = read_file(serving_.guests);
   if (!text) return text.error();
   Result<std::vector<web_server::Guest>> guests = web_server::parse_guests(*text, serving_.guests);
   if (!guests) return guests.error();
   guests_ = web_server::GuestBook(std::move(*guests));
+  server_->admit_by(
+      [book = guests_](const std::string& token, const std::string& peer) -> std::optional<device::Rights> {
+        const std::optional<web_server::Guest> guest = book.admit(token, peer);
+        if (!guest) return std::nullopt;
+        const web_server::Rights rights = web_server::rights_of(guest->role);
+        return device::Rights{.reads = true, .drives = rights.drives, .manages = rights.manages};
+      });
   return {};
 }
 
@@ -358,8 +364,8 @@ std::vector<std::string> Service::places() const {
   if (observers_) lines.push_back(fmt::format("observers: {}:{}", host, observer_port_));
   const std::string& token = running_.cluster_token;
   if (head_ != nullptr)
-    lines.push_back(fmt::format("cluster nodes: {}:{}{}", host, cluster_port_,
-                                token.empty() ? "" : " --token " + token));
+    lines.push_back(
+        fmt::format("cluster nodes: {}:{}{}", host, cluster_port_, token.empty() ? "" : " --token " + token));
   return lines;
 }
 

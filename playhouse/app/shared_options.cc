@@ -66,6 +66,10 @@ void add_bind(CLI::App& app, std::string& address) {
       ->capture_default_str();
 }
 
+void add_auth_key(CLI::App& app, std::string& token) {
+  app.add_option("--token", token, "token of a guest, for a run with --guests")->check(check_auth_key);
+}
+
 void add_hosts(CLI::App& app, Serving& serving) {
   add_bind(app, serving.bind);
   app.add_option("--web-host", serving.web_hosts, "a further host name for the page; may be repeated")
@@ -74,7 +78,7 @@ void add_hosts(CLI::App& app, Serving& serving) {
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--guests", serving.guests,
-                 "access control of the page by role: observer, driver, human or admin (docs/guests.md)")
+                 "access control by role: observer, driver, human or admin (docs/guests.md)")
       ->type_name("FILE");
   app.add_option("--viewers", serving.viewers, "limit on simultaneous pages, and on observers")
       ->check(check_count<std::size_t, 1, limits::kViewers>)

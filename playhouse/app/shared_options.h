@@ -31,6 +31,8 @@ void add_workers(CLI::App& app, unsigned& workers, const std::string& help = "wo
 inline constexpr const char* kWorkersOfARun = "worker threads; the result does not depend on it";
 void add_allowed_libraries(CLI::App& app, Running& running);
 void add_bind(CLI::App& app, std::string& address);
+/// --token of a Player client.
+void add_auth_key(CLI::App& app, std::string& token);
 /// Listening address, access control and limits of viewers and observers.
 void add_hosts(CLI::App& app, Serving& serving);
 /// Ports and access of a served world.

@@ -67,8 +67,8 @@ int watch(const WatchOptions& options) {
     return fail({"", "a device of this interface sends no data to watch"}, kUsage);
   const Result<client::Address> server = parse_server(options.server);
   if (!server) return fail(server.error(), kUsage);
-  Result<client::Client> client =
-      client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});
+  Result<client::Client> client = client::Client::connect(
+      server->host, server->port, {.mode = client::Mode::kPush, .token = options.token});
   if (!client) return fail(client.error());
   const Result<DeviceName> name = find_device(*client, *wanted, &sends_data);
   if (!name) return fail(name.error());

@@ -11,6 +11,13 @@
 
 namespace playhouse::device {
 
+/// What a client may do; the role of a guest decides (docs/guests.md).
+struct Rights {
+  bool reads = true;    // lists devices, opens them, asks for what they are
+  bool drives = true;   // commands, and requests that change a device
+  bool manages = true;  // the same to the world as a whole: pause, reset, poses, spawn and removal
+};
+
 class Caller {
  public:
   /// `name` is for the log: "127.0.0.1:40312".
@@ -20,6 +27,9 @@ class Caller {
   ~Caller() { leave(); }
 
   const std::string& name() const { return name_; }
+  const Rights& rights() const { return rights_; }
+  /// For the server.
+  void set_rights(const Rights& rights) { rights_ = rights; }
 
   /// Adds a task to run when the client disconnects, before this object is destroyed.
   void when_gone(std::function<void()> task) { tasks_.push_back({nullptr, std::move(task)}); }
@@ -50,6 +60,7 @@ class Caller {
   };
 
   std::string name_;
+  Rights rights_;
   std::vector<Task> tasks_;
   std::function<void()> expect_alive_;
 };

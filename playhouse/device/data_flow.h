@@ -30,6 +30,9 @@ class DataFlow final : public Publisher {
   void pass_to(Publisher& next) { next_ = &next; }
 
   void publish(std::vector<Publication> batch) override;
+  void forget() override {
+    if (next_ != nullptr) next_->forget();
+  }
 
  private:
   using Rank = std::size_t;  // position of a reader in the order

@@ -74,13 +74,16 @@ class Publisher {
  public:
   virtual ~Publisher() = default;
   virtual void publish(std::vector<Publication> batch) = 0;
+  /// The world's time goes back: what was published and is not sent yet is void.
+  virtual void forget() {}
 };
 
 /// Outcome of a command.
 enum class Taken : std::uint8_t {
-  kNo,      // unknown command, or not possible (the server logs it once)
-  kLatest,  // executed, or stored where a newer one replaces it
-  kQueued,  // queued; barrier() tells when it has been executed
+  kNo,       // unknown command, or not possible (the server logs it once)
+  kRefused,  // not this caller's to give (the server logs it once)
+  kLatest,   // executed, or stored where a newer one replaces it
+  kQueued,   // queued; barrier() tells when it has been executed
 };
 
 class Driver {

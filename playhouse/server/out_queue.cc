@@ -117,6 +117,10 @@ void OutQueue::drop_data() {
   while (!data_.empty()) drop_one();
 }
 
+void OutQueue::forget_data() {
+  while (!data_.empty()) remove_data(data_.begin());
+}
+
 void OutQueue::clear() {
   data_.clear();
   kinds_.clear();

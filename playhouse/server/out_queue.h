@@ -58,6 +58,8 @@ class OutQueue {
   void lose(std::uint64_t messages) { count_lost(messages); }
   /// Drops all data, like at a limit.
   void drop_data();
+  /// Removes all data, which are void: nothing is lost.
+  void forget_data();
   /// Drops everything: the peer is gone.
   void clear();
 

@@ -42,6 +42,14 @@ bool Outbox::put(Answer answer) {
   return wake();
 }
 
+bool Outbox::put(Forget forget) {
+  const std::scoped_lock lock(mutex_);
+  std::erase_if(items_, [](const Item& item) { return std::holds_alternative<device::Publication>(item); });
+  data_messages_ = data_bytes_ = 0;
+  items_.emplace_back(forget);
+  return wake();
+}
+
 bool Outbox::wake() {
   return !std::exchange(woken_, true);
 }

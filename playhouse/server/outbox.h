@@ -20,15 +20,20 @@ struct Answer {
   std::vector<std::byte> body;
 };
 
+/// Data queued for clients are void.
+struct Forget {};
+
 class Outbox {
  public:
-  using Item = std::variant<device::Publication, Answer>;
+  using Item = std::variant<device::Publication, Answer, Forget>;
 
   /// True if the io thread has to be woken: the outbox was empty. If the io
   /// thread lags by more than limits::kOutboxBytes or kOutboxMessages of
   /// data, queued data is dropped in favour of the new; replies never are.
   [[nodiscard]] bool put(std::vector<device::Publication> batch);
   [[nodiscard]] bool put(Answer answer);
+  /// Removes the queued data.
+  [[nodiscard]] bool put(Forget forget);
   /// Moves the oldest items, at most this many, to `items`. True
   /// if there are more: call again, no wake-up will follow.
   bool take(std::vector<Item>& items, std::size_t most);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "playhouse/base/limits.h"
@@ -41,6 +43,9 @@ void Session::player_message(const wire::Header& header, Body body) {
   // Even commands get a reply here, for compatibility.
   if (header.type != wire::MessageType::kReq)
     return refuse(header, Fault::kNotForServer, "only requests go there");
+  if (header.subtype == player::kReqAuth) return authenticate(header, body);
+  const bool is_own = header.subtype == player::kReqDatamode;  // concerns this connection alone
+  if (!is_own && !caller_.rights().reads) return refuse(header, Fault::kRights, why_not_admitted());
   switch (header.subtype) {
     case player::kReqDevlist:
       return list_devices(header);
@@ -60,6 +65,19 @@ void Session::player_message(const wire::Header& header, Body body) {
     default:
       return refuse(header, Fault::kUnknownMessage, "no such request");
   }
+}
+
+/// Without access control there is nothing to authenticate for: NACK, as in the original.
+void Session::authenticate(const wire::Header& header, Body body) {
+  const auto asked = wire::decode<player::DeviceAuthReq>(body);
+  if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
+  if (!board_.admit)
+    return refuse(header, Fault::kUnknownMessage, "this run admits everybody, without a token");
+  const std::string_view key(reinterpret_cast<const char*>(asked->auth_key.data()), asked->auth_key.size());
+  const std::optional<device::Rights> rights = board_.admit(std::string(wire::text(key)), peer_);
+  if (!rights) return refuse(header, Fault::kRights, "no guest of this run");
+  caller_.set_rights(*rights);
+  reply(header, true);
 }
 
 void Session::list_devices(const wire::Header& header) {

@@ -317,5 +317,23 @@ TEST_F(Pull, data_that_the_server_had_no_time_for_is_counted_and_told_once) {
   EXPECT_EQ(log.count("the server is too busy"), 1);
 }
 
+TEST_F(Pull, gets_nothing_of_a_run_that_was_restarted) {
+  TestClient client = client_of_both(kPull);
+  const auto state = [&](double x) {
+    return device::Publication{wheels_id, wire::position2d::kDataState, x,
+                               wire::encode(wire::position2d::Data{{x, 0, 0}, {}, 0})};
+  };
+  server.publish({state(1), state(2)});
+  network.run();
+  server.publish({state(3)});
+  server.forget();
+  server.publish({state(0.5)});
+  network.run();
+  const std::vector<Received> got = client.ask(round());
+  ASSERT_EQ(outline(got), "ACK 4, DATA 1 of 4, SYNCH 1");
+  EXPECT_EQ(got[1].header.timestamp, 0.5);
+  EXPECT_EQ(server.status().data_dropped, 0u) << "nothing was lost";
+}
+
 }  // namespace
 }  // namespace playhouse::server

@@ -69,6 +69,9 @@ class Server::Impl final : public ClientOwner {
   void answer(Answer answer) {
     if (outbox_.put(std::move(answer))) wake();
   }
+  void forget() {
+    if (outbox_.put(Forget{})) wake();
+  }
   ServerStatus status() const;
   Switchboard& board() { return board_; }
   void finish(std::function<void()> done);
@@ -263,6 +266,10 @@ std::size_t Server::Impl::deliver(const Outbox::Item& item) {
     deliver(*answer);
     return 1;
   }
+  if (std::holds_alternative<Forget>(item)) {
+    for (const auto& [serial, client] : clients_) client->session().forget_data();
+    return std::max<std::size_t>(1, clients_.size());
+  }
   const auto& publication = std::get<device::Publication>(item);
   if (!board_.devices.has(publication.device)) return 1;  // retired
   const device::Address address = board_.devices[publication.device].address;
@@ -453,6 +460,10 @@ Result<void> Server::hold(device::DeviceId device, device::Driver* holder) {
 void Server::release(device::DeviceId device, device::Driver* holder) {
   impl_->release(device, holder);
 }
+void Server::admit_by(Admit admit) {
+  impl_->board().admit = std::move(admit);
+}
+
 void Server::take_turns(device::Turns& turns) {
   impl_->take_turns(turns);
 }
@@ -470,6 +481,9 @@ ServerStatus Server::status() const {
 }
 void Server::publish(std::vector<device::Publication> batch) {
   impl_->publish(std::move(batch));
+}
+void Server::forget() {
+  impl_->forget();
 }
 void Server::answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) {
   impl_->answer({ticket, ack, std::move(body)});

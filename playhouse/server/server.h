@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/device/address.h"
+#include "playhouse/device/caller.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/device/turns.h"
 #include "playhouse/net/network.h"
@@ -92,6 +94,12 @@ class Server final : public device::Publisher, public device::Outlet {
   /// wait in their session. Before the loop runs; `turns` must outlive the loop's run.
   void take_turns(device::Turns& turns);
 
+  /// Access control: every client begins with the rights of the token "*", or with none, and gets others by
+  /// AUTH (docs/guests.md). Before the loop runs; called on the io thread.
+  using Admit =
+      std::function<std::optional<device::Rights>(const std::string& token, const std::string& peer)>;
+  void admit_by(Admit admit);
+
   /// Graceful shutdown: accepts no more clients, flushes all queues, then calls
   /// `done`. Clients in PULL mode have a second to ask for data before it is
   /// sent unasked; what is unread after another second is lost, and logged.
@@ -105,6 +113,8 @@ class Server final : public device::Publisher, public device::Outlet {
   /// Sends each message to all sessions with its device open for reading. Any thread; one
   /// wake-up per batch. Timestamps that do not increase are raised by the least step.
   void publish(std::vector<device::Publication> batch) override;
+  /// Removes data that clients have not been sent, before what follows. Any thread.
+  void forget() override;
   /// Replies to a request; dropped if the session is gone. Any thread.
   void answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) override;
 

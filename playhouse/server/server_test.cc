@@ -584,6 +584,77 @@ TEST_F(ServerTest, tells_every_reader_of_what_gave_way_before_it_came_to_the_que
   EXPECT_EQ(told_lost(other), 0);
 }
 
+Bytes auth_request(std::string_view token) {
+  wire::player::DeviceAuthReq key;
+  key.auth_key.assign(token.begin(), token.end());
+  return player_request(wire::player::kReqAuth, wire::encode(key));
+}
+
+/// Tokens by what they open: "watch", "drive" and "manage"; whoever has none may do what `open` says.
+class GuestServerTest : public ServerTest {
+ protected:
+  void admit(std::optional<device::Rights> open) {
+    server.admit_by([open](const std::string& token, const std::string&) -> std::optional<device::Rights> {
+      if (token == "*") return open;
+      if (token == "watch") return device::Rights{.drives = false, .manages = false};
+      if (token == "drive") return device::Rights{.manages = false};
+      if (token == "manage") return device::Rights{};
+      return std::nullopt;
+    });
+  }
+  std::string ask_geometry(TestClient& client) {
+    return outline(client.ask(message(wire::MessageType::kReq, kWheels, 0, position2d::kReqGetGeom)));
+  }
+  std::string ask_reset(TestClient& client) {
+    return outline(client.ask(message(wire::MessageType::kReq, kWheels, 0, position2d::kReqResetOdom)));
+  }
+};
+
+TEST_F(GuestServerTest, who_has_no_token_gets_nothing) {
+  admit(std::nullopt);
+  TestClient client(network, kPort);
+  EXPECT_EQ(outline(client.ask(player_request(wire::player::kReqDevlist))), "NACK 1");
+  EXPECT_EQ(outline(client.ask(open_request(kWheels, 0))), "NACK 3");
+  EXPECT_EQ(ask_geometry(client).substr(0, 4), "NACK");
+  client.ask(drive(0.5));
+  EXPECT_TRUE(wheels.commands.empty());
+  EXPECT_EQ(wheels.requests, 0);
+  EXPECT_EQ(outline(client.ask(auth_request("wrong"))), "NACK 7");
+  EXPECT_EQ(outline(client.ask(player_request(wire::player::kReqDevlist))), "NACK 1");
+}
+
+TEST_F(GuestServerTest, a_token_opens_what_its_guest_may) {
+  admit(std::nullopt);
+  TestClient watcher(network, kPort), driver(network, kPort);
+  EXPECT_EQ(outline(watcher.ask(auth_request("watch"))), "ACK 7");
+  EXPECT_EQ(outline(watcher.ask(open_request(kWheels, 0))), "ACK 3");
+  watcher.ask(drive(0.5));
+  EXPECT_TRUE(wheels.commands.empty());
+  ask_geometry(watcher);
+  EXPECT_EQ(wheels.requests, 1);
+  EXPECT_EQ(ask_reset(watcher).substr(0, 4), "NACK");
+  EXPECT_EQ(wheels.requests, 1) << "of which the driver never heard";
+  EXPECT_EQ(outline(driver.ask(auth_request("drive"))), "ACK 7");
+  device::Rights seen;
+  wheels.on_caller = [&](const device::Caller& caller) { seen = caller.rights(); };
+  driver.ask(drive(0.5));
+  EXPECT_EQ(wheels.commands.size(), 1u);
+  ask_geometry(driver);
+  EXPECT_TRUE(seen.drives);
+  EXPECT_FALSE(seen.manages);
+}
+
+TEST_F(GuestServerTest, a_client_of_2005_may_what_guests_without_a_token_may) {
+  admit(device::Rights{.drives = false, .manages = false});
+  TestClient client(network, kPort);
+  EXPECT_EQ(outline(client.ask(open_request(kWheels, 0))), "ACK 3");
+  client.ask(drive(0.5));
+  EXPECT_TRUE(wheels.commands.empty());
+  EXPECT_EQ(outline(client.ask(auth_request("drive"))), "ACK 7");
+  client.ask(drive(0.5));
+  EXPECT_EQ(wheels.commands.size(), 1u);
+}
+
 /// Lets one client act.
 class OneTurn final : public device::Turns {
  public:

@@ -26,6 +26,9 @@ std::string describe(const wire::Header& header) {
   return fmt::format("{} {} to {}", wire::name(header.type), header.subtype, device);
 }
 
+constexpr const char* kNoToken = "*";  // as in files of guests
+constexpr device::Rights kNothing{.reads = false, .drives = false, .manages = false};
+
 /// True for requests without side effects. By message
 /// name: get_*, capabilities, and the exceptions below.
 bool only_reads(const wire::MessageDef& def) {
@@ -52,7 +55,9 @@ bool begins_with_message(std::span<const std::byte> input) {
 }  // namespace
 
 Session::Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, std::string peer)
-    : board_(board), serial_(serial), robot_(robot), peer_(std::move(peer)), caller_(peer_) {}
+    : board_(board), serial_(serial), robot_(robot), peer_(std::move(peer)), caller_(peer_) {
+  if (board_.admit) caller_.set_rights(board_.admit(kNoToken, peer_).value_or(kNothing));
+}
 
 Session::~Session() {
   leave();
@@ -204,6 +209,7 @@ void Session::command(const wire::Header& header, Body body) {
                         "the device has retired, and the client has not read so");
   if (opened_for_reading_only(device))
     return drop_command(header, Fault::kReadOnly, "opened for reading only");
+  if (!caller_.rights().drives) return drop_command(header, Fault::kRights, why_not_admitted());
   const wire::MessageDef* def = wire::find_message(header.interf, header.type, header.subtype);
   if (!def) return drop_command(header, Fault::kUnknownMessage, "no such command");
   if (const std::string wrong = def->check(body); !wrong.empty()) {
@@ -211,6 +217,8 @@ void Session::command(const wire::Header& header, Body body) {
   }
   const auto type = static_cast<std::uint8_t>(header.type);
   switch (board_.devices[device].driver->command({device, type, header.subtype, body, &caller_})) {
+    case device::Taken::kRefused:
+      return drop_command(header, Fault::kRights, "not this client's to command");
     case device::Taken::kNo:
       return drop_command(header, Fault::kUnsupported,
                           "the device has no such command, or not with these values");
@@ -234,6 +242,9 @@ void Session::request(const wire::Header& header, Body body) {
   if (opened_for_reading_only(device) && !only_reads(*def)) {
     return refuse(header, Fault::kReadOnly, "opened for reading only");
   }
+  const device::Rights& rights = caller_.rights();
+  if (only_reads(*def) ? !rights.reads : !rights.drives)
+    return refuse(header, Fault::kRights, why_not_admitted());
   if (header.subtype == wire::kReqCapabilities && !board_.devices[device].driver->asks_for_capabilities())
     return capability(device, header, body);
 
@@ -280,6 +291,12 @@ device::Address Session::address_of(const wire::Header& header) const {
 /// True if a retired device at this address has not been reported to the client yet.
 bool Session::means_one_that_retired(const wire::Header& header) const {
   return queue_.has_notice(header.interf, header.index);
+}
+
+/// Why a right is missing.
+std::string Session::why_not_admitted() const {
+  return caller_.rights().reads ? "a guest who only observes may not"
+                                : "this run admits guests: AUTH with a token comes first (docs/guests.md)";
 }
 
 bool Session::opened_for_reading_only(device::DeviceId device) const {

@@ -84,6 +84,8 @@ class Session final : public Reader {
 
   /// Bytes of queued replies and data; shared data counts in each session.
   std::size_t output_bytes() const { return queue_.bytes_waiting(); }
+  /// Removes the queued data, which are void.
+  void forget_data() { queue_.forget_data(); }
   /// Drops the queued data, like at a limit.
   void drop_data();
 
@@ -114,6 +116,7 @@ class Session final : public Reader {
     kUnknownMessage,
     kUndecodable,
     kReadOnly,
+    kRights,
     kUnsupported,
     kNotForServer,
     kLimit,
@@ -143,9 +146,11 @@ class Session final : public Reader {
   device::Address address_of(const wire::Header& header) const;
   bool means_one_that_retired(const wire::Header& header) const;
   bool opened_for_reading_only(device::DeviceId device) const;
+  std::string why_not_admitted() const;
 
   // player_requests.cc: requests to the server itself
   void player_message(const wire::Header& header, Body body);
+  void authenticate(const wire::Header& header, Body body);
   void list_devices(const wire::Header& header);
   void tell_driver(const wire::Header& header, Body body);
   void open_or_close(const wire::Header& header, Body body);

@@ -9,8 +9,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "playhouse/device/caller.h"
 #include "playhouse/device/device_table.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/device/turns.h"
@@ -38,8 +41,11 @@ struct Switchboard {
   std::function<double()> clock;         // s; timestamps of replies
   device::Outlet* outlet;                // receives drivers' replies
   const device::Turns* turns = nullptr;  // of clients; null: no ordering
-  bool run_is_over = false;              // nobody carries out requests any more
-  std::atomic<bool> held_back = false;   // a session is waiting for its turn
+  /// The rights of a client with this token ("*": without one) from this peer, "address:port"; none:
+  /// the token is wrong. Empty: every client has all rights.
+  std::function<std::optional<device::Rights>(const std::string& token, const std::string& peer)> admit;
+  bool run_is_over = false;             // nobody carries out requests any more
+  std::atomic<bool> held_back = false;  // a session is waiting for its turn
   std::deque<std::uint32_t> due;  // serials of the sessions with work, served in turn, longest waiting first
   /// Cached bodies of device lists, by port; cleared when a device is added or retires.
   std::map<std::uint32_t, std::vector<std::byte>> device_lists;

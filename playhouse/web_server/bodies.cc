@@ -54,6 +54,7 @@ Result<void> Bodies::join(const replicate::Join& join, std::uint32_t viewer, con
 void Bodies::came(std::uint32_t viewer, Body& body, world::ModelId model) {
   body.model = model;
   if (body.is_left) return remove(body);
+  control_.reserve(model, true);
   came_(viewer, model, walk_text(*scene_.models[body.desc].position));
 }
 
@@ -65,8 +66,14 @@ void Bodies::leave(std::uint32_t viewer) {
   bodies_.erase(own);
 }
 
+bool Bodies::is_of_another(world::ModelId model, std::uint32_t viewer) const {
+  return std::ranges::any_of(
+      bodies_, [=](const auto& each) { return each.first != viewer && each.second->model == model; });
+}
+
 void Bodies::remove(const Body& body) {
   if (!body.model) return;
+  control_.reserve(*body.model, false);
   const auto change = [model = *body.model, desc = body.desc](world::World& world) {
     const world::ModelRow row = world.row(model);
     if (!row || world.models.desc[row.index] != desc) return;  // removed already

@@ -50,7 +50,9 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
 
   /// None if it has not joined or its body is not spawned yet.
   std::optional<world::ModelId> of(std::uint32_t viewer) const;
-  /// The same, but none if the id names another model in `now`: after a
+  /// True for the body of another viewer.
+  bool is_of_another(world::ModelId model, std::uint32_t viewer) const;
+  /// As of(), but none if the id names another model in `now`: after a
   /// restart of the run, a model spawned by a controller may have it.
   std::optional<world::ModelId> of(std::uint32_t viewer, const replicate::Layout& now) const;
 

@@ -10,6 +10,7 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/base/log.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/replicate/generated/person_name.h"
@@ -102,23 +103,48 @@ std::string random_token() {
   return token;
 }
 
-GuestBook::GuestBook(std::vector<Guest> guests) : book_(std::make_shared<Book>()) {
+GuestBook::GuestBook(std::vector<Guest> guests, Clock clock) : book_(std::make_shared<Book>()) {
   book_->guests = std::move(guests);
+  book_->clock = std::move(clock);
 }
 
 std::optional<Guest> GuestBook::admit(const std::string& token, const std::string& peer) const {
   if (is_sent_out(token, peer)) return std::nullopt;
   if (guests().empty()) return Guest{Role::kAdmin, "*", {}};
   const auto guest = std::ranges::find(guests(), token, &Guest::token);
-  if (guest == guests().end()) return std::nullopt;
-  return *guest;
+  const bool is_known = guest != guests().end();
+  if (token == "*") return is_known ? std::optional<Guest>(*guest) : std::nullopt;
+  const std::string network = net::network_of(peer);
+  const std::lock_guard lock(book_->mutex);
+  if (!may_guess(*book_, network)) return std::nullopt;
+  if (is_known) return *guest;
+  log::warn("guests: {} gave a wrong token", peer);
+  if (book_->guesses.size() >= kGuessingNetworks && !book_->guesses.contains(network))
+    book_->guesses.erase(
+        std::ranges::min_element(book_->guesses, {}, [](const auto& each) { return each.second.at; }));
+  Guesses& guesses = book_->guesses[network];
+  guesses = {guesses.count + 1, book_->clock()};
+  return std::nullopt;
+}
+
+/// Brings the count of the network up to date. With the book's mutex.
+bool GuestBook::may_guess(Book& book, const std::string& network) {
+  const auto found = book.guesses.find(network);
+  if (found == book.guesses.end()) return true;
+  Guesses& guesses = found->second;
+  const auto now = book.clock();
+  guesses.count = std::max(0.0, guesses.count - std::chrono::duration<double>(now - guesses.at).count());
+  guesses.at = now;
+  return guesses.count <= kGuesses - 1;
 }
 
 bool GuestBook::is_sent_out(const std::string& token, const std::string& peer) const {
+  const std::lock_guard lock(book_->mutex);
   return book_->sent_out.contains(token == "*" ? net::network_of(peer) : token);
 }
 
 void GuestBook::send_out(const std::string& token, const std::string& peer) {
+  const std::lock_guard lock(book_->mutex);
   book_->sent_out.insert(token == "*" ? net::network_of(peer) : token);
 }
 

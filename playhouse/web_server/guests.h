@@ -3,10 +3,14 @@
 /// Guests: access control of the page: roles, tokens and their rights. A guest file has a
 /// line for each: role, token and name; a guest's link contains the token. docs/guests.md.
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -36,16 +40,19 @@ struct Guest {
   std::string name;   // display name; empty: chosen by the guest
 };
 
-/// Access list of a run, with those kicked. A handle: copies share
-/// one list, so that a kick applies to all transports. Thread: one.
+/// Access list of a run, with those kicked. A handle: copies share one list, so
+/// that a kick, and who guesses, count on all transports. Any thread.
 class GuestBook {
  public:
+  using Clock = std::function<std::chrono::steady_clock::time_point()>;
+
   /// Without guests everybody is admitted, as an admin.
-  GuestBook(std::vector<Guest> guests = {});
+  GuestBook(std::vector<Guest> guests = {}, Clock clock = std::chrono::steady_clock::now);
   GuestBook(std::initializer_list<Guest> guests) : GuestBook(std::vector<Guest>(guests)) {}
 
   /// The guest with this token ("*": none) from this peer, "address:port"; none if not admitted.
-  /// Kicked guests are rejected: by token, or by address if the token is shared by all.
+  /// Kicked guests are rejected: by token, or by address if the token is shared by all. After kGuesses
+  /// wrong tokens a network has one try a second, right or wrong; each wrong one is logged.
   std::optional<Guest> admit(const std::string& token, const std::string& peer) const;
   /// True if the guest was kicked.
   bool is_sent_out(const std::string& token, const std::string& peer) const;
@@ -55,15 +62,29 @@ class GuestBook {
   const std::vector<Guest>& guests() const { return book_->guests; }
 
  private:
+  /// Wrong tokens of a network that count yet, at this time; one is forgotten a second.
+  struct Guesses {
+    double count = 0;
+    std::chrono::steady_clock::time_point at;
+  };
   struct Book {
     std::vector<Guest> guests;
+    Clock clock;
+    std::mutex mutex;                             // guards the following
     std::set<std::string, std::less<>> sent_out;  // tokens, and networks of guests without one
+    std::map<std::string, Guesses> guesses;       // by network
   };
+  static bool may_guess(Book& book, const std::string& network);
   std::shared_ptr<Book> book_;
 };
 
 /// Message to a kicked guest, at the kick and on later attempts.
 inline constexpr const char* kSentOut = "an admin has sent you out";
+
+/// Wrong tokens at once from one network.
+inline constexpr int kGuesses = 20;
+/// Networks whose wrong tokens are remembered.
+inline constexpr std::size_t kGuessingNetworks = 4096;
 
 /// Limit on the size of a guest file.  [B]
 inline constexpr std::size_t kGuestFileBytes = 1 << 20;

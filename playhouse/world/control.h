@@ -39,6 +39,9 @@ class Control {
   /// Sets the commanded velocity of a robot, like a client's
   /// command; the latest before a tick applies. Must be finite.
   virtual void drive(ModelId robot, const geom::Twist& velocity) = 0;
+  /// `on`: leaves a model to drive() alone, for it is a person's body; commands to its devices
+  /// are refused until it is called without. No effect where there are no devices.
+  virtual void reserve(ModelId model, bool on) { static_cast<void>(model), static_cast<void>(on); }
   /// Executes `change` on the tick thread between two ticks. False, without
   /// effect, if the queue is full (limits::kRequestQueue). `robot`, if any,
   /// is the model concerned: its earlier commands are applied first.

@@ -69,5 +69,17 @@ class Reset(HouseTest):
             self.assertEqual((driver.base.timestamp, driver.laser.timestamp), (0.1, 0.1))
 
 
+    def test_what_the_old_run_left_in_the_server_is_gone(self):
+        with self.run_house("--lock-step", "--seed", 5, world=self.world(WORLD)) as house, \
+                connect(f":{house.port()}", mode=Mode.PULL, timeout=60) as client:
+            driver = Driver(client)
+            driver.world.step(5)  # of which nothing is read
+            driver.world.reset(5)
+            driver.world.step()
+            client.read()
+            self.assertEqual((driver.base.timestamp, driver.laser.timestamp), (0.1, 0.1))
+            self.assertEqual(client.lost_count(), 0)
+
+
 if __name__ == "__main__":
     unittest.main()

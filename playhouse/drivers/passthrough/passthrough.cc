@@ -8,6 +8,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/device/device_table.h"
+#include "playhouse/wire/auth_key.h"
 #include "playhouse/wire/messages.h"
 
 namespace playhouse::drivers {
@@ -48,7 +49,10 @@ std::optional<RemoteDevice> Passthrough::there(device::DeviceId id) const {
 // --- from our clients; order is kept per device, whichever the thread
 
 Result<void> Passthrough::start(device::DeviceId id) {
-  if (!remote_.is_connected()) return Error{"", remote_.name() + " " + why_lost_};
+  if (!remote_.is_connected()) {
+    if (retry_) retry_ = site_.surroundings().network().after(0, [this] { remote_.connect(); });
+    return Error{"", remote_.name() + " " + why_lost_};
+  }
   wanted_.insert(id);
   remote_.open(*there(id));
   return {};
@@ -103,7 +107,8 @@ bool Passthrough::capable(device::DeviceId id, std::uint8_t type, std::uint8_t s
 // --- from the server
 
 void Passthrough::connected() {
-  if (wait_ > 0) log::info("passthrough: {} is connected again", remote_.name());
+  if (wait_ > 0) log::info("passthrough: {} is connected", remote_.name());
+  retry_.reset();
   wait_ = 0;
   why_lost_.clear();
   for (const device::DeviceId id : wanted_) remote_.open(*there(id));
@@ -113,7 +118,7 @@ void Passthrough::connected() {
 void Passthrough::lost(const std::string& why) {
   why_lost_ = why;
   if (watcher_.lost) return watcher_.lost(why);
-  if (after_loss_ == AfterLoss::kConnect) return connect_later();
+  if (after_loss_ == AfterLoss::kConnect || !remote_.was_reached()) return connect_later();
   log::error("passthrough: {} {}: its devices retire", remote_.name(), why);
   std::vector<device::Address> devices;
   const std::lock_guard lock(mutex_);
@@ -226,6 +231,10 @@ Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection
   const auto after_loss =
       section.flag("reconnect", false) ? Passthrough::AfterLoss::kConnect : Passthrough::AfterLoss::kRetire;
   auto driver = std::make_unique<Passthrough>(site, read->host, read->port, after_loss);
+  const std::string token = section.text("token", "");
+  if (token.size() > wire::kAuthKeyBytes)
+    return Error{section.at("token"), fmt::format("a token has {} letters at most", wire::kAuthKeyBytes)};
+  driver->remote().set_token(token);
   for (std::size_t i = 0; i < read->here.size(); ++i)
     if (const Result<void> added = driver->add(read->here[i], read->there[i]); !added)
       return Error{section.at("provides"), added.error().text};

@@ -23,7 +23,8 @@ namespace playhouse::drivers {
 
 class Passthrough final : public device::Driver, private RemoteServer::Events {
  public:
-  /// What happens to the devices when the connection is lost.
+  /// What happens to the devices when the connection is lost. Until the server was
+  /// reached for the first time they stay: it may be started later than this program.
   enum class AfterLoss : std::uint8_t {
     kRetire,   // they retire
     kConnect,  // they stay, closed until reconnected
@@ -48,7 +49,7 @@ class Passthrough final : public device::Driver, private RemoteServer::Events {
   RemoteServer& remote() { return remote_; }
 
   std::string_view name() const override { return "passthrough"; }
-  /// Fails without a connection.
+  /// Fails without a connection, and then tries to make one at once.
   Result<void> start(device::DeviceId id) override;
   void stop(device::DeviceId id) override;
   void forget(device::DeviceId id) override;

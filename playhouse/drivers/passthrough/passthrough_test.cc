@@ -201,6 +201,36 @@ TEST_F(Relay, devices_retire_with_their_server) {
   EXPECT_EQ(site.device_count(), 0u);
 }
 
+TEST_F(Relay, a_server_that_starts_later_is_found) {
+  ASSERT_EQ(build(kWheels), "");
+  network_.run_for(100);
+  EXPECT_EQ(site.device_count(), 1u);
+  TestClient client(network_, kHere);
+  EXPECT_EQ(server::access_of(client.ask(server::open_request(p2d::kCode, 0)).at(0)), 3) << "nobody is there";
+  open_lab();
+  // Whoever opens the device shortens the wait, of half a minute by now.
+  EXPECT_EQ(server::access_of(client.ask(server::open_request(p2d::kCode, 0)).at(0)), 3);
+  network_.run_for(0.1);
+  ASSERT_TRUE(is_open(client.ask(server::open_request(p2d::kCode, 0))));
+  EXPECT_EQ(wheels.starts, 1);
+  lab.reset();
+  network_.run();
+  EXPECT_EQ(site.device_count(), 0u) << "once it was there";
+}
+
+TEST_F(Relay, a_token_opens_the_other_server) {
+  open_lab();
+  lab->admit_by([](const std::string& token, const std::string&) {
+    return token == "a-driver-" ? std::optional<device::Rights>(device::Rights()) : std::nullopt;
+  });
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\"] "
+                  "requires [\"lab:7000:position2d:5\"] token \"a-driver-\" )"),
+            "");
+  TestClient client(network_, kHere);
+  client.ask(server::open_request(p2d::kCode, 0));
+  EXPECT_EQ(wheels.starts, 1);
+}
+
 TEST_F(Relay, or_stay_and_are_opened_again_where_the_file_says_reconnect) {
   ASSERT_EQ(build(kKept), "");
   TestClient client(network_, kHere);

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/base/log.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/player.h"
 
@@ -42,6 +43,7 @@ void RemoteServer::connect() {
 void RemoteServer::made(Result<std::unique_ptr<net::Connection>> connection) {
   const std::unique_ptr<net::Attempt> done = std::move(attempt_);
   if (!connection) return fail(connection.error().text);
+  reached_ = true;
   connection_ = std::move(*connection);
   connection_->expect_alive();
   patience_ =
@@ -93,9 +95,18 @@ bool RemoteServer::greet() {
   input_.erase(input_.begin(), input_.begin() + limits::kBannerBytes);
   patience_.reset();
   greeted_ = true;
+  if (!token_.empty()) authenticate();
   request_of_server(player::kReqDatamode, wire::encode(player::DeviceDatamodeReq{kPush}), {});
   events_.connected();
   return true;
+}
+
+void RemoteServer::authenticate() {
+  player::DeviceAuthReq key;
+  key.auth_key.assign(token_.begin(), token_.end());
+  request_of_server(player::kReqAuth, wire::encode(key), [this](bool ack, std::span<const std::byte>) {
+    if (!ack && greeted_) log::warn("passthrough: {} refuses the token", name_);
+  });
 }
 
 /// Handlers may close the connection, and clear the input.

@@ -55,6 +55,10 @@ class RemoteServer final : private net::ConnectionEvents {
   /// "lab:6665"
   const std::string& name() const { return name_; }
   bool is_connected() const { return greeted_; }
+  /// True once a connection was made, whoever answered there.
+  bool was_reached() const { return reached_; }
+  /// Authenticates with a guest's token (docs/guests.md). Before connect().
+  void set_token(std::string token) { token_ = std::move(token); }
 
   /// Starts connecting unless connecting or connected. The outcome is reported to Events.
   void connect();
@@ -88,6 +92,7 @@ class RemoteServer final : private net::ConnectionEvents {
   void take(const wire::Header& header, std::span<const std::byte> body);
   void take_answer(const wire::Header& header, std::span<const std::byte> body);
   bool tells_of_end(const wire::Header& header, std::span<const std::byte> body);
+  void authenticate();
   void request_of_server(std::uint8_t subtype, std::span<const std::byte> body, Heard heard);
   void send(wire::MessageType type, RemoteDevice device, std::uint8_t subtype,
             std::span<const std::byte> body);
@@ -99,12 +104,13 @@ class RemoteServer final : private net::ConnectionEvents {
   const std::string host_;
   const std::uint16_t port_;
   const std::string name_;
+  std::string token_;  // empty: none
   Events& events_;
 
   std::unique_ptr<net::Attempt> attempt_;
   std::unique_ptr<net::Connection> connection_;
   std::unique_ptr<net::Timer> patience_;  // timeout of the greeting
-  bool greeted_ = false;
+  bool greeted_ = false, reached_ = false;
   std::vector<std::byte> input_;  // starts with a header once greeted
   std::uint32_t seq_ = 0;
   std::map<Key, std::deque<Asked>> asked_;

@@ -57,6 +57,7 @@ void SimulatedDriver::stop(device::DeviceId id) {
 device::Taken SimulatedDriver::command(const device::Message& message) {
   const Device device = find(message.device);
   if (device == nullptr || !device->serves(message.type, message.subtype)) return device::Taken::kNo;
+  if (simulation_.is_reserved(device->model())) return device::Taken::kRefused;
   const device::Taken taken = device->command(message);
   if (taken != device::Taken::kNo) note_act(device);
   return taken;
@@ -70,6 +71,7 @@ void SimulatedDriver::note_act(const Device& device) {
 void SimulatedDriver::request(const device::Message& message, device::Replier replier) {
   const Device device = find(message.device);
   if (device == nullptr || !device->serves(message.type, message.subtype)) return;
+  if (device->acts(message.subtype) && simulation_.is_reserved(device->model())) return;
   if (device->acts(message.subtype)) note_act(device);
   device->request(message, std::move(replier));
 }

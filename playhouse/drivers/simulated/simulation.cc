@@ -269,6 +269,7 @@ void Simulation::rewind_to(std::uint64_t tick) {
   const std::vector<world::ModelId> before = world.models.id;
   keep_ids();
   load(tick);
+  if (publisher_ != nullptr) publisher_->forget();
   end_generations(before);
   time_.store(world.time(), std::memory_order_relaxed);
   pacer_.start(clock_(), now_.speed, now_.paused);
@@ -330,6 +331,7 @@ Result<void> Simulation::restart(std::uint64_t seed) {
   keep_ids();
   const std::vector<world::ModelId> before = world.models.id;
   if (const Result<void> loaded = world::load_state(world, start_, seed); !loaded) return loaded;
+  if (publisher_ != nullptr) publisher_->forget();
   end_generations(before);
   history_.clear();
   time_.store(world.time(), std::memory_order_relaxed);
@@ -381,6 +383,20 @@ void Simulation::set_speed(double times_real_time) {
 
 void Simulation::drive(world::ModelId robot, const geom::Twist& velocity) {
   command({robot, wire::position2d::kCode}, velocity_command(robot, velocity));
+}
+
+void Simulation::reserve(world::ModelId model, bool on) {
+  const std::lock_guard lock(mutex_);
+  if (on) {
+    reserved_.insert(model);
+  } else {
+    reserved_.erase(model);
+  }
+}
+
+bool Simulation::is_reserved(world::ModelId model) const {
+  const std::lock_guard lock(mutex_);
+  return reserved_.contains(model);
 }
 
 bool Simulation::post(Change change, world::ModelId robot) {

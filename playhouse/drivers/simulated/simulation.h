@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -98,6 +99,7 @@ class Simulation final : public world::Control {
   void step(std::uint64_t ticks, LockStep::Done done);
   void set_speed(double times_real_time) override;
   void drive(world::ModelId robot, const geom::Twist& velocity) override;
+  void reserve(world::ModelId model, bool on) override;
   bool post(Change change, world::ModelId robot = {}) override;
   void record(bool on) override;
   std::shared_ptr<const world::Timeline> timeline() const override;
@@ -107,6 +109,7 @@ class Simulation final : public world::Control {
   // For devices; any thread.
   /// Command to a model by an interface. Replaces one that the tick has not consumed yet.
   void command(Inbox::Slot slot, Change command);
+  bool is_reserved(world::ModelId model) const;
   bool post_to_all(Change change);
   void post_always(Change change, world::ModelId robot);
   /// Simulated time of the latest tick. [s]
@@ -178,13 +181,14 @@ class Simulation final : public world::Control {
 
   // Shared between threads.
   Inbox inbox_;
-  mutable std::mutex
-      mutex_;  // guards wanted_, timeline_, steppers_ and, with changed_, the sleep of the tick thread
+  // Guards wanted_, timeline_, steppers_, reserved_ and, with changed_, the sleep of the tick thread.
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::atomic<bool> woken_ = true;  // there are requests that the tick thread has not seen
   Wanted wanted_;
   std::shared_ptr<const world::Timeline> timeline_;
   std::vector<LockStep::Done> steppers_;  // callbacks of single steps that are not done
+  std::set<world::ModelId> reserved_;
   std::unique_ptr<LockStep> lock_step_;
   std::atomic<double> time_ = 0;
   std::atomic<double> factor_ = 0;

@@ -22,6 +22,11 @@ constexpr std::size_t kUnknownNames = 100;  // a client may make names up for ev
 constexpr std::size_t kLongestList =
     limits::kBodyBytes - 64;  // what else an answer holds has room in 64 bytes
 
+/// What concerns the whole world is for the program's own drivers and clients with that right.
+bool manages(const device::Message& message) {
+  return message.caller == nullptr || message.caller->rights().manages;
+}
+
 }  // namespace
 
 world::ModelRow SimulationDevice::find_or_warn(const world::World& world, const std::string& raw_name) {
@@ -38,15 +43,20 @@ world::ModelRow SimulationDevice::find_or_warn(const world::World& world, const 
 /// parent that stacks, as in world files. A 2D pose keeps height and tilt.
 bool SimulationDevice::move(world::World& world, const std::string& name, const wire::Pose2d& pose) {
   const world::ModelRow row = find_or_warn(world, name);
-  return row && world::set_pose(world, row, {pose.px, pose.py, world.models.X_PM[row.index].z, pose.pa});
+  const bool is_moved =
+      row && world::set_pose(world, row, {pose.px, pose.py, world.models.X_PM[row.index].z, pose.pa});
+  if (is_moved) overlaps_.placed(world, row, "moved");
+  return is_moved;
 }
 
 bool SimulationDevice::move(world::World& world, const std::string& name, const wire::Pose3d& pose) {
   const world::ModelRow row = find_or_warn(world, name);
   if (!row) return false;
   const geom::Vec3 p{pose.px, pose.py, pose.pz + world.desc(row).stacked};
-  return world::set_spatial_pose(
+  const bool is_moved = world::set_spatial_pose(
       world, row, geom::spatial_pose(p, geom::RollPitchYaw{pose.proll, pose.ppitch, pose.pyaw}));
+  if (is_moved) overlaps_.placed(world, row, "moved");
+  return is_moved;
 }
 
 std::span<const Served> SimulationDevice::served() const {
@@ -62,6 +72,7 @@ std::span<const Served> SimulationDevice::served() const {
 
 /// PAUSE has no payload: it pauses a running world and resumes a paused one.
 device::Taken SimulationDevice::command(const device::Message& message) {
+  if (!manages(message)) return device::Taken::kRefused;
   if (message.subtype == sim::kCmdReset) return reset();
   if (message.subtype == sim::kCmdSave) return save();
   if (simulation().pace().paused) {
@@ -99,6 +110,8 @@ device::Taken SimulationDevice::save() {
 }
 
 void SimulationDevice::request(const device::Message& message, device::Replier replier) {
+  const bool sets_pose = message.subtype == sim::kReqSetPose2d || message.subtype == sim::kReqSetPose3d;
+  if (sets_pose && !manages(message)) return;
   switch (message.subtype) {
     case sim::kReqGetPose2d:
     case sim::kReqSetPose2d:
@@ -161,7 +174,12 @@ void SimulationDevice::property(const device::Message& message, device::Replier 
   if (message.subtype == sim::kReqSetProperty) {
     if (wire::text(request->prop) == "robot")
       return joined_.join(*request, message.caller, std::move(replier));
-    if (ask_for_world(simulation(), *request, message.caller, replier)) return;
+    if (!manages(message) && !is_for_members(*request)) {
+      sim::PropertyReq why = *request;
+      why.value = wire::c_string("only a guest who is admin may do that");
+      return replier.nack(wire::encode(why));
+    }
+    if (ask_for_world(simulation(), *request, message.caller, replier, overlaps_)) return;
     ask_world(std::move(replier), [r = *request](world::World& world) -> std::optional<Bytes> {
       if (!set_property(world, wire::text(r.name), wire::text(r.prop), r.value)) return std::nullopt;
       return Bytes();
@@ -179,6 +197,12 @@ void SimulationDevice::property(const device::Message& message, device::Replier 
     r.value = std::move(*value);
     return wire::encode(r);
   });
+}
+
+/// In lock-step whoever drives joins and steps: the world waits for all of them.
+bool SimulationDevice::is_for_members(const sim::PropertyReq& request) const {
+  const std::string_view property = wire::text(request.prop);
+  return simulation().lock_step() != nullptr && (property == "join" || property == "step");
 }
 
 /// Devices of a model and its parts.

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "playhouse/drivers/simulated/joined_robots.h"
+#include "playhouse/drivers/simulated/overlap_warnings.h"
 #include "playhouse/drivers/simulated/simulated_device.h"
 #include "playhouse/wire/generated/common.h"
 #include "playhouse/wire/generated/simulation.h"
@@ -27,6 +28,7 @@ class SimulationDevice final : public SimulatedDevice {
   void request(const device::Message& message, device::Replier replier) override;
 
  private:
+  bool is_for_members(const wire::simulation::PropertyReq& request) const;
   device::Taken reset();
   device::Taken save();
   void pose_2d(const device::Message& message, device::Replier replier);
@@ -46,6 +48,7 @@ class SimulationDevice final : public SimulatedDevice {
   world::ModelRow find_or_warn(const world::World& world, const std::string& raw_name);
   bool move(world::World& world, const std::string& name, const wire::Pose2d& pose);
   bool move(world::World& world, const std::string& name, const wire::Pose3d& pose);
+  OverlapWarnings overlaps_;
   std::set<std::string> unknown_names_;  // already logged; at most kUnknownNames
 };
 

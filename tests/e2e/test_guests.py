@@ -1,0 +1,112 @@
+"""Access control of the Player port: what a token of `--guests` opens for clients, tools and robots that join."""
+
+import re
+import struct
+import sys
+import time
+import unittest
+
+from house import ACK, NACK, PATIENCE, PLAYER, POSITION2D, ROOT, Client, HouseTest, finish
+
+sys.path.insert(0, str(ROOT / "clients/python"))
+from playhouse_client import Mode, RequestRefused, connect  # noqa: E402
+
+WORLD = """
+interval_sim 100
+define scout position( size [0.4 0.4 0.2] ranger( sensor( samples 3 ) ) )
+robot_types [ "scout" ]
+scout( name "r0" pose [0 0 0 0] )
+"""
+GUESTS = """
+admin    the-admin-1 Ada
+driver   a-driver-01
+observer watcher-001
+"""
+AUTH = 7
+
+
+def auth(token: str) -> bytes:
+    key = token.encode()
+    return struct.pack(">II", len(key), len(key)) + key + b"\0" * (-len(key) % 4)
+
+
+class Guests(HouseTest):
+    def house(self, guests=GUESTS, *arguments):
+        house = self.enterContext(self.run_house("--guests", self.write("guests.txt", guests), *arguments,
+                                                 world=self.world(WORLD)))
+        self.address = f":{house.port()}"
+        return house
+
+    def test_a_client_of_2005_gets_what_guests_without_a_token_get(self):
+        with Client(self.house().port()) as client:
+            self.assertEqual(client.request(PLAYER, 0, 1).type, NACK, "the list of devices")
+            self.assertEqual(client.open(POSITION2D, 0).type, NACK)
+        with Client(self.house(GUESTS + "driver *\n").port()) as client:
+            self.assertEqual(client.open(POSITION2D, 0).type, ACK)
+            client.drive(0, 0.5)
+            while struct.unpack(">d", client.next_data(POSITION2D, 0).body[24:32])[0] == 0:
+                pass
+
+    def test_roles_decide(self):
+        self.house()
+        with self.assertRaisesRegex(RequestRefused, "the token is refused"):
+            connect(self.address, token="watcher-002")
+        with connect(self.address, token="watcher-001", mode=Mode.PUSH, timeout=60) as watcher, \
+                connect(self.address, token="a-driver-01", mode=Mode.PUSH, timeout=60) as driver, \
+                connect(self.address, token="the-admin-1", timeout=60) as admin:
+            self.assertIn("position2d:0", [f"{each.interface}:{each.index}" for each in watcher.devices()])
+            base, world = watcher.position2d(0), watcher.simulation(0)
+            world.pose("r0")
+            base.drive(0.5, 0.0)  # dropped
+            for refused in (lambda: base.reset_odometry(), lambda: world.set_pose("r0", 1, 1, 0),
+                            lambda: world.spawn("r0", 1, 1, 0)):
+                self.assertRaises(RequestRefused, refused)
+            own = driver.position2d(0)
+            own.reset_odometry()
+            for refused in (lambda: driver.simulation(0).set_pose("r0", 1, 1, 0), lambda: driver.simulation(0).step()):
+                self.assertRaises(RequestRefused, refused)
+            driver.read(), watcher.read()
+            self.assertEqual(base.velocity.x, 0.0)
+            own.drive(0.5, 0.0)
+            deadline = time.monotonic() + PATIENCE
+            while base.velocity.x == 0 and time.monotonic() < deadline:
+                watcher.read()
+            self.assertGreater(base.velocity.x, 0)
+            admin.simulation(0).spawn("r0", 3, 3, 0)
+            admin.simulation(0).set_pose("r0", 1, 1, 0)
+
+    def test_drivers_take_part_in_lock_step(self):
+        self.house(GUESTS, "--lock-step")
+        with connect(self.address, token="a-driver-01", timeout=60) as driver:
+            world = driver.simulation(0)
+            world.step(3)
+            self.assertRaises(RequestRefused, lambda: world.reset(4))
+        with connect(self.address, token="the-admin-1", timeout=60) as admin:
+            admin.simulation(0).reset(4)
+
+    def test_tools_and_robots_that_join_have_tokens(self):
+        house = self.house()
+        server = f"127.0.0.1:{house.port()}"
+        refused = finish("devices", server)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("position2d:0", finish("devices", server, "--token", "watcher-001").stdout)
+        self.assertIn("the token is refused", finish("devices", server, "--token", "watcher-002").stderr)
+        self.assertIn("1 to 32 letters", finish("devices", server, "--token", "x" * 33).stderr)
+        seen = finish("watch", server, "position2d:0", "--count", 1, "--token", "watcher-001")
+        self.assertEqual(seen.returncode, 0, seen.stderr)
+        robot = self.write("robot.toml", 'type = "scout"\nname = "mine"\npose = [2, 2, 0]\n')
+        late = finish("robot", robot, "--server", server, "--port", 0, "--token", "watcher-001")
+        self.assertEqual(late.returncode, 1, late.stderr)
+
+    def test_who_guesses_is_logged_and_has_to_wait(self):
+        house = self.house()
+        with Client(house.port()) as client:
+            for _ in range(25):
+                self.assertEqual(client.request(PLAYER, 0, AUTH, auth("the-admin-2")).type, NACK)
+            self.assertEqual(client.request(PLAYER, 0, AUTH, auth("the-admin-1")).type, NACK, "also the right one")
+        house.wait_for_line(r"guests: .* gave a wrong token")
+        self.assertLessEqual(len(re.findall("gave a wrong token", house.log())), 24)
+
+
+if __name__ == "__main__":
+    unittest.main()
