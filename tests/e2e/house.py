@@ -88,8 +88,10 @@ class House:
         return int(self.wait_for_line(r"^in use bytes *= *(\d+)", self.lines.index("Total (incl. mmap):", seen)).group(1))
 
     def wait(self) -> int:
-        """The exit code, once the program has ended by itself."""
-        return self.process.wait(PATIENCE)
+        """The exit code, once the program has ended by itself and all that it said is in `lines`."""
+        code = self.process.wait(PATIENCE)
+        self._reader.join(PATIENCE)
+        return code
 
     def end(self, by=signal.SIGTERM) -> int:
         if self.process.poll() is None:
