@@ -103,7 +103,8 @@
 (define-message +req-data+ 1 :req 4 "player.req.data")
 ;; Selects the delivery mode: immediately (push) or on request (pull).
 (define-message +req-datamode+ 1 :req 5 "player.req.datamode" device-datamode-req)
-;; Sends an authentication key; unused, answered by NACK.
+;; Sends an authentication key: a guest's token, of a run with access control (docs/guests.md); NACK if it
+;; admits nobody.
 (define-message +req-auth+ 1 :req 7 "player.req.auth" device-auth-req)
 ;; Requests the port of a named robot; unused, answered by NACK.
 (define-message +req-nameservice+ 1 :req 8 "player.req.nameservice" device-nameservice-req)

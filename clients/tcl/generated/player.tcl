@@ -177,7 +177,8 @@
     message player.req.data REQ 4
     # Selects the delivery mode: immediately (push) or on request (pull).
     message player.req.datamode REQ 5 player.DeviceDatamodeReq
-    # Sends an authentication key; unused, answered by NACK.
+    # Sends an authentication key: a guest's token, of a run with access control (docs/guests.md); NACK if it
+    # admits nobody.
     message player.req.auth REQ 7 player.DeviceAuthReq
     # Requests the port of a named robot; unused, answered by NACK.
     message player.req.nameservice REQ 8 player.DeviceNameserviceReq

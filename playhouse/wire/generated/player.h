@@ -25,7 +25,8 @@ inline constexpr std::uint8_t kReqDev = 3;
 inline constexpr std::uint8_t kReqData = 4;
 /// Selects the delivery mode: immediately (push) or on request (pull).
 inline constexpr std::uint8_t kReqDatamode = 5;
-/// Sends an authentication key; unused, answered by NACK.
+/// Sends an authentication key: a guest's token, of a run with access control (docs/guests.md); NACK if it
+/// admits nobody.
 inline constexpr std::uint8_t kReqAuth = 7;
 /// Requests the port of a named robot; unused, answered by NACK.
 inline constexpr std::uint8_t kReqNameservice = 8;

@@ -204,7 +204,8 @@ REQ_DEV = MessageType(1, Kind.REQ, 3, "player.req.dev", DeviceReq)
 REQ_DATA = MessageType(1, Kind.REQ, 4, "player.req.data")
 # Selects the delivery mode: immediately (push) or on request (pull).
 REQ_DATAMODE = MessageType(1, Kind.REQ, 5, "player.req.datamode", DeviceDatamodeReq)
-# Sends an authentication key; unused, answered by NACK.
+# Sends an authentication key: a guest's token, of a run with access control (docs/guests.md); NACK if it
+# admits nobody.
 REQ_AUTH = MessageType(1, Kind.REQ, 7, "player.req.auth", DeviceAuthReq)
 # Requests the port of a named robot; unused, answered by NACK.
 REQ_NAMESERVICE = MessageType(1, Kind.REQ, 8, "player.req.nameservice", DeviceNameserviceReq)

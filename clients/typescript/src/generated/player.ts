@@ -221,7 +221,10 @@ export const REQ_DATAMODE: MessageType<DeviceDatamodeReq> = new MessageType(
   DeviceDatamodeReq,
 );
 
-/** Sends an authentication key; unused, answered by NACK. */
+/**
+ * Sends an authentication key: a guest's token, of a run with access control (docs/guests.md); NACK if it admits
+ * nobody.
+ */
 export const REQ_AUTH: MessageType<DeviceAuthReq> = new MessageType(1, Kind.REQ, 7, 'player.req.auth', DeviceAuthReq);
 
 /** Requests the port of a named robot; unused, answered by NACK. */

@@ -114,7 +114,8 @@ extern const ph_message_type ph_player_messages[10];
 #define PH_PLAYER_REQ_DATA (&ph_player_messages[3])
 /** Selects the delivery mode: immediately (push) or on request (pull). */
 #define PH_PLAYER_REQ_DATAMODE (&ph_player_messages[4])
-/** Sends an authentication key; unused, answered by NACK. */
+/** Sends an authentication key: a guest's token, of a run with access control (docs/guests.md); NACK if it
+ * admits nobody. */
 #define PH_PLAYER_REQ_AUTH (&ph_player_messages[5])
 /** Requests the port of a named robot; unused, answered by NACK. */
 #define PH_PLAYER_REQ_NAMESERVICE (&ph_player_messages[6])

@@ -321,7 +321,10 @@ public final class PlayerMessages {
   public static final MessageType<DeviceDatamodeReq> REQ_DATAMODE =
       new MessageType<>(1, Kind.REQ, 5, "player.req.datamode", DeviceDatamodeReq::decode);
 
-  /** Sends an authentication key; unused, answered by NACK. */
+  /**
+   * Sends an authentication key: a guest's token, of a run with access control (docs/guests.md); NACK if it
+   * admits nobody.
+   */
   public static final MessageType<DeviceAuthReq> REQ_AUTH =
       new MessageType<>(1, Kind.REQ, 7, "player.req.auth", DeviceAuthReq::decode);
 
