@@ -31,6 +31,7 @@ class Capture {
       if (text.empty()) continue;
       if (count == out_.says.size()) out_.says.emplace_back();
       out_.says[count].model = row;
+      out_.says[count].name = world_.name({row});
       out_.says[count++].text = text;
     }
     out_.says.resize(count);

@@ -37,7 +37,7 @@ struct Viewed {
 /// The text of a model.
 struct Said {
   std::uint32_t model = 0;  // row
-  std::string text;
+  std::string name, text;
 };
 
 struct Snapshot {

@@ -27,6 +27,7 @@
 #include "playhouse/web_server/host_names.h"
 #include "playhouse/web_server/mesh_files.h"
 #include "playhouse/web_server/page_reply.h"
+#include "playhouse/web_server/speech_log.h"
 #include "playhouse/web_server/watched_sensors.h"
 #include "playhouse/web_server/web_viewer.h"
 #include "playhouse/world/as_scene.h"
@@ -70,11 +71,10 @@ class WebServer::Impl final : public net::HttpService,
         mesh_files_(prototypes_.meshes()),
         feed_(world, prototypes_, std::move(devices)),
         newest_(feed_.first_layout()),
-        bodies_(std::make_shared<Bodies>(
-            loop, control, scene_, prototypes_, world.engine, options_.join_period,
-            [this](std::uint32_t viewer, world::ModelId body, const std::string& walk) {
-              joined(viewer, body, walk);
-            })),
+        bodies_(std::make_shared<Bodies>(loop, control, scene_, prototypes_, world.engine,
+                                         options_.join_period,
+                                         [this](std::uint32_t viewer, world::ModelId body,
+                                                const std::string& walk) { joined(viewer, body, walk); })),
         sensors_(loop, control),
         driven_(loop, control),
         ids_given_(newest_->ids_given) {}
@@ -115,6 +115,7 @@ class WebServer::Impl final : public net::HttpService,
   void serve() {
     for (const auto& viewer : viewers_) viewer->new_turn();
     feed_.take(front_);
+    speech_.note(front_);
     ids_given_ = std::max(ids_given_, front_.layout->ids_given);
     look_at_past();
     offer();
@@ -167,7 +168,8 @@ class WebServer::Impl final : public net::HttpService,
     const std::string token = token_of(request);
     const std::optional<Guest> guest = options_.guests.admit(token, socket->peer());
     if (!guest) return turn_away(*socket, token);
-    if (viewers_.size() >= options_.viewers && !make_room(net::network_of(socket->peer())))
+    if (viewers_.size() >= options_.viewers && !make_room(net::network_of(socket->peer())) &&
+        !(rights_of(guest->role).manages && make_room_for_admin()))
       return refuse(*socket);
     viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), newest_, *this, ++viewers_ever_, *guest,
                                                    options_.bytes_per_second));
@@ -175,7 +177,7 @@ class WebServer::Impl final : public net::HttpService,
     feed_.watch(true);
     if (viewers_.size() == 1) control_.record(true);
     tell_people();
-    viewers_.back()->start(scene_text());
+    viewers_.back()->start(scene_text(), speech_.text());
   }
 
   // WebViewerOwner
@@ -235,9 +237,10 @@ class WebServer::Impl final : public net::HttpService,
 
   /// Reason why a viewer may not do this; empty if it may.
   std::string why_not(const replicate::Command& command, const WebViewer& from) const {
+    const auto* const driven = std::get_if<replicate::Drive>(&command);
+    if (driven && bodies_->is_of_another(driven->model, from.number())) return "nobody drives another person";
     bool may = has_right(from.rights(), replicate::who_may(command));
-    if (const auto* drive = std::get_if<replicate::Drive>(&command))
-      may = may || (from.rights().joins && is_body(drive->model, from));
+    if (driven) may = may || (from.rights().joins && is_body(driven->model, from));
     if (const auto* remove = std::get_if<replicate::Remove>(&command))
       may = may || is_body(remove->model, from);  // own body
     if (may && std::holds_alternative<replicate::Say>(command) && is_muted(from))
@@ -336,6 +339,16 @@ class WebServer::Impl final : public net::HttpService,
     if (std::chrono::steady_clock::now() - holders[quietest].quiet_since >= options_.viewer_quiet)
       return close_for_another(*viewers_[quietest]);
     return false;
+  }
+
+  /// Evicts the guest who is no admin and has been quiet longest: no link can lock admins out.
+  bool make_room_for_admin() {
+    WebViewer* quietest = nullptr;
+    for (const auto& viewer : viewers_) {
+      if (viewer->rights().manages) continue;
+      if (!quietest || viewer->quiet_since() < quietest->quiet_since()) quietest = viewer.get();
+    }
+    return quietest && close_for_another(*quietest);
   }
 
   bool close_for_another(WebViewer& viewer) {
@@ -602,6 +615,7 @@ class WebServer::Impl final : public net::HttpService,
   WatchedSensors sensors_;
   DrivenRobots driven_;
   replicate::Snapshot front_;
+  SpeechLog speech_;
   std::shared_ptr<const replicate::Layout> scene_layout_;  // of scene_text_
   std::shared_ptr<const std::string> scene_text_;
   replicate::ChangesTexts changes_texts_;

@@ -33,10 +33,10 @@ struct WebOptions {
   std::string host_name;           // of this machine; empty: ask the system
   std::chrono::milliseconds viewer_quiet = std::chrono::seconds(limits::kViewerQuietSeconds);  // for tests
   std::chrono::milliseconds join_period = std::chrono::seconds(1);  // between two bodies; for tests
-  std::vector<std::string> further_names;                        // further allowed host names
-  GuestBook guests;                                              // access list
-  std::size_t viewers = limits::kViewers;                        // limit on simultaneous viewers
-  std::uint32_t bytes_per_second = limits::kPageBytesPerSecond;  // of state, to each page
+  std::vector<std::string> further_names;                           // further allowed host names
+  GuestBook guests;                                                 // access list
+  std::size_t viewers = limits::kViewers;                           // limit on simultaneous viewers
+  std::uint32_t bytes_per_second = limits::kPageBytesPerSecond;     // of state, to each page
   /// Current collision shapes; tick thread. Empty: not available.
   std::function<world::PhysicsShapes()> physics_shapes;
 };

@@ -9,6 +9,7 @@
 #include <functional>
 #include <future>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -52,6 +53,14 @@ class Notes final : public world::Control {
     timeline_ = std::make_shared<const world::Timeline>(std::move(timeline));
   }
   std::uint64_t generation(world::ModelId) const override { return 0; }
+  void reserve(world::ModelId model, bool on) override {
+    const std::lock_guard lock(mutex_);
+    on ? static_cast<void>(reserved_.insert(model)) : static_cast<void>(reserved_.erase(model));
+  }
+  bool is_reserved(world::ModelId model) {
+    const std::lock_guard lock(mutex_);
+    return reserved_.contains(model);
+  }
   bool post(std::function<void(world::World&)> change, world::ModelId = {}) override {
     const std::lock_guard lock(mutex_);
     if (full_) {
@@ -102,6 +111,7 @@ class Notes final : public world::Control {
   std::string all_;
   std::shared_ptr<const world::Timeline> timeline_ = std::make_shared<const world::Timeline>();
   std::vector<std::function<void(world::World&)>> changes_;
+  std::set<world::ModelId> reserved_;
   bool full_ = false;
   int refused_ = 0;
 };
@@ -131,12 +141,12 @@ class WebClient : public net::WebClient {
 
 class WebServerTest : public testing::Test {
  protected:
-  explicit WebServerTest(const std::function<void(WebOptions&)>& change = [](WebOptions&) {}, int people = 0)
-      : small_(3, 0, people),
-        server_(loop_, options(change), notes_, small_.world, [](world::ModelId model) {
-                  return model == SmallWorld::id(0) ? std::vector<std::string>{"position2d:0"}
-                                                    : std::vector<std::string>();
-                }) {
+  explicit WebServerTest(
+      const std::function<void(WebOptions&)>& change = [](WebOptions&) {}, int people = 0)
+      : small_(3, 0, people), server_(loop_, options(change), notes_, small_.world, [](world::ModelId model) {
+          return model == SmallWorld::id(0) ? std::vector<std::string>{"position2d:0"}
+                                            : std::vector<std::string>();
+        }) {
     const Result<std::uint16_t> port = server_.listen();
     EXPECT_TRUE(port.ok());
     port_ = *port;
@@ -481,6 +491,20 @@ TEST_F(WebServerTest, a_viewer_that_comes_later_gets_the_population_of_then) {
   EXPECT_THAT(scene, Not(HasSubstr(R"("name":"r1")")));
   EXPECT_THAT(scene, HasSubstr(R"("name":"r2")"));
   EXPECT_EQ(late.message(turning())[0], 2);
+}
+
+TEST_F(WebServerTest, a_viewer_that_comes_later_reads_what_was_said_before) {
+  WebClient early(port_);
+  ASSERT_TRUE(early.upgrade());
+  early.message();
+  world::set_say(small_.world, {SmallWorld::robot(0)}, "good morning");
+  turn();
+  EXPECT_EQ(early.message(turning())[0], 2);  // a picture, so that the server knows
+  WebClient late(port_);
+  ASSERT_TRUE(late.upgrade());
+  late.message();
+  EXPECT_THAT(late.message(), AllOf(HasSubstr(R"({"said":[{"tick":)"),
+                                    HasSubstr(R"("model":1,"name":"r0","text":"good morning"}])")));
 }
 
 TEST_F(WebServerTest, a_selected_robot_that_goes_is_forgotten_and_its_successor_is_not_taken_for_it) {
@@ -872,6 +896,21 @@ TEST_F(GuestsTest, roles_decide_what_is_carried_out) {
   EXPECT_THAT(answer(driver, kDriveFirst), HasSubstr("no such robot to drive")) << "but may drive one";
 }
 
+TEST_F(GuestsTest, an_admin_finds_a_place_where_guests_have_all) {
+  std::vector<std::unique_ptr<WebClient>> guests;
+  for (int k = 0; k < 4; ++k) {
+    guests.push_back(std::make_unique<WebClient>(port_));
+    ASSERT_TRUE(guests.back()->upgrade_with("somebody-"));
+    EXPECT_EQ(guests.back()->message()[0], 1);
+  }
+  WebClient fifth(port_), admin(port_);
+  ASSERT_TRUE(fifth.upgrade_with("somebody-"));
+  EXPECT_THAT(close_reason(fifth), HasSubstr("as many viewers"));
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  EXPECT_EQ(admin.message()[0], 1);
+  EXPECT_THAT(close_reason(*guests.front()), HasSubstr("gave way to another viewer"));
+}
+
 TEST_F(GuestsTest, everybody_hears_who_is_there_and_what_they_may_do) {
   WebClient human(port_), admin(port_);
   ASSERT_TRUE(human.upgrade_with("somebody-"));
@@ -984,6 +1023,22 @@ TEST_F(BodiesTest, who_leaves_takes_no_part_of_a_robot_along) {
   EXPECT_TRUE(turn_until([this] { return server_.status().viewers == 0 && notes_.posted() == 0; }));
   turn();
   EXPECT_TRUE(small_.world.row(robot_));
+}
+
+TEST_F(BodiesTest, are_driven_by_nobody_else) {
+  auto guest = std::make_unique<WebClient>(port_);
+  join(*guest);
+  ASSERT_FALSE(HasFatalFailure());
+  WebClient driver(port_), admin(port_);
+  ASSERT_TRUE(driver.upgrade_with("a-driver-"));
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  EXPECT_TRUE(notes_.is_reserved(body_)) << "devices refuse commands";
+  const std::string drive =
+      R"({"do":"drive","forward":1,"sideways":0,"turn":0,"model":)" + std::to_string(body_.value) + "}";
+  for (WebClient* other : {&driver, &admin})
+    EXPECT_THAT(answer(*other, drive), HasSubstr("nobody drives another person"));
+  guest.reset();
+  EXPECT_TRUE(turn_until([this] { return !notes_.is_reserved(body_); }));
 }
 
 TEST_F(BodiesTest, whose_name_is_taken_get_another_and_hear_it) {

@@ -17,10 +17,11 @@ constexpr std::chrono::milliseconds kSignOfLife{750};
 
 }  // namespace
 
-void WebViewer::start(std::shared_ptr<const std::string> scene) {
+void WebViewer::start(std::shared_ptr<const std::string> scene, std::shared_ptr<const std::string> said) {
   socket_->start(*this);
   socket_->send_text(std::move(scene));
   if (people_) socket_->send_text(told_people_ = people_);
+  if (said) socket_->send_text(std::move(said));
 }
 
 void WebViewer::offer(const replicate::Snapshot& snapshot) {

@@ -49,8 +49,9 @@ class WebViewer final : public net::WebSocketEvents {
         guest_(std::move(guest)),
         bucket_(bytes_per_second, replicate::kLeastPacket, seconds_of(quiet_since_)) {}
 
-  /// Sends the scene, which describes the layout, and the list of viewers; starts reading.
-  void start(std::shared_ptr<const std::string> scene);
+  /// Sends the scene, which describes the layout, the list of viewers, and
+  /// what was said before (null: nothing); starts reading.
+  void start(std::shared_ptr<const std::string> scene, std::shared_ptr<const std::string> said);
 
   /// Offers the newest snapshot, valid until the next call. Sends a frame now, or,
   /// under back-pressure, once the page has caught up, from the newest snapshot then.

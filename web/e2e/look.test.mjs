@@ -23,20 +23,29 @@ async function fit() {
   await settled();
 }
 
+/** Whether nothing lies over a robot. */
+async function isInSight(name, on = page) {
+  const { x, y } = await pixel(name, on);
+  return on.evaluate((at) => document.elementFromPoint(...at)?.id === 'picture', [x, y]);
+}
+
 /** Another size of the window, and a picture of it: what is below the bar moves with it. */
 async function resize(on, width, height) {
   await on.setViewportSize({ width, height });
   await on.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
 }
 
-/** What lies over the picture, by its id. */
-function boxes(on) {
-  return on.evaluate(() =>
-    ['bar', 'robots', 'panel', 'clock', 'drive', 'stick', 'notice', 'lost'].flatMap((id) => {
-      const { left, top, right, bottom, width } = document.getElementById(id).getBoundingClientRect();
-      return width > 0 ? [{ id, left, top, right, bottom }] : [];
-    }),
+/** What lies over the picture, by its id; waits for the end of an alarm, as of a page that is too slow. */
+async function boxes(on) {
+  const found = await on.waitForFunction(
+    () =>
+      document.getElementById('lost').hidden &&
+      ['bar', 'robots', 'panel', 'clock', 'chat', 'drive', 'stick', 'notice'].flatMap((id) => {
+        const { left, top, right, bottom, width } = document.getElementById(id).getBoundingClientRect();
+        return width > 0 ? [{ id, left, top, right, bottom }] : [];
+      }),
   );
+  return found.jsonValue();
 }
 
 async function nothingOverlaps(on) {
@@ -131,6 +140,28 @@ test('everything on the screen uses the screen, and nothing lies over it', async
   }
 });
 
+test('a robot chosen in the list comes to the middle of what nothing covers', async () => {
+  await fit();
+  await choose('mate');
+  await settled();
+  const all = await boxes(page);
+  const [list, panel, bar] = ['robots', 'panel', 'bar'].map((name) => all.find(({ id }) => id === name));
+  const { x, y } = await pixel('mate');
+  assert.ok(Math.abs(x - (list.right + panel.left) / 2) < 30, `${x} between ${list.right} and ${panel.left}`);
+  assert.ok(Math.abs(y - (bar.bottom + 744) / 2) < 60, `${y} between ${bar.bottom} and the clock`);
+  assert.ok(await isInSight('mate'));
+});
+
+test('a robot does not see itself', async () => {
+  await fit();
+  await choose('guest');
+  await page.keyboard.press('i');
+  await page.waitForFunction(() => window.playhouse.eye !== null);
+  await page.screenshot({ path: join(results, 'own-eyes.png') });
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(() => window.playhouse.eye === null);
+});
+
 test('what the mouse pointed at ends with the mouse, and when the robot is gone', async () => {
   await fit();
   await choose('guest');
@@ -173,6 +204,7 @@ test('nothing overlaps on a phone, and the selected robot is in sight', async ()
   await settled(phone.page);
   const shown = await nothingOverlaps(phone.page);
   for (const id of ['bar', 'robots', 'panel', 'clock']) assert.ok(shown.includes(id), id);
+  assert.ok(await isInSight('mate', phone.page), 'beside the list');
   await phone.page.screenshot({ path: join(results, 'phone-list.png') });
   await phone.page.getByTestId('list').tap();
   assert.ok((await nothingOverlaps(phone.page)).includes('stick'));
@@ -195,8 +227,8 @@ test('nothing overlaps on small windows', async () => {
 });
 
 /**
- * Buttons of the bar that somebody would click in vain: outside of it, or below something else. Waits until the program
- * is heard of: a page that draws in software beside other work takes it for silent, and disables what needs it.
+ * Buttons of the bar that somebody would click in vain: outside of it, or below something else. Waits until the link
+ * is live: a page that draws in software beside other work may lose it, which disables what needs it.
  */
 async function outOfReach(on) {
   const found = await on.waitForFunction(() => {
@@ -238,8 +270,7 @@ test('every button of the bar can be reached, however narrow the window', async 
 test('a page without its program looks like one', async () => {
   await choose('guest');
   await program.stop();
-  await page.waitForFunction(() => !document.querySelector('#lost').hidden);
-  assert.match(await page.locator('#lost').textContent(), /Connection lost. Trying again/);
+  await page.locator('#lost').filter({ hasText: 'Connection lost. Trying again' }).waitFor();
   for (const control of ['pause', 'step', 'speed']) assert.ok(await page.getByTestId(control).isDisabled(), control);
   assert.ok(await page.locator('#drive').isHidden());
   assert.match(await page.locator('#stage').evaluate((stage) => getComputedStyle(stage).filter), /opacity/);

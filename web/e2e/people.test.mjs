@@ -61,6 +61,12 @@ test('what they say stands above them', async () => {
   await observer.page.waitForFunction(() => window.playhouse.bubbles.some(([who, text]) => who === 'Ada' && text === 'hello robots'));
 });
 
+test('their panel tells how they walk, not of wheels', async () => {
+  const titles = await human.page.locator('#panel h3').allTextContents();
+  assert.ok(titles.some((title) => title.startsWith('Walking')), titles.join());
+  assert.ok(!titles.some((title) => title.startsWith('Wheels')), titles.join());
+});
+
 test('who only watches has no body and cannot speak', async () => {
   const before = await observer.page.evaluate(() => window.playhouse.robots.length);
   await observer.page.keyboard.press('Enter');
@@ -76,4 +82,41 @@ test('Esc looks from above again, and who closes the page is gone', async () => 
   await page.close();
   await observer.page.waitForFunction(() => !window.playhouse.robots.includes('Ada'));
   assert.deepEqual(observer.errors, []);
+});
+
+/** A finger that pushes the stick ahead until it is lifted. */
+async function pushAhead(page) {
+  const { x, y, width } = await page.locator('#stick').boundingBox();
+  const touch = await page.context().newCDPSession(page);
+  const at = (up) => [{ x: x + width / 2, y: y + width / 2 - up }];
+  await touch.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: at(0) });
+  await touch.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: at(width / 3) });
+  return () => touch.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+}
+
+test('on a phone somebody walks without the panel, and speaks', async () => {
+  const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+  const { page, errors } = await watch(browser, program.page, phone);
+  await page.getByTestId('join').tap();
+  await page.getByTestId('answer').fill('Bo');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => window.playhouse.eye !== null);
+  await page.locator('#panel button[aria-label=Close]').tap();
+  const from = await poseOf(page, 'Bo');
+  const lift = await pushAhead(page);
+  await page.waitForFunction(({ x, y }) => {
+    const now = window.playhouse.pose('Bo');
+    return Math.hypot(now.x - x, now.y - y) > 0.3;
+  }, from);
+  await lift();
+  await page.getByTestId('say').tap();
+  await page.getByTestId('say').fill('hello from a phone');
+  await page.keyboard.press('Enter');
+  await observer.page.waitForFunction(() => {
+    const said = Object.fromEntries(window.playhouse.bubbles);
+    return said.Bo === 'hello from a phone';
+  });
+  await page.locator('#chat li').filter({ hasText: 'hello from a phone' }).waitFor();
+  await page.screenshot({ path: join(results, 'people-phone.png') });
+  assert.deepEqual(errors, []);
 });

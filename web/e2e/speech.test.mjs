@@ -90,6 +90,15 @@ test('what a robot said goes with it, and the others go on speaking', async () =
   assert.deepEqual(await bubbles(), { host: kWelcome });
 });
 
+test('who comes later reads what was said before, also of who is gone', async () => {
+  const late = await watch(browser, program.page);
+  await late.page.locator('#chat li[data-who="guest"]').filter({ hasText: 'farewell' }).waitFor();
+  const lines = await late.page.locator('#chat li').allTextContents();
+  assert.deepEqual(lines.map((line) => line.replace(/^[\d:.]+/, '')), [`host${kWelcome}`, 'guestschön hier', 'guestfarewell']);
+  await late.page.screenshot({ path: join(results, 'speech-late.png') });
+  await late.page.close();
+});
+
 test('speech and flags can be hidden', async () => {
   await page.keyboard.press('b');
   await page.waitForFunction(() => window.playhouse.bubbles.length === 0 && window.playhouse.tokens.length === 0);

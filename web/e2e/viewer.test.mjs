@@ -65,7 +65,7 @@ after(async () => {
 
 test('the page shows the world, its robots and a running clock', async () => {
   assert.match(await by('world').textContent(), /cave/);
-  assert.equal(await by('link').getAttribute('data-state'), 'live');
+  await page.waitForFunction(() => document.querySelector('[data-testid=link]').dataset.state === 'live');
   const robots = await page.evaluate(() => window.playhouse.robots);
   assert.ok(robots.includes('amber') && robots.includes('guest'), robots.join());
   assert.match(await by('count').textContent(), new RegExp(`^${robots.length} robots`));
@@ -165,6 +165,34 @@ test('the name of a selected robot has room beside everything that is said of it
   await page.keyboard.press('Escape');
 });
 
+test('and in the list, beside its state and its address', async () => {
+  const cut = await page.evaluate(() => {
+    const entry = document.querySelector('[data-robot=guest]');
+    const [name, tag] = [entry.querySelector('.name'), entry.querySelector('.tag')];
+    const [was, hidden] = [name.textContent, tag.hidden];
+    [name.textContent, tag.hidden] = ['turquoise-12', false];
+    const [room, needs] = [name.clientWidth, name.scrollWidth];
+    const out = tag.getBoundingClientRect().right > entry.getBoundingClientRect().right;
+    [name.textContent, tag.hidden] = [was, hidden];
+    return { room, needs, out };
+  });
+  assert.ok(cut.room > 40 && cut.room >= cut.needs && !cut.out, JSON.stringify(cut));
+});
+
+test('from above north is up, although the file turns the view', async () => {
+  const axes = () => page.evaluate(() => [[0, 0], [0, 1], [1, 0]].map(([x, y]) => window.playhouse.pixelAt(x, y)));
+  const [from, ahead] = await axes();
+  assert.ok(Math.abs(ahead.x - from.x) > 5, 'the file turns it');
+  await by('tilt').click();
+  await page.waitForFunction(() => !window.playhouse.gliding);
+  const [middle, north, east] = await axes();
+  assert.ok(Math.abs(north.x - middle.x) < 0.1 && north.y < middle.y - 5, JSON.stringify([middle, north]));
+  assert.ok(Math.abs(east.y - middle.y) < 0.1 && east.x > middle.x + 5, JSON.stringify([middle, east]));
+  await page.screenshot({ path: join(results, 'top.png') });
+  await by('tilt').click();
+  await page.waitForFunction(() => !window.playhouse.gliding);
+});
+
 test('dragging a robot moves it in the world', async () => {
   await pause();
   await page.keyboard.press('f');
@@ -216,10 +244,32 @@ test('the search finds a robot and the help opens', async () => {
   await page.waitForFunction(() => document.querySelector('#panel').dataset.robot === 'azure');
   await by('search').fill('');
   await page.keyboard.press('Escape');
-  await page.keyboard.press('?');
-  assert.ok(await page.locator('#help').isVisible());
-  await page.keyboard.press('Escape');
-  assert.ok(!(await page.locator('#help').isVisible()));
+  const help = page.locator('#help');
+  for (let times = 0; times < 2; ++times) {
+    await page.keyboard.press('?');
+    assert.ok(await help.isVisible());
+    assert.equal(await help.evaluate((dialog) => dialog.scrollTop), 0, 'it opens at its top');
+    await help.evaluate((dialog) => (dialog.scrollTop = 1000));
+    await page.keyboard.press('Escape');
+    assert.ok(!(await help.isVisible()));
+  }
+});
+
+test('a page that does not draw says that it is too slow, and does not blame the program', async () => {
+  const slow = await browser.newPage();
+  await slow.addInitScript(() => {
+    const draw = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (frame) => (window.stands ? ((window.frame = frame), 0) : draw(frame));
+    window.goOn = () => ((window.stands = false), draw(window.frame));
+  });
+  await slow.goto(program.page);
+  await slow.waitForFunction(() => window.playhouse?.tick > 0);
+  await slow.evaluate(() => (window.stands = true));
+  await slow.locator('#lost').filter({ hasText: 'This page is too slow' }).waitFor();
+  assert.ok(await by('pause', slow).isEnabled(), 'the program hears it');
+  await slow.evaluate(() => window.goOn());
+  await slow.locator('#lost').waitFor({ state: 'hidden' });
+  await slow.close();
 });
 
 test('the page works on a phone', async () => {
@@ -294,8 +344,7 @@ test('the page says so when the program is gone, and comes back with it', async 
   assert.deepEqual(viewer.errors, []);
   const port = new URL(program.page).port;
   await program.stop();
-  await page.waitForFunction(() => !document.querySelector('#lost').hidden);
-  assert.match(await page.locator('#lost').textContent(), /Connection lost/);
+  await page.locator('#lost').filter({ hasText: 'Connection lost' }).waitFor();
   program = await startProgram('worlds/cave.world', [], port);
   await page.waitForFunction(() => document.querySelector('#lost').hidden && window.playhouse.tick > 0);
 });

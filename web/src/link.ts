@@ -1,8 +1,10 @@
 import type { Command } from './protocol/generated/commands';
 import { Replica } from './protocol/replica';
-import { parseText, withChanges, type Changes, type Driven, type History, type Joined, type People, type PhysicsShapes, type Scene, type WorldFile } from './protocol/scene';
+import { parseText, withChanges, type Changes, type Driven, type History, type Joined, type People, type PhysicsShapes, type SaidLine, type Scene, type WorldFile } from './protocol/scene';
+import { Watchdog } from './watchdog';
 
-export type LinkState = 'connecting' | 'live' | 'silent' | 'lost';
+/** 'slow': connected, but this page draws too slowly. */
+export type LinkState = 'connecting' | 'live' | 'slow' | 'silent' | 'lost';
 
 export interface LinkEvents {
   scene(scene: Scene, replica: Replica): void;
@@ -10,6 +12,8 @@ export interface LinkEvents {
   population(scene: Scene, replica: Replica): void;
   packet(): void;
   history(history: History): void;
+  /** What was said before this page came. */
+  said(lines: SaidLine[]): void;
   file(world: WorldFile): void;
   people(people: People): void;
   /** The viewer's own body was spawned. */
@@ -21,7 +25,7 @@ export interface LinkEvents {
   state(state: LinkState, why: string): void;
 }
 
-const kSilentMs = 4000; // the server sends at least one message per second
+const kLookMs = 500;
 const kRetryMs = [300, 600, 1200, 2500, 5000];
 
 /**
@@ -32,16 +36,17 @@ export class Link {
   private socket: WebSocket | null = null;
   private replica: Replica | null = null;
   private tries = 0;
-  private lastHeard = 0;
   private unacknowledged = 0;
   private current: LinkState = 'connecting';
+  private readonly watchdog = new Watchdog(performance.now());
 
   constructor(
     private readonly url: string,
     private readonly events: LinkEvents,
   ) {
     this.connect();
-    window.setInterval(() => this.listenForSilence(), 500);
+    window.setInterval(() => this.lookAround(), kLookMs);
+    document.addEventListener('visibilitychange', () => this.watchdog.rest(performance.now()));
   }
 
   send(command: Command): void {
@@ -53,6 +58,7 @@ export class Link {
     if (this.unacknowledged === 0) return;
     this.send({ do: 'ack', frame: this.unacknowledged });
     this.unacknowledged = 0;
+    this.watchdog.drew(performance.now());
   }
 
   private connect(): void {
@@ -65,7 +71,7 @@ export class Link {
 
   private receive(socket: WebSocket, data: string | ArrayBuffer): void {
     if (socket !== this.socket) return;
-    this.lastHeard = performance.now();
+    this.watchdog.heard(performance.now());
     try {
       if (typeof data === 'string') this.receiveText(data);
       else this.receivePacket(data);
@@ -79,6 +85,7 @@ export class Link {
     const message = parseText(text);
     if ('notice' in message) return this.events.notice(message.notice);
     if ('history' in message) return this.events.history(message.history);
+    if ('said' in message) return this.events.said(message.said);
     if ('world' in message) return this.events.file(message.world);
     if ('joined' in message) return this.events.joined(message);
     if ('driven' in message) return this.events.driven(message.driven);
@@ -88,6 +95,7 @@ export class Link {
     this.tries = 0;
     this.unacknowledged = 0;
     this.replica = new Replica(message.scene);
+    this.watchdog.rest(performance.now());
     this.events.scene(message.scene, this.replica);
     this.change('live');
   }
@@ -103,7 +111,8 @@ export class Link {
     if (!this.replica) throw new Error('a packet came before the scene');
     this.replica.apply(packet);
     this.unacknowledged = this.replica.frame;
-    this.change('live');
+    this.watchdog.owes(performance.now());
+    this.change(this.watchdog.verdict(performance.now()));
     this.events.packet();
   }
 
@@ -115,10 +124,13 @@ export class Link {
     window.setTimeout(() => this.connect(), wait);
   }
 
-  // A hidden page draws no frames, so it sends no acknowledgements and receives nothing: not a timeout.
-  private listenForSilence(): void {
-    if (document.hidden) this.lastHeard = performance.now();
-    if (this.current === 'live' && performance.now() - this.lastHeard > kSilentMs) this.change('silent');
+  // A hidden page draws no frames, so it sends no acknowledgements and receives nothing: nobody's fault.
+  private lookAround(): void {
+    const now = performance.now();
+    if (document.hidden) this.watchdog.rest(now);
+    this.watchdog.look(now);
+    const judges = this.current === 'live' || this.current === 'slow' || this.current === 'silent';
+    if (judges) this.change(this.watchdog.verdict(now));
   }
 
   private change(state: LinkState, why = ''): void {

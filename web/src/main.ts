@@ -13,7 +13,7 @@ import { Clock } from './ui/clock';
 import { DevicePanel } from './ui/device_panel';
 import { byId, download } from './ui/dom';
 import { DriveBar } from './ui/drive_bar';
-import { fillHelp } from './ui/help';
+import { fillHelp, openHelp } from './ui/help';
 import { listenForHeldKeys, listenForKeys } from './ui/keyboard';
 import { PeopleMenu } from './ui/people_menu';
 import { RobotList } from './ui/robot_list';
@@ -39,6 +39,7 @@ const kPhysicsMs = 1000; // minimum interval between requests of physics shapes
 const kLinkTexts: Record<LinkState, string> = {
   connecting: 'connecting',
   live: 'connected',
+  slow: 'This page is too slow: it draws what the program sends only seconds later.',
   silent: 'The program is silent. It may be busy or stopped in a debugger.',
   lost: 'Connection lost. Trying again … What you see is old.',
 };
@@ -81,6 +82,7 @@ class Page {
     population: (scene, replica) => this.showPopulation(scene, replica),
     packet: () => this.showPacket(),
     history: (history) => this.clock.follow(history),
+    said: (lines) => this.chat.recall(lines, this.scene!.interval),
     file: (world) => download(world.file, new Blob([world.text], { type: 'text/plain' })),
     people: (people) => this.showPeople(people),
     joined: (joined) => this.joined(joined),
@@ -115,7 +117,7 @@ class Page {
     fly: () => this.toggleFlight(),
     save: () => this.edit({ do: 'save' }),
     picture: () => void this.savePicture(),
-    help: () => this.help.showModal(),
+    help: () => openHelp(this.help),
   });
   private readonly clock = new Clock(byId('clock'), {
     rewind: (tick) => this.manage({ do: 'rewind', tick }),
@@ -246,16 +248,15 @@ class Page {
     const before = this.replica!;
     const now = (row: number) => replica.rows.get(before.scene.models[row].id) ?? null;
     const selected = this.view.selected;
-    const wheels = this.wheels;
     this.scene = scene;
     this.replica = replica;
     this.view.follow(scene, replica);
     this.pointer.follow(now);
     this.robots.show(scene, replica);
-    this.wheels = wheels === null ? null : now(wheels);
     if (this.enters) this.embody();
     else if (this.own !== null && !replica.rows.has(this.own.id)) this.own = null;
     this.showJoin();
+    this.showWheels();
     this.physicsOld = true;
     this.askPhysics();
     const came = replica.rows.get(scene.models.filter(({ id, parent }) => parent < 0 && !before.rows.has(id)).at(-1)?.id ?? -1);
@@ -288,11 +289,11 @@ class Page {
   }
 
   private showLink(state: LinkState, why = ''): void {
-    this.live = state === 'live';
+    this.live = state === 'live' || state === 'slow';
     document.body.dataset.link = state;
     if (!this.live) this.letGo();
     if (state === 'lost') this.driver.forget();
-    this.toolbar.showLink(state, kLinkTexts[state]);
+    this.toolbar.showLink(state, kLinkTexts[state], this.live);
     this.clock.showLink(this.live);
     const banner = byId('lost');
     banner.hidden = state === 'live' || state === 'connecting';
@@ -337,10 +338,19 @@ class Page {
     this.noticeTimer = window.setTimeout(() => (notice.hidden = true), kNoticeMs);
   }
 
-  /** Chooses the base that the controls drive: that of the selected robot, if this viewer may. */
+  /** Row of the own body; null: not joined, or not in the scene yet. */
+  private get ownRow(): number | null {
+    return this.own === null ? null : (this.replica?.rows.get(this.own.id) ?? null);
+  }
+
+  /**
+   * Chooses the base that the controls drive: that of the selected robot, if this viewer may;
+   * with nothing selected, the own body while its eyes are looked through.
+   */
   private showWheels(): void {
-    const { scene, view: { selected: row } } = this;
-    const may = this.rights.drives || (row !== null && this.own !== null && scene?.models[row].id === this.own.id);
+    const { scene, ownRow, view: { selected, seenBy } } = this;
+    const row = selected ?? (seenBy?.row === ownRow ? ownRow : null);
+    const may = this.rights.drives || (row !== null && row === ownRow);
     this.wheels = row === null || !scene || !may ? null : wheelsOf(scene, this.view.roots, row);
     this.driveBar.show(this.wheels === null ? null : scene!.models[this.wheels]);
     this.stick.show(this.wheels !== null);
@@ -389,8 +399,9 @@ class Page {
 
   /** A click on the view captures the mouse for looking around, until Esc. */
   private listenForLooks(picture: HTMLElement): void {
-    picture.addEventListener('click', () => {
-      if (this.view.seenBy || this.view.flight) void picture.requestPointerLock();
+    picture.addEventListener('click', (event) => {
+      const touch = event instanceof PointerEvent && event.pointerType === 'touch'; // dragging looks around
+      if (!touch && (this.view.seenBy || this.view.flight)) void picture.requestPointerLock();
     });
     document.addEventListener('pointermove', (event) => {
       const looks = this.view.flight ?? this.view.seenBy?.eyes;
@@ -410,12 +421,14 @@ class Page {
     const seer = cameraOf(this.scene!, this.view.roots, row) ?? row;
     this.view.seeThrough({ row: seer, eyes: new Eyes(motion.a[seer]) });
     this.toolbar.showFlies(false);
+    this.showWheels();
   }
 
   private leaveEyes(): void {
     if (document.pointerLockElement) document.exitPointerLock();
     this.view.seeThrough(null);
     this.toolbar.showFlies(false);
+    this.showWheels();
   }
 
   /** Toggles free flight of the camera. */
@@ -471,8 +484,8 @@ class Page {
 
   /** Enters the body once both it and its row are known, in whichever order they arrive. */
   private embody(): void {
-    const row = this.own === null ? undefined : this.replica?.rows.get(this.own.id);
-    if (row === undefined || !this.enters) return;
+    const row = this.ownRow;
+    if (row === null || !this.enters) return;
     this.enters = false;
     this.askPhysics();
     this.leaveEyes();
@@ -482,8 +495,8 @@ class Page {
 
   /** Predicted pose of the own body. */
   private leadOwn(now: number): { row: number; x: number; y: number; a: number } | null {
-    const row = this.own === null ? undefined : this.replica?.rows.get(this.own.id);
-    const place = row === undefined || !this.live ? null : this.own!.at(now);
+    const row = this.ownRow;
+    const place = row === null || !this.live ? null : this.own!.at(now);
     return place && { row: row!, ...place };
   }
 
@@ -615,7 +628,7 @@ class Page {
       Enter: () => this.chat.focus(),
       p: () => void this.savePicture(),
       '/': () => this.robots.focus(),
-      '?': () => this.help.showModal(),
+      '?': () => openHelp(this.help),
       c: () => this.copy(),
       Delete: () => this.remove(),
       Escape: () => (this.view.seenBy || this.view.flight ? this.leaveEyes() : this.select(null)),
@@ -659,13 +672,24 @@ function showBarHeight(): void {
 function margins(): Margins {
   const wide = window.innerWidth > 720;
   const panel = byId('panel');
+  const list = byId('robots').getBoundingClientRect();
   const gap = 24;
   return {
-    left: gap + (wide ? byId('robots').getBoundingClientRect().right : 0),
+    left: gap + list.right,
     right: gap + (wide && !panel.hidden ? window.innerWidth - panel.getBoundingClientRect().left : 0),
     top: gap + byId('bar').getBoundingClientRect().bottom + (wide ? 0 : 46), // the clock, on phones
-    bottom: gap + (wide ? 56 : panel.hidden ? 0 : panel.getBoundingClientRect().height),
+    bottom: gap + (wide ? 56 : list.width > 0 ? coveredBelow('stick', 'panel') : coveredBelow('panel')),
   };
+}
+
+/**
+ * Height from the lower edge to the top of the highest of these that is shown:
+ * the stick takes the place below an open list.
+ */
+function coveredBelow(...ids: string[]): number {
+  const shown = ids.map(byId).filter(({ offsetHeight }) => offsetHeight > 0);
+  const tops = shown.map((each) => each.getBoundingClientRect().top);
+  return window.innerHeight - Math.min(window.innerHeight, ...tops);
 }
 
 /** Replaces the page by an error if the browser lacks WebGL 2. */

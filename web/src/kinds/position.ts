@@ -13,14 +13,16 @@ function panel(wheels: Model, { replica, row, line, detail, codes }: PanelTools)
     return now ? text(now) : '–';
   };
   const state = () => replica().state[row(wheels.id)];
+  const walks = wheels.drive === 'walk';
+  const off = walks ? 'switched off' : 'motor off';
   return [
-    el('h3', {}, 'Wheels', ...codes(wheels), detail(() => (state() & kMotorOn ? '' : 'motor off'))),
+    el('h3', {}, walks ? 'Walking' : 'Wheels', ...codes(wheels), detail(() => (state() & kMotorOn ? '' : off))),
     el('table', {},
       line('speed', told(({ vx }) => `${vx.toFixed(3)} m/s`), 'speed-x'),
       line('sideways', told(({ vy }) => `${vy.toFixed(3)} m/s`), 'speed-y'),
       line('turn rate', told(({ va }) => `${(va * (180 / Math.PI)).toFixed(1)} °/s`), 'speed-a'),
       line('odometry', told(({ ox, oy, oa }) => `${ox.toFixed(2)}, ${metres(oy)}, ${degrees(oa)}`), 'odometry'),
-      line('stall', () => (state() & kStalled ? 'yes' : 'no'), 'stall'),
+      line(walks ? 'blocked' : 'stall', () => (state() & kStalled ? 'yes' : 'no'), 'stall'),
     ),
   ];
 }

@@ -114,6 +114,14 @@ export interface WorldFile {
   text: string;
 }
 
+/** A text that a model said at a tick; the model may be gone. */
+export interface SaidLine {
+  tick: number;
+  model: number; // id
+  name: string;
+  text: string;
+}
+
 /** A connected viewer; `body`: id of the model it has joined as. */
 export interface Person {
   viewer: number;
@@ -155,7 +163,7 @@ export interface Driven {
   tick: number;
 }
 
-type Message = { scene: Scene } | { people: People } | { changes: Changes } | { history: History } | { world: WorldFile } | Joined | { driven: Driven } | { physics: PhysicsShapes } | { notice: string };
+type Message = { scene: Scene } | { people: People } | { changes: Changes } | { history: History } | { said: SaidLine[] } | { world: WorldFile } | Joined | { driven: Driven } | { physics: PhysicsShapes } | { notice: string };
 
 /** Parses a text message: the scene, population changes, keyframes, a file, or a notice for the user. */
 export function parseText(text: string): Message {
@@ -163,6 +171,7 @@ export function parseText(text: string): Message {
   if (typeof message !== 'object' || message === null) throw new Error('not a message of this program');
   if ('notice' in message && typeof message.notice === 'string') return { notice: message.notice };
   if ('history' in message) return { history: historyOf(message.history as HistoryText) };
+  if ('said' in message) return { said: message.said as SaidLine[] };
   if ('world' in message) return { world: message.world as WorldFile };
   if ('joined' in message) return message as Joined;
   if ('driven' in message) return { driven: message.driven as Driven };

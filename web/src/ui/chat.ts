@@ -1,4 +1,5 @@
 import type { Replica } from '../protocol/replica';
+import type { SaidLine } from '../protocol/scene';
 import { kWave } from '../protocol/generated/commands';
 import { el } from './dom';
 import { clockText } from './texts';
@@ -11,10 +12,10 @@ interface Heard {
   line: HTMLElement;
 }
 
-/** Chat log since the page was opened: text, speaker and time; and an input field for viewers who have joined. */
+/** Chat log, with the last lines of before the page was opened: text, speaker and time; and an input field for viewers who have joined. */
 export class Chat {
   private readonly lines = el('ol', { 'data-testid': 'chat-lines', tabindex: '0' });
-  private readonly field = el('input', { type: 'text', autocomplete: 'off', maxlength: `${kTextMost}`, placeholder: 'Say something (Enter)', 'data-testid': 'say', 'aria-label': 'Say' });
+  private readonly field = el('input', { type: 'text', autocomplete: 'off', enterkeyhint: 'send', maxlength: `${kTextMost}`, placeholder: 'Say something (Enter)', 'data-testid': 'say', 'aria-label': 'Say' });
   private heard: Heard[] = [];
   private said = new Map<number, string>(); // current text, by model id
   private speaks = false;
@@ -61,6 +62,14 @@ export class Chat {
     this.said.clear();
     this.lines.replaceChildren();
     this.show();
+  }
+
+  /** Logs what was said before this page came. */
+  recall(lines: SaidLine[], interval: number): void {
+    for (const { tick, model, name, text } of lines) {
+      this.said.set(model, text);
+      this.add(tick, clockText(tick * interval), name, text);
+    }
   }
 
   /** Logs the changes of the models' texts. */

@@ -7,7 +7,7 @@ const kKeys: [string[], string][] = [
   [['Space'], 'pause or go on'],
   [['.'], 'one tick, then paused'],
   [['<', '>'], 'slower, faster'],
-  [['T'], 'from above or tilted'],
+  [['T'], 'from above, with north up, or tilted'],
   [['F'], 'everything on the screen'],
   [['L'], 'follow the selected robot'],
   [['V', 'M', 'R', 'N', 'B', 'G', 'X'], 'sensors, markers, trails, names, speech and flags, grid, physics shapes'],
@@ -31,6 +31,12 @@ const kHands: [string, string][] = [
   ['Double click', 'go there'],
   ['Slider beside the time', 'back to a moment of the last minutes, and on from there'],
 ];
+
+/** Opens it at its top: the browser scrolls to the button that it focuses. */
+export function openHelp(dialog: HTMLDialogElement): void {
+  dialog.showModal();
+  dialog.scrollTop = 0;
+}
 
 export function fillHelp(dialog: HTMLDialogElement): void {
   const close = el('button', { class: 'main', value: 'close' }, 'Close');

@@ -111,10 +111,10 @@ export class Toolbar {
     this.showTilted(false);
   }
 
-  showLink(state: LinkState, text: string): void {
+  showLink(state: LinkState, text: string, live: boolean): void {
     this.dot.dataset.state = state;
     this.dot.title = text;
-    this.live = state === 'live';
+    this.live = live;
     this.showAllowed();
   }
 

@@ -5,7 +5,7 @@ import {
 import { kKindPages, type KindPage } from '../kinds/kind_page';
 import type { Motion } from '../motion';
 import type { Replica } from '../protocol/replica';
-import type { Model, Pose, Scene, Solid } from '../protocol/scene';
+import { rootsOf, type Model, type Pose, type Scene, type Solid } from '../protocol/scene';
 import { bodyMatrix } from './frames';
 import { MeshBatch } from './meshes';
 import { isPerson } from './people';
@@ -20,11 +20,13 @@ interface Batch {
   rows: number[];
   origins: Pose[];
   file?: MeshBatch; // the glTF mesh, if there is one
+  awaits?: boolean; // the mesh is not loaded yet: of the body only outlines are drawn
   hidden?: boolean; // hidden: the mesh is drawn instead
   shade?: KindPage['shade'];
 }
 
 const kOutlineScale = 10; // pixels per metre
+const kNothing = new Matrix4().makeScale(0, 0, 0);
 
 /** Extruded bodies, except of people, smoke and solids drawn by kinds; heading marks of models that move or request one. */
 export class Bodies {
@@ -32,9 +34,11 @@ export class Bodies {
   private readonly batches: Batch[] = [];
   private readonly noses: Batch | null;
   private readonly shown: Uint32Array; // colours currently uploaded
+  private readonly roots: Int32Array;
   private readonly matrix = new Matrix4();
   private readonly color = new Color();
   private shine: Shine | null = null;
+  private unseen: number | null = null; // root of the models that are not drawn
 
   constructor(
     private readonly scene: Scene,
@@ -45,6 +49,7 @@ export class Bodies {
     private readonly changed: () => void,
   ) {
     this.shown = new Uint32Array(scene.models.length);
+    this.roots = rootsOf(scene);
     const alike = new Map<string, number[]>();
     scene.models.forEach((model, row) => {
       if (model.shape === undefined || model.smoke || isPerson(scene, row)) return;
@@ -71,11 +76,18 @@ export class Bodies {
     await Promise.all(this.batches.map(({ file }) => file?.ready));
   }
 
+  /** Hides a top-level model with all its parts; null: none. */
+  hide(root: number | null): void {
+    if (root === this.unseen) return;
+    this.unseen = root;
+    this.move();
+  }
+
   /** Updates the transforms of all bodies from the interpolated motion. */
   move(): void {
     for (const batch of this.batches) {
       batch.rows.forEach((row, k) => {
-        const matrix = bodyMatrix(this.motion, row, batch.origins[k], this.matrix);
+        const matrix = this.isUnseen(row) ? kNothing : bodyMatrix(this.motion, row, batch.origins[k], this.matrix);
         batch.mesh.setMatrixAt(k, matrix);
         batch.file?.place(k, matrix);
       });
@@ -84,14 +96,20 @@ export class Bodies {
     }
     if (!this.noses) return;
     const { mesh, rows } = this.noses;
-    rows.forEach((row, k) => mesh.setMatrixAt(k, this.noseMatrix(row)));
+    rows.forEach((row, k) => mesh.setMatrixAt(k, this.isUnseen(row) ? kNothing : this.noseMatrix(row)));
     mesh.instanceMatrix.needsUpdate = true;
+  }
+
+  private isUnseen(row: number): boolean {
+    return this.unseen !== null && this.roots[row] === this.unseen;
   }
 
   /** Hides outlines at scales where they would dominate. */
   adapt(pixelsPerMetre: number): void {
     const outlined = !this.shine && pixelsPerMetre >= kOutlineScale;
-    for (const { edges, hidden } of this.batches) if (edges) edges.visible = !hidden && outlined;
+    for (const { edges, hidden, awaits } of this.batches) {
+      if (edges) edges.visible = awaits || (!hidden && outlined);
+    }
   }
 
   /** Sets the lighting; null: flat shading with outlines, as on a map. */
@@ -168,11 +186,15 @@ export class Bodies {
     if (address !== undefined) this.addFile(batch, address);
   }
 
-  /** Draws the mesh instead of the extruded shape once it is loaded. */
+  /** Draws the mesh once it is loaded; until then the outlines of the extruded shape, if it fails all of it. */
   private addFile(batch: Batch, address: string): void {
-    batch.file = new MeshBatch(address, batch.rows.length, this.shine, () => {
-      batch.hidden = true;
-      batch.mesh.visible = batch.edges!.visible = false;
+    batch.awaits = true;
+    batch.mesh.visible = false;
+    batch.file = new MeshBatch(address, batch.rows.length, this.shine, (loaded) => {
+      batch.awaits = false;
+      batch.hidden = loaded;
+      batch.mesh.visible = !loaded;
+      batch.edges!.visible = false; // until adapt()
       this.move();
       this.changed();
     });

@@ -34,6 +34,24 @@ describe('CameraRig.fit', () => {
   });
 });
 
+describe('CameraRig.tilt', () => {
+  for (const yaw of [0.35, 3, 6.5, -2]) {
+    it(`shows what is from above with +y up and +x right, after a view turned by ${yaw}`, () => {
+      const rig = new CameraRig();
+      rig.resize(1280, 800);
+      Object.assign(rig, { pitch: 0.6, yaw, x: 2, y: 1 });
+      rig.tilt();
+      for (let k = 0; k < 100 && rig.update(0.1); ++k);
+      const [middle, north, east] = [rig.pixelOf(2, 1, 0)!, rig.pixelOf(2, 2, 0)!, rig.pixelOf(3, 1, 0)!];
+      expect([north.x - middle.x, north.y - middle.y]).toEqual([expect.closeTo(0, 6), expect.closeTo(-rig.scale, 6)]);
+      expect([east.x - middle.x, east.y - middle.y]).toEqual([expect.closeTo(rig.scale, 6), expect.closeTo(0, 6)]);
+      rig.tilt();
+      for (let k = 0; k < 100 && rig.update(0.1); ++k);
+      expect(rig.pitch).toBe(kTilted);
+    });
+  }
+});
+
 describe('CameraRig.showFrom', () => {
   const rig = new CameraRig();
   rig.resize(200, 100);

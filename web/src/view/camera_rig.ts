@@ -52,7 +52,7 @@ export class CameraRig {
   private readonly eyes = new PerspectiveCamera(kEyeFov);
   private readonly flat = new OrthographicCamera();
   private readonly deep = new PerspectiveCamera();
-  private glide: { pitch: number; x: number; y: number; scale: number } | null = null;
+  private glide: { pitch: number; yaw: number; x: number; y: number; scale: number } | null = null;
 
   get camera(): Camera {
     if (this.eye) return this.eyes;
@@ -75,10 +75,12 @@ export class CameraRig {
     if (glide) {
       const t = 1 - Math.exp(-9 * seconds);
       this.pitch += t * (glide.pitch - this.pitch);
+      this.yaw += t * (glide.yaw - this.yaw);
       this.x += t * (glide.x - this.x);
       this.y += t * (glide.y - this.y);
       this.scale *= (glide.scale / this.scale) ** t;
-      if (Math.abs(glide.pitch - this.pitch) < 2e-3 && Math.abs(glide.scale / this.scale - 1) < 2e-3) {
+      const turned = Math.max(Math.abs(glide.pitch - this.pitch), Math.abs(glide.yaw - this.yaw)) < 2e-3;
+      if (turned && Math.abs(glide.scale / this.scale - 1) < 2e-3) {
         Object.assign(this, glide);
         this.glide = null;
       }
@@ -87,9 +89,16 @@ export class CameraRig {
     return glide !== null;
   }
 
-  glideTo(to: { pitch?: number; x?: number; y?: number; scale?: number }): void {
-    const now = this.glide ?? { pitch: this.pitch, x: this.x, y: this.y, scale: this.scale };
+  glideTo(to: { pitch?: number; yaw?: number; x?: number; y?: number; scale?: number }): void {
+    const now = this.glide ?? { pitch: this.pitch, yaw: this.yaw, x: this.x, y: this.y, scale: this.scale };
     this.glide = { ...now, ...to };
+  }
+
+  /** Tilts the view, or shows it from above with north up: +y on the screen upwards, +x to the right. */
+  tilt(): void {
+    if (this.pitch <= 0.02) return this.glideTo({ pitch: kTilted });
+    this.yaw = Math.atan2(Math.sin(this.yaw), Math.cos(this.yaw)); // the shorter way round
+    this.glideTo({ pitch: 0, yaw: 0 });
   }
 
   /** Vertical view with this world point at the top left corner. Cancels an animated move. */
@@ -103,7 +112,7 @@ export class CameraRig {
   fit(box: Box, margins: Margins, mode: 'glide' | 'jump'): void {
     const trial = new CameraRig();
     trial.resize(this.width, this.height);
-    trial.yaw = this.yaw;
+    trial.yaw = this.glide?.yaw ?? this.yaw;
     trial.pitch = this.glide?.pitch ?? this.pitch;
     trial.x = (box.x_min + box.x_max) / 2;
     trial.y = (box.y_min + box.y_max) / 2;
@@ -130,7 +139,8 @@ export class CameraRig {
 
   /** Target point for which a floor point is at the centre of the view inside the margins. */
   centreFor(x: number, y: number, scale: number, margins: Margins): { x: number; y: number } {
-    const [s, c] = [Math.sin(this.yaw), Math.cos(this.yaw)];
+    const yaw = this.glide?.yaw ?? this.yaw;
+    const [s, c] = [Math.sin(yaw), Math.cos(yaw)];
     const right = (margins.right - margins.left) / 2 / scale;
     const ahead = (margins.top - margins.bottom) / 2 / scale / Math.cos(this.glide?.pitch ?? this.pitch);
     return { x: x + c * right - s * ahead, y: y + s * right + c * ahead };

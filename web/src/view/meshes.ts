@@ -52,20 +52,23 @@ export class MeshBatch {
   private surfaces: Surface[] = [];
   private isGone = false;
 
-  /** `shown` is called when the file is loaded. */
+  /** `done` is called when the file is loaded (true) or has failed. */
   constructor(
     address: string,
     private readonly count: number,
     private shine: Shine | null,
-    shown: () => void,
+    done: (loaded: boolean) => void,
   ) {
     this.ready = surfacesAt(address).then(
       (surfaces) => {
         if (this.isGone) return;
         this.add(surfaces);
-        shown();
+        done(true);
       },
-      (fault) => console.warn(`mesh ${address}: ${fault}`), // the extruded shape stays
+      (fault) => {
+        console.warn(`mesh ${address}: ${fault}`);
+        if (!this.isGone) done(false);
+      },
     );
   }
 

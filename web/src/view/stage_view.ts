@@ -10,7 +10,7 @@ import { rootsOf, type Light, type Scene } from '../protocol/scene';
 import { Areas, type Area } from './areas';
 import { Bodies } from './bodies';
 import { Bubbles } from './bubbles';
-import { CameraRig, kTilted, type Box, type Margins } from './camera_rig';
+import { CameraRig, type Box, type Margins } from './camera_rig';
 import { Daylight } from './daylight';
 import { Flight } from './flight';
 import { FloorMarks } from './floor_marks';
@@ -74,6 +74,13 @@ class Drawn {
     this.bubbles = new Bubbles(scene, replica, motion, rig, canvas, theme);
     this.ground = new Ground(extentOf(scene, motion), theme);
     this.group.add(this.ground.group, this.trails.object, this.bodies.group, this.people.group, this.smoke.group, ...this.drawings.map(({ object }) => object));
+  }
+
+  /** Leaves out the robot or person that this model belongs to, whose view it is; null: nobody. */
+  hide(row: number | null, roots: Int32Array): void {
+    const root = row === null ? null : roots[row];
+    this.bodies.hide(root);
+    this.people.hidden = row !== null && isPerson(this.scene, row) ? row : root;
   }
 
   /** Sets the lighting; null: map view. */
@@ -238,7 +245,7 @@ export class StageView {
   }
 
   tilt(): void {
-    this.rig.glideTo({ pitch: this.rig.pitch > 0.02 ? 0 : kTilted });
+    this.rig.tilt();
     this.dirty = true;
   }
 
@@ -271,7 +278,7 @@ export class StageView {
   /** Places the camera: at a person's eyes, at a camera's lens, or on top of a robot. */
   private placeEye(): void {
     const { seenBy, motion, drawn } = this;
-    if (drawn) drawn.people.hidden = seenBy?.row ?? null;
+    drawn?.hide(seenBy?.row ?? null, this.roots);
     if (!seenBy || !motion || !drawn) return;
     const { row, eyes } = seenBy;
     const { size, kind, origin, view } = drawn.scene.models[row];
