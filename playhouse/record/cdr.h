@@ -35,6 +35,11 @@ class CdrWriter {
     count(values.size());
     put_bytes(bytes_, std::as_bytes(values));
   }
+  /// An array of fixed length.
+  void numbers(std::span<const double> values) {
+    align(sizeof(double));
+    put_bytes(bytes_, std::as_bytes(values));
+  }
   void bytes(std::span<const std::byte> values) {
     count(values.size());
     put_bytes(bytes_, values);

@@ -45,8 +45,8 @@ std::string file_of(const std::string& topic) {
 
 /// True if the four fields from here are a quaternion.
 bool is_turn(const std::vector<std::string>& fields, std::size_t first) {
-  constexpr std::string_view kX = "rotation.x";
-  if (!fields[first].ends_with(kX)) return false;
+  const bool is_first = fields[first].ends_with("rotation.x") || fields[first].ends_with("orientation.x");
+  if (!is_first) return false;
   const std::string path = fields[first].substr(0, fields[first].size() - 1);
   return fields[first + 1] == path + "y" && fields[first + 2] == path + "z" &&
          fields[first + 3] == path + "w";
@@ -193,7 +193,7 @@ class Export {
     const bool is_known = schema != reader.schemas().end() && schema->second.encoding == kSchemaEncoding &&
                           channel.encoding == kMessageEncoding;
     if (!is_known) return leave_out(channel, "its messages are not those of ROS 2");
-    for (const char* const bytes : {kState, kEdit, kImage})
+    for (const char* const bytes : {kState, kEdit, kImage, kPointCloud})
       if (schema->second.name == bytes) return nullptr;
     Result<MessageType> type = MessageType::parse(schema->second.text);
     if (!type) return leave_out(channel, type.error().text);

@@ -24,6 +24,10 @@ const std::string kTime = kRule + "MSG: builtin_interfaces/Time\nint32 sec\nuint
 const std::string kHeader =
     kRule + "MSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n" + kTime;
 
+const std::string kVector = kRule + "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z\n";
+const std::string kQuaternion =
+    kRule + "MSG: geometry_msgs/Quaternion\nfloat64 x\nfloat64 y\nfloat64 z\nfloat64 w\n";
+
 const std::map<std::string, std::string>& fixed_schemas() {
   static const std::map<std::string, std::string> kTexts{
       {kTransforms, "geometry_msgs/TransformStamped[] transforms\n" + kRule +
@@ -32,9 +36,55 @@ const std::map<std::string, std::string>& fixed_schemas() {
                         kRule +
                         "MSG: geometry_msgs/Transform\ngeometry_msgs/Vector3 translation\n"
                         "geometry_msgs/Quaternion rotation\n" +
-                        kRule + "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z\n" + kRule +
-                        "MSG: geometry_msgs/Quaternion\nfloat64 x\nfloat64 y\nfloat64 z\nfloat64 w\n" +
-                        kHeader},
+                        kVector + kQuaternion + kHeader},
+      {kOdometry,
+       "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\n"
+       "geometry_msgs/TwistWithCovariance twist\n" +
+           kRule +
+           "MSG: geometry_msgs/PoseWithCovariance\ngeometry_msgs/Pose pose\n"
+           "float64[36] covariance\n" +
+           kRule +
+           "MSG: geometry_msgs/Pose\ngeometry_msgs/Point position\n"
+           "geometry_msgs/Quaternion orientation\n" +
+           kRule + "MSG: geometry_msgs/Point\nfloat64 x\nfloat64 y\nfloat64 z\n" + kRule +
+           "MSG: geometry_msgs/TwistWithCovariance\ngeometry_msgs/Twist twist\n"
+           "float64[36] covariance\n" +
+           kRule +
+           "MSG: geometry_msgs/Twist\ngeometry_msgs/Vector3 linear\n"
+           "geometry_msgs/Vector3 angular\n" +
+           kVector + kQuaternion + kHeader},
+      {kImu,
+       "std_msgs/Header header\ngeometry_msgs/Quaternion orientation\n"
+       "float64[9] orientation_covariance\n"
+       "geometry_msgs/Vector3 angular_velocity\nfloat64[9] angular_velocity_covariance\n"
+       "geometry_msgs/Vector3 linear_acceleration\nfloat64[9] linear_acceleration_covariance\n" +
+           kVector + kQuaternion + kHeader},
+      {kFix,
+       "std_msgs/Header header\nsensor_msgs/NavSatStatus status\nfloat64 latitude\nfloat64 longitude\n"
+       "float64 altitude\nfloat64[9] position_covariance\nuint8 COVARIANCE_TYPE_UNKNOWN=0\n"
+       "uint8 COVARIANCE_TYPE_APPROXIMATED=1\nuint8 COVARIANCE_TYPE_DIAGONAL_KNOWN=2\n"
+       "uint8 COVARIANCE_TYPE_KNOWN=3\nuint8 position_covariance_type\n" +
+           kRule +
+           "MSG: sensor_msgs/NavSatStatus\nint8 STATUS_NO_FIX=-1\nint8 STATUS_FIX=0\n"
+           "int8 STATUS_SBAS_FIX=1\nint8 STATUS_GBAS_FIX=2\nint8 status\nuint16 SERVICE_GPS=1\n"
+           "uint16 SERVICE_GLONASS=2\nuint16 SERVICE_COMPASS=4\nuint16 SERVICE_GALILEO=8\nuint16 service\n" +
+           kHeader},
+      {kCameraInfo,
+       "std_msgs/Header header\nuint32 height\nuint32 width\nstring distortion_model\nfloat64[] d\n"
+       "float64[9] k\nfloat64[9] r\nfloat64[12] p\nuint32 binning_x\nuint32 binning_y\n"
+       "sensor_msgs/RegionOfInterest roi\n" +
+           kRule +
+           "MSG: sensor_msgs/RegionOfInterest\nuint32 x_offset\nuint32 y_offset\nuint32 height\n"
+           "uint32 width\nbool do_rectify\n" +
+           kHeader},
+      {kPointCloud,
+       "std_msgs/Header header\nuint32 height\nuint32 width\nsensor_msgs/PointField[] fields\n"
+       "bool is_bigendian\nuint32 point_step\nuint32 row_step\nuint8[] data\nbool is_dense\n" +
+           kRule +
+           "MSG: sensor_msgs/PointField\nuint8 INT8=1\nuint8 UINT8=2\nuint8 INT16=3\nuint8 UINT16=4\n"
+           "uint8 INT32=5\nuint8 UINT32=6\nuint8 FLOAT32=7\nuint8 FLOAT64=8\n"
+           "string name\nuint32 offset\nuint8 datatype\nuint32 count\n" +
+           kHeader},
       {kLaserScan,
        "std_msgs/Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32 angle_increment\n"
        "float32 time_increment\nfloat32 scan_time\nfloat32 range_min\nfloat32 range_max\n"
@@ -47,6 +97,7 @@ const std::map<std::string, std::string>& fixed_schemas() {
       {kRanges, "builtin_interfaces/Time stamp\nfloat32[] ranges  # m\nfloat32[] intensities\n" + kTime},
       {kWorldChange,
        "builtin_interfaces/Time stamp\nstring change\nstring model\nuint32 id\nstring other\n" + kTime},
+      {kSpeech, "builtin_interfaces/Time stamp\nstring model\nuint32 id\nstring text\n" + kTime},
       {kState, "uint64 tick\nuint8[] state\n"},
       {kEdit, "uint64 tick\nuint64 before\nuint8[] difference\n"},
       {kCheck, "uint64 tick\nuint64 hash\nuint64 sensed_hash\n"},
@@ -224,6 +275,19 @@ void put_header(CdrWriter& out, std::uint64_t ns, const std::string& frame) {
   out.text(frame);
 }
 
+/// REP 117: a range at one of its limits is none, but an infinity.
+std::vector<float> with_infinity(std::span<const float> ranges, const scene::RangerSensorDesc& sensor) {
+  constexpr float kNone = std::numeric_limits<float>::infinity();
+  const auto least = static_cast<float>(sensor.range_min), most = static_cast<float>(sensor.range_max);
+  std::vector<float> seen(ranges.begin(), ranges.end());
+  for (float& range : seen)
+    if (range >= most)
+      range = kNone;
+    else if (range <= least && least > 0)
+      range = -kNone;
+  return seen;
+}
+
 }  // namespace
 
 std::string schema_text(const std::string& name) {
@@ -262,12 +326,10 @@ Bytes transforms_message(std::uint64_t ns, std::span<const Transform> transforms
   return out.message();
 }
 
-/// REP 117: a beam without a return has no range_max, but +infinity.
-std::vector<float> with_infinity(std::span<const float> ranges, double range_max) {
-  std::vector<float> seen(ranges.begin(), ranges.end());
-  for (float& range : seen)
-    if (range >= static_cast<float>(range_max)) range = std::numeric_limits<float>::infinity();
-  return seen;
+bool repeats_first_beam(const scene::RangerSensorDesc& sensor) {
+  if (sensor.samples <= 1) return false;
+  const double step = sensor.fov / (sensor.samples - 1);
+  return 2 * geom::kPi - sensor.fov < step * kNearlyAStep;
 }
 
 Bytes scan_message(std::uint64_t ns, const std::string& frame, const world::World& world,
@@ -277,17 +339,15 @@ Bytes scan_message(std::uint64_t ns, const std::string& frame, const world::Worl
   const scene::RangerSensorDesc& desc = world.desc(model).sensors[nth];
   const double step = desc.samples > 1 ? desc.fov / (desc.samples - 1) : 0;
   const std::size_t first = world.sensors.first_beam[sensor.index];
-  // Of a full circle the last beam is the first one again, which consumers of LaserScan do not expect.
-  const bool is_circle = desc.samples > 1 && 2 * geom::kPi - desc.fov < step * kNearlyAStep;
+  const bool is_circle = repeats_first_beam(desc);
   const std::size_t count = world.sensors.beam_count[sensor.index] - (is_circle ? 1 : 0);
   const double angle_max = desc.fov / 2 - (is_circle ? step : 0);
-  const double scan_time =
-      static_cast<double>(world::update_ticks(world, model)) * world.scene().interval;
+  const double scan_time = static_cast<double>(world::update_ticks(world, model)) * world.scene().interval;
   CdrWriter out;
   put_header(out, ns, frame);
   for (const double number : {-desc.fov / 2, angle_max, step, 0.0, scan_time, desc.range_min, desc.range_max})
     out.number(static_cast<float>(number));
-  out.floats(with_infinity(std::span(world.sensors.ranges).subspan(first, count), desc.range_max));
+  out.floats(with_infinity(std::span(world.sensors.ranges).subspan(first, count), desc));
   out.floats(std::span(world.sensors.intensities).subspan(first, count));
   return out.message();
 }
@@ -312,9 +372,16 @@ Bytes image_message(std::uint64_t ns, const std::string& frame, const world::Wor
 
 Bytes ranges_message(std::uint64_t ns, const world::World& world, world::ModelRow model) {
   const world::Range beams = world::range_of<world::Sensors>(world, model.index, world::Per::kBeam);
+  std::vector<float> ranges;
+  for (const scene::RangerSensorDesc& sensor : world.desc(model).sensors) {
+    const std::size_t first = beams.begin + ranges.size();
+    const std::vector<float> seen = with_infinity(
+        std::span(world.sensors.ranges).subspan(first, static_cast<std::size_t>(sensor.samples)), sensor);
+    ranges.insert(ranges.end(), seen.begin(), seen.end());
+  }
   CdrWriter out;
   out.time(ns);
-  out.floats(std::span(world.sensors.ranges).subspan(beams.begin, beams.end - beams.begin));
+  out.floats(ranges);
   out.floats(std::span(world.sensors.intensities).subspan(beams.begin, beams.end - beams.begin));
   return out.message();
 }

@@ -23,8 +23,14 @@ inline constexpr const char* kMessageEncoding = "cdr";
 inline constexpr const char* kTransforms = "tf2_msgs/msg/TFMessage";
 inline constexpr const char* kLaserScan = "sensor_msgs/msg/LaserScan";
 inline constexpr const char* kImage = "sensor_msgs/msg/Image";
+inline constexpr const char* kCameraInfo = "sensor_msgs/msg/CameraInfo";
+inline constexpr const char* kPointCloud = "sensor_msgs/msg/PointCloud2";
+inline constexpr const char* kImu = "sensor_msgs/msg/Imu";
+inline constexpr const char* kFix = "sensor_msgs/msg/NavSatFix";
+inline constexpr const char* kOdometry = "nav_msgs/msg/Odometry";
 inline constexpr const char* kRanges = "playhouse/msg/Ranges";
 inline constexpr const char* kWorldChange = "playhouse/msg/Change";
+inline constexpr const char* kSpeech = "playhouse/msg/Speech";
 inline constexpr const char* kState = "playhouse/msg/State";
 inline constexpr const char* kEdit = "playhouse/msg/Edit";
 inline constexpr const char* kCheck = "playhouse/msg/Check";
@@ -40,14 +46,16 @@ struct Transform {
 };
 Bytes transforms_message(std::uint64_t ns, std::span<const Transform> transforms);
 
-/// The latest measurement of one sensor, as REP 117 has it: +infinity where nothing returned. Of a full circle without
-/// the last beam, which is the first one again. `model` is its ranger.
+/// True of a scanner whose last beam points where its first one does, which consumers of ROS do not expect.
+bool repeats_first_beam(const scene::RangerSensorDesc& sensor);
+/// The latest measurement of one sensor, as REP 117 has it: +infinity where nothing returned,
+/// -infinity where what did is too near. Of a full circle without the last beam. `model` is its ranger.
 Bytes scan_message(std::uint64_t ns, const std::string& frame, const world::World& world,
                    world::ModelRow model, world::SensorRow sensor);
-/// The latest measurements of all sensors of a ranger.
+/// The latest measurements of all sensors of a ranger, with infinities as in scans.
 Bytes ranges_message(std::uint64_t ns, const world::World& world, world::ModelRow model);
 
-/// The latest image of a camera.
+/// The latest image of a camera. Depths are in millimetres, 0: no depth (REP 118).
 Bytes image_message(std::uint64_t ns, const std::string& frame, const world::World& world,
                     world::ModelRow model);
 

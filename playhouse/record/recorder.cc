@@ -8,6 +8,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/record/sensor_messages.h"
 #include "playhouse/record/whole_state.h"
 #include "playhouse/replicate/views.h"
 #include "playhouse/world/periods.h"
@@ -40,7 +41,8 @@ const char* word_of(world::Change::Kind kind) {
   return "";
 }
 
-/// One level of a topic as ROS 2 accepts it: letters and digits, one _ for others between them, no digit first.
+/// One level of a topic as ROS 2 accepts it: letters and digits, one _ for others between them, no digit
+/// first.
 std::string as_level(std::string_view name) {
   std::string level;
   for (const char letter : name) {
@@ -63,13 +65,6 @@ std::string as_topic(std::string_view name) {
     begin = end + 1;
   }
   return topic;
-}
-
-/// Pose of a model or sensor in another model's frame.
-geom::SpatialPose pose_in(const world::World& world, world::ModelRow parent, const geom::SpatialPose& X_WF) {
-  if (!parent) return X_WF;
-  // Parts of a robot share its tilt: tilts are those of the whole tree.
-  return {geom::compose(geom::inverse(world.models.X_WM[parent.index]), X_WF.X), X_WF.tilt};
 }
 
 }  // namespace
@@ -96,6 +91,7 @@ Result<void> Recorder::begin(const world::World& world, const scene::SourceFiles
   if (runs_again_) channel_of(kEditsTopic, kEdit);
   record_state(world);
   record_poses(world, true);
+  record_speech(world);
   record_check(world);
   hand_over();
   return {};
@@ -144,7 +140,8 @@ void Recorder::hand_over() {
 
 // --- population
 
-/// Models whose names differ in characters that topics lack get a number each: one topic, and frame, for one model.
+/// Models whose names differ in characters that topics lack get a number each: one topic, and frame, for one
+/// model.
 std::string Recorder::label(const world::World& world, world::ModelRow model) {
   const auto name_of = [&world](world::ModelRow row) {
     std::string name = world.name(row);
@@ -187,7 +184,7 @@ void Recorder::add_model(const world::World& world, world::ModelRow model) {
   const scene::ModelKind kind = models.kind[model.index];
   const world::ModelId id = world.id(model);
   if (models.root[model.index] == model.index && models.mobility[model.index] != world::Mobility::kFixed)
-    frames_.push_back({.model = id, .parent = {}, .sensor = 0, .is_sensor = false, .last = {}});
+    frames_.push_back({.model = id, .parent = {}, .kind = FrameKind::kModel, .sensor = 0, .last = {}});
   bool recorded = false;
   for (const TableMessages& table : table_messages()) {
     if (!table.has(world, model) || !selection_.has(world, model, table.topic)) continue;
@@ -198,44 +195,82 @@ void Recorder::add_model(const world::World& world, world::ModelRow model) {
     entry.topic = "/" + label(world, model) + "/" + table.topic;
     recorded_.push_back(std::move(entry));
   }
-  if (kind == scene::ModelKind::kRanger && selection_.has(world, model, "ranger")) {
+  if (selection_.has(world, model, replicate::kind_name(kind))) {
     recorded = true;
-    add_ranger(world, model);
-  }
-  if (kind == scene::ModelKind::kCamera && selection_.has(world, model, "camera")) {
-    Recorded entry;
-    entry.model = id;
-    entry.images = true;
-    entry.frame = label(world, world::ModelRow{models.root[model.index]});
-    entry.topic = "/" + label(world, model) + "/image";
-    recorded_.push_back(std::move(entry));
+    add_standard(world, model);
   }
   if (recorded && replicate::may_be_watched(kind)) measuring_.push_back(id);
 }
 
+/// What ROS has messages of its own for.
+void Recorder::add_standard(const world::World& world, world::ModelRow model) {
+  const world::Models& models = world.models;
+  const bool is_root = models.root[model.index] == model.index;
+  const bool has_frame = is_root && models.mobility[model.index] != world::Mobility::kFixed;
+  switch (models.kind[model.index]) {
+    case scene::ModelKind::kRanger:
+      return add_ranger(world, model);
+    case scene::ModelKind::kCamera:
+      add_channel(world, model, Told::kImage, FrameKind::kLens, "/image");
+      add_channel(world, model, Told::kCameraInfo, FrameKind::kLens, "/camera_info");
+      return add_frame(world, model, FrameKind::kLens);
+    case scene::ModelKind::kImu:
+      add_channel(world, model, Told::kImu, FrameKind::kBody, "/data");
+      if (!has_frame) add_frame(world, model, FrameKind::kBody);
+      return;
+    case scene::ModelKind::kGps:
+      add_channel(world, model, Told::kFix, FrameKind::kBody, "/fix");
+      if (!has_frame) add_frame(world, model, FrameKind::kBody);
+      return;
+    case scene::ModelKind::kPosition:
+      if (!has_frame) return;
+      labels_.insert_or_assign(frame_name(label(world, model), FrameKind::kOdometry), world.id(model));
+      add_channel(world, model, Told::kOdometry, FrameKind::kOdometry, "/odom");
+      return add_frame(world, model, FrameKind::kOdometry);
+    default:
+      return;
+  }
+}
+
 void Recorder::add_ranger(const world::World& world, world::ModelRow model) {
-  const std::uint32_t ranger = world.models.part[model.index];
-  const std::uint32_t count = world.rangers.sensor_count[ranger], first = world.rangers.first_sensor[ranger];
+  const std::vector<scene::RangerSensorDesc>& sensors = world.desc(model).sensors;
+  const bool scans =
+      std::ranges::any_of(sensors, [](const scene::RangerSensorDesc& sensor) { return sensor.samples > 1; });
+  for (std::uint32_t i = 0; i < sensors.size(); ++i) {
+    const std::string number = sensors.size() == 1 ? "" : "_" + std::to_string(i);
+    const bool has_rings = sensors[i].rings > 1;
+    if (scans) add_channel(world, model, Told::kScan, FrameKind::kRangerSensor, "/scan" + number, i);
+    if (has_rings) add_channel(world, model, Told::kCloud, FrameKind::kRangerSensor, "/points" + number, i);
+    if (scans || has_rings) add_frame(world, model, FrameKind::kRangerSensor, i);
+  }
+  if (!scans && !sensors.empty())
+    add_channel(world, model, Told::kRanges, FrameKind::kRangerSensor, "/ranges");
+}
+
+void Recorder::add_channel(const world::World& world, world::ModelRow model, Told told, FrameKind frame,
+                           const std::string& topic, std::uint32_t sensor) {
   const std::string name = label(world, model);
+  Recorded entry;
+  entry.model = world.id(model);
+  entry.told = told;
+  entry.sensor = sensor;
+  entry.model_frame = name;
+  entry.frame = frame_name(name, frame, sensor);
+  entry.topic = "/" + name + topic;
+  recorded_.push_back(std::move(entry));
+}
+
+/// Frames of a robot's sensors are in that of the robot; of what stands, and of odometry, in the world.
+void Recorder::add_frame(const world::World& world, world::ModelRow model, FrameKind kind,
+                         std::uint32_t sensor) {
   const world::ModelRow top{world.models.root[model.index]};
   const bool is_fixed = world.models.mobility[top.index] == world::Mobility::kFixed;
-  bool scans = false;
-  for (std::uint32_t i = 0; i < count; ++i) scans = scans || world.sensors.beam_count[first + i] > 1;
-  for (std::uint32_t i = 0; i < (scans ? count : std::min(count, 1u)); ++i) {
-    Recorded entry;
-    entry.model = world.id(model);
-    entry.sensor = i;
-    entry.scans = scans;
-    entry.frame = name + "/" + std::to_string(i);
-    entry.topic = "/" + name + (!scans ? "/ranges" : count == 1 ? "/scan" : "/scan_" + std::to_string(i));
-    recorded_.push_back(std::move(entry));
-    if (scans)
-      frames_.push_back({.model = world.id(model),
-                         .parent = is_fixed ? world::ModelId{} : world.id(top),
-                         .sensor = i,
-                         .is_sensor = true,
-                         .last = {}});
-  }
+  const bool in_world = is_fixed || kind == FrameKind::kOdometry;
+  frames_.push_back({.model = world.id(model),
+                     .parent = in_world ? world::ModelId{} : world.id(top),
+                     .kind = kind,
+                     .sensor = sensor,
+                     .last = {}});
 }
 
 void Recorder::watch_all(world::World& world) {
@@ -282,6 +317,7 @@ void Recorder::after_changes(const world::World& world) {
     }
   }
   look_around(world);
+  record_speech(world);
   hand_over();
 }
 
@@ -291,6 +327,7 @@ void Recorder::ticked(const world::World& world) {
   const bool is_second = world.tick() % second_ == 0;
   record_poses(world, is_second);
   record_models(world);
+  record_speech(world);
   if (is_second) record_check(world);
   if (steps_ - last_state_ >= state_ticks_) record_state(world);
   hand_over();
@@ -320,24 +357,20 @@ void Recorder::record_state(const world::World& world) {
   put_message(world, "/playhouse/states", kState, message.message());
 }
 
-/// What moves after a standstill, or jumps, is recorded at the tick before as well: readers interpolate between
-/// two transforms, and would have it creep all the while.
+/// What moves after a standstill, or jumps, is recorded at the tick before as well: readers interpolate
+/// between two transforms, and would have it creep all the while.
 void Recorder::record_poses(const world::World& world, bool all) {
   std::vector<Transform> changed, stood;
   for (Framed& frame : frames_) {
     const world::ModelRow row = world.row(frame.model), parent = world.row(frame.parent);
-    geom::SpatialPose X_WF = world::pose_in_world(world.models, row);
-    if (frame.is_sensor) {
-      const scene::ModelDesc& desc = world.desc(row);
-      X_WF.X = geom::compose(geom::compose(X_WF.X, desc.X_MB), desc.sensors[frame.sensor].X_BS);
-    }
-    geom::SpatialPose X = pose_in(world, parent, X_WF);
+    geom::SpatialPose X = frame_in_world(world, row, frame.kind, frame.sensor);
+    if (parent) X = pose_in(world::pose_in_world(world.models, parent), X);
     const bool is_known = !frame.last.child.empty();
     if (!all && X == frame.last.X && is_known) continue;
     if (is_known && !(X == frame.last.X) && steps_ > frame.step + 1) stood.push_back(frame.last);
     frame.step = steps_;
     if (frame.last.child.empty()) {
-      frame.last.child = label(world, row) + (frame.is_sensor ? "/" + std::to_string(frame.sensor) : "");
+      frame.last.child = frame_name(label(world, row), frame.kind, frame.sensor);
       frame.last.parent = parent ? label(world, parent) : kWorldFrame;
     }
     frame.last.X = X;
@@ -347,33 +380,114 @@ void Recorder::record_poses(const world::World& world, bool all) {
   if (!changed.empty()) put_message(world, "/tf", kTransforms, transforms_message(ns(), changed));
 }
 
-/// Sensors: a message per measurement; others: on change.
+/// Sensors: a message per measurement; odometry: at the robot's interval; others: on change.
 void Recorder::record_models(const world::World& world) {
   for (Recorded& each : recorded_) {
     const world::ModelRow row = world.row(each.model);
-    if (each.images) {
-      if (world.cameras.measured_tick[world.models.part[row.index]] == world.tick())
-        put_message(world, each.topic, kImage, image_message(ns(), each.frame, world, row));
-      continue;
-    }
-    if (each.table == nullptr) {
-      const std::uint32_t ranger = world.models.part[row.index];
-      if (world.rangers.measured_tick[ranger] != world.tick()) continue;
-      if (!each.scans) {
-        put_message(world, each.topic, kRanges, ranges_message(ns(), world, row));
-        continue;
-      }
-      const world::SensorRow sensor{world.rangers.first_sensor[ranger] + each.sensor};
-      put_message(world, each.topic, kLaserScan, scan_message(ns(), each.frame, world, row, sensor));
-      continue;
-    }
-    if (each.table->measures && !each.table->is_fresh(world, row)) continue;
-    Bytes message = each.table->message(ns(), world, row);
+    if (!is_due(world, row, each)) continue;
+    const Bytes message = message_of(world, row, each);
+    if (message.empty()) continue;
     constexpr std::size_t kTimeEnd = 12;  // after header and time
-    if (!each.table->measures && std::ranges::equal(std::span(message).subspan(kTimeEnd), each.last))
-      continue;
-    put_message(world, each.topic, each.table->schema, message);
-    each.last.assign(message.begin() + kTimeEnd, message.end());
+    const bool on_change = each.told == Told::kTable && !each.table->measures;
+    if (on_change && std::ranges::equal(std::span(message).subspan(kTimeEnd), each.last)) continue;
+    put_message(world, each.topic, schema_of(each), message);
+    if (on_change) each.last.assign(message.begin() + kTimeEnd, message.end());
+  }
+}
+
+bool Recorder::is_due(const world::World& world, world::ModelRow model, const Recorded& channel) {
+  const std::uint32_t part = world.models.part[model.index];
+  switch (channel.told) {
+    case Told::kTable:
+      return !channel.table->measures || channel.table->is_fresh(world, model);
+    case Told::kRanges:
+    case Told::kScan:
+    case Told::kCloud:
+      return world.rangers.measured_tick[part] == world.tick();
+    case Told::kImage:
+    case Told::kCameraInfo:
+      return world.cameras.measured_tick[part] == world.tick();
+    case Told::kImu:
+      return world.imus.measured_tick[part] == world.tick();
+    case Told::kFix:
+      return world.receivers.measured_tick[part] == world.tick();
+    case Told::kOdometry:
+      return world.tick() % world::update_ticks(world, model) == 0;
+  }
+  return false;
+}
+
+const char* Recorder::schema_of(const Recorded& channel) {
+  switch (channel.told) {
+    case Told::kTable:
+      return channel.table->schema.c_str();
+    case Told::kRanges:
+      return kRanges;
+    case Told::kScan:
+      return kLaserScan;
+    case Told::kCloud:
+      return kPointCloud;
+    case Told::kImage:
+      return kImage;
+    case Told::kCameraInfo:
+      return kCameraInfo;
+    case Told::kImu:
+      return kImu;
+    case Told::kFix:
+      return kFix;
+    case Told::kOdometry:
+      return kOdometry;
+  }
+  return "";
+}
+
+Bytes Recorder::message_of(const world::World& world, world::ModelRow model, const Recorded& channel) const {
+  const std::string& frame = channel.frame;
+  switch (channel.told) {
+    case Told::kTable:
+      return channel.table->message(ns(), world, model);
+    case Told::kRanges:
+      return ranges_message(ns(), world, model);
+    case Told::kScan: {
+      const std::uint32_t ranger = world.models.part[model.index];
+      const world::SensorRow sensor{world.rangers.first_sensor[ranger] + channel.sensor};
+      return scan_message(ns(), frame, world, model, sensor);
+    }
+    case Told::kCloud:
+      return cloud_message(ns(), frame, world, model, channel.sensor);
+    case Told::kImage:
+      return image_message(ns(), frame, world, model);
+    case Told::kCameraInfo:
+      return camera_info_message(ns(), frame, world, model);
+    case Told::kImu:
+      return imu_message(ns(), frame, world, model);
+    case Told::kFix:
+      return fix_message(ns(), frame, world, model);
+    case Told::kOdometry:
+      return odometry_message(ns(), frame, channel.model_frame, world, model);
+  }
+  return {};
+}
+
+/// A message for each model that says something else than before, without a text if it is silent now.
+void Recorder::record_speech(const world::World& world) {
+  if (said_ == world.said() && speakers_ == world.population()) return;
+  said_ = world.said();
+  speakers_ = world.population();
+  std::erase_if(spoken_, [&](const auto& each) { return !world.row(each.first); });
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    const std::string& text = world.models.say[row];
+    const world::ModelId id = world.models.id[row];
+    const auto before = spoken_.find(id);
+    if (before == spoken_.end() ? text.empty() : before->second == text) continue;
+    spoken_[id] = text;
+    if (!selection_.has(world, {row}, kSpeechWord)) continue;
+    CdrWriter message;
+    message.time(ns());
+    message.text(label(world, {row}));
+    message.number(id.value);
+    message.text(text);
+    put_message(world, "/playhouse/speech", kSpeech, message.message());
   }
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/record/frames.h"
 #include "playhouse/record/messages.h"
 #include "playhouse/record/record_thread.h"
 #include "playhouse/record/selection.h"
@@ -44,31 +45,51 @@ class Recorder final : public world::RunListener {
   void ticked(const world::World& world) override;
 
  private:
+  /// What a channel tells of its model.
+  enum class Told : std::uint8_t {
+    kTable,
+    kRanges,
+    kScan,
+    kCloud,
+    kImage,
+    kCameraInfo,
+    kImu,
+    kFix,
+    kOdometry,
+  };
   /// Recording state of one model's channel.
   struct Recorded {
     world::ModelId model;
-    const TableMessages* table = nullptr;  // null: a ranger or a camera's images
+    Told told = Told::kTable;
+    const TableMessages* table = nullptr;  // of kTable
     std::uint32_t sensor = 0;              // of the ranger, if it has a channel per sensor
-    bool scans = false;
-    bool images = false;
-    std::string topic, frame;
+    std::string topic, model_frame, frame;
     Bytes last;  // last message without its time
   };
   struct Framed {
     world::ModelId model, parent;  // parent none: the world
+    FrameKind kind = FrameKind::kModel;
     std::uint32_t sensor = 0;
-    bool is_sensor = false;
     Transform last;
     std::uint64_t step = 0;  // of steps_, when `last` was recorded
   };
 
   void look_around(const world::World& world);
   void add_model(const world::World& world, world::ModelRow model);
+  void add_standard(const world::World& world, world::ModelRow model);
   void add_ranger(const world::World& world, world::ModelRow model);
+  void add_channel(const world::World& world, world::ModelRow model, Told told, FrameKind frame,
+                   const std::string& topic, std::uint32_t sensor = 0);
+  void add_frame(const world::World& world, world::ModelRow model, FrameKind kind, std::uint32_t sensor = 0);
   void watch_all(world::World& world);
   std::string label(const world::World& world, world::ModelRow model);
   void record_poses(const world::World& world, bool all);
   void record_models(const world::World& world);
+  static bool is_due(const world::World& world, world::ModelRow model, const Recorded& channel);
+  static const char* schema_of(const Recorded& channel);
+  /// Empty if there is nothing to tell.
+  Bytes message_of(const world::World& world, world::ModelRow model, const Recorded& channel) const;
+  void record_speech(const world::World& world);
   void record_state(const world::World& world);
   void record_check(const world::World& world);
   /// None at the limit on channels.
@@ -96,6 +117,9 @@ class Recorder final : public world::RunListener {
   bool known_ = false;
   std::vector<Recorded> recorded_;
   std::vector<Framed> frames_;
+  std::map<world::ModelId, std::string> spoken_;     // by those who say something
+  std::optional<std::uint64_t> said_;                // World::said() of that,
+  std::uint64_t speakers_ = 0;                       // and its population
   std::vector<world::ModelId> measuring_;            // need watching, ascending
   std::map<world::ModelId, std::uint64_t> watched_;  // incarnation being watched
 

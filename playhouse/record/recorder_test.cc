@@ -137,6 +137,34 @@ TEST_F(RecorderTest, watches_the_sensors_that_it_records_also_of_who_comes) {
   EXPECT_THAT(topics(), Not(Contains("/a/b/ranger_0/scan"))) << "it has not measured";
 }
 
+TEST_F(RecorderTest, has_what_its_models_say_when_they_begin_and_end_to_say_it) {
+  begin();
+  const auto say = [this](const char* name, const char* text) {
+    change([&](world::World& world) { world::set_say(world, world.find(name), text); });
+  };
+  tick();
+  say("c d", "hello");
+  tick();
+  say("c d", "hello");
+  world::set_say(world_, world_.find("a.b"), "by a controller");
+  tick();
+  say("c d", "");
+  end();
+  const auto source = open_source(path_);
+  McapReader reader(**source);
+  std::vector<std::string> said;
+  const auto take = [&](const Channel& channel, const Message& message) -> Result<void> {
+    CdrReader in(message.body);
+    in.time();
+    const std::string speaker = in.text();
+    in.number<std::uint32_t>();
+    if (channel.topic == "/playhouse/speech") said.push_back(speaker + ": " + in.text());
+    return {};
+  };
+  ASSERT_TRUE(reader.read({.message = take, .attachment = {}}).ok());
+  EXPECT_THAT(said, testing::ElementsAre("c_d: hello", "a/b: by a controller", "c_d: "));
+}
+
 TEST_F(RecorderTest, has_each_change_as_one_event_between_its_checks) {
   begin();
   control_.posted.clear();

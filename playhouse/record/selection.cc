@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kPoses = "poses";
 
 std::vector<std::string_view> words() {
-  std::vector<std::string_view> words{"ranger", kPoses};
+  std::vector<std::string_view> words{"ranger", kSpeechWord, kPoses};
   for (const TableMessages& table : table_messages()) words.push_back(table.topic);
   return words;
 }

@@ -12,6 +12,9 @@
 
 namespace playhouse::record {
 
+/// What models say, as a kind of data.
+inline constexpr std::string_view kSpeechWord = "speech";
+
 class Selection {
  public:
   /// Selects everything.
@@ -21,7 +24,7 @@ class Selection {
   /// data. A name selects a model and all its parts. Fails on unknown kinds.
   static Result<Selection> parse(std::string_view text);
 
-  /// True if data of a kind or a trait ("position", "pack") of a model are selected.
+  /// True if data of a kind or a trait ("position", "pack", "speech") of a model are selected.
   bool has(const world::World& world, world::ModelRow model, std::string_view kind) const;
 
   /// Names that match no model.

@@ -23,10 +23,11 @@ std::uint32_t with_noise(double value, double deviation, double most, Rng& rng) 
   return static_cast<std::uint32_t>(std::lround(std::clamp(value + deviation * rng.gaussian(), 0.0, most)));
 }
 
+/// 0, no depth, also beyond what a pixel holds.
 std::uint32_t millimetres(double far, double noise, Rng& rng) {
-  const double depth = 1000 * far;
-  if (noise > 0 && depth > 0) return with_noise(depth, depth * noise, kDepthMost, rng);
-  return static_cast<std::uint32_t>(std::lround(std::min(depth, kDepthMost)));
+  double depth = 1000 * far;
+  if (noise > 0 && depth > 0) depth = std::max(0.0, depth + depth * noise * rng.gaussian());
+  return depth > kDepthMost ? 0 : static_cast<std::uint32_t>(std::lround(depth));
 }
 
 std::uint32_t noisy_color(std::uint32_t rgb, double deviation, Rng& rng) {

@@ -103,6 +103,15 @@ TEST(CameraSense, tells_distances_along_the_way_it_looks_in_millimetres) {
   EXPECT_NEAR(picture.at(20, 30), 500 / (std::tan(geom::radians(30)) * 30 / 31), 1) << "the floor";
 }
 
+TEST(CameraSense, has_no_depth_beyond_what_a_pixel_holds) {
+  for (const auto& [x, depth] : {std::pair{65.5, 65000u}, std::pair{66.6, 0u}}) {
+    scene::SceneDesc scene = lookout(scene::ImageKind::kDepth);
+    scene.models[0].camera->range_max = 100;
+    add(scene, kRed, {x, 0, 0, 0}, {1, 80, 30});
+    EXPECT_EQ(Picture(scene).at(20, 10), depth) << x;
+  }
+}
+
 TEST(CameraSense, shows_nothing_beyond_its_range_or_nearer_than_it) {
   scene::SceneDesc scene = lookout(scene::ImageKind::kDepth, 3);
   add(scene, kRed, {3, 0, 0, 0}, {1, 4, 6});

@@ -342,7 +342,7 @@ robot( name "r0" pose [0 0 0 0] )
         self.export()
         names = {path.name for path in (self.folder / "run").iterdir()}
         self.assertEqual({name for name in names if name.startswith("r")},
-                         {"r0.ranger_0.scan.csv", "r0.ranger_1.ranges.csv", "r1.position.csv"})
+                         {"r0.ranger_0.scan.csv", "r0.ranger_1.ranges.csv", "r1.odom.csv", "r1.position.csv"})
         self.assertIn("tf.csv", names)
         self.again()
 

@@ -115,7 +115,7 @@ test('what cameras see are Images of ROS', async () => {
   const channel = [...reader.channelsById.values()].find((each) => each.topic === '/r0/color/image');
   assert.equal(reader.schemasById.get(channel.schemaId).name, 'sensor_msgs/msg/Image');
   const cdr = new Cdr(images.at(-1).data);
-  assert.deepEqual([cdr.u32(), cdr.u32(), cdr.text()], [1, 0, 'r0']);
+  assert.deepEqual([cdr.u32(), cdr.u32(), cdr.text()], [1, 0, 'r0/color_optical']);
   assert.deepEqual([cdr.u32(), cdr.u32(), cdr.text()], [120, 160, 'rgb8']);
   assert.deepEqual([cdr.number('Uint8', 1), cdr.u32(), cdr.u32()], [0, 480, 160 * 120 * 3]);
   const colors = new Set();
