@@ -12,6 +12,7 @@
 #include "playhouse/app/whole_file.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
+#include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/file_search.h"
 #include "playhouse/scene/ros_map.h"
 #include "playhouse/scene/world_loader.h"
@@ -23,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 6> kImages = {".png", ".pgm", ".ppm", ".pbm", ".pnm", ".bmp"};
+/// Images that are not read, and no worlds either.
+constexpr std::array<std::string_view, 6> kOtherImages = {".gif", ".tif", ".tiff", ".webp", ".svg", ".pdf"};
 constexpr double kWallHeight = 0.6, kLookHeight = 0.2, kMapResolution = 0.05;  // m
 
 bool is_same_file(const std::string& a, const std::string& b) {
@@ -32,11 +34,8 @@ bool is_same_file(const std::string& a, const std::string& b) {
 }
 
 bool is_image(const std::string& path) {
-  return std::ranges::find(kImages, fs::path(path).extension()) != kImages.end();
-}
-bool is_map(const std::string& path) {
-  const fs::path ending = fs::path(path).extension();
-  return ending == ".yaml" || ending == ".yml";
+  return scene::is_image_name(path) ||
+         std::ranges::find(kOtherImages, fs::path(path).extension()) != kOtherImages.end();
 }
 
 bool is_gltf(const std::string& path) {
@@ -67,6 +66,10 @@ int write_plan(const ConvertOptions& options, const scene::Plan& plan, const std
 }
 
 int convert_image(const ConvertOptions& options) {
+  if (!scene::is_image_name(options.input))
+    return fail_at({escaped(options.input),
+                    "is an image of a kind that is not read: PNG, JPEG, PNM (.pgm, .ppm, .pbm) and BMP are"},
+                   kUsage);
   if (!options.scale)
     return fail_at({escaped(options.input), "is an image: --scale says how many metres a pixel measures"},
                    kUsage);
@@ -76,19 +79,6 @@ int convert_image(const ConvertOptions& options) {
       scene::plan_of_image(*bytes, fs::path(options.input).stem().string(), *options.scale);
   if (!plan) return fail_in_file({escaped(options.input), plan.error().text});
   return write_plan(options, *plan, named_from(options.output, options.input));
-}
-
-/// The image of a map. An absolute path of another machine gives way to the file of that name beside the map.
-fs::path image_of(const ConvertOptions& options, const scene::RosMap& map) {
-  const fs::path folder = fs::path(options.input).parent_path();
-  const fs::path image = folder / map.image;  // absolute paths replace the folder
-  const fs::path beside = folder / image.filename();
-  std::error_code ignored;
-  if (!fs::path(map.image).is_absolute() || fs::exists(image, ignored) || !fs::exists(beside, ignored))
-    return image;
-  warn(escaped(options.input) + ": there is no " + in_quotes(map.image) + "; " + in_quotes(beside.string()) +
-       " is read instead");
-  return beside;
 }
 
 /// A map whose thresholds are not those of bitmaps has its walls in an image of its own, beside the world.
@@ -102,7 +92,11 @@ int convert_map(const ConvertOptions& options) {
   }
   for (const Error& warning : map->warnings)
     warn(escaped(options.input) + ":" + warning.where + ": " + warning.text + "; it has no effect");
-  const fs::path image = image_of(options, *map);
+  const scene::MapImage found = scene::image_of(*map, options.input);
+  if (found.is_instead)
+    warn(escaped(options.input) + ": there is no " + in_quotes(map->image) + "; " + in_quotes(found.path) +
+         " is read instead");
+  const fs::path image = found.path;
   const Result<std::string> bytes = read_file(image.string(), scene::NamedBy::kFile);
   if (!bytes) return fail_in_file(bytes.error());
   const Result<scene::Plan> plan =
@@ -170,11 +164,11 @@ int convert_world(const ConvertOptions& options) {
   scene::SourceFiles sources;
   const Result<scene::SceneDesc> scene = load(options, others, sources);
   if (!scene) return fail_in_file(scene.error(), others);
-  const std::string image = is_map(options.output) ? image_of_map(options) : "";
+  const std::string image = scene::is_map_name(options.output) ? image_of_map(options) : "";
   for (const std::string& output : {options.output, image})
     if (const Result<void> kept = keep_files(output, names_of(sources)); !kept)
       return fail_in_file(kept.error());
-  if (is_map(options.output)) return write_map(options, *scene);
+  if (scene::is_map_name(options.output)) return write_map(options, *scene);
   if (options.scale || options.height)
     return fail({"", "--scale and --height are for images and maps"}, kUsage);
   if (is_gltf(options.output)) return write_gltf(options, *scene);
@@ -190,7 +184,7 @@ int convert(const ConvertOptions& options) {
   log::open(0);
   if (is_same_file(options.input, options.output))
     return fail_at({escaped(options.output), "is what is read: give another name"}, kUsage);
-  const bool is_plan = is_image(options.input) || is_map(options.input);
+  const bool is_plan = is_image(options.input) || scene::is_map_name(options.input);
   if (is_gltf(options.output) && is_plan)
     return fail_at({escaped(options.output), "is made of a world: convert the plan to a .world first"},
                    kUsage);
@@ -201,7 +195,7 @@ int convert(const ConvertOptions& options) {
   if (fs::path(options.output).extension() == ".gltf")
     return fail_at({escaped(options.output), "is glTF as text, which is not written: name it .glb"}, kUsage);
   if (is_image(options.input)) return convert_image(options);
-  return is_map(options.input) ? convert_map(options) : convert_world(options);
+  return scene::is_map_name(options.input) ? convert_map(options) : convert_world(options);
 }
 
 }  // namespace playhouse::app

@@ -25,18 +25,13 @@
 #include "playhouse/mesh/import_look.h"
 #include "playhouse/mesh/import_surfaces.h"
 #include "playhouse/mesh/obj_text.h"
+#include "playhouse/mesh/stl_bytes.h"
+#include "playhouse/mesh/trimmed.h"
 
 namespace playhouse::mesh {
 namespace {
 
 constexpr std::string_view kFolder = "/mesh/";  // the folder of the file as shown to Assimp
-
-std::string lower(std::string_view text) {
-  std::string small(text);
-  for (char& c : small)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return small;
-}
 
 /// Strips a UTF-8 byte order mark, which Assimp
 /// would take for a part of the first word.
@@ -105,7 +100,7 @@ std::string reason(std::string text) {
 
 Colors colors_of(std::string_view path) {
   if (is_collada(path)) return Colors::kCollada;
-  return lower(path).ends_with(".obj") ? Colors::kObj : Colors::kGltf;
+  return lower(path).ends_with(".obj") || is_stl(path) ? Colors::kObj : Colors::kGltf;
 }
 
 /// Captures warnings of Assimp's readers about dropped triangles during its lifetime.
@@ -139,7 +134,7 @@ bool mark_primitives(aiScene& scene) {
   return has_triangles;
 }
 
-/// Loads the scene, owned by the importer: triangulated, with normals.
+/// Loads the scene, owned by the importer: triangulated, with normals, which those of STL are replaced by.
 Result<const aiScene*> scene_of(Assimp::Importer& importer, const std::string& name) {
   bool drops_triangles = false;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);  // none in place of missing triangles
@@ -152,8 +147,9 @@ Result<const aiScene*> scene_of(Assimp::Importer& importer, const std::string& n
     return Error{{}, "has no triangles"};
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 40);  // degrees
+  const unsigned renewed = is_stl(name) ? aiProcess_ForceGenNormals : 0u;
   scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure | aiProcess_Triangulate |
-                                       aiProcess_SortByPType | aiProcess_GenSmoothNormals |
+                                       aiProcess_SortByPType | aiProcess_GenSmoothNormals | renewed |
                                        aiProcess_JoinIdenticalVertices);
   if (scene == nullptr) return Error{{}, "cannot be read: " + reason(importer.GetErrorString())};
   return scene;
@@ -166,6 +162,13 @@ bool is_collada(std::string_view path) {
 }
 
 Result<MeshFile> import(const std::string& path, std::string_view bytes, const ReadFile& read) {
+  std::string stl;
+  if (is_stl(path)) {
+    Result<std::string> plain = plain_stl(bytes);
+    if (!plain) return plain.error();
+    stl = std::move(*plain);
+    bytes = stl;
+  }
   Assimp::Importer importer;
   keep_formats(importer);
   auto* files = new Files(path, bytes, read);
@@ -189,7 +192,7 @@ Result<MeshFile> import(const std::string& path, std::string_view bytes, const R
   const Look look(**scene, colors, std::move(obj.colored));
   look.add_materials(file.mesh);
   look.add_textures(file, folder, read);
-  const Result<Nodes> nodes = nodes_of(**scene);
+  const Result<Nodes> nodes = nodes_of(**scene, is_stl(path) ? Affine() : from_y_up());
   if (!nodes) return nodes.error();
   const Skins skins = colors == Colors::kGltf ? Skins::kJoints : Skins::kNodes;
   if (const Result<void> added = add_surfaces(**scene, *nodes, skins, file.mesh); !added)

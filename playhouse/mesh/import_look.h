@@ -16,7 +16,8 @@
 namespace playhouse::mesh {
 
 /// Colour space of a format: glTF is linear; COLLADA
-/// and OBJ are sRGB, OBJ with a factor on textures.
+/// and OBJ are sRGB, OBJ with a factor on textures. STL
+/// has no colours, like an OBJ file without materials.
 enum class Colors : std::uint8_t { kGltf, kCollada, kObj };
 
 class Look {

@@ -123,14 +123,14 @@ Result<void> add(const aiMesh& from, const Affine& X, const std::vector<Affine>&
 
 }  // namespace
 
-Result<Nodes> nodes_of(const aiScene& scene) {
+Result<Nodes> nodes_of(const aiScene& scene, const Affine& X_FS) {
   struct Open {
     const aiNode* node;
     Affine X_FP;
     int depth;
   };
   Nodes nodes;
-  std::vector<Open> open{{scene.mRootNode, from_y_up(), 1}};
+  std::vector<Open> open{{scene.mRootNode, X_FS, 1}};
   while (!open.empty()) {
     const Open next = open.back();
     open.pop_back();

@@ -22,8 +22,8 @@ struct Node {
 };
 using Nodes = std::vector<Node>;
 
-/// All nodes, parents first. Fails beyond limits.h on number and depth.
-Result<Nodes> nodes_of(const aiScene& scene);
+/// All nodes, parents first; X_FS turns the axes of the scene. Fails beyond limits.h on number and depth.
+Result<Nodes> nodes_of(const aiScene& scene, const Affine& X_FS);
 
 /// Transform of skinned meshes: by their node, or, in glTF, by their joints at rest.
 enum class Skins : std::uint8_t { kNodes, kJoints };

@@ -1,11 +1,12 @@
 /// Any bytes as what is read of meshes in this process, by the first of them: 'c' COLLADA's physics, 'i' an
-/// image, 'p' a packed mesh; and, in a process of its own, 'd' a COLLADA file, 'g' a glTF, 'b' a binary one
-/// and 'o' an OBJ. Each gives what keeps to limits.h, or an error in one line.
+/// image, 'p' a packed mesh; and, in a process of its own, 'd' a COLLADA file, 'g' a glTF, 'b' a binary one,
+/// 'o' an OBJ and 's' an STL. Each gives what keeps to limits.h, or an error in one line.
 
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/mesh_limits.h"
@@ -47,7 +48,8 @@ void read_packed(const std::string& bytes) {
   PLAYHOUSE_ASSERT(!parts_of(file->mesh, 8).empty());
   Mesh mesh = file->mesh;
   measure(mesh);
-  const Mesh fit = fitted(mesh, {1, 1, 1});
+  mesh = placed(std::move(mesh), {{1, 2, 3}, {1, 2, 3}, {-1, 2, 3}, true});
+  const Mesh fit = fitted(std::move(mesh), {1, 1, 1});
   PLAYHOUSE_ASSERT(std::fabs(fit.low.z) < 1e-3);
 }
 
@@ -88,6 +90,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     case 'o':
       read_file("a.obj", bytes);
+      break;
+    case 's':
+      read_file("a.stl", bytes);
       break;
     default:
       break;

@@ -20,6 +20,7 @@
 #include "playhouse/mesh/import.h"
 #include "playhouse/mesh/own_process.h"
 #include "playhouse/mesh/packed.h"
+#include "playhouse/mesh/trimmed.h"
 
 namespace playhouse::mesh {
 namespace {
@@ -133,7 +134,7 @@ Result<MeshFile> read_mesh_here(const std::string& path, const ReadFile& read) {
 
 Result<MeshFile> read_mesh(const std::string& path, const ReadFile& read) {
   if (!is_mesh_name(path))
-    return error_of(path, "is no mesh: its name ends in none of .dae, .gltf, .glb and .obj");
+    return error_of(path, "is no mesh: its name ends in none of .dae, .gltf, .glb, .obj and .stl");
   OwnProcess process([&](Pipe& pipe) { take_apart(pipe, path); });
   if (process.pipe() == nullptr) return error_of(path, "cannot be read: no process can be made for it");
   return serve(process, path, read);
@@ -146,10 +147,8 @@ Result<Mesh> read_mesh(const std::string& path) {
 }
 
 bool is_mesh_name(std::string_view name) {
-  std::string ending(name.substr(std::min(name.rfind('.'), name.size())));
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  constexpr std::array<std::string_view, 4> kEndings{".dae", ".gltf", ".glb", ".obj"};
+  const std::string ending = lower(name.substr(std::min(name.rfind('.'), name.size())));
+  constexpr std::array<std::string_view, 5> kEndings{".dae", ".gltf", ".glb", ".obj", ".stl"};
   return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 

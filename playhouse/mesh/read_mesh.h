@@ -1,7 +1,7 @@
 #pragma once
 
-/// 3D model files -> Mesh: COLLADA (.dae), glTF (.gltf, .glb) and OBJ (.obj),
-/// through Assimp; COLLADA physics, which Assimp does not support, by own code.
+/// 3D model files -> Mesh: COLLADA (.dae), glTF (.gltf, .glb), OBJ (.obj) and STL
+/// (.stl), through Assimp; COLLADA physics, which Assimp does not support, by own code.
 ///
 /// In: the bytes of the file, and of the files it refers to: buffers, materials, textures.
 ///

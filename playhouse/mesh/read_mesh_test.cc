@@ -286,7 +286,7 @@ TEST(ReadMesh, opens_no_file_outside_of_its_folder) {
 }
 
 TEST(ReadMesh, tells_in_one_line_what_is_wrong) {
-  EXPECT_THAT(error_of("a.stl", "solid"), HasSubstr("a.stl: is no mesh: its name ends in none of"));
+  EXPECT_THAT(error_of("a.ply", "ply"), HasSubstr("a.ply: is no mesh: its name ends in none of"));
   EXPECT_THAT(error_of("a.dae", "no xml"), HasSubstr("a.dae: cannot be read: "));
   EXPECT_THAT(error_of("a.obj", "v 1 2 3\n"), HasSubstr("a.obj: "));
   EXPECT_THAT(error_of("a.glb", "glTF\2"), HasSubstr("a.glb: cannot be read: "));
@@ -513,6 +513,50 @@ TEST(ColladaPhysics, tells_what_is_broken) {
   TestCollada elsewhere = with_physics("<shape><sphere><radius>1</radius></sphere></shape>");
   elsewhere.libraries.replace(elsewhere.libraries.find("target=\"#n\""), 11, "target=\"#x\"");
   EXPECT_THAT(error(elsewhere), HasSubstr("has no node \"#x\""));
+}
+
+TEST(ReadMesh, reads_stl_in_both_forms_as_z_up_and_metres) {
+  for (const std::string& bytes :
+       {test_stl(), test_binary_stl(), test_binary_stl("solid made by a program that says so in binary, too"),
+        test_binary_stl("COLOR=\xff\x01\x01\xff", 0xFFFF), test_binary_stl() + "bytes that nobody asked for",
+        "\xEF\xBB\xBF" + test_stl(), "  SOLID vertex \xc3\xa4\r\n" + test_stl().substr(12)}) {
+    const Mesh mesh = read("d/box.STL", {{"d/box.STL", bytes}}).mesh;
+    expect_box(mesh);
+    ASSERT_EQ(mesh.materials.size(), 1u);
+    EXPECT_EQ(mesh.materials[0].base, (std::array<float, 4>{0.6f, 0.6f, 0.6f, 1}));
+    EXPECT_EQ(mesh.materials[0].opacity, Opacity::kHoles);
+    ASSERT_EQ(mesh.surfaces.size(), 1u);
+    EXPECT_EQ(mesh.surfaces[0].p.size(), 24u) << "corners of a face are shared, edges are sharp";
+  }
+}
+
+TEST(ReadMesh, believes_no_number_of_an_stl) {
+  std::string many = test_binary_stl();
+  many.replace(80, 4, "\xff\xff\xff\xff");
+  EXPECT_EQ(error_of("a.stl", many),
+            "a.stl: is broken: it is no ASCII STL, and a binary one of 4294967295 "
+            "triangles has 214748364834 bytes, found 684");
+  const std::string whole = test_binary_stl("solid");
+  EXPECT_THAT(error_of("a.stl", whole.substr(0, 600)),
+              HasSubstr("a binary one of 12 triangles has 684 bytes"));
+  EXPECT_THAT(error_of("a.stl", "P5"), HasSubstr("is no STL: it is no ASCII one, and too short"));
+  std::string none = test_binary_stl();
+  none.replace(80, 4, std::string(4, '\0'));
+  EXPECT_EQ(error_of("a.stl", none), "a.stl: has no triangles");
+  EXPECT_EQ(error_of("a.stl", "solid\nendsolid"), "a.stl: has no triangles");
+}
+
+TEST(ReadMesh, tells_the_line_of_a_broken_stl) {
+  const std::string whole = test_stl();
+  const auto with = [&whole](const std::string& from, const std::string& to) {
+    return error_of("a.stl", std::string(whole).replace(whole.find(from), from.size(), to));
+  };
+  EXPECT_EQ(with("vertex -1", "vertex one"), "a.stl: is broken in line 4: a vertex wants three numbers");
+  EXPECT_EQ(with("endloop", "vertex 0 0 0 endloop"),
+            "a.stl: is broken in line 7: a triangle wants three vertices");
+  EXPECT_THAT(with("vertex -1", "vertex nan"), HasSubstr("a corner is no number, or farther than"));
+  EXPECT_THAT(with("vertex -1", "vertex 1e300"), HasSubstr("a corner is no number, or farther than"));
+  EXPECT_THAT(error_of("a.stl", whole.substr(0, whole.size() / 2)), HasSubstr("it ends before its endsolid"));
 }
 
 TEST(ReadMesh, reads_files_of_this_machine) {

@@ -85,6 +85,44 @@ inline std::string test_obj(const std::string& more = {}) {
   return text;
 }
 
+/// The corners of each triangle of the box, z up.
+inline std::vector<std::array<std::array<float, 3>, 3>> test_stl_triangles() {
+  std::vector<std::array<std::array<float, 3>, 3>> triangles;
+  for (const auto& quad : kTestQuads)
+    for (const auto& three : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+      auto& triangle = triangles.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 3; ++i)
+          triangle[k][i] = static_cast<float>((quad[three[k]] >> i & 1) != 0 ? kTestHalf[i] : -kTestHalf[i]);
+    }
+  return triangles;
+}
+
+/// ASCII, with normals of zero.
+inline std::string test_stl() {
+  std::string text = "solid a box\n";
+  for (const auto& triangle : test_stl_triangles()) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const auto& p : triangle) text += fmt::format("vertex {} {} {}\n", p[0], p[1], p[2]);
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid a box\n";
+}
+
+/// `header` is padded to 80 bytes; `colors` are two bytes after each triangle.
+inline std::string test_binary_stl(std::string header = "", std::uint16_t colors = 0) {
+  header.resize(80, ' ');
+  const auto triangles = test_stl_triangles();
+  const auto count = static_cast<std::uint32_t>(triangles.size());
+  header.append(reinterpret_cast<const char*>(&count), sizeof count);
+  for (const auto& triangle : triangles) {
+    header.append(12, '\0');
+    header.append(reinterpret_cast<const char*>(triangle.data()), sizeof triangle);
+    header.append(reinterpret_cast<const char*>(&colors), sizeof colors);
+  }
+  return header;
+}
+
 /// Contents of the buffer of test_gltf().
 inline std::string test_gltf_buffer() {
   std::string bytes;

@@ -1,5 +1,8 @@
 #include "playhouse/scene/bitmap.h"
 
+#include <algorithm>
+
+#include "playhouse/mesh/trimmed.h"
 #include "playhouse/scene/image_file.h"
 
 namespace playhouse::scene {
@@ -61,6 +64,12 @@ Result<Bitmap> decode_bitmap(std::string_view bytes, std::size_t most_pixels) {
   Bitmap bitmap{image->width, image->height, std::move(image->level)};
   for (std::uint8_t& pixel : bitmap.solid) pixel = pixel <= kSolidUpTo ? 1 : 0;
   return bitmap;
+}
+
+bool is_image_name(std::string_view name) {
+  constexpr std::string_view kEndings[] = {".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".pbm", ".pnm", ".bmp"};
+  const std::string small = mesh::lower(name);
+  return std::ranges::any_of(kEndings, [&small](std::string_view ending) { return small.ends_with(ending); });
 }
 
 Result<std::vector<std::vector<geom::Vec2>>> trace_contours(const Bitmap& bitmap, std::size_t most_corners) {

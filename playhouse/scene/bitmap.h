@@ -24,9 +24,12 @@ struct Bitmap {
   }
 };
 
-/// Decodes a PNG, PGM, PPM, PBM or BMP. A pixel is solid if its first channel is at most
-/// 127 of 255; alpha is ignored. Fails on other bytes and on more than `most_pixels`.
+/// Decodes a PNG, JPEG, PGM, PPM, PBM or BMP. A pixel is solid if its first channel is at most
+/// 127 of 255 and its alpha is not. Fails on other bytes and on more than `most_pixels`.
 Result<Bitmap> decode_bitmap(std::string_view bytes, std::size_t most_pixels = limits::kBitmapPixels);
+
+/// True for names of files that decode_bitmap() may read.
+bool is_image_name(std::string_view name);
 
 /// Contour tracing of the solid pixels, in pixels: x right from the image's left edge, y
 /// up from its bottom edge. Solid is on the left of each edge, collinear edges are merged,

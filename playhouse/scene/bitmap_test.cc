@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 #include <rapidcheck/gtest.h>
+#include <turbojpeg.h>
 
 #include <optional>
 #include <string>
@@ -46,11 +47,61 @@ std::string png_of(std::uint32_t width, std::uint32_t height, std::uint32_t form
 TEST(Bitmap, a_pixel_is_solid_up_to_half_of_its_first_channel) {
   EXPECT_THAT(solid_of(png_of(4, 1, PNG_FORMAT_GRAY, std::string("\0\x7f\x80\xff", 4))),
               ElementsAre(1, 1, 0, 0));
-  // Red is free, cyan is solid; transparency does not count.
+  // Red is free, cyan is solid, and so is neither of what is mostly transparent.
   EXPECT_THAT(solid_of(png_of(2, 1, PNG_FORMAT_RGB, std::string("\xff\0\0\0\xff\xff", 6))),
               ElementsAre(0, 1));
   EXPECT_THAT(solid_of(png_of(2, 1, PNG_FORMAT_RGBA, std::string("\0\0\0\0\xff\xff\xff\0", 8))),
-              ElementsAre(1, 0));
+              ElementsAre(0, 0));
+  EXPECT_THAT(solid_of(png_of(2, 1, PNG_FORMAT_RGBA, std::string("\0\0\0\x7f\0\0\0\x80", 8))),
+              ElementsAre(0, 1));
+  EXPECT_THAT(solid_of(png_of(2, 1, PNG_FORMAT_GA, std::string("\0\x7f\0\x80", 4))), ElementsAre(0, 1));
+}
+
+/// Of one color, red or gray.
+std::string jpeg_of(int width, int height, std::uint8_t red, int sampling) {
+  std::string pixels;
+  for (int i = 0; i < width * height; ++i) pixels += {static_cast<char>(red), '\0', '\0'};
+  const tjhandle library = tjInitCompress();
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  EXPECT_EQ(tjCompress2(library, reinterpret_cast<const unsigned char*>(pixels.data()), width, 0, height,
+                        TJPF_RGB, &bytes, &size, sampling, 95, 0),
+            0);
+  std::string image(reinterpret_cast<const char*>(bytes), size);
+  tjFree(bytes);
+  tjDestroy(library);
+  return image;
+}
+
+TEST(Bitmap, a_jpeg_is_read) {
+  EXPECT_THAT(solid_of(jpeg_of(3, 2, 200, TJSAMP_444)), testing::AllOf(testing::SizeIs(6), testing::Each(0)));
+  EXPECT_THAT(solid_of(jpeg_of(3, 2, 60, TJSAMP_420)), testing::AllOf(testing::SizeIs(6), testing::Each(1)));
+  EXPECT_THAT(solid_of(jpeg_of(3, 2, 200, TJSAMP_GRAY)), testing::Each(1)) << "its brightness is 60";
+}
+
+TEST(Bitmap, a_jpeg_that_ends_before_its_last_pixel_is_no_image) {
+  const std::string whole = jpeg_of(64, 64, 0, TJSAMP_444);
+  EXPECT_FALSE(decode_bitmap(whole.substr(0, 3)));
+  for (const std::size_t bytes : {whole.size() / 4, whole.size() - 20}) {
+    const Result<Bitmap> bitmap = decode_bitmap(whole.substr(0, bytes));
+    ASSERT_FALSE(bitmap) << bytes;
+    EXPECT_THAT(bitmap.error().text, HasSubstr("is no readable JPEG: ")) << bytes;
+  }
+  std::string wide = whole;  // whose header promises 16384 x 16384
+  const std::size_t frame = wide.find(std::string("\xFF\xC0", 2));
+  ASSERT_NE(frame, std::string::npos);
+  wide.replace(frame + 5, 4, std::string("\x40\0\x40\0", 4));
+  EXPECT_EQ(decode_bitmap(wide).error().text, "is no readable JPEG: the file ends too early");
+  const Result<Bitmap> large = decode_bitmap(whole, 1000);
+  ASSERT_FALSE(large);
+  EXPECT_THAT(large.error().text, HasSubstr("64 x 64 pixels; up to 1000"));
+}
+
+TEST(Bitmap, is_known_by_its_name) {
+  for (const char* name : {"a.png", "a.b/plan.JPG", "a.jpeg", "a.pgm", "a.PBM", "a.bmp"})
+    EXPECT_TRUE(is_image_name(name)) << name;
+  for (const char* name : {"a.gif", "a.tif", "a.world", "png", "", "a.png.world"})
+    EXPECT_FALSE(is_image_name(name)) << name;
 }
 
 TEST(Bitmap, all_kinds_of_pnm_are_read) {
@@ -107,8 +158,9 @@ TEST(Bitmap, what_is_no_image_says_so) {
     const Result<Bitmap> bitmap = decode_bitmap(bytes, 1000);
     return bitmap ? "no error" : bitmap.error().line();
   };
-  EXPECT_THAT(error(""), HasSubstr("is no PNG, PNM"));
-  EXPECT_THAT(error("hello"), HasSubstr("is no PNG, PNM"));
+  EXPECT_THAT(error(""), HasSubstr("is no PNG, JPEG, PNM"));
+  EXPECT_THAT(error("GIF89a"), HasSubstr("is no PNG, JPEG, PNM (.pgm, .ppm, .pbm) or BMP image"));
+  EXPECT_THAT(error("hello"), HasSubstr("is no PNG, JPEG, PNM"));
   EXPECT_THAT(error("P1 3 3 1 1"), HasSubstr("end too early"));
   EXPECT_THAT(error("P2 1 1 255 256"), HasSubstr("no readable PNM"));
   EXPECT_THAT(error("P5 2 2 255 \x01\x02"), HasSubstr("end too early"));

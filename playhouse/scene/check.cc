@@ -1,9 +1,15 @@
 #include "playhouse/scene/check.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 
 #include "playhouse/base/finding.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/mesh/mesh.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/scene/syntax.h"
 #include "playhouse/scene/world_loader.h"
@@ -32,6 +38,19 @@ std::string summary(const SceneDesc& scene) {
   return line + ", " + counted(beams, "beam");
 }
 
+/// A line for each mesh as a body, by which a file in another unit is seen.
+std::vector<std::string> sizes_of_meshes(const SceneDesc& scene) {
+  std::set<const mesh::Mesh*> told;
+  std::vector<std::string> lines;
+  for (const ModelDesc& model : scene.models) {
+    if (!model.mesh || !told.insert(model.mesh.get()).second) continue;
+    const geom::Vec3 extent = model.mesh->high - model.mesh->low;
+    lines.push_back(fmt::format("{}: a mesh of {:.4g} x {:.4g} x {:.4g} m", escaped(model.body.mesh),
+                                extent.x, extent.y, extent.z));
+  }
+  return lines;
+}
+
 void append(CheckReport& report, const std::vector<std::string>& warnings) {
   report.has_warnings |= !warnings.empty();
   for (const std::string& warning : warnings) report.lines.push_back(finding("warning", placed(warning)));
@@ -48,6 +67,7 @@ void report_world(const std::string& path, NamedBy by, CheckReport& report) {
   const Result<SceneDesc> scene = load_world(path, by, &others);
   if (!scene) return fail(report, scene.error(), others);
   append(report, scene->warnings);
+  std::ranges::move(sizes_of_meshes(*scene), std::back_inserter(report.lines));
   report.lines.push_back(summary(*scene));
 }
 

@@ -10,7 +10,7 @@ namespace playhouse::scene {
 struct CheckReport {
   bool ok = false;  // no errors
   bool has_warnings = false;
-  std::vector<std::string> lines = {};  // warnings, then the error if any, then a summary of the contents
+  std::vector<std::string> lines = {};  // warnings, then errors, or meshes with sizes and a summary
 };
 
 /// Checks a world (.world), an include file for worlds (.inc: syntax only)

@@ -38,7 +38,8 @@ std::vector<std::string> folders_for(const std::string& top_level, const std::st
 namespace {
 
 /// The first of the folders that has a file of this name; empty if there is none.
-std::string folder_with(const std::vector<std::string>& folders, std::string_view name, const FileReader& files) {
+std::string folder_with(const std::vector<std::string>& folders, std::string_view name,
+                        const FileReader& files) {
   for (const std::string& folder : folders)
     if (std::ranges::count(files.names_in(folder), name) > 0) return folder.empty() ? "./" : folder;
   return {};

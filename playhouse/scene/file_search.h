@@ -18,15 +18,17 @@ namespace playhouse::scene {
 std::vector<std::string> folders_for(const std::string& top_level, const std::string& named_by,
                                      const FileReader& files);
 
-/// The absolute path of a file, without the symbolic links and ".." of its folders; the file's own name stays.
+/// The absolute path of a file, without the symbolic links and ".." of its folders; the file's own name
+/// stays.
 std::filesystem::path physical_path(const std::filesystem::path& file);
 
-/// The path of `file` from the folder of `beside`: as both are named, if that leads to the file, else by the folders
-/// that their symbolic links lead to.
+/// The path of `file` from the folder of `beside`: as both are named, if that leads to the file, else by the
+/// folders that their symbolic links lead to.
 std::filesystem::path path_from(const std::filesystem::path& beside, const std::filesystem::path& file);
 
 /// Suffix of an error about `name` missing in the first folder: the other
-/// folders, and the most similar file name in any of them that `fits`; of an absolute path, the folder where its last part is.
+/// folders, and the most similar file name in any of them that `fits`; of an absolute path, the folder where
+/// its last part is.
 std::string also_not_in(const std::vector<std::string>& folders, std::string_view name,
                         const FileReader& files, const std::function<bool(std::string_view)>& fits);
 

@@ -1,6 +1,7 @@
 #include "playhouse/scene/image_file.h"
 
 #include <png.h>
+#include <turbojpeg.h>
 
 #include <algorithm>
 #include <csetjmp>
@@ -27,6 +28,8 @@
 namespace playhouse::scene {
 namespace {
 
+constexpr std::uint8_t kClearUpTo = 127;  // alpha
+
 /// Fails on an empty image and beyond `most` pixels.
 Result<void> check_size(std::uint64_t width, std::uint64_t height, std::size_t most) {
   if (width > 0 && height > 0 && width <= most && height <= most / width) return {};
@@ -47,7 +50,8 @@ void begin(Shades& image, std::size_t pixels, std::size_t samples) {
 
 /// Stores a pixel from its samples.
 void put(FirstChannel& image, std::size_t pixel, std::span<const std::uint8_t> samples) {
-  image.level[pixel] = samples[0];
+  const bool is_clear = samples.size() % 2 == 0 && samples.back() <= kClearUpTo;
+  image.level[pixel] = is_clear ? 255 : samples[0];
 }
 void put(Shades& image, std::size_t pixel, std::span<const std::uint8_t> samples) {
   const int sum = samples.size() < 3 ? 3 * samples[0] : samples[0] + samples[1] + samples[2];
@@ -299,7 +303,7 @@ Result<Image> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
-    return Error{{}, "is no PNG, PNM (.pgm, .ppm, .pbm) or BMP image"};
+    return Error{{}, "is no PNG, JPEG, PNM (.pgm, .ppm, .pbm) or BMP image"};
   }
   // Negative heights mean rows from top to bottom.
   const auto pixels_of = [](int side) { return static_cast<std::uint64_t>(std::llabs(side)); };
@@ -323,11 +327,49 @@ Result<Image> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   return image;
 }
 
+Error no_jpeg(std::string_view why) {
+  return {{}, "is no readable JPEG: " + std::string(why)};
+}
+
+/// The library fills what is missing at the end with gray, and reports other faults with readable images.
+bool has_all_pixels(tjhandle library) {
+  const std::string_view fault = tjGetErrorStr2(library);
+  return tjGetErrorCode(library) != TJERR_FATAL && !fault.starts_with("Premature end");
+}
+
+template <typename Image>
+Result<Image> read_jpeg(std::string_view bytes, std::size_t most_pixels) {
+  const std::unique_ptr<void, int (*)(tjhandle)> library(tjInitDecompress(), tjDestroy);
+  if (!library) return no_jpeg(tjGetErrorStr2(nullptr));
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  int width = 0, height = 0, sampling = 0, colors = 0;
+  if (tjDecompressHeader3(library.get(), data, bytes.size(), &width, &height, &sampling, &colors) != 0)
+    return no_jpeg(tjGetErrorStr2(library.get()));
+  const auto fits =
+      check_size(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), most_pixels);
+  if (!fits) return fits.error();
+  constexpr std::size_t kSamples = 3, kMostPixels = 8 * 64;  // of a byte: a block of 64 takes a bit or more
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (pixels / kMostPixels > bytes.size()) return no_jpeg("the file ends too early");
+  std::vector<std::uint8_t> samples(kSamples * pixels);
+  if (tjDecompress2(library.get(), data, bytes.size(), samples.data(), width, 0, height, TJPF_RGB,
+                    TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0 &&
+      !has_all_pixels(library.get()))
+    return no_jpeg(tjGetErrorStr2(library.get()));
+  Image image;
+  image.width = width;
+  image.height = height;
+  begin(image, pixels, kSamples);
+  for (std::size_t i = 0; i < pixels; ++i) put(image, i, {samples.data() + kSamples * i, kSamples});
+  return image;
+}
+
 template <typename Image>
 Result<Image> read_image(std::string_view bytes, std::size_t most_pixels) {
   if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return read_png<Image>(bytes, most_pixels);
   if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6')
     return read_pnm<Image>(bytes, most_pixels);
+  if (bytes.starts_with("\xFF\xD8\xFF")) return read_jpeg<Image>(bytes, most_pixels);
   return read_bmp<Image>(bytes, most_pixels);
 }
 

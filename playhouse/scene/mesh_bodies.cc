@@ -5,6 +5,7 @@
 
 #include "playhouse/base/mesh_limits.h"
 #include "playhouse/geom/convex_hull.h"
+#include "playhouse/mesh/check_mesh.h"
 #include "playhouse/mesh/fit.h"
 #include "playhouse/mesh/parts.h"
 #include "playhouse/scene/body.h"
@@ -24,6 +25,32 @@ std::size_t corners_of(const mesh::Mesh& mesh) {
   std::size_t corners = 0;
   for (const mesh::Surface& surface : mesh.surfaces) corners += surface.p.size();
   return corners;
+}
+
+/// Sizes are not negative: one that is stands for a mesh's own.
+std::array<double, 13> key_of(const geom::Size* size, const mesh::Placement& at) {
+  const geom::Size said = size ? *size : geom::Size{-1, -1, -1};
+  return {said.x,
+          said.y,
+          said.z,
+          at.p.x,
+          at.p.y,
+          at.p.z,
+          at.turn.x,
+          at.turn.y,
+          at.turn.z,
+          at.scale.x,
+          at.scale.y,
+          at.scale.z,
+          at.is_fitted ? 1.0 : 0.0};
+}
+
+/// The mesh of a file, scaled, turned and moved; not fitted yet.
+Result<mesh::Mesh> in_body(const mesh::Mesh& file, const mesh::Placement& at) {
+  if (at == mesh::Placement{.is_fitted = at.is_fitted}) return file;
+  mesh::Mesh mesh = mesh::placed(file, at);
+  if (const Result<void> checked = mesh::check_mesh(mesh); !checked) return checked.error();
+  return mesh;
 }
 
 }  // namespace
@@ -63,17 +90,23 @@ const MeshBodies::Entry& MeshBodies::read(const std::string& path, const std::st
   return entry;
 }
 
-const MeshBodies::Body& MeshBodies::body(const Entry& entry, const geom::Size* size) const {
-  const mesh::Mesh& whole = *entry.mesh;
-  const geom::Vec3 extent = whole.high - whole.low;
-  const geom::Size wanted = size ? *size : geom::Size{extent.x, extent.y, extent.z};
-  const auto [found, is_new] = entry.bodies.try_emplace({wanted.x, wanted.y, wanted.z});
+const MeshBodies::Body& MeshBodies::body(const Entry& entry, const geom::Size* size,
+                                         const mesh::Placement& at) const {
+  const auto [found, is_new] = entry.bodies.try_emplace(key_of(size, at));
   Body& body = found->second;
   body.is_new = is_new;
   if (!is_new) return body;
-  body.size = wanted;
-  body.mesh = std::make_shared<const mesh::Mesh>(mesh::fitted(whole, {wanted.x, wanted.y, wanted.z}));
-  body.corners = corners_of(whole);
+  Result<mesh::Mesh> whole = in_body(*entry.mesh, at);
+  if (!whole) {
+    body.why_none = whole.error().text;
+    return body;
+  }
+  const geom::Vec3 extent = whole->high - whole->low;
+  body.size = size ? *size : geom::Size{extent.x, extent.y, extent.z};
+  body.corners = corners_of(*whole);
+  body.mesh = std::make_shared<const mesh::Mesh>(
+      at.is_fitted ? mesh::fitted(std::move(*whole), {body.size.x, body.size.y, body.size.z})
+                   : std::move(*whole));
   body.blocks = outlines_of(*body.mesh);
   return body;
 }

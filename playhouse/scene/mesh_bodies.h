@@ -1,6 +1,6 @@
 #pragma once
 
-/// Meshes as bodies of models, cached by file and by size. In 2D a mesh is the outlines of its
+/// Meshes as bodies of models, cached by file, size and placement. In 2D a mesh is the outlines of its
 /// parts: for each the convex hull of its projection, from its lowest to its highest corner.
 
 #include <array>
@@ -19,10 +19,11 @@ namespace playhouse::scene {
 
 class MeshBodies {
  public:
-  /// A mesh scaled to a size, in B.
+  /// A mesh in B: as placed, and if it is fitted, scaled to a size.
   struct Body {
-    std::shared_ptr<const mesh::Mesh> mesh;
-    geom::Size size;
+    std::shared_ptr<const mesh::Mesh> mesh;  // null: not possible
+    std::string why_none;
+    geom::Size size;  // its extent, unless one is given
     std::vector<Block> blocks;
     std::size_t corners = 0;  // of the mesh
     bool is_new = true;       // not yet requested
@@ -32,16 +33,16 @@ class MeshBodies {
     std::shared_ptr<const mesh::Mesh> mesh;  // in F; null: unreadable
     std::string why_none;
     std::vector<std::string> warnings;
-    std::size_t bytes = 0;                                 // of all its files
-    mutable std::map<std::array<double, 3>, Body> bodies;  // by size
+    std::size_t bytes = 0;                                  // of all its files
+    mutable std::map<std::array<double, 13>, Body> bodies;  // by size and placement
   };
 
   /// A cached entry, readable or not; null if there is none.
   const Entry* find(const std::string& path) const;
   /// Parses the mesh in these bytes, read from `path`, not cached yet; references are read from `files`.
   const Entry& read(const std::string& path, const std::string& bytes, FileReader& files);
-  /// A readable mesh scaled to a size; null: at its own size.
-  const Body& body(const Entry& entry, const geom::Size* size) const;
+  /// A readable mesh, placed and, if it is fitted, scaled to a size; null: at its own size.
+  const Body& body(const Entry& entry, const geom::Size* size, const mesh::Placement& at) const;
 
  private:
   std::map<std::string, Entry> entries_;

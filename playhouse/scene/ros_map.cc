@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <vector>
 
@@ -76,8 +77,8 @@ Result<RosMap> map_of(const YAML::Node& root) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
     if (std::ranges::find(kKeys, key) == kKeys.end()) {  // map servers ignore it
       if (map.warnings.size() == kMostWarnings) continue;
-      map.warnings.push_back(at(entry.first.Mark(), fmt::format("there is no key {}{}", in_quotes(key),
-                                                                did_you_mean(key, kKeys))));
+      map.warnings.push_back(at(
+          entry.first.Mark(), fmt::format("there is no key {}{}", in_quotes(key), did_you_mean(key, kKeys))));
       continue;
     }
     given.insert(key);
@@ -100,6 +101,21 @@ Result<RosMap> read_ros_map(const std::string& text) {
   } catch (const YAML::Exception& fault) {
     return at(fault.mark, fault.msg);
   }
+}
+
+MapImage image_of(const RosMap& map, const std::string& path) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(path).parent_path();
+  const fs::path image = folder / map.image;  // absolute paths replace the folder
+  const fs::path beside = folder / image.filename();
+  std::error_code ignored;
+  const bool is_elsewhere = fs::path(map.image).is_absolute() && !fs::exists(image, ignored);
+  if (is_elsewhere && fs::exists(beside, ignored)) return {beside.string(), true};
+  return {image.string(), false};
+}
+
+bool is_map_name(std::string_view name) {
+  return name.ends_with(".yaml") || name.ends_with(".yml");
 }
 
 namespace {

@@ -30,6 +30,17 @@ struct RosMap {
 /// Fails with line and reason.
 Result<RosMap> read_ros_map(const std::string& text);
 
+/// The image of the map in the file `path`. An absolute path of another machine, as of the robot
+/// that saved the map, gives way to the file of that name beside the map.
+struct MapImage {
+  std::string path;
+  bool is_instead = false;  // of the one that the file names
+};
+MapImage image_of(const RosMap& map, const std::string& path);
+
+/// True for names of .yaml files.
+bool is_map_name(std::string_view name);
+
 /// The plan of a map with this image.
 Result<Plan> plan_of_ros_map(const RosMap& map, std::string_view bytes, std::string name);
 

@@ -18,6 +18,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/geom/pose.h"
+#include "playhouse/mesh/placement.h"
 #include "playhouse/scene/generated/kind_descs.h"
 
 namespace playhouse::mesh {
@@ -55,8 +56,9 @@ struct Prism {
 
 /// A body as in the file; ModelDesc::blocks and bitmaps are derived from it and the size.
 struct BodyDesc {
-  std::string bitmap;  // resolved path; empty: none
-  std::string mesh;    // likewise; replaces everything else
+  std::string bitmap;         // resolved path; empty: none
+  std::string mesh;           // likewise; replaces everything else
+  mesh::Placement placement;  // of the mesh
   bool noblocks = false, boundary = false;
   std::vector<Prism> prisms;
   friend bool operator==(const BodyDesc&, const BodyDesc&) = default;
@@ -99,7 +101,7 @@ struct ModelDesc : PlainDesc, KindDescs {
   /// kind: drawn in place by the page, at their initial place for everything else.
   std::uint32_t moving_blocks = 0;
   std::vector<Contours> bitmaps;
-  /// Visual mesh in B, and in 3D also the body; shared by models of equal file and size.
+  /// Visual mesh in B, and in 3D also the body; shared by models of equal file, size and placement.
   /// Blocks are then the outlines of its parts. Null: the visual is blocks and bitmaps.
   std::shared_ptr<const mesh::Mesh> mesh;
   BodyDesc body;  // for writing the file again; empty for models made in code

@@ -10,15 +10,6 @@
 #include "playhouse/mesh/read_mesh.h"
 
 namespace playhouse::scene {
-namespace {
-
-/// True for file names that can be bitmaps (decode_bitmap()).
-bool is_image_name(std::string_view name) {
-  constexpr std::string_view kEndings[] = {".png", ".pgm", ".ppm", ".pbm", ".pnm", ".bmp"};
-  return std::ranges::any_of(kEndings, [name](std::string_view ending) { return name.ends_with(ending); });
-}
-
-}  // namespace
 
 const ShapeFiles::TracedBitmap* ShapeFiles::bitmap(const Properties& properties, const geom::Size& size) {
   const std::string name = properties.text("bitmap", "");
@@ -55,11 +46,14 @@ const MeshBodies::Entry* ShapeFiles::mesh(const std::string& name, SourceLine wh
   return &entry;
 }
 
-const MeshBodies::Body& ShapeFiles::mesh_body(const MeshBodies::Entry& entry, const geom::Size* size,
-                                              SourceLine where) {
-  const MeshBodies::Body& body = meshes_.body(entry, size);
+const MeshBodies::Body* ShapeFiles::mesh_body(const MeshBodies::Entry& entry, const geom::Size* size,
+                                              const mesh::Placement& at, SourceLine where) {
+  const MeshBodies::Body& body = meshes_.body(entry, size, at);
   if (body.is_new) mesh_copies_.spend(body.corners, where, state_);
-  return body;
+  if (body.mesh) return &body;
+  state_.fail(where,
+              "mesh " + in_quotes(entry.path) + ", with its mesh_scale and mesh_pose, " + body.why_none);
+  return nullptr;
 }
 
 Result<FoundFile> ShapeFiles::look_for(std::string_view what, const std::string& name, SourceLine where,

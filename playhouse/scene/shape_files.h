@@ -38,8 +38,9 @@ class ShapeFiles {
   const TracedBitmap* bitmap(const Properties& properties, const geom::Size& size);
   /// A mesh with its path; null, with an error, if it cannot be found.
   const MeshBodies::Entry* mesh(const std::string& name, SourceLine where);
-  /// A readable mesh scaled to a size; null: at its own size.
-  const MeshBodies::Body& mesh_body(const MeshBodies::Entry& entry, const geom::Size* size, SourceLine where);
+  /// A readable mesh as a body (MeshBodies::body()); null, with an error, if its placement is not possible.
+  const MeshBodies::Body* mesh_body(const MeshBodies::Entry& entry, const geom::Size* size,
+                                    const mesh::Placement& at, SourceLine where);
 
  private:
   /// Warns if the file is not where the original would look.

@@ -22,6 +22,7 @@
 #include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/kinds.h"
+#include "playhouse/scene/mesh_words.h"
 #include "playhouse/scene/old_words.h"
 #include "playhouse/scene/properties.h"
 #include "playhouse/scene/read_word.h"
@@ -314,10 +315,11 @@ void WorldLoader::read_globals() {
 void WorldLoader::define(const Statement& statement) {
   if (macros_.define(statement)) return repeats_.clear();  // the same words may have another meaning now
   const std::string_view name = statement.section.name;
-  state_.warnings.add(Warning::kMacro, statement.section.where,
-                      "macro " + in_quotes(name) + " is defined at " +
-                          document_.sources.at(macros_.find(name)->section.where) +
-                          " already; the first definition counts");
+  const std::string first = document_.sources.at(macros_.find(name)->section.where);
+  if (first == document_.sources.at(statement.section.where)) return;  // a file that is included twice
+  state_.warnings.add(
+      Warning::kMacro, statement.section.where,
+      "macro " + in_quotes(name) + " is defined at " + first + " already; the first definition counts");
 }
 
 std::optional<Instance> WorldLoader::instance(const Section& section) {
@@ -503,7 +505,7 @@ void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shap
   const ShapeFiles::TracedBitmap* bitmap = shape_files_.bitmap(properties, model.size);
   if (state_.error) return;  // the load fails anyway
   const bool boundary = properties.flag("boundary", false), noblocks = properties.flag("noblocks", false);
-  model.body = {bitmap ? bitmap->first : "", "", noblocks, boundary, shape.prisms};
+  model.body = {bitmap ? bitmap->first : "", "", {}, noblocks, boundary, shape.prisms};
   const bool is_own = kind.solid && !bitmap && !boundary && shape.prisms.empty() && !noblocks;
   if (!is_own && !bitmap && !boundary && shape.prisms.empty()) return;
   check_body_size(model.size, properties);
@@ -524,6 +526,7 @@ void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shap
 bool WorldLoader::read_mesh_body(const Properties& properties, const Kind& kind, bool has_other,
                                  ModelDesc& model) {
   const std::string name = properties.text("mesh", "");
+  if (name.empty()) warn_without_mesh(properties);
   if (name.empty() || state_.over) return false;
   const SourceLine where = properties.where("mesh");
   if (kind.kind == ModelKind::kGripper) {
@@ -535,15 +538,21 @@ bool WorldLoader::read_mesh_body(const Properties& properties, const Kind& kind,
                         "a mesh is all of a body: blocks, bitmap, noblocks and boundary have no effect");
   const MeshBodies::Entry* entry = shape_files_.mesh(name, where);
   if (state_.over || entry == nullptr || !entry->mesh) return true;
-  if (properties.has("size")) check_body_size(model.size, properties);
-  const MeshBodies::Body& body =
-      shape_files_.mesh_body(*entry, properties.has("size") ? &model.size : nullptr, where);
-  for (const Block& block : body.blocks) corners_.spend(block.points.size(), where, state_);
+  const mesh::Placement at = read_placement(properties);
   if (state_.error) return true;
-  model.size = body.size;
-  model.mesh = body.mesh;
-  model.blocks = body.blocks;
+  const bool has_size = properties.has("size");
+  if (has_size) check_body_size(model.size, properties);
+  const MeshBodies::Body* const body =
+      shape_files_.mesh_body(*entry, has_size && at.is_fitted ? &model.size : nullptr, at, where);
+  if (!body) return true;
+  for (const Block& block : body->blocks) corners_.spend(block.points.size(), where, state_);
+  if (state_.error) return true;
+  if (!has_size || !at.is_fitted) warn_of_extent(properties, entry->path, body->mesh->high - body->mesh->low);
+  if (!has_size) model.size = body->size;
+  model.mesh = body->mesh;
+  model.blocks = body->blocks;
   model.body.mesh = entry->path;
+  model.body.placement = at;
   return true;
 }
 

@@ -264,8 +264,9 @@ TEST(WorldText, names_of_any_length_and_bytes_are_one_short_line) {
 TEST(WorldText, a_path_of_another_machine_is_an_error_that_says_where_the_name_alone_is_found) {
   for (const std::string text : {"include \"/opt/stage/x.inc\"", "model( bitmap \"/opt/stage/x.inc\" )",
                                  "model( mesh \"/opt/stage/x.inc\" )"})
-    EXPECT_THAT(error_of(text, {{"w/x.inc", ""}}),
-                HasSubstr("\"/opt/stage/x.inc\" cannot be opened: no such file; \"x.inc\" alone is found in w/"));
+    EXPECT_THAT(
+        error_of(text, {{"w/x.inc", ""}}),
+        HasSubstr("\"/opt/stage/x.inc\" cannot be opened: no such file; \"x.inc\" alone is found in w/"));
 }
 
 TEST(WorldText, an_include_cycle_is_reported_not_followed) {
@@ -312,6 +313,13 @@ TEST(WorldMacros, the_first_definition_of_a_name_counts) {
   EXPECT_THAT(scene.warnings,
               ElementsAre("w/t.world:2: macro \"a\" is defined at w/t.world:1 already; the first "
                           "definition counts"));
+}
+
+TEST(WorldMacros, a_file_that_is_included_twice_defines_its_own_once) {
+  const SceneDesc scene =
+      loaded("include \"r.inc\"\ninclude \"r.inc\"\nr( )", {{"w/r.inc", "define r model ( mass 3 )"}});
+  EXPECT_EQ(scene.models[0].mass, 3);
+  EXPECT_THAT(scene.warnings, testing::IsEmpty());
 }
 
 TEST(WorldMacros, a_macro_shadows_a_type_from_its_definition_on_also_inside_other_macros) {
@@ -1110,9 +1118,9 @@ TEST(WorldFiles, an_include_is_looked_for_beside_the_files_and_then_in_the_searc
       load_world_text("include \"furthr.inc\"", "w/t.world", files).error().line(),
       "w/t.world:1: included file \"w/furthr.inc\" cannot be opened: no such file, also not in none/, lib/ "
       "(did you mean \"further.inc\"?)");
-  EXPECT_EQ(
-      load_world_text("include \"/far.inc\"", "w/t.world", files).error().line(),
-      "w/t.world:1: included file \"/far.inc\" cannot be opened: no such file; \"far.inc\" alone is found in lib/");
+  EXPECT_EQ(load_world_text("include \"/far.inc\"", "w/t.world", files).error().line(),
+            "w/t.world:1: included file \"/far.inc\" cannot be opened: no such file; \"far.inc\" alone is "
+            "found in lib/");
 }
 
 TEST(WorldFiles, a_bitmap_is_looked_for_as_an_include_is_and_a_warning_says_where_it_was_found) {

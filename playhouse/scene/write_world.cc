@@ -18,6 +18,7 @@
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/generated/write_kinds.h"
 #include "playhouse/scene/kinds.h"
+#include "playhouse/scene/mesh_words.h"
 #include "playhouse/scene/source_text.h"
 
 namespace playhouse::scene {
@@ -319,6 +320,7 @@ void WorldWriter::add_body(const ModelDesc& model, Entity& to) const {
   const BodyDesc& body = model.body;
   if (!body.bitmap.empty()) words.text("bitmap", file_name(body.bitmap));
   if (!body.mesh.empty()) words.text("mesh", file_name(body.mesh));
+  write_placement(body.placement, words);
   if (body.noblocks) words.flag("noblocks", true);
   if (body.boundary) words.flag("boundary", true);
   for (const Prism& prism : body.prisms) add_block(prism, to);
@@ -402,7 +404,8 @@ std::string WorldWriter::unsaid_token(const Kind& kind, const std::string& paren
 
 std::string WorldWriter::file_name(const std::string& path) const {
   if (!path_.empty())
-    if (const auto below = path_from(path_, path); !below.empty() && *below.begin() != "..") return below.string();
+    if (const auto below = path_from(path_, path); !below.empty() && *below.begin() != "..")
+      return below.string();
   return physical_path(path).string();
 }
 

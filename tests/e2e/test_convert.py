@@ -75,6 +75,16 @@ class Convert(HouseTest):
                          (2, f"{made}: error: is an image: a world is written as .world, a map as .yaml, bodies as .glb\n"))
         self.assertFalse(made.exists())
 
+    def test_an_image_that_is_not_read_is_told_with_those_that_are(self):
+        (self.folder / "plan.gif").write_bytes(b"GIF89a\x01\0\x01\0\0\0\0;")
+        done = finish("convert", self.folder / "plan.gif", "--scale", "0.05", "-o", self.folder / "new.world")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"plan\.gif: error: is an image of a kind that is not read: PNG, JPEG, .* and BMP are\n$")
+        (self.folder / "plan.jpg").write_bytes(b"GIF89a\x01\0\x01\0\0\0\0;")
+        done = finish("convert", self.folder / "plan.jpg", "--scale", "0.05")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"plan\.jpg: error: is no PNG, JPEG, .* or BMP image\n$")
+
     def test_a_world_with_faults_is_told(self):
         done = finish("convert", self.write("old.world", "laser( pose [1] )"), "-o", self.folder / "new.world")
         self.assertEqual(done.returncode, 2)

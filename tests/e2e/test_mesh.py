@@ -42,14 +42,44 @@ class Mesh(HouseTest):
         self.assertEqual(len(text["images"]), 1)
         self.assertIn("TEXCOORD_0", json.dumps(text["meshes"]))
 
+    def test_the_turned_scaled_and_unfitted_run_the_same_when_written_again(self):
+        ramp = ROOT / "worlds/meshes/ramp.dae"
+        shutil.copy(ramp, self.folder / "ramp.dae")
+        world = self.write("a.world", """interval_sim 100
+model( name "wall" mesh "ramp.dae" mesh_pose [0 0 0 90 0 45] pose [2 0 0 0] )
+model( name "far" mesh "ramp.dae" mesh_fit 0 mesh_scale [0.5 -0.5 0.5] mesh_pose [-2 1 0.1 0 0 30] size [1 1 1] stack_children 0 )
+position( pose [-1 0 0 0] velocity [0.5 0 0 0] ranger( sensor( samples 19 fov 180 range [0 8] ) ) )
+""")
+        again = self.folder / "again.world"
+        done = finish("convert", world, "-o", again)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for word in ("mesh_pose [0 0 0 90 0 45]", "mesh_scale [0.5 -0.5 0.5]", "mesh_fit 0"):
+            self.assertIn(word, again.read_text())
+        for engine in ("stage", "arena"):
+            self.assertEqual(self.run_of(again, engine)["hash"], self.run_of(world, engine)["hash"])
+
+    def test_an_stl_is_the_body_that_check_tells_the_size_of(self):
+        corners = [(x, y, z) for x in (0, 1000) for y in (0, 2000) for z in (0, 500)]
+        sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+        triangles = [tuple(side[k] for k in three) for side in sides for three in ((0, 1, 2), (0, 2, 3))]
+        (self.folder / "box.stl").write_bytes(bytes(80) + struct.pack("<I", len(triangles)) + b"".join(
+            bytes(12) + b"".join(struct.pack("<3f", *corners[k]) for k in triangle) + bytes(2) for triangle in triangles))
+        done = finish("check", self.write("a.world", 'model( mesh "box.stl" mesh_scale 0.001 mesh_pose [0 0 0 0 0 90] )'))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("box.stl: a mesh of 2 x 1 x 0.5 m\n", done.stdout)
+        self.assertNotIn("m large", done.stdout)
+        done = finish("check", self.write("a.world", 'model( mesh "box.stl" )'))
+        self.assertRegex(done.stdout, r'a\.world:1: warning: mesh "[^"]*box\.stl" is 1000 x 2000 x 500 m large: mesh_scale')
+
     @unittest.skipUnless(shutil.which("assimp"), "assimp-utils is not installed")
     def test_files_of_another_program_are_the_same_body(self):
         hashes = set()
-        for ending in ("dae", "glb2", "obj"):
-            name = f"ramp.{ending.rstrip('2')}"
+        for ending in ("dae", "glb2", "obj", "stl", "stlb"):
+            name = f"ramp.{'stl' if ending == 'stlb' else ending.rstrip('2')}"
             subprocess.run(["assimp", "export", ROOT / "worlds/meshes/ramp.dae", self.folder / name, f"-f{'collada' if ending == 'dae' else ending}"],
                            check=True, capture_output=True)
-            world = self.write("a.world", f'interval_sim 100\nmodel( mesh "{name}" )\nposition( pose [-2 0 0 0] velocity [0.5 0 0 0] '
+            up = "mesh_pose [0 0 0 90 0 0] " if name.endswith("stl") else ""  # written as it is inside of assimp: y up
+            world = self.write("a.world", f'interval_sim 100\nmodel( mesh "{name}" {up})\nposition( pose [-2 0 0 0] velocity [0.5 0 0 0] '
                                "ranger( sensor( samples 9 fov 90 range [0 8] ) ) )\n")
             hashes.add(self.run_of(world, "arena")["hash"])
         self.assertEqual(len(hashes), 1)
@@ -58,9 +88,11 @@ class Mesh(HouseTest):
         self.write("empty.obj", "v 0 0 0\n")
         self.write("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n")
         self.write("none.dae", "<nothing/>")
+        self.write("half.stl", "solid half\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n")
         self.write("endless.dae", (ROOT / "worlds/meshes/ramp.dae").read_text().replace(
             '<instance_geometry url="#ramp">', '<instance_node url="#top"/><instance_geometry url="#ramp">'))
         for name, what in (("gone.dae", "cannot be opened: no such file"), ("empty.obj", ""), ("nan.obj", ""), ("none.dae", "cannot be read: "),
+                           ("half.stl", "is broken in line 5: it ends before its endsolid"),
                            ("endless.dae", "has nodes more than 128 deep, or one that is inside itself")):
             world = self.write("a.world", f'\nmodel( mesh "{name}" )\n')
             done = finish("run", world, "--headless", "--port", "0", "--duration", "1")

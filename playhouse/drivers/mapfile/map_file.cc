@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/log.h"
 #include "playhouse/drivers/section_devices.h"
 #include "playhouse/scene/ros_map.h"
 #include "playhouse/scene/source_text.h"
@@ -26,29 +27,63 @@ std::vector<std::int8_t> cells_of(const scene::Plan& plan) {
   return cells;
 }
 
-Result<GridMap> read_grid(const scene::CfgSection& section) {
-  if (!section.has("filename"))
-    return Error{section.at(), "driver \"mapfile\" needs a filename" + section.slip_for("filename")};
+/// What a section says about the image that it names; its origin apart.
+Result<scene::RosMap> map_of(const scene::CfgSection& section, const std::string& path) {
   if (!section.has("resolution"))
     return Error{section.at(), "driver \"mapfile\" needs a resolution, the size of a pixel in metres" +
                                    section.slip_for("resolution")};
   scene::RosMap map;
+  map.image = path;
   map.resolution = section.length("resolution", 0);
-  if (!(map.resolution >= kFinest && map.resolution <= kCoarsest))
-    return Error{section.at("resolution"),
-                 fmt::format("resolution is from {} to {} m per pixel", kFinest, kCoarsest)};
   map.negate = section.flag("negate", false);
   map.occupied = kOccupied;
   map.free = kFree;
+  return map;
+}
+
+/// The map of ROS that a section names, with the path of its image; it says everything itself.
+Result<scene::RosMap> read_map(const scene::CfgSection& section, const std::string& path) {
+  for (const std::string_view key : {"resolution", "origin", "negate"})
+    if (section.has(key))
+      return Error{section.at(key), in_quotes(key) + " is what " + in_quotes(path) + " says: leave it out"};
+  const Result<std::string> text = scene::DiskFiles().read(path);
+  if (!text) return Error{section.at("filename"), in_quotes(path) + ": " + text.error().text};
+  Result<scene::RosMap> map = scene::read_ros_map(*text);
+  if (!map) {
+    const std::string line = map.error().where.empty() ? "" : ", line " + map.error().where;
+    return Error{section.at("filename"), in_quotes(path) + line + ": " + map.error().text};
+  }
+  for (const Error& warning : map->warnings)
+    log::warn("driver mapfile: {}:{}: {}; it has no effect", escaped(path), warning.where, warning.text);
+  const scene::MapImage image = scene::image_of(*map, path);
+  if (image.is_instead)
+    log::warn("driver mapfile: there is no {}; {} is read instead", in_quotes(map->image),
+              in_quotes(image.path));
+  map->image = image.path;
+  return map;
+}
+
+Result<GridMap> read_grid(const scene::CfgSection& section) {
+  if (!section.has("filename"))
+    return Error{section.at(), "driver \"mapfile\" needs a filename" + section.slip_for("filename")};
   const std::string path = section.filename("filename", "");
-  const Result<std::string> bytes = scene::DiskFiles().read(path);
-  if (!bytes) return Error{section.at("filename"), in_quotes(path) + ": " + bytes.error().text};
+  const bool is_of_ros = scene::is_map_name(path);
+  Result<scene::RosMap> read = is_of_ros ? read_map(section, path) : map_of(section, path);
+  if (!read) return read.error();
+  const scene::RosMap& map = *read;
+  if (!(map.resolution >= kFinest && map.resolution <= kCoarsest))
+    return Error{section.at(is_of_ros ? "filename" : "resolution"),
+                 fmt::format("resolution is from {} to {} m per pixel", kFinest, kCoarsest)};
+  const Result<std::string> bytes = scene::DiskFiles().read(map.image);
+  if (!bytes) return Error{section.at("filename"), in_quotes(map.image) + ": " + bytes.error().text};
   const Result<scene::Plan> plan = scene::plan_of_ros_map(map, *bytes, path);
-  if (!plan) return Error{section.at("filename"), in_quotes(path) + ": " + plan.error().text};
-  const auto size = [&](int pixels) { return pixels * map.resolution; };
-  const wire::Pose2d origin{section.length("origin", -0.5 * size(plan->solid.width), 0),
-                            section.length("origin", -0.5 * size(plan->solid.height), 1),
-                            section.angle("origin", 0, 2)};
+  if (!plan) return Error{section.at("filename"), in_quotes(map.image) + ": " + plan.error().text};
+  const auto middle = [&](int pixels) { return -0.5 * (pixels * map.resolution); };
+  const wire::Pose2d origin = is_of_ros
+                                  ? wire::Pose2d{map.origin.x, map.origin.y, map.origin.a}
+                                  : wire::Pose2d{section.length("origin", middle(plan->solid.width), 0),
+                                                 section.length("origin", middle(plan->solid.height), 1),
+                                                 section.angle("origin", 0, 2)};
   const auto width = static_cast<std::uint32_t>(plan->solid.width),
              height = static_cast<std::uint32_t>(plan->solid.height);
   return GridMap{{static_cast<float>(map.resolution), width, height, origin}, cells_of(*plan)};

@@ -25,15 +25,18 @@ constexpr Meaning kOld_model_polygon{.how = Meaning::How::kNested, .part = "bloc
 constexpr Meaning kOld_model_blocks{.how = Meaning::How::kCount, .part = "block"};
 constexpr SaidWord kOld_model_block_part_words[] = {{"z", "0 1"}};
 constexpr Meaning kOld_model_block{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_block_part_words};
-constexpr Word kWordsOfModel[64] = {
+constexpr Word kWordsOfModel[67] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "Name of the model. Inside a parent the full name is parent.name; a name with a leading / is used as given."},
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Pose in the parent."},
     {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Pose of the body and of the sensors, relative to the model's pose."},
     {.name = "size", .use = Use::kRead, .type = "size", .form = "[x y z]", .unit = "m", .told = "the kind's own", .doc = "Bounding box that the body fills; 0 in x or y makes a wall 0.01 m thick."},
     {.name = "color", .use = Use::kRead, .type = "color", .told = "the kind's own", .doc = "Name of an X11 color, or random, which is the same in every run."},
     {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .told = "the kind's own", .doc = "Color components from 0 to 1; used if there is no color."},
-    {.name = "bitmap", .use = Use::kRead, .type = "text", .doc = "An image (PNG, PGM, PPM, PBM or BMP). Its dark pixels (first channel up to 127) are solid; it is scaled to the size."},
-    {.name = "mesh", .use = Use::kRead, .type = "text", .doc = "A mesh file (COLLADA, glTF or OBJ) for the appearance and the body. It is scaled to the size if one is given, else it keeps its own. See docs/meshes.md."},
+    {.name = "bitmap", .use = Use::kRead, .type = "text", .doc = "An image (PNG, JPEG, PGM, PPM, PBM or BMP). Its dark pixels (first channel up to 127) are solid, transparent ones (alpha up to 127) are free; it is scaled to the size."},
+    {.name = "mesh", .use = Use::kRead, .type = "text", .doc = "A mesh file (COLLADA, glTF, OBJ or STL) for the appearance and the body. It is scaled to the size if one is given, else it keeps its own. See docs/meshes.md."},
+    {.name = "mesh_pose", .use = Use::kRead, .type = "tuple", .form = "[x y z roll pitch yaw]", .unit = "m, m, m, deg, deg, deg", .otherwise = "[0 0 0 0 0 0]", .doc = "Pose of the mesh file in the body: rotations about its x, y and z axes, in this order, as rpy of URDF. The place counts with mesh_fit 0."},
+    {.name = "mesh_scale", .use = Use::kRead, .type = "tuple", .form = "[x y z]", .otherwise = "[1 1 1]", .doc = "Factors on the axes of the mesh file, before it is turned, or one for all; below 0 it is mirrored. 0.001 is for files in millimetres."},
+    {.name = "mesh_fit", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "The mesh is moved to the middle of the body, onto its floor, and scaled to the size. With 0 it keeps its own origin and size."},
     {.name = "noblocks", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "No default box for a model without blocks, bitmap or mesh."},
     {.name = "boundary", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Four walls inside the edges of the size, in addition to a bitmap or blocks."},
     {.name = "stack_children", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "Child models stand on top of it."},
@@ -281,7 +284,7 @@ constexpr Word kWordsOfCamera[12] = {
     {.name = "tilt_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[-25 25]", .doc = "Tilt limits for clients: down and up."},
     {.name = "zoom_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[5 70]", .limits = "from 1 to 170", .doc = "Limits of the horizontal field of view for clients."},
     {.name = "pantilt_speed", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "90", .limits = "not negative", .doc = "Maximum speed of pan, tilt and field of view, per second."},
-    {.name = "image", .use = Use::kRead, .type = "choice", .form = "\"color\" | \"gray\" | \"depth\" | \"segmentation\"", .otherwise = "\"color\"", .doc = "Content of a pixel. \"color\": red, green and blue; \"gray\": brightness; \"depth\": distance along the optical axis, in mm; 0 if nothing is in range; \"segmentation\": the model's id plus 1, in 24 bits; 0 if none is in range."},
+    {.name = "image", .use = Use::kRead, .type = "choice", .form = "\"color\" | \"gray\" | \"depth\" | \"segmentation\"", .otherwise = "\"color\"", .doc = "Content of a pixel. \"color\": red, green and blue; \"gray\": brightness; \"depth\": distance along the optical axis, in mm; 0 if nothing is in range, or only beyond 65.535 m; \"segmentation\": the model's id plus 1, in 24 bits; 0 if none is in range."},
     {.name = "compression", .use = Use::kRead, .type = "choice", .form = "\"raw\" | \"jpeg\"", .otherwise = "\"raw\"", .doc = "Encoding of images; depth and segmentation images are always raw. \"raw\": rows of pixels; \"jpeg\": a JPEG file."},
     {.name = "quality", .use = Use::kRead, .type = "count", .otherwise = "85", .limits = "from 1 to 100", .doc = "JPEG quality, in percent."},
     {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[value depth]", .otherwise = "[0 0]", .limits = "from 0 to 1", .doc = "Pixel noise: standard deviation of each of red, green and blue, as a fraction of full scale, and of depth, as a fraction of the distance."},
