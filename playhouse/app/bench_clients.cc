@@ -238,8 +238,8 @@ Result<FanOut> measure_fan_out(const FanOutPlan& plan) {
 Result<double> watch_as_page(std::uint16_t port, double seconds, const std::function<void(bool)>& watches) {
   Result<PageSocket> page = PageSocket::connect(port);
   if (!page) return page.error();
-  const Result<void> looks = page->send_text(
-      R"({"do":"look","x_min":-1e6,"y_min":-1e6,"x_max":1e6,"y_max":1e6,"sensors":true})");
+  const Result<void> looks =
+      page->send_text(R"({"do":"look","x_min":-1e6,"y_min":-1e6,"x_max":1e6,"y_max":1e6,"sensors":true})");
   if (!looks) return looks.error();
   if (const Result<std::uint64_t> settled = be_page(*page, kSettle); !settled) return settled.error();
   watches(true);

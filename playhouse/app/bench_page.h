@@ -1,7 +1,8 @@
 #pragma once
 
-/// The page's side of a WebSocket (RFC 6455) for `bench watched`: blocking, and for our own server, which sends
-/// every message in one frame. Beast's stream would take the compiler longer than all other benchmarks together.
+/// The page's side of a WebSocket (RFC 6455) for `bench watched`: blocking, and for our own server, which
+/// sends every message in one frame. Beast's stream would take the compiler longer than all other benchmarks
+/// together.
 
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +37,7 @@ class PageSocket {
   Result<void> send(std::string_view bytes);
 
   int socket_;
-  std::string in_;          // received bytes
+  std::string in_;         // received bytes
   std::size_t taken_ = 0;  // of them, returned before
 };
 

@@ -308,7 +308,8 @@ TEST_F(ClusterTest, whoever_sends_byte_by_byte_holds_a_tick_no_longer_than_whoev
   std::atomic<bool> over = false;
   std::thread trickle([&] {
     const int socket = slow.socket();
-    const std::array<unsigned char, 5> announced{0, 0, 0, 1, static_cast<unsigned char>(Type::kShare)};  // 16 MiB
+    const std::array<unsigned char, 5> announced{0, 0, 0, 1,
+                                                 static_cast<unsigned char>(Type::kShare)};  // 16 MiB
     for (std::size_t i = 0; !over; ++i) {
       const unsigned char byte = i < announced.size() ? announced[i] : 0;
       if (::send(socket, &byte, 1, MSG_NOSIGNAL) < 0) break;
@@ -352,7 +353,8 @@ TEST_F(ClusterTest, a_hundred_nodes_that_do_not_read_share_one_copy_of_the_world
   scene::SourceFiles sources = Instance::test_world();
   sources.files["test.world"] += "\n# " + std::string(8 << 20, 'x');
   run_ = std::make_unique<Instance>(sources);
-  head_ = std::make_unique<Head>(std::move(run_->engine), run_->sources, Head::Options{}, [](const Error&) {});
+  head_ =
+      std::make_unique<Head>(std::move(run_->engine), run_->sources, Head::Options{}, [](const Error&) {});
   port_ = *head_->listen();
   std::vector<Stream> streams;
   for (int i = 0; i < 100; ++i) {
@@ -399,8 +401,9 @@ Result<cluster::Node::Summary> node_of(const std::function<void(int socket)>& he
   cluster::Node node(*Stream::connect("127.0.0.1", ntohs(address.sin_port), kLong), "", Seconds{0.2});
   const int peer = accept(listener, nullptr, nullptr);
   head(peer);
-  const Result<cluster::Node::Summary> done =
-      node.run([](world::SavedRun) -> Result<world::Engine*> { return Error{"", "no world"}; });
+  const Result<cluster::Node::Summary> done = node.run([](world::SavedRun) -> Result<world::Engine*> {
+    return Error{"", "no world"};
+  });
   close(peer);
   close(listener);
   return done;

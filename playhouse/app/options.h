@@ -61,7 +61,7 @@ struct Running {
   std::string record = {};                     // recording file; empty: none
   std::string record_only = {};                // recorded part, record::Selection; empty: everything
   std::optional<std::uint16_t> cluster =
-      {};                 // port for nodes of a cluster; none: no cluster; 0: any free one
+      {};                          // port for nodes of a cluster; none: no cluster; 0: any free one
   std::size_t nodes = 0;           // of the cluster, to wait for
   std::string cluster_token = {};  // that its nodes have to have; empty: a random one beyond this machine
   bool paused = false;
@@ -102,7 +102,7 @@ struct ServeOptions {
 };
 
 struct NodeOptions {
-  std::string head;  // "host" or "host:port" of the run
+  std::string head;   // "host" or "host:port" of the run
   double wait = 10;   // seconds for the run to begin
   std::string token;  // of the run; empty: none
   Running running;    // workers and libraries

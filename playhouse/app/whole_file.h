@@ -10,8 +10,8 @@
 
 namespace playhouse::app {
 
-/// Reads a whole file of `most` bytes at most: a regular one, or a pipe if a person named it, never a device without end.
-/// Errors include its name.
+/// Reads a whole file of `most` bytes at most: a regular one, or a pipe if a person named it, never a device
+/// without end. Errors include its name.
 Result<std::string> read_file(const std::string& path, scene::NamedBy by = scene::NamedBy::kPerson,
                               std::size_t most = limits::kFileBytes);
 

@@ -36,8 +36,9 @@ Result<EngineMaker> engine_named(std::string_view name);
 Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others,
                                     scene::SourceFiles* sources = nullptr);
 
-/// The scene of files in memory, as of a saved run, with what its controllers may spawn. Its libraries are looked
-/// for beside `file`, which is the one that a person named; nullopt: it came from a peer. Fails like read_scene().
+/// The scene of files in memory, as of a saved run, with what its controllers may spawn. Its libraries are
+/// looked for beside `file`, which is the one that a person named; nullopt: it came from a peer. Fails like
+/// read_scene().
 Result<scene::SceneDesc> scene_of(const scene::SourceFiles& sources, const std::optional<std::string>& file,
                                   std::vector<Error>* others);
 

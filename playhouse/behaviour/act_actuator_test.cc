@@ -1,5 +1,5 @@
-#include <limits>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include "playhouse/behaviour/generated/acts.h"
 

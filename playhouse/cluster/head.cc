@@ -29,11 +29,11 @@ using Clock = std::chrono::steady_clock;
 /// Ticks between two checks. One costs the hashes of the world, and a share that is computed twice.
 constexpr std::uint64_t kCheckTicks = 100;
 
-constexpr int kPollMilliseconds = 50;        // between looks at stop()
-constexpr std::chrono::minutes kMaking{10};  // for a node to make its engine
-constexpr Seconds kLastMessages{1};          // for the last messages to all
+constexpr int kPollMilliseconds = 50;          // between looks at stop()
+constexpr std::chrono::minutes kMaking{10};    // for a node to make its engine
+constexpr Seconds kLastMessages{1};            // for the last messages to all
 constexpr std::size_t kShareBytes = 16 << 20;  // of a share of any world
-constexpr double kSlowerNode = 10;           // times the head's own share: of a node that computes slower
+constexpr double kSlowerNode = 10;             // times the head's own share: of a node that computes slower
 
 Seconds since(Clock::time_point start) {
   return Clock::now() - start;
@@ -136,7 +136,8 @@ bool Head::negotiate(Pending& pending, std::size_t& room) {
 }
 
 bool Head::welcome(Pending& pending, std::span<const std::byte> hello) {
-  if (const std::string why = why_not_joined(hello, options_.token); !why.empty()) return refuse(pending, why);
+  if (const std::string why = why_not_joined(hello, options_.token); !why.empty())
+    return refuse(pending, why);
   if (const int left = quarantine_of(pending.network); left > 0)
     return refuse(pending, fmt::format("a node at its address was silent: in {} s it can", left));
   pending.stream.queue(Type::kWorld, world_message());
@@ -284,8 +285,8 @@ void Head::run(world::DividedWork& work) {
   }
 }
 
-/// One end for the exchange with all nodes, whatever they send meanwhile: a node holds no tick for longer. The head's
-/// own share took `own` and has so many bytes; a node that is new loads the state first.
+/// One end for the exchange with all nodes, whatever they send meanwhile: a node holds no tick for longer.
+/// The head's own share took `own` and has so many bytes; a node that is new loads the state first.
 void Head::expect_shares(Seconds own, std::size_t bytes) {
   const std::size_t exchanged = bytes * nodes_.size() * nodes_.size();
   end_ = until(options_.patience + own * kSlowerNode, exchanged + state_bytes_, &stopped_);

@@ -27,14 +27,15 @@ class Head final : public world::Engine, public world::RunListener, private worl
  public:
   struct Options {
     std::string bind = "127.0.0.1";
-    std::uint16_t port = 0;                           // 0: any free one
-    std::size_t nodes = 0;                            // to wait for before the first tick
-    std::string token = {};                           // that nodes have to have; empty: whoever connects
-    Seconds patience{limits::kClusterSilentSeconds};  // with all nodes in a tick, and with a silent connection
+    std::uint16_t port = 0;  // 0: any free one
+    std::size_t nodes = 0;   // to wait for before the first tick
+    std::string token = {};  // that nodes have to have; empty: whoever connects
+    Seconds patience{
+        limits::kClusterSilentSeconds};  // with all nodes in a tick, and with a silent connection
   };
   /// The world of `engine` is that of `sources`. `fail` is called, on the tick thread, when
-  /// a node that took part is found to compute something else: the run is worthless from then on. One that does
-  /// so in its first tick is refused, and the run goes on.
+  /// a node that took part is found to compute something else: the run is worthless from then on. One that
+  /// does so in its first tick is refused, and the run goes on.
   Head(std::unique_ptr<world::Engine> engine, scene::SourceFiles sources, Options options,
        std::function<void(const Error&)> fail);
   ~Head() override;
@@ -109,13 +110,14 @@ class Head final : public world::Engine, public world::RunListener, private worl
   std::list<Pending> pending_;
   std::vector<std::unique_ptr<Node>> nodes_, joining_;  // joining_ take part from the next tick on
   std::shared_ptr<const Bytes> world_;                  // the body of a message kWorld
-  std::map<std::string, std::chrono::steady_clock::time_point> silenced_;  // networks of nodes that were silent
-  std::optional<Bytes> before_;                         // the state before the changes since the last tick
-  std::uint64_t ticks_ = 0;                             // with nodes
-  bool check_ = false;                                  // in this tick
-  std::size_t state_bytes_ = 0;                         // sent in this tick to a node that is new
-  Until end_{};                                         // of the exchange of results in this tick
-  Hashes hashes_;                                       // at the check
+  std::map<std::string, std::chrono::steady_clock::time_point>
+      silenced_;                 // networks of nodes that were silent
+  std::optional<Bytes> before_;  // the state before the changes since the last tick
+  std::uint64_t ticks_ = 0;      // with nodes
+  bool check_ = false;           // in this tick
+  std::size_t state_bytes_ = 0;  // sent in this tick to a node that is new
+  Until end_{};                  // of the exchange of results in this tick
+  Hashes hashes_;                // at the check
 };
 
 }  // namespace playhouse::cluster

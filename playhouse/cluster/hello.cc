@@ -25,7 +25,9 @@ std::string why_not_joined(std::span<const std::byte> body, std::string_view tok
   if (!in.ok() || magic != kMagic) return "it does not speak the protocol of clusters";
   if (version == PLAYHOUSE_VERSION) {
     const std::string its = in.text();
-    return in.ok() && (token.empty() || its == token) ? "" : "its token is not that of the run; node --token takes it";
+    return in.ok() && (token.empty() || its == token)
+               ? ""
+               : "its token is not that of the run; node --token takes it";
   }
   return "it is version " + in_quotes(version) + " of Playhouse, the run " + in_quotes(PLAYHOUSE_VERSION);
 }

@@ -22,7 +22,8 @@ Node::Node(Stream stream, std::string token, Seconds patience)
   stream_.accept_up_to(limits::kClusterMessageBytes);
 }
 
-/// A run may be paused for as long as its user likes: without patience, waits for ever for a message to begin.
+/// A run may be paused for as long as its user likes: without patience, waits for ever for a message to
+/// begin.
 Result<Message> Node::next(std::optional<Seconds> patience) {
   const Result<Message> message = stream_.wait(patience);
   if (!message || message->type != Type::kRefusal) return message;
@@ -32,7 +33,8 @@ Result<Message> Node::next(std::optional<Seconds> patience) {
 
 /// False: the run has ended.
 Result<bool> Node::join(const EngineMaker& make) {
-  if (const Result<void> sent = stream_.send(Type::kHello, {hello(token_)}, kPatience); !sent) return sent.error();
+  if (const Result<void> sent = stream_.send(Type::kHello, {hello(token_)}, kPatience); !sent)
+    return sent.error();
   const Result<Message> world = next(patience_);
   if (!world) return world.error();
   if (world->type == Type::kEnd) return false;

@@ -172,7 +172,8 @@ Result<std::size_t> Stream::flush(std::size_t most) {
   return all;
 }
 
-Result<void> Stream::send(Type type, std::initializer_list<std::span<const std::byte>> body, Seconds patience) {
+Result<void> Stream::send(Type type, std::initializer_list<std::span<const std::byte>> body,
+                          Seconds patience) {
   std::size_t size = 0;
   for (const std::span<const std::byte> piece : body) size += piece.size();
   return send(type, std::span(body), until(patience, size));
@@ -189,8 +190,7 @@ Result<void> Stream::send(Type type, std::span<const std::span<const std::byte>>
   const auto add = [&pieces](std::span<const std::byte> piece) {
     if (!piece.empty()) pieces.push_back({const_cast<std::byte*>(piece.data()), piece.size()});
   };
-  for (const auto& queued : queued_)
-    add(std::span(*queued).subspan(queued == queued_.front() ? sent_ : 0));
+  for (const auto& queued : queued_) add(std::span(*queued).subspan(queued == queued_.front() ? sent_ : 0));
   add(head);
   for (const std::span<const std::byte> piece : body) add(piece);
   for (std::size_t first = 0; first < pieces.size();) {
@@ -273,7 +273,8 @@ Result<Message> Stream::wait(std::optional<Seconds> patience) {
     if (!wait_for(socket_, POLLIN, end)) break;
     received = receive();
   }
-  return Error{"", began ? "sends a message too slowly" : fmt::format("is silent for {:g} s", patience->count())};
+  return Error{"",
+               began ? "sends a message too slowly" : fmt::format("is silent for {:g} s", patience->count())};
 }
 
 /// Bytes of the message that has begun, if its head has come.

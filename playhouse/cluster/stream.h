@@ -87,8 +87,8 @@ class Stream {
   /// The next message, if it has arrived completely; valid until the next call of either. Fails on one over
   /// the limit.
   Result<std::optional<Message>> next();
-  /// The next message, waiting for it. The patience is for its first byte, none: for ever; the rest has to follow
-  /// at the rate of a slow network.
+  /// The next message, waiting for it. The patience is for its first byte, none: for ever; the rest has to
+  /// follow at the rate of a slow network.
   Result<Message> wait(std::optional<Seconds> patience);
 
  private:

@@ -54,7 +54,8 @@ Factory find_driver(std::string_view name) {
 std::string no_such_driver(const std::string& name) {
   std::vector<std::string_view> names;
   for (const auto& [known, make] : kDrivers) names.push_back(known);
-  const auto instead = std::ranges::find(kInstead, name, &std::pair<std::string_view, std::string_view>::first);
+  const auto instead =
+      std::ranges::find(kInstead, name, &std::pair<std::string_view, std::string_view>::first);
   if (instead != std::end(kInstead)) return fmt::format("this program has no such driver{}", instead->second);
   return fmt::format("this program has no such driver{}; it has {}", did_you_mean(name, names),
                      fmt::join(names, ", "));
@@ -70,13 +71,16 @@ std::vector<device::Address> devices_of(const scene::CfgSection& section, std::s
 }
 
 /// The sections to make: those of known drivers whose required devices are not those of sections that are
-/// left out. A warning for each of the others, so that one driver that we lack does not keep a file from running.
+/// left out. A warning for each of the others, so that one driver that we lack does not keep a file from
+/// running.
 std::vector<const scene::CfgSection*> sections_to_make(const scene::CfgFile& file, Site& site) {
   std::vector<const scene::CfgSection*> kept;
   std::map<device::Address, std::string> lacking;  // devices of sections left out, and where these are
   const auto leave_out = [&](const scene::CfgSection& section, const std::string& why) {
-    site.warn(fmt::format("{}: driver {} is left out: {}", section.at("name"), in_quotes(section.name()), why));
-    for (const device::Address& device : devices_of(section, "provides", site)) lacking[device] = section.at();
+    site.warn(
+        fmt::format("{}: driver {} is left out: {}", section.at("name"), in_quotes(section.name()), why));
+    for (const device::Address& device : devices_of(section, "provides", site))
+      lacking[device] = section.at();
   };
   for (const scene::CfgSection& section : file.drivers) {
     if (find_driver(section.name()) != nullptr)
@@ -116,7 +120,9 @@ Result<void> keep_open(const scene::CfgSection& section, Site& site) {
 
 Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::CfgFile& file, Site& site) {
   std::vector<std::unique_ptr<device::Driver>> drivers;
-  const auto is_known = [](const scene::CfgSection& section) { return find_driver(section.name()) != nullptr; };
+  const auto is_known = [](const scene::CfgSection& section) {
+    return find_driver(section.name()) != nullptr;
+  };
   if (std::ranges::none_of(file.drivers, is_known)) {
     const scene::CfgSection& first = file.drivers.front();
     return Error{first.at("name"),

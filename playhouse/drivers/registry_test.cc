@@ -297,7 +297,8 @@ driver( name "nd" requires ["position2d:0" "laser:7"] provides ["position2d:7"] 
           "amcl, mapfile, nd, passthrough, rangertolaser, relay, stage, vfh, wavefront",
           "test.cfg:6: driver \"writelog\" is left out: this program has no such driver; the option --record "
           "records a run",
-          "test.cfg:4: driver \"rangertolaser\" is left out: it requires \"ranger:7\", which test.cfg:5 would "
+          "test.cfg:4: driver \"rangertolaser\" is left out: it requires \"ranger:7\", which test.cfg:5 "
+          "would "
           "provide",
           "test.cfg:7: driver \"nd\" is left out: it requires \"laser:7\", which test.cfg:4 would provide"));
   EXPECT_THAT(fault("driver( name \"writelog\" provides [\"log:0\"] )"),

@@ -1,5 +1,6 @@
 /// The parts of Boost.Asio and Boost.Beast that are not templates, compiled here once instead of in each file
-/// that includes them (BOOST_ASIO_SEPARATE_COMPILATION and BOOST_BEAST_SEPARATE_COMPILATION in CMakeLists.txt).
+/// that includes them (BOOST_ASIO_SEPARATE_COMPILATION and BOOST_BEAST_SEPARATE_COMPILATION in
+/// CMakeLists.txt).
 
 #include <boost/asio/impl/src.hpp>
 #include <boost/beast/src.hpp>

@@ -35,7 +35,8 @@ Solids posts(const std::vector<Vec2>& corners, double side) {
 double nearest(const Solids& solids, double side, Vec2 p, Vec2 d, double range) {
   for (std::size_t row = 0; row < solids.size(); ++row) {
     const std::span<const Vec2> polygon = solids.polygon(row);
-    if (std::fabs(geom::cross(polygon[0] - p, d)) > 2 * side) continue;  // off the line by more than its diagonal
+    if (std::fabs(geom::cross(polygon[0] - p, d)) > 2 * side)
+      continue;  // off the line by more than its diagonal
     for (std::size_t i = 0; i < polygon.size(); ++i)
       range = std::min(range, edge_hit(polygon[i] - p, polygon[(i + 1) % polygon.size()] - p, d));
   }

@@ -21,7 +21,8 @@ struct Outline {
 /// True if the counter-clockwise polygon turns left at every corner and has winding number 1.
 bool is_convex(std::span<const geom::Vec2> polygon);
 
-/// True if the ray from p along +x crosses the segment a-b: of closed loops, an odd number of times from within.
+/// True if the ray from p along +x crosses the segment a-b: of closed loops, an odd number of times from
+/// within.
 inline bool ray_crosses(geom::Vec2 p, geom::Vec2 a, geom::Vec2 b) {
   return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y));
 }

@@ -1,5 +1,5 @@
-/// Prints every message of a recorded stream as a line of JSON: its name, its value in the format of the server
-/// and `playhouse watch`, and the bytes that the value encodes to. dump FILE;
+/// Prints every message of a recorded stream as a line of JSON: its name, its value in the format of the
+/// server and `playhouse watch`, and the bytes that the value encodes to. dump FILE;
 /// clients/python/tests/test_conformance.py compares the lines with the values decoded in Python.
 
 #include <array>

@@ -38,7 +38,8 @@ void JoinedRobots::follow(Simulation& simulation, Brought& brought, const world:
   std::vector<Joined>& robots = found->second->robots;
   const auto gone = std::ranges::find(robots, change.model, &Joined::robot);
   if (gone != robots.end()) {
-    simulation.post_always([joined = *gone](world::World& world) { leave(world, std::span(&joined, 1)); }, {});
+    simulation.post_always([joined = *gone](world::World& world) { leave(world, std::span(&joined, 1)); },
+                           {});
     robots.erase(gone);
   }
   brought.erase(found);

@@ -32,8 +32,8 @@ struct Served {
 
 class SimulatedDevice : public Source {
  public:
-  /// `model` is watched while the device is open, and used from a client's first command on: whoever reads draws no
-  /// power and changes nothing. None for a device of the whole world.
+  /// `model` is watched while the device is open, and used from a client's first command on: whoever reads
+  /// draws no power and changes nothing. None for a device of the whole world.
   SimulatedDevice(Simulation& simulation, world::ModelId model) : simulation_(simulation), model_(model) {}
   SimulatedDevice(const SimulatedDevice&) = delete;
   SimulatedDevice& operator=(const SimulatedDevice&) = delete;
