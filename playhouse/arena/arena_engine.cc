@@ -23,13 +23,12 @@ constexpr double kLeastTilt = 1e-6;  // rad; tilts below this are set to zero
 constexpr double kStalled = 0.2;     // share of the commanded motion; a robot with less stalls
 // A kinematic part stalls if it penetrates deeper than this, and than the expected lag of what it pushes.
 constexpr double kPressed = 0.01;  // m
-constexpr double kLeft = 0.8;      // share of a penetration that contacts leave after a step
 constexpr double kCare = 1.5;      // safety factor on that lag
 
-/// Steady-state penetration into a pushed body, for an approach of 1 per tick of so many steps.
-double lag_after(unsigned steps) {
+/// Steady-state penetration into a pushed body, for an approach of 1 per tick of so many steps of dt.
+double lag_after(unsigned steps, double dt) {
   double left = 1;
-  for (unsigned step = 0; step < steps; ++step) left *= kLeft;
+  for (unsigned step = 0; step < steps; ++step) left *= 1 - correction(dt);
   return left / (1 - left);
 }
 
@@ -197,7 +196,7 @@ void ArenaEngine::bend(std::uint32_t tree) {
 void ArenaEngine::find_blocked(unsigned steps) {
   blocked_.assign(trees_.movers.size(), 0);
   if (!has_parts_) return;
-  const double lag = lag_after(steps);
+  const double lag = lag_after(steps, world_.scene().interval / steps);
   for (const Penetration& penetration : physics_.penetrations(kPressed)) {
     const std::uint32_t tree = tree_of_[penetration.body];
     for (const stage::Mover& mover : parts_of(tree)) {

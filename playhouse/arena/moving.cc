@@ -12,8 +12,10 @@ constexpr double kForesight = 0.1;  // s of look-ahead between two calls of Phys
 
 }  // namespace
 
-Moving::Moving(const BodyDesc& of) : desc(of), solids(std::make_unique<ConvexShapes>(of.hulls, of.center)) {
+Moving::Moving(const BodyDesc& of)
+    : desc(of), solids(std::make_unique<ConvexShapes>(of.hulls, of.center)), cores(of.hulls, of.center) {
   body = make_body(desc.mass, solids->shape(), desc.surface);
+  body->setUserPointer(this);
   if (is_guided())
     body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);  // a static body would never wake others
   if (desc.is_upright) body->setMassProps(desc.mass, {0, 0, 0});      // zero inertia for Bullet: no rotation

@@ -17,6 +17,7 @@ inline constexpr std::uint32_t kNobody = 0xffffffff;
 struct Moving {
   BodyDesc desc;
   std::unique_ptr<ConvexShapes> solids;
+  Cores cores;
   std::unique_ptr<btRigidBody> body;
   Inertia inertia;
   BodyState state;

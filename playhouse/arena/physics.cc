@@ -7,9 +7,12 @@
 #include <utility>
 
 #include "playhouse/arena/bullet_shapes.h"
+#include "playhouse/arena/contact_solver.h"
 #include "playhouse/arena/ground_contacts.h"
+#include "playhouse/arena/mesh_contacts.h"
 #include "playhouse/arena/moving.h"
 #include "playhouse/arena/supports.h"
+#include "playhouse/arena/swept_world.h"
 #include "playhouse/arena/wheel_constraint.h"
 #include "playhouse/arena/wheel_ray.h"
 #include "playhouse/arena/wheels.h"
@@ -68,13 +71,19 @@ Hull turned(const Hull& hull, double angle) {
 
 }  // namespace
 
+double correction(double dt) {
+  constexpr double kPerSecond = 20;  // Bullet's 0.2 of a step, in steps of 10 ms
+  return std::min(kPerSecond * dt, 0.2);
+}
+
 struct Physics::Impl {
   btDefaultCollisionConfiguration configuration;
   GroundContacts on_ground{false}, under_hull{true};
+  MeshContacts on_mesh;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
-  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  ContactSolver solver;
+  SweptWorld world{&dispatcher, &broadphase, &solver, &configuration};
   btStaticPlaneShape plane{btVector3(0, 0, 1), 0};
   std::unique_ptr<btRigidBody> ground;
   double gravity;  // m/s^2
@@ -101,7 +110,9 @@ struct Physics::Impl {
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
     dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &on_ground);
     dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &under_hull);
+    dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, TRIANGLE_SHAPE_PROXYTYPE, &on_mesh);
     world.getSolverInfo().m_numIterations = kIterations;
+    world.getSolverInfo().m_restitutionVelocityThreshold = SIMD_INFINITY;  // ContactSolver restitutes
     // Along the slip and across: with one direction stacks creep.
     world.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
   }
@@ -392,6 +403,8 @@ void Physics::set_hulls(std::uint32_t body, std::span<const Hull> hulls) {
   auto solids = std::make_unique<ConvexShapes>(hulls, moving.desc.center);
   moving.body->setCollisionShape(&solids->shape());
   moving.solids = std::move(solids);
+  moving.desc.hulls.assign(hulls.begin(), hulls.end());
+  moving.cores = Cores(hulls, moving.desc.center);
 }
 
 BodyState Physics::state(std::uint32_t body) const {
@@ -454,6 +467,7 @@ void Physics::step(double dt, world::Workers& workers) {
     });
     impl_->push_supports(dt);
   }
+  impl_->world.getSolverInfo().m_erp2 = correction(dt);
   impl_->world.stepSimulation(dt, 0);
   impl_->let_wheels_go();
   for (const auto& moving : bodies) moving->read();

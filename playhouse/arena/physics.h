@@ -33,6 +33,9 @@ struct Penetration {
   double depth = 0;      // m
 };
 
+/// Share of a penetration that contacts correct in a step of `dt` seconds.
+double correction(double dt);
+
 class Physics {
  public:
   /// `gravity` in m/s^2, downwards.

@@ -14,8 +14,6 @@
 namespace playhouse::stage {
 namespace {
 
-using world::World;
-
 constexpr std::size_t kMostRangers = 10'000;  // of a world that is looked at: more are placed by programs
 constexpr double kSameHeight = 1e-4;          // m
 
@@ -25,7 +23,7 @@ struct Layer {
   std::uint32_t tree = 0;
 };
 
-std::vector<Layer> layers_of(const World& world) {
+std::vector<Layer> layers_of(const world::World& world) {
   std::vector<Layer> layers;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     const scene::ModelDesc& desc = world.desc({row});
@@ -58,9 +56,9 @@ class Trees {
   bool several_ = false;
 };
 
-class Search {
+class HeightSearch {
  public:
-  explicit Search(const World& world) : world_(world), layers_(layers_of(world)) {}
+  explicit HeightSearch(const world::World& world) : world_(world), layers_(layers_of(world)) {}
 
   bool is_blind(world::ModelRow model) {
     const scene::ModelDesc& desc = world_.desc(model);
@@ -84,16 +82,16 @@ class Search {
     return by_height_.emplace(key, Trees(layers_, z)).first->second;
   }
 
-  const World& world_;
+  const world::World& world_;
   const std::vector<Layer> layers_;
   std::map<std::int64_t, Trees> by_height_;
 };
 
 }  // namespace
 
-std::vector<std::string> blind_rangers(const World& world) {
+std::vector<std::string> blind_rangers(const world::World& world) {
   if (world.rangers.size() == 0 || world.rangers.size() > kMostRangers) return {};
-  Search search(world);
+  HeightSearch search(world);
   std::optional<world::ModelRow> first;
   std::size_t others = 0;
   for (std::uint32_t row = 0; row < world.rangers.size(); ++row) {
