@@ -115,16 +115,23 @@ std::optional<Guest> GuestBook::admit(const std::string& token, const std::strin
   const bool is_known = guest != guests().end();
   if (token == "*") return is_known ? std::optional<Guest>(*guest) : std::nullopt;
   const std::string network = net::network_of(peer);
-  const std::lock_guard lock(book_->mutex);
-  if (!may_guess(*book_, network)) return std::nullopt;
-  if (is_known) return *guest;
+  {
+    const std::lock_guard lock(book_->mutex);
+    if (!may_guess(*book_, network)) return std::nullopt;
+    if (is_known) return *guest;
+    count_wrong(*book_, network);
+  }
   log::warn("guests: {} gave a wrong token", peer);
-  if (book_->guesses.size() >= kGuessingNetworks && !book_->guesses.contains(network))
-    book_->guesses.erase(
-        std::ranges::min_element(book_->guesses, {}, [](const auto& each) { return each.second.at; }));
-  Guesses& guesses = book_->guesses[network];
-  guesses = {guesses.count + 1, book_->clock()};
   return std::nullopt;
+}
+
+/// With the book's mutex.
+void GuestBook::count_wrong(Book& book, const std::string& network) {
+  if (book.guesses.size() >= kGuessingNetworks && !book.guesses.contains(network))
+    book.guesses.erase(
+        std::ranges::min_element(book.guesses, {}, [](const auto& each) { return each.second.at; }));
+  Guesses& guesses = book.guesses[network];
+  guesses = {guesses.count + 1, book.clock()};
 }
 
 /// Brings the count of the network up to date. With the book's mutex.

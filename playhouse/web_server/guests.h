@@ -75,6 +75,7 @@ class GuestBook {
     std::map<std::string, Guesses> guesses;       // by network
   };
   static bool may_guess(Book& book, const std::string& network);
+  static void count_wrong(Book& book, const std::string& network);
   std::shared_ptr<Book> book_;
 };
 
