@@ -18,13 +18,13 @@ constexpr std::size_t kMostRangers = 10'000;  // of a world that is looked at: m
 constexpr double kSameHeight = 1e-4;          // m
 
 /// The heights of a body that rangers see.
-struct Layer {
+struct SeenLayer {
   double bottom = 0, top = 0;
   std::uint32_t tree = 0;
 };
 
-std::vector<Layer> layers_of(const world::World& world) {
-  std::vector<Layer> layers;
+std::vector<SeenLayer> layers_of(const world::World& world) {
+  std::vector<SeenLayer> layers;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     const scene::ModelDesc& desc = world.desc({row});
     if (desc.ranger_return < 0) continue;
@@ -40,10 +40,10 @@ std::vector<Layer> layers_of(const world::World& world) {
 }
 
 /// Whose bodies are at a height: of no tree, of one, or of several.
-class Trees {
+class TreesAtHeight {
  public:
-  Trees(const std::vector<Layer>& layers, double z) {
-    for (const Layer& layer : layers) {
+  TreesAtHeight(const std::vector<SeenLayer>& layers, double z) {
+    for (const SeenLayer& layer : layers) {
       if (z < layer.bottom || z > layer.top) continue;
       several_ |= one_ && *one_ != layer.tree;
       one_ = layer.tree;
@@ -72,19 +72,19 @@ class HeightSearch {
 
   /// True if there is something to see, at whatever height.
   bool is_anything_beside(std::uint32_t tree) const {
-    return std::ranges::any_of(layers_, [tree](const Layer& layer) { return layer.tree != tree; });
+    return std::ranges::any_of(layers_, [tree](const SeenLayer& layer) { return layer.tree != tree; });
   }
 
  private:
-  const Trees& at(double z) {
+  const TreesAtHeight& at(double z) {
     const auto key = static_cast<std::int64_t>(std::llround(z / kSameHeight));
     if (const auto found = by_height_.find(key); found != by_height_.end()) return found->second;
-    return by_height_.emplace(key, Trees(layers_, z)).first->second;
+    return by_height_.emplace(key, TreesAtHeight(layers_, z)).first->second;
   }
 
   const world::World& world_;
-  const std::vector<Layer> layers_;
-  std::map<std::int64_t, Trees> by_height_;
+  const std::vector<SeenLayer> layers_;
+  std::map<std::int64_t, TreesAtHeight> by_height_;
 };
 
 }  // namespace
