@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMargin = 1e-3;    // m, Bullet's collision margin
 constexpr double kFlat = 0.02;      // sine of an angle between triangles that counts as none
-constexpr double kInset = 0.1;      // of half a body's thickness: of its cores,
+constexpr double kCoreInset = 0.1;  // of half a body's thickness: of its cores,
 constexpr double kDeepest = 0.005;  // m, at most
 
 /// The hull, its faces moved inwards by `inset` where it is four times as thick.
@@ -106,7 +106,7 @@ ConvexShapes::ConvexShapes(std::span<const Hull> solids, const Vec3& center) {
 Cores::Cores(std::span<const Hull> solids, const Vec3& center) {
   double thin = 1e300;
   for (const Hull& hull : solids) thin = std::min(thin, half_thickness(hull));
-  inset_ = std::clamp(kInset * thin, kMargin, kDeepest);
+  inset_ = std::clamp(kCoreInset * thin, kMargin, kDeepest);
   for (const Hull& hull : solids) hulls_.push_back(inset_hull(hull, center, inset_ + kMargin));
 }
 
