@@ -22,6 +22,7 @@ foreach(MODULE base geom scene world)
   install(DIRECTORY playhouse/${MODULE} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse FILES_MATCHING PATTERN "*.h"
     PATTERN "testing*" EXCLUDE PATTERN "fuzz_script.h" EXCLUDE)
 endforeach()
+install(FILES playhouse/mesh/placement.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse/mesh)  # of scene_desc.h
 install(FILES playhouse/controllers/controller.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse/controllers)
 
 set(PACKAGE_DIR ${DATA_DIR}/cmake)
