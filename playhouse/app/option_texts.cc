@@ -87,14 +87,21 @@ std::string check_positive(const std::string& text) {
   return "a number above 0 is wanted, not " + in_quotes(text);
 }
 
+namespace {
+
+std::string check_token_of(const std::string& text, std::size_t most) {
+  const bool good = !text.empty() && text.size() <= most;
+  return good ? "" : fmt::format("a token of 1 to {} letters is wanted", most);
+}
+
+}  // namespace
+
 std::string check_token(const std::string& text) {
-  const bool good = !text.empty() && text.size() <= limits::kTokenBytes;
-  return good ? "" : fmt::format("a token of 1 to {} letters is wanted", limits::kTokenBytes);
+  return check_token_of(text, limits::kTokenBytes);
 }
 
 std::string check_auth_key(const std::string& text) {
-  const bool good = !text.empty() && text.size() <= wire::kAuthKeyBytes;
-  return good ? "" : fmt::format("a token of 1 to {} letters is wanted", wire::kAuthKeyBytes);
+  return check_token_of(text, wire::kAuthKeyBytes);
 }
 
 std::string check_selection(const std::string& text) {

@@ -270,11 +270,6 @@ void add_trait(std::vector<TableMessages>& all) {
   all.push_back(messages_of<Table, kTable>(name.substr(0, name.size() - 1)));  // "packs": pack
 }
 
-void put_header(CdrWriter& out, std::uint64_t ns, const std::string& frame) {
-  out.time(ns);
-  out.text(frame);
-}
-
 /// REP 117: a range at one of its limits is none, but an infinity.
 std::vector<float> with_infinity(std::span<const float> ranges, const scene::RangerSensorDesc& sensor) {
   constexpr float kNone = std::numeric_limits<float>::infinity();
@@ -289,6 +284,11 @@ std::vector<float> with_infinity(std::span<const float> ranges, const scene::Ran
 }
 
 }  // namespace
+
+void put_header(CdrWriter& out, std::uint64_t ns, const std::string& frame) {
+  out.time(ns);
+  out.text(frame);
+}
 
 std::string schema_text(const std::string& name) {
   const auto found = fixed_schemas().find(name);

@@ -39,6 +39,9 @@ inline constexpr const char* kCheck = "playhouse/msg/Check";
 std::string schema_text(const std::string& name);
 
 /// A TransformStamped: pose of a child frame in its parent.
+/// A std_msgs/Header.
+void put_header(CdrWriter& out, std::uint64_t ns, const std::string& frame);
+
 struct Transform {
   std::string parent, child;
   geom::SpatialPose X;

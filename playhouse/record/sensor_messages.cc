@@ -19,11 +19,6 @@ namespace {
 using geom::Quaternion;
 using geom::Vec3;
 
-void put_header(CdrWriter& out, std::uint64_t ns, const std::string& frame) {
-  out.time(ns);
-  out.text(frame);
-}
-
 void put_vector(CdrWriter& out, const Vec3& v) {
   out.numbers(std::array{v.x, v.y, v.z});
 }
