@@ -112,18 +112,33 @@ Draft draft_hospital(std::size_t robots) {
           places_of(wards), in_wards(robots, wards)};
 }
 
+/// Large and fast bodies outside the walls of a square, 30 m and more from them: out of everybody's reach.
+std::string large_and_fast(double side) {
+  const auto body = [&](std::string_view name, double east, const std::string& words) {
+    return "position( name \"" + std::string(name) + "\" pose [" + meters(side / 2 + east) + " 0 0 0] " +
+           words + " )\n";
+  };
+  return body("car", 35, "size [4.5 1.8 1.5]") + body("truck", 60, "size [16 3 1]") +
+         body("base", 120, "size [60 60 1]") +
+         body("racer", 250,
+              "size [0.4 0.4 0.3] velocity_bounds [-20 20 0 0 0 0 -90 90] velocity [20 0 0 30] alwayson 1") +
+         body("crane", 350,
+              "size [1 1 1] velocity [0 0 0 57] alwayson 1 model( pose [6 0 0 0] size [0.5 0.5 0.5] )");
+}
+
 /// `robots` copies of `robot` in a walled square.
 Draft draft_square(std::string_view name, std::size_t robots, double density, double radius,
                    const std::string& robot) {
   const double side = std::sqrt(static_cast<double>(robots) / density);
-  return {head(name, side) + walls(side) + robot, {}, in_square(robots, side, radius)};
+  const std::string others = name == "mixed" ? large_and_fast(side) : "";
+  return {head(name, side) + walls(side) + others + robot, {}, in_square(robots, side, radius)};
 }
 
 Result<Draft> draft(std::string_view name, std::size_t robots,
                     const std::map<std::string, std::string>& files) {
   if (name == "cave") return draft_cave(robots, files.at("worlds/bitmaps/cave.png"));
   if (name == "hospital") return draft_hospital(robots);
-  if (name == "swarm")
+  if (name == "swarm" || name == "mixed")
     return draft_square(name, robots, kSwarmDensity, kSwarmBotRadius,
                         "swarmbot( name \"r\" ctrl \"expand_swarm\" )\n");
   if (name == "diffusion")

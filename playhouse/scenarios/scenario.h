@@ -23,7 +23,7 @@ struct Scenario {
   double seconds;          // simulated, default
 };
 
-inline constexpr std::array<Scenario, 6> kScenarios{{
+inline constexpr std::array<Scenario, 7> kScenarios{{
     {"sonar", "robots with 16 sonars of 5 m spread over a walled square (expand_swarm)", 1000, 60},
     {"laser", "robots with 180 laser beams of 8 m wander in a walled square (wander)", 1000, 60},
     {"cave", "robots with 16 sonars and an idle laser spread through the 16 m cave (expand_pioneer)", 100,
@@ -32,6 +32,9 @@ inline constexpr std::array<Scenario, 6> kScenarios{{
      2000, 60},
     {"swarm", "robots of 0.1 m with 12 infrared sensors spread over a walled square (expand_swarm)", 10000,
      60},
+    {"mixed",
+     "the swarm, and outside its walls a car, a truck, a base of 60 m, a robot at 20 m/s and a crane of 6 m",
+     10000, 60},
     {"diffusion", "foot-bots with 24 proximity sensors of 0.1 m in a walled square (diffusion)", 1000, 60},
 }};
 

@@ -38,8 +38,11 @@ void expect_no_overlaps(std::string_view name, std::size_t robots) {
   const Result<scene::SceneDesc> scene = make(name, robots);
   ASSERT_TRUE(scene) << scene.error().line();
   const std::vector<geom::Pose> poses = robot_poses(*scene);
-  ASSERT_EQ(poses.size(), robots);
-  const double radius = name == "diffusion" ? 0.085 : name == "swarm" ? 0.05 * std::sqrt(2.0) : kRobotRadius;
+  const bool is_mixed = name == "mixed";
+  ASSERT_EQ(poses.size(), robots + (is_mixed ? 5 : 0));
+  const double radius = name == "diffusion"           ? 0.085
+                        : name == "swarm" || is_mixed ? 0.05 * std::sqrt(2.0)
+                                                      : kRobotRadius;
   EXPECT_GE(closest_pair(poses), 2 * radius - 1e-9) << name << " with " << robots;
 }
 
@@ -128,15 +131,17 @@ TEST(Scenario, has_the_sensors_and_controllers_it_names) {
   EXPECT_EQ(part(*cave, "r1.ranger:1")->parent, part(*cave, "r1") - cave->models.begin());
   EXPECT_FALSE(part(*cave, "room0")->bitmaps.empty());
   EXPECT_EQ(part(*sonar, "r1")->blocks[0].points.size(), 8u);
-  auto hospital = make("hospital", 2), diffusion = make("diffusion", 2), swarm = make("swarm", 2);
-  ASSERT_TRUE(hospital && diffusion && swarm);
-  for (auto* scene : {&hospital, &diffusion, &swarm}) **scene = scene::expanded(std::move(**scene));
+  auto hospital = make("hospital", 2), diffusion = make("diffusion", 2), swarm = make("swarm", 2),
+       mixed = make("mixed", 2);
+  ASSERT_TRUE(hospital && diffusion && swarm && mixed);
+  for (auto* scene : {&hospital, &diffusion, &swarm, &mixed}) **scene = scene::expanded(std::move(**scene));
   EXPECT_EQ(part(*hospital, "r1.ranger:0")->sensors.size(), 12u);
-  EXPECT_EQ(part(*swarm, "r1.ranger:0")->sensors.size(), 12u);
+  for (const auto* scene : {&swarm, &mixed}) EXPECT_EQ(part(**scene, "r1.ranger:0")->sensors.size(), 12u);
+  EXPECT_EQ(part(*mixed, "base")->size.x, 60);
   EXPECT_EQ(part(*diffusion, "r1.ranger:0")->sensors[0].samples, 24u);
   EXPECT_NEAR(part(*diffusion, "r1.ranger:0")->sensors[0].range_max, 0.085 + 0.1, 1e-12);
   for (const auto* scene : {&sonar.value(), &laser.value(), &cave.value(), &hospital.value(),
-                            &diffusion.value(), &swarm.value()}) {
+                            &diffusion.value(), &swarm.value(), &mixed.value()}) {
     EXPECT_TRUE(scene->warnings.empty()) << scene->warnings[0];
     EXPECT_EQ(scene->interval, 0.1);
   }

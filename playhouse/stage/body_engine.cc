@@ -93,7 +93,8 @@ void BodyEngine::populate() {
   if (fixed) solids_ = make_fixed_solids(world_, shapes_);
   replace_moving_solids(solids_, world_, shapes_, trees_);
   if (fixed) walls_ = Walls(solids_);
-  index_.populate(solids_.moving(), robot_radius(trees_, solids_), layers_of(solids_));
+  index_.populate(solids_.moving(), robot_radius(trees_, solids_), layers_of(solids_),
+                  std::span(solids_.radius).subspan(solids_.fixed));
   index();
   populated(fixed);
   senses_.populate(world_, space());

@@ -102,14 +102,18 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
   in_vectors<put_rays>(bundle, view.X_WM, view.rotation, scratch.first_beam, part, rays);
   const double z_low = view.X_WM.z + bundle.z_min, z_high = view.X_WM.z + bundle.z_max;
   const Heights heights{z_low, z_high, space.index.is_all_seen(z_low, z_high)};
-  const std::span<const DiscIndex::Run> runs =
-      space.index.find_runs(view.X_WM.xy(), bundle.reach, z_low, z_high, scratch.runs);
   const NearBodies near{scratch.place.data(), scratch.cell.data(), scratch.met_by.data()};
-  const std::size_t count = bundle.half < DiscIndex::kFarthest
-                                ? find_bodies(bundle, space.index.places(), runs, view.X_WM.xy(),
-                                              view.rotation, view.root, heights, near)
-                                : take_all(bundle, space.index, runs, view.root, near);
-  add_pairs(space, near, count, part.begin, heights, rays, scratch.pairs);
+  for (std::size_t size = 0; size < space.index.radii().size(); ++size) {
+    const std::span<const DiscIndex::Run> runs =
+        space.index.find_runs(size, view.X_WM.xy(), bundle.reach, z_low, z_high, scratch.runs);
+    if (runs.empty()) continue;
+    const Bundle::Table& table = bundle.tables[size];
+    const std::size_t count = table.half < DiscIndex::kFarthest
+                                  ? find_bodies(table, space.index.places(), runs, view.X_WM.xy(),
+                                                view.rotation, view.root, heights, near)
+                                  : take_all(bundle, space.index, runs, view.root, near);
+    add_pairs(space, near, count, part.begin, heights, rays, scratch.pairs);
+  }
 }
 
 bool RangerSense::can_march(const Walls& walls, const Rays::Part& part) {

@@ -42,13 +42,12 @@ struct Pairs {
 
 /// Broad phase: finds the bodies that rays may hit.
 ///
-/// In: the bundle, the pose of its ranger, the heights of its rays; the tree of own_root is ignored. `runs`
-/// of
-///   the index must cover its reach. Needs radii of at most what the bundle's table was made for.
+/// In: a table of a bundle, the pose of its ranger, the heights of its rays; the tree of own_root is ignored.
+///   `runs` of the index must cover its reach. Needs radii of at most what the table was made for.
 ///   (p_WM [m] and r: the ranger's pose in W.)
 /// Out: `place` and `rays`; overwrites `cell`. Returns the number of candidates.
 /// Cost: 16 instructions for each eight places in the runs, 9 for each candidate.
-std::size_t find_bodies(const Bundle& bundle, const DiscIndex::Places& places,
+std::size_t find_bodies(const Bundle::Table& table, const DiscIndex::Places& places,
                         std::span<const DiscIndex::Run> runs, Vec2 p_WM, Rotation r, std::uint32_t own_root,
                         const Heights& heights, const NearBodies& out);
 

@@ -65,11 +65,11 @@ namespace playhouse::stage::avx512 = plain;
 
 namespace playhouse::stage {
 
-std::size_t find_bodies(const Bundle& bundle, const DiscIndex::Places& places,
+std::size_t find_bodies(const Bundle::Table& table, const DiscIndex::Places& places,
                         std::span<const DiscIndex::Run> runs, Vec2 p_WM, Rotation r, std::uint32_t own_root,
                         const Heights& heights, const NearBodies& out) {
   const auto find = choose_version(plain::find_bodies, avx2::find_bodies, avx512::find_bodies);
-  return find(bundle, places, runs, p_WM, r, own_root, heights, out);
+  return find(table, places, runs, p_WM, r, own_root, heights, out);
 }
 
 void add_pairs(const Space& space, const NearBodies& near, std::size_t count, std::size_t first,

@@ -43,7 +43,7 @@ RangerKind draw_ranger(Rng& rng) {
         testing::sensor({rng.uniform(-0.2, 0.2), rng.uniform(-0.2, 0.2), 0, k * geom::kPi / 8}, 4, 0, 1));
   const std::unique_ptr<world::Engine> engine = *make_engine(scene, {.seed = 1, .workers = 1});
   RangerKinds kinds;
-  kinds.populate(engine->world(), 0.5);
+  kinds.populate(engine->world(), std::vector{0.5});
   return kinds.kinds.at(0);
 }
 
@@ -55,11 +55,12 @@ struct Met {
 std::vector<Met> find(const Bundle& bundle, const DiscIndex& index, Vec2 p, Rotation heading,
                       Heights heights) {
   std::vector<DiscIndex::Run> room(index.most_runs());
-  const auto runs = index.find_runs(p, bundle.reach, heights.z_low, heights.z_high, room);
+  const auto runs = index.find_runs(0, p, bundle.reach, heights.z_low, heights.z_high, room);
   std::vector<std::uint32_t> place(1000), cell(1000);
   std::vector<std::uint16_t> rays(1000);
-  const std::size_t count = find_bodies(bundle, index.places(), runs, p, heading, world::ModelRow::kNone,
-                                        heights, {place.data(), cell.data(), rays.data()});
+  const std::size_t count =
+      find_bodies(bundle.tables.at(0), index.places(), runs, p, heading, world::ModelRow::kNone, heights,
+                  {place.data(), cell.data(), rays.data()});
   std::vector<Met> all;
   for (std::size_t i = 0; i < count; ++i) all.push_back({index.discs()[place[i]].row, rays[i]});
   return all;

@@ -5,6 +5,28 @@
 #include <utility>
 
 namespace playhouse::stage {
+namespace {
+
+/// Sizes: radii of up to kOrdinary mean radii, then up to kRatio times that, and so on; the last one has the
+/// rest.
+constexpr double kOrdinary = 1.5, kRatio = 3;
+constexpr std::size_t kSizes = 8;
+
+std::size_t size_of(double radius, double mean_radius) {
+  double most = kOrdinary * mean_radius;
+  std::size_t size = 0;
+  for (; size + 1 < kSizes && radius > most; ++size) most *= kRatio;
+  return size;
+}
+
+/// The radius by which the cells of a size are chosen: near its least one.
+double typical_radius(std::size_t size, double mean_radius) {
+  double radius = size == 0 ? mean_radius : kOrdinary * mean_radius;
+  for (; size > 1; --size) radius *= kRatio;
+  return radius;
+}
+
+}  // namespace
 
 void DiscIndex::Extent::add(const Extent& other) {
   z_min = std::min(z_min, other.z_min);
@@ -14,6 +36,8 @@ void DiscIndex::Extent::add(const Extent& other) {
   z_max_first = std::min(z_max_first, other.z_max_first);
   is_convex &= other.is_convex;
   is_seen &= other.is_seen;
+  centers = {std::min(centers.x_min, other.centers.x_min), std::min(centers.y_min, other.centers.y_min),
+             std::max(centers.x_max, other.centers.x_max), std::max(centers.y_max, other.centers.y_max)};
 }
 
 bool DiscIndex::is_all_seen(double z_low, double z_high) const {
@@ -28,13 +52,35 @@ bool DiscIndex::is_all_convex(double z_low, double z_high) const {
                      [&](const Layer& layer) { return !layer.reaches(z_low, z_high) || layer.is_convex; });
 }
 
-void DiscIndex::populate(std::size_t count, double mean_radius, std::vector<std::uint8_t> layer) {
+void DiscIndex::populate(std::size_t count, double mean_radius, std::vector<std::uint8_t> layer,
+                         std::span<const double> radius) {
   layer_ = std::move(layer);
-  const std::uint8_t last = layer_.empty() ? 0 : *std::max_element(layer_.begin(), layer_.end());
-  layers_.assign(last + std::size_t{1}, {});
-  torus_ = Torus(std::max(6 * mean_radius, 0.01), 2 * count / layers_.size());
-  for (std::size_t l = 0; l < layers_.size(); ++l) layers_[l].first_cell = l * torus_.cells();
-  first_.assign(cells() + 1, 0);
+  heights_ = 1 + (layer_.empty() ? std::size_t{0} : *std::max_element(layer_.begin(), layer_.end()));
+  std::size_t things[kSizes] = {};
+  for (const double r : radius) ++things[size_of(r, mean_radius)];
+  if (radius.empty()) things[0] = count;
+  std::size_t place[kSizes] = {};  // of a size among those that there are
+  layers_.clear();
+  std::size_t cell = 0, sizes = 0;
+  for (std::size_t size = 0; size < kSizes; ++size) {
+    if (size > 0 && things[size] == 0) continue;
+    place[size] = sizes++;
+    const Torus torus(std::max(6 * typical_radius(size, mean_radius), 0.01), 2 * things[size] / heights_);
+    for (std::size_t height = 0; height < heights_; ++height, cell += torus.cells())
+      layers_.push_back({{}, torus, cell});
+  }
+  first_.assign(cell + 1, 0);
+  radii_.assign(sizes, 0);
+  if (sizes == 1) return;
+  layer_.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    layer_[i] = static_cast<std::uint8_t>(layer_[i] + heights_ * place[size_of(radius[i], mean_radius)]);
+}
+
+std::size_t DiscIndex::most_runs() const {
+  std::size_t runs = 1;
+  for (const Layer& layer : layers_) runs += 2 * layer.torus.side();
+  return runs;
 }
 
 /// Chooses the number of blocks: each has to be large enough to pay for its pass over the cells.
@@ -65,9 +111,16 @@ void DiscIndex::count_up(std::size_t block) {
   for (std::size_t i = begin_of(block); i < end; ++i) {
     const Disc& disc = unsorted_[i];
     const std::size_t layer = layer_of(i);
-    extents[layer].add({disc.z_min, disc.z_max, disc.radius, disc.z_min, disc.z_max, disc.convex != 0,
-                        (disc.seen_by & bit(Observer::kRanger)) != 0});
-    cell_[i] = static_cast<std::uint32_t>(layers_[layer].first_cell + torus_.index(disc.center));
+    extents[layer].add({disc.z_min,
+                        disc.z_max,
+                        disc.radius,
+                        disc.z_min,
+                        disc.z_max,
+                        disc.convex != 0,
+                        (disc.seen_by & bit(Observer::kRanger)) != 0,
+                        {disc.center.x, disc.center.y, disc.center.x, disc.center.y}});
+    cell_[i] =
+        static_cast<std::uint32_t>(layers_[layer].first_cell + layers_[layer].torus.index(disc.center));
     ++counts[cell_[i]];
   }
 }
@@ -75,11 +128,14 @@ void DiscIndex::count_up(std::size_t block) {
 /// Within a cell, entries are ordered by block, which keeps row order.
 void DiscIndex::sort(world::Workers& workers) {
   radius_max_ = 0;
+  std::ranges::fill(radii_, 0);
   for (std::size_t l = 0; l < layers_.size(); ++l) {
     static_cast<Extent&>(layers_[l]) = {};
     for (std::size_t block = 0; block < blocks_; ++block)
       layers_[l].add(extents_[block * layers_.size() + l]);
     radius_max_ = std::max(radius_max_, layers_[l].radius_max);
+    double& of_size = radii_[l / heights_];
+    of_size = std::max(of_size, layers_[l].radius_max);
   }
   const std::size_t cells = this->cells(), blocks = blocks_;
   const auto first_cell = [&](std::size_t share) { return cells * share / blocks; };

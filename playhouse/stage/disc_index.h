@@ -3,7 +3,9 @@
 /// DiscIndex: broad phase of movable things, bounding circles in a hashed uniform
 /// grid (torus.h). Rebuilt by a parallel counting sort in linear time; entries of a
 /// cell stay in row order for any number of workers. Entries are split into layers by
-/// height, so that a query at one height skips what is entirely above or below it.
+/// height, so that a query at one height skips what is entirely above or below it, and by
+/// size, each size with a grid of its own, so that a query is inflated by large radii only
+/// where it looks for large things: one of them makes no other query dearer.
 
 #include <cstdint>
 #include <span>
@@ -32,9 +34,11 @@ class DiscIndex {
 
   DiscIndex() { populate(0, 0.25); }
 
-  /// Sizes the cells for `count` things of this mean radius. `layer` holds the layer of each
-  /// thing; empty: one layer. Call it before rebuild() when the population has changed.
-  void populate(std::size_t count, double mean_radius, std::vector<std::uint8_t> layer = {});
+  /// Sizes the cells for `count` things of this mean radius. `layer` holds the layer by height of each thing;
+  /// empty: one layer. `radius` holds their radii [m]; empty: none is much larger than the mean.
+  /// Call it before rebuild() when the population has changed.
+  void populate(std::size_t count, double mean_radius, std::vector<std::uint8_t> layer = {},
+                std::span<const double> radius = {});
 
   /// Replaces the contents. `disc(i)` gives thing i < count.
   template <typename MakeDisc>
@@ -49,26 +53,28 @@ class DiscIndex {
   }
 
   double radius_max() const { return radius_max_; }
+  /// The largest radius of each size, that of the smallest and most things first. [m]
+  std::span<const double> radii() const { return radii_; }
 
   /// Entries begin .. end - 1 of places() and discs().
   struct Run {
     std::uint32_t begin, end;
   };
-  /// Writes to `room` the runs of all layers at those heights and all cells that intersect the box
-  /// about p, inflated by the largest radius. A list, not a visitor: a loop over a run must be
+  /// Writes to `room` the runs of things of one size, in all layers at those heights and all cells that
+  /// intersect the box about p, inflated by radii()[size]. A list, not a visitor: a loop over a run must be
   /// inlined into a vector function, otherwise it is compiled for the baseline processor (vectors.h).
-  std::span<const Run> find_runs(geom::Vec2 p, double reach, double z_low, double z_high,
+  std::span<const Run> find_runs(std::size_t size, geom::Vec2 p, double reach, double z_low, double z_high,
                                  std::vector<Run>& room) const {
     Run* const runs = room.data();
     std::size_t count = 0;
-    each_run(p, reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
+    each_run(layers_of(size), p, reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
       runs[count] = {begin, end};
       count += begin != end;
     });
     return {runs, count};
   }
   /// Upper bound on the number of runs, for sizing `room`.
-  std::size_t most_runs() const { return 2 * layers_.size() * torus_.side() + 1; }
+  std::size_t most_runs() const;
   /// True if everything in layers at those heights spans them and is visible to rangers: no test per disc.
   bool is_all_seen(double z_low, double z_high) const;
   /// True if everything in layers at those heights is a convex polygon of few corners.
@@ -100,23 +106,32 @@ class DiscIndex {
   const Places& places() const { return places_; }
   const Disc* discs() const { return discs_.data(); }
 
-  /// Calls visit(disc) for everything in the runs of find_runs().
+  /// Calls visit(disc) for everything in the runs of find_runs(), size by size.
   /// Conservative: the caller has to test distance, height and visibility.
   template <typename Visit>
   void near(geom::Vec2 p, double reach, double z_low, double z_high, const Visit& visit) const {
-    each_run(p, reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
+    each_run(layers_, p, reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t i = begin; i < end; ++i) visit(discs_[i]);
     });
   }
 
  private:
+  struct Layer;
+
+  std::span<const Layer> layers_of(std::size_t size) const {
+    return std::span<const Layer>(layers_).subspan(size * heights_, heights_);
+  }
   template <typename Visit>
-  void each_run(geom::Vec2 p, double reach, double z_low, double z_high, const Visit& visit) const {
-    for (const Layer& layer : layers_) {
-      if (!layer.reaches(z_low, z_high)) continue;
+  void each_run(std::span<const Layer> layers, geom::Vec2 p, double reach, double z_low, double z_high,
+                const Visit& visit) const {
+    for (const Layer& layer : layers) {
+      // A grid wraps around: the box spares those that are far from a few large things the look at its cells.
+      if (!layer.reaches(z_low, z_high) || !layer.centers.grown(reach + layer.radius_max).contains(p))
+        continue;
       const std::uint32_t* const first_of = first_.data() + layer.first_cell;
-      torus_.runs(box_about(p, reach + layer.radius_max),
-                  [&](std::size_t first, std::size_t last) { visit(first_of[first], first_of[last + 1]); });
+      layer.torus.runs(box_about(p, reach + layer.radius_max), [&](std::size_t first, std::size_t last) {
+        visit(first_of[first], first_of[last + 1]);
+      });
     }
   }
 
@@ -127,12 +142,15 @@ class DiscIndex {
     bool is_convex = true;                                 // all are convex, of few corners
     bool is_seen = true;                                   // all are visible to rangers
 
+    geom::Box centers;  // m
+
     bool reaches(double z_low, double z_high) const { return z_min <= z_high && z_low <= z_max; }
 
     void add(const Extent& other);
   };
   struct Layer : Extent {
-    std::size_t first_cell;
+    Torus torus;
+    std::size_t first_cell = 0;
   };
 
   void begin(std::size_t count, const world::Workers& workers);
@@ -141,7 +159,7 @@ class DiscIndex {
   void put_places(std::size_t block);
   std::size_t begin_of(std::size_t block) const { return unsorted_.size() * block / blocks_; }
   std::size_t layer_of(std::size_t i) const { return layer_.empty() ? 0 : layer_[i]; }
-  std::size_t cells() const { return layers_.size() * torus_.cells(); }
+  std::size_t cells() const { return layers_.back().first_cell + layers_.back().torus.cells(); }
   template <typename Body>
   void each_block(world::Workers& workers, const Body& body) const {
     workers.run(blocks_, 1, [&](std::size_t first, std::size_t last) {
@@ -149,17 +167,18 @@ class DiscIndex {
     });
   }
 
-  Torus torus_;
-  std::vector<std::uint8_t> layer_;  // of unsorted_, or empty
-  std::vector<Layer> layers_;
-  double radius_max_ = 0;
+  std::vector<std::uint8_t> layer_;     // of unsorted_, or empty
+  std::vector<Layer> layers_;           // the heights of the smallest size, then those of the next one
+  std::size_t heights_ = 1;             // layers of a size
+  double radius_max_ = 0;               // m
+  std::vector<double> radii_;           // (sizes)
   std::vector<Disc> unsorted_, discs_;  // discs_ by layer and cell
   Places places_;
   std::vector<std::uint32_t> cell_;   // of unsorted_
-  std::vector<std::uint32_t> first_;  // first disc of a cell (layers x cells + 1)
+  std::vector<std::uint32_t> first_;  // first disc of a cell (cells of all layers + 1)
   // The counting sort counts blocks of consecutive rows, one per worker for large counts.
   std::size_t blocks_ = 1;
-  std::vector<std::uint32_t> next_;  // next slot of a block in a cell (blocks x layers x cells)
+  std::vector<std::uint32_t> next_;  // next slot of a block in a cell (blocks x cells of all layers)
   std::vector<std::uint32_t> sums_;  // discs in a share of the cells, for the prefix sum (blocks)
   std::vector<Extent> extents_;      // (blocks x layers)
 };

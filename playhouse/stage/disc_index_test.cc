@@ -64,5 +64,88 @@ TEST(DiscIndex, has_everything_near_a_place_also_after_things_came_and_went) {
   }
 }
 
+/// A crowd of things, one in a hundred of which is up to 300 times as large, at two heights.
+class MixedSizes {
+ public:
+  explicit MixedSizes(std::size_t count) {
+    std::vector<std::uint8_t> layer;
+    std::vector<double> radius;
+    for (std::size_t i = 0; i < count; ++i) {
+      DiscIndex::Disc disc = thing(i);
+      if (i % 100 == 50) disc.radius *= 1 + static_cast<double>(i % 300);
+      layer.push_back(i % 2);
+      radius.push_back(disc.radius);
+      discs_.push_back(disc);
+    }
+    index_.populate(count, 0.3, layer, radius);
+    world::Workers workers(3);
+    index_.rebuild(
+        count, [&](std::size_t i) { return discs_[i]; }, workers);
+  }
+  const DiscIndex& index() const { return index_; }
+  const std::vector<DiscIndex::Disc>& discs() const { return discs_; }
+
+ private:
+  std::vector<DiscIndex::Disc> discs_;
+  DiscIndex index_;
+};
+
+TEST(DiscIndex, has_everything_near_a_place_whatever_its_size) {
+  const MixedSizes mixed(5000);
+  std::vector<DiscIndex::Run> room(mixed.index().most_runs());
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    Rng rng(k);
+    const geom::Vec2 p{rng.uniform(-60, 60), rng.uniform(-60, 60)};
+    const std::vector<std::uint32_t> near = rows_near(mixed.index(), p, 1, 0.5);
+    std::vector<std::uint32_t> in_runs;
+    for (std::size_t size = 0; size < mixed.index().radii().size(); ++size)
+      for (const DiscIndex::Run& run : mixed.index().find_runs(size, p, 1, 0.5, 0.5, room))
+        for (std::uint32_t i = run.begin; i < run.end; ++i) {
+          EXPECT_LE(mixed.index().discs()[i].radius, mixed.index().radii()[size]);
+          in_runs.push_back(mixed.index().discs()[i].row);
+        }
+    EXPECT_EQ(in_runs, near);
+    for (const DiscIndex::Disc& disc : mixed.discs()) {
+      const geom::Vec2 away = disc.center - p;
+      if (disc.z_min > 0.5 || geom::dot(away, away) > (1 + disc.radius) * (1 + disc.radius)) continue;
+      EXPECT_EQ(std::count(near.begin(), near.end(), disc.row), 1) << disc.row;
+    }
+  }
+}
+
+TEST(DiscIndex, keeps_the_sizes_of_a_mixed_crowd_apart) {
+  const MixedSizes mixed(5000);
+  const auto radii = mixed.index().radii();
+  EXPECT_GT(radii.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(radii.begin(), radii.end()));
+  EXPECT_LT(radii.front(), 0.5);
+  EXPECT_EQ(radii.back(), mixed.index().radius_max());
+  EXPECT_GT(radii.back(), 60);
+}
+
+/// How many things a query visits is the figure here, not a time.
+TEST(DiscIndex, looks_no_farther_for_small_things_where_there_is_a_large_one) {
+  const auto visited = [](double largest) {
+    std::vector<double> radius;
+    std::vector<DiscIndex::Disc> discs;
+    for (std::size_t i = 0; i < 10000; ++i) {
+      radius.push_back(i == 7 ? largest : 0.15);
+      const auto x = static_cast<double>(i % 100), y = static_cast<double>(i / 100);
+      discs.push_back({i == 7 ? geom::Vec2{-30, -30} : geom::Vec2{x, y}, radius[i], 0, 1,
+                       static_cast<std::uint32_t>(i), 0});
+    }
+    DiscIndex index;
+    index.populate(discs.size(), 0.15, {}, radius);
+    world::Workers workers(1);
+    index.rebuild(
+        discs.size(), [&](std::size_t i) { return discs[i]; }, workers);
+    std::size_t visits = 0;
+    for (const DiscIndex::Disc& disc : discs)
+      index.near(disc.center, 0.5, 0, 1, [&](const DiscIndex::Disc& /*other*/) { ++visits; });
+    return visits;
+  };
+  EXPECT_LE(visited(10), visited(0.15) + 20000);  // at most itself, for each, and what is near its place
+}
+
 }  // namespace
 }  // namespace playhouse::stage

@@ -57,6 +57,17 @@ void Headroom::begin(double others) {
   drift_ += others_;
 }
 
+void Headroom::avoid(std::uint32_t tree, Vec2 p, const FastBodies& fast) {
+  const double before = until_[tree] - drift_;
+  if (before <= 0 || fast.empty()) return;
+  double room = before;
+  fast.index().near(p, radius_[tree] + room, -kFar, kFar, [&](const DiscIndex::Disc& disc) {
+    if (disc.root == root_[tree] || (disc.seen_by & bit(Observer::kMotion)) == 0) return;
+    room = std::min(room, length(disc.center - p) - disc.radius - radius_[tree] - kMargin);
+  });
+  if (room < before) until_[tree] = drift_ + room;
+}
+
 void Headroom::measure(std::uint32_t tree, Vec2 p, double way, const Solids& solids, const DiscIndex& index,
                        const Walls& walls) {
   constexpr double kTicks = 12;  // search radius, in ticks of motion: how long a query may last

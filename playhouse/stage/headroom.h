@@ -13,6 +13,7 @@
 
 #include "playhouse/stage/bodies.h"
 #include "playhouse/stage/disc_index.h"
+#include "playhouse/stage/fast_bodies.h"
 #include "playhouse/stage/walls.h"
 
 namespace playhouse::stage {
@@ -28,8 +29,12 @@ class Headroom {
   /// Upper bound on the distance from the origin of the root to the center of any solid. [m]
   double arm(std::uint32_t tree) const { return arm_[tree]; }
 
-  /// Begins a tick in which no center of a solid moves by more than `others`. [m]
+  /// Begins a tick in which no center of a solid moves by more than `others`, except those of
+  /// fast bodies, which every tree has to avoid(). [m]
   void begin(double others);
+  /// Lowers the headroom of a tree to what the fast bodies of this tick leave; p is the root's position at
+  /// its start. Again after measure().
+  void avoid(std::uint32_t tree, Vec2 p, const FastBodies& fast);
   /// Consumes the headroom of a rigid tree whose root is displaced by `way` in this tick.
   /// True if enough was left: nothing can touch it at its old place or its new one. [m]
   bool spend(std::uint32_t tree, double way) {

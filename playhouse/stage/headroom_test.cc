@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "playhouse/base/rng.h"
+#include "playhouse/stage/fast_bodies.h"
 #include "playhouse/stage/overlap.h"
 #include "playhouse/stage/space.h"
 #include "playhouse/stage/testing_scenes.h"
@@ -16,10 +17,12 @@ double length(Vec2 v) {
   return std::sqrt(geom::dot(v, v));
 }
 
-/// Trees that go about at random, and may go through each other.
+/// Trees that go about at random, and may go through each other; every `hasty`-th one now and then by leaps
+/// of up to 3 m.
 class Wanderers {
  public:
-  explicit Wanderers(const scene::SceneDesc& scene) : scene_(scene), world_(scene_, 1), shapes_(scene_) {
+  explicit Wanderers(const scene::SceneDesc& scene, std::uint32_t hasty = 0)
+      : scene_(scene), world_(scene_, 1), shapes_(scene_), hasty_(hasty) {
     trees_ = make_trees(world_);
     solids_ = make_fixed_solids(world_, shapes_);
     replace_moving_solids(solids_, world_, shapes_, trees_);
@@ -33,25 +36,31 @@ class Wanderers {
     index_.rebuild(
         solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.fixed + i); }, workers_);
     std::vector<Pose> next;
-    double most = 0;
+    std::vector<double> reach;
     for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
       Rng rng(7, tick, {Purpose::kTestScene, tree});
       Pose X = world_.models.X_WM[trees_.root[tree]];
       const double x = X.x, y = X.y, turn = rng.uniform(-0.05, 0.05);
-      X.x += rng.uniform(-0.03, 0.03);
-      X.y += rng.uniform(-0.03, 0.03);
+      const bool leaps = hasty_ > 0 && tree % hasty_ == 0 && rng.uniform() < 0.3;
+      const double far = leaps ? 2 : 0.03;
+      X.x += rng.uniform(-far, far);
+      X.y += rng.uniform(-far, far);
       X.a += turn;
-      most = std::max(most, length({X.x - x, X.y - y}) + std::fabs(turn) * headroom_.arm(tree));
+      reach.push_back(length({X.x - x, X.y - y}) + std::fabs(turn) * headroom_.arm(tree));
       next.push_back(X);
     }
-    headroom_.begin(most);
+    fast_.find(trees_, solids_, reach, workers_);
+    leaps_ += !fast_.empty();
+    headroom_.begin(fast_.reach_of_others());
     std::vector<std::uint32_t> are_free;
     for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
       const Vec2 p = world_.models.X_WM[trees_.root[tree]].xy();
       const double way = length(next[tree].xy() - p);
+      headroom_.avoid(tree, p, fast_);
       bool is_free = headroom_.spend(tree, way);
       if (!is_free) {
         headroom_.measure(tree, p, way, solids_, index_, walls_);
+        headroom_.avoid(tree, p, fast_);
         is_free = headroom_.spend(tree, way);
       }
       if (is_free) are_free.push_back(tree);
@@ -73,6 +82,8 @@ class Wanderers {
         expect_clear_about(p, tree, solids_);
       }
   }
+
+  std::size_t leaps() const { return leaps_; }
 
  private:
   /// The circle about `p` that holds the tree however it turns is clear of all other solids.
@@ -98,6 +109,9 @@ class Wanderers {
   Walls walls_;
   DiscIndex index_;
   Headroom headroom_;
+  FastBodies fast_;
+  std::uint32_t hasty_;
+  std::size_t leaps_ = 0;  // ticks with fast bodies
   world::Workers workers_{1};
 };
 
@@ -107,6 +121,15 @@ TEST(Headroom, who_has_some_is_out_of_reach_of_all_others) {
   for (std::uint64_t tick = 0; tick < 200; ++tick) wanderers.go(tick, &free, &others);
   EXPECT_GT(free, 4000u);   // most of 7200
   EXPECT_GT(others, 100u);  // and some meet
+}
+
+TEST(Headroom, holds_for_all_others_when_some_leap_about) {
+  Wanderers wanderers(testing::crowd(36, testing::Sensing::kNone), 12);
+  std::size_t free = 0, others = 0;
+  for (std::uint64_t tick = 0; tick < 400; ++tick) wanderers.go(tick, &free, &others);
+  EXPECT_GT(wanderers.leaps(), 150u);  // of 400 ticks
+  EXPECT_GT(free, 4000u);              // of 14400: the leaps are local
+  EXPECT_GT(others, 100u);
 }
 
 }  // namespace

@@ -218,6 +218,7 @@ void Motion::propose_rest(const Surroundings& in, std::uint32_t tree, Sweep& swe
   if (!free_[tree]) {
     const Vec2 p = in.world.models.X_WM[trees_->root[tree]].xy();
     headroom_.measure(tree, p, way, in.solids, in.index, in.walls);
+    headroom_.avoid(tree, p, fast_);
     free_[tree] = headroom_.spend(tree, way);
   }
   if (free_[tree])
@@ -314,15 +315,19 @@ bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Body& 
 /// Broad phase: collects solids of other trees near a configuration within its bounding circle.
 void Motion::gather(const Surroundings& in, std::uint32_t tree, const Circle& all, Sweep& sweep) const {
   const std::uint32_t root = trees_->root[tree];
-  const double reach = all.radius + reach_max_;
+  const double z_low = all.z_min - rise_max_ + kTouch, z_high = all.z_max + rise_max_ - kTouch;
+  const auto collect = [&](const DiscIndex& index, double reach, bool fast) {
+    index.near(all.center, reach, z_low, z_high, [&](const DiscIndex::Disc& disc) {
+      if (disc.root == root || (disc.seen_by & bit(Observer::kMotion)) == 0 ||
+          distance(disc.center, all.center) >= disc.radius + reach)
+        return;
+      const std::uint32_t other = in.solids.tree[disc.row];
+      if (!free_[other] && fast_.is_fast(other) == fast) sweep.near.push_back(&disc);
+    });
+  };
   sweep.near.clear();
-  in.index.near(all.center, reach, all.z_min - rise_max_ + kTouch, all.z_max + rise_max_ - kTouch,
-                [&](const DiscIndex::Disc& disc) {
-                  if (disc.root != root && (disc.seen_by & bit(Observer::kMotion)) != 0 &&
-                      distance(disc.center, all.center) < disc.radius + reach &&
-                      !free_[in.solids.tree[disc.row]])
-                    sweep.near.push_back(&disc);
-                });
+  collect(in.index, all.radius + fast_.reach_of_others(), false);
+  if (!fast_.empty()) collect(fast_.index(), all.radius, true);
 }
 
 Motion::Circle Motion::circle_about(const Solids& solids, std::uint32_t tree, const TreeShape& shape) const {
@@ -353,7 +358,7 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
                then{outline_at(solids, row, shape.center[row - first], p), heights.z_min, heights.z_max};
     if (!shape.z.empty() && meets_inside(in, row, now, then)) return true;
     if (near_walls && meets_wall(in, row, now, then)) return true;
-    const double reach = solids.radius[row] + reach_max_;
+    const double reach = solids.radius[row] + fast_.reach_of_others();
     // Heights, like places, in the index are those before this tick.
     const HeightRange near{then.z_min - rise_max_, then.z_max + rise_max_};
     for (const DiscIndex::Disc* const disc : sweep.near)
@@ -444,15 +449,16 @@ bool Motion::move(world::World& world, Solids& solids, const DiscIndex& index, c
     });
   };
   each_tree([&](std::uint32_t tree) { propose(in, tree, sweeps_[workers.current()]); });
-  reach_max_ = rise_max_ = 0;
+  rise_max_ = 0;
   for (std::uint32_t tree = 0; tree < trees_->size(); ++tree) {
-    reach_max_ = std::max(reach_max_, reach_[tree]);
     if (!lifts_[tree]) continue;
     for (std::uint32_t row = trees_->first_solid[tree]; row < trees_->first_solid[tree + 1]; ++row)
       rise_max_ = std::max(rise_max_, rise_of(solids, row));
   }
-  headroom_.begin(reach_max_);
+  fast_.find(*trees_, solids, reach_, workers);
+  headroom_.begin(fast_.reach_of_others());
   each_tree([&](std::uint32_t tree) {
+    if (!fast_.empty()) headroom_.avoid(tree, world.models.X_WM[trees_->root[tree]].xy(), fast_);
     if (proposes_[tree]) propose_rest(in, tree, sweeps_[workers.current()]);
   });
   for (Sweep& sweep : sweeps_) sweep.conflicts.clear();

@@ -16,6 +16,7 @@
 
 #include "playhouse/stage/bodies.h"
 #include "playhouse/stage/disc_index.h"
+#include "playhouse/stage/fast_bodies.h"
 #include "playhouse/stage/headroom.h"
 #include "playhouse/stage/overlap.h"
 #include "playhouse/stage/walls.h"
@@ -127,6 +128,7 @@ class Motion {
 
   const Trees* trees_ = nullptr;
   Headroom headroom_;
+  FastBodies fast_;
   std::size_t fixed_ = 0, fixed_vertices_ = 0;  // of Solids: static ones
   // Rows as in Trees.
   std::vector<std::uint8_t> proposes_, stalls_;  // (trees)
@@ -139,7 +141,7 @@ class Motion {
   // because others were attached to them. For consecutive rows it follows from the model's row.
   std::vector<std::uint32_t> first_parent_;  // of parent_, or Row::kNone for a run                (trees)
   std::vector<std::uint32_t> parent_;        // (models of such trees)
-  double reach_max_ = 0, rise_max_ = 0;      // m, bounds for this tick: displacement, rise or drop
+  double rise_max_ = 0;                      // m, bound for this tick: rise or drop
   // The proposals; rows as in Trees::movers, in Trees, and in Solids counted from the first movable one.
   std::vector<Pose> moved_;         // X_PM of the movers
   std::vector<Rotation> rotation_;  // of the root

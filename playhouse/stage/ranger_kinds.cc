@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "playhouse/stage/ranger_noise.h"
 #include "playhouse/stage/space.h"
@@ -57,7 +58,7 @@ double distance_to_ray(Vec2 center, Vec2 p, Vec2 d, double range) {
 constexpr double kSinglePrecision = 1e-3;  // share of a cell's width; a smaller one of the square's
 constexpr double kWholeUnits = 4 / DiscIndex::kPerMetre;  // m
 
-void finish_bundle(Bundle& bundle, double body_radius) {
+void measure_reach(Bundle& bundle) {
   bundle.z_min = *std::min_element(bundle.z.begin(), bundle.z.end());
   bundle.z_max = *std::max_element(bundle.z.begin(), bundle.z.end());
   bundle.reach = 0;
@@ -65,20 +66,33 @@ void finish_bundle(Bundle& bundle, double body_radius) {
     bundle.reach =
         std::max(bundle.reach, std::sqrt(geom::dot(bundle.p[k], bundle.p[k])) + bundle.range_max[k]);
   bundle.reach += kMargin;
-  bundle.half = (1 + kSinglePrecision) * (bundle.reach + body_radius + kMargin) + kWholeUnits;
-  bundle.cell = 2 * bundle.half / Bundle::kCells;
-  bundle.meets.assign(Bundle::kSide * Bundle::kRow + 1, 0);
-  const double near = body_radius + (0.7072 + kSinglePrecision) * bundle.cell + kWholeUnits;
+}
+
+Bundle::Table make_table(const Bundle& bundle, double body_radius) {
+  Bundle::Table table{body_radius, 0, 0, {}};
+  table.half = (1 + kSinglePrecision) * (bundle.reach + body_radius + kMargin) + kWholeUnits;
+  table.cell = 2 * table.half / Bundle::kCells;
+  table.meets.assign(Bundle::kSide * Bundle::kRow + 1, 0);
+  const double near = body_radius + (0.7072 + kSinglePrecision) * table.cell + kWholeUnits;
   for (std::size_t row = 0; row < Bundle::kCells; ++row) {
     for (std::size_t column = 0; column < Bundle::kCells; ++column) {
-      const Vec2 middle{(static_cast<double>(column) + 0.5) * bundle.cell - bundle.half,
-                        (static_cast<double>(row) + 0.5) * bundle.cell - bundle.half};
-      std::uint16_t& rays = bundle.meets[(row + 1) * Bundle::kRow + column + 1];
+      const Vec2 middle{(static_cast<double>(column) + 0.5) * table.cell - table.half,
+                        (static_cast<double>(row) + 0.5) * table.cell - table.half};
+      std::uint16_t& rays = table.meets[(row + 1) * Bundle::kRow + column + 1];
       for (std::size_t k = 0; k < bundle.rays(); ++k)
         if (distance_to_ray(middle, bundle.p[k], bundle.d[k], bundle.range_max[k]) <= near)
           rays = static_cast<std::uint16_t>(rays | 1u << k);
     }
   }
+  return table;
+}
+
+/// Makes the tables for these radii, except those that are there.
+void fit_tables(Bundle& bundle, std::span<const double> radii) {
+  bundle.tables.resize(std::max(bundle.tables.size(), radii.size()));
+  for (std::size_t size = 0; size < radii.size(); ++size)
+    if (bundle.tables[size].meets.empty() || bundle.tables[size].body_radius != radii[size])
+      bundle.tables[size] = make_table(bundle, radii[size]);
 }
 
 void add_sensor(RangerKind& kind, const scene::RangerSensorDesc& sensor, const Pose& X_MB,
@@ -103,10 +117,13 @@ void add_sensor(RangerKind& kind, const scene::RangerSensorDesc& sensor, const P
   kind.noisy |= sensor.noise_constant > 0 || sensor.noise_proportional > 0;
 }
 
-RangerKind make_kind(const scene::ModelDesc& desc, double body_radius) {
+RangerKind make_kind(const scene::ModelDesc& desc, std::span<const double> radii) {
   RangerKind kind;
   for (std::uint32_t i = 0; i < desc.sensors.size(); ++i) add_sensor(kind, desc.sensors[i], desc.X_MB, i);
-  for (Bundle& bundle : kind.bundles) finish_bundle(bundle, body_radius);
+  for (Bundle& bundle : kind.bundles) {
+    measure_reach(bundle);
+    fit_tables(bundle, radii);
+  }
   return kind;
 }
 
@@ -122,12 +139,19 @@ std::vector<double> signature(const scene::ModelDesc& desc) {
 
 }  // namespace
 
-void RangerKinds::populate(const world::World& world, double body_radius) {
-  if (body_radius > body_radius_) {
-    body_radius_ = body_radius;
-    for (RangerKind& kind : kinds)
-      for (Bundle& bundle : kind.bundles) finish_bundle(bundle, body_radius_);
+void RangerKinds::populate(const world::World& world, std::span<const double> radii) {
+  constexpr double kTooLarge = 2;  // a table for radii so many times larger names too many rays
+  radii_.resize(std::max(radii_.size(), radii.size()));
+  bool fits = true;
+  for (std::size_t size = 0; size < radii.size(); ++size) {
+    const bool has_none = radii[size] == 0;
+    if (has_none || (radii[size] <= radii_[size] && radii_[size] <= kTooLarge * radii[size])) continue;
+    radii_[size] = radii[size];
+    fits = false;
   }
+  if (!fits)
+    for (RangerKind& kind : kinds)
+      for (Bundle& bundle : kind.bundles) fit_tables(bundle, radii_);
   std::vector<std::uint32_t> of_desc(world.scene().models.size(), world::RangerRow::kNone);
   of_ranger.clear();
   of_ranger.reserve(world.rangers.size());
@@ -140,7 +164,7 @@ void RangerKinds::populate(const world::World& world, double body_radius) {
 
 std::uint32_t RangerKinds::find_kind(const scene::ModelDesc& desc) {
   const auto [entry, is_new] = known_.try_emplace(signature(desc), static_cast<std::uint32_t>(kinds.size()));
-  if (is_new) kinds.push_back(make_kind(desc, body_radius_));
+  if (is_new) kinds.push_back(make_kind(desc, radii_));
   return entry->second;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "playhouse/stage/bodies.h"
@@ -34,7 +35,8 @@ struct Points {
   Vec2 operator[](std::size_t i) const { return {x[i], y[i]}; }
 };
 
-/// Up to kRays single rays of one ranger. A grid about M gives the rays that may hit a body, by its center.
+/// Up to kRays single rays of one ranger. Grids about M, one for each size of bodies, give the rays that may
+/// hit a body, by its center.
 struct Bundle {
   static constexpr std::size_t kRays = 16;
   static constexpr std::size_t kCells = 96;         // cells along a side of the square within reach
@@ -47,9 +49,13 @@ struct Bundle {
   std::vector<std::uint32_t> beam;  // of the ranger
   double z_min = 0, z_max = 0;      // m above M
   double reach = 0;                 // m: longest distance from M of any ray, plus kMargin
-  double cell = 0, half = 0;        // m: the square is +-half about M
-  std::vector<std::uint16_t>
-      meets;  // bit k of a cell: ray k may hit a body with its center there (kSide * kRow, padded by 1)
+  struct Table {
+    double body_radius = 0;     // m, at most
+    double cell = 0, half = 0;  // m: the square is +-half about M
+    // Bit k of a cell: ray k may hit a body with its center there (kSide * kRow, padded by 1).
+    std::vector<std::uint16_t> meets;
+  };
+  std::vector<Table> tables;  // (sizes of DiscIndex)
   std::size_t rays() const { return d.size(); }
 };
 
@@ -77,16 +83,16 @@ class RangerKinds {
   std::vector<RangerKind> kinds;
   std::vector<std::uint32_t> of_ranger;  // row of kinds (rangers)
 
-  /// Assigns a kind to every ranger, making new ones as needed. `body_radius` is the largest radius
-  /// of a movable body: tables are rebuilt if it exceeds the one that they were made for. [m]
-  void populate(const world::World& world, double body_radius);
+  /// Assigns a kind to every ranger, making new ones as needed. `radii` are those of DiscIndex: tables are
+  /// rebuilt where bodies are larger than those they were made for, or much smaller. [m]
+  void populate(const world::World& world, std::span<const double> radii);
 
  private:
   /// Row of kinds, a new one if none matches.
   std::uint32_t find_kind(const scene::ModelDesc& desc);
 
   std::map<std::vector<double>, std::uint32_t> known_;  // key: all that distinguishes kinds; to its row
-  double body_radius_ = 0;                              // m, for which tables were made
+  std::vector<double> radii_;                           // m, for which tables were made (sizes)
 };
 
 }  // namespace playhouse::stage

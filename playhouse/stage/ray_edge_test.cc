@@ -80,7 +80,7 @@ class Paths {
     for (std::size_t row = solids_.fixed; row < solids_.size(); ++row)
       radius = std::max(radius, solids_.radius[row]);
     RangerKinds kinds;
-    kinds.populate(world_, radius);
+    kinds.populate(world_, std::vector{radius});
     for (std::uint32_t ranger = 0; ranger < world_.rangers.size(); ++ranger) {
       const std::uint32_t model = world_.rangers.model[ranger].index;
       const Pose& X_WM = world_.models.X_WM[model];

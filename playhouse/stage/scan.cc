@@ -155,15 +155,18 @@ PLAYHOUSE_INLINE void find_beams(const Row& row, std::size_t count, const double
 
 }  // namespace
 
-/// Sorts candidates front to back into `order` by rings of distance (counting sort); returns their number.
+/// Sorts candidates that are no kMiss front to back into `order` by rings of distance, those beyond `reach`
+/// last (counting sort); returns their number.
 std::size_t RangerSense::Scratch::sort_by_distance(std::size_t count, double reach) {
   constexpr std::size_t kRings = 32;
   std::uint32_t first[kRings + 2] = {};
   const double per_ring = static_cast<double>(kRings) / reach;
   const double* const far = distance.data();
   std::int32_t* const ring = this->ring.data();
-  for (std::size_t i = 0; i < count; ++i)
-    ring[i] = static_cast<std::int32_t>(far[i] < reach ? far[i] * per_ring : static_cast<double>(kRings));
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = std::min(far[i] * per_ring, static_cast<double>(kRings - 1));
+    ring[i] = static_cast<std::int32_t>(far[i] < kMiss ? at : static_cast<double>(kRings));
+  }
   for (std::size_t i = 0; i < count; ++i) ++first[ring[i] + 1];
   for (std::size_t r = 1; r <= kRings; ++r) first[r] += first[r - 1];
   const std::size_t seen = first[kRings];
@@ -178,24 +181,28 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, Rotation rot
   const Solids& solids = space.solids;
   const Row row(scan, X_WS.xy(), scratch.beam_x.data(), scratch.beam_y.data(),
                 scratch.range.data() + scratch.first_beam, scratch.solid.data() + scratch.first_beam);
-  const double radius_max = space.index.radius_max() + kMargin;
   Sector sector{X_WS.xy(), scan.range_max + kMargin, z, {0, 0}, 0};
-  if (scan.fov <= geom::kPi) {  // no beam points backwards: culls what is entirely behind
-    sector.ahead = {rotation.c, rotation.s};
-    sector.behind = -radius_max;
+  // No beam points backwards: culls what is entirely behind.
+  const bool is_ahead = scan.fov <= geom::kPi;
+  if (is_ahead) sector.ahead = {rotation.c, rotation.s};
+  std::size_t near = 0;
+  for (std::size_t size = 0; size < space.index.radii().size(); ++size) {
+    const double radius_max = space.index.radii()[size];
+    if (is_ahead) sector.behind = -radius_max - kMargin;
+    const std::span<const DiscIndex::Run> runs =
+        space.index.find_runs(size, sector.p, sector.reach, z, z, scratch.runs);
+    if (runs.empty()) continue;
+    near += in_vectors<gather>(
+        sector, radius_max, space.index.places(), runs,
+        Gathered{scratch.x.data() + near, scratch.y.data() + near, scratch.place.data() + near});
   }
-  const std::span<const DiscIndex::Run> runs =
-      space.index.find_runs(sector.p, sector.reach, z, z, scratch.runs);
-  const std::size_t near =
-      in_vectors<gather>(sector, space.index.radius_max(), space.index.places(), runs,
-                         Gathered{scratch.x.data(), scratch.y.data(), scratch.place.data()});
   const DiscIndex::Disc* const discs = space.index.discs();
   for (std::size_t i = 0; i < near; ++i) scratch.radius[i] = discs[scratch.place[i]].radius + kMargin;
   in_vectors<find_distances>(rotation, near, scratch.x.data(), scratch.y.data(), scratch.distance.data(),
                              scratch.bearing.data());
   in_vectors<find_beams>(row, near, scratch.radius.data(), scratch.bearing.data(), scratch.distance.data(),
                          scratch.first.data(), scratch.last.data());
-  const std::size_t count = scratch.sort_by_distance(near, scan.range_max + radius_max);
+  const std::size_t count = scratch.sort_by_distance(near, scan.range_max + space.index.radii()[0]);
 
   constexpr std::size_t kAhead = 3;
   for (std::size_t i = 0; i < count; ++i) {

@@ -29,7 +29,7 @@ std::pair<std::uint64_t, std::uint64_t> measure(Senses& senses, const scene::Sce
   const Walls walls(solids);
   world::Workers workers(1);
   DiscIndex index;
-  index.populate(solids.moving(), 0.3);
+  index.populate(solids.moving(), 0.3, {}, std::span(solids.radius).subspan(solids.fixed));
   index.rebuild(
       solids.moving(), [&](std::size_t i) { return disc_of(solids, solids.fixed + i); }, workers);
   const Space space{solids, index, walls};
@@ -138,17 +138,22 @@ TEST(RangerKinds, keep_what_rangers_that_are_alike_share) {
                          lasers = testing::crowd(2, testing::Sensing::kLaser),
                          many = testing::crowd(9, testing::Sensing::kSonar);
   RangerKinds kinds;
-  kinds.populate(world::World(few, 1), 0.3);
-  const std::uint16_t* const table = kinds.kinds.at(0).bundles.at(0).meets.data();
-  kinds.populate(world::World(lasers, 1), 0.2);
+  kinds.populate(world::World(few, 1), std::vector{0.3});
+  const std::uint16_t* const table = kinds.kinds.at(0).bundles.at(0).tables.at(0).meets.data();
+  kinds.populate(world::World(lasers, 1), std::vector{0.2});
   EXPECT_EQ(kinds.of_ranger, (std::vector<std::uint32_t>{1, 1}));
-  kinds.populate(world::World(many, 1), 0.3);
+  kinds.populate(world::World(many, 1), std::vector{0.3});
   EXPECT_EQ(kinds.kinds.size(), 2u);
   EXPECT_EQ(kinds.of_ranger, std::vector<std::uint32_t>(9, 0));
-  EXPECT_EQ(kinds.kinds[0].bundles[0].meets.data(), table);
-  const double half = kinds.kinds[0].bundles[0].half;
-  kinds.populate(world::World(many, 1), 0.5);
-  EXPECT_GE(kinds.kinds[0].bundles[0].half, half + 0.2) << "tables are good for larger bodies";
+  EXPECT_EQ(kinds.kinds[0].bundles[0].tables[0].meets.data(), table);
+  const double half = kinds.kinds[0].bundles[0].tables[0].half;
+  kinds.populate(world::World(many, 1), std::vector{0.5, 0., 40.});
+  const std::vector<Bundle::Table>& tables = kinds.kinds[0].bundles[0].tables;
+  ASSERT_EQ(tables.size(), 3u);
+  EXPECT_GE(tables[0].half, half + 0.2) << "tables are good for larger bodies";
+  EXPECT_GE(tables[2].half, half + 39.7);
+  kinds.populate(world::World(many, 1), std::vector{0.1});
+  EXPECT_LT(tables[0].half, half) << "much smaller ones have a table of their own";
 }
 
 }  // namespace

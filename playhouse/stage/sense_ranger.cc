@@ -32,10 +32,7 @@ SensorTable RangerSense::table(world::World& world) const {
 
 void RangerSense::populate(const world::World& world, const Space& space) {
   const Solids& solids = space.solids;
-  double body_radius = 0;
-  for (std::size_t row = solids.fixed; row < solids.size(); ++row)
-    body_radius = std::max(body_radius, solids.radius[row]);
-  kinds_.populate(world, body_radius);
+  kinds_.populate(world, space.index.radii());
   returns_.assign(1, 0);
   for (const std::uint32_t model : solids.model)
     returns_.push_back(static_cast<float>(world.desc({model}).ranger_return));
