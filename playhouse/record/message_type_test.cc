@@ -32,6 +32,16 @@ TEST(MessageType, has_a_row_of_its_fields) {
                                              ElementsAre("0.25"))));
 }
 
+TEST(MessageType, of_every_table_has_fields_with_names_in_words) {
+  for (const TableMessages& table : table_messages()) {
+    const MessageType type = *MessageType::parse(table.text);
+    for (const std::string& field : type.fields()) {
+      EXPECT_THAT(field, testing::MatchesRegex("[a-z][a-z0-9_]*(\\.[xyz]|\\.heading)?")) << table.schema;
+      EXPECT_THAT(field, testing::Not(testing::MatchesRegex("(x|p|v|tilt)_[a-z][a-z]"))) << table.schema;
+    }
+  }
+}
+
 TEST(MessageType, of_a_list_of_messages_has_a_row_for_each) {
   const std::vector<Transform> transforms{{"world", "a", {{1, 2, 3, 0}, {}}},
                                           {"world", "b", {{4, 5, 6, 0}, {}}}};

@@ -1,10 +1,11 @@
 #include "playhouse/record/messages.h"
 
 #include <algorithm>
-#include <cctype>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "playhouse/base/assert.h"
@@ -138,6 +139,23 @@ struct Shape {
   }
 };
 
+/// A message within that has names for the numbers of a value, in their order: the same bytes as an array.
+struct Named {
+  const char* type;
+  const char* text;  // of the type, in a schema
+};
+template <typename T>
+constexpr Named kNamed{nullptr, nullptr};
+template <>
+constexpr Named kNamed<geom::Pose>{
+    "playhouse/Pose", "float64 x  # m\nfloat64 y  # m\nfloat64 z  # m\nfloat64 heading  # rad\n"};
+template <>
+constexpr Named kNamed<geom::Twist>{"playhouse/Motion", "float64 x\nfloat64 y\nfloat64 z\nfloat64 heading\n"};
+template <>
+constexpr Named kNamed<geom::Vec3>{"geometry_msgs/Vector3", "float64 x\nfloat64 y\nfloat64 z\n"};
+template <>
+constexpr Named kNamed<geom::Tilt>{"playhouse/Tilt", "float64 x  # rad\nfloat64 y  # rad\n"};
+
 template <typename T>
 std::string field_type() {
   if constexpr (std::is_same_v<T, std::string>) {
@@ -145,6 +163,7 @@ std::string field_type() {
   } else if constexpr (world::kIsList<T>) {
     return Shape<typename T::value_type>().type + "[]";
   } else {
+    if (kNamed<T>.type != nullptr) return kNamed<T>.type;
     const Shape<T> shape;
     return shape.count == 1 ? shape.type : shape.type + "[" + std::to_string(shape.count) + "]";
   }
@@ -183,20 +202,35 @@ bool is_told(const Column& column) {
   return world::is_saved(column.role) && !std::string_view(column.name).ends_with(".measured_tick");
 }
 
-/// Field name of a column, lower case: "positions.X_OM" is x_om.
+/// Columns that are named by their frames, and what they are.
+constexpr std::pair<std::string_view, const char*> kFieldNames[] = {
+    {"positions.X_OM", "odometry"},
+    {"positions.X_WO", "odometry_origin"},
+    {"actuators.X_PJ", "joint"},
+    {"imus.X_WB", "pose"},
+    {"imus.tilt_WB", "tilt"},
+    {"imus.v_WB", "velocity"},
+    {"imus.X_WE", "estimated_pose"},
+    {"imus.tilt_WE", "estimated_tilt"},
+    {"imus.v_WE", "estimated_velocity"},
+    {"receivers.p_WB", "true_position"},
+};
+
+/// Field name of a column: that of the table above, else its own.
 std::string field_name(std::string_view column) {
-  std::string name(column.substr(column.find('.') + 1));
-  std::ranges::transform(name, name.begin(), [](unsigned char letter) { return std::tolower(letter); });
-  return name;
+  const auto named = std::ranges::find(kFieldNames, column, &std::pair<std::string_view, const char*>::first);
+  return named != std::end(kFieldNames) ? named->second : std::string(column.substr(column.find('.') + 1));
 }
 
 template <typename Table>
 std::string table_schema() {
   std::string text = "builtin_interfaces/Time stamp\n";
+  std::map<std::string, std::string> within;  // messages in it
   world::each_column_of<Table>([&](const auto& column) {
     if (!is_told(column)) return;
     using Value = typename std::remove_cvref_t<decltype(column)>::Values::value_type;
     text += field_type<Value>() + " " + field_name(column.name);
+    if (kNamed<Value>.type != nullptr) within[kNamed<Value>.type] = kNamed<Value>.text;
     std::string note = column.unit;
     if (column.frame[0] != '\0') note += (note.empty() ? "" : "; ") + std::string(column.frame);
     if constexpr (world::kIsList<Value> && !std::is_same_v<Value, std::string>)
@@ -204,6 +238,7 @@ std::string table_schema() {
         note += (note.empty() ? "" : "; ") + std::to_string(count) + " numbers each";
     text += note.empty() ? "\n" : "  # " + note + "\n";
   });
+  for (const auto& [type, fields] : within) text += kRule + "MSG: " + type + "\n" + fields;
   return text + kTime;
 }
 

@@ -268,6 +268,15 @@ robot( name "r0" pose [0 0 0 0] )
         headings = {float(row["transforms.transform.rotation.heading"]) for row in poses}
         self.assertEqual(len(headings), 1)
         self.assertAlmostEqual(headings.pop(), math.pi / 2)
+        places = self.table("r0.position")
+        pose = ("x", "y", "z", "heading")
+        self.assertEqual(list(places[0]), ["time", "mode", *(f"{name}.{part}" for name in ("command", "goal", "velocity", "odometry", "odometry_origin")
+                                                              for part in pose), "stall", "motor_on"])
+        odometry = {row["time"]: row for row in self.table("r0.odom")}
+        for row in places[1:]:   # by another message of the same recording
+            there = odometry[row["time"]]
+            self.assertEqual([row[f"odometry.{part}"] for part in "xyz"], [there[f"pose.pose.position.{part}"] for part in "xyz"])
+            self.assertAlmostEqual(float(row["odometry.heading"]), float(there["pose.pose.orientation.heading"]))
         scans = self.table("r0.ranger_0.scan")
         self.assertEqual(len(scans), 50)
         beam = float(scans[-1]["ranges.90"])   # straight ahead, where the wall is
