@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 /// Images that are not read, and no worlds either.
 constexpr std::array<std::string_view, 6> kOtherImages = {".gif", ".tif", ".tiff", ".webp", ".svg", ".pdf"};
-constexpr double kWallHeight = 0.6, kLookHeight = 0.2, kMapResolution = 0.05;  // m
+constexpr double kWallHeight = 0.6, kMapResolution = 0.05;  // m
 
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;
@@ -134,9 +134,7 @@ std::string image_of_map(const ConvertOptions& options) {
 Result<scene::Plan> plan_of_world(const scene::SceneDesc& scene, double resolution, double height) {
   stage::Shapes shapes(scene);
   const stage::Solids solids = stage::make_fixed_solids(world::World(scene, 1), shapes);
-  const auto is_cut = [&](std::size_t row) {
-    return solids.z_min[row] <= height && height <= solids.z_max[row];
-  };
+  const auto is_cut = [&](std::size_t row) { return stage::is_wall_at(solids, row, height); };
   const Result<scene::Plan> plan = stage::plan_of_solids(solids, resolution, is_cut);
   if (!plan) return Error{"", plan.error().text + ": choose a larger --scale"};
   if (plan->solid.width > 0) return plan;
@@ -145,8 +143,8 @@ Result<scene::Plan> plan_of_world(const scene::SceneDesc& scene, double resoluti
 }
 
 int write_map(const ConvertOptions& options, const scene::SceneDesc& scene) {
-  const Result<scene::Plan> plan =
-      plan_of_world(scene, options.scale.value_or(kMapResolution), options.height.value_or(kLookHeight));
+  const Result<scene::Plan> plan = plan_of_world(scene, options.scale.value_or(kMapResolution),
+                                                 options.height.value_or(stage::kMapHeight));
   if (!plan) return fail_in_file({escaped(options.input), plan.error().text});
   const std::string image = image_of_map(options);
   if (const int failed = write_text(image, scene::pgm_of(plan->solid)); failed != kDone) return failed;

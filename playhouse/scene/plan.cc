@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -59,19 +60,86 @@ std::vector<int> room_of(const Bitmap& free) {
 constexpr double kRobotSize = 0.4;         // m
 constexpr double kLeastResolution = 1e-5;  // m; world files have micrometre resolution
 
-/// Start position of a robot, in metres from the lower left corner: the free pixel with enough
-/// room that is nearest to the centre of the walls, otherwise the one with the most room.
+/// Pixels of a plan, row by row from the top, as an image.
+class Region {
+ public:
+  /// The pixels of which `holds` is true, by their rows.
+  template <typename Holds>
+  Region(const Bitmap& like, const Holds& holds)
+      : width_(static_cast<std::size_t>(like.width)), in_(width_ * static_cast<std::size_t>(like.height)) {
+    for (std::size_t i = 0; i < in_.size(); ++i) in_[i] = holds(i);
+  }
+
+  bool has(std::size_t pixel) const { return in_[pixel] != 0; }
+
+  /// Its largest part that is connected, by edges of pixels; only pixels within the walls count, so that what
+  /// is around a building does not count. Of equal ones the first. Empty if the region is.
+  Region largest_part(const Extent& walls) const {
+    std::vector<std::uint32_t> part(in_.size(), 0);  // from 1; 0: none
+    std::uint32_t parts = 0, best = 0;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < in_.size(); ++i) {
+      if (!has(i) || part[i] != 0) continue;
+      const std::size_t size = fill(i, ++parts, walls, part);
+      if (best != 0 && size <= most) continue;
+      best = parts;
+      most = size;
+    }
+    Region largest = *this;
+    for (std::size_t i = 0; i < in_.size(); ++i) largest.in_[i] = best != 0 && part[i] == best;
+    return largest;
+  }
+
+ private:
+  /// Marks the part with this pixel; returns its number of pixels within the walls.
+  std::size_t fill(std::size_t from, std::uint32_t number, const Extent& walls,
+                   std::vector<std::uint32_t>& part) const {
+    std::vector<std::size_t> open{from};
+    part[from] = number;
+    std::size_t inside = 0;
+    const auto reach = [&](std::size_t pixel) {
+      if (!has(pixel) || part[pixel] != 0) return;
+      part[pixel] = number;
+      open.push_back(pixel);
+    };
+    const std::size_t height = in_.size() / width_;
+    while (!open.empty()) {
+      const std::size_t pixel = open.back(), x = pixel % width_, row = pixel / width_;
+      open.pop_back();
+      const int px = static_cast<int>(x), py = static_cast<int>(height - 1 - row);
+      inside += px >= walls.x0 && px < walls.x1 && py >= walls.y0 && py < walls.y1;
+      if (x > 0) reach(pixel - 1);
+      if (x + 1 < width_) reach(pixel + 1);
+      if (row > 0) reach(pixel - width_);
+      if (row + 1 < height) reach(pixel + width_);
+    }
+    return inside;
+  }
+
+  std::size_t width_;
+  std::vector<std::uint8_t> in_;
+};
+
+/// Start position of a robot, in metres from the lower left corner: in the largest connected free space, and
+/// there in the largest part through which it can drive, the pixel with enough room that is nearest to the
+/// centre of the walls, otherwise one with the most room.
 std::optional<geom::Vec2> place_for_robot(const Plan& plan, const Extent& walls) {
+  const Region space =
+      Region(plan.free, [&](std::size_t i) { return plan.free.solid[i] != 0; }).largest_part(walls);
   const std::vector<int> room = room_of(plan.free);
-  const int most = *std::max_element(room.begin(), room.end());
+  int most = 0;
+  for (std::size_t i = 0; i < room.size(); ++i)
+    if (space.has(i)) most = std::max(most, room[i]);
   if (most == 0) return std::nullopt;
   const int enough = std::min(most, static_cast<int>(kRobotSize / plan.resolution) + 2);
+  const Region roomy =
+      Region(plan.free, [&](std::size_t i) { return space.has(i) && room[i] >= enough; }).largest_part(walls);
   const double middle_x = 0.5 * (walls.x0 + walls.x1), middle_y = 0.5 * (walls.y0 + walls.y1);
   std::optional<geom::Vec2> best;
   double nearest = 0;
   for (int row = 0, i = 0; row < plan.free.height; ++row)
     for (int x = 0; x < plan.free.width; ++x, ++i) {
-      if (room[static_cast<std::size_t>(i)] < enough) continue;
+      if (!roomy.has(static_cast<std::size_t>(i))) continue;
       const geom::Vec2 p{x + 0.5, plan.free.height - row - 0.5};
       const double away = (p.x - middle_x) * (p.x - middle_x) + (p.y - middle_y) * (p.y - middle_y);
       if (best && away >= nearest) continue;

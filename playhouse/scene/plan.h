@@ -22,8 +22,8 @@ struct Plan {
 Result<Plan> plan_of_image(std::string_view bytes, std::string name, double resolution);
 
 /// A world file: the plan's walls, `height` metres high, from the image that the file
-/// refers to as `bitmap`, and a robot with a laser at the free place nearest to the
-/// centre. Fails on a plan without walls and on a name that a world file cannot contain.
+/// refers to as `bitmap`, and a robot with a laser in the largest connected free space, at the
+/// place nearest to the centre. Fails on a plan without walls and on a name that a world file cannot contain.
 Result<std::string> world_of_plan(const Plan& plan, const std::string& bitmap, double height);
 
 /// The walls as a PGM image, black on white.

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <cmath>
+#include <utility>
+
 #include "playhouse/scene/ros_map.h"
 #include "playhouse/scene/world_loader.h"
 
@@ -83,6 +86,61 @@ TEST(Plan, puts_the_robot_where_it_has_room) {
   EXPECT_LT(robot.X_PM.x, 2);
   EXPECT_GT(robot.X_PM.y, -1);
   EXPECT_LT(robot.X_PM.y, 0.5);
+}
+
+/// The pixels that a fill from (x, y) reaches over free ones; rows from the top.
+std::vector<std::string> filled(std::vector<std::string> rows, int x, int y) {
+  std::vector<std::pair<int, int>> open{{x, y}};
+  while (!open.empty()) {
+    const auto [u, v] = open.back();
+    open.pop_back();
+    if (v < 0 || u < 0 || v >= static_cast<int>(rows.size()) || u >= static_cast<int>(rows[0].size()))
+      continue;
+    char& pixel = rows[static_cast<std::size_t>(v)][static_cast<std::size_t>(u)];
+    if (pixel != '0') continue;
+    pixel = '2';
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) open.push_back({u + dx, v + dy});
+  }
+  return rows;
+}
+
+// The truth is a fill from the robot's place: it reaches the pixel that is named, in the largest free space.
+TEST(Plan, puts_the_robot_into_the_largest_free_space_that_is_connected) {
+  struct Case {
+    std::vector<std::string> rows;  // from the top
+    int x, y;                       // of a pixel in the space that counts
+  };
+  const Case cases[] = {
+      // A closed shaft in the middle, with more room around its centre than the corridor about it.
+      {{"1111111111111", "1000000000001", "1000000000001", "1001111111001", "1001000001001", "1001000001001",
+        "1001000001001", "1001000001001", "1001111111001", "1000000000001", "1000000000001", "1111111111111"},
+       1,
+       1},
+      // A room, and a white margin around the building that is larger.
+      {{"0000000000000000", "0000000000000000", "0001111111110000", "0001000000010000", "0001000000010000",
+        "0001111111110000", "0000000000000000", "0000000000000000"},
+       4,
+       3},
+      // Two rooms that a diagonal of wall divides; the right one is larger.
+      {{"111111111", "100100001", "100100001", "101000001", "111111111"}, 7, 1},
+  };
+  for (const Case& each : cases) {
+    const std::size_t width = each.rows[0].size(), height = each.rows.size();
+    std::string image = "P1 " + std::to_string(width) + " " + std::to_string(height) + "\n";
+    for (const std::string& row : each.rows) image += row + "\n";
+    const auto plan = plan_of_image(image, "room", 0.5);
+    ASSERT_TRUE(plan);
+    const auto world = world_of_plan(*plan, "room.pbm", 1);
+    MemoryFiles files({{"room.pbm", image}});
+    const auto scene = load_world_text(*world, "w.world", files);
+    ASSERT_TRUE(scene);
+    const geom::Pose& X = scene->models.at(1).X_PM;
+    const int x = static_cast<int>(std::floor(X.x / 0.5 + 0.5 * static_cast<double>(width))),
+              y = static_cast<int>(std::floor(0.5 * static_cast<double>(height) - X.y / 0.5));
+    const std::vector<std::string> reached = filled(each.rows, x, y);
+    EXPECT_EQ(reached[static_cast<std::size_t>(each.y)][static_cast<std::size_t>(each.x)], '2')
+        << image << "the robot is at " << x << ", " << y;
+  }
 }
 
 std::vector<std::string> warnings_of(const std::string& size) {

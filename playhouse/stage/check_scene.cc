@@ -91,8 +91,10 @@ Result<void> check_scene(const scene::SceneDesc& scene) {
   return {};
 }
 
-/// Warns of floorplans with obstacle_return 0, which robots drive through; map.inc of Stage has that.
+/// Warns of empty worlds, and of floorplans with obstacle_return 0, which robots drive through; map.inc of
+/// Stage has that.
 std::vector<std::string> oddities_of(const scene::SceneDesc& scene) {
+  if (scene.models.empty()) return {scene.at({0, 1}) + ": there is no model in it: the world is empty"};
   bool robots = false;
   for (const scene::ModelDesc& model : scene.models) robots |= model.kind == scene::ModelKind::kPosition;
   for (const scene::ModelDesc& model : scene.models) {

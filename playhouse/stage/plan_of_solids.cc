@@ -121,6 +121,10 @@ Result<void> draw_body(const Solids& solids, std::span<const std::size_t> rows, 
 
 }  // namespace
 
+bool is_wall_at(const Solids& solids, std::size_t row, double height) {
+  return solids.is_obstacle(row) && solids.z_min[row] <= height && height <= solids.z_max[row];
+}
+
 Result<scene::Plan> plan_of_solids(const Solids& solids, double resolution,
                                    const std::function<bool(std::size_t row)>& counts) {
   std::map<std::uint32_t, std::vector<std::size_t>> bodies;  // rows: contours of a bitmap include holes

@@ -7,7 +7,7 @@ import struct
 import unittest
 from pathlib import Path
 
-from house import HouseTest, finish
+from house import ROOT, HouseTest, finish
 
 OLD = """
 size [16 16]
@@ -84,6 +84,35 @@ class Convert(HouseTest):
         done = finish("convert", self.folder / "plan.jpg", "--scale", "0.05")
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr, r"plan\.jpg: error: is no PNG, JPEG, .* or BMP image\n$")
+
+    def test_what_is_no_world_is_told_with_what_reads_it(self):
+        """Whatever wants a world says in one line what it got."""
+        image = (ROOT / "worlds" / "bitmaps" / "cave.png").read_bytes()
+        files = {"plan.png": (image, "is an image and no world: playhouse convert"), "plan.jpg": (b"\xff\xd8\xff\xe0 and so on", "is an image"),
+                 "plan": (image, "is an image"), "room.pbm": (b"P1 2 2 0 1 1 0", "is an image"), "map.yaml": (b"image: m.pgm\n", "is a map of ROS"),
+                 "table.stl": (b"solid table\n", "is a mesh"), "run.world": (b"\x89MCAP0\r\n", "is a recording"),
+                 "cave.run": (b"playhouse saved run 1", "is a saved run")}
+        for name, (content, told) in files.items():
+            file = self.folder / name
+            file.write_bytes(content)
+            for command in ("check", "run"):
+                with self.subTest((name, command)):
+                    done = finish(command, file, *(["--headless", "--duration", 1, "--port", 0] if command == "run" else []))
+                    self.assertEqual(done.returncode, 2)
+                    lines = (done.stdout + done.stderr).splitlines()
+                    self.assertEqual(len(lines), 1, lines)
+                    self.assertIn(f"{file}: error: {told}", lines[0])
+
+    def test_an_empty_world_is_told(self):
+        world = self.write("empty.world", 'name "nothing"\n')
+        told = f"{world}:1: warning: there is no model in it: the world is empty"
+        done = finish("check", world)
+        self.assertEqual((done.returncode, done.stdout.splitlines()[-1]), (0, told), done.stdout)
+        self.assertEqual(finish("check", "--strict", world).returncode, 2)
+        done = finish("run", world, "--fast", "--headless", "--duration", 1, "--port", 0)
+        self.assertEqual((done.returncode, done.stderr.count(told)), (0, 1), done.stderr)
+        done = finish("check", self.write("some.world", "model( )"))
+        self.assertNotIn("empty", done.stdout)
 
     def test_a_world_with_faults_is_told(self):
         done = finish("convert", self.write("old.world", "laser( pose [1] )"), "-o", self.folder / "new.world")

@@ -276,6 +276,8 @@ class Examples(HouseTest):
                     self.assertNotEqual(done.stdout, "")
 
     def test_those_of_check_and_convert_and_kinds_and_bench_end_well(self):
+        recorded = self.shell("playhouse run my.world --fast --headless --port 0 --duration 2 --record my.mcap")
+        self.assertEqual(recorded.returncode, 0, recorded.stderr)
         for command in ("check", "convert", "picture", "film", "kinds", "bench"):
             for line in self.examples(command):
                 with self.subTest(line):

@@ -34,17 +34,19 @@ GridMap grid_of(const scene::Plan& plan) {
   return map;
 }
 
-/// The walls from above, all that stand still of the model and its parts. Error text for the log.
+/// The walls at its map_height, all that stand still of the model and its parts. Error text for the log.
 Result<GridMap> map_of(const world::World& world, world::ModelRow model) {
-  const double resolution = world.desc(model).map_resolution;
+  const double resolution = world.desc(model).map_resolution, height = world.desc(model).map_height;
   if (resolution == 0) return Error{"", "its map_resolution is 0"};
   stage::Shapes shapes(world.scene());
   const stage::Solids solids = stage::make_fixed_solids(world, shapes);
   const Result<scene::Plan> plan = stage::plan_of_solids(solids, resolution, [&](std::size_t row) {
-    return solids.is_obstacle(row) && is_part_of(world, solids.model[row], model);
+    return stage::is_wall_at(solids, row, height) && is_part_of(world, solids.model[row], model);
   });
   if (!plan) return Error{"", "it " + plan.error().text + ": give it a larger map_resolution"};
-  if (plan->solid.width == 0) return Error{"", "it has no walls that stand still"};
+  if (plan->solid.width == 0)
+    return Error{"",
+                 fmt::format("it has no walls that stand still {} m above the floor (map_height)", height)};
   return grid_of(*plan);
 }
 

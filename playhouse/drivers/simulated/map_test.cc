@@ -27,7 +27,7 @@ constexpr std::uint8_t kReq = 3;
 /// it.
 std::string world(const std::string& words) {
   return "model( name \"wall\" size [2 1 1] pose [10 5 0 90] " + words +
-         R"( model( size [0.2 0.2 0.5] pose [1.1 0 0 0] ) )
+         R"( model( size [0.2 0.2 0.5] pose [1.1 0 -1 0] ) )
 model( name "box" size [1 1 1] pose [20 0 0 0] )
 position( name "robot" size [0.4 0.4 0.2] pose [0 0 0 0] )
 )";
@@ -95,6 +95,22 @@ TEST_F(MapOfModelTest, walls_thinner_than_a_cell_are_closed) {
   }
   EXPECT_FALSE(seen[height / 2 * width + width / 2]);
   EXPECT_EQ(cells[height / 2 * width + width / 2], -1);
+}
+
+/// A table whose top is at 0.7 m, on a leg at its left: no sensor of a robot below sees the top.
+TEST_F(MapOfModelTest, shows_what_stands_at_its_map_height) {
+  const std::string table =
+      R"(model( name "table" map_resolution 0.5 size [2 1 0.75] pose [0 0 -1 -90]
+      block( points 4 point[0] [0 0] point[1] [20 0] point[2] [20 10] point[3] [0 10] z [0.7 0.75] )
+      block( points 4 point[0] [0 0] point[1] [5 0] point[2] [5 10] point[3] [0 10] z [0 0.7] ) )";
+  const auto width_of = [&](const std::string& more) {
+    build(table + more + " )", "wall.table");
+    const auto info = wire::decode<map::Info>(ask(map::kReqGetInfo, {}).body);
+    return info ? info->width : 0;
+  };
+  EXPECT_EQ(width_of(""), 3u) << "the leg is one cell wide, with a margin of one on both sides";
+  EXPECT_EQ(width_of("map_height 0.72"), 6u);
+  EXPECT_EQ(width_of("map_height 0.8"), 0u);
 }
 
 TEST_F(MapOfModelTest, refuses_what_there_is_not) {
