@@ -63,8 +63,13 @@ json::array list_of(json::object only) {
 }
 
 std::string view_text(const View& view) {
-  return fmt::format(R"({{"width":{},"height":{},"left":{},"top":{},"scale":{}}})", view.width, view.height,
-                     view.left, view.top, view.pixels_per_metre);
+  std::string eye;
+  if (view.eye)
+    eye = fmt::format(R"(,"eye":{{"x":{},"y":{},"z":{},"yaw":{},"pitch":{},"fov":{}}},"hides":{})",
+                      view.eye->p.x, view.eye->p.y, view.eye->p.z, view.eye->yaw, view.eye->pitch,
+                      view.eye->fov, view.eye->of ? fmt::format("{}", view.eye->of->value) : "null");
+  return fmt::format(R"({{"width":{},"height":{},"left":{},"top":{},"scale":{}{}}})", view.width, view.height,
+                     view.left, view.top, view.pixels_per_metre, eye);
 }
 
 /// JSON of an Area of the page (web/src/view/areas.ts). Sensor

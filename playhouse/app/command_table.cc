@@ -92,15 +92,20 @@ std::vector<Command> commands() {
   playhouse convert worlds/cave.world -o map.yaml
   playhouse convert map.yaml -o my.world
   playhouse convert my.world -o my.glb)"),
-      command("picture", "render a world from above, off screen", picture, add_picture,
+      command("picture", "render a world or a recording, off screen", picture, add_picture,
               R"(Examples:
   playhouse picture worlds/cave.world --at 10 -o cave.png
   playhouse picture worlds/cave.world --at 10 --show ranger -o scans.png
+  playhouse picture worlds/cave.world --from 0,-9,6 --look-at 0,0,0 -o aside.png
+  playhouse picture worlds/cave.world --first-person guest -o eyes.png
+  playhouse picture my.mcap --at 1 -o moment.png
   playhouse picture worlds/swarm.world -o swarm.png --width 400 --renderer playhouse)"),
-      command("film", "render a run from above, off screen", film, add_film,
+      command("film", "render a run or a recording, off screen", film, add_film,
               R"(Examples:
   playhouse film worlds/swarm.world --duration 2 -o swarm.png
-  playhouse film worlds/cave.world --duration 2 --rate 5 --width 320 -o cave.png)"),
+  playhouse film worlds/cave.world --duration 2 --rate 5 --width 320 -o cave.png
+  playhouse film worlds/cave.world --duration 2 --rate 5 --width 320 --follow guest -o behind.png
+  playhouse film my.mcap --width 320 -o run.png)"),
       command("kinds", "list the kinds of world files and their words", kinds, add_kinds,
               R"(Examples:
   playhouse kinds

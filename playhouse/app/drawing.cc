@@ -7,6 +7,7 @@
 #include "playhouse/app/chromium_renderer.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/options.h"
+#include "playhouse/app/own_renderer.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
@@ -16,17 +17,6 @@ namespace {
 
 constexpr const char* kByChromium = "Chromium";
 constexpr const char* kByUs = "Playhouse";
-
-class OwnRenderer final : public Renderer {
- public:
-  explicit OwnRenderer(const SensorShapes& seen) : seen_(seen) {}
-  Result<Picture> draw(const world::World& world, const View& view) override {
-    return picture_of(world, view, seen_);
-  }
-
- private:
-  const SensorShapes& seen_;
-};
 
 }  // namespace
 
@@ -58,7 +48,9 @@ int Drawing::run(DrawnRun& drawn, const Interrupt& interrupt, const Draw& draw) 
   }
   OwnRenderer own(drawn.seen());
   const Result<int> code = draw(own);
-  return code ? done(*code, kByUs) : interrupt.exit_code(kFailed);
+  if (code) return done(*code, kByUs);
+  return interrupt.signal() != 0 ? interrupt.exit_code(kFailed)
+                                 : fail({"", fmt::format("Playhouse {}", code.error().text)});
 }
 
 int Drawing::done(int code, const char* by) const {

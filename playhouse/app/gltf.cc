@@ -14,6 +14,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/mesh/color.h"
 #include "playhouse/mesh/glb_writer.h"
+#include "playhouse/mesh/painted.h"
 #include "playhouse/wire/json.h"
 
 namespace playhouse::app {
@@ -78,12 +79,14 @@ class Writer {
   struct Accessors {
     std::size_t points = 0, normals = 0, corners = 0;
     std::optional<std::size_t> mesh;  // if it has colours of its own
+    bool is_look = false;             // has some of its own
     bool any = false;
   };
 
   void add_node(std::uint32_t row);
   const Accessors& accessors_of(std::uint32_t desc);
   std::size_t mesh_of_model(std::uint32_t row, const Accessors& accessors);
+  std::size_t look_of_model(std::uint32_t row);
   std::size_t material_of(const scene::Color& color);
   std::string scene() const;
 
@@ -93,6 +96,7 @@ class Writer {
   std::map<std::uint32_t, Accessors> by_desc_;
   std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> mesh_by_look_;  // by description and material
   std::map<std::array<float, 4>, std::size_t> material_by_color_;
+  std::map<std::pair<std::uint32_t, std::array<float, 4>>, std::size_t> look_by_color_;  // by description
 };
 
 const Writer::Accessors& Writer::accessors_of(std::uint32_t desc) {
@@ -100,6 +104,10 @@ const Writer::Accessors& Writer::accessors_of(std::uint32_t desc) {
   Accessors& made = entry->second;
   if (!is_new) return made;
   const scene::ModelDesc& model = world_.scene().models[desc];
+  if (model.look) {
+    made.any = made.is_look = true;
+    return made;
+  }
   if (model.mesh) {
     made.any = true;
     made.mesh = glb_.add_mesh(*model.mesh, model.X_MB);
@@ -125,8 +133,27 @@ std::size_t Writer::material_of(const scene::Color& color) {
   return entry->second;
 }
 
+/// The look of a model in its colour.
+std::size_t Writer::look_of_model(std::uint32_t row) {
+  const scene::ModelDesc& model = world_.scene().models[world_.models.desc[row]];
+  const scene::Color& color = world_.models.color[row];
+  mesh::Mesh painted = *model.look;
+  for (mesh::Material& material : painted.materials)
+    if (mesh::is_painted(material))
+      material.base = {static_cast<float>(mesh::linear_of_srgb(color.r)),
+                       static_cast<float>(mesh::linear_of_srgb(color.g)),
+                       static_cast<float>(mesh::linear_of_srgb(color.b)), color.a};
+  return glb_.add_mesh(painted, model.X_MB);
+}
+
 std::size_t Writer::mesh_of_model(std::uint32_t row, const Accessors& accessors) {
   if (accessors.mesh) return *accessors.mesh;
+  if (accessors.is_look) {
+    const scene::Color& c = world_.models.color[row];
+    const auto [entry, is_new] = look_by_color_.try_emplace({world_.models.desc[row], {c.r, c.g, c.b, c.a}});
+    if (is_new) entry->second = look_of_model(row);
+    return entry->second;
+  }
   const std::size_t material = material_of(world_.models.color[row]);
   const auto [entry, is_new] =
       mesh_by_look_.try_emplace({world_.models.desc[row], material}, glb_.meshes.size());

@@ -40,15 +40,16 @@ std::optional<std::set<std::string>> names_in(const std::string& text) {
   return names;
 }
 
-std::optional<ViewSquare> view_in(const std::string& text) {
+/// Three comma-separated numbers.
+std::optional<geom::Vec3> three_in(const std::string& text) {
   std::vector<double> numbers;
   for (const std::string_view word : split(text, ',')) {
     const std::optional<double> value = number_in(word);
     if (!value || std::fabs(*value) > kFarthest) return std::nullopt;
     numbers.push_back(*value);
   }
-  if (numbers.size() != 3 || numbers[2] <= 0) return std::nullopt;
-  return ViewSquare{numbers[0], numbers[1], numbers[2]};
+  if (numbers.size() != 3) return std::nullopt;
+  return geom::Vec3{numbers[0], numbers[1], numbers[2]};
 }
 
 }  // namespace
@@ -134,9 +135,15 @@ Result<std::optional<std::uint16_t>> parse_web(const std::string& text) {
 }
 
 Result<ViewSquare> parse_view(const std::string& text) {
-  const std::optional<ViewSquare> view = view_in(text);
-  if (view) return *view;
+  const std::optional<geom::Vec3> view = three_in(text);
+  if (view && view->z > 0) return ViewSquare{view->x, view->y, view->z};
   return Error{"", "X,Y,RADIUS in metres is wanted, the radius above 0, not " + in_quotes(text)};
+}
+
+Result<geom::Vec3> parse_point(const std::string& text) {
+  const std::optional<geom::Vec3> point = three_in(text);
+  if (point) return *point;
+  return Error{"", "X,Y,Z in metres is wanted, not " + in_quotes(text)};
 }
 
 Result<LockStepping> parse_lock_step(const std::string& text) {

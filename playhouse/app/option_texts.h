@@ -59,6 +59,8 @@ std::string check_engine(const std::string& text);
 Result<std::optional<std::uint16_t>> parse_web(const std::string& text);
 /// "X,Y,RADIUS".
 Result<ViewSquare> parse_view(const std::string& text);
+/// "X,Y,Z" in metres.
+Result<geom::Vec3> parse_point(const std::string& text);
 /// A number of clients, or comma-separated names; "": one client.
 Result<LockStepping> parse_lock_step(const std::string& text);
 

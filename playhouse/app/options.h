@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/geom/orientation.h"
 
 namespace playhouse::app {
 
@@ -181,22 +182,33 @@ struct ConvertOptions {
 /// Renderers of pictures.
 inline constexpr const char *kChromium = "chromium", *kPlayhouse = "playhouse";
 
+/// Where pictures are seen from, by default from above. At most one of look_at, follow and first_person.
+struct SightOptions {
+  std::optional<geom::Vec3> from, look_at;  // of the camera; what it looks at  [m, W]
+  std::string follow;                       // name of a model to look at; without `from`: from behind it
+  std::string first_person;                 // name of the model that sees it
+};
+
 struct PictureOptions {
-  std::string world, output;  // .world, .png
+  std::string world, output;  // .world or .mcap, .png
   double at = 0;              // simulated seconds
-  int width = 1280;           // pixels
-  std::string show;           // drawn sensor data, SensorShapes; empty: none
-  std::string renderer;       // kChromium or kPlayhouse; empty: Chromium, if one that renders is installed
+  SightOptions sight;
+  int width = 1280;      // pixels
+  std::string show;      // drawn sensor data, SensorShapes; empty: none
+  std::string renderer;  // kChromium or kPlayhouse; empty: Chromium, if one that renders is installed
   Running running;
 };
 
+inline constexpr double kFilmSeconds = 10;
+
 struct FilmOptions {
-  std::string world, output;  // .world; .png, or a format of ffmpeg
-  double duration = 10;       // simulated seconds
-  double rate = 10;           // pictures per simulated second, at most one a tick
-  int width = 640;            // pixels
-  std::string show;           // as of a picture
-  std::string renderer;       // the same
+  std::string world, output;            // .world or .mcap; .png, or a format of ffmpeg
+  std::optional<double> duration = {};  // simulated seconds; none: kFilmSeconds, or all of a recording
+  SightOptions sight;
+  double rate = 10;      // pictures per simulated second, at most one a tick
+  int width = 640;       // pixels
+  std::string show;      // as of a picture
+  std::string renderer;  // the same
   Running running;
 };
 

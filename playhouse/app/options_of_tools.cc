@@ -6,6 +6,7 @@
 namespace playhouse::app {
 namespace {
 
+constexpr const char* kDrawable = "a .world file, or a recording (.mcap)";
 constexpr auto check_width = check_count<int, 16, 16384>;
 
 /// Options of a rendered run, for PictureOptions and FilmOptions.
@@ -14,6 +15,23 @@ void add_drawn_run(CLI::App& app, Options& options) {
   app.add_option("--width", options.width, "pixels; the height follows from the world")
       ->check(check_width)
       ->capture_default_str();
+  CLI::Option* const from =
+      add_parsed(app, "--from", parse_point, options.sight.from, "place of the camera in metres (above)")
+          ->type_name("X,Y,Z");
+  CLI::Option* const at = add_parsed(app, "--look-at", parse_point, options.sight.look_at,
+                                     "point that the camera of --from looks at (the middle of the world)")
+                              ->type_name("X,Y,Z")
+                              ->needs(from);
+  CLI::Option* const follow =
+      app.add_option("--follow", options.sight.follow,
+                     "name of a model to look at, from --from, or from behind and above it")
+          ->type_name("NAME")
+          ->excludes(at);
+  app.add_option("--first-person", options.sight.first_person,
+                 "name of the model that sees the picture: a robot, a person or a camera")
+      ->type_name("NAME")
+      ->excludes(from)
+      ->excludes(follow);
   app.add_option("--show", options.show,
                  "also draw sensor data: " + SensorShapes::names() + ", comma-separated (none)")
       ->type_name("SENSOR,...")
@@ -98,7 +116,7 @@ void add_convert(CLI::App& app, ConvertOptions& options) {
 }
 
 void add_picture(CLI::App& app, PictureOptions& options) {
-  app.add_option("WORLD", options.world, "a .world file")->required();
+  app.add_option("WORLD", options.world, kDrawable)->required();
   app.add_option("-o,--output", options.output, "output file")->type_name("FILE.png")->required();
   app.add_option("--at", options.at, "simulated seconds before the picture")
       ->check(check_not_negative)
@@ -107,14 +125,13 @@ void add_picture(CLI::App& app, PictureOptions& options) {
 }
 
 void add_film(CLI::App& app, FilmOptions& options) {
-  app.add_option("WORLD", options.world, "a .world file")->required();
+  app.add_option("WORLD", options.world, kDrawable)->required();
   app.add_option("-o,--output", options.output,
                  "output file: an animated .png, or a format that ffmpeg derives from the extension")
       ->type_name("FILE")
       ->required();
-  app.add_option("--duration", options.duration, "simulated seconds")
-      ->check(check_not_negative)
-      ->capture_default_str();
+  app.add_option("--duration", options.duration, "simulated seconds (10; of a recording all)")
+      ->check(check_not_negative);
   app.add_option("--rate", options.rate, "pictures per simulated second, one a tick at most")
       ->check(check_positive)
       ->capture_default_str();

@@ -184,7 +184,7 @@ Result<View> view_of(const world::World& world, int width) {
     return Error{
         "", fmt::format("would be {} x {:.0f} pixels, and a picture has at most {}: choose a smaller --width",
                         width, height, limits::kPicturePixels)};
-  return View{width, static_cast<int>(height), box.x_min, box.y_max, width / across};
+  return View{width, static_cast<int>(height), box.x_min, box.y_max, width / across, {}};
 }
 
 /// Sorted by top height; ties: bodies first, in model order.

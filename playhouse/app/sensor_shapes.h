@@ -20,6 +20,8 @@ class SensorShapes {
   /// Selects none.
   SensorShapes() = default;
 
+  bool empty() const { return drawn_.empty(); }
+
   /// The names that parse() accepts, as a text.
   static std::string names();
   /// Parses comma-separated kinds, or "all". Fails on unknown ones.

@@ -9,10 +9,10 @@
 /// Cost: OpenGL is initialised by the first image of a run; then one Renderer::draw() per tick for all its
 /// images. Thread: the tick thread; conversion to pixels on the workers.
 
-#include <map>
 #include <memory>
 #include <vector>
 
+#include "playhouse/arena/drawn_bodies.h"
 #include "playhouse/render/renderer.h"
 #include "playhouse/stage/sense_phase.h"
 
@@ -33,30 +33,15 @@ class CameraSense final : public stage::SensePhase {
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
-  /// A body that cameras may see.
-  struct Body {
-    std::uint32_t model = 0;  // row
-    std::uint32_t shape = 0;  // of the renderer
-  };
-
   void begin();
-  void find_bodies(const world::World& world, const stage::Solids& solids);
-  void place_bodies(const world::World& world, double time);
-  void place_lamps(const world::World& world);
   render::View view_of(const world::World& world, std::uint32_t camera) const;
 
   unsigned workers_;
   MakeRenderer make_;
-  std::unique_ptr<render::Renderer> renderer_;       // null before the first image
-  std::unique_ptr<stage::SensePhase> instead_;       // fallback without OpenGL
-  bool is_stale_ = true;                             // the lists below are out of date with the population
-  std::map<std::uint32_t, std::uint32_t> shape_of_;  // by row of SceneDesc::models
-  std::vector<Body> bodies_;
-  std::vector<std::uint32_t> people_, smokes_, shining_;  // rows of world::Models
-  std::vector<render::Instance> instances_;
-  std::vector<render::Figure> figures_;
-  std::vector<render::Smoke> clouds_;
-  std::vector<render::Lamp> lamps_;
+  std::unique_ptr<render::Renderer> renderer_;  // null before the first image
+  std::unique_ptr<stage::SensePhase> instead_;  // fallback without OpenGL
+  bool is_stale_ = true;                        // the list of bodies is out of date with the population
+  DrawnBodies bodies_;
   std::vector<render::View> views_;
   std::vector<render::Picture> pictures_;
 };

@@ -258,6 +258,50 @@ blinkenlight( pose [1 0 0.25 0] size [0.5 0.5 0.5] color "green" enabled )") +
   EXPECT_LT(shown("0"), 70);
 }
 
+/// A square in the plane x = -0.5 that faces back, from y = low to y = high and 1 m high.
+mesh::Surface square(std::uint32_t material, float low, float high) {
+  mesh::Surface surface;
+  surface.material = material;
+  surface.p = {{-0.5f, low, 0}, {-0.5f, low, 1}, {-0.5f, high, 1}, {-0.5f, high, 0}};
+  surface.normal.assign(4, {-1, 0, 0});
+  surface.uv.assign(4, {0, 0});
+  surface.corners = {{0, 1, 2}, {0, 2, 3}};
+  return surface;
+}
+
+// The truth is the geometry: the left half of the look is white, its right half green, its model red.
+TEST(Looks, are_seen_in_place_of_the_body_and_white_ones_in_the_color_of_the_model) {
+  const std::string text = R"(
+interval_sim 100
+position( name "eye" obstacle_return 0 size [0.1 0.1 0.1] ranger( pose [0 0 0 0] size [0 0 0] sensor( range [0 9] fov 30 samples 31 ) )
+  camera( pose [0 0 0.4 0] resolution [40 30] fov [40 30] range [0.1 9] alwayson 1 size [0 0 0] ) )
+model( name "box" pose [3 0 0 0] size [1 1 1] color "red" ))";
+  scene::MemoryFiles files({});
+  Result<scene::SceneDesc> scene = scene::load_world_text(text, "w.world", files);
+  ASSERT_TRUE(scene);
+  const auto bare = make_engine(*scene, {.seed = 1, .workers = 1});
+  auto look = std::make_shared<mesh::Mesh>();
+  look->materials.resize(2);
+  look->materials[1].base = {0, 0.5f, 0, 1};
+  look->surfaces = {square(0, 0, 0.5f), square(1, -0.5f, 0)};
+  scene::SceneDesc dressed = *scene;
+  for (scene::ModelDesc& model : dressed.models)
+    if (model.name == "box") model.look = look;
+  const auto seen = make_engine(dressed, {.seed = 1, .workers = 1});
+  for (const auto* engine : {&bare, &seen}) {
+    world::World& world = (**engine)->world();
+    world::subscribe(world, world.find("eye.ranger:0"));
+    (**engine)->step();
+  }
+  const world::World& world = (*seen)->world();
+  const auto& pixels = world.cameras.pixels[0];
+  EXPECT_EQ(hue(pixels[15 * 40 + 17].sample), 'r');
+  EXPECT_EQ(hue(pixels[15 * 40 + 22].sample), 'g');
+  EXPECT_EQ(hue((*bare)->world().cameras.pixels[0][15 * 40 + 22].sample), 'r');
+  EXPECT_EQ(world.sensors.ranges, (*bare)->world().sensors.ranges);
+  EXPECT_NEAR(world.sensors.ranges[15], 2.5, 1e-6);
+}
+
 TEST(Looks, lights_of_a_mesh_are_where_its_model_is) {
   mesh::Mesh mesh;
   mesh::Light point, spot, sun;

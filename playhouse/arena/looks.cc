@@ -5,6 +5,7 @@
 
 #include "playhouse/arena/solid_bodies.h"
 #include "playhouse/arena/triangles.h"
+#include "playhouse/mesh/painted.h"
 #include "playhouse/scene/daylight.h"
 #include "playhouse/scene/materials.h"
 #include "playhouse/world/generated/gestures.h"
@@ -91,6 +92,14 @@ mesh::Mesh mesh_of(const scene::ModelDesc& desc, const stage::Solids& solids, st
   mesh.materials.push_back(mesh_material_of(desc));
   mesh.surfaces.push_back(surface_of(triangles));
   return mesh;
+}
+
+mesh::Mesh part_of_look(const scene::ModelDesc& desc, bool painted) {
+  mesh::Mesh part = *desc.look;
+  std::erase_if(part.surfaces, [&](const mesh::Surface& surface) {
+    return mesh::is_painted(desc.look->materials[surface.material]) != painted;
+  });
+  return mesh_in_model(part, desc.X_MB);
 }
 
 Vec3 middle_of(const scene::ModelDesc& desc) {

@@ -19,6 +19,10 @@ Look look_of(const scene::ModelDesc& desc);
 mesh::Mesh mesh_of(const scene::ModelDesc& desc, const stage::Solids& solids, std::size_t begin,
                    std::size_t end);
 
+/// The surfaces of a model's look in its own frame: white ones without texture, which have the colour of the
+/// model, or all others.
+mesh::Mesh part_of_look(const scene::ModelDesc& desc, bool painted);
+
 /// Linear RGB and opacity.
 std::array<float, 4> light_of(const scene::Color& color);
 

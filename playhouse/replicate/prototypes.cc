@@ -94,7 +94,9 @@ std::string prototype(const scene::ModelDesc& model, Texts& shapes, Meshes& mesh
   fmt::format_to(out, R"(,"size":{})", size(model.size));
   if (!model.blocks.empty() || !model.bitmaps.empty())
     fmt::format_to(out, R"(,"shape":{})", shapes.row(shape(model)));
-  if (model.mesh) fmt::format_to(out, R"(,"mesh":"{}")", mesh_address(row_of(model.mesh, meshes)));
+  if (const auto& drawn = model.look ? model.look : model.mesh)
+    fmt::format_to(out, R"(,"mesh":"{}")", mesh_address(row_of(drawn, meshes)));
+  if (model.look) text += R"(,"painted":true)";
   if (model.mesh) text += lights(*model.mesh);
   if (model.lamp > 0) fmt::format_to(out, R"(,"lamp":{})", number(model.lamp));
   if (const scene::Material material = scene::material_of(model); !material.name.empty() || model.roughness)

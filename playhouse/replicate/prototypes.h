@@ -32,7 +32,7 @@ class Prototypes {
   /// The spawnable trees: those whose root users may move, in the order of the scene.
   const std::vector<Addable>& addable() const { return addable_; }
 
-  /// The distinct meshes of bodies.
+  /// The distinct meshes of bodies and looks.
   const std::vector<std::shared_ptr<const mesh::Mesh>>& meshes() const { return meshes_; }
 
   /// Items of JSON arrays, without the brackets.

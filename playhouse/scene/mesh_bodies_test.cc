@@ -64,6 +64,49 @@ TEST(MeshWord, a_file_is_read_once_and_models_of_one_size_share_it) {
   EXPECT_NE(scene.models[0].mesh, scene.models[2].mesh);
 }
 
+// The truth is the box of the same words without "look".
+TEST(Look, changes_the_appearance_alone) {
+  const char* const kBox = "position( name \"r\" size [0.4 0.3 0.2] origin [0.1 0 0 0] color \"red\" ";
+  const SceneDesc plain = scene_of(std::string(kBox) + ")");
+  const SceneDesc scene = scene_of(std::string(kBox) + "look \"box.dae\" )");
+  const ModelDesc& model = scene.models.at(0);
+  ASSERT_TRUE(model.look);
+  EXPECT_FALSE(model.mesh);
+  EXPECT_EQ(model.blocks, plain.models.at(0).blocks);
+  EXPECT_EQ(model.size, plain.models.at(0).size);
+  EXPECT_EQ(static_cast<const PlainDesc&>(model), static_cast<const PlainDesc&>(plain.models.at(0)));
+  EXPECT_NEAR(model.look->low.x, -0.2, 1e-6);
+  EXPECT_NEAR(model.look->high.y, 0.15, 1e-6);
+  EXPECT_NEAR(model.look->low.z, 0, 1e-6);
+  EXPECT_NEAR(model.look->high.z, 0.2, 1e-6);
+}
+
+TEST(Look, is_shared_by_models_of_one_size) {
+  const SceneDesc scene = scene_of(
+      "model( look \"box.dae\" mass 1 ) model( look \"box.dae\" mass 2 ) model( look \"box.dae\" size [1 1 "
+      "2] )");
+  EXPECT_EQ(scene.models.at(0).look, scene.models.at(1).look);
+  EXPECT_NE(scene.models.at(0).look, scene.models.at(2).look);
+}
+
+TEST(Look, is_told_where_it_cannot_be) {
+  const Loaded missing = load("model( look \"bux.dae\" )");
+  ASSERT_FALSE(missing.scene);
+  EXPECT_THAT(missing.scene.error().line(), testing::HasSubstr("look \"w/bux.dae\" cannot be opened"));
+  const Loaded paddles = load("position( gripper( look \"box.dae\" ) )");
+  ASSERT_FALSE(paddles.scene);
+  EXPECT_THAT(paddles.scene.error().line(), testing::HasSubstr("a gripper has paddles and no look"));
+  const SceneDesc bare = scene_of("position( ranger( size [0 0 0] look \"box.dae\" ) )");
+  EXPECT_THAT(bare.warnings, ElementsAre("w/a.world:1: \"look\" has no effect on a model without a size"));
+}
+
+TEST(Look, may_be_all_that_there_is_of_a_sensor) {
+  const SceneDesc scene = scene_of("position( ranger( size [0.1 0.1 0.2] look \"box.dae\" ) )");
+  ASSERT_TRUE(scene.models.at(1).look);
+  EXPECT_NEAR(scene.models.at(1).look->high.z, 0.2, 1e-6);
+  EXPECT_TRUE(scene.models.at(1).blocks.empty());
+}
+
 TEST(MeshWord, is_written_back) {
   const SceneDesc scene = scene_of(
       "define box model( mesh \"box.dae\" ) box( pose [1 2 0 30] ) box( size [1 2 3] ) position( mesh "

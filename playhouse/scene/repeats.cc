@@ -20,7 +20,8 @@ void append(std::string& key, const Field& field) {
   append(key, '=', field.key);
   for (const Value& value : field.values) append(key, '-', value.text);
   // File references are relative to the referring file.
-  if (field.key == "bitmap" || field.key == "mesh") append(key, '@', std::to_string(field.where.file));
+  if (field.key == "bitmap" || field.key == "mesh" || field.key == "look")
+    append(key, '@', std::to_string(field.where.file));
 }
 
 void append(std::string& key, const Section& section) {
@@ -41,7 +42,7 @@ bool is_same(const ModelDesc& a, const ModelDesc& b) {
          static_cast<const KindDescs&>(a) == static_cast<const KindDescs&>(b) && a.type == b.type &&
          a.kind == b.kind && a.stacked == b.stacked && a.stacks_children == b.stacks_children &&
          a.blocks == b.blocks && a.moving_blocks == b.moving_blocks && a.bitmaps == b.bitmaps &&
-         a.mesh == b.mesh && a.body == b.body && a.kept == b.kept;
+         a.mesh == b.mesh && a.look == b.look && a.body == b.body && a.kept == b.kept;
 }
 
 /// Default names start with the parent's, so equal ones imply equal parents.

@@ -61,6 +61,7 @@ struct BodyDesc {
   mesh::Placement placement;  // of the mesh
   bool noblocks = false, boundary = false;
   std::vector<Prism> prisms;
+  std::string look;  // path of a mesh for the appearance alone; placed as `mesh` would be
   friend bool operator==(const BodyDesc&, const BodyDesc&) = default;
 };
 
@@ -104,6 +105,9 @@ struct ModelDesc : PlainDesc, KindDescs {
   /// Visual mesh in B, and in 3D also the body; shared by models of equal file, size and placement.
   /// Blocks are then the outlines of its parts. Null: the visual is blocks and bitmaps.
   std::shared_ptr<const mesh::Mesh> mesh;
+  /// Mesh in B for pages, pictures and cameras of the arena, in place of the body, which everything else
+  /// meets; its white surfaces have the color of the model. Null: none.
+  std::shared_ptr<const mesh::Mesh> look;
   BodyDesc body;  // for writing the file again; empty for models made in code
   std::vector<KeptWord> kept;
 };

@@ -29,20 +29,21 @@ std::vector<std::string> ShapeFiles::folders(SourceLine where) const {
   return folders_for(names.front(), names[where.file], files_);
 }
 
-const MeshBodies::Entry* ShapeFiles::mesh(const std::string& name, SourceLine where) {
+const MeshBodies::Entry* ShapeFiles::mesh(const std::string& name, SourceLine where,
+                                          const std::string& word) {
   const Result<FoundFile> found = look_for(
-      "mesh", name, where, [&](const std::string& path) { return meshes_.find(path) != nullptr; },
+      word, name, where, [&](const std::string& path) { return meshes_.find(path) != nullptr; },
       mesh::is_mesh_name);
   if (!found) {
-    state_.fail(where, "mesh " + in_quotes(found.error().where) + " " + found.error().text);
+    state_.fail(where, word + " " + in_quotes(found.error().where) + " " + found.error().text);
     return nullptr;
   }
   if (!found->bytes) return meshes_.find(found->path);
   const MeshBodies::Entry& entry = meshes_.read(found->path, *found->bytes, files_);
   mesh_bytes_.spend(entry.bytes, where, state_);
-  if (!entry.mesh) state_.fail(where, "mesh " + in_quotes(found->path) + " " + entry.why_none);
+  if (!entry.mesh) state_.fail(where, word + " " + in_quotes(found->path) + " " + entry.why_none);
   for (const std::string& warning : entry.warnings)
-    state_.warnings.add(Warning::kShape, where, "mesh " + in_quotes(found->path) + ": " + warning);
+    state_.warnings.add(Warning::kShape, where, word + " " + in_quotes(found->path) + ": " + warning);
   return &entry;
 }
 

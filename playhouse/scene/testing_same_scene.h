@@ -27,6 +27,7 @@ inline std::string difference(const ModelDesc& a, const ModelDesc& b) {
   BodyDesc body = b.body;
   if (same_file(a.body.bitmap) == same_file(body.bitmap)) body.bitmap = a.body.bitmap;
   if (same_file(a.body.mesh) == same_file(body.mesh)) body.mesh = a.body.mesh;
+  if (same_file(a.body.look) == same_file(body.look)) body.look = a.body.look;
   if (a.name != b.name) return "name, " + b.name;
   if (a.alias != b.alias) return "default name, " + b.alias;
   if (a.type != b.type || a.kind != b.kind) return "type";
@@ -35,7 +36,8 @@ inline std::string difference(const ModelDesc& a, const ModelDesc& b) {
   if (static_cast<const KindDescs&>(a) != static_cast<const KindDescs&>(b)) return "words of its kind";
   if (a.stacked != b.stacked || a.stacks_children != b.stacks_children) return "what it stands on";
   if (a.blocks != b.blocks || a.moving_blocks != b.moving_blocks || a.bitmaps != b.bitmaps ||
-      a.body != body || (a.mesh == nullptr) != (b.mesh == nullptr))
+      a.body != body || (a.mesh == nullptr) != (b.mesh == nullptr) ||
+      (a.look == nullptr) != (b.look == nullptr))
     return "body";
   if (a.kept != b.kept) return "words that are kept";
   return {};

@@ -24,6 +24,7 @@
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/mesh_words.h"
 #include "playhouse/scene/old_words.h"
+#include "playhouse/scene/other_files.h"
 #include "playhouse/scene/properties.h"
 #include "playhouse/scene/read_word.h"
 #include "playhouse/scene/repeats.h"
@@ -119,6 +120,7 @@ class WorldLoader {
   void read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model);
   /// Reads a mesh as visual and body. False if the model has none.
   bool read_mesh_body(const Properties& properties, const Kind& kind, bool has_other, ModelDesc& model);
+  void read_look(const Properties& properties, const Kind& kind, ModelDesc& model);
   /// The kind of a model; null, with an error, if it is unknown.
   const Kind* kind_of(const Instance& entity);
   void fail_unknown_type(const Instance& entity);
@@ -426,6 +428,7 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent, Siblin
   Shape shape;
   const std::vector<Instance> children = load_parts(entity, *kind, model, shape);
   read_body(properties, *kind, std::move(shape), model);
+  read_look(properties, *kind, model);
   if (row >= limits_.descriptions)
     return state_.end(document_.error(entity.where, "the world holds more than " +
                                                         std::to_string(limits_.descriptions) +
@@ -526,7 +529,7 @@ void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shap
 bool WorldLoader::read_mesh_body(const Properties& properties, const Kind& kind, bool has_other,
                                  ModelDesc& model) {
   const std::string name = properties.text("mesh", "");
-  if (name.empty()) warn_without_mesh(properties);
+  if (name.empty() && properties.text("look", "").empty()) warn_without_mesh(properties);
   if (name.empty() || state_.over) return false;
   const SourceLine where = properties.where("mesh");
   if (kind.kind == ModelKind::kGripper) {
@@ -556,6 +559,31 @@ bool WorldLoader::read_mesh_body(const Properties& properties, const Kind& kind,
   return true;
 }
 
+/// The appearance alone, after the body: it fills the size, and is placed as a mesh is.
+void WorldLoader::read_look(const Properties& properties, const Kind& kind, ModelDesc& model) {
+  const std::string name = properties.text("look", "");
+  if (name.empty() || state_.over || state_.error) return;
+  const SourceLine where = properties.where("look");
+  if (kind.kind == ModelKind::kGripper) {
+    state_.fail(where, "a gripper has paddles and no look; a model inside it may have one");
+    return;
+  }
+  const MeshBodies::Entry* entry = shape_files_.mesh(name, where, "look");
+  if (state_.over || entry == nullptr || !entry->mesh) return;
+  model.body.look = entry->path;
+  if (!body_size(model.size)) {
+    state_.warnings.add(Warning::kNoEffect, where, "\"look\" has no effect on a model without a size");
+    return;
+  }
+  const mesh::Placement at = read_placement(properties);
+  if (state_.error) return;
+  const MeshBodies::Body* const body =
+      shape_files_.mesh_body(*entry, at.is_fitted ? &model.size : nullptr, at, where);
+  if (!body) return;
+  model.look = body->mesh;
+  model.body.placement = at;
+}
+
 }  // namespace
 
 Result<SceneDesc> load_world_text(std::string text, const std::string& path, FileReader& files,
@@ -576,7 +604,8 @@ Result<SceneDesc> load_world(const std::string& path, NamedBy by, std::vector<Er
   kept = {path, {}, disk.search_path()};
   RecordedFiles recorded(disk, kept);
   FileReader& files = sources ? static_cast<FileReader&>(recorded) : disk;
-  const auto load = [&](std::string text, const std::string& found) {
+  const auto load = [&](std::string text, const std::string& found) -> Result<SceneDesc> {
+    if (const std::optional<std::string> what = what_else(found, text)) return Error{escaped(found), *what};
     kept.path = found;
     if (sources) kept.files[found] = text;
     Result<SceneDesc> scene = load_world_text(std::move(text), found, files, {}, others);

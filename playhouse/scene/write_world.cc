@@ -320,6 +320,7 @@ void WorldWriter::add_body(const ModelDesc& model, Entity& to) const {
   const BodyDesc& body = model.body;
   if (!body.bitmap.empty()) words.text("bitmap", file_name(body.bitmap));
   if (!body.mesh.empty()) words.text("mesh", file_name(body.mesh));
+  if (!body.look.empty()) words.text("look", file_name(body.look));
   write_placement(body.placement, words);
   if (body.noblocks) words.flag("noblocks", true);
   if (body.boundary) words.flag("boundary", true);

@@ -2,6 +2,7 @@
 that are missing, broken or hostile."""
 
 import json
+import re
 import shutil
 import struct
 import subprocess
@@ -24,6 +25,43 @@ class Mesh(HouseTest):
         self.assertEqual(done.stderr, "")
         self.run_of(MESH, "stage")
         self.assertEqual(self.run_of(MESH, "arena", "--workers", "1")["hash"], self.run_of(MESH, "arena", "--workers", "3")["hash"])
+
+    def test_looks_change_no_run(self):
+        """The truth is the same world without them."""
+        shutil.copytree(ROOT / "worlds", self.folder / "bare")
+        words = 0
+        for file in (self.folder / "bare").glob("*.inc"):
+            text, count = re.subn(r'look "[^"]*"', "", file.read_text())
+            file.write_text(text)
+            words += count
+        self.assertGreater(words, 5)
+        for name in ("cave", "lab", "simple", "plan"):
+            for engine in ("stage", "arena"):
+                with self.subTest((name, engine)):
+                    self.assertEqual(self.run_of(ROOT / "worlds" / f"{name}.world", engine)["hash"],
+                                     self.run_of(self.folder / "bare" / f"{name}.world", engine)["hash"])
+
+    def test_every_look_is_as_large_as_its_robot_and_may_be_written_again(self):
+        for name in ("pioneer2dx", "pioneer3dx", "pioneer3at", "amigobot", "roomba", "footbot"):
+            include = {"roomba": "irobot", "footbot": "footbot"}.get(name, "pioneer")
+            world = self.write(f"{name}.world", f'include "{include}.inc"\n{name}( name "r" color "blue" )\n')
+            made, again = self.folder / "made.glb", self.folder / "again.world"
+            for output in (made, again):
+                done = finish("convert", world, "-o", output)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn(f'looks/{name}.obj"', again.read_text())
+            self.assertEqual(finish("check", again).returncode, 0)
+            data = made.read_bytes()
+            (length,) = struct.unpack_from("<I", data, 12)
+            text = json.loads(data[20:20 + length])
+            node = next(node for node in text["nodes"] if "mesh" in node)
+            colors = [material["pbrMetallicRoughness"]["baseColorFactor"] for material in text["materials"]]
+            self.assertIn([0, 0, 1, 1], colors, "the color of the robot")
+            self.assertNotIn([1, 1, 1, 1], colors)
+            boxes = [text["accessors"][part["attributes"]["POSITION"]] for part in text["meshes"][node["mesh"]]["primitives"]]
+            extent = [max(box["max"][k] for box in boxes) - min(box["min"][k] for box in boxes) for k in range(3)]
+            size = re.search(r"size \[([^]]*)\]", finish("convert", world).stdout).group(1).split()
+            self.assertEqual([round(x, 3) for x in extent], [round(float(x), 3) for x in size])
 
     def test_a_world_that_is_written_again_runs_the_same(self):
         again = self.folder / "again.world"

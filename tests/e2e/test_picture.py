@@ -1,5 +1,6 @@
 """Pictures and films of worlds, drawn without a screen: read back byte by byte, so that nothing that draws is trusted."""
 
+import math
 import os
 import shutil
 import signal
@@ -55,6 +56,163 @@ def pixels_of(packed: bytes, width: int, height: int):
 def chunks_of_frames(chunks):
     """The packed pixels of each picture of a film."""
     return [content if kind == "IDAT" else content[4:] for kind, content in chunks if kind in ("IDAT", "fdAT")]
+
+
+# Two cubes to the right and left of a robot that drives between them, along y.
+CUBES = """
+interval_sim 100
+model( name "floor" size [12 12 0.01] color "white" obstacle_return 0 ranger_return -1 )
+model( name "red" pose [2 0 0 0] size [1 1 1] color "red" )
+model( name "blue" pose [-2 0 0 0] size [1 1 1] color "blue" )
+position( name "r" pose [0 -2 0 90] size [0.4 0.4 0.4] color "green" ctrl "expand_swarm"
+  ranger( size [0 0 0] sensor( range [0 5] ) ) )
+"""
+
+
+def seen_at(point, eye, target, width, fov=math.pi / 3):
+    """The pixel of a point, as a pinhole camera without roll sees it that looks from eye to target: 16 to 9, upright."""
+    def unit(v):
+        return [c / math.hypot(*v) for c in v]
+
+    def dot(u, v):
+        return sum(a * b for a, b in zip(u, v))
+    ahead = unit([b - a for a, b in zip(eye, target)])
+    right = unit([ahead[1], -ahead[0], 0])
+    up = [right[1] * ahead[2] - right[2] * ahead[1], right[2] * ahead[0] - right[0] * ahead[2], right[0] * ahead[1] - right[1] * ahead[0]]
+    way = [b - a for a, b in zip(eye, point)]
+    height = round(width * 9 / 16)
+    scale = height / 2 / math.tan(fov / 2) / dot(way, ahead)
+    return round(width / 2 + scale * dot(way, right)), round(height / 2 - scale * dot(way, up))
+
+
+def hue(pixel):
+    """Of red, green and blue, what is much brighter than the others, else nothing."""
+    order = sorted(range(3), key=lambda k: pixel[k])
+    return "rgb"[order[2]] if pixel[order[2]] > 1.5 * pixel[order[1]] + 20 else "-"
+
+
+RENDERERS = ("playhouse", "chromium") if shutil.which("chromium") else ("playhouse",)
+
+
+class Views(HouseTest):
+    """Cameras in the world, by both renderers; the truth is the projection of a pinhole."""
+
+    def drawn(self, *words, renderer, source=None, width=320):
+        file = self.folder / "made.png"
+        done = finish(words[0], source or self.write("w.world", CUBES), "-o", file, "--renderer", renderer, "--width", width, *words[1:])
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        chunks = chunks_of(file.read_bytes())
+        self.assertEqual(struct.unpack_from(">II", dict(chunks)["IHDR"]), (width, width * 9 // 16))
+        return chunks
+
+    def rows(self, *words, renderer, **more):
+        chunks = self.drawn("picture", *words, renderer=renderer, **more)
+        return pixels_of(b"".join(content for kind, content in chunks if kind == "IDAT"), 320, 180)
+
+    def test_a_camera_sees_what_a_pinhole_sees(self):
+        eye = (1, -5, 2.5)
+        for renderer in RENDERERS:
+            rows = self.rows("--from", "1,-5,2.5", "--look-at", "0.5,0,0.5", renderer=renderer)
+            for point, wanted in (((2, -0.5, 0.5), "r"), ((1.6, -0.5, 0.1), "r"), ((2.4, -0.5, 0.9), "r"), ((-2, -0.5, 0.5), "b"),
+                                  ((-1.6, -0.5, 0.9), "b"), ((0, -2.2, 0.2), "g"), ((2.7, -0.5, 0.5), "-"), ((1.3, -0.5, 0.5), "-"),
+                                  ((2, -0.5, 1.9), "-"), ((0, 0, 0), "-")):
+                column, row = seen_at(point, eye, (0.5, 0, 0.5), 320)
+                self.assertEqual(hue(rows[row][column]), wanted, (point, rows[row][column]))
+
+    def test_a_robot_has_wheels_and_a_lid_in_its_color(self):
+        world = self.write("robot.world", 'include "pioneer.inc"\npioneer2dx_bare( name "r" pose [0 0 0 90] color "blue" )\n')
+        for renderer in RENDERERS:
+            rows = self.rows("--from", "0,0,1.5", "--look-at", "0,0,0", renderer=renderer, source=world)
+            def at(x, y, z):
+                column, row = seen_at((x, y + 1e-6, z), (0, -1e-6, 1.5), (0, 0, 0), 320)
+                return rows[row][column]
+            self.assertEqual(hue(at(0, -0.04, 0.22)), "b")
+            for side in (1, -1):   # beside the lid, on the axle
+                self.assertLess(max(at(0.1715 * side, 0, 0.165)), 100, "a tyre")
+                self.assertGreater(min(at(0.5 * side, -0.04, 0)), 120, "the floor")
+
+    def test_straight_down_is_up_in_y(self):
+        for renderer in RENDERERS:
+            rows = self.rows("--from", "0,0,9", "--look-at", "0,0,0", renderer=renderer)
+            scale = 90 / math.tan(math.pi / 6)
+            self.assertEqual(hue(rows[90][round(160 + scale * 2 / 8)]), "r")
+            self.assertEqual(hue(rows[90][round(160 - scale * 2 / 8)]), "b")
+            self.assertEqual(hue(rows[round(90 + scale * 2 / 8.6)][160]), "g")
+
+    def test_a_robot_sees_what_is_ahead_of_it_and_not_itself(self):
+        for renderer in RENDERERS:
+            world = self.write("ahead.world", CUBES.replace("pose [0 -2 0 90]", "pose [0 0 0 0]"))
+            rows = self.rows("--first-person", "r", renderer=renderer, source=world)
+            for point, wanted in (((1.5, 0, 0.45), "r"), ((1.5, 0.45, 0.1), "r"), ((1.5, -0.45, 0.9), "r"), ((1.5, 0.6, 0.45), "-")):
+                column, row = seen_at(point, (0, 0, 0.45), (1, 0, 0.45), 320)
+                self.assertEqual(hue(rows[row][column]), wanted, point)
+            self.assertNotIn("g", {hue(pixel) for row in rows for pixel in row})
+
+    def test_what_is_followed_stays_in_the_middle(self):
+        for renderer in RENDERERS:
+            for words in (("--follow", "r"), ("--follow", "r", "--from", "4,-4,2")):
+                chunks = self.drawn("film", "--duration", 2, "--rate", 1, *words, renderer=renderer)
+                frames, packed = [], b""
+                for kind, content in [*chunks, ("fcTL", b"")]:
+                    if kind == "fcTL" and packed:
+                        frames.append(pixels_of(packed, 320, 180))
+                        packed = b""
+                    packed += content if kind == "IDAT" else content[4:] if kind == "fdAT" else b""
+                self.assertEqual([hue(frame[90][160]) for frame in frames], ["g"] * 3, words)
+                self.assertFalse(frames[0] == frames[2], "it drives")
+
+    def test_words_that_do_not_fit_are_told_in_a_line(self):
+        world = self.write("w.world", CUBES)
+        for words, told in ((("--look-at", "0,0,0"), "--from"), (("--from", "0,0"), "X,Y,Z in metres is wanted"),
+                            (("--follow", "q"), 'there is no model "q"'), (("--first-person", "bleu"), 'did you mean "blue"?'),
+                            (("--first-person", "r", "--follow", "r"), "excludes"), (("--from", "nan,0,0"), "X,Y,Z")):
+            with self.subTest(words):
+                done = finish("picture", world, "-o", self.folder / "a.png", "--renderer", "playhouse", *words)
+                self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
+                self.assertIn(told, done.stderr)
+
+
+class Recordings(HouseTest):
+    """The truth is the same run, drawn while it ran."""
+
+    def setUp(self):
+        super().setUp()
+        self.world, self.file = self.write("w.world", WORLD), self.folder / "run.mcap"
+        done = finish("run", self.world, "--fast", "--headless", "--duration", 2, "--record", self.file)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def drawn(self, command, source, *words):
+        file = self.folder / "made.png"
+        done = finish(command, source, "-o", file, "--renderer", "playhouse", "--width", 100, *words)
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        return file.read_bytes()
+
+    def test_a_moment_of_a_recording_is_that_of_the_run(self):
+        first = self.drawn("picture", self.file)
+        self.assertEqual(first, self.drawn("picture", self.world))
+        later = self.drawn("picture", self.file, "--at", 1.5)
+        self.assertEqual(later, self.drawn("picture", self.world, "--at", 1.5))
+        self.assertFalse(first == later)
+
+    def test_a_film_of_a_recording_is_that_of_the_run(self):
+        whole = self.drawn("film", self.file, "--rate", 5)
+        self.assertEqual(whole, self.drawn("film", self.world, "--rate", 5, "--duration", 2))
+        self.assertEqual(self.drawn("film", self.file, "--rate", 5, "--duration", 1), self.drawn("film", self.world, "--rate", 5, "--duration", 1))
+        self.assertEqual(self.drawn("film", self.file, "--rate", 5, "--duration", 9), whole, "it ends where the recording does")
+        self.assertEqual(self.drawn("film", self.file, "--follow", "r", "--rate", 2), self.drawn("film", self.world, "--follow", "r", "--rate", 2, "--duration", 2))
+
+    def test_what_is_not_in_it_is_told_in_a_line(self):
+        (self.folder / "bad.mcap").write_bytes(b"no recording")
+        for words, code, told in (((self.file, "--at", 9), 2, "error: --at: 9 s is not in the recording, which is from 0 to 2 s"),
+                                  ((self.folder / "bad.mcap",), 2, "bad.mcap"), ((self.folder / "gone.mcap",), 2, "gone.mcap")):
+            done = finish("picture", *words, "-o", self.folder / "a.png", "--renderer", "playhouse")
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (code, 1), done.stderr)
+            self.assertIn(told, done.stderr)
+
+    def test_a_recording_is_not_drawn_over(self):
+        done = finish("film", self.file, "-o", self.file, "--renderer", "playhouse")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertEqual(finish("run", "--again", self.file).returncode, 0)
 
 
 class Pictures(HouseTest):

@@ -34,13 +34,14 @@ test('each file is served as glTF, once for the world', async () => {
   assert.equal((await fetch(new URL('meshes/99.glb', program.page))).status, 404);
 });
 
+// Table, barrel and ramp, and the look of a laser scanner.
 test('the page draws them instead of their outlines', async () => {
-  const drawn = () => page.waitForFunction(() => window.playhouse?.meshes === 3, null, { timeout: 30000 });
+  const drawn = () => page.waitForFunction(() => window.playhouse?.meshes === 4, null, { timeout: 30000 });
   await drawn();  // whatever it asks for is here
   page.on('request', (request) => asked.push(request.url()));
   await page.reload();
   await drawn();
-  assert.equal(asked.filter((url) => url.includes('/meshes/')).length, 3, 'a file is loaded once, however many look so');
+  assert.equal(asked.filter((url) => url.includes('/meshes/')).length, 4, 'a file is loaded once, however many look so');
   assert.deepEqual(said.filter((line) => /mesh|Content Security/i.test(line)), []);
   await page.screenshot({ path: join(results, 'mesh.png') });
 });

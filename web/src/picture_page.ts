@@ -2,6 +2,7 @@ import { Replica } from './protocol/replica';
 import { parseText, withChanges } from './protocol/scene';
 import { byId } from './ui/dom';
 import type { Area } from './view/areas';
+import type { Eye } from './view/camera_rig';
 import { StageView } from './view/stage_view';
 
 /** View of an image: `left`, `top` is the world position of the top left corner; x points right, y up. */
@@ -11,6 +12,8 @@ export interface View {
   left: number; // m
   top: number;
   scale: number; // pixels per metre
+  eye?: Eye; // a camera in the world, in place of the view from above
+  hides?: number | null; // id of the model whose eye it is
 }
 
 const kMomentMs = 1000; // ms per packet: long enough that every interpolation has ended
@@ -58,8 +61,9 @@ export class PicturePage {
     for (const { style } of this.canvases) Object.assign(style, { width: `${view.width}px`, height: `${view.height}px` });
     await this.view.filesThere();
     this.view.showAreas(seen);
+    if (view.eye) this.view.lookFrom(view.eye, view.hides ?? null);
     this.view.advance(this.now + kMomentMs);
-    this.view.rig.showFrom(view.left, view.top, view.scale);
+    if (!view.eye) this.view.rig.showFrom(view.left, view.top, view.scale);
     return base64Of(await this.view.picturePng());
   }
 

@@ -113,6 +113,9 @@ struct PlainDesc {
   double take_watts = 0;
   /// Cell size of its device `map` ([drivers.md](../drivers.md)); with 0 it has none. [m]
   double map_resolution = 0.1;
+  /// Height above the floor of the world at which its device `map` shows walls ([drivers.md](../drivers.md)).
+  /// [m]
+  double map_height = 0.2;
 
   friend bool operator==(const PlainDesc&, const PlainDesc&) = default;
 };

@@ -25,7 +25,7 @@ constexpr Meaning kOld_model_polygon{.how = Meaning::How::kNested, .part = "bloc
 constexpr Meaning kOld_model_blocks{.how = Meaning::How::kCount, .part = "block"};
 constexpr SaidWord kOld_model_block_part_words[] = {{"z", "0 1"}};
 constexpr Meaning kOld_model_block{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_block_part_words};
-constexpr Word kWordsOfModel[67] = {
+constexpr Word kWordsOfModel[69] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "Name of the model. Inside a parent the full name is parent.name; a name with a leading / is used as given."},
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Pose in the parent."},
     {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Pose of the body and of the sensors, relative to the model's pose."},
@@ -34,6 +34,7 @@ constexpr Word kWordsOfModel[67] = {
     {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .told = "the kind's own", .doc = "Color components from 0 to 1; used if there is no color."},
     {.name = "bitmap", .use = Use::kRead, .type = "text", .doc = "An image (PNG, JPEG, PGM, PPM, PBM or BMP). Its dark pixels (first channel up to 127) are solid, transparent ones (alpha up to 127) are free; it is scaled to the size."},
     {.name = "mesh", .use = Use::kRead, .type = "text", .doc = "A mesh file (COLLADA, glTF, OBJ or STL) for the appearance and the body. It is scaled to the size if one is given, else it keeps its own. See docs/meshes.md."},
+    {.name = "look", .use = Use::kRead, .type = "text", .doc = "A mesh file for the appearance alone, scaled to the size: on the page, in pictures and for cameras of the arena. Its white surfaces have the color of the model. Everything else sees and meets the body. See docs/meshes.md."},
     {.name = "mesh_pose", .use = Use::kRead, .type = "tuple", .form = "[x y z roll pitch yaw]", .unit = "m, m, m, deg, deg, deg", .otherwise = "[0 0 0 0 0 0]", .doc = "Pose of the mesh file in the body: rotations about its x, y and z axes, in this order, as rpy of URDF. The place counts with mesh_fit 0."},
     {.name = "mesh_scale", .use = Use::kRead, .type = "tuple", .form = "[x y z]", .otherwise = "[1 1 1]", .doc = "Factors on the axes of the mesh file, before it is turned, or one for all; below 0 it is mirrored. 0.001 is for files in millimetres."},
     {.name = "mesh_fit", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "The mesh is moved to the middle of the body, onto its floor, and scaled to the size. With 0 it keeps its own origin and size."},
@@ -69,6 +70,7 @@ constexpr Word kWordsOfModel[67] = {
     {.name = "give_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which it charges models in contact with it."},
     {.name = "take_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which other models may charge it."},
     {.name = "map_resolution", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0.1", .limits = "not negative", .doc = "Cell size of its device `map` ([drivers.md](../drivers.md)); with 0 it has none."},
+    {.name = "map_height", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0.2", .doc = "Height above the floor of the world at which its device `map` shows walls ([drivers.md](../drivers.md))."},
     {.name = "blob_return", .use = Use::kSilent},
     {.name = "trail_interval", .use = Use::kSilent},
     {.name = "event_queue", .use = Use::kSilent},

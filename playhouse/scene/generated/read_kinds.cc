@@ -312,6 +312,7 @@ void read(const Properties& properties, std::size_t row, PlainDesc& to) {
   require(to.take_watts >= 0, properties, "take_watts", "must not be negative");
   to.map_resolution = properties.length("map_resolution", to.map_resolution);
   require(to.map_resolution >= 0, properties, "map_resolution", "must not be negative");
+  to.map_height = properties.length("map_height", to.map_height);
 }
 
 void read(const Properties& properties, std::size_t row, RangerSensorDesc& to) {

@@ -218,6 +218,7 @@ void write(const PlainDesc& from, const PlainDesc& unsaid, double z, Words& to) 
   if (from.give_watts != unsaid.give_watts) to.number("give_watts", from.give_watts);
   if (from.take_watts != unsaid.take_watts) to.number("take_watts", from.take_watts);
   if (from.map_resolution != unsaid.map_resolution) to.length("map_resolution", from.map_resolution);
+  if (from.map_height != unsaid.map_height) to.length("map_height", from.map_height);
 }
 
 void write(const WindowDesc& from, const WindowDesc& unsaid, Words& to) {

@@ -31,6 +31,7 @@ export interface Prototype extends KindStart {
   size: [number, number, number];
   shape?: number; // row of shapes
   mesh?: string; // address of a binary glTF file, relative to the page
+  painted?: boolean; // white surfaces of the mesh have the colour of the model
   lights?: MeshLight[]; // lights of the mesh
   lamp?: number; // cd, isotropic, in the model's colour
   shine?: [metallic: number, roughness: number]; // material

@@ -52,7 +52,7 @@ export class Bodies {
     this.roots = rootsOf(scene);
     const alike = new Map<string, number[]>();
     scene.models.forEach((model, row) => {
-      if (model.shape === undefined || model.smoke || isPerson(scene, row)) return;
+      if ((model.shape === undefined && !model.painted) || model.smoke || isPerson(scene, row)) return;
       const shaded = shadeOf(model) ? model.kind : '';
       const look = `${model.shine ?? ''}/${isLamp(model)}/${shaded}`;
       const key = `${model.mesh ?? ''}/${model.shape}/${model.moving ?? 0}/${replica.color[row] & 0xff}/${look}`;
@@ -139,6 +139,7 @@ export class Bodies {
         if (this.shown[row] === now) return;
         batch.mesh.setColorAt(k, this.color.setHex(now >>> 8));
         batch.mesh.instanceColor!.needsUpdate = true;
+        batch.file?.paint(k);
       });
     }
     this.noses?.rows.forEach((row, k) => {
@@ -170,8 +171,8 @@ export class Bodies {
   }
 
   private addBatch(rows: number[], theme: Theme): void {
-    const { shape, moving, mesh: address } = this.scene.models[rows[0]];
-    const { geometry, edges: outline } = drawnOf(this.scene.shapes[shape!], moving ?? 0);
+    const { shape, moving, mesh: address, painted } = this.scene.models[rows[0]];
+    const { geometry, edges: outline } = shape === undefined ? kBodiless : drawnOf(this.scene.shapes[shape], moving ?? 0);
     if (!geometry) return;
     const alpha = (this.replica.color[rows[0]] & 0xff) / 255;
     const mesh = new InstancedMesh(geometry, this.surfaceFor(rows[0]), rows.length);
@@ -183,21 +184,23 @@ export class Bodies {
     const origins = rows.map((row): Pose => this.scene.models[row].origin ?? [0, 0, 0, 0]);
     const batch: Batch = { mesh, edges, rows, origins, shade: shadeOf(this.scene.models[rows[0]]) };
     this.batches.push(batch);
-    if (address !== undefined) this.addFile(batch, address);
+    if (address !== undefined) this.addFile(batch, address, painted ?? false);
   }
 
   /** Draws the mesh once it is loaded; until then the outlines of the extruded shape, if it fails all of it. */
-  private addFile(batch: Batch, address: string): void {
-    batch.awaits = true;
-    batch.mesh.visible = false;
-    batch.file = new MeshBatch(address, batch.rows.length, this.shine, (loaded) => {
+  private addFile(batch: Batch, address: string, painted: boolean): void {
+    batch.awaits = !painted; // a look is drawn as its body until it is there
+    batch.mesh.visible = painted;
+    const done = (loaded: boolean) => {
       batch.awaits = false;
       batch.hidden = loaded;
       batch.mesh.visible = !loaded;
       batch.edges!.visible = false; // until adapt()
       this.move();
       this.changed();
-    });
+    };
+    const colorOf = (k: number) => this.color.setHex(this.colorOf(batch.rows[k], batch) >>> 8);
+    batch.file = new MeshBatch(address, batch.rows.length, this.shine, done, painted ? colorOf : null);
     this.group.add(batch.file.group);
   }
 
@@ -248,6 +251,13 @@ function darkened(color: number, brightness: number): number {
 interface Drawn {
   geometry: BufferGeometry | null;
   edges: BufferGeometry;
+}
+
+/** Of what has a look and no body. */
+const kBodiless: Drawn = { geometry: empty(), edges: empty() };
+
+function empty(): BufferGeometry {
+  return new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(0), 3));
 }
 
 /** Cache by shape and number of omitted solids: bitmap walls are slow to extrude, and survive population changes. */

@@ -4,6 +4,7 @@ const kFov = (35 * Math.PI) / 180;
 const kScale = { least: 0.5, most: 2000 }; // pixels per metre
 const kEyeFov = 70; // degrees, vertical field of view
 const kEyeReach = 20; // m: range of the world sent to a first-person view
+const kEyeFar = 5000; // m
 const kFitSteps = 8;
 const kHighest = 1000; // m: far plane from above, at any zoom
 const kPitchMost = (78 * Math.PI) / 180;
@@ -242,7 +243,7 @@ export class CameraRig {
     eyes.lookAt(x + Math.cos(yaw) * Math.cos(pitch), y + Math.sin(yaw) * Math.cos(pitch), z + Math.sin(pitch));
     eyes.aspect = this.width / this.height;
     eyes.near = 0.05;
-    eyes.far = 500;
+    eyes.far = kEyeFar;
     eyes.updateProjectionMatrix();
     eyes.updateMatrixWorld();
   }

@@ -1,7 +1,7 @@
 import { MeshBasicMaterial, MeshStandardMaterial, Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Light } from '../protocol/scene';
-import { materialIn } from './meshes';
+import { isPainted, materialIn } from './meshes';
 
 const shine = { light: {} as Light, around: new Texture() };
 const standard = (material: unknown) => material as MeshStandardMaterial;
@@ -22,5 +22,13 @@ describe('materials of files', () => {
     expect(shown.envMap).toBeNull();
     expect(metal.metalness).toBe(0.9);
     expect(materialIn(null, new MeshBasicMaterial())).toBeInstanceOf(MeshBasicMaterial);
+  });
+});
+
+describe('surfaces of looks', () => {
+  it('have the color of the model where the file is white and has no texture', () => {
+    expect(isPainted(new MeshStandardMaterial({ color: 0xffffff }))).toBe(true);
+    expect(isPainted(new MeshStandardMaterial({ color: 0xfff0ff }))).toBe(false);
+    expect(isPainted(new MeshStandardMaterial({ color: 0xffffff, map: new Texture() }))).toBe(false);
   });
 });

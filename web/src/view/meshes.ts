@@ -1,4 +1,4 @@
-import { DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, type BufferGeometry, type Material } from 'three';
+import { DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, type BufferGeometry, type Color, type Material } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { Shine } from './surfaces';
 
@@ -18,6 +18,13 @@ export function materialIn(shine: Shine | null, of: Material): Material {
   if (!shine) material.metalness = 0;
   if (material.metalness > 0) material.envMap = shine!.around;
   return material;
+}
+
+/** Whether surfaces of a look with this material have the colour of their model: white ones without texture. */
+export function isPainted(material: Material): boolean {
+  if (!(material instanceof MeshStandardMaterial) || material.map) return false;
+  const { r, g, b } = material.color;
+  return Math.min(r, g, b) >= 0.999;
 }
 
 /** Cache by address: a file is loaded once, across population changes. */
@@ -58,6 +65,8 @@ export class MeshBatch {
     private readonly count: number,
     private shine: Shine | null,
     done: (loaded: boolean) => void,
+    /** Colours of the instances, for surfaces that are painted; null: the file's own. */
+    private readonly colorOf: ((k: number) => Color) | null = null,
   ) {
     this.ready = surfacesAt(address).then(
       (surfaces) => {
@@ -82,6 +91,17 @@ export class MeshBatch {
       return part;
     });
     if (this.parts.length > 0) this.group.add(...this.parts);
+    for (let k = 0; k < this.count; ++k) this.paint(k);
+  }
+
+  /** Uploads the colour of an instance. */
+  paint(k: number): void {
+    if (!this.colorOf) return;
+    this.parts.forEach((part, i) => {
+      if (!isPainted(this.surfaces[i].material)) return;
+      part.setColorAt(k, this.colorOf!(k));
+      part.instanceColor!.needsUpdate = true;
+    });
   }
 
   /** Sets the lighting; null: map view. */

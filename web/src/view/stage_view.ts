@@ -10,7 +10,7 @@ import { rootsOf, type Light, type Scene } from '../protocol/scene';
 import { Areas, type Area } from './areas';
 import { Bodies } from './bodies';
 import { Bubbles } from './bubbles';
-import { CameraRig, type Box, type Margins } from './camera_rig';
+import { CameraRig, type Box, type Eye, type Margins } from './camera_rig';
 import { Daylight } from './daylight';
 import { Flight } from './flight';
 import { FloorMarks } from './floor_marks';
@@ -120,6 +120,7 @@ export class StageView {
   private readonly areas = new Areas();
   private readonly floor = new Mesh<PlaneGeometry, MeshBasicMaterial | MeshLambertMaterial>(new PlaneGeometry(kFloor, kFloor)); // of who stands on it
   private drawn: Drawn | null = null;
+  private seer: number | null = null; // row of the model whose eye the free camera is
   private theme: Theme = themeNow();
   private dirty = true;
   private last = 0;
@@ -269,6 +270,14 @@ export class StageView {
     this.applyTheme();
   }
 
+  /** Puts the free camera here; the model with this id, whose eye it is, is not drawn. */
+  lookFrom(eye: Eye, hides: number | null): void {
+    if (!this.flight) this.fly();
+    Object.assign(this.flight!.eye, eye);
+    this.seer = hides === null ? null : (this.drawn?.replica.rows.get(hides) ?? null);
+    this.dirty = true;
+  }
+
   /** Replaces the collision shapes. */
   showPhysics(shapes: Parameters<PhysicsShapes['show']>[0]): void {
     this.physics.show(shapes);
@@ -278,7 +287,7 @@ export class StageView {
   /** Places the camera: at a person's eyes, at a camera's lens, or on top of a robot. */
   private placeEye(): void {
     const { seenBy, motion, drawn } = this;
-    drawn?.hide(seenBy?.row ?? null, this.roots);
+    drawn?.hide(seenBy?.row ?? this.seer, this.roots);
     if (!seenBy || !motion || !drawn) return;
     const { row, eyes } = seenBy;
     const { size, kind, origin, view } = drawn.scene.models[row];
