@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "playhouse/arena/stacks.h"
+
 namespace playhouse::arena {
 namespace {
 
@@ -35,6 +37,17 @@ struct Approach {
 };
 
 }  // namespace
+
+btScalar ContactSolver::solveGroup(btCollisionObject** bodies, int body_count,
+                                   btPersistentManifold** manifolds, int count,
+                                   btTypedConstraint** constraints, int constraint_count,
+                                   const btContactSolverInfo& info, btIDebugDraw* drawer,
+                                   btDispatcher* dispatcher) {
+  btContactSolverInfo of_group = info;
+  of_group.m_numIterations = static_cast<int>(info.m_numIterations * more_iterations(manifolds, count));
+  return btSequentialImpulseConstraintSolver::solveGroup(bodies, body_count, manifolds, count, constraints,
+                                                         constraint_count, of_group, drawer, dispatcher);
+}
 
 void ContactSolver::convertContacts(btPersistentManifold** manifolds, int count,
                                     const btContactSolverInfo& info) {

@@ -1,6 +1,7 @@
 #pragma once
 
-/// ContactSolver: Bullet's solver with impacts of our own. Slower contacts are Bullet's.
+/// ContactSolver: Bullet's solver with impacts of our own, and as many iterations as stacks need (stacks.h).
+/// Slower contacts are Bullet's.
 ///
 /// In: contacts with their distances, and the motion of bodies before the step.
 /// Out: per impact, the normal velocity after the step, and the displacement out of a penetration.
@@ -17,6 +18,11 @@
 namespace playhouse::arena {
 
 class ContactSolver final : public btSequentialImpulseConstraintSolver {
+ public:
+  btScalar solveGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds, int count,
+                      btTypedConstraint** constraints, int constraint_count, const btContactSolverInfo& info,
+                      btIDebugDraw* drawer, btDispatcher* dispatcher) override;
+
  private:
   void convertContacts(btPersistentManifold** manifolds, int count, const btContactSolverInfo& info) override;
   void aim(btSolverConstraint& row, bool is_single, const btContactSolverInfo& info) const;

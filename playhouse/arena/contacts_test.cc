@@ -237,5 +237,36 @@ TEST(Contacts, crates_on_each_other_on_triangles_come_to_rest) {
   }
 }
 
+/// Twenty crates of 0.5 m: the top at 10 m, up to 2 mm of each contact, which Bullet leaves.
+TEST(Contacts, a_stack_of_twenty_stays_up) {
+  constexpr double kSide = 0.5;
+  for (const double tick : kTicks) {
+    Trial trial(tick, {.friction = 0.6});
+    std::uint32_t top = 0;
+    for (int i = 0; i < 20; ++i)
+      top = trial.add(crate({kSide, kSide, kSide}, {.friction = 0.6}, 25), {.p = {0, 0, (i + 0.5) * kSide}});
+    trial.run(tick < 0.01 ? 1.5 : 12);  // it fell within 10 s, in ticks of 10 ms
+    const Vec3 p = trial.physics.state(top).p;
+    EXPECT_NEAR(p.z, 19.5 * kSide, 0.045);
+    EXPECT_LT(std::hypot(p.x, p.y), 0.03);
+  }
+}
+
+TEST(Contacts, a_light_crate_bears_a_thousand_times_its_mass) {
+  for (const double ratio : {10., 100., 1000.})
+    for (const double tick : kTicks) {
+      Trial trial(tick, {.friction = 0.6});
+      const Surface wood{.friction = 0.6};
+      const std::uint32_t light = trial.add(crate({0.5, 0.5, 0.5}, wood, 1), {.p = {0, 0, 0.25}}),
+                          heavy = trial.add(crate({0.5, 0.5, 0.5}, wood, ratio), {.p = {0, 0, 0.75}});
+      trial.run(10);
+      const Vec3 below = trial.physics.state(light).p, above = trial.physics.state(heavy).p;
+      EXPECT_NEAR(below.z, 0.25, 0.012) << ratio;
+      EXPECT_NEAR(above.z, 0.75, 0.015) << ratio;
+      EXPECT_LT(std::hypot(below.x, below.y), 0.02) << ratio;
+      EXPECT_LT(std::hypot(above.x, above.y), 0.02) << ratio;
+    }
+}
+
 }  // namespace
 }  // namespace playhouse::arena
