@@ -123,6 +123,26 @@ model( name "box" pose [0.45 0 0.7 0] size [0.3 0.2 0.3] gripper_return 1 )
   EXPECT_GT(world().models.tilt_WM[world().find("box").index].y, 0.3);
 }
 
+/// A plank of 4 m whose bottom is 1 m high at its middle, with its end at -x up by 0.25 rad.
+TEST_F(ArenaTest, a_fixed_plank_is_met_as_it_is_tilted_by_beams_and_by_bodies) {
+  start(R"(
+model( name "plank" pose [0 0 1 0] size [4 2 0.1] )
+model( name "crate" pose [0 0 3 0] size [0.2 0.2 0.2] gripper_return 1 )
+ranger( name "eye" pose [-5 0 1.3 0] size [0 0 0] alwayson 1 sensor( range [0 10] fov 0 samples 1 ) )
+)");
+  const geom::Tilt tilt{0, 0.25};
+  ASSERT_TRUE(world::set_spatial_pose(world(), world().find("plank"), {{0, 0, 1, 0}, tilt}));
+  const geom::Quaternion q = geom::orientation(0, tilt);
+  const geom::Vec3 on_top = geom::Vec3{0, 0, 1} + q * geom::Vec3{0.5, 0, 0.1};
+  ASSERT_TRUE(
+      world::set_spatial_pose(world(), world().find("crate"), {{on_top.x, on_top.y, on_top.z, 0}, tilt}));
+  run(2);
+  EXPECT_NEAR(world().sensors.ranges[0], 5 - 0.31 / std::tan(tilt.y), 1e-5);  // from the middle of the eye
+  EXPECT_NEAR(pose("crate").x, on_top.x, 0.01);
+  EXPECT_NEAR(pose("crate").z, on_top.z, 0.01);
+  EXPECT_NEAR(world().models.tilt_WM[world().find("crate").index].y, tilt.y, 0.01);
+}
+
 // A door that a library or a client opens, on a wall that stands still.
 TEST_F(ArenaTest, a_world_file_of_what_is_tilted_tells_that_it_has_it_upright) {
   start(kWorld);

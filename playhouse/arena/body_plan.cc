@@ -255,19 +255,26 @@ std::vector<FixedSolid> fixed_solids(const world::World& world, const stage::Sol
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
   each_body(solids, 0, solids.fixed, stage::Observer::kMotion, [&](std::size_t begin, std::size_t end) {
     const std::uint32_t model = solids.model[begin];
+    const FrameOfFixed frame(world.models, model);
     if (const mesh::Mesh* mesh = mesh_of(world, model)) {
       if (std::exchange(latest, model) == model) return;
       const Surface surface = surface_of(world.desc({model}));
       const double heading = world.models.X_WM[model].a;
-      FixedParts parts = fixed_parts(*mesh, body_in(world, model, world.models.X_WM[model]));
-      for (Hull& hull : parts.hulls) fixed.push_back({std::move(hull), surface, heading, {}});
+      FixedParts parts = fixed_parts(*mesh, body_in(world, model, frame.X_FM()));
+      frame.turn(parts.triangles.p);
+      for (Hull& hull : parts.hulls) {
+        frame.turn(hull);
+        fixed.push_back({std::move(hull), surface, heading, {}});
+      }
       if (!parts.triangles.empty()) fixed.push_back({{}, surface, heading, std::move(parts.triangles)});
       return;
     }
     hulls.clear();
-    add_body(hulls, solids, begin, end, world.models.X_WM[model]);
-    for (Hull& hull : hulls)
+    add_body(hulls, solids, begin, end, frame.X_FM());
+    for (Hull& hull : hulls) {
+      frame.turn(hull);
       fixed.push_back({std::move(hull), surface_of(world.desc({model})), world.models.X_WM[model].a, {}});
+    }
   });
   return fixed;
 }

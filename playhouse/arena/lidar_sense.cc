@@ -90,7 +90,10 @@ void LidarSense::populate_fixed(const world::World& world, const stage::Solids& 
   std::vector<Triangles> triangles;
   std::vector<Owner> owners;
   each_model(solids, 0, solids.fixed, [&](std::uint32_t model, std::size_t begin, std::size_t end) {
-    add_bodies(triangles.emplace_back(), world, solids, begin, end, models.X_WM[model]);
+    const FrameOfFixed frame(models, model);
+    Triangles& of_model = triangles.emplace_back();
+    add_bodies(of_model, world, solids, begin, end, frame.X_FM());
+    frame.turn(of_model.p);
     owners.push_back({model, models.root[model]});
   });
   scene_.set_fixed(triangles, owners);

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
+#include "playhouse/geom/orientation.h"
 #include "playhouse/stage/bodies.h"
 
 namespace playhouse::arena {
@@ -37,5 +40,27 @@ inline std::vector<std::vector<geom::Vec2>> outlines_of(const stage::Solids& sol
   }
   return outlines;
 }
+
+/// The frame F in which the body of a fixed model is made: the world, as in the stage engine, or for a tilted
+/// model its own frame M, whose points are then turned.
+class FrameOfFixed {
+ public:
+  FrameOfFixed(const world::Models& models, std::uint32_t model)
+      : X_WM_(models.X_WM[model]), tilt_(models.tilt_WM[model]) {}
+
+  geom::Pose X_FM() const { return is_tilted() ? geom::Pose{} : X_WM_; }
+  /// From F to W.
+  void turn(std::span<geom::Vec3> points) const {
+    if (!is_tilted()) return;
+    const geom::Quaternion q_WM = geom::orientation(X_WM_.a, tilt_);
+    for (geom::Vec3& p : points) p = geom::Vec3{X_WM_.x, X_WM_.y, X_WM_.z} + q_WM * p;
+  }
+
+ private:
+  bool is_tilted() const { return tilt_ != geom::Tilt{}; }
+
+  geom::Pose X_WM_;
+  geom::Tilt tilt_;
+};
 
 }  // namespace playhouse::arena
