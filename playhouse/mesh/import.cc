@@ -192,6 +192,7 @@ Result<MeshFile> import(const std::string& path, std::string_view bytes, const R
   const Look look(**scene, colors, std::move(obj.colored));
   look.add_materials(file.mesh);
   look.add_textures(file, folder, read);
+  look.dim_emission(file, folder, read);
   const Result<Nodes> nodes = nodes_of(**scene, is_stl(path) ? Affine() : from_y_up());
   if (!nodes) return nodes.error();
   const Skins skins = colors == Colors::kGltf ? Skins::kJoints : Skins::kNodes;

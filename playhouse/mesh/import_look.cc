@@ -4,8 +4,11 @@
 #include <assimp/material.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <utility>
@@ -34,8 +37,10 @@ std::optional<aiColor4D> color(const aiMaterial& from, const char* key, unsigned
   return value;
 }
 
-std::optional<std::string> texture(const aiMaterial& from) {
-  for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+std::optional<std::string> texture(const aiMaterial& from,
+                                   std::initializer_list<aiTextureType> types = {aiTextureType_BASE_COLOR,
+                                                                                 aiTextureType_DIFFUSE}) {
+  for (const aiTextureType type : types) {
     aiString name;
     if (from.GetTextureCount(type) > 0 && from.GetTexture(type, 0, &name) == aiReturn_SUCCESS &&
         name.length > 0)
@@ -78,6 +83,20 @@ Result<Image> image_beside(const std::string& name, const std::string& folder, c
     if (place == places.front()) why = bytes.error();
   }
   return why;
+}
+
+/// Mean light of the pixels, linear.
+std::array<float, 3> mean_of(const Image& image) {
+  std::array<double, 256> linear;
+  for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = linear_of_srgb(static_cast<double>(i) / 255);
+  std::array<double, 3> sum = {};
+  const std::size_t pixels = image.rgba.size() / 4;
+  for (std::size_t i = 0; i < pixels; ++i)
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += linear[image.rgba[4 * i + c]];
+  std::array<float, 3> mean = {};
+  for (std::size_t c = 0; c < 3 && pixels > 0; ++c)
+    mean[c] = static_cast<float>(sum[c] / static_cast<double>(pixels));
+  return mean;
 }
 
 }  // namespace
@@ -165,8 +184,7 @@ void Look::add_textures(MeshFile& file, const std::string& folder, const ReadFil
     const auto [entry, is_new] = rows.try_emplace(*name, Material::kNone);
     std::uint32_t& row = entry->second;
     if (is_new && file.mesh.images.size() < limits::kMeshImages) {
-      const aiTexture* embedded = scene_.GetEmbeddedTexture(name->c_str());
-      Result<Image> image = embedded ? image_of(*embedded, left) : image_beside(*name, folder, read, left);
+      Result<Image> image = load(*name, folder, read, left);
       if (image) {
         left -= image->rgba.size() / 4;
         row = static_cast<std::uint32_t>(file.mesh.images.size());
@@ -177,6 +195,31 @@ void Look::add_textures(MeshFile& file, const std::string& folder, const ReadFil
       }
     }
     file.mesh.materials[i].texture = row;
+  }
+}
+
+Result<Image> Look::load(const std::string& name, const std::string& folder, const ReadFile& read,
+                         std::size_t most_pixels) const {
+  const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str());
+  return embedded ? image_of(*embedded, most_pixels) : image_beside(name, folder, read, most_pixels);
+}
+
+void Look::dim_emission(MeshFile& file, const std::string& folder, const ReadFile& read) const {
+  std::map<std::string, std::array<float, 3>> means;
+  for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
+    const std::optional<std::string> name = texture(*scene_.mMaterials[i], {aiTextureType_EMISSIVE});
+    std::array<float, 3>& emission = file.mesh.materials[i].emission;
+    if (!name || emission == std::array<float, 3>{}) continue;
+    const auto [entry, is_new] = means.try_emplace(*name);
+    if (is_new) {
+      const Result<Image> image = load(*name, folder, read, limits::kMeshPixels);
+      if (image)
+        entry->second = mean_of(*image);
+      else
+        file.warnings.push_back("texture " + in_quotes(*name) + " " + image.error().text +
+                                "; surfaces do not glow");
+    }
+    for (std::size_t c = 0; c < 3; ++c) emission[c] *= entry->second[c];
   }
 }
 

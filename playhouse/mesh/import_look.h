@@ -30,9 +30,13 @@ class Look {
   void add_materials(Mesh& mesh) const;
   /// Textures of materials, embedded or in files below `folder`.
   void add_textures(MeshFile& file, const std::string& folder, const ReadFile& read) const;
+  /// Materials have one emission each: that of an emissive texture is its mean.
+  void dim_emission(MeshFile& file, const std::string& folder, const ReadFile& read) const;
   void add_lights(const Nodes& nodes, Mesh& mesh) const;
 
  private:
+  Result<Image> load(const std::string& name, const std::string& folder, const ReadFile& read,
+                     std::size_t most_pixels) const;
   Material material(const aiMaterial& from) const;
   void set_opacity(const aiMaterial& from, Material& to) const;
   std::array<float, 4> base_of(const aiMaterial& from, const std::string& name) const;

@@ -242,6 +242,20 @@ TEST(ReadMesh, reads_textures_of_the_folder) {
   EXPECT_EQ(file.mesh.materials.at(file.mesh.surfaces.at(0).material).texture, 0u);
 }
 
+TEST(ReadMesh, glows_by_the_mean_of_an_emissive_texture) {
+  std::string gltf = test_gltf("box.bin", "", kTexture);
+  gltf.insert(gltf.find(R"("doubleSided")"), R"("emissiveFactor":[1,0.5,1],"emissiveTexture":{"index":0},)");
+  std::map<std::string, std::string> files{
+      {"a.gltf", gltf}, {"box.bin", test_gltf_buffer()}, {"sub/t.png", test_png()}};
+  const MeshFile file = read("a.gltf", files);
+  EXPECT_THAT(file.warnings, testing::IsEmpty());
+  EXPECT_THAT(material_of(file).emission, testing::ElementsAre(0.5f, 0.25f, 0.f));  // a red and a green pixel
+  files.erase("sub/t.png");
+  const MeshFile missing = read("a.gltf", files);
+  EXPECT_THAT(missing.warnings, testing::ElementsAre(HasSubstr("surfaces do not glow")));
+  EXPECT_THAT(material_of(missing).emission, testing::Each(0.f));
+}
+
 TEST(ReadMesh, reads_textures_of_a_model_of_gazebo) {
   for (const char* uri : {"../materials/textures/t.png", "t.png", "../../m/materials/textures/t.png"}) {
     const std::string texture =
