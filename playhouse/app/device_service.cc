@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/options.h"
@@ -42,7 +43,8 @@ std::optional<std::string> address_for_others() {
 }  // namespace
 
 DeviceService::DeviceService(const std::string& bind)
-    : server_(std::make_unique<server::Server>(loop_, server::ServerOptions{.bind = bind})) {}
+    : server_(std::make_unique<server::Server>(
+          loop_, server::ServerOptions{.bind = bind, .sessions = sessions_that_fit()})) {}
 
 drivers::Site& DeviceService::open_site(std::uint16_t port) {
   drivers::Surroundings& surroundings = *this;  // private base, not accessible to make_unique

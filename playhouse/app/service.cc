@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
@@ -68,7 +69,8 @@ Service::Service(Serving serving, Running running, QuitTime quit_time)
       running_(running),
       quit_time_(quit_time),
       warn_(&warn),
-      server_(std::make_unique<server::Server>(loop_, server::ServerOptions{.bind = serving_.bind})) {
+      server_(std::make_unique<server::Server>(
+          loop_, server::ServerOptions{.bind = serving_.bind, .sessions = sessions_that_fit()})) {
   server_->set_clock([this] { return simulation().time(); });
 }
 

@@ -171,7 +171,7 @@ bool Server::Impl::has_room_for(const net::Connection& connection) {
     }
     if (full) return false;
   }
-  if (clients_.size() < limits::kSessions) {
+  if (clients_.size() < options_.sessions) {
     full_ = false;
     return true;
   }

@@ -30,6 +30,7 @@ struct ServerOptions {
       "3.1.1 Playhouse " PLAYHOUSE_VERSION;       // clients see "Player v." and this, 31 bytes at most
   std::size_t input_bytes = limits::kInputBytes;  // smaller in tests
   std::size_t output_bytes = limits::kOutputBytes;
+  std::size_t sessions = limits::kSessions;  // fewer where descriptors are few
 };
 
 /// Metrics of a running server. Totals since the start unless stated otherwise.

@@ -9,8 +9,9 @@ import subprocess
 import sys
 import time
 import unittest
+import urllib.request
 
-from house import (ACK, CMD, DATA, FIDUCIAL, LASER, NACK, PATIENCE, PLAYER, POSITION2D, POSITION3D, RANGER, REQ, ROOT, SIMULATION, SPEECH, SPEECH_RECOGNITION, SONAR, SYNCH,
+from house import (ACK, CMD, DATA, FIDUCIAL, LASER, NACK, PATIENCE, PLAYER, POSITION2D, POSITION3D, PROGRAM, RANGER, REQ, ROOT, SIMULATION, SPEECH, SPEECH_RECOGNITION, SONAR, SYNCH,
                    Client, House, HouseTest, frame, ranges_of, text)
 
 
@@ -266,6 +267,18 @@ class Crowded(HouseTest):
                 pass    # closed all the same
             self.assertEqual(house.end(), 143)
             self.assertEqual(house.log().count("many connections"), 1, house.log())
+
+
+    def test_player_clients_leave_descriptors_for_the_page(self):
+        limited = House("--nofile=64:64", PROGRAM, "run", self.world(), "--port", 0, "--web", 0, program="prlimit")
+        with limited as house, contextlib.ExitStack() as crowd:
+            port = house.port()
+            page = house.wait_for_line(r"^web page: (http://127\.0\.0\.1:\d+/)$").group(1)
+            for _ in range(80):
+                crowd.enter_context(socket.create_connection(("127.0.0.1", port), PATIENCE))
+            with urllib.request.urlopen(page, timeout=PATIENCE) as answer:
+                self.assertEqual(answer.status, 200)
+            self.assertRegex(house.log(), r"\d+ Player clients at most: the limit on open files is 64")
 
 
 class Configured(HouseTest):
