@@ -298,6 +298,14 @@ Result<void> Service::read_guests() {
   return {};
 }
 
+/// Of runs with guests; without, nobody is asked on the Player port.
+void Service::close_clients_sent_out() {
+  if (guests_.guests().empty()) return;
+  server_->close_clients([book = guests_](const std::string& token, const std::string& peer) {
+    return book.is_sent_out(token, peer);
+  });
+}
+
 Result<void> Service::open_page() {
   if (!serving_.web) return {};
   std::function<world::PhysicsShapes()> physics_shapes;
@@ -308,6 +316,7 @@ Result<void> Service::open_page() {
                                        .host_name = {},
                                        .further_names = serving_.web_hosts,
                                        .guests = guests_,
+                                       .sent_out = [this] { close_clients_sent_out(); },
                                        .viewers = serving_.viewers,
                                        .bytes_per_second = serving_.page_bytes,
                                        .physics_shapes = std::move(physics_shapes)};

@@ -102,6 +102,7 @@ class Service final : private ServerSurroundings {
   const std::vector<Error>& other_errors() const { return other_errors_; }
   /// Reads the guest file. Fails if it is invalid or admits nobody.
   Result<void> read_guests();
+  void close_clients_sent_out();
   /// Starts the web page, if enabled.
   Result<void> open_page();
   /// Opens the observer port, if enabled.

@@ -74,8 +74,10 @@ void Session::authenticate(const wire::Header& header, Body body) {
   if (!board_.admit)
     return refuse(header, Fault::kUnknownMessage, "this run admits everybody, without a token");
   const std::string_view key(reinterpret_cast<const char*>(asked->auth_key.data()), asked->auth_key.size());
-  const std::optional<device::Rights> rights = board_.admit(std::string(wire::text(key)), peer_);
+  std::string token(wire::text(key));
+  const std::optional<device::Rights> rights = board_.admit(token, peer_);
   if (!rights) return refuse(header, Fault::kRights, "no guest of this run");
+  token_ = std::move(token);
   caller_.set_rights(*rights);
   reply(header, true);
 }

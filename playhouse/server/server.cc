@@ -77,6 +77,7 @@ class Server::Impl final : public ClientOwner {
   void finish(std::function<void()> done);
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);
   void retire_device(device::DeviceId id);
+  void close_clients(std::function<bool(const std::string& token, const std::string& peer)> which);
   void take_turns(device::Turns& turns);
   Result<void> hold(device::DeviceId device, device::Driver* holder);
   void release(device::DeviceId device, device::Driver* holder);
@@ -201,6 +202,19 @@ void Server::Impl::remove(std::uint32_t serial) {
   if (!done_ || !clients_.empty()) return;
   network_.post([this, alive = std::weak_ptr<int>(alive_)] {
     if (!alive.expired()) end();
+  });
+}
+
+void Server::Impl::close_clients(std::function<bool(const std::string&, const std::string&)> which) {
+  network_.post([this, which = std::move(which), alive = std::weak_ptr<int>(alive_)] {
+    if (alive.expired()) return;
+    std::vector<std::uint32_t> closed;
+    for (const auto& [serial, client] : clients_)
+      if (which(client->session().token(), client->session().peer())) closed.push_back(serial);
+    for (const std::uint32_t serial : closed) {
+      log::info("{}: closed: sent out", clients_.at(serial)->session().peer());
+      remove(serial);
+    }
   });
 }
 
@@ -462,6 +476,10 @@ void Server::release(device::DeviceId device, device::Driver* holder) {
 }
 void Server::admit_by(Admit admit) {
   impl_->board().admit = std::move(admit);
+}
+
+void Server::close_clients(std::function<bool(const std::string& token, const std::string& peer)> which) {
+  impl_->close_clients(std::move(which));
 }
 
 void Server::take_turns(device::Turns& turns) {

@@ -100,6 +100,8 @@ class Server final : public device::Publisher, public device::Outlet {
   using Admit =
       std::function<std::optional<device::Rights>(const std::string& token, const std::string& peer)>;
   void admit_by(Admit admit);
+  /// Closes the connections of the clients that have this token ("*": none) and peer. Any thread.
+  void close_clients(std::function<bool(const std::string& token, const std::string& peer)> which);
 
   /// Graceful shutdown: accepts no more clients, flushes all queues, then calls
   /// `done`. Clients in PULL mode have a second to ask for data before it is

@@ -55,8 +55,13 @@ bool begins_with_message(std::span<const std::byte> input) {
 }  // namespace
 
 Session::Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, std::string peer)
-    : board_(board), serial_(serial), robot_(robot), peer_(std::move(peer)), caller_(peer_) {
-  if (board_.admit) caller_.set_rights(board_.admit(kNoToken, peer_).value_or(kNothing));
+    : board_(board),
+      serial_(serial),
+      robot_(robot),
+      peer_(std::move(peer)),
+      token_(kNoToken),
+      caller_(peer_) {
+  if (board_.admit) caller_.set_rights(board_.admit(token_, peer_).value_or(kNothing));
 }
 
 Session::~Session() {

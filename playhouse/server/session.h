@@ -93,6 +93,8 @@ class Session final : public Reader {
   void take(std::vector<net::SharedBytes>& out, std::size_t max_bytes);
 
   const std::string& peer() const { return peer_; }
+  /// That it has the rights of; "*": none.
+  const std::string& token() const { return token_; }
   device::Caller& caller() { return caller_; }
   /// Number of its table entries for devices.
   std::size_t device_rows() const;
@@ -164,6 +166,7 @@ class Session final : public Reader {
   const std::uint32_t serial_;
   const std::uint32_t robot_;
   const std::string peer_;
+  std::string token_;
   device::Caller caller_;
 
   std::vector<std::byte> input_;  // starts with a header

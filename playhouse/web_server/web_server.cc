@@ -287,7 +287,10 @@ class WebServer::Impl final : public net::HttpService,
     const std::string &token = out->guest().token, &own = from.guest().token;
     const bool is_same =
         token == "*" ? net::network_of(out->peer()) == net::network_of(from.peer()) : token == own;
-    if (!is_same) options_.guests.send_out(token, out->peer());
+    if (!is_same) {
+      options_.guests.send_out(token, out->peer());
+      if (options_.sent_out) options_.sent_out();
+    }
     std::vector<std::uint32_t> pages;  // of that guest
     for (const auto& other : viewers_)
       if (other.get() == out || options_.guests.is_sent_out(other->guest().token, other->peer()))

@@ -35,8 +35,9 @@ struct WebOptions {
   std::chrono::milliseconds join_period = std::chrono::seconds(1);  // between two bodies; for tests
   std::vector<std::string> further_names;                           // further allowed host names
   GuestBook guests;                                                 // access list
-  std::size_t viewers = limits::kViewers;                           // limit on simultaneous viewers
-  std::uint32_t bytes_per_second = limits::kPageBytesPerSecond;     // of state, to each page
+  std::function<void()> sent_out;  // called after somebody was sent out, on the loop's thread; or empty
+  std::size_t viewers = limits::kViewers;                        // limit on simultaneous viewers
+  std::uint32_t bytes_per_second = limits::kPageBytesPerSecond;  // of state, to each page
   /// Current collision shapes; tick thread. Empty: not available.
   std::function<world::PhysicsShapes()> physics_shapes;
 };

@@ -6,7 +6,8 @@ import sys
 import time
 import unittest
 
-from house import ACK, NACK, PATIENCE, PLAYER, POSITION2D, ROOT, Client, HouseTest, finish
+from house import ACK, NACK, PATIENCE, PLAYER, POSITION2D, ROOT, Client, House, HouseTest, finish
+from viewer import Viewer
 
 sys.path.insert(0, str(ROOT / "clients/python"))
 from playhouse_client import Mode, RequestRefused, connect  # noqa: E402
@@ -106,6 +107,27 @@ class Guests(HouseTest):
             self.assertEqual(client.request(PLAYER, 0, AUTH, auth("the-admin-1")).type, NACK, "also the right one")
         house.wait_for_line(r"guests: .* gave a wrong token")
         self.assertLessEqual(len(re.findall("gave a wrong token", house.log())), 24)
+
+    def test_who_is_sent_out_loses_player_connections_too(self):
+        guests = self.write("guests.txt", GUESTS)
+        house = self.enterContext(House("run", self.world(WORLD), "--port", 0, "--web", 0, "--guests", guests))
+        page = int(house.wait_for_line(r"http://127\.0\.0\.1:(\d+)/").group(1))
+        with Client(house.port()) as other, Client(house.port()) as client, Viewer(page, "the-admin-1") as admin, \
+                Viewer(page, "a-driver-01") as driver:
+            self.assertEqual(other.request(PLAYER, 0, AUTH, auth("watcher-001")).type, ACK)
+            self.assertEqual(client.request(PLAYER, 0, AUTH, auth("a-driver-01")).type, ACK)
+            self.assertEqual(client.open(POSITION2D, 0).type, ACK)
+            admin.turn_until(lambda: len(admin.people) == 2)
+            out = next(person["viewer"] for person in admin.people if person["role"] == "driver")
+            admin.send(do="kick", viewer=out)
+            with self.assertRaises(ConnectionError):
+                driver.turn_until(lambda: False)
+            with self.assertRaises((ConnectionError, EOFError)):
+                while True:
+                    client.next_data(POSITION2D, 0)
+            self.assertEqual(other.request(PLAYER, 0, 1).type, ACK, "others stay")
+            with Client(house.port()) as again:
+                self.assertEqual(again.request(PLAYER, 0, AUTH, auth("a-driver-01")).type, NACK)
 
 
 if __name__ == "__main__":
