@@ -3,15 +3,19 @@
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "playhouse/drivers/gym/link.h"
+#include "playhouse/drivers/gym/shared_columns.h"
 #include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/world/population.h"
 
@@ -44,6 +48,20 @@ class Gym : public ::testing::Test {
   const scene::SceneDesc scene_ = testing::scene_of(kWorld);
   Simulation simulation_;
 };
+
+TEST(SharedColumnsOfGym, keep_their_size_whatever_the_other_program_does) {
+  SharedColumns columns;
+  const SharedColumns::Column column{"ranges", "<f4", 100, 3, 4};
+  ASSERT_TRUE(columns.make(std::span(&column, 1)));
+  struct stat before {};
+  ASSERT_EQ(fstat(columns.descriptor(), &before), 0);
+  EXPECT_NE(ftruncate(columns.descriptor(), 10), 0);
+  EXPECT_EQ(errno, EPERM);
+  EXPECT_NE(ftruncate(columns.descriptor(), before.st_size + 4096), 0);
+  struct stat after {};
+  ASSERT_EQ(fstat(columns.descriptor(), &after), 0);
+  EXPECT_EQ(after.st_size, before.st_size);
+}
 
 TEST_F(Gym, an_agent_that_comes_back_with_the_start_is_used_again) {
   Agents agents(simulation_);

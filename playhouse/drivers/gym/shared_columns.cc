@@ -1,5 +1,6 @@
 #include "playhouse/drivers/gym/shared_columns.h"
 
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -55,8 +56,10 @@ Result<void> SharedColumns::make(std::span<const Column> columns) {
     offsets_.push_back(bytes_);
     bytes_ += aligned(std::size_t{column.rows} * std::max(column.columns, 1u) * column.value_bytes);
   }
-  descriptor_ = memfd_create("playhouse gym", MFD_CLOEXEC);
+  descriptor_ = memfd_create("playhouse gym", MFD_CLOEXEC | MFD_ALLOW_SEALING);
   if (descriptor_ < 0 || ftruncate(descriptor_, static_cast<off_t>(bytes_)) != 0) return system_error();
+  // The learning program has the descriptor, too: what it cuts off would end this program by SIGBUS.
+  if (fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) return system_error();
   void* const memory = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor_, 0);
   if (memory == MAP_FAILED) return system_error();
   memory_ = static_cast<std::byte*>(memory);
