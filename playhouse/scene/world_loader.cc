@@ -508,7 +508,7 @@ void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shap
   const ShapeFiles::TracedBitmap* bitmap = shape_files_.bitmap(properties, model.size);
   if (state_.error) return;  // the load fails anyway
   const bool boundary = properties.flag("boundary", false), noblocks = properties.flag("noblocks", false);
-  model.body = {bitmap ? bitmap->first : "", "", {}, noblocks, boundary, shape.prisms};
+  model.body = {bitmap ? bitmap->first : "", "", {}, noblocks, boundary, shape.prisms, {}};
   const bool is_own = kind.solid && !bitmap && !boundary && shape.prisms.empty() && !noblocks;
   if (!is_own && !bitmap && !boundary && shape.prisms.empty()) return;
   check_body_size(model.size, properties);
