@@ -2,6 +2,7 @@
 
 import json
 import math
+import socket
 import struct
 import sys
 import time
@@ -16,6 +17,7 @@ from playhouse_client.generated import map as grid  # noqa: E402
 from playhouse_client.generated import planner  # noqa: E402
 
 MAP, PLANNER = 42, 44
+GET_GEOM = 1
 
 GOAL = (6.5, 0.0, 0.0)  # behind a crate and a wall with a gap, which are right ahead
 PAUSE = 1               # command of simulation: a paused world goes on
@@ -149,6 +151,23 @@ driver( name "vfh" provides ["position2d:1"] requires ["{port}:position2d:0" "{p
                     self.assertLess(min(math.dist(believed[:2], place) for place in way), 0.3)
                 else:
                     self.fail("it does not get there")
+
+
+class InACircle(HouseTest):
+    """Two programs whose devices stand for each other."""
+
+    def test_both_say_so_and_their_devices_retire(self):
+        with socket.create_server(("127.0.0.1", 0)) as one, socket.create_server(("127.0.0.1", 0)) as two:
+            ports = one.getsockname()[1], two.getsockname()[1]
+        section = 'driver( name "passthrough" provides ["position2d:0"] requires ["127.0.0.1:{}:position2d:0"] reconnect 1 )'
+        files = [self.write(f"{nth}.cfg", section.format(ports[1 - nth])) for nth in (0, 1)]
+        with House("serve", files[0], "--port", ports[0]) as first, House("serve", files[1], "--port", ports[1]) as second:
+            for house, other in ((first, ports[1]), (second, ports[0])):
+                house.wait_for_line(f"passthrough: position2d:0 leads back to itself by way of 127.0.0.1:{other}: it retires")
+            for port in ports:
+                with Client(port) as client:
+                    self.assertEqual(client.devices(), [])
+                    self.assertEqual(client.request(POSITION2D, 0, GET_GEOM).type, NACK)
 
 
 class Planned(HouseTest):

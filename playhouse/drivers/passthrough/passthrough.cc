@@ -1,14 +1,18 @@
 #include "playhouse/drivers/passthrough/passthrough.h"
 
 #include <fmt/format.h>
+#include <sys/random.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/device/device_table.h"
 #include "playhouse/wire/auth_key.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/common.h"
 #include "playhouse/wire/messages.h"
 
 namespace playhouse::drivers {
@@ -24,19 +28,45 @@ std::string describe(RemoteDevice device) {
   return whole.substr(whole.find(':') + 1);
 }
 
+/// Beyond every type of message, even where somebody reads its last byte alone.
+constexpr std::uint32_t kMarked = 0x80000000, kTypeBits = 0xFF;
+
+std::uint32_t random_mark() {
+  std::uint32_t number = 0;
+  PLAYHOUSE_ASSERT(getrandom(&number, sizeof number, 0) == sizeof number);
+  return (number | kMarked) & ~kTypeBits;
+}
+
+/// CAPABILITIES, whose answer is NACK from every device: there is no such message.
+wire::CapabilitiesReq circle_request(std::uint32_t mark, RemoteDevice device) {
+  return {mark, static_cast<std::uint32_t>(device.interf) << 16 | device.index};
+}
+
+/// None if the request is another.
+std::optional<wire::CapabilitiesReq> as_circle_request(const device::Message& message) {
+  if (message.subtype != wire::kReqCapabilities) return std::nullopt;
+  const Result<wire::CapabilitiesReq> asked = wire::decode<wire::CapabilitiesReq>(message.body);
+  const bool is_one = asked && asked->type >= kMarked && (asked->type & kTypeBits) == 0;
+  return is_one ? std::optional(*asked) : std::nullopt;
+}
+
 }  // namespace
 
 Passthrough::Passthrough(Site& site, std::string host, std::uint16_t port, AfterLoss after_loss)
     : site_(site),
       after_loss_(after_loss),
+      mark_(random_mark()),
       remote_(site.surroundings().network(), std::move(host), port, *this) {}
 
 Result<void> Passthrough::add(device::Address address, RemoteDevice device) {
   const Result<device::DeviceId> id = site_.add_device(address, *this);
   if (!id) return id.error();
   here_[device] = *id;
-  const std::lock_guard lock(mutex_);
-  relayed_[*id] = {address, device};
+  {
+    const std::lock_guard lock(mutex_);
+    relayed_[*id] = {address, device};
+  }
+  if (remote_.is_connected()) look_for_circle(device);
   return {};
 }
 
@@ -87,12 +117,15 @@ device::Taken Passthrough::command(const device::Message& message) {
 void Passthrough::request(const device::Message& message, device::Replier replier) {
   const std::optional<RemoteDevice> device = there(message.device);
   if (!device) return;
+  const std::optional<wire::CapabilitiesReq> circle = as_circle_request(message);
+  if (circle == circle_request(mark_, *device)) return replier.ack({});
   auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
-  site_.surroundings().post([this, shared, device = *device, subtype = message.subtype,
+  site_.surroundings().post([this, shared, device = *device, subtype = message.subtype, circle,
                              body = Bytes(message.body.begin(), message.body.end())] {
-    remote_.ask(device, subtype, body, [shared](bool ack, std::span<const std::byte> answer) {
+    remote_.ask(device, subtype, body, [=, this](bool ack, std::span<const std::byte> answer) {
       Bytes bytes(answer.begin(), answer.end());
       ack ? shared->ack(std::move(bytes)) : shared->nack(std::move(bytes));
+      if (ack && circle) end_circle(device);  // another's, which came back to it through this device
     });
   });
 }
@@ -111,8 +144,29 @@ void Passthrough::connected() {
   retry_.reset();
   wait_ = 0;
   why_lost_.clear();
+  for (const auto& [device, id] : here_) look_for_circle(device);
   for (const device::DeviceId id : wanted_) remote_.open(*there(id));
   if (watcher_.connected) watcher_.connected();
+}
+
+void Passthrough::look_for_circle(RemoteDevice device) {
+  remote_.ask(device, wire::kReqCapabilities, wire::encode(circle_request(mark_, device)),
+              [this, device](bool ack, std::span<const std::byte>) {
+                if (ack) end_circle(device);
+              });
+}
+
+void Passthrough::end_circle(RemoteDevice device) {
+  const auto here = here_.find(device);
+  if (here == here_.end()) return;
+  device::Address address;
+  {
+    const std::lock_guard lock(mutex_);
+    address = relayed_.at(here->second).address;
+  }
+  log::error("passthrough: {} leads back to itself by way of {}: it retires", site_.shown(address),
+             remote_.name());
+  site_.retire_later({address});
 }
 
 void Passthrough::lost(const std::string& why) {

@@ -71,10 +71,15 @@ class Passthrough final : public device::Driver, private RemoteServer::Events {
     RemoteDevice there;
   };
   std::optional<RemoteDevice> there(device::DeviceId id) const;  // any thread
+  /// Sends a request that comes back here if the device leads back to its own proxy, as where
+  /// two passthroughs stand for each other: whatever is sent there would go round for ever.
+  void look_for_circle(RemoteDevice device);
+  void end_circle(RemoteDevice device);
   void connect_later();
 
   Site& site_;
   const AfterLoss after_loss_;
+  const std::uint32_t mark_;  // of own requests of look_for_circle()
   RemoteServer remote_;
   Watcher watcher_;
   std::unique_ptr<net::Timer> retry_;

@@ -252,6 +252,32 @@ TEST_F(Relay, or_stay_and_are_opened_again_where_the_file_says_reconnect) {
   EXPECT_EQ(client.ask(ask(p2d::kReqGetGeom)).at(0).header.type, MessageType::kAck);
 }
 
+/// Each asked the other for ever, and so did every command.
+TEST_F(Relay, two_that_stand_for_each_other_retire) {
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\" \"laser:0\"] "
+                  "requires [\"here:6665:position2d:1\" \"here:6665:laser:3\"] )\n"
+                  "driver( name \"passthrough\" provides [\"position2d:1\" \"laser:1\"] "
+                  "requires [\"here:6665:position2d:0\" \"here:6665:laser:3\"] )"),
+            "");
+  EXPECT_EQ(site.device_count(), 2u) << "the lasers: both lead to one that is absent";
+  TestClient client(network_, kHere);
+  EXPECT_FALSE(is_open(client.ask(server::open_request(p2d::kCode, 0))));
+  EXPECT_EQ(client.ask(ask(p2d::kReqGetGeom)).at(0).header.type, MessageType::kNack);
+}
+
+TEST_F(Relay, a_way_through_two_devices_of_one_section_is_no_circle) {
+  open_lab();
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\" \"position2d:1\"] "
+                  "requires [\"here:6665:position2d:1\" \"here:6665:position2d:2\"] )\n"
+                  "driver( name \"passthrough\" provides [\"position2d:2\"] "
+                  "requires [\"lab:7000:position2d:5\"] )"),
+            "");
+  EXPECT_EQ(site.device_count(), 3u);
+  TestClient client(network_, kHere);
+  client.ask(server::open_request(p2d::kCode, 0));
+  EXPECT_EQ(wheels.starts, 1);
+}
+
 /// Somebody who listens at the other port, and what the relay says to it.
 class Script final : public net::ConnectionEvents {
  public:
