@@ -1,7 +1,8 @@
 #pragma once
 
 /// The rays of a ranger: for a scanner one per beam and ring, for a single-beam transducer
-/// a cone of rays, of which the nearest echo counts. Frame: M the ranger's model.
+/// a cone of rays (a level fan, one above, one below), of which the nearest echo counts.
+/// Frame: M the ranger's model.
 
 #include <cstdint>
 #include <vector>
@@ -17,6 +18,7 @@ struct LidarBeams {
     float range_max = 0;                   // m
     std::uint32_t beam = 0;                // of the ranger, over all rings
     bool is_off_axis = false;              // of a cone, other than its axis
+    bool begins_fan = false;               // not a neighbour in direction of the ray before
     bool is_turned = false;                // its sensor has angular noise
     std::uint32_t sensor = 0, sample = 0;  // sensor of the ranger; beam over all its rings
   };

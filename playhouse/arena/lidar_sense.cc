@@ -45,12 +45,6 @@ void each_model(const stage::Solids& solids, std::size_t first, std::size_t last
   }
 }
 
-/// True if a ray is the first of a ring, or of a sensor: not a neighbour of the one before.
-bool begins_ring(const LidarBeams& beams, std::size_t row) {
-  const LidarBeams::Ray& ray = beams.rays[row];
-  return !ray.is_off_axis && ray.sample % beams.sensors[ray.sensor].samples == 0;
-}
-
 }  // namespace
 
 stage::SensorTable LidarSense::table(world::World& world) const {
@@ -155,7 +149,7 @@ void LidarSense::measure(world::World& world, std::uint32_t ranger, std::uint64_
   batch.count = 0;
   for (std::size_t i = 0; i < beams.rays.size(); ++i) {
     const LidarBeams::Ray& ray = beams.rays[i];
-    if (batch.count == RayBatch::kMost || begins_ring(beams, i)) cast(look, scratch);
+    if (batch.count == RayBatch::kMost || ray.begins_fan) cast(look, scratch);
     if (batch.count == 0) batch.p = Vec3{X_WM.x, X_WM.y, X_WM.z} + q * ray.p;
     Vec3 d_M = ray.d;
     if (ray.is_turned) {

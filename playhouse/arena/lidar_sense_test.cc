@@ -108,6 +108,51 @@ model( name "post" pose [0 0 0 0] size [0.2 0.2 0.2]
   EXPECT_EQ(run.intensity(1), 2);
 }
 
+/// What a sector of the plane, `half` to either side, sees of a disc: its distance along the bearing in the
+/// sector nearest to its middle. Infinite if the disc faces that by more than `most`, or is beside it.
+double nearest_in_sector(double half, double distance, double bearing, double radius, double most) {
+  const double off = std::max(0.0, std::fabs(bearing) - half), beside = distance * std::sin(off);
+  if (beside > radius * std::sin(most)) return 1e9;
+  return distance * std::cos(off) - std::sqrt(radius * radius - beside * beside);
+}
+
+TEST(LidarSense, a_cone_misses_no_post_of_five_centimetres) {
+  constexpr double kRadius = 0.025, kRangeMax = 5;
+  std::string post = "define post model( size [0.05 0.05 1] block( z [0 1] points 48 ";
+  for (int k = 0; k < 48; ++k) {
+    const double around = 2 * geom::kPi * k / 48;
+    post += "point[" + std::to_string(k) + "] [" + std::to_string(std::cos(around)) + " " +
+            std::to_string(std::sin(around)) + "] ";
+  }
+  const std::string sonar =
+      ") )\ninterval_sim 100\nmodel( pose [0 0 0 0] size [0.2 0.2 0.2] ranger( size [0.02 0.02 0.02] "
+      "alwayson 1 sensor( fov 20 range [0 5] ) ) )\npost( name \"post\" pose [1 0 0 0] )\n";
+  Session run((post + sonar).c_str(), true);
+  run.step();
+  for (const double distance : {0.5, 2.0, 4.9})
+    for (double degrees = -12; degrees <= 12; degrees += 0.25) {
+      const double bearing = geom::radians(degrees);
+      ASSERT_TRUE(world::set_pose(run.world(), run.world().find("post"),
+                                  {distance * std::cos(bearing), distance * std::sin(bearing), 0, 0}));
+      run.step();
+      // The normals of 48 sides are up to 3.75 degrees from those of the disc.
+      const auto seen = [&](double most) {
+        return nearest_in_sector(geom::radians(10), distance, bearing, kRadius, geom::radians(most));
+      };
+      const double wanted = seen(60 - 3.75);
+      // Rays are at most sqrt(3) radii apart at the largest range, so that the nearest meets the disc at most
+      // half as far beside its middle; 48 sides are up to 0.1 mm inside the disc.
+      const double beside = kRadius * std::sqrt(0.75) * distance / kRangeMax;
+      const double late = kRadius - std::sqrt(kRadius * kRadius - beside * beside) + 2e-4;
+      if (wanted < kRangeMax) {
+        EXPECT_GE(run.range(0), wanted - 1e-4) << distance << " m, " << degrees;
+        EXPECT_LE(run.range(0), wanted + late) << distance << " m, " << degrees;
+      } else if (seen(60 + 3.75) > kRangeMax) {
+        EXPECT_EQ(run.range(0), kRangeMax) << distance << " m, " << degrees;
+      }
+    }
+}
+
 TEST(LidarSense, follows_a_population_that_changes_and_any_number_of_workers) {
   Session one(kFlat, true, 1), three(kFlat, true, 3);
   const auto change = [](Session& run) {
