@@ -24,6 +24,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log_at.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/drivers/simulated/joining.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/record/mcap_writer.h"
 #include "playhouse/scene/world_loader.h"
@@ -319,7 +320,8 @@ Result<void> Service::open_page() {
                                        .sent_out = [this] { close_clients_sent_out(); },
                                        .viewers = serving_.viewers,
                                        .bytes_per_second = serving_.page_bytes,
-                                       .physics_shapes = std::move(physics_shapes)};
+                                       .physics_shapes = std::move(physics_shapes),
+                                       .place_of_body = drivers::free_place};
   const auto device_names = [this](world::ModelId model) {
     if (playback_) return std::vector<std::string>();
     return drivers::device_names(simulation().directory(), model, player_ports_.front());

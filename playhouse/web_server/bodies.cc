@@ -38,11 +38,13 @@ Result<void> Bodies::join(const replicate::Join& join, std::uint32_t viewer, con
   body->asked = now;
   body->desc = person->desc;
   return post_change(control_, [join, viewer, name, body, desc = person->desc, tell = std::move(tell),
-                                weak = weak_from_this(), &loop = loop_](world::World& world) {
-    const geom::Pose X_WM{join.x, join.y, world.scene().models[desc].X_PM.z, join.a};
+                                place = place_, weak = weak_from_this(), &loop = loop_](world::World& world) {
+    const geom::Pose wanted{join.x, join.y, world.scene().models[desc].X_PM.z, join.a};
+    const Result<geom::Pose> X_WM = place ? place(world, desc, wanted) : wanted;
+    if (!X_WM) return tell(X_WM.error().text);
     const bool is_taken = static_cast<bool>(world.find(name));
     const std::string own = is_taken ? world::fresh_name(world, name) : name;
-    const auto spawned = world::spawn(world, desc, X_WM, own);
+    const auto spawned = world::spawn(world, desc, *X_WM, own);
     if (!spawned) return tell(spawned.error().text);
     if (is_taken) tell(fmt::format("somebody is called {} already: you are {}", name, own));
     loop.post([weak, viewer, body, model = *spawned] {

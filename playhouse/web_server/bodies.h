@@ -23,22 +23,29 @@ namespace playhouse::web_server {
 /// Queues a change of the world. Fails if changes are not allowed or the queue is full.
 Result<void> post_change(world::Control& control, std::function<void(world::World&)> change);
 
+/// The place for a tree of the prototype at this row of SceneDesc::models for somebody who asks for
+/// X_WM, or why there is none, as one line.
+using PlaceOfBody = std::function<Result<geom::Pose>(const world::World& world, std::uint32_t prototype,
+                                                     const geom::Pose& X_WM)>;
+
 class Bodies : public std::enable_shared_from_this<Bodies> {
  public:
   /// Called when a body has been spawned; `walk`: JSON parameters of its gait, for client-side prediction.
   using Came = std::function<void(std::uint32_t viewer, world::ModelId body, const std::string& walk)>;
 
   /// References must outlive this; `engine` is its name; `join_period`: the least time between two
-  /// joins of one viewer. Must be owned by a shared_ptr: queued changes hold a weak one.
+  /// joins of one viewer; `place`, if not empty, is called on the tick thread. Must be owned by a shared_ptr:
+  /// queued changes hold a weak one.
   Bodies(net::IoLoop& loop, world::Control& control, const scene::SceneDesc& scene,
          const replicate::Prototypes& prototypes, std::string engine, std::chrono::milliseconds join_period,
-         Came came)
+         PlaceOfBody place, Came came)
       : loop_(loop),
         control_(control),
         scene_(scene),
         prototypes_(prototypes),
         engine_(std::move(engine)),
         join_period_(join_period),
+        place_(std::move(place)),
         came_(std::move(came)) {}
 
   /// Spawns a person for the viewer, under this name or one derived from it; replaces
@@ -75,6 +82,7 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
   const replicate::Prototypes& prototypes_;
   const std::string engine_;
   const std::chrono::milliseconds join_period_;
+  const PlaceOfBody place_;
   const Came came_;
   std::map<std::uint32_t, std::shared_ptr<Body>> bodies_;  // by viewer number
 };

@@ -19,6 +19,7 @@
 #include "playhouse/base/result.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/replicate/scene_text.h"
+#include "playhouse/web_server/bodies.h"
 #include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/control.h"
@@ -40,6 +41,8 @@ struct WebOptions {
   std::uint32_t bytes_per_second = limits::kPageBytesPerSecond;  // of state, to each page
   /// Current collision shapes; tick thread. Empty: not available.
   std::function<world::PhysicsShapes()> physics_shapes;
+  /// Where a person who joins goes; tick thread. Empty: anywhere.
+  PlaceOfBody place_of_body;
 };
 
 struct WebStatus {

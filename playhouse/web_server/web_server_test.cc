@@ -849,6 +849,11 @@ class GuestsTest : public WebServerTest {
                                 {Role::kObserver, "*", ""}};
               options.viewers = 4;
               options.join_period = join_period;
+              options.place_of_body = [](const world::World&, std::uint32_t,
+                                         const geom::Pose& X_WM) -> Result<geom::Pose> {
+                if (X_WM.x > 100) return Error{"", "it is too far out there"};
+                return X_WM.x > 50 ? geom::Pose{40, X_WM.y, X_WM.z, X_WM.a} : X_WM;
+              };
             },
             people) {}
   /// The next text with `part` in it: texts about the population come in between, when they are due.
@@ -1039,6 +1044,25 @@ TEST_F(BodiesTest, are_driven_by_nobody_else) {
     EXPECT_THAT(answer(*other, drive), HasSubstr("nobody drives another person"));
   guest.reset();
   EXPECT_TRUE(turn_until([this] { return !notes_.is_reserved(body_); }));
+}
+
+TEST_F(BodiesTest, come_where_there_is_a_place) {
+  WebClient guest(port_);
+  ASSERT_TRUE(guest.upgrade_with("somebody-"));
+  guest.send_text(R"({"do":"join","name":"Bob","x":51,"y":9,"a":0.5})");
+  ASSERT_TRUE(hears(guest, R"("body":)"));
+  const geom::Pose& X_WM = small_.world.models.X_WM[small_.world.find("Bob").index];
+  EXPECT_NEAR(X_WM.x, 40, 2) << "not at 51: some ticks have passed";
+  EXPECT_NEAR(X_WM.y, 9, 2);
+}
+
+TEST_F(BodiesTest, do_not_come_where_there_is_none) {
+  WebClient guest(port_);
+  ASSERT_TRUE(guest.upgrade_with("somebody-"));
+  guest.message();
+  EXPECT_THAT(answer(guest, R"({"do":"join","name":"Bob","x":101,"y":9,"a":0})"),
+              HasSubstr("it is too far out there"));
+  EXPECT_FALSE(small_.world.find("Bob"));
 }
 
 TEST_F(BodiesTest, whose_name_is_taken_get_another_and_hear_it) {

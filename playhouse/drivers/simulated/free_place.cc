@@ -1,8 +1,13 @@
-// Overlap test of a robot to be spawned: by outlines,
+// Overlap test of a tree to be spawned: by outlines,
 // not circles, so that a place beside a wall is free.
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "playhouse/drivers/simulated/joining.h"
@@ -13,6 +18,11 @@ namespace playhouse::drivers {
 namespace {
 
 using stage::Solid;
+
+constexpr double kFarthest = 1000;  // m from any model
+constexpr double kReach = 2;        // m, in which another place is looked for
+constexpr double kStep = 0.05;      // m between the rings of places
+constexpr int kBearings = 24;       // of a ring
 
 std::vector<Solid> solids_of(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM) {
   const std::vector<scene::ModelDesc>& models = world.scene().models;
@@ -25,12 +35,6 @@ std::vector<Solid> solids_of(const world::World& world, std::uint32_t prototype,
     stage::add_blocks(desc, poses.back(), solids);
   }
   return solids;
-}
-
-bool meets_blocks(const Solid& solid, std::span<const Solid> others) {
-  return std::ranges::any_of(others, [&](const Solid& other) {
-    return stage::share_heights(solid, other.bottom, other.top) && stage::touch(solid.p, other.p);
-  });
 }
 
 /// True if an edge of the loops penetrates the outline, or if that is inside by the even-odd rule.
@@ -50,22 +54,112 @@ bool meets_contours(const Solid& solid, const scene::Contours& contours, const g
   return inside;
 }
 
+struct Box {
+  geom::Vec2 low{kNever, kNever}, high{-kNever, -kNever};
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  void add(std::span<const geom::Vec2> points) {
+    for (const geom::Vec2& p : points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  /// True if the other one, widened by `margin`, meets this.  [m]
+  bool meets(const Box& other, double margin) const {
+    return low.x <= other.high.x + margin && other.low.x - margin <= high.x &&
+           low.y <= other.high.y + margin && other.low.y - margin <= high.y;
+  }
+};
+
+Box box_of(std::span<const Solid> solids) {
+  Box box;
+  for (const Solid& solid : solids) box.add(solid.p);
+  return box;
+}
+
+/// What a tree of a prototype could hit at most `reach` from X_WM.  [m]
+class Obstacles {
+ public:
+  Obstacles(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM, double reach)
+      : world_(world), prototype_(prototype) {
+    const Box near = box_of(solids_of(world, prototype, X_WM));
+    for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+      const scene::ModelDesc& desc = world.desc({row});
+      std::vector<Solid> solids;
+      stage::add_blocks(desc, world.models.X_WM[row], solids);
+      for (Solid& solid : solids)
+        if (box_of(std::span(&solid, 1)).meets(near, reach)) blocks_.push_back(std::move(solid));
+      if (!desc.obstacle_return) continue;
+      for (const scene::Contours& contours : desc.bitmaps)
+        contours_.push_back({&contours, geom::compose(world.models.X_WM[row], desc.X_MB)});
+    }
+  }
+
+  bool leave_free(const geom::Pose& X_WM) const {
+    return std::ranges::none_of(solids_of(world_, prototype_, X_WM),
+                                [this](const Solid& solid) { return are_met_by(solid); });
+  }
+
+ private:
+  struct Placed {
+    const scene::Contours* contours;
+    geom::Pose X_WB;
+  };
+
+  bool are_met_by(const Solid& solid) const {
+    return std::ranges::any_of(blocks_,
+                               [&](const Solid& other) {
+                                 return stage::share_heights(solid, other.bottom, other.top) &&
+                                        stage::touch(solid.p, other.p);
+                               }) ||
+           std::ranges::any_of(contours_, [&](const Placed& placed) {
+             return meets_contours(solid, *placed.contours, placed.X_WB);
+           });
+  }
+
+  const world::World& world_;
+  std::uint32_t prototype_;
+  std::vector<Solid> blocks_;
+  std::vector<Placed> contours_;
+};
+
+/// True if no model reaches to within kFarthest of the place.
+bool is_far(const world::World& world, const geom::Pose& X_WM) {
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    const geom::Pose& X_WO = world.models.X_WM[row];
+    const geom::Size& size = world.desc({row}).size;
+    const double reach = kFarthest + std::hypot(size.x, size.y);
+    if (std::hypot(X_WO.x - X_WM.x, X_WO.y - X_WM.y) <= reach) return false;
+  }
+  return world.models.size() != 0;
+}
+
 }  // namespace
 
 bool is_free(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM) {
-  const std::vector<Solid> robot = solids_of(world, prototype, X_WM);
-  std::vector<Solid> others;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    const scene::ModelDesc& desc = world.desc({row});
-    const geom::Pose& X_WO = world.models.X_WM[row];
-    stage::add_blocks(desc, X_WO, others);
-    if (!desc.obstacle_return) continue;
-    const geom::Pose X_WB = geom::compose(X_WO, desc.X_MB);
-    for (const scene::Contours& contours : desc.bitmaps)
-      for (const Solid& solid : robot)
-        if (meets_contours(solid, contours, X_WB)) return false;
-  }
-  return std::ranges::none_of(robot, [&](const Solid& solid) { return meets_blocks(solid, others); });
+  return Obstacles(world, prototype, X_WM, 0).leave_free(X_WM);
+}
+
+Result<void> check_near(const world::World& world, const geom::Pose& X_WM) {
+  if (!is_far(world, X_WM)) return {};
+  return Error{"", fmt::format("{:.2f} {:.2f} is more than {:.0f} m from everything in the world", X_WM.x,
+                               X_WM.y, kFarthest)};
+}
+
+Result<geom::Pose> free_place(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM) {
+  if (const Result<void> near = check_near(world, X_WM); !near) return near.error();
+  const Obstacles obstacles(world, prototype, X_WM, kReach);
+  if (obstacles.leave_free(X_WM)) return X_WM;
+  for (int ring = 1; ring * kStep <= kReach; ++ring)
+    for (int i = 0; i < kBearings; ++i) {
+      const geom::SinCos bearing = geom::sincos(2 * geom::kPi * i / kBearings);
+      geom::Pose X = X_WM;
+      X.x += ring * kStep * bearing.cos;
+      X.y += ring * kStep * bearing.sin;
+      if (obstacles.leave_free(X)) return X;
+    }
+  return Error{
+      "", fmt::format("there is no free place within {:.0f} m of {:.2f} {:.2f}", kReach, X_WM.x, X_WM.y)};
 }
 
 }  // namespace playhouse::drivers

@@ -171,6 +171,7 @@ Result<Joined> join(World& world, const JoinRequest& request) {
   }
   geom::Pose X_WR = request.X_WR;
   X_WR.z = world.scene().models[type->prototype].X_PM.z;
+  if (const Result<void> near = check_near(world, X_WR); !near) return near.error();
   if (!is_free(world, type->prototype, X_WR))
     return Error{"", fmt::format("something stands at {:.2f} {:.2f} already", X_WR.x, X_WR.y)};
   const Result<world::ModelId> came =

@@ -50,4 +50,11 @@ void leave(world::World& world, std::span<const Joined> joined);
 /// row of SceneDesc::models would hit no obstacle at X_WM.
 bool is_free(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM);
 
+/// Fails if nothing in the world is within 1 km of the place, with a message for who asks for it.
+Result<void> check_near(const world::World& world, const geom::Pose& X_WM);
+
+/// X_WM if it is free, else the nearest free place, to 5 cm, within 2 m. Fails with a message for who
+/// joins: nothing is free there, or check_near() does.
+Result<geom::Pose> free_place(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM);
+
 }  // namespace playhouse::drivers

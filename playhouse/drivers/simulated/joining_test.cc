@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "playhouse/drivers/simulated/auto_devices.h"
@@ -70,6 +71,46 @@ class Joining : public ::testing::Test {
   std::unique_ptr<AutoDevices> robots;
   Joined last;
 };
+
+TEST_F(Joining, nobody_comes_far_from_everything) {
+  EXPECT_EQ(come(request("cart", 900e3, -2)),
+            "900000.00 -2.00 is more than 1000 m from everything in the world");
+  EXPECT_EQ(come(request("cart", 900, 0)), "cart");
+}
+
+/// Beside a long wall the nearest place of a square is straight across: half of both thicknesses away.
+TEST_F(Joining, the_nearest_free_place_is_beside_what_is_in_the_way) {
+  const std::uint32_t cart = world().scene().robot_types.at("cart");
+  const geom::Pose free{0.7, 0.3, 0, 1};
+  EXPECT_EQ(*free_place(world(), cart, free), free);
+  for (const double x : {2.75, 2.9, 2.95, 3.05, 3.2}) {
+    const Result<geom::Pose> place = free_place(world(), cart, {x, 1, 0, 0});
+    ASSERT_TRUE(place) << x;
+    const double least = 0.3 - std::fabs(x - 3), away = std::hypot(place->x - x, place->y - 1);
+    EXPECT_EQ(place->x > 3, x > 3) << "the nearer side";
+    EXPECT_GE(std::fabs(place->x - 3), 0.3) << x;
+    EXPECT_GE(away, least) << x;
+    EXPECT_LE(away, least + 0.05 + 1e-6) << x;
+    EXPECT_TRUE(is_free(world(), cart, *place));
+  }
+  EXPECT_EQ(free_place(world(), cart, {-900e3, 0, 0, 0}).error().text,
+            "-900000.00 0.00 is more than 1000 m from everything in the world");
+}
+
+class JoiningASolidWorld : public Joining {
+ protected:
+  JoiningASolidWorld()
+      : Joining(
+            "robot_types [ \"cart\" ] define cart position( size [0.4 0.4 0.2] ) "
+            "model( name \"rock\" size [4.2 4.2 1] )") {}
+};
+
+TEST_F(JoiningASolidWorld, refuses_who_has_no_place) {
+  const std::uint32_t cart = world().scene().robot_types.at("cart");
+  EXPECT_EQ(free_place(world(), cart, {0, 0, 0, 0}).error().text,
+            "there is no free place within 2 m of 0.00 0.00");
+  EXPECT_TRUE(free_place(world(), cart, {0.5, 0, 0, 0})) << "1.8 m away";
+}
 
 TEST_F(Joining, types_stand_nowhere_until_a_robot_of_them_joins) {
   EXPECT_EQ(world().models.size(), 2u);

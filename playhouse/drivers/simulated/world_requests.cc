@@ -13,6 +13,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/drivers/simulated/joining.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/world/population.h"
 #include "playhouse/world/speech.h"
@@ -122,6 +123,7 @@ void spawn(Simulation& simulation, const Asked& asked, OverlapWarnings& overlaps
     const world::ModelRow model = world.find(like);
     if (!model) return asked.nack("there is no model " + in_quotes(like));
     if (const Result<void> room = world::check_budget(world); !room) return asked.nack(room.error().text);
+    if (const Result<void> near = check_near(world, at); !near) return asked.nack(near.error().text);
     const auto came = world::spawn_like(world, model, at, name);
     if (!came) return asked.nack(came.error().text);
     overlaps.placed(world, world.row(*came), "spawned");

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <memory>
 #include <string>
 
@@ -53,6 +54,22 @@ TEST_F(WorldRequests, for_steps_tell_how_many_there_may_be) {
   EXPECT_FALSE(simulation_->pace().paused) << "it was refused";
   open(LockStep::Options{});
   EXPECT_EQ(step((1u << 20) + 1), "a number of ticks is wanted, 1 to 1048576, in 4 or 8 bytes");
+}
+
+TEST_F(WorldRequests, for_spawns_far_from_everything_are_refused) {
+  open({});
+  std::string place(24, '\0');
+  const double x = 900e3;
+  std::memcpy(place.data(), &x, sizeof x);
+  device::Replier replier(recorder_, ++ticket_);
+  const sim::PropertyReq request{wire::c_string("r0"), wire::c_string("spawn"), 0, place};
+  ASSERT_TRUE(ask_for_world(*simulation_, request, &client_, replier, overlaps_));
+  simulation_->extend(1);
+  simulation_->run();
+  EXPECT_FALSE(recorder_.answers.at(ticket_).ack);
+  const Result<sim::PropertyReq> told = wire::decode<sim::PropertyReq>(recorder_.answers.at(ticket_).body);
+  EXPECT_EQ(wire::text(told->value), "900000.00 0.00 is more than 1000 m from everything in the world");
+  EXPECT_EQ(simulation_->world().models.size(), 1u);
 }
 
 TEST_F(WorldRequests, for_spawns_are_refused_once_the_run_is_full) {
