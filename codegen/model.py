@@ -22,6 +22,8 @@ SCALARS = {
     "int64": 8, "float32": 4, "float64": 8,
 }
 FLOATS = {"float32", "float64"}
+# Unsigned scalar -> the type of its value where a field is signed: old programs know the wire's type.
+SIGNED = {"uint8": "int8", "uint16": "int16", "uint32": "int32"}
 # Arrays of these travel as raw bytes padded to four, not element by element.
 OPAQUE = {"char", "int8", "uint8"}
 
@@ -79,6 +81,7 @@ class Field:
     length: int | None = None
     max: int | None = None
     dynamic: bool = False
+    signed: bool = False        # unsigned on the wire, but its value is signed (two's complement)
     count_before: str = ""      # field before which the count word is encoded; "": directly before the array
     line: int = 0               # of the definition's file; 0 if unknown
 
@@ -114,7 +117,8 @@ class Field:
     def described(self, more: str = "") -> str:
         """What it means, with its unit and frame, and `more` if there is; empty if there is nothing to say."""
         unit = f"in {self.unit}" if self.unit and self.unit != "1" else ""
-        quantity = ", ".join(part for part in (unit, f"frame {self.frame}" if self.frame else "", more) if part)
+        sign = "signed" if self.signed else ""
+        quantity = ", ".join(part for part in (unit, f"frame {self.frame}" if self.frame else "", sign, more) if part)
         text = self.doc.strip()
         if quantity:
             text = f"{text[:-1]} ({quantity})." if text else f"{quantity[0].upper()}{quantity[1:]}."
@@ -367,7 +371,7 @@ def _place(source: str, struct: str, field_name: str, line: int) -> str:
 def _field(source: str, struct: str, row: dict) -> Field:
     line = row.line if isinstance(row, Row) else 0
     where = _place(source, struct, row.get("name", "?"), line)
-    keys(where, row, {"name", "type"}, {"unit", "frame", "doc", "max", "count_before"})
+    keys(where, row, {"name", "type"}, {"unit", "frame", "doc", "max", "count_before", "signed"})
     if not NAME.match(row["name"]):
         raise SchemaError(f"{where}: not a name")
     shape = TYPE.match(row["type"])
@@ -375,8 +379,12 @@ def _field(source: str, struct: str, row: dict) -> Field:
         raise SchemaError(f"{where}: unknown type {row['type']!r}")
     owner, base, brackets, length = shape.groups()
     f = Field(row["name"], base, (owner or "").rstrip("."), row.get("unit", ""), row.get("frame", ""),
-              row.get("doc", ""), count_before=row.get("count_before", ""), line=line)
+              row.get("doc", ""), signed="signed" in row, count_before=row.get("count_before", ""), line=line)
     _shape(where, f, brackets, length, row.get("max"))
+    if row.get("signed", True) is not True:
+        raise SchemaError(f"{where}: signed = {row['signed']!r}, valid: true")
+    if f.signed and (f.is_array or f.type not in SIGNED):
+        raise SchemaError(f"{where}: signed is for single unsigned numbers")
     if f.type in FLOATS and not f.unit:
         raise SchemaError(f'{where}: a float needs a unit ("1" for a plain number)')
     if f.type in GEOMETRY and not f.frame:

@@ -76,6 +76,12 @@ class Refused(unittest.TestCase):
         self.refuse("3 units for a value of 1 part",
                     struct=[struct({"name": "pose", "type": "Pose2d", "unit": "m, m, rad", "frame": "X_OR"})])
 
+    def test_a_sign_for_what_has_one_or_is_no_number(self):
+        for kind in ("int32", "float64", "uint8[]", "Pose2d"):
+            field = {"name": "level", "type": kind, "signed": True, "unit": "m", "frame": "X_OR"}
+            self.refuse("field level: signed is for single unsigned numbers", struct=[struct(field | ({"max": 4} if "[" in kind else {}))])
+        self.refuse("field level: signed = 1, valid: true", struct=[struct({"name": "level", "type": "uint32", "signed": 1})])
+
     def test_an_unbounded_array(self):
         self.refuse("unbounded array", struct=[struct({"name": "n", "type": "uint8[]"})])
 
@@ -191,6 +197,14 @@ class Checked(unittest.TestCase):
         for (interface, struct, name), quantity in said.items():
             fields = {f.name: f for f in schema.interface(interface).struct(struct).fields}
             self.assertEqual((fields[name].unit, fields[name].frame), quantity, f"{interface}.{struct}.{name}")
+
+    def test_unsigned_numbers_that_may_be_below_zero_say_so(self):
+        schema = load(ROOT / "interfaces")
+        found = {f"{i.name}.{s.name}.{f.name}" for i in schema.all() for s in i.structs for f in s.fields if f.signed}
+        self.assertEqual(found, {"wifi.Link.level", "wifi.Link.noise", "wifi.Data.maxlevel", "wifi.Data.maxnoise",
+                                 "blobfinder.ColorConfig.channel"})
+        level = next(f for f in schema.interface("wifi").struct("Link").fields if f.name == "level")
+        self.assertEqual(level.described(), "Signal, up to Data.maxlevel (signed).")
 
     def test_file_names_are_code_and_name(self):
         for interface in load(ROOT / "interfaces").all():

@@ -4,6 +4,7 @@ namespace eval ::playhouse {
     variable DEFAULT_HOST 127.0.0.1 ;# not localhost: a machine without /etc/hosts cannot resolve it
     variable DEFAULT_PORT 6665
     variable CLOSING_SECONDS 1.0
+    variable TOKEN_BYTES 32
 
     # Interface -> the class of its proxy.
     variable proxies {
@@ -17,9 +18,9 @@ namespace eval ::playhouse {
 
 # Connects to "HOST", "HOST:PORT", ":PORT" or "[::1]:PORT"; the defaults are 127.0.0.1 and 6665. Options: -mode pull
 # (the default) or push; -timeout SECONDS (5) for connecting, for every request, and for every read without a time-out
-# of its own; -gather 1: commands are sent with the next read, request, flush or close, for programs that always come
-# to one soon. Without that, a read or request right after a command takes up to 40 ms longer, because Tcl 8.6 cannot
-# switch off Nagle's algorithm. Returns a Client.
+# of its own; -token TOKEN of a guest, for a run with --guests; -gather 1: commands are sent with the next read,
+# request, flush or close, for programs that always come to one soon. Without that, a read or request right after a
+# command takes up to 40 ms longer, because Tcl 8.6 cannot switch off Nagle's algorithm. Returns a Client.
 proc ::playhouse::connect {args} {
     set address $::playhouse::DEFAULT_HOST
     if {[llength $args] && ![string match -* [lindex $args 0]]} {set args [lassign $args address]}
@@ -45,7 +46,7 @@ oo::class create ::playhouse::Client {
 
     constructor {host port args} {
         namespace path [list {*}[namespace path] ::playhouse ::playhouse::wire]
-        set options [my Options {-mode pull -timeout 5.0 -gather 0} $args]
+        set options [my Options {-mode pull -timeout 5.0 -gather 0 -token ""} $args]
         set wanted [my Word mode $::playhouse::modes [dict get $options -mode]]
         set devices {} ;# code and index -> open devices, in the order of opening
         set made {} ;# all devices and robots, closed ones too
@@ -61,13 +62,25 @@ oo::class create ::playhouse::Client {
         set session [Session new $connection $seconds [namespace code {my Retire}]]
         $session gather option $gather
         set mode push ;# initial mode of a server
-        if {$wanted eq "push"} return
         try {
-            my setMode $wanted
+            if {[dict get $options -token] ne ""} {my Authenticate [dict get $options -token]}
+            if {$wanted ne "push"} {my setMode $wanted}
         } on error {why options} {
             my close
             my Free
             return -options $options $why
+        }
+    }
+
+    method Authenticate {token} {
+        set key [encoding convertto utf-8 $token]
+        if {[string length $key] > $::playhouse::TOKEN_BYTES} {
+            fail INVALID "a token has $::playhouse::TOKEN_BYTES letters at most, not [string length $key]"
+        }
+        try {
+            $session request 1 0 player.req.auth [dict create auth_key $key]
+        } trap {PLAYHOUSE REFUSED} {} {
+            fail REFUSED "[$session peer]: the token is refused; a run without --guests wants none"
         }
     }
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kDepth = 16;                       // nesting of messages
 constexpr std::uint32_t kFixedCount = 1u << 16;  // limit on fixed-size arrays
+constexpr std::string_view kNoId = "4294967295";
 constexpr std::string_view kTime = "builtin_interfaces/Time";
 
 constexpr std::array<std::string_view, 13> kNumbers{"bool",   "byte",    "char",   "int8",   "uint8",
@@ -60,7 +61,9 @@ struct MessageType::Walk {
 };
 
 Result<void> MessageType::add_line(std::string_view line, Fields& into) {
-  line = trimmed(line.substr(0, line.find('#')));
+  const std::size_t note = std::min(line.find('#'), line.size());
+  const bool model = line.substr(note).find(kNoModel) != std::string_view::npos;
+  line = trimmed(line.substr(0, note));
   if (line.empty()) return {};
   const std::size_t space = line.find_first_of(" \t");
   if (space == std::string_view::npos)
@@ -86,6 +89,7 @@ Result<void> MessageType::add_line(std::string_view line, Fields& into) {
                : type == "string"                                    ? Kind::kText
                : std::ranges::find(kNumbers, type) != kNumbers.end() ? Kind::kNumber
                                                                      : Kind::kMessage;
+  field.model = model && field.type == "uint32";
   into.push_back(std::move(field));
   return {};
 }
@@ -172,8 +176,10 @@ bool MessageType::read(const std::string& type, CdrReader& in, Walk& walk) const
       continue;
     }
     std::vector<std::string>& values = (*walk.to)[walk.field++];
-    for (std::uint32_t i = 0; i < count && in.ok(); ++i)
+    for (std::uint32_t i = 0; i < count && in.ok(); ++i) {
       values.push_back(field.kind == Kind::kText ? in.text() : number_text(field.type, in));
+      if (field.model && values.back() == kNoId) values.back().clear();
+    }
   }
   return in.ok();
 }

@@ -7,12 +7,16 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "playhouse/base/result.h"
 #include "playhouse/record/cdr.h"
 
 namespace playhouse::record {
+
+/// Note of a field of model ids, in a schema: such a number has no value in a table.
+inline constexpr std::string_view kNoModel = "id; 4294967295: no model";
 
 /// Limit on columns of a table; a list of numbers takes one for each element.
 inline constexpr std::size_t kTableColumns = 1u << 18;
@@ -30,8 +34,8 @@ class MessageType {
   /// Which fields are lists.
   const std::vector<bool>& lists() const { return lists_; }
 
-  /// Values as text, by row and field. Fails on a message that does
-  /// not match the type, or has more values than kMessageValues.
+  /// Values as text, by row and field; empty for a model that is absent (kNoModel). Fails on a message that
+  /// does not match the type, or has more values than kMessageValues.
   using Rows = std::vector<std::vector<std::vector<std::string>>>;
   Result<Rows> rows(std::span<const std::byte> message) const;
 
@@ -42,6 +46,7 @@ class MessageType {
     Kind kind = Kind::kNumber;
     bool list = false;
     std::uint32_t count = 1;  // of a fixed-size array
+    bool model = false;       // a model's id, or none
   };
   using Fields = std::vector<Field>;
   struct Walk;

@@ -74,6 +74,27 @@ TEST(MessageType, knows_every_schema_of_a_recording) {
     EXPECT_EQ(fault_of(schema_text(table.schema)), "") << table.schema;
 }
 
+TEST(MessageType, has_no_value_for_a_model_that_is_absent) {
+  const MessageType type = *MessageType::parse(
+      "uint32 held  # id; 4294967295: no model\nuint32[] touched  # mm; id; 4294967295: no model\nuint32 "
+      "plain\n");
+  CdrWriter message;
+  for (const std::uint32_t number : {4294967295u, 2u, 4294967295u, 7u, 4294967295u}) message.number(number);
+  const Result<MessageType::Rows> rows = type.rows(message.message());
+  ASSERT_TRUE(rows.ok()) << rows.error().line();
+  EXPECT_THAT(*rows,
+              ElementsAre(ElementsAre(ElementsAre(""), ElementsAre("", "7"), ElementsAre("4294967295"))));
+}
+
+TEST(MessageType, says_of_every_model_id_what_no_model_is) {
+  std::size_t ids = 0;
+  for (const TableMessages& table : table_messages())
+    for (std::size_t at = table.text.find("id; 4294967295: no model"); at != std::string::npos;
+         at = table.text.find("id; 4294967295: no model", at + 1))
+      ++ids;
+  EXPECT_EQ(ids, 3u) << "held and touched of grippers, hits of bumpers";
+}
+
 TEST(MessageType, refuses_messages_that_are_cut) {
   const MessageType type = *MessageType::parse(schema_text(kTransforms));
   const std::vector<Transform> transforms{{"world", "a", {}}};

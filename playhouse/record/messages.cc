@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "playhouse/base/assert.h"
+#include "playhouse/record/message_type.h"
 #include "playhouse/replicate/views.h"
 #include "playhouse/world/camera.h"
 #include "playhouse/world/columns.h"
@@ -236,6 +237,8 @@ std::string table_schema() {
     if constexpr (world::kIsList<Value> && !std::is_same_v<Value, std::string>)
       if (const std::size_t count = Shape<typename Value::value_type>().count; count > 1)
         note += (note.empty() ? "" : "; ") + std::to_string(count) + " numbers each";
+    if constexpr (std::is_same_v<Value, world::ModelId> || std::is_same_v<Value, std::vector<world::ModelId>>)
+      note += (note.empty() ? "" : "; ") + std::string(kNoModel);
     text += note.empty() ? "\n" : "  # " + note + "\n";
   });
   for (const auto& [type, fields] : within) text += kRule + "MSG: " + type + "\n" + fields;

@@ -4,6 +4,9 @@
 
 #include <vector>
 
+#include "playhouse/wire/generated/blobfinder.h"
+#include "playhouse/wire/generated/wifi.h"
+
 namespace playhouse::wire {
 namespace {
 
@@ -51,6 +54,21 @@ TEST(JsonNumbers, are_the_shortest_that_read_back) {
   out += ' ';
   json_value(out, static_cast<char>(0xFF));
   EXPECT_EQ(out, "0.1 1e+300 -9007199254740993 -1");
+}
+
+/// The protocol has these unsigned; their values are signed, in two's complement.
+TEST(JsonNumbers, may_be_below_zero_where_the_definition_says_so) {
+  std::string out;
+  wifi::Data data{.links = {{.freq = 4'000'000'000, .level = 0xFFFFFFE2, .noise = 0xFFFFFF9C}},
+                  .maxlevel = 0xFFFFFFFF,
+                  .maxnoise = 0x7FFFFFFF};
+  to_json(out, data);
+  for (const char* const part : {R"("freq":4000000000,)", R"("level":-30,"noise":-100})", R"("maxlevel":-1,)",
+                                 R"("maxnoise":2147483647,)"})
+    EXPECT_NE(out.find(part), std::string::npos) << part << " in " << out;
+  out.clear();
+  to_json(out, blobfinder::ColorConfig{.channel = 0xFFFFFFFF});
+  EXPECT_TRUE(out.starts_with(R"({"channel":-1,)")) << out;
 }
 
 }  // namespace

@@ -67,6 +67,19 @@ test('their panel tells how they walk, not of wheels', async () => {
   assert.ok(!titles.some((title) => title.startsWith('Wheels')), titles.join());
 });
 
+test('nobody is offered to drive another person', async () => {
+  const { page } = observer;
+  const driven = page.locator('#drive');
+  await page.locator('#robots li', { hasText: 'Ada' }).click();
+  await page.waitForFunction(() => document.querySelector('#panel').dataset.robot === 'Ada');
+  assert.equal(await driven.isVisible(), false, 'keys of a person who is driven by somebody else');
+  await page.keyboard.press('ArrowUp');
+  assert.equal(await page.locator('#notice').isVisible(), false);
+  await page.locator('#robots li', { hasNotText: 'Ada' }).first().click();
+  await driven.waitFor({ state: 'visible' });
+  await page.keyboard.press('Escape');
+});
+
 test('who only watches has no body and cannot speak', async () => {
   const before = await observer.page.evaluate(() => window.playhouse.robots.length);
   await observer.page.keyboard.press('Enter');

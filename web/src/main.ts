@@ -6,7 +6,7 @@ import { Link, type LinkState } from './link';
 import { PicturePage } from './picture_page';
 import { type Command, kNameLetters, kNamePattern, kNameRule, kWave } from './protocol/generated/commands';
 import type { Replica } from './protocol/replica';
-import { wheelsOf, type Joined, type People, type PhysicsShapes, type Scene } from './protocol/scene';
+import { isOfAnother, wheelsOf, type Joined, type People, type PhysicsShapes, type Scene } from './protocol/scene';
 import { Ask } from './ui/ask';
 import { Chat } from './ui/chat';
 import { Clock } from './ui/clock';
@@ -344,14 +344,15 @@ class Page {
   }
 
   /**
-   * Chooses the base that the controls drive: that of the selected robot, if this viewer may;
+   * Chooses the base that the controls drive: that of the selected robot or own body, if this viewer may;
    * with nothing selected, the own body while its eyes are looked through.
    */
   private showWheels(): void {
     const { scene, ownRow, view: { selected, seenBy } } = this;
     const row = selected ?? (seenBy?.row === ownRow ? ownRow : null);
     const may = this.rights.drives || (row !== null && row === ownRow);
-    this.wheels = row === null || !scene || !may ? null : wheelsOf(scene, this.view.roots, row);
+    const wheels = row === null || !scene || !may ? null : wheelsOf(scene, this.view.roots, row);
+    this.wheels = wheels === null || isOfAnother(this.rights, scene!.models[wheels].id) ? null : wheels;
     this.driveBar.show(this.wheels === null ? null : scene!.models[this.wheels]);
     this.stick.show(this.wheels !== null);
   }

@@ -11,7 +11,10 @@
 
 static const double kClosingSeconds = 1.0;
 
+enum { kTokenLetters = 32 };
+
 static void retire(void *context, const ph_common_devaddr *address);
+static ph_status authenticate(ph_client *client, const char *token, ph_error *error);
 
 // --- connecting and closing
 
@@ -69,6 +72,8 @@ ph_client *ph_connect(const char *address, const ph_options *options, ph_error *
   client->mode = PH_MODE_PUSH;  // initial mode of a server
   ph_status status =
       open_session(client, address != NULL ? address : PH_DEFAULT_HOST, options->timeout, error);
+  if (status == PH_OK && options->token != NULL && options->token[0] != '\0')
+    status = authenticate(client, options->token, error);
   if (status == PH_OK && options->mode != PH_MODE_PUSH)
     status = ph_client_set_mode(client, options->mode, error);
   if (status == PH_OK) return client;
@@ -219,6 +224,18 @@ static ph_status ask_server(ph_client *client, const ph_message_type *message, c
                             ph_answer *answer, ph_error *error) {
   ph_session *session = &client->session;
   return ph_session_request(session, PH_PLAYER_CODE, 0, message, payload, session->timeout, answer, error);
+}
+
+static ph_status authenticate(ph_client *client, const char *token, ph_error *error) {
+  const size_t letters = strlen(token);
+  if (letters > kTokenLetters)
+    return ph_fail(error, PH_INVALID_VALUE, "a token has %d letters at most, not %zu", kTokenLetters,
+                   letters);
+  const ph_player_device_auth_req key = {(const uint8_t *)token, (uint32_t)letters};
+  const ph_status status = ask_server(client, PH_PLAYER_REQ_AUTH, &key, NULL, error);
+  if (status != PH_REQUEST_REFUSED) return status;
+  return ph_fail(error, status, "%s: the token is refused; a run without --guests wants none",
+                 ph_client_peer(client));
 }
 
 ph_status ph_client_lost_count(ph_client *client, uint64_t *count, ph_error *error) {

@@ -169,7 +169,7 @@ FakeServer::Script script(std::function<bool(Peer &, const Received &)> rest) {
 }
 
 Client connected(const std::string &address, ph_mode mode, double timeout) {
-  const ph_options options = {mode, timeout};
+  const ph_options options = {mode, timeout, nullptr};
   ph_error error = {PH_OK, ""};
   Client client(ph_connect(address.c_str(), &options, &error));
   EXPECT_NE(client, nullptr) << error.text;

@@ -1,6 +1,6 @@
 /** Uses radio, camera, speech, IMU and drivers on a map of the real server through this library:
- * robots radio|camera|voice|inertia|course HOST:PORT, with worlds/radio.world, camera.world, radio.world,
- * outdoor.world or navigate.cfg respectively. Prints what fails and exits with 1. Run by
+ * robots radio|camera|voice|inertia|course|guest HOST:PORT, with worlds/radio.world, camera.world,
+ * radio.world, outdoor.world or navigate.cfg respectively. Prints what fails and exits with 1. Run by
  * clients/python/tests/test_server.py. */
 #include <math.h>
 #include <string.h>
@@ -266,12 +266,26 @@ static void use_drivers_on_a_map(const char *address) {
   ph_client_free(client);
 }
 
+static void use_token(const char *address) {
+  ph_options options = PH_DEFAULT_OPTIONS;
+  options.token = "no-such-token";
+  must_be(ph_connect(address, &options, &error) == NULL && strstr(error.text, "the token is refused") != NULL,
+          "a wrong token is refused");
+  options.token = "driver-token-1";
+  ph_client *client = must_have(ph_connect(address, &options, &error));
+  ph_position2d *robot = must_have(ph_position2d_open(client, 0, PH_ACCESS_ALL, &error));
+  must(ph_position2d_drive(robot, 0.3, 0, 0, &error));
+  ph_state state;
+  while (ph_position2d_state(robot, &state, &error) != PH_OK || state.velocity.x < 0.2) read_once(client);
+  ph_client_free(client);
+}
+
 static const struct {
   const char *name;
   void (*use)(const char *address);
 } kUses[] = {
     {"radio", use_radios},    {"camera", use_cameras},          {"voice", use_voices},
-    {"inertia", use_inertia}, {"course", use_drivers_on_a_map},
+    {"inertia", use_inertia}, {"course", use_drivers_on_a_map}, {"guest", use_token},
 };
 
 int main(int argc, char **argv) {
@@ -280,5 +294,5 @@ int main(int argc, char **argv) {
     kUses[i].use(argv[2]);
     return 0;
   }
-  fail("usage: robots radio|camera|voice|inertia|course HOST:PORT");
+  fail("usage: robots radio|camera|voice|inertia|course|guest HOST:PORT");
 }

@@ -129,7 +129,7 @@ static const struct {
 int main(int argc, char **argv) {
   for (size_t i = 0; argc == 3 && i < sizeof kScenarios / sizeof *kScenarios; ++i) {
     if (strcmp(kScenarios[i].name, argv[1]) != 0) continue;
-    const ph_options options = {kScenarios[i].mode, 5.0};
+    const ph_options options = {kScenarios[i].mode, 5.0, NULL};
     ph_client *client = must_have(ph_connect(argv[2], &options, &error));
     kScenarios[i].play(client);
     ph_client_free(client);

@@ -92,7 +92,7 @@ TEST(Connecting, ABannerInPieces) {
 
 TEST(Connecting, ASilentServerIsNotWaitedForLongerThanTheTimeOut) {
   FakeServer server([](Peer &peer) { peer.receive(); }, "");
-  const ph_options options = {PH_MODE_PUSH, 0.02};
+  const ph_options options = {PH_MODE_PUSH, 0.02, nullptr};
   EXPECT_REFUSES(ph_connect(server.address().c_str(), &options, &error), PH_CONNECTION_LOST,
                  "cannot connect: no banner in time");
 }
@@ -106,7 +106,7 @@ TEST(Connecting, AddressesAreHostsAndPorts) {
        {"[::1]:", "localhost:port", "127.0.0.1:70000", "127.0.0.1:0", "a:99999999999999999999"}) {
     EXPECT_REFUSES(ph_connect(address, nullptr, &error), PH_CONNECTION_LOST, "is not HOST or HOST:PORT");
   }
-  const ph_options options = {PH_MODE_PULL, kNan};
+  const ph_options options = {PH_MODE_PULL, kNan, nullptr};
   EXPECT_REFUSES(ph_connect(":1", &options, &error), PH_INVALID_VALUE, "a time-out of nan s");
 }
 

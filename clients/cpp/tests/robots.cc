@@ -237,6 +237,16 @@ void use_equipment(const std::string& address) {
   must_be(must(radio.mac()) == "02:00:00:00:00:01", "it knows its own address");
 }
 
+void use_token(const std::string& address) {
+  const auto refused = Client::connect(address, {.token = "no-such-token"});
+  must_be(!refused && refused.error().text.find("the token is refused") != std::string::npos,
+          "a wrong token is refused");
+  Client client = must(Client::connect(address, {.token = "driver-token-1"}));
+  Position2d robot = must(Position2d::open(client, 0));
+  must(robot.drive(0.3, 0));
+  while (!robot.state() || robot.state()->velocity.x < 0.2) must(client.read());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -253,8 +263,10 @@ int main(int argc, char** argv) {
     use_drivers_on_a_map(argv[2]);
   } else if (use == "equipment") {
     use_equipment(argv[2]);
+  } else if (use == "guest") {
+    use_token(argv[2]);
   } else {
-    fail("usage: robots radio|camera|voice|inertia|course|equipment HOST:PORT");
+    fail("usage: robots radio|camera|voice|inertia|course|equipment|guest HOST:PORT");
   }
   return 0;
 }

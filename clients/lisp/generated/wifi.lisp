@@ -50,9 +50,9 @@
   (encrypt "encrypt" :uint32)
   ;; Quality, up to Data.maxqual.
   (qual "qual" :uint32)
-  ;; Signal, up to Data.maxlevel.
+  ;; Signal, up to Data.maxlevel (signed).
   (level "level" :uint32)
-  ;; Noise, up to Data.maxnoise.
+  ;; Noise, up to Data.maxnoise (signed).
   (noise "noise" :uint32))
 
 (define-struct (data "wifi.Data")
@@ -68,9 +68,9 @@
   (qual-type "qual_type" :uint32)
   ;; Maximum reported quality.
   (maxqual "maxqual" :uint32)
-  ;; Maximum reported signal level.
+  ;; Maximum reported signal level (signed).
   (maxlevel "maxlevel" :uint32)
-  ;; Maximum reported noise level.
+  ;; Maximum reported noise level (signed).
   (maxnoise "maxnoise" :uint32)
   ;; Hardware address of the access point, as a string.
   (ap "ap" (:array :char 32)))

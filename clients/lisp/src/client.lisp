@@ -5,6 +5,7 @@
 (defparameter *default-host* "127.0.0.1" "Not localhost: a machine without /etc/hosts cannot resolve it.")
 (defconstant +default-port+ 6665)
 (defconstant +closing-seconds+ 1)
+(defconstant +token-bytes+ 32)
 
 (defparameter *proxies*
   '(("map" . grid-map) ("speech_recognition" . speech-recognition) ("position2d" . position2d) ("ranger" . ranger)
@@ -38,20 +39,23 @@ report them."
 
 ;;; Connecting and closing
 
-(defun connect (address &key (mode :pull) (timeout 5))
+(defun connect (address &key (mode :pull) (timeout 5) (token ""))
   "Connects to \"host\", \"host:port\", \":port\" or \"[::1]:port\"; the defaults are 127.0.0.1 and 6665. MODE is :pull
 or :push. TIMEOUT (s) applies to connecting, to every request, and to every read-data without a timeout of its own.
-Signals connection-lost, invalid-value."
+TOKEN is a guest's, for a run with --guests. Signals connection-lost, invalid-value, and request-refused for a wrong
+token."
   (insist-on-text "an address" address)
   (multiple-value-bind (host port) (split-address address)
     (unless (and (digits-p port) (< 0 (parse-integer port) 65536))
       (fail 'connection-lost "~s is not HOST or HOST:PORT" address))
-    (connect-to (if (string= host "") *default-host* host) (parse-integer port) :mode mode :timeout timeout)))
+    (connect-to (if (string= host "") *default-host* host) (parse-integer port) :mode mode :timeout timeout
+                :token token)))
 
-(defun connect-to (host port &key (mode :pull) (timeout 5))
+(defun connect-to (host port &key (mode :pull) (timeout 5) (token ""))
   "As connect, with the host and the port apart."
   (insist-on-word "a mode" mode :push :pull)
   (insist-on-text "a host" host)
+  (insist-on-text "a token" token)
   (unless (integerp port)
     (fail 'invalid-value "a port is a whole number, not ~s" port))
   (let ((client (make-instance 'client)) (done nil))
@@ -60,10 +64,20 @@ Signals connection-lost, invalid-value."
                                   :retire (lambda (interface index port)
                                             (dolist (device (devices-at client interface index))
                                               (retire device port)))))
-    (unwind-protect (progn (when (eq mode :pull) (set-mode client mode))
+    (unwind-protect (progn (unless (string= token "") (authenticate client token))
+                           (when (eq mode :pull) (set-mode client mode))
                            (setf done t)
                            client)
       (unless done (close-client client)))))
+
+(defun authenticate (client token)
+  (let ((key (utf-8-octets token)))
+    (unless (and key (<= (length key) +token-bytes+))
+      (fail 'invalid-value "a token has ~d letters at most, not ~s" +token-bytes+ token))
+    (handler-case (request-answer (session-of client) playhouse.player:+code+ 0 playhouse.player:+req-auth+
+                                  (playhouse.player:make-device-auth-req :auth-key key))
+      (request-refused ()
+        (fail 'request-refused "~a: the token is refused; a run without --guests wants none" (peer client))))))
 
 (defun split-address (address)
   "Host and port of an address; an IPv6 host is in brackets."

@@ -1,4 +1,4 @@
-;;;; robots radio|camera|voice|inertia|course HOST:PORT uses radio, camera, speech, IMU and drivers on a map of the real
+;;;; robots radio|camera|voice|inertia|course|guest HOST:PORT uses radio, camera, speech, IMU and drivers on a map of the real
 ;;;; server, with worlds/radio.world, camera.world, radio.world, outdoor.world or navigate.cfg respectively. Prints what
 ;;;; fails and exits with 1. Run by clients/python/tests/test_server.py.
 
@@ -147,14 +147,23 @@
       (read-while client (not (arrivedp planner)))
       (must-be (< (distance-of (model-pose simulator "r0") goal) 0.6) "it is at the goal"))))
 
+(defun use-token (address)
+  (must-be (handler-case (progn (connect address :token "no-such-token") nil)
+             (request-refused (refusal) (search "the token is refused" (princ-to-string refusal))))
+           "a wrong token is refused")
+  (with-client (client address :token "driver-token-1")
+    (let ((robot (open-device client :position2d)))
+      (drive robot 0.3)
+      (read-while client (not (and (known-p (velocity robot)) (> (velocity-x (velocity robot)) 0.2)))))))
+
 (defparameter *uses*
   '(("radio" . use-radios) ("camera" . use-cameras) ("voice" . use-voices) ("inertia" . use-inertia)
-    ("course" . use-drivers-on-a-map)))
+    ("course" . use-drivers-on-a-map) ("guest" . use-token)))
 
 (defun use-robots (words)
   (destructuring-bind (&optional use address) words
     (let ((function (cdr (assoc use *uses* :test #'equal))))
       (unless (and function address)
-        (error "usage: robots radio|camera|voice|inertia|course HOST:PORT"))
+        (error "usage: robots radio|camera|voice|inertia|course|guest HOST:PORT"))
       (funcall function address)
       0)))

@@ -8,7 +8,7 @@ from typing import Callable, Dict, List, NamedTuple, Optional, Tuple, Type, Type
 from .connection import Connection
 from .device import Access, Device, did_you_mean
 from .equipment import ActArray, BlinkenLight, Blobfinder, Gripper, Power, Wifi
-from .errors import ConnectionLost, PlayerError, RequestRefused, RequestTimeout, WireError
+from .errors import ConnectionLost, InvalidValue, PlayerError, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, find_message, player, simulation
 from .models import DeviceAddress, Model, ask_models, families
 from .proxies import (
@@ -21,6 +21,7 @@ from .wire import Kind, c_string, text
 
 DEFAULT_HOST = "127.0.0.1"  # not localhost: a machine without /etc/hosts cannot resolve it
 DEFAULT_PORT = 6665
+_TOKEN_BYTES = 32
 _CLOSING_SECONDS = 1.0
 
 P = TypeVar("P", bound=Device)
@@ -97,10 +98,13 @@ class Client:
             raise
 
     def _authenticate(self, token: str) -> None:
+        key = token.encode()
+        if len(key) > _TOKEN_BYTES:
+            raise InvalidValue(f"a token has {_TOKEN_BYTES} letters at most, not {len(key)}")
         try:
-            self._session.request(player.CODE, 0, player.REQ_AUTH, player.DeviceAuthReq(token.encode()))
+            self._session.request(player.CODE, 0, player.REQ_AUTH, player.DeviceAuthReq(key))
         except RequestRefused:
-            raise RequestRefused("the token is refused; a run without --guests wants none") from None
+            raise RequestRefused(f"{self._session.peer}: the token is refused; a run without --guests wants none") from None
 
     @property
     def banner(self) -> str:

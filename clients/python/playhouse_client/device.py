@@ -1,6 +1,5 @@
 """An open device of any interface, base of the proxies for specific interfaces."""
 
-import difflib
 import enum
 import numbers
 import sys
@@ -45,13 +44,33 @@ _PROPERTIES: Dict[type, _PropertyKind] = {
 
 T = TypeVar("T", bool, int, float, str)
 _LARGEST = sys.float_info.max
+_LONGEST_WORD = 64  # longer input is no typo, and the table would be large
 _CODES = {name: code for code, name in INTERFACES.items()}
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """' (did you mean "laser"?)' for the nearest known word, empty if none is near."""
-    near = difflib.get_close_matches(word, list(known), 1)
-    return f' (did you mean "{near[0]}"?)' if near else ""
+    """' (did you mean "laser"?)' for the nearest known word, empty if none is near: by the rule of the program and the C++
+    library (playhouse/base/nearest_word.h)."""
+    if len(word) > _LONGEST_WORD:
+        return ""
+    best, edits = "", min(max(2, len(word) // 3), len(word)) + 1
+    for each in known:
+        distance = _edit_distance(word.lower(), each.lower())
+        if distance < edits:
+            best, edits = each, distance
+    return f' (did you mean "{best}"?)' if best else ""
+
+
+def _edit_distance(a: str, b: str) -> int:
+    """Levenshtein distance, one row of the table at a time."""
+    row = list(range(len(b) + 1))
+    for i, letter in enumerate(a):
+        above, row[0] = row[0], i + 1
+        for j, other in enumerate(b):
+            changed = above + (letter != other)
+            above = row[j + 1]
+            row[j + 1] = min(changed, row[j] + 1, above + 1)
+    return row[-1]
 
 
 def code_of(interface: str) -> int:

@@ -173,6 +173,8 @@ class Robots(unittest.TestCase):
         with FakeServer(house) as server, connect(server.address) as client:
             with self.assertRaisesRegex(RequestRefused, r'there is no robot "gest" at \S+ \(did you mean "guest"\?\)'):
                 client.robot("gest")
+            with self.assertRaisesRegex(RequestRefused, r'there is no robot "R0" at \S+ \(did you mean "r0"\?\)'):
+                client.robot("R0")
             with self.assertRaisesRegex(RequestRefused, r'there is no robot "xyzzy" at \S+$'):
                 client.robot("xyzzy")
             wrong = r'there is no interface "lazer" \(did you mean "laser"\?\)'

@@ -1,8 +1,10 @@
 """The real server, by Python's client and by those of the other languages."""
 
 import subprocess
+import tempfile
 import time
 import unittest
+from typing import Sequence
 
 import languages
 from paths import distance
@@ -87,9 +89,9 @@ class Navigation(unittest.TestCase):
 @needed
 @languages.needed
 class RobotsOfOtherLanguages(unittest.TestCase):
-    def check(self, use: str, file: str = "", speed: str = SPEED) -> None:
+    def check(self, use: str, file: str = "", speed: str = SPEED, options: Sequence[str] = ()) -> None:
         for language, program in languages.programs("robots").items():
-            with self.subTest(language), World(file or f"{use}.world", speed=speed) as world:
+            with self.subTest(language), World(file or f"{use}.world", *options, speed=speed) as world:
                 command = [program, use, world.address]
                 done = subprocess.run(command, stderr=subprocess.PIPE, text=True, timeout=HANG)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -105,6 +107,12 @@ class RobotsOfOtherLanguages(unittest.TestCase):
 
     def test_inertial_units_receivers_and_lidars_measure(self) -> None:
         self.check("inertia", "outdoor.world")
+
+    def test_a_guest_drives_with_the_right_token_and_is_told_of_a_wrong_one(self) -> None:
+        with tempfile.NamedTemporaryFile("w", suffix=".txt") as guests:
+            guests.write("driver  driver-token-1  Gina\n")
+            guests.flush()
+            self.check("guest", "simple.world", options=("--guests", guests.name))
 
     def test_a_robot_is_localized_on_its_map_and_driven_along_a_path(self) -> None:
         self.check("course", "navigate.cfg", "20")

@@ -13,6 +13,7 @@ from playhouse_client import (
     Particle, Path, PlannerState, PlayerError, Pose, Pose3d, RequestRefused, RequestTimeout, WireError, connect,
 )
 from playhouse_client.connection import Message
+from playhouse_client.device import did_you_mean
 from playhouse_client.generated import aio, bumper, camera, common, gps, imu, laser, localize, planner, player, pointcloud3d, position2d
 from playhouse_client.generated import map as grid_map
 from playhouse_client.generated import opaque, position3d, ptz, simulation
@@ -32,6 +33,18 @@ def script(rounds: Callable[[Peer, Message], None]) -> Callable[[Peer], None]:
 def commands(server: FakeServer) -> List[position2d.CmdVel]:
     assert server.peer is not None
     return [position2d.CmdVel.decode(m[40:]) for m in server.peer.received if m[19] == Kind.CMD]
+
+
+class Suggestions(unittest.TestCase):
+    """The same words as those of the program and of the C++ library: tests of playhouse/base/nearest_word.h."""
+
+    def test_the_nearest_word_is_suggested_and_no_stranger(self) -> None:
+        words = ("position", "ranger", "fiducial")
+        for word, known, near in (("positoin", words, "position"), ("zzzzzz", words, ""), ("6", ("ir", "-h"), ""),
+                                  ("it", ("ir", "-h"), "ir"), ("rangr", words, "ranger"), ("R0", ("r0", "r1"), "r0"),
+                                  ("r7", ("r0", "r1"), "r0"), ("r" * 65, ("r" * 64,), ""), ("laser", (), "")):
+            with self.subTest(word):
+                self.assertEqual(did_you_mean(word, known), f' (did you mean "{near}"?)' if near else "")
 
 
 class Connecting(unittest.TestCase):

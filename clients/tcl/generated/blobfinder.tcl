@@ -71,7 +71,7 @@
     }
 
     # The colors that a channel detects, as ranges of red, green and blue. (player_blobfinder_color_config_t)
-    #   channel: Channel; -1 as an unsigned number means all.
+    #   channel: Channel; -1 means all.
     struct ColorConfig {
         channel uint32
         rmin uint32

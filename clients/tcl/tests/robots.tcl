@@ -1,5 +1,5 @@
 # Uses radio, camera, speech, IMU and drivers on a map of the real server through this library: robots
-# radio|camera|voice|inertia|course HOST:PORT, with worlds/radio.world, camera.world, radio.world, outdoor.world or
+# radio|camera|voice|inertia|course|guest HOST:PORT, with worlds/radio.world, camera.world, radio.world, outdoor.world or
 # navigate.cfg respectively. Prints what fails and exits with 1. Run by clients/python/tests/test_server.py.
 
 source [file join [file dirname [file normalize [info script]]] program.tcl]
@@ -156,10 +156,20 @@ proc useDriversOnAMap {address} {
     mustBe [expr {[distance [$simulation pose r0] $goal] < 0.6}] "it is at the goal"
 }
 
-runProgram "usage: robots radio|camera|voice|inertia|course HOST:PORT" {
+proc useToken {address} {
+    mustBe [expr {[catch {playhouse::connect $address -token no-such-token} why]
+                  && [string match "*the token is refused*" $why]}] "a wrong token is refused"
+    set client [playhouse::connect $address -token driver-token-1]
+    set robot [$client position2d 0]
+    $robot drive 0.3
+    readUntil $client {[$robot hasData] && [dict get [$robot velocity] x] > 0.2}
+}
+
+runProgram "usage: robots radio|camera|voice|inertia|course|guest HOST:PORT" {
     radio useRadios
     camera useCameras
     voice useVoices
     inertia useInertia
     course useDriversOnAMap
+    guest useToken
 }

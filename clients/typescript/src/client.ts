@@ -16,6 +16,7 @@ import type { AnyMessage } from './wire.js';
 const kDefaultHost = '127.0.0.1'; // not localhost: a machine without /etc/hosts cannot resolve it
 const kDefaultPort = 6665;
 const kClosingSeconds = 1;
+const kTokenBytes = 32;
 
 /** Delivery of data: immediately (push), or in rounds requested by the client (pull). */
 export const Mode = { PUSH: player.DATAMODE_PUSH, PULL: player.DATAMODE_PULL } as const;
@@ -34,6 +35,8 @@ export interface ClientOptions {
   mode?: Mode;
   /** In s, 5 unless given: of connecting, of every request, and of every read() without a time-out of its own. */
   timeout?: number;
+  /** A guest's, for a run with --guests; none unless given. */
+  token?: string;
 }
 
 /** One entry of the server's device list. */
@@ -64,7 +67,8 @@ type DeviceClass<T extends Device> = new (
 ) => T;
 
 /**
- * Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults are 127.0.0.1 and 6665. Throws ConnectionLost.
+ * Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults are 127.0.0.1 and 6665. Throws ConnectionLost,
+ * and RequestRefused for a wrong token.
  */
 export async function connect(address = kDefaultHost, options: ClientOptions = {}): Promise<Client> {
   const [host, port] = split(address);
@@ -104,13 +108,13 @@ export class Client {
     this.session = new Session(connection, timeout, (at) => this.retire(at));
   }
 
-  /** Connects to a host by name or address. Throws ConnectionLost. */
+  /** Connects to a host by name or address. Throws ConnectionLost, and RequestRefused for a wrong token. */
   static async open(host: string, port: number, options: ClientOptions = {}): Promise<Client> {
-    const { mode = Mode.PULL, timeout = 5 } = options;
+    const { mode = Mode.PULL, timeout = 5, token = '' } = options;
     const client = new Client(await Connection.open(host, port, checkedSeconds(timeout)), timeout);
-    if (mode === Mode.PUSH) return client;
     try {
-      await client.setMode(mode);
+      if (token !== '') await client.authenticate(token);
+      if (mode !== Mode.PUSH) await client.setMode(mode);
     } catch (error) {
       await client.close();
       throw error;
@@ -165,6 +169,17 @@ export class Client {
     if (!Object.values(Mode).includes(mode)) throw new InvalidValue(`a mode is Mode.PUSH or Mode.PULL, not ${mode}`);
     await this.ask(player.REQ_DATAMODE, { mode });
     this.mode = mode;
+  }
+
+  private async authenticate(token: string): Promise<void> {
+    const authKey = Buffer.from(token);
+    if (authKey.length > kTokenBytes) throw new InvalidValue(`a token has ${kTokenBytes} letters at most, not ${authKey.length}`);
+    try {
+      await this.ask(player.REQ_AUTH, { authKey });
+    } catch (error) {
+      if (!(error instanceof RequestRefused)) throw error;
+      throw new RequestRefused(`${this.session.peer}: the token is refused; a run without --guests wants none`);
+    }
   }
 
   /** Sets the server's rule for messages queued for this client. */

@@ -1,6 +1,6 @@
 /**
  * Uses radio, camera, speech, IMU and drivers on a map of the real server through this library:
- * robots radio|camera|voice|inertia|course HOST:PORT, with worlds/radio.world, camera.world, radio.world, outdoor.world or
+ * robots radio|camera|voice|inertia|course|guest HOST:PORT, with worlds/radio.world, camera.world, radio.world, outdoor.world or
  * navigate.cfg respectively. Prints what fails and exits with 1. Run by clients/python/tests/test_server.py.
  */
 
@@ -152,6 +152,19 @@ function withClients(use: (client: Client, other: Client) => Promise<void>): (ad
   };
 }
 
+async function useToken(address: string): Promise<void> {
+  const why = await connect(address, { token: 'no-such-token' }).then(
+    () => '',
+    (error: unknown) => String(error),
+  );
+  mustBe(why.includes('the token is refused'), 'a wrong token is refused');
+  const client = await connect(address, { token: 'driver-token-1' });
+  const robot = await client.position2d(0);
+  await robot.drive(0.3);
+  await readUntil(client, () => robot.hasData && robot.velocity.x > 0.2);
+  await client.close();
+}
+
 await main(
   {
     radio: withClients(useRadios),
@@ -159,6 +172,7 @@ await main(
     voice: withClients(useVoices),
     inertia: withClients(useInertia),
     course: withClients(useDriversOnAMap),
+    guest: useToken,
   },
-  'robots radio|camera|voice|inertia|course HOST:PORT',
+  'robots radio|camera|voice|inertia|course|guest HOST:PORT',
 );

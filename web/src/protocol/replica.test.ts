@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { ByteReader } from './byte_reader';
 import { kViews } from './generated/views';
 import { radiansOf, Replica } from './replica';
-import { parseText, rootsOf, sceneOf, withChanges, type Changes, type Scene } from './scene';
+import { isOfAnother, parseText, rootsOf, sceneOf, withChanges, type Changes, type Scene } from './scene';
 
 interface Held {
   tick: number;
@@ -132,5 +132,12 @@ describe('scene', () => {
   it('turns wrap at half a turn', () => {
     expect(radiansOf(16384)).toBeCloseTo(Math.PI / 2);
     expect(radiansOf(49152)).toBeCloseTo(-Math.PI / 2);
+  });
+});
+
+describe('bodies of people', () => {
+  it('are of another where another viewer has joined as them', () => {
+    const people = { you: 2, people: [{ viewer: 1, role: 'human', body: 7 }, { viewer: 2, role: 'human', body: 8 }, { viewer: 3, role: 'observer' }] };
+    expect([7, 8, 9].map((model) => isOfAnother(people, model))).toEqual([true, false, false]);
   });
 });

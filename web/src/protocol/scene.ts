@@ -144,6 +144,11 @@ export interface People {
   edits: boolean;
 }
 
+/** Whether a model is the body of another viewer, which nobody else drives. */
+export function isOfAnother({ people, you }: Pick<People, 'people' | 'you'>, model: number): boolean {
+  return people.some(({ viewer, body }) => body === model && viewer !== you);
+}
+
 /** Collision shape: an upright prism, or the vertices of a convex hull. [m] */
 export type PhysicsSolid = { z: [min: number, max: number]; loop: number[] } | { corners: number[] };
 

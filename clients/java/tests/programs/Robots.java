@@ -22,12 +22,14 @@ import playhouse.client.InvalidValueException;
 import playhouse.client.Localize;
 import playhouse.client.NoDataException;
 import playhouse.client.Opaque;
+import playhouse.client.Options;
 import playhouse.client.Path;
 import playhouse.client.Planner;
 import playhouse.client.PlayerException;
 import playhouse.client.PointCloud3d;
 import playhouse.client.Pose;
 import playhouse.client.Pose3d;
+import playhouse.client.Position2d;
 import playhouse.client.Position3d;
 import playhouse.client.Ptz;
 import playhouse.client.RequestRefusedException;
@@ -48,12 +50,12 @@ import playhouse.client.wire.WifiMessages;
 final class Robots {
   private static final Map<String, Consumer<String>> USES = Map.of(
       "radio", Robots::useRadios, "camera", Robots::useCameras, "voice", Robots::useVoices,
-      "inertia", Robots::useInertia, "course", Robots::useDriversOnAMap);
+      "inertia", Robots::useInertia, "course", Robots::useDriversOnAMap, "guest", Robots::useToken);
 
   public static void main(String[] arguments) {
     try {
       mustBe(arguments.length == 2 && USES.containsKey(arguments[0]),
-          "this is called as: robots radio|camera|voice|inertia|course HOST:PORT");
+          "this is called as: robots radio|camera|voice|inertia|course|guest HOST:PORT");
       USES.get(arguments[0]).accept(arguments[1]);
     } catch (AssertionError | PlayerException error) {
       System.err.println(error.getMessage());
@@ -234,4 +236,17 @@ final class Robots {
   }
 
   private Robots() {}
+
+  private static void useToken(String address) {
+    try (Client client = Client.connect(address, Options.DEFAULT.withToken("no-such-token"))) {
+      mustBe(false, "a wrong token is refused");
+    } catch (RequestRefusedException error) {
+      mustBe(error.getMessage().contains("the token is refused"), "a refused token is named");
+    }
+    try (Client client = Client.connect(address, Options.DEFAULT.withToken("driver-token-1"));
+        Position2d robot = client.position2d(0)) {
+      robot.drive(0.3);
+      readUntil(client, () -> robot.hasData() && robot.velocity().x() > 0.2);
+    }
+  }
 }

@@ -98,7 +98,7 @@ class ColorConfig(Struct):
     """The colors that a channel detects, as ranges of red, green and blue.
     (player_blobfinder_color_config_t)"""
 
-    # Channel; -1 as an unsigned number means all.
+    # Channel; -1 means all (signed).
     channel: int = 0
     rmin: int = 0
     rmax: int = 0

@@ -43,9 +43,9 @@ class Link(Struct):
     encrypt: int = 0
     # Quality, up to Data.maxqual.
     qual: int = 0
-    # Signal, up to Data.maxlevel.
+    # Signal, up to Data.maxlevel (signed).
     level: int = 0
-    # Noise, up to Data.maxnoise.
+    # Noise, up to Data.maxnoise (signed).
     noise: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -98,9 +98,9 @@ class Data(Struct):
     qual_type: int = 0
     # Maximum reported quality.
     maxqual: int = 0
-    # Maximum reported signal level.
+    # Maximum reported signal level (signed).
     maxlevel: int = 0
-    # Maximum reported noise level.
+    # Maximum reported noise level (signed).
     maxnoise: int = 0
     # Hardware address of the access point, as a string.
     ap: bytes = b""

@@ -90,7 +90,7 @@ export const Data: Codec<Data> = new Codec<Data>('blobfinder.Data', {
 
 /** The colors that a channel detects, as ranges of red, green and blue. (player_blobfinder_color_config_t) */
 export interface ColorConfig {
-  /** Channel; -1 as an unsigned number means all. */
+  /** Channel; -1 means all (signed). */
   channel: number;
   rmin: number;
   rmax: number;

@@ -38,9 +38,9 @@ export interface Link {
   encrypt: number;
   /** Quality, up to Data.maxqual. */
   qual: number;
-  /** Signal, up to Data.maxlevel. */
+  /** Signal, up to Data.maxlevel (signed). */
   level: number;
-  /** Noise, up to Data.maxnoise. */
+  /** Noise, up to Data.maxnoise (signed). */
   noise: number;
 }
 
@@ -103,9 +103,9 @@ export interface Data {
   qualType: number;
   /** Maximum reported quality. */
   maxqual: number;
-  /** Maximum reported signal level. */
+  /** Maximum reported signal level (signed). */
   maxlevel: number;
-  /** Maximum reported noise level. */
+  /** Maximum reported noise level (signed). */
   maxnoise: number;
   /** Hardware address of the access point, as a string. */
   ap: Uint8Array;

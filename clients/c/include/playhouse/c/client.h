@@ -30,13 +30,15 @@ typedef enum ph_mode { PH_MODE_PUSH = 1, PH_MODE_PULL = 2 } ph_mode;
 /** Handling of a message for this client while an older one of the same type is queued. */
 typedef enum ph_rule { PH_RULE_ACCEPT = 0, PH_RULE_REPLACE = 1, PH_RULE_IGNORE = 2 } ph_rule;
 
-/** `timeout` (s) applies to connecting, to every request, and to every read without a time-out of its own. */
+/** `timeout` (s) applies to connecting, to every request, and to every read without a time-out of its own.
+ * `token` is that of a guest, for a run with --guests; NULL or "": none. */
 typedef struct ph_options {
   ph_mode mode;
   double timeout;
+  const char *token;
 } ph_options;
 #define PH_DEFAULT_OPTIONS \
-  { PH_MODE_PULL, 5.0 }
+  { PH_MODE_PULL, 5.0, NULL }
 
 /** Which messages a rule is for; -1 matches any. */
 typedef struct ph_rule_scope {
@@ -78,7 +80,7 @@ typedef struct ph_model {
 } ph_model;
 
 /** Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults, also for NULL, are 127.0.0.1 and
- * 6665. `options` NULL: PH_DEFAULT_OPTIONS. End with ph_client_free(). */
+ * 6665. `options` NULL: PH_DEFAULT_OPTIONS. End with ph_client_free(). PH_REQUEST_REFUSED: a wrong token. */
 ph_client *ph_connect(const char *address, const ph_options *options, ph_error *error);
 
 /** Closes all devices in reverse order of opening, a moving base being stopped first, and waits until the

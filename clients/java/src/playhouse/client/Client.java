@@ -1,5 +1,6 @@
 package playhouse.client;
 
+import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -32,6 +33,7 @@ public final class Client implements AutoCloseable {
 
   public static final int DEFAULT_PORT = 6665;
 
+  private static final int TOKEN_BYTES = 32;
   private static final Duration LONGEST_CLOSING = Duration.ofSeconds(1);
   private static final Map<String, Function<Opening, Device>> PROXIES = Map.ofEntries(
       Map.entry("position2d", Position2d::new),
@@ -73,15 +75,18 @@ public final class Client implements AutoCloseable {
 
   /**
    * Connects to a server. Throws ConnectionLostException if there is none, WaitInterruptedException, and
-   * InvalidValueException for a negative time-out.
+   * InvalidValueException for a negative time-out or a token of more than 32 bytes, and RequestRefusedException for a
+   * wrong token.
    */
   public Client(String host, int port, Options options) {
     session = new Session(new Connection(host, port, options.timeout()), options.timeout(), this::retire);
-    if (options.mode() == Mode.PUSH) {
-      return;
-    }
     try {
-      setMode(options.mode());
+      if (!options.token().isEmpty()) {
+        authenticate(options.token());
+      }
+      if (options.mode() != Mode.PUSH) {
+        setMode(options.mode());
+      }
     } catch (PlayerException error) {
       close();
       throw error;
@@ -460,6 +465,18 @@ public final class Client implements AutoCloseable {
 
   private static long address(long interfaceCode, int index) {
     return interfaceCode << 16 | index;
+  }
+
+  private void authenticate(String token) {
+    byte[] key = token.getBytes(StandardCharsets.UTF_8);
+    if (key.length > TOKEN_BYTES) {
+      throw new InvalidValueException("a token has " + TOKEN_BYTES + " letters at most, not " + key.length);
+    }
+    try {
+      request(PlayerMessages.REQ_AUTH, new PlayerMessages.DeviceAuthReq(key));
+    } catch (RequestRefusedException error) {
+      throw new RequestRefusedException(session.peer() + ": the token is refused; a run without --guests wants none");
+    }
   }
 
   private Message request(MessageType<?> message, Struct payload) {

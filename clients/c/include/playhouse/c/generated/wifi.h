@@ -48,9 +48,9 @@ typedef struct ph_wifi_link {
   uint32_t encrypt;
   /** Quality, up to Data.maxqual. */
   uint32_t qual;
-  /** Signal, up to Data.maxlevel. */
+  /** Signal, up to Data.maxlevel (signed). */
   uint32_t level;
-  /** Noise, up to Data.maxnoise. */
+  /** Noise, up to Data.maxnoise (signed). */
   uint32_t noise;
 } ph_wifi_link;
 PH_CODEC(ph_wifi_link)
@@ -69,9 +69,9 @@ typedef struct ph_wifi_data {
   uint32_t qual_type;
   /** Maximum reported quality. */
   uint32_t maxqual;
-  /** Maximum reported signal level. */
+  /** Maximum reported signal level (signed). */
   uint32_t maxlevel;
-  /** Maximum reported noise level. */
+  /** Maximum reported noise level (signed). */
   uint32_t maxnoise;
   /** Hardware address of the access point, as a string. */
   char ap[32];

@@ -104,7 +104,7 @@ public final class BlobfinderMessages {
   /**
    * The colors that a channel detects, as ranges of red, green and blue. (player_blobfinder_color_config_t)
    *
-   * @param channel Channel; -1 as an unsigned number means all.
+   * @param channel Channel; -1 means all (signed).
    * @param rmin Rmin.
    * @param rmax Rmax.
    * @param gmin Gmin.

@@ -34,8 +34,8 @@ public final class WifiMessages {
    * @param freq In MHz.
    * @param encrypt 0: open, else encrypted.
    * @param qual Quality, up to Data.maxqual.
-   * @param level Signal, up to Data.maxlevel.
-   * @param noise Noise, up to Data.maxnoise.
+   * @param level Signal, up to Data.maxlevel (signed).
+   * @param noise Noise, up to Data.maxnoise (signed).
    */
   public record Link(
       byte[] mac, byte[] ip, byte[] essid, long mode, long freq, long encrypt, long qual, long level, long
@@ -109,8 +109,8 @@ public final class WifiMessages {
    * @param mode Role in the network.
    * @param qualType Unit of quality, level and noise.
    * @param maxqual Maximum reported quality.
-   * @param maxlevel Maximum reported signal level.
-   * @param maxnoise Maximum reported noise level.
+   * @param maxlevel Maximum reported signal level (signed).
+   * @param maxnoise Maximum reported noise level (signed).
    * @param ap Hardware address of the access point, as a string (32 elements).
    */
   public record Data(
