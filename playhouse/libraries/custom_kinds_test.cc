@@ -5,7 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <string>
 
 #include "playhouse/base/testing_folder.h"
 #include "playhouse/scene/world_loader.h"
@@ -55,6 +59,20 @@ TEST(CustomKinds, that_refuse_their_arguments_are_told_in_one_line) {
   EXPECT_EQ(Fixture("probe refuse").error,
             "test.world:2: custom model \"probe\": wants another world\\x0a[error] a forged line");
   EXPECT_THAT(Fixture("probe refuse_int").error, EndsWith("threw something that is no std::exception"));
+}
+
+/// The loader maps what a file that was cut off does not have; looking at it would end the program.
+TEST(CustomKinds, of_a_library_that_is_cut_off_are_refused) {
+  std::ifstream whole(std::filesystem::path(TEST_LIBRARIES) / "probe.so", std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(whole), {});
+  ASSERT_GT(bytes.size(), 8000u);
+  const TestFolder folder;
+  for (int share = 1; share < 100; share += 3) {
+    const std::string part = bytes.substr(0, bytes.size() * static_cast<std::size_t>(share) / 100);
+    std::ofstream(folder / "part.so", std::ios::binary) << part;
+    EXPECT_THAT(Fixture("part", {.folders = {folder.path()}}).error, HasSubstr("its end is missing"))
+        << share;
+  }
 }
 
 TEST(CustomKinds, have_no_more_numbers_than_there_is_room_for) {

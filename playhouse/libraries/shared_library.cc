@@ -1,7 +1,11 @@
 #include "playhouse/libraries/shared_library.h"
 
 #include <dlfcn.h>
+#include <elf.h>
 
+#include <cstring>
+#include <fstream>
+#include <system_error>
 #include <utility>
 
 namespace playhouse::libraries {
@@ -22,11 +26,42 @@ std::string why_not(const SharedLibrary& library, const Provided& provided) {
   return "is no " + std::string(provided.what) + ": it lacks " + macro;
 }
 
+/// Reads a part of a file. False if it is not there.
+template <typename Part>
+bool read_at(std::ifstream& file, std::uint64_t offset, Part& part) {
+  file.seekg(static_cast<std::streamoff>(offset));
+  return static_cast<bool>(file.read(reinterpret_cast<char*>(&part), sizeof part));
+}
+
+/// True if an ELF file ends before what its headers say that it has: the loader maps that all the same, and
+/// the first look at it ends the program by SIGBUS. The loader checks everything else. Source: elf(5).
+bool is_cut_off(const std::string& path) {
+  std::error_code error;
+  const std::uint64_t size = std::filesystem::file_size(path, error);
+  std::ifstream file(path, std::ios::binary);
+  Elf64_Ehdr head;
+  if (error || !read_at(file, 0, head) || std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 ||
+      head.e_ident[EI_CLASS] != ELFCLASS64)
+    return false;
+  const auto ends_within = [size](std::uint64_t offset, std::uint64_t bytes) {
+    return offset <= size && bytes <= size - offset;
+  };
+  if (!ends_within(head.e_shoff, std::uint64_t{head.e_shnum} * head.e_shentsize)) return true;
+  for (std::uint64_t i = 0; i < head.e_phnum; ++i) {
+    Elf64_Phdr segment;
+    if (!read_at(file, head.e_phoff + i * sizeof segment, segment)) return true;
+    if (segment.p_type == PT_LOAD && !ends_within(segment.p_offset, segment.p_filesz)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Result<SharedLibrary> SharedLibrary::open(const std::filesystem::path& path, const Provided& provided) {
   // An absolute path, since dlopen() would search its own path for a bare name.
   const std::string file = std::filesystem::absolute(path).string();
+  if (is_cut_off(file))
+    return Error{escaped(file), "can't be loaded: its end is missing; build or copy it again"};
   void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!handle) return Error{escaped(file), "can't be loaded: " + escaped(loader_says(file))};
   SharedLibrary library(handle, file);
