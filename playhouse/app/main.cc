@@ -1,14 +1,17 @@
 /// The program: parses the command line and runs the command.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "playhouse/app/command_line.h"
 #include "playhouse/app/descriptor_limit.h"
@@ -27,10 +30,28 @@ bool called_player(std::string_view program) {
   return program.substr(program.rfind('/') + 1) == "player";
 }
 
-/// Flushes the log before terminate(): it may explain an uncaught exception.
-void flush_before_the_end() {
+/// Says that the system gives no more, without allocating, and ends: nothing can be undone without memory.
+[[noreturn]] void end_without(std::string_view what) {
+  constexpr std::string_view kBefore = "error: out of ";
+  for (const std::string_view part : {kBefore, what, std::string_view("\n")})
+    if (write(STDERR_FILENO, part.data(), part.size()) < 0) break;
+  _exit(kFailed);
+}
+
+std::string what_is_wrong(const std::exception& error) {
+  const auto* const of_system = dynamic_cast<const std::system_error*>(&error);
+  const bool is_thread = of_system && of_system->code() == std::errc::resource_unavailable_try_again;
+  return (is_thread ? "out of threads or memory: " : "") + std::string(error.what());
+}
+
+/// On any thread: no memory, or no thread, is one line and exit code 1. Otherwise flushes the log before
+/// terminate(): it may explain an uncaught exception.
+void end_in_one_line() {
+  std::set_new_handler([] { end_without("memory"); });
   static const std::terminate_handler otherwise = std::get_terminate();
   std::set_terminate([] {
+    // Threads that run end the program where another one cannot be started, before the exception is caught.
+    if (!std::current_exception() && std::uncaught_exceptions() > 0) end_without("memory or threads");
     log::flush();
     otherwise();
   });
@@ -51,7 +72,7 @@ int start(int argc, const char* const* argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a limit of its size (ulimit -f) is a write that fails
   raise_descriptor_limit();
   end_at_once_on_signals();
-  flush_before_the_end();
+  end_in_one_line();
   const std::span<const char* const> words(argv + (argc > 0),
                                            static_cast<std::size_t>(argc > 0 ? argc - 1 : 0));
   log::open(1);
@@ -71,10 +92,8 @@ int main(int argc, char** argv) {
   int code = kDone;
   try {
     code = start(argc, argv);
-  } catch (const std::exception& error) {  // memory, threads, standard output: nothing else throws
-    if (std::ferror(stdout) == 0) {
-      return fail({{}, error.what()});
-    }
+  } catch (const std::exception& error) {  // threads, standard output: nothing else throws
+    if (std::ferror(stdout) == 0) return fail({{}, what_is_wrong(error)});
   }
   playhouse::log::flush();  // including summaries of suppressed lines
   return finish_output(code);

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <utility>
 
 #include "playhouse/base/mesh_limits.h"
@@ -50,8 +51,9 @@ constexpr bool has_shadow_memory() {
 #endif
 }
 
-/// Default signal actions: the parent's crash handlers must not run in the child.
+/// Default signal actions and no handlers: those of the parent must not run in the child.
 void restrict_self() {
+  std::set_new_handler(nullptr);  // too little memory is a reason why the mesh cannot be read
   for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGINT, SIGTERM, SIGXCPU})
     ::signal(signal, SIG_DFL);
   sigset_t none;

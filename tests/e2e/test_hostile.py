@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 from house import (ACK, CMD, DATA, LASER, NACK, PATIENCE, PLAYER, POSITION2D, PROGRAM, RANGER, REQ, SIMULATION, SONAR,
-                   Client, House, HouseTest, frame, text)
+                   Client, House, HouseTest, finish, frame, text)
 
 DEVICES = [(SIMULATION, 0), (POSITION2D, 0), (RANGER, 0), (LASER, 0), (RANGER, 1), (SONAR, 0), (POSITION2D, 1)]
 GET_GEOM = frame(POSITION2D, 0, REQ, 1)
@@ -192,6 +192,24 @@ class Hostile(HouseTest):
 def shell_limited(limit: str, *arguments, program=PROGRAM) -> House:
     """The program under a limit of the shell's `ulimit`."""
     return House("-c", f'ulimit {limit} && exec "$0" "$@"', program, *arguments, program="sh")
+
+
+class Memory(HouseTest):
+    """A system that gives too little."""
+
+    def test_where_it_ends_is_one_line_and_no_crash(self):
+        program, ends = self.release(), set()
+        for megabytes in range(60, 260, 5):     # of address space: sanitizers need more than there is
+            end = finish(f"--as={megabytes * 1_000_000}", program, "run", self.world(), "--fast", "--port", 0, "--headless",
+                         "--duration", 0.1, program="prlimit")
+            if end.returncode == 127:
+                continue    # the loader has no room for libraries
+            self.assertIn(end.returncode, (0, 1, 2), f"{megabytes} MB: {end.stderr}")
+            if end.returncode:
+                self.assertRegex(end.stderr.strip().splitlines()[-1], "error: .*(out of|too much) .*memory|error: out of memory")
+            ends.add(end.returncode)
+        self.assertIn(0, ends)
+        self.assertIn(1, ends, "never too little: the range has to begin lower")
 
 
 class Crowds(HouseTest):
