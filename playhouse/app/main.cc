@@ -30,11 +30,9 @@ bool called_player(std::string_view program) {
   return program.substr(program.rfind('/') + 1) == "player";
 }
 
-/// Says that the system gives no more, without allocating, and ends: nothing can be undone without memory.
-[[noreturn]] void end_without(std::string_view what) {
-  constexpr std::string_view kBefore = "error: out of ";
-  for (const std::string_view part : {kBefore, what, std::string_view("\n")})
-    if (write(STDERR_FILENO, part.data(), part.size()) < 0) break;
+/// Writes the line at once, without allocating, and ends: nothing can be undone without memory.
+[[noreturn]] void end_with(std::string_view line) {
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
   _exit(kFailed);
 }
 
@@ -47,11 +45,12 @@ std::string what_is_wrong(const std::exception& error) {
 /// On any thread: no memory, or no thread, is one line and exit code 1. Otherwise flushes the log before
 /// terminate(): it may explain an uncaught exception.
 void end_in_one_line() {
-  std::set_new_handler([] { end_without("memory"); });
+  std::set_new_handler([] { end_with("error: out of memory\n"); });
   static const std::terminate_handler otherwise = std::get_terminate();
   std::set_terminate([] {
     // Threads that run end the program where another one cannot be started, before the exception is caught.
-    if (!std::current_exception() && std::uncaught_exceptions() > 0) end_without("memory or threads");
+    if (!std::current_exception() && std::uncaught_exceptions() > 0)
+      end_with("error: out of memory or threads\n");
     log::flush();
     otherwise();
   });
