@@ -184,6 +184,28 @@ TEST_F(RecorderTest, has_each_change_as_one_event_between_its_checks) {
   EXPECT_FALSE(read->cut);
 }
 
+TEST_F(RecorderTest, is_kept_packed_up_to_a_limit) {
+  begin();
+  tick();
+  end();
+  const Result<Recording> read = recording();
+  ASSERT_TRUE(read.ok()) << read.error().line();
+  const PackedBytes& state = read->states.at(0).bytes;
+  EXPECT_LT(state.packed_size(), state.unpacked().size());
+  const Result<Recording> refused = read_recording(**open_source(path_), state.packed_size());
+  ASSERT_FALSE(refused.ok());
+  EXPECT_THAT(refused.error().line(), testing::HasSubstr("has too much to run again"));
+}
+
+TEST(PackedBytes, take_little_where_all_is_alike) {
+  const Bytes alike(std::size_t{64} << 20, std::byte{7});
+  const PackedBytes packed(alike);
+  EXPECT_LT(packed.packed_size(), 100'000u);
+  EXPECT_EQ(packed.unpacked(), alike);
+  EXPECT_TRUE(PackedBytes().empty());
+  EXPECT_TRUE(PackedBytes(Bytes{}).unpacked().empty());
+}
+
 TEST_F(RecorderTest, of_a_controller_that_cannot_be_saved_has_data_alone) {
   world_.deciders.push_back(std::make_unique<Shy>());
   begin();

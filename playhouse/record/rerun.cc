@@ -14,24 +14,25 @@
 namespace playhouse::record {
 namespace {
 
-Bytes copy(std::span<const std::byte> bytes) {
-  return {bytes.begin(), bytes.end()};
-}
-
-/// Stores a message that matters for replay. Fails if it is truncated.
-Result<void> take(const std::string& schema, std::span<const std::byte> body, Recording& into) {
+/// Stores a message that matters for replay, and takes what it keeps from `left` [B]. Fails if it is
+/// truncated, or nothing is left.
+Result<void> take(const std::string& schema, std::span<const std::byte> body, Recording& into,
+                  std::size_t& left) {
   CdrReader in(body);
+  std::size_t kept = sizeof(Recording::Event);
   if (schema == kState) {
     Recording::State state;
     state.tick = in.number<std::uint64_t>();
-    state.bytes = copy(in.bytes());
+    state.bytes = PackedBytes(in.bytes());
+    kept = sizeof state + state.bytes.packed_size();
     state.events = into.events.size();
     if (in.ok()) into.states.push_back(std::move(state));
   } else if (schema == kEdit) {
     Recording::Event event;
     event.tick = in.number<std::uint64_t>();
     event.before = in.number<std::uint64_t>();
-    event.difference = copy(in.bytes());
+    event.difference = PackedBytes(in.bytes());
+    kept += event.difference.packed_size();
     if (in.ok() && event.difference.empty()) return Error{{}, "a change in it is damaged"};
     if (in.ok()) into.events.push_back(std::move(event));
   } else if (schema == kCheck) {
@@ -40,14 +41,19 @@ Result<void> take(const std::string& schema, std::span<const std::byte> body, Re
     event.hash = in.number<std::uint64_t>();
     event.sensed_hash = in.number<std::uint64_t>();
     if (in.ok()) into.events.push_back(std::move(event));
+  } else {
+    return {};
   }
+  if (kept > left) return Error{{}, "has too much to run again: states and changes beyond what is kept"};
+  left -= kept;
   return in.ok() ? Result<void>() : Error{{}, "a message in it is damaged"};
 }
 
 }  // namespace
 
-Result<Recording> read_recording(const Source& source) {
+Result<Recording> read_recording(const Source& source, std::size_t most) {
   Recording recording;
+  std::size_t left = most;
   bool has_start = false, has_message = false;
   McapReader reader(source);
   const auto end = reader.read(
@@ -56,7 +62,7 @@ Result<Recording> read_recording(const Source& source) {
          const auto schema = reader.schemas().find(channel.schema);
          if (schema == reader.schemas().end() || !schema->second.name.starts_with("playhouse/msg/"))
            return {};
-         return take(schema->second.name, message.body, recording);
+         return take(schema->second.name, message.body, recording, left);
        },
        .attachment = [&](const Attachment& attachment) -> Result<void> {
          if (attachment.name != kStartName) return {};
@@ -81,7 +87,7 @@ Rerun::Rerun(const Recording& recording, std::unique_ptr<world::Engine> engine)
     : recording_(&recording), engine_(std::move(engine)) {}
 
 Result<void> Rerun::load(const Recording::State& state) {
-  const Result<void> loaded = load_whole(world(), state.bytes);
+  const Result<void> loaded = load_whole(world(), state.bytes.unpacked());
   if (!loaded) return Error{{}, "the recorded state " + loaded.error().text};
   event_ = state.events;
   return {};
@@ -124,7 +130,7 @@ void Rerun::change(const Recording::Event& event) {
   Bytes before;
   if (const Result<void> saved = save_whole(world(), before); !saved) return fail(saved.error().line());
   if (hash_of(before) != event.before) return fail("its state is another one before a change");
-  const Result<Bytes> after = patched(before, event.difference);
+  const Result<Bytes> after = patched(before, event.difference.unpacked());
   if (!after) return fail(after.error().line());
   if (const Result<void> loaded = load_whole(world(), *after); !loaded)
     fail_to_load("a change " + loaded.error().line());

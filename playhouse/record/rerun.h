@@ -3,6 +3,7 @@
 /// Rerun: replay of a recorded run: an engine of the recorded world, with the recorded
 /// changes applied at their ticks, and checked against the recorded hashes. Thread: tick.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "playhouse/record/mcap_reader.h"
+#include "playhouse/record/packed_bytes.h"
 #include "playhouse/world/engine.h"
 #include "playhouse/world/saved_run.h"
 
@@ -20,11 +22,11 @@ struct Recording {
   struct State {
     std::uint64_t tick = 0;
     std::size_t events = 0;  // number of events before it
-    Bytes bytes;             // whole_state.h
+    PackedBytes bytes;       // whole_state.h
   };
   struct Event {
     std::uint64_t tick = 0;    // tick of the world at the event
-    Bytes difference;          // empty: a check only
+    PackedBytes difference;    // empty: a check only
     std::uint64_t before = 0;  // hash_of() the state before the change
     std::uint64_t hash = 0, sensed_hash = 0;
   };
@@ -34,8 +36,12 @@ struct Recording {
   bool cut = false;  // truncated: the recording program was killed
 };
 
-/// Fails, without a file name, on files that are not our recordings or have no replay data.
-Result<Recording> read_recording(const Source& source);
+/// States and changes of a recording that are kept, packed. [B]
+inline constexpr std::size_t kKeptBytes = std::size_t{2} << 30;
+
+/// Fails, without a file name, on files that are not our recordings, have no replay data, or have more than
+/// `most` packed bytes of it.
+Result<Recording> read_recording(const Source& source, std::size_t most = kKeptBytes);
 
 class Rerun final : public world::Engine {
  public:
