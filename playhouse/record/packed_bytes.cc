@@ -7,14 +7,14 @@
 namespace playhouse::record {
 namespace {
 
-constexpr int kLevel = 1;
+constexpr int kFastest = 1;
 
 }  // namespace
 
 PackedBytes::PackedBytes(std::span<const std::byte> bytes) : size_(bytes.size()) {
   if (bytes.empty()) return;
   Bytes room(ZSTD_compressBound(bytes.size()));
-  const std::size_t size = ZSTD_compress(room.data(), room.size(), bytes.data(), bytes.size(), kLevel);
+  const std::size_t size = ZSTD_compress(room.data(), room.size(), bytes.data(), bytes.size(), kFastest);
   PLAYHOUSE_ASSERT(ZSTD_isError(size) == 0);
   packed_.assign(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(size));
 }
