@@ -41,22 +41,20 @@ void DrawnBodies::find(const world::World& world, const stage::Solids& solids, r
     const Look look = look_of(desc);
     if (look == Look::kPerson) return people_.push_back(model);
     if (look == Look::kSmoke) return smokes_.push_back(model);
-    const auto [entry, is_new] = shapes_of_.try_emplace(world.models.desc[model]);
-    if (is_new) add_shapes(desc, solids, begin, end, renderer, entry->second);
-    for (const Shape& each : entry->second) bodies_.push_back({model, each.shape, each.is_tinted});
+    add_body(world, model, solids, begin, end, renderer);
   });
-  find_bodiless(world, renderer);
-}
-
-/// Sensors and other models that have a look and no body.
-void DrawnBodies::find_bodiless(const world::World& world, render::Renderer& renderer) {
+  // Sensors and other models that have a look and no body.
   for (std::uint32_t model = 0; model < world.models.size(); ++model) {
     const scene::ModelDesc& desc = world.desc({model});
-    if (!desc.look || !desc.blocks.empty() || !desc.bitmaps.empty()) continue;
-    const auto [entry, is_new] = shapes_of_.try_emplace(world.models.desc[model]);
-    if (is_new) add_shapes(desc, {}, 0, 0, renderer, entry->second);
-    for (const Shape& each : entry->second) bodies_.push_back({model, each.shape, each.is_tinted});
+    if (desc.look && desc.blocks.empty() && desc.bitmaps.empty()) add_body(world, model, {}, 0, 0, renderer);
   }
+}
+
+void DrawnBodies::add_body(const world::World& world, std::uint32_t model, const stage::Solids& solids,
+                           std::size_t begin, std::size_t end, render::Renderer& renderer) {
+  const auto [entry, is_new] = shapes_of_.try_emplace(world.models.desc[model]);
+  if (is_new) add_shapes(world.desc({model}), solids, begin, end, renderer, entry->second);
+  for (const Shape& each : entry->second) bodies_.push_back({model, each.shape, each.is_tinted});
 }
 
 void DrawnBodies::add_shapes(const scene::ModelDesc& desc, const stage::Solids& solids, std::size_t begin,

@@ -48,7 +48,9 @@ class DrawnBodies {
 
   void add_shapes(const scene::ModelDesc& desc, const stage::Solids& solids, std::size_t begin,
                   std::size_t end, render::Renderer& renderer, std::vector<Shape>& shapes) const;
-  void find_bodiless(const world::World& world, render::Renderer& renderer);
+  /// The model with its solids [begin, end), in the shapes of its description.
+  void add_body(const world::World& world, std::uint32_t model, const stage::Solids& solids,
+                std::size_t begin, std::size_t end, render::Renderer& renderer);
   void place_bodies(const world::World& world);
   void place_people(const world::World& world, double time);
   void place_smoke(const world::World& world);

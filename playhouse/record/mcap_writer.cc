@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zstd.h>
 
 #include <algorithm>
 #include <array>
@@ -14,23 +13,15 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/record/packed_bytes.h"
 
 namespace playhouse::record {
 namespace {
 
 constexpr std::string_view kCompression = "zstd";
-constexpr int kLevel = 1;  // trade-off in docs/recording.md
 
 /// Of a chunk up to its compression name: times, size, checksum.
 constexpr std::size_t kChunkHeadBytes = 28;
-
-Bytes packed(std::span<const std::byte> bytes) {
-  Bytes out(ZSTD_compressBound(bytes.size()));
-  const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), kLevel);
-  PLAYHOUSE_ASSERT(ZSTD_isError(size) == 0);
-  out.resize(size);
-  return out;
-}
 
 }  // namespace
 

@@ -5,18 +5,20 @@
 #include "playhouse/base/assert.h"
 
 namespace playhouse::record {
-namespace {
 
-constexpr int kFastest = 1;
-
-}  // namespace
+Bytes packed(std::span<const std::byte> bytes) {
+  constexpr int kLevel = 1;
+  Bytes out(ZSTD_compressBound(bytes.size()));
+  const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), kLevel);
+  PLAYHOUSE_ASSERT(ZSTD_isError(size) == 0);
+  out.resize(size);
+  return out;
+}
 
 PackedBytes::PackedBytes(std::span<const std::byte> bytes) : size_(bytes.size()) {
   if (bytes.empty()) return;
-  Bytes room(ZSTD_compressBound(bytes.size()));
-  const std::size_t size = ZSTD_compress(room.data(), room.size(), bytes.data(), bytes.size(), kFastest);
-  PLAYHOUSE_ASSERT(ZSTD_isError(size) == 0);
-  packed_.assign(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(size));
+  packed_ = packed(bytes);
+  packed_.shrink_to_fit();
 }
 
 Bytes PackedBytes::unpacked() const {

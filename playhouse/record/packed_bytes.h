@@ -10,6 +10,9 @@
 
 namespace playhouse::record {
 
+/// Compressed by the fastest level: trade-off in docs/recording.md.
+Bytes packed(std::span<const std::byte> bytes);
+
 class PackedBytes {
  public:
   PackedBytes() = default;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -54,26 +53,10 @@ bool meets_contours(const Solid& solid, const scene::Contours& contours, const g
   return inside;
 }
 
-struct Box {
-  geom::Vec2 low{kNever, kNever}, high{-kNever, -kNever};
-  static constexpr double kNever = std::numeric_limits<double>::infinity();
-
-  void add(std::span<const geom::Vec2> points) {
-    for (const geom::Vec2& p : points) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  }
-  /// True if the other one, widened by `margin`, meets this.  [m]
-  bool meets(const Box& other, double margin) const {
-    return low.x <= other.high.x + margin && other.low.x - margin <= high.x &&
-           low.y <= other.high.y + margin && other.low.y - margin <= high.y;
-  }
-};
-
-Box box_of(std::span<const Solid> solids) {
-  Box box;
-  for (const Solid& solid : solids) box.add(solid.p);
+geom::Box box_of(std::span<const Solid> solids) {
+  geom::Box box;
+  for (const Solid& solid : solids)
+    for (const geom::Vec2 p : solid.p) box.add(p);
   return box;
 }
 
@@ -82,13 +65,13 @@ class Obstacles {
  public:
   Obstacles(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM, double reach)
       : world_(world), prototype_(prototype) {
-    const Box near = box_of(solids_of(world, prototype, X_WM));
+    const geom::Box near = box_of(solids_of(world, prototype, X_WM)).grown(reach);
     for (std::uint32_t row = 0; row < world.models.size(); ++row) {
       const scene::ModelDesc& desc = world.desc({row});
       std::vector<Solid> solids;
       stage::add_blocks(desc, world.models.X_WM[row], solids);
       for (Solid& solid : solids)
-        if (box_of(std::span(&solid, 1)).meets(near, reach)) blocks_.push_back(std::move(solid));
+        if (box_of(std::span(&solid, 1)).overlaps(near)) blocks_.push_back(std::move(solid));
       if (!desc.obstacle_return) continue;
       for (const scene::Contours& contours : desc.bitmaps)
         contours_.push_back({&contours, geom::compose(world.models.X_WM[row], desc.X_MB)});
