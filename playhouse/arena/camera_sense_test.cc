@@ -13,6 +13,8 @@
 namespace playhouse::arena {
 namespace {
 
+using geom::Vec3;
+
 struct Session : EngineRun {
   using EngineRun::EngineRun;
   /// Of a camera, in the order of the file.
@@ -171,6 +173,69 @@ camera( name "eye" pose [0 0 1 0] alwayson 1 resolution [40 30] range [0.1 12] n
   ASSERT_TRUE(world::load_state(second.world(), saved));
   second.step(5);
   EXPECT_EQ(second.image(0), first.image(0));
+}
+
+/// A camera 1 m above the origin, a thing behind it in each of two colours, and before it a wall whose face
+/// is at 4 m.
+std::string before_a_wall(const std::string& words) {
+  return R"(
+interval_sim 100
+camera( name "eye" pose [0 0 1 0] alwayson 1 resolution [161 121] fov [90 73.74] range [0.1 20] size [0 0 0] )
+camera( name "far" pose [0 0 1 0] alwayson 1 resolution [161 121] fov [90 73.74] range [0.1 20] size [0 0 0] image "depth" )
+model( name "red" pose [-1 0.9 0.7 0] size [0.6 0.6 0.6] color "red" )
+model( name "blue" pose [-1 -1.2 0.4 0] size [0.6 0.6 0.6] color "blue" )
+model( name "behind" pose [6 0 0.5 0] size [1 1 1] color "green" )
+model( name "wall" pose [4.1 0 0 0] size [0.2 5 2.4] color "white" )" +
+         words + " )\n";
+}
+
+/// The hue of the pixel where the mirror image of p in the wall is.
+char hue_of_image(Session& run, const Vec3& p) {
+  const world::Models& models = run.world().models;
+  const PlacedModel wall = model_in_world(models, run.world().find("wall").index);
+  const Vec3 n = wall.q * Vec3{-1, 0, 0}, on = wall.p + wall.q * Vec3{-0.1, 0, 0};
+  const Vec3 d = p - 2 * dot(n, p - on) * n - Vec3{0, 0, 1};
+  const double x = 80.5 * (1 - d.y / d.x), y = 60.5 * (1 - d.z / d.x / 0.75);
+  EXPECT_TRUE(x >= 0 && x < 161 && y >= 0 && y < 121) << x << " " << y;
+  return hue(run.image(0).at(static_cast<std::size_t>(y) * 161 + static_cast<std::size_t>(x)));
+}
+
+TEST(CameraSense, a_mirror_shows_what_is_before_it_also_when_it_is_tilted) {
+  const Vec3 red{-1, 0.9, 1}, blue{-1, -1.2, 0.7};
+  Session mirror(before_a_wall("material \"mirror\""), true), wall(before_a_wall(""), true);
+  mirror.step();
+  wall.step();
+  EXPECT_EQ(hue_of_image(mirror, red), 'r');
+  EXPECT_EQ(hue_of_image(mirror, blue), 'b');
+  EXPECT_EQ(hue_of_image(wall, red), '-');
+  const auto has_green = [](Session& run) {
+    return std::ranges::any_of(run.image(0), [](std::uint32_t rgb) { return hue(rgb) == 'g'; });
+  };
+  EXPECT_FALSE(has_green(mirror)) << "behind it";
+  EXPECT_EQ(mirror.image(1), wall.image(1)) << "depths are those of the mirror itself";
+  const auto before = mirror.image(0);
+  for (const geom::Tilt tilt : {geom::Tilt{0, 0.06}, {0.3, -0.05}}) {
+    world::Models& models = mirror.world().models;
+    const world::ModelRow row = mirror.world().find("wall");
+    models.tilt_PM.set(row.index, tilt);
+    world::place_tree(mirror.world(), row);
+    mirror.step();
+    EXPECT_NE(mirror.image(0), before);
+    EXPECT_EQ(hue_of_image(mirror, red), 'r') << tilt.x << " " << tilt.y;
+    EXPECT_EQ(hue_of_image(mirror, blue), 'b') << tilt.x << " " << tilt.y;
+  }
+}
+
+TEST(CameraSense, smooth_metal_of_any_material_is_a_mirror_and_what_is_rough_is_none) {
+  const auto shows = [](const std::string& words) {
+    Session run(before_a_wall(words), true);
+    run.step();
+    return hue_of_image(run, {-1, 0.9, 1}) == 'r';
+  };
+  EXPECT_TRUE(shows("material \"steel\" roughness 0"));
+  EXPECT_FALSE(shows("material \"steel\""));
+  EXPECT_FALSE(shows("material \"mirror\" roughness 0.4"));
+  EXPECT_FALSE(shows("material \"wood\" roughness 0")) << "no metal";
 }
 
 TEST(CameraSense, people_are_people) {

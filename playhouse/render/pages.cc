@@ -3,6 +3,15 @@
 #include <algorithm>
 
 namespace playhouse::render {
+namespace {
+
+Framebuffer make_framebuffer() {
+  GLuint name = 0;
+  glCreateFramebuffers(1, &name);
+  return Framebuffer(name);
+}
+
+}  // namespace
 
 void Page::begin(Sizes size) {
   wanted_ = size;
@@ -18,13 +27,8 @@ void Page::begin(Sizes size) {
 void Page::make(Sizes size) {
   size_ = size;
   const auto width = static_cast<GLsizei>(size.width), height = static_cast<GLsizei>(size.height);
-  const auto framebuffer = [] {
-    GLuint name = 0;
-    glCreateFramebuffers(1, &name);
-    return Framebuffer(name);
-  };
   depth_ = make_texture(GL_DEPTH_COMPONENT32F, width, height);
-  whole_ = framebuffer();
+  whole_ = make_framebuffer();
   glNamedFramebufferTexture(whole_, GL_DEPTH_ATTACHMENT, depth_, 0);
   if (shows_ == Shows::kDepth) {
     glNamedFramebufferDrawBuffer(whole_, GL_NONE);
@@ -32,7 +36,7 @@ void Page::make(Sizes size) {
     return;
   }
   color_ = make_texture(shows_ == Shows::kColor ? GL_SRGB8_ALPHA8 : GL_R32UI, width, height);
-  colors_alone_ = framebuffer();
+  colors_alone_ = make_framebuffer();
   for (const GLuint to : {GLuint{whole_}, GLuint{colors_alone_}}) {
     glNamedFramebufferTexture(to, GL_COLOR_ATTACHMENT0, color_, 0);
     glNamedFramebufferDrawBuffer(to, GL_COLOR_ATTACHMENT0);
@@ -52,6 +56,37 @@ std::span<const std::uint32_t> Page::read() {
   if (shows_ == Shows::kDepth) read(GL_DEPTH_COMPONENT, GL_FLOAT);
   if (shows_ == Shows::kSegments) read(GL_RED_INTEGER, GL_UNSIGNED_INT);
   return read_;
+}
+
+void MirrorPage::begin(Sizes size, std::size_t layers) {
+  if (size.width <= size_.width && size.height <= size_.height && layers <= whole_.size()) return;
+  size_ = {std::max(size.width, size_.width), std::max(size.height, size_.height)};
+  layers = std::max(layers, whole_.size());
+  const auto width = static_cast<GLsizei>(size_.width), height = static_cast<GLsizei>(size_.height);
+  depth_ = make_texture(GL_DEPTH_COMPONENT32F, width, height);
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
+  colors_ = Texture(name);
+  glTextureStorage3D(colors_, 1, GL_RGBA16F, width, height, static_cast<GLsizei>(layers));
+  glTextureParameteri(colors_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(colors_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  whole_.clear();
+  colors_alone_.clear();
+  for (std::size_t layer = 0; layer < layers; ++layer) {
+    whole_.push_back(make_framebuffer());
+    colors_alone_.push_back(make_framebuffer());
+    glNamedFramebufferTexture(whole_.back(), GL_DEPTH_ATTACHMENT, depth_, 0);
+    for (const GLuint to : {GLuint{whole_.back()}, GLuint{colors_alone_.back()}}) {
+      glNamedFramebufferTextureLayer(to, GL_COLOR_ATTACHMENT0, colors_, 0, static_cast<GLint>(layer));
+      glNamedFramebufferDrawBuffer(to, GL_COLOR_ATTACHMENT0);
+    }
+  }
+}
+
+void MirrorPage::clear(std::size_t layer) const {
+  const float nothing[4] = {0, 0, 0, 0};
+  glClearNamedFramebufferfv(whole_[layer], GL_COLOR, 0, nothing);
+  glClearNamedFramebufferfv(whole_[layer], GL_DEPTH, 0, nothing);
 }
 
 }  // namespace playhouse::render

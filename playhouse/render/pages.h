@@ -1,7 +1,7 @@
 #pragma once
 
 /// Pages: atlases of pictures of one format, read back
-/// with one call. Thread: that of a CurrentContext.
+/// with one call; and what mirrors show. Thread: that of a CurrentContext.
 
 #include <span>
 #include <vector>
@@ -34,6 +34,26 @@ class Page {
   Texture color_, depth_;
   Framebuffer whole_, colors_alone_;
   std::vector<std::uint32_t> read_;
+};
+
+/// Render targets for what the mirrors of a view show: a layer each, in linear light without an upper limit,
+/// with one depth buffer. Grows on demand.
+class MirrorPage {
+ public:
+  /// Ensures a minimum size and number of layers.
+  void begin(Sizes size, std::size_t layers);
+  /// Clears a layer and the depths, within the scissor test.
+  void clear(std::size_t layer) const;
+  /// As those of Page.
+  void bind(std::size_t layer) const { glBindFramebuffer(GL_FRAMEBUFFER, whole_[layer]); }
+  void bind_colors(std::size_t layer) const { glBindFramebuffer(GL_FRAMEBUFFER, colors_alone_[layer]); }
+  GLuint depth() const { return depth_; }
+  GLuint colors() const { return colors_; }
+
+ private:
+  Sizes size_;
+  Texture colors_, depth_;
+  std::vector<Framebuffer> whole_, colors_alone_;
 };
 
 }  // namespace playhouse::render

@@ -1,5 +1,5 @@
-/// Cameras of 320 x 240 pixels in a hall with 40 crates, a wall and two people: colours and depths of each,
-/// all of a tick at once. Says how many pairs of pictures a second.
+/// Cameras of 320 x 240 pixels in a hall with 40 crates, a wall, which may be a mirror, and two people:
+/// colours and depths of each, all of a tick at once. Says how many pairs of pictures a second.
 
 #include <benchmark/benchmark.h>
 
@@ -14,10 +14,16 @@ struct Hall {
   std::vector<Figure> figures;
 };
 
-Hall hall(Renderer& renderer, bool with_people) {
+struct Contents {
+  bool people = false, mirror = false;  // as the wall
+};
+
+Hall hall(Renderer& renderer, Contents contents) {
   Hall made;
   const std::uint32_t crate = renderer.add_shape(testing::box({0.3, 0.3, 0.3}));
-  const std::uint32_t wall = renderer.add_shape(testing::box({0.1, 10, 1.2}));
+  mesh::Mesh of_wall = testing::box({0.1, 10, 1.2});
+  if (contents.mirror) of_wall.materials[0] = {.metallic = 0.9f, .roughness = 0.05f};
+  const std::uint32_t wall = renderer.add_shape(of_wall);
   for (int k = 0; k < 41; ++k) {
     Instance& instance = made.instances.emplace_back();
     instance.shape = k < 40 ? crate : wall;
@@ -26,7 +32,7 @@ Hall hall(Renderer& renderer, bool with_people) {
     instance.tint = {0.1f * static_cast<float>(k % 9), 0.4f, 0.3f, 1};
     instance.segment = static_cast<std::uint32_t>(k + 1);
   }
-  if (!with_people) return made;
+  if (!contents.people) return made;
   for (const double x : {2.5, 5.0}) {
     Figure& figure = made.figures.emplace_back();
     figure.p = {x, 0.4 * x - 1.5, 0};
@@ -48,11 +54,11 @@ View view(Shows shows, int number) {
   return view;
 }
 
-void cameras(benchmark::State& state, bool with_people) {
+void cameras(benchmark::State& state, Contents contents) {
   Result<std::unique_ptr<Renderer>> renderer = Renderer::make();
   if (!renderer) return state.SkipWithError(renderer.error().line().c_str());
   state.SetLabel((*renderer)->name());
-  const Hall made = hall(**renderer, with_people);
+  const Hall made = hall(**renderer, contents);
   std::vector<View> views;
   for (int k = 0; k < state.range(0); ++k)
     for (const Shows shows : {Shows::kColor, Shows::kDepth}) views.push_back(view(shows, k));
@@ -65,14 +71,18 @@ void cameras(benchmark::State& state, bool with_people) {
 }
 
 void color_and_depth(benchmark::State& state) {
-  cameras(state, false);
+  cameras(state, {});
 }
 void color_and_depth_with_people(benchmark::State& state) {
-  cameras(state, true);
+  cameras(state, {.people = true});
+}
+void color_and_depth_with_a_mirror(benchmark::State& state) {
+  cameras(state, {.mirror = true});
 }
 
 BENCHMARK(color_and_depth)->Arg(1)->Arg(3)->Arg(8)->UseRealTime()->MeasureProcessCPUTime();
 BENCHMARK(color_and_depth_with_people)->Arg(1)->Arg(3)->Arg(8)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(color_and_depth_with_a_mirror)->Arg(1)->Arg(3)->Arg(8)->UseRealTime()->MeasureProcessCPUTime();
 
 }  // namespace
 }  // namespace playhouse::render

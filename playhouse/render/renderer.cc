@@ -4,9 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <optional>
 
+#include "playhouse/base/log.h"
 #include "playhouse/render/gl_context.h"
 #include "playhouse/render/instance_list.h"
+#include "playhouse/render/mirrors.h"
 #include "playhouse/render/pages.h"
 #include "playhouse/render/shaders.h"
 #include "playhouse/render/shape_store.h"
@@ -25,6 +28,8 @@ constexpr double kFigureRadius = 0.62;  // bounding sphere about its middle, in 
 // Height of figures for the first and the last level of detail.  [px]
 constexpr double kFinePixels = 260, kCoarsePixels = 90;
 constexpr std::size_t kPaints = 3;
+constexpr std::uint32_t kMirrorTexels = 1 << 23;  // of a mirror at most; larger pictures have coarser ones
+constexpr double kBeyond = 5e-4;                  // m, from the plane of a mirror on: itself is not before it
 
 /// Layout as in shaders.cc.
 struct ViewBlock {
@@ -87,8 +92,34 @@ double pixels_of(const View& view, const Axes& axes, const Figure& figure) {
 
 struct SurfaceProgram {
   Program program;
-  GLint material = -1, base = -1, emission = -1;
+  GLint material = -1, base = -1, emission = -1, cut = -1;
+
+  SurfaceProgram() = default;
+  SurfaceProgram(const std::string& vertex, const std::string& fragment) : program(vertex, fragment) {
+    material = program.at("material");
+    base = program.at("material_base");
+    emission = program.at("emission");
+    cut = program.at("cut");
+  }
 };
+
+/// From where one pass is drawn: by a view, or by its reflection in a mirror.
+struct Sight {
+  View view;
+  Axes axes;
+  Place place;
+  std::optional<std::size_t> mirror;  // in which of the view's mirrors
+  std::array<float, 4> cut{};         // shown is where n p + d >= 0, in E, of a reflection
+  double first = 0;                   // m along the optical axis, before which it shows nothing
+};
+
+/// How many pixels of the picture share a texel of a mirror, across and down.
+std::uint32_t pixels_per_texel(const View& view) {
+  std::uint32_t per_texel = 1;
+  const auto texels = [&](std::uint32_t pixels) -> std::uint64_t { return (pixels - 1) / per_texel + 1; };
+  while (texels(view.width) * texels(view.height) > kMirrorTexels) ++per_texel;
+  return per_texel;
+}
 
 }  // namespace
 
@@ -109,6 +140,15 @@ class Renderer::Impl {
     const Surroundings& surroundings;
     const Scene& scene;
   };
+  /// For pictures with mirrors.
+  struct Mirrors {
+    std::array<SurfaceProgram, 2> beyond;  // what they show; by Bends
+    Program smoke_beyond;
+    SurfaceProgram surface;  // themselves
+    GLint planes = -1, shown = -1;
+    bool is_sound = false;
+    MirrorPage page;
+  };
   /// OpenGL objects; destroyed while the context is current.
   struct OnCard {
     ShapeStore shapes;
@@ -122,6 +162,7 @@ class Renderer::Impl {
     std::array<ShadowMap, kShadowTexels.size()> shadows;
     Texture white;
     Page colors{Shows::kColor}, depths{Shows::kDepth}, segments{Shows::kSegments};
+    std::unique_ptr<Mirrors> mirrors;  // from the first mirror in a picture on
   };
 
   Result<void> make_programs();
@@ -130,15 +171,24 @@ class Renderer::Impl {
   void draw_kind(const Drawn& drawn, Shows shows, std::span<const View> views,
                  std::vector<Picture>& pictures);
   void draw_view(const Drawn& drawn, const View& view, const Place& place);
-  void draw_bodies(const Drawn& drawn, const View& view, const Axes& axes, Paints paints);
-  void draw_glass(const Drawn& drawn, const View& view, const Axes& axes);
-  void draw_smokes(const Drawn& drawn, const View& view);
+  void find_mirrors(const Drawn& drawn, const View& view, const Axes& axes);
+  void make_mirrors();
+  void draw_reflection(const Drawn& drawn, const View& view, const Axes& axes, std::size_t mirror);
+  void send_mirrors(const View& view);
+  void draw_sight(const Drawn& drawn, const Sight& sight);
+  void begin_target(const Sight& sight);
+  void draw_bodies(const Drawn& drawn, const Sight& sight, Paints paints);
+  void draw_glass(const Drawn& drawn, const Sight& sight);
+  void draw_smokes(const Drawn& drawn, const Sight& sight);
   const ShadowMap& shadow_map_for(const View& view) const;
   void draw_shadows(const Drawn& drawn, const View& view, const SunBox& box, const ShadowMap& map);
   void draw_behind(const Program& program, const Line& a, const Line& b);
   void draw_floor(const View& view, Paints paints);
   void draw_sky(const View& view);
-  void draw_runs(const InstanceList& list, Bends bends, Paints paints, bool see_through);
+  const SurfaceProgram& program_for(const Sight* sight, Bends bends, Paints paints) const;
+  void use(const SurfaceProgram& program, const Sight* sight) const;
+  /// `sight` is null for shadows.
+  void draw_runs(const InstanceList& list, const Sight* sight, Bends bends, Paints paints, bool see_through);
   void draw_surface(const SurfaceRange& range, const DrawRun& run, const SurfaceProgram& program,
                     Paints paints);
   ViewBlock block_of(const Drawn& drawn, const View& view, const Axes& axes, const Place& place) const;
@@ -149,6 +199,7 @@ class Renderer::Impl {
   std::unique_ptr<GlContext> context_;
   std::unique_ptr<OnCard> card_;
   InstanceList bodies_, people_, glass_;
+  MirrorList mirrors_;  // of the view that is drawn
   std::vector<std::array<float, 12>> bone_rows_;
   std::vector<std::pair<float, std::uint32_t>> lamp_order_;
 };
@@ -185,11 +236,8 @@ Result<void> Renderer::Impl::make_programs() {
     const auto paints = static_cast<Paints>(p);
     for (const Bends bends : {Bends::kNo, Bends::kYes}) {
       SurfaceProgram& to = card_->surface[static_cast<std::size_t>(bends)][p];
-      to.program = Program(vertex_shader(bends, paints), fragment_shader(paints));
+      to = SurfaceProgram(vertex_shader(bends, paints), fragment_shader(paints));
       keep(to.program);
-      to.material = to.program.at("material");
-      to.base = to.program.at("material_base");
-      to.emission = to.program.at("emission");
     }
     card_->floor[p] = Program(background_vertex_shader(), floor_fragment_shader(paints));
     keep(card_->floor[p]);
@@ -371,11 +419,95 @@ void Renderer::Impl::send_lamps(const Drawn& drawn, const Vec3& eye) {
 
 void Renderer::Impl::draw_view(const Drawn& drawn, const View& view, const Place& place) {
   const Axes axes = axes_of(view.q_WC);
+  find_mirrors(drawn, view, axes);
+  for (std::size_t i = 0; i < mirrors_.mirrors().size(); ++i) draw_reflection(drawn, view, axes, i);
+  if (!mirrors_.mirrors().empty()) send_mirrors(view);
+  draw_sight(drawn, {view, axes, place, {}, {}, view.near});
+}
+
+/// The mirrors that a colour picture shows, with targets for what they show.
+void Renderer::Impl::find_mirrors(const Drawn& drawn, const View& view, const Axes& axes) {
+  mirrors_.begin(view, axes);
+  if (view.shows != Shows::kColor || !card_->shapes.has_mirrors()) return;
+  const Planes planes = planes_of(view, axes);
+  for (const Instance& instance : drawn.scene.instances) {
+    const ShapeOnCard& shape = card_->shapes[instance.shape];
+    if (shape.mirrors.empty() || instance.tint[3] < kOpaque) continue;
+    if (instance.group == view.hides && view.hides != kNoGroup) continue;
+    const Vec3 p_E = instance.p - view.eye;
+    if (planes.may_show(p_E + instance.q * shape.middle, shape.radius))
+      mirrors_.add(p_E, instance.q, shape.mirrors);
+  }
+  mirrors_.finish();
+  if (mirrors_.mirrors().empty()) return;
+  make_mirrors();
+  if (!card_->mirrors->is_sound) return mirrors_.begin(view, axes);
+  const std::uint32_t per_texel = pixels_per_texel(view);
+  card_->mirrors->page.begin({(view.width - 1) / per_texel + 1, (view.height - 1) / per_texel + 1},
+                             mirrors_.mirrors().size());
+}
+
+void Renderer::Impl::make_mirrors() {
+  if (card_->mirrors) return;
+  card_->mirrors = std::make_unique<Mirrors>();
+  Mirrors& made = *card_->mirrors;
+  for (const Bends bends : {Bends::kNo, Bends::kYes})
+    made.beyond[static_cast<std::size_t>(bends)] = SurfaceProgram(
+        vertex_shader(bends, Paints::kColor, Shown::kBeyondPlane), fragment_shader(Paints::kColor));
+  made.smoke_beyond = Program(smoke_vertex_shader(), smoke_fragment_shader(Shown::kBeyondPlane));
+  made.surface = SurfaceProgram(vertex_shader(Bends::kNo, Paints::kColor), mirror_fragment_shader());
+  made.planes = made.surface.program.at("mirrors");
+  made.shown = made.surface.program.at("mirrors_shown");
+  for (const Program* program :
+       {&made.beyond[0].program, &made.beyond[1].program, &made.smoke_beyond, &made.surface.program})
+    if (!program->error().empty())
+      return log::warn("cameras show mirrors without what they reflect: {}", program->error());
+  made.is_sound = true;
+}
+
+/// What a mirror shows, where the view shows the mirror.
+void Renderer::Impl::draw_reflection(const Drawn& drawn, const View& view, const Axes& axes,
+                                     std::size_t number) {
+  const Mirror& mirror = mirrors_.mirrors()[number];
+  const std::uint32_t per_texel = pixels_per_texel(view);
+  Sight sight{reflected(view, mirror), reflected(axes, mirror), {}, number, {}, 0};
+  sight.view.width = (view.width - 1) / per_texel + 1;
+  sight.view.height = (view.height - 1) / per_texel + 1;
+  sight.cut = four(mirror.n, -mirror.d - kBeyond);  // the eye is behind the plane as far as it was before it
+  sight.first = std::max(view.near, mirror.depth);
+  const Window& window = mirror.window;
+  const std::uint32_t left = window.left / per_texel, high = window.high / per_texel;
+  glScissor(static_cast<GLint>(left), static_cast<GLint>(high),
+            static_cast<GLsizei>((window.right - 1) / per_texel + 1 - left),
+            static_cast<GLsizei>((window.low - 1) / per_texel + 1 - high));
+  glFrontFace(GL_CW);
+  draw_sight(drawn, sight);
+  glFrontFace(GL_CCW);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void Renderer::Impl::send_mirrors(const View& view) {
+  const Mirrors& to = *card_->mirrors;
+  const std::span<const Mirror> mirrors = mirrors_.mirrors();
+  std::array<std::array<float, 4>, kMostMirrors> planes{};
+  for (std::size_t i = 0; i < mirrors.size(); ++i) planes[i] = four(mirrors[i].n, mirrors[i].d);
+  glProgramUniform4fv(to.surface.program, to.planes, kMostMirrors, planes[0].data());
+  const float per_pixel = 1 / static_cast<float>(pixels_per_texel(view));
+  glProgramUniform4f(to.surface.program, to.shown, static_cast<float>(mirrors.size()), per_pixel, per_pixel,
+                     0);
+  glBindTextureUnit(2, to.page.colors());
+}
+
+void Renderer::Impl::draw_sight(const Drawn& drawn, const Sight& sight) {
+  const View& view = sight.view;
   const Paints paints = paints_of(view.shows);
-  ViewBlock block = block_of(drawn, view, axes, place);
+  ViewBlock block = block_of(drawn, view, sight.axes, sight.place);
   const ShadowMap& map = shadow_map_for(view);
   if (paints == Paints::kColor && block.to_sun[3] > 0) {
-    const SunBox box = sun_box(view, axes, drawn.surroundings.to_sun, kShadowReach);
+    View shaded = view;
+    shaded.near = sight.first;
+    const double reach = sight.mirror ? sight.first + kShadowReach : kShadowReach;
+    const SunBox box = sun_box(shaded, sight.axes, drawn.surroundings.to_sun, reach);
     ViewBlock of_sun = block;
     of_sun.clip = block.sun_clip = clip_from_eye(box);
     block.floor[3] =
@@ -385,28 +517,40 @@ void Renderer::Impl::draw_view(const Drawn& drawn, const View& view, const Place
   }
   send(block);
   if (paints == Paints::kColor) send_lamps(drawn, view.eye);
-  page_of(view.shows).bind();
-  glViewport(static_cast<GLint>(place.x), static_cast<GLint>(place.y), static_cast<GLsizei>(view.width),
-             static_cast<GLsizei>(view.height));
+  begin_target(sight);
   glDepthFunc(GL_GEQUAL);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
   glBindTextureUnit(0, map.depth);
-  draw_bodies(drawn, view, axes, paints);
+  draw_bodies(drawn, sight, paints);
   draw_floor(view, paints);
   if (paints == Paints::kColor) draw_sky(view);
   if (paints != Paints::kColor) return;
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);
-  draw_glass(drawn, view, axes);
-  draw_smokes(drawn, view);
+  draw_glass(drawn, sight);
+  draw_smokes(drawn, sight);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
 }
 
+void Renderer::Impl::begin_target(const Sight& sight) {
+  if (sight.mirror) {
+    glEnable(GL_SCISSOR_TEST);
+    card_->mirrors->page.clear(*sight.mirror);
+    card_->mirrors->page.bind(*sight.mirror);
+  } else {
+    page_of(sight.view.shows).bind();
+  }
+  glViewport(static_cast<GLint>(sight.place.x), static_cast<GLint>(sight.place.y),
+             static_cast<GLsizei>(sight.view.width), static_cast<GLsizei>(sight.view.height));
+}
+
 /// Opaque bodies; for depth and segmentation also transparent ones.
-void Renderer::Impl::draw_bodies(const Drawn& drawn, const View& view, const Axes& axes, Paints paints) {
+void Renderer::Impl::draw_bodies(const Drawn& drawn, const Sight& sight, Paints paints) {
+  const View& view = sight.view;
+  const Axes& axes = sight.axes;
   const Planes planes = planes_of(view, axes);
   bodies_.clear();
   for (std::uint32_t row = 0; row < drawn.scene.instances.size(); ++row) {
@@ -418,7 +562,7 @@ void Renderer::Impl::draw_bodies(const Drawn& drawn, const View& view, const Axe
     if (planes.may_show(middle, shape.radius)) bodies_.add(instance.shape, dot(axes.ahead, middle), row);
   }
   bodies_.finish(false, [&](std::uint32_t row) { return seen_from(view.eye, drawn.scene.instances[row]); });
-  draw_runs(bodies_, Bends::kNo, paints, paints != Paints::kColor);
+  draw_runs(bodies_, &sight, Bends::kNo, paints, paints != Paints::kColor);
   people_.clear();
   for (std::uint32_t row = 0; row < drawn.scene.figures.size(); ++row) {
     const Figure& figure = drawn.scene.figures[row];
@@ -431,12 +575,13 @@ void Renderer::Impl::draw_bodies(const Drawn& drawn, const View& view, const Axe
   people_.finish(false, [&](std::uint32_t row) {
     return seen_from(view.eye, drawn.scene.figures[row], row * Humanoid::kBones);
   });
-  draw_runs(people_, Bends::kYes, paints, true);
+  draw_runs(people_, &sight, Bends::kYes, paints, true);
 }
 
 /// Transparent surfaces, back to front.
-void Renderer::Impl::draw_glass(const Drawn& drawn, const View& view, const Axes& axes) {
-  const Planes planes = planes_of(view, axes);
+void Renderer::Impl::draw_glass(const Drawn& drawn, const Sight& sight) {
+  const View& view = sight.view;
+  const Planes planes = planes_of(view, sight.axes);
   glass_.clear();
   for (std::uint32_t row = 0; row < drawn.scene.instances.size(); ++row) {
     const Instance& instance = drawn.scene.instances[row];
@@ -453,16 +598,18 @@ void Renderer::Impl::draw_glass(const Drawn& drawn, const View& view, const Axes
   card_->instances.set(std::span<const CardInstance>(glass_.instances), GL_STREAM_DRAW);
   glBindVertexArray(card_->rigid);
   glVertexArrayVertexBuffer(card_->rigid, 1, card_->instances, 0, sizeof(CardInstance));
-  const SurfaceProgram& program = card_->surface[0][static_cast<std::size_t>(Paints::kColor)];
-  glUseProgram(program.program);
+  const SurfaceProgram& program = program_for(&sight, Bends::kNo, Paints::kColor);
+  use(program, &sight);
   for (const DrawRun& run : glass_.runs) {
     const bool is_clear = glass_.instances[run.first].tint[3] < kOpaque;
     for (const SurfaceRange& range : card_->shapes[run.what].surfaces)
       if (is_clear || range.is_see_through) draw_surface(range, run, program, Paints::kColor);
   }
+  glDisable(GL_CLIP_DISTANCE0);
 }
 
-void Renderer::Impl::draw_smokes(const Drawn& drawn, const View& view) {
+void Renderer::Impl::draw_smokes(const Drawn& drawn, const Sight& sight) {
+  const View& view = sight.view;
   if (drawn.scene.smokes.empty()) return;
   std::vector<const Smoke*> order;
   for (const Smoke& smoke : drawn.scene.smokes)
@@ -477,14 +624,19 @@ void Renderer::Impl::draw_smokes(const Drawn& drawn, const View& view) {
   for (const std::uint8_t corner : kSides) corners.insert(corners.end(), kCube[corner], kCube[corner] + 3);
   Buffer cube;
   cube.set(std::span<const float>(corners), GL_STREAM_DRAW);
-  page_of(Shows::kColor).bind_colors();
+  if (sight.mirror)
+    card_->mirrors->page.bind_colors(*sight.mirror);
+  else
+    card_->colors.bind_colors();
+  const Program& program = sight.mirror ? card_->mirrors->smoke_beyond : card_->smoke;
   glBindVertexArray(card_->empty);
   glEnableVertexArrayAttrib(card_->empty, 0);
   glVertexArrayAttribFormat(card_->empty, 0, 3, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayAttribBinding(card_->empty, 0, 0);
   glVertexArrayVertexBuffer(card_->empty, 0, cube, 0, 3 * sizeof(float));
-  glUseProgram(card_->smoke);
-  glBindTextureUnit(1, page_of(Shows::kColor).depth());
+  glUseProgram(program);
+  glUniform4fv(program.at("cut"), 1, sight.cut.data());
+  glBindTextureUnit(1, sight.mirror ? card_->mirrors->page.depth() : card_->colors.depth());
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_DEPTH_CLAMP);
   glCullFace(GL_FRONT);
@@ -493,9 +645,9 @@ void Renderer::Impl::draw_smokes(const Drawn& drawn, const View& view) {
     const std::array sides{four(axes.ahead, std::max(smoke->half.x, 1e-3)),
                            four(axes.left, std::max(smoke->half.y, 1e-3)),
                            four(axes.up, std::max(smoke->half.z, 1e-3))};
-    glUniform4fv(card_->smoke.at("middle"), 1, four(smoke->p - view.eye, drawn.surroundings.seconds).data());
-    glUniform4fv(card_->smoke.at("side"), 3, sides[0].data());
-    glUniform4fv(card_->smoke.at("smoke"), 1, smoke->tint.data());
+    glUniform4fv(program.at("middle"), 1, four(smoke->p - view.eye, drawn.surroundings.seconds).data());
+    glUniform4fv(program.at("side"), 3, sides[0].data());
+    glUniform4fv(program.at("smoke"), 1, smoke->tint.data());
     glDrawArrays(GL_TRIANGLES, 0, 36);
   }
   glCullFace(GL_BACK);
@@ -525,7 +677,7 @@ void Renderer::Impl::draw_shadows(const Drawn& drawn, const View& view, const Su
       bodies_.add(instance.shape, 0, row);
   }
   bodies_.finish(false, [&](std::uint32_t row) { return seen_from(view.eye, drawn.scene.instances[row]); });
-  draw_runs(bodies_, Bends::kNo, Paints::kDepth, false);
+  draw_runs(bodies_, nullptr, Bends::kNo, Paints::kDepth, false);
   people_.clear();
   for (std::uint32_t row = 0; row < drawn.scene.figures.size(); ++row) {
     const Figure& figure = drawn.scene.figures[row];
@@ -535,7 +687,7 @@ void Renderer::Impl::draw_shadows(const Drawn& drawn, const View& view, const Su
   people_.finish(false, [&](std::uint32_t row) {
     return seen_from(view.eye, drawn.scene.figures[row], row * Humanoid::kBones);
   });
-  draw_runs(people_, Bends::kYes, Paints::kDepth, true);
+  draw_runs(people_, nullptr, Bends::kYes, Paints::kDepth, true);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_DEPTH_CLAMP);
 }
@@ -546,11 +698,13 @@ void Renderer::Impl::draw_behind(const Program& program, const Line& a, const Li
   glUniform4f(program.at("lines"), static_cast<float>(a.slope), static_cast<float>(a.offset),
               static_cast<float>(b.slope), static_cast<float>(b.offset));
   glBindVertexArray(card_->empty);
+  glDisable(GL_CULL_FACE);  // its triangle turns the same way in reflections
   glEnable(GL_CLIP_DISTANCE0);
   glEnable(GL_CLIP_DISTANCE1);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_CLIP_DISTANCE1);
   glDisable(GL_CLIP_DISTANCE0);
+  glEnable(GL_CULL_FACE);
 }
 
 /// The floor between the near and far planes.
@@ -567,16 +721,30 @@ void Renderer::Impl::draw_sky(const View& view) {
   draw_behind(card_->sky, {-1, -view.eye.z / view.near}, {});
 }
 
-void Renderer::Impl::draw_runs(const InstanceList& list, Bends bends, Paints paints, bool see_through) {
+const SurfaceProgram& Renderer::Impl::program_for(const Sight* sight, Bends bends, Paints paints) const {
+  if (sight != nullptr && sight->mirror) return card_->mirrors->beyond[static_cast<std::size_t>(bends)];
+  return card_->surface[static_cast<std::size_t>(bends)][static_cast<std::size_t>(paints)];
+}
+
+/// Until GL_CLIP_DISTANCE0 is disabled.
+void Renderer::Impl::use(const SurfaceProgram& program, const Sight* sight) const {
+  glUseProgram(program.program);
+  if (sight == nullptr || !sight->mirror) return;
+  glUniform4fv(program.cut, 1, sight->cut.data());
+  glEnable(GL_CLIP_DISTANCE0);
+}
+
+void Renderer::Impl::draw_runs(const InstanceList& list, const Sight* sight, Bends bends, Paints paints,
+                               bool see_through) {
   if (list.runs.empty()) return;
   const bool is_bent = bends == Bends::kYes;
   const VertexArray& array = is_bent ? card_->bent : card_->rigid;
   card_->instances.set(std::span<const CardInstance>(list.instances), GL_STREAM_DRAW);
   glBindVertexArray(array);
   glVertexArrayVertexBuffer(array, 1, card_->instances, 0, sizeof(CardInstance));
-  const SurfaceProgram& program =
-      card_->surface[static_cast<std::size_t>(bends)][static_cast<std::size_t>(paints)];
-  glUseProgram(program.program);
+  const SurfaceProgram& program = program_for(sight, bends, paints);
+  use(program, sight);
+  const bool has_mirrors = sight != nullptr && !sight->mirror && !mirrors_.mirrors().empty();
   for (const DrawRun& run : list.runs) {
     if (is_bent) {
       const FigureStore::Level& level = card_->figures.level(static_cast<int>(run.what));
@@ -588,9 +756,15 @@ void Renderer::Impl::draw_runs(const InstanceList& list, Bends bends, Paints pai
       draw_surface(range, run, program, paints);
       continue;
     }
-    for (const SurfaceRange& range : card_->shapes[run.what].surfaces)
-      if (see_through || !range.is_see_through) draw_surface(range, run, program, paints);
+    for (const SurfaceRange& range : card_->shapes[run.what].surfaces) {
+      if (range.is_see_through && !see_through) continue;
+      const bool is_mirror = has_mirrors && range.is_mirror;
+      if (is_mirror) use(card_->mirrors->surface, sight);
+      draw_surface(range, run, is_mirror ? card_->mirrors->surface : program, paints);
+      if (is_mirror) use(program, sight);
+    }
   }
+  glDisable(GL_CLIP_DISTANCE0);
 }
 
 void Renderer::Impl::draw_surface(const SurfaceRange& range, const DrawRun& run,

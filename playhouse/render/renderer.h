@@ -6,8 +6,8 @@
 /// In: shapes, instances and figures in W, lamps, sun, sky, fog; views.
 /// Out: pictures: colour, depth along the optical axis, or segment numbers of instances.
 /// Cost: per view, its visible instances as one draw call per surface;
-///   colour pictures draw shadow casters
-///   a second time. One read-back per page.
+///   colour pictures draw shadow casters a second time, and all of it again for each flat mirror
+///   that they show, kMostMirrors at most (mirrors.h). One read-back per page.
 /// Source: shadow maps after Williams, 1978, with percentage-closer filtering after Reeves et al., 1987;
 ///   others in
 ///   shaders.h and view.h.

@@ -159,7 +159,40 @@ uniform vec4 material;  // metallic, roughness, 1: has a texture, SurfaceRange::
 uniform vec4 material_base;
 uniform vec3 emission;
 layout(location = 0) out vec4 color;
+)";
 
+// Layout as in renderer.cc (MirrorPrograms). 4 is kMostMirrors.
+constexpr const char* kMirrors = R"(
+layout(binding = 2) uniform sampler2DArray mirrored;  // what each shows through all the fog: a layer each
+uniform vec4 mirrors[4];     // planes: n, towards the eye, and d; n p + d = 0 in them, in E
+uniform vec4 mirrors_shown;  // how many; texels for each pixel, across and down
+
+/// The mirror whose plane p lies in, by its normal; -1: none.
+int mirror_at(vec3 p, vec3 n) {
+  int at = -1;
+  float least = 2e-3;  // m
+  for (int i = 0; i < int(mirrors_shown.x); ++i) {
+    float off = abs(dot(mirrors[i].xyz, p) + mirrors[i].w);
+    if (off < least && dot(mirrors[i].xyz, n) > 0.999) {
+      at = i;
+      least = off;
+    }
+  }
+  return at;
+}
+
+/// What mirror i shows at this pixel, as a surface of this colour returns it.
+vec3 mirrored_by(int i, vec3 p, vec3 n, vec3 base, float metallic, float roughness) {
+  vec3 seen = texelFetch(mirrored, ivec3((gl_FragCoord.xy - viewport.xy) * mirrors_shown.yz, i), 0).rgb;
+  vec3 f0 = mix(vec3(0.04), base, metallic);
+  float away = 1 - clamp(dot(n, -normalize(p)), 0, 1), away2 = away * away;
+  vec3 fresnel = f0 + (max(vec3(1 - roughness), f0) - f0) * (away2 * away2 * away);
+  // Fog before the mirror reaches the eye without it.
+  return fresnel * (seen - through_fog(vec3(0), p)) + through_fog(vec3(0), p);
+}
+)";
+
+constexpr const char* kPainted = R"(
 void main() {
   vec4 own = material_base;
   if (material.z > 0) own *= texture(surface_texture, at);
@@ -168,8 +201,20 @@ void main() {
   vec4 painted = base * own;
   vec3 n = normalize(n_E);
   if (!gl_FrontFacing) n = -n;
-  vec3 light = shade(p_E, n, painted.rgb, material.x, material.y) + emission + glows * painted.rgb;
+)";
+
+constexpr const char* kShaded =
+    R"(  vec3 light = shade(p_E, n, painted.rgb, material.x, material.y) + emission + glows * painted.rgb;
   color = vec4(through_fog(light, p_E), painted.a);
+}
+)";
+
+constexpr const char* kMirroring = R"(  vec3 own_light = emission + glows * painted.rgb;
+  int i = mirror_at(p_E, n);
+  vec3 light = i < 0 ? through_fog(shade(p_E, n, painted.rgb, material.x, material.y) + own_light, p_E)
+                     : mirrored_by(i, p_E, n, painted.rgb, material.x, material.y) +
+                           through_fog(own_light, p_E) - through_fog(vec3(0), p_E);
+  color = vec4(light, painted.a);
 }
 )";
 
@@ -239,6 +284,15 @@ float depth_value(float t) { return ahead.w * (left.w - t) / (t * (left.w - ahea
 float depth_behind(float t) { return depth_value(t * 1.0005); }
 )";
 
+// Where along a ray a view begins: at its near plane, or beyond the mirror that it is reflected in.
+constexpr const char* kNearest = R"(
+float nearest(vec3 d) { return ahead.w; }
+)";
+constexpr const char* kNearestBeyond = R"(
+uniform vec4 cut;  // shown is where n p + d >= 0, in E
+float nearest(vec3 d) { return max(ahead.w, -cut.w / max(dot(cut.xyz, d), 1e-6)); }
+)";
+
 constexpr const char* kSmoke = R"(
 layout(binding = 1) uniform sampler2D scene_depth;
 uniform vec4 middle;     // of its box, in E; w: seconds
@@ -274,7 +328,7 @@ void main() {
   vec3 d = ray();
   float z = texelFetch(scene_depth, ivec2(gl_FragCoord.xy), 0).x;
   float last = z > 0 ? ahead.w * left.w / (z * (left.w - ahead.w) + ahead.w) : left.w;
-  float first = ahead.w;
+  float first = nearest(d);
   vec3 half_size = vec3(side[0].w, side[1].w, side[2].w);
   vec3 from, along;
   for (int k = 0; k < 3; ++k) {
@@ -305,11 +359,13 @@ void main() {
 
 }  // namespace
 
-std::string vertex_shader(Bends bends, Paints paints) {
+std::string vertex_shader(Bends bends, Paints paints, Shown shown) {
+  const bool is_cut = shown == Shown::kBeyondPlane;
   return std::string(kVersion) + kView + kPlace + (bends == Bends::kYes ? kBent : kRigid) +
          varying(paints, "out") +
+         (is_cut ? "uniform vec4 cut;  // shown is where n p + d >= 0, in E\n" : "") +
          "void main() {\n  vec3 p = placed(body_position());\n  gl_Position = clip * vec4(p, 1);\n" +
-         passed_on(bends, paints) + "}\n";
+         (is_cut ? "  gl_ClipDistance[0] = dot(cut, vec4(p, 1));\n" : "") + passed_on(bends, paints) + "}\n";
 }
 
 std::string fragment_shader(Paints paints) {
@@ -317,7 +373,12 @@ std::string fragment_shader(Paints paints) {
   if (paints == Paints::kDepth) return begin + "void main() {}\n";
   if (paints == Paints::kSegments)
     return begin + "layout(location = 0) out uint color;\nvoid main() { color = segment; }\n";
-  return begin + kLight + kSurface;
+  return begin + kLight + kSurface + kPainted + kShaded;
+}
+
+std::string mirror_fragment_shader() {
+  return std::string(kVersion) + kView + varying(Paints::kColor, "in") + kLight + kSurface + kMirrors +
+         kPainted + kMirroring;
 }
 
 std::string background_vertex_shader() {
@@ -359,8 +420,9 @@ void main() {
 )";
 }
 
-std::string smoke_fragment_shader() {
-  return std::string(kVersion) + kView + kRay + kLight + kSmoke;
+std::string smoke_fragment_shader(Shown shown) {
+  return std::string(kVersion) + kView + kRay + kLight +
+         (shown == Shown::kBeyondPlane ? kNearestBeyond : kNearest) + kSmoke;
 }
 
 }  // namespace playhouse::render

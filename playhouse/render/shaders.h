@@ -14,9 +14,13 @@ namespace playhouse::render {
 enum class Bends { kNo, kYes };
 /// Output of fragments; depth writes depth only.
 enum class Paints { kColor, kDepth, kSegments };
+/// What is drawn: all, or what is beyond a plane, for what a mirror shows (the uniform `cut`).
+enum class Shown { kAll, kBeyondPlane };
 
-std::string vertex_shader(Bends bends, Paints paints);
+std::string vertex_shader(Bends bends, Paints paints, Shown shown = Shown::kAll);
 std::string fragment_shader(Paints paints);
+/// Colours of surfaces some of which are mirrors.
+std::string mirror_fragment_shader();
 /// Background: the sky, for colour, and the floor:
 /// a full-screen triangle, clipped at the horizon.
 std::string background_vertex_shader();
@@ -24,6 +28,6 @@ std::string sky_fragment_shader();
 std::string floor_fragment_shader(Paints paints);
 /// A smoke volume, drawn by the back faces of its box.
 std::string smoke_vertex_shader();
-std::string smoke_fragment_shader();
+std::string smoke_fragment_shader(Shown shown = Shown::kAll);
 
 }  // namespace playhouse::render

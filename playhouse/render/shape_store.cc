@@ -38,6 +38,7 @@ SurfaceRange look_of(const mesh::Mesh& mesh, const mesh::Surface& surface,
   range.roughness = material.roughness;
   range.is_two_sided = material.is_two_sided;
   range.is_see_through = mesh::is_see_through(mesh, material);
+  range.is_mirror = is_mirror(material) && !range.is_see_through;
   range.least_opacity = material.opacity == mesh::Opacity::kClear   ? -1
                         : material.opacity == mesh::Opacity::kHoles ? material.least_opacity
                                                                     : 0;
@@ -56,6 +57,8 @@ std::uint32_t ShapeStore::add(const mesh::Mesh& mesh) {
   ShapeOnCard shape;
   const std::vector<std::uint32_t> textures = add_images(mesh);
   set_sphere(shape, mesh);
+  shape.mirrors = mirror_faces(mesh);
+  has_mirrors_ = has_mirrors_ || !shape.mirrors.empty();
   for (const mesh::Surface& surface : mesh.surfaces) {
     if (surface.corners.empty() || is_invisible(mesh, surface)) continue;
     SurfaceRange range = look_of(mesh, surface, textures);

@@ -8,6 +8,7 @@
 #include "playhouse/mesh/mesh.h"
 #include "playhouse/render/gl_objects.h"
 #include "playhouse/render/humanoid.h"
+#include "playhouse/render/mirrors.h"
 
 namespace playhouse::render {
 
@@ -19,11 +20,12 @@ struct SurfaceRange {
   float metallic = 0, roughness = 1;
   std::uint32_t texture = 0;  // OpenGL name; 0: none
   float least_opacity = 0;    // alpha test threshold; below 0: no test
-  bool is_two_sided = false, is_see_through = false;
+  bool is_two_sided = false, is_see_through = false, is_mirror = false;
 };
 
 struct ShapeOnCard {
   std::vector<SurfaceRange> surfaces;
+  std::vector<FlatFace> mirrors;
   geom::Vec3 middle;  // bounding sphere  [m]
   double radius = 0;  // m
 };
@@ -33,6 +35,8 @@ class ShapeStore {
   std::uint32_t add(const mesh::Mesh& mesh);
   const ShapeOnCard& operator[](std::uint32_t shape) const { return shapes_[shape]; }
   std::size_t size() const { return shapes_.size(); }
+  /// True once a shape has been added that has mirrors.
+  bool has_mirrors() const { return has_mirrors_; }
   /// Uploads the shapes added so far.
   void upload();
   const Buffer& corners() const { return corner_buffer_; }
@@ -47,7 +51,7 @@ class ShapeStore {
   std::vector<std::uint32_t> indices_;
   Buffer corner_buffer_, index_buffer_;
   std::vector<Texture> textures_;
-  bool is_sent_ = false;
+  bool is_sent_ = false, has_mirrors_ = false;
 };
 
 /// The levels of detail of a humanoid, likewise.
