@@ -104,6 +104,13 @@ endfunction()
 include(${CMAKE_CURRENT_LIST_DIR}/Precompiled.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/Unity.cmake)
 
+# playhouse_fuzzer(TARGET): a libFuzzer program, which asks of each input what it costs as well (base/fuzz_cost.cc).
+function(playhouse_fuzzer TARGET)
+  target_link_libraries(${TARGET} PRIVATE $<TARGET_OBJECTS:playhouse_fuzz_cost> -fsanitize=fuzzer)
+  target_link_options(${TARGET} PRIVATE LINKER:--wrap=LLVMFuzzerTestOneInput)
+  add_dependencies(fuzzers ${TARGET})
+endfunction()
+
 # playhouse_module(NAME DEPS a b c COMPUTED UNSANITIZED Suite.test HOT PRECOMPILED world OWN EXCEPT x.cc TOGETHER 8 APART y.cc ALONE z.cc)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
@@ -169,8 +176,8 @@ function(playhouse_module NAME)
     foreach(FUZZER ${FUZZERS})
       get_filename_component(PROGRAM ${FUZZER} NAME_WE)
       add_executable(${PROGRAM} ${FUZZER})
-      target_link_libraries(${PROGRAM} PRIVATE ${TARGET} -fsanitize=fuzzer)
-      add_dependencies(fuzzers ${PROGRAM})
+      target_link_libraries(${PROGRAM} PRIVATE ${TARGET})
+      playhouse_fuzzer(${PROGRAM})
     endforeach()
   endif()
 endfunction()

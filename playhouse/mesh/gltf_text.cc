@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <vector>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/mesh_limits.h"
 
 namespace playhouse::mesh {
 namespace {
@@ -40,7 +43,8 @@ class Walk {
   /// The next string, unescaped; none if a structural mark comes first, which is consumed.
   std::optional<std::string_view> text_or_mark() {
     mark_ = 0;
-    rest_.remove_prefix(std::min(rest_.find_first_of("\"[]{}:"), rest_.size()));
+    skipped_ = rest_.substr(0, rest_.find_first_of("\"[]{}:"));
+    rest_.remove_prefix(skipped_.size());
     if (rest_.empty()) return std::nullopt;
     const char first = rest_.front();
     rest_.remove_prefix(1);
@@ -57,14 +61,62 @@ class Walk {
     return text;
   }
   char mark() const { return mark_; }
+  /// What was before it: numbers, commas, white space.
+  std::string_view skipped() const { return skipped_; }
   int depth() const { return depth_; }
   bool is_at_end() const { return rest_.empty(); }
 
  private:
-  std::string_view rest_;
+  std::string_view rest_, skipped_;
   char mark_ = 0;
   int depth_ = 0;
 };
+
+using Rows = std::vector<std::uint32_t>;
+
+Rows rows_of(std::string_view text) {
+  Rows rows;
+  for (std::size_t at = 0; (at = text.find_first_of("0123456789", at)) != text.npos;) {
+    std::uint32_t row = 0;
+    const auto read = std::from_chars(text.data() + at, text.data() + text.size(), row);
+    if (read.ec == std::errc()) rows.push_back(row);
+    at = static_cast<std::size_t>(read.ptr - text.data());
+  }
+  return rows;
+}
+
+/// The numbers of the array `key` of each object of a top-level array.
+std::vector<Rows> rows_of_each(std::string_view json, std::string_view list, std::string_view key) {
+  constexpr int kTop = 1, kObject = 3, kArray = 4;  // depths
+  std::vector<Rows> rows;
+  bool is_list = false, is_key = false;
+  for (Walk walk(json); !walk.is_at_end();) {
+    if (const auto text = walk.text_or_mark()) {
+      if (walk.depth() == kTop) is_list = *text == list;
+      if (walk.depth() == kObject) is_key = *text == key;
+    } else if (is_list && walk.mark() == '{' && walk.depth() == kObject) {
+      rows.emplace_back();
+      is_key = false;
+    } else if (is_list && is_key && walk.mark() == '[' && walk.depth() == kArray) {
+      if (!walk.text_or_mark() && walk.mark() == ']') rows.back() = rows_of(walk.skipped());
+    }
+  }
+  return rows;
+}
+
+/// Nodes below these, once for every path; no more than `most` of them are looked at.
+std::size_t nodes_below(const std::vector<Rows>& children, const Rows& roots, std::size_t most) {
+  Rows open = roots;
+  std::size_t count = open.size();
+  while (!open.empty() && count <= most) {
+    const std::uint32_t next = open.back();
+    open.pop_back();
+    if (next >= children.size()) continue;
+    count += children[next].size();
+    open.insert(open.end(), children[next].begin(), children[next].end());
+  }
+  return count;
+}
 
 }  // namespace
 
@@ -87,6 +139,15 @@ Result<void> check_gltf_extensions(std::string_view bytes) {
   for (const std::string& name : gltf_list(bytes, "extensionsRequired"))
     if (!is_read(name))
       return Error{{}, fmt::format("needs the glTF extension {}, which is not read", in_quotes(name))};
+  return {};
+}
+
+Result<void> check_gltf_nodes(std::string_view bytes) {
+  const std::string_view json = json_of(bytes);
+  const std::vector<Rows> children = rows_of_each(json, "nodes", "children");
+  for (const Rows& roots : rows_of_each(json, "scenes", "nodes"))
+    if (nodes_below(children, roots, limits::kMeshNodes) > limits::kMeshNodes)
+      return Error{{}, fmt::format("has too many nodes: up to {} are possible", limits::kMeshNodes)};
   return {};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Checks that Assimp's glTF reader omits: required extensions.
+/// Checks that Assimp's glTF reader omits: required extensions, and nodes of several parents.
 
 #include <string>
 #include <string_view>
@@ -16,5 +16,8 @@ std::vector<std::string> gltf_list(std::string_view bytes, std::string_view key)
 
 /// Fails on a file that requires an unsupported extension.
 Result<void> check_gltf_extensions(std::string_view bytes);
+
+/// Fails on a scene of too many nodes, each counted once for every path to it: Assimp makes as many.
+Result<void> check_gltf_nodes(std::string_view bytes);
 
 }  // namespace playhouse::mesh

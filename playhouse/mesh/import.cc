@@ -178,7 +178,8 @@ Result<MeshFile> import(const std::string& path, std::string_view bytes, const R
   constexpr std::string_view kFirstGlb("glTF\x01\0\0\0", 8);
   if (bytes.starts_with(kFirstGlb)) return Error{{}, "cannot be read: it is glTF 1.0, and only 2.0 is read"};
   if (colors == Colors::kGltf)
-    if (const Result<void> checked = check_gltf_extensions(bytes); !checked) return checked.error();
+    for (const auto check : {check_gltf_extensions, check_gltf_nodes})
+      if (const Result<void> checked = check(bytes); !checked) return checked.error();
   const Result<const aiScene*> scene = scene_of(importer, name);
   if (!scene) return scene.error();
 

@@ -55,14 +55,22 @@ float roughness_of(float exponent) {
   return std::sqrt(std::sqrt(2 / (std::max(exponent, 0.0f) + 2)));
 }
 
+/// Takes its pixels from the budget.
+Result<Image> decoded(std::string_view bytes, PixelBudget& pixels) {
+  Result<Image> image = decode_image(bytes, pixels.most(bytes.size()));
+  if (image) pixels.use(image->rgba.size() / 4);
+  return image;
+}
+
 /// Pixels of an embedded texture.
-Result<Image> image_of(const aiTexture& from, std::size_t most_pixels) {
-  if (from.mHeight == 0)
-    return decode_image({reinterpret_cast<const char*>(from.pcData), from.mWidth}, most_pixels);
+Result<Image> image_of(const aiTexture& from, PixelBudget& pixels) {
+  if (from.mHeight == 0) return decoded({reinterpret_cast<const char*>(from.pcData), from.mWidth}, pixels);
   Image image{from.mWidth, from.mHeight, {}};
   const std::size_t count = std::size_t{image.width} * image.height;
+  const std::size_t most_pixels = pixels.most(count);
   if (image.width > limits::kMeshImageSide || image.height > limits::kMeshImageSide || count > most_pixels)
     return Error{{}, "has too many pixels"};
+  pixels.use(count);
   for (std::size_t i = 0; i < count; ++i) {
     const aiTexel& pixel = from.pcData[i];
     image.rgba.insert(image.rgba.end(), {pixel.r, pixel.g, pixel.b, pixel.a});
@@ -71,7 +79,7 @@ Result<Image> image_of(const aiTexture& from, std::size_t most_pixels) {
 }
 
 Result<Image> image_beside(const std::string& name, const std::string& folder, const ReadFile& read,
-                           std::size_t most_pixels) {
+                           PixelBudget& pixels) {
   Error why{{}, "is not beside the mesh"};
   std::vector<std::string> places = places_beside(name);
   // Of a model of Gazebo, beside the folder of its meshes.
@@ -79,7 +87,7 @@ Result<Image> image_beside(const std::string& name, const std::string& folder, c
     places.push_back("../materials/textures/" + places.back().substr(places.back().rfind('/') + 1));
   for (const std::string& place : places) {
     const Result<std::string> bytes = read(folder + place);
-    if (bytes) return decode_image(*bytes, most_pixels);
+    if (bytes) return decoded(*bytes, pixels);
     if (place == places.front()) why = bytes.error();
   }
   return why;
@@ -177,16 +185,15 @@ void Look::add_materials(Mesh& mesh) const {
 
 void Look::add_textures(MeshFile& file, const std::string& folder, const ReadFile& read) const {
   std::map<std::string, std::uint32_t> rows;
-  std::size_t left = limits::kMeshPixels;
+  PixelBudget pixels;
   for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
     const std::optional<std::string> name = texture(*scene_.mMaterials[i]);
     if (!name) continue;
     const auto [entry, is_new] = rows.try_emplace(*name, Material::kNone);
     std::uint32_t& row = entry->second;
     if (is_new && file.mesh.images.size() < limits::kMeshImages) {
-      Result<Image> image = load(*name, folder, read, left);
+      Result<Image> image = load(*name, folder, read, pixels);
       if (image) {
-        left -= image->rgba.size() / 4;
         row = static_cast<std::uint32_t>(file.mesh.images.size());
         file.mesh.images.push_back(std::move(*image));
       } else {
@@ -199,20 +206,21 @@ void Look::add_textures(MeshFile& file, const std::string& folder, const ReadFil
 }
 
 Result<Image> Look::load(const std::string& name, const std::string& folder, const ReadFile& read,
-                         std::size_t most_pixels) const {
+                         PixelBudget& pixels) const {
   const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str());
-  return embedded ? image_of(*embedded, most_pixels) : image_beside(name, folder, read, most_pixels);
+  return embedded ? image_of(*embedded, pixels) : image_beside(name, folder, read, pixels);
 }
 
 void Look::dim_emission(MeshFile& file, const std::string& folder, const ReadFile& read) const {
   std::map<std::string, std::array<float, 3>> means;
+  PixelBudget pixels;
   for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
     const std::optional<std::string> name = texture(*scene_.mMaterials[i], {aiTextureType_EMISSIVE});
     std::array<float, 3>& emission = file.mesh.materials[i].emission;
     if (!name || emission == std::array<float, 3>{}) continue;
     const auto [entry, is_new] = means.try_emplace(*name);
     if (is_new) {
-      const Result<Image> image = load(*name, folder, read, limits::kMeshPixels);
+      const Result<Image> image = load(*name, folder, read, pixels);
       if (image)
         entry->second = mean_of(*image);
       else

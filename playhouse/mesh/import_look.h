@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "playhouse/mesh/cost.h"
 #include "playhouse/mesh/import_surfaces.h"
 #include "playhouse/mesh/read_mesh.h"
 
@@ -36,7 +37,7 @@ class Look {
 
  private:
   Result<Image> load(const std::string& name, const std::string& folder, const ReadFile& read,
-                     std::size_t most_pixels) const;
+                     PixelBudget& pixels) const;
   Material material(const aiMaterial& from) const;
   void set_opacity(const aiMaterial& from, Material& to) const;
   std::array<float, 4> base_of(const aiMaterial& from, const std::string& name) const;

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -27,28 +28,22 @@ void limit(int what, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource>(what), &both);
 }
 
+/// Below the hard limit, so that it can be raised.
+void limit_softly(int what, rlim_t most) {
+  rlimit both{};
+  if (::getrlimit(static_cast<__rlimit_resource>(what), &both) != 0) return;
+  both.rlim_cur = std::min(most, both.rlim_max);
+  ::setrlimit(static_cast<__rlimit_resource>(what), &both);
+}
+
 /// Address space in use, inherited by the child.
-rlim_t bytes_in_use() {
+std::size_t bytes_in_use() {
   unsigned long long pages = 0;
   if (std::FILE* file = std::fopen("/proc/self/statm", "re")) {
     if (std::fscanf(file, "%llu", &pages) != 1) pages = 0;
     std::fclose(file);
   }
-  return static_cast<rlim_t>(pages) * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
-}
-
-constexpr bool has_shadow_memory() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  return true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-  return true;
-#else
-  return false;
-#endif
-#else
-  return false;
-#endif
+  return static_cast<std::size_t>(pages) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
 /// Default signal actions and no handlers: those of the parent must not run in the child.
@@ -65,13 +60,32 @@ void restrict_self() {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);
   limit(RLIMIT_CPU, limits::kMeshSeconds);
-  const rlim_t in_use = bytes_in_use();
-  if (!has_shadow_memory() && in_use > 0) limit(RLIMIT_AS, in_use + limits::kMeshMemoryBytes);
 }
 
 }  // namespace
 
-OwnProcess::OwnProcess(const std::function<void(Pipe&)>& work) {
+bool Allowance::bounds_memory() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return false;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+  return false;
+#else
+  return true;
+#endif
+#else
+  return true;
+#endif
+}
+
+void Allowance::grow(std::size_t bytes) {
+  bytes_ += std::min(bytes, limits::kMeshFileBytes);
+  const Cost cost = cost_of(bytes_);
+  limit_softly(RLIMIT_CPU, cost.seconds);
+  if (bounds_memory() && in_use_ > 0) limit_softly(RLIMIT_AS, in_use_ + cost.memory);
+}
+
+OwnProcess::OwnProcess(const std::function<void(Pipe&, Allowance&)>& work) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return;
   process_ = ::fork();
@@ -80,7 +94,8 @@ OwnProcess::OwnProcess(const std::function<void(Pipe&)>& work) {
     restrict_self();
     try {
       Pipe pipe(ends[1]);
-      work(pipe);
+      Allowance allowance(bytes_in_use());
+      work(pipe, allowance);
     } catch (const std::exception&) {
       ::_exit(1);
     }
@@ -97,7 +112,7 @@ OwnProcess::OwnProcess(const std::function<void(Pipe&)>& work) {
   }
 }
 
-std::string OwnProcess::end() {
+std::string OwnProcess::end(const Cost& allowed) {
   pipe_.reset();
   int status = 0;
   pid_t ended = -1;
@@ -108,8 +123,7 @@ std::string OwnProcess::end() {
   process_ = -1;
   if (ended > 0 && WIFSIGNALED(status)) {
     if (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)
-      return fmt::format("took more than {} s or {} MiB", limits::kMeshSeconds,
-                         limits::kMeshMemoryBytes >> 20);
+      return fmt::format("took more than {} s or {} MiB", allowed.seconds, allowed.memory >> 20);
     return fmt::format("ended its process by signal {}", WTERMSIG(status));
   }
   return "took too much memory";

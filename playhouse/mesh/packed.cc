@@ -8,6 +8,34 @@
 namespace playhouse::mesh {
 namespace {
 
+/// Counts the bytes of what each() below visits, at most, so that Out grows once.
+class Size {
+ public:
+  template <typename T>
+  requires std::is_trivially_copyable_v<T>
+  void operator()(const T& value) { bytes_ += sizeof value; }
+  void operator()(const std::string& text) { bytes_ += kCount + text.size(); }
+  template <typename T>
+  void operator()(const std::vector<T>& list) {
+    bytes_ += kCount;
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      bytes_ += list.size() * sizeof(T);
+    } else {
+      for (const T& one : list) each(*this, one);
+    }
+  }
+  template <typename T>
+  void operator()(const std::optional<T>& value) {
+    bytes_ += 1;
+    if (value) each(*this, *value);
+  }
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  static constexpr std::size_t kCount = 10;  // of a varint
+  std::size_t bytes_ = 0;
+};
+
 /// Writes what each() below visits.
 class Out {
  public:
@@ -137,7 +165,10 @@ void each(Visit& visit, T& file) {
 }  // namespace
 
 std::vector<std::byte> packed(const MeshFile& file) {
+  Size size;
+  each(size, file);
   std::vector<std::byte> bytes;
+  bytes.reserve(size.bytes());
   Out out(bytes);
   each(out, file);
   return bytes;

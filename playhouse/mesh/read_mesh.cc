@@ -40,17 +40,18 @@ Error error_of(const std::string& path, std::string text) {
 }
 
 /// Requests a file from the parent.
-Result<std::string> ask(Pipe& pipe, const std::string& path) {
+Result<std::string> ask(Pipe& pipe, Allowance& allowance, const std::string& path) {
   if (!pipe.send(kWants, bytes_of(path))) ::abort();
   const std::optional<Pipe::Message> answer = pipe.receive(limits::kMeshFileBytes);
   if (!answer) ::abort();
+  allowance.grow(answer->bytes.size());
   if (answer->kind == kBytes) return text_of(*answer);
   return Error{{}, text_of(*answer)};
 }
 
-void take_apart(Pipe& pipe, const std::string& path) {
+void take_apart(Pipe& pipe, Allowance& allowance, const std::string& path) {
   const Result<MeshFile> file =
-      read_mesh_here(path, [&](const std::string& wanted) { return ask(pipe, wanted); });
+      read_mesh_here(path, [&](const std::string& wanted) { return ask(pipe, allowance, wanted); });
   if (file) {
     pipe.send(kMesh, packed(*file));
   } else {
@@ -61,6 +62,7 @@ void take_apart(Pipe& pipe, const std::string& path) {
 /// Serves file requests until there is a result.
 Result<MeshFile> serve(OwnProcess& process, const std::string& path, const ReadFile& read) {
   Pipe& pipe = *process.pipe();
+  std::size_t given = 0;  // B
   while (const std::optional<Pipe::Message> message = pipe.receive(limits::kMeshMemoryBytes)) {
     if (message->kind == kError) return error_of(path, text_of(*message));
     if (message->kind == kMesh) {
@@ -70,9 +72,10 @@ Result<MeshFile> serve(OwnProcess& process, const std::string& path, const ReadF
     }
     Result<std::string> bytes = read(text_of(*message));
     if (bytes && bytes->size() > limits::kMeshFileBytes) bytes = Error{{}, "cannot be read: it is too large"};
+    given += bytes ? bytes->size() : 0;
     if (bytes ? !pipe.send(kBytes, bytes_of(*bytes)) : !pipe.send(kNone, bytes_of(bytes.error().text))) break;
   }
-  return error_of(path, "cannot be read: it " + process.end());
+  return error_of(path, "cannot be read: it " + process.end(cost_of(given)));
 }
 
 /// Limits total bytes read.
@@ -135,7 +138,7 @@ Result<MeshFile> read_mesh_here(const std::string& path, const ReadFile& read) {
 Result<MeshFile> read_mesh(const std::string& path, const ReadFile& read) {
   if (!is_mesh_name(path))
     return error_of(path, "is no mesh: its name ends in none of .dae, .gltf, .glb, .obj and .stl");
-  OwnProcess process([&](Pipe& pipe) { take_apart(pipe, path); });
+  OwnProcess process([&](Pipe& pipe, Allowance& allowance) { take_apart(pipe, allowance, path); });
   if (process.pipe() == nullptr) return error_of(path, "cannot be read: no process can be made for it");
   return serve(process, path, read);
 }

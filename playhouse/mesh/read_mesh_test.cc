@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <png.h>
+#include <sys/mman.h>
 
 #include <cmath>
 #include <csignal>
@@ -352,6 +354,97 @@ TEST(ReadMesh, says_of_collada_nodes_that_they_are_too_many_or_inside_themselves
               HasSubstr("has too many nodes: up to 65536 are possible"));
 }
 
+TEST(ReadMesh, counts_nodes_of_gltf_by_every_path_to_them) {
+  const auto levels = [](int count, int copies) {  // each has the next so many times; the last has the mesh
+    std::string nodes;
+    for (int level = 1; level <= count; ++level) {
+      nodes += R"({"name":"children","children":[)";
+      for (int i = 0; i < copies; ++i) nodes += fmt::format("{}{}", i > 0 ? ", " : "", level);
+      nodes += "]},";
+    }
+    std::string gltf = test_gltf();
+    gltf.insert(gltf.find(R"({"mesh":0})"), nodes);
+    return gltf;
+  };
+  EXPECT_FALSE(check_gltf_nodes(levels(40, 2)));
+  EXPECT_FALSE(check_gltf_nodes(levels(2, 300)));  // 1 + 300 + 90,000
+  EXPECT_TRUE(check_gltf_nodes(levels(2, 200)));
+  EXPECT_TRUE(check_gltf_nodes(levels(100, 1)));
+  EXPECT_EQ(error_of("a.gltf", levels(40, 2)), "a.gltf: has too many nodes: up to 65536 are possible");
+  std::string endless = test_gltf();
+  endless.insert(endless.find(R"("mesh":0)"), R"("children":[0],)");
+  EXPECT_THAT(error_of("a.gltf", endless), HasSubstr("has too many nodes: up to 65536 are possible"));
+}
+
+/// A PNG of one color, 1 bit for each of side x side pixels.
+std::string flat_png(std::uint32_t side) {
+  std::string file(1u << 20, '\0');
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = png.height = side;
+  png.format = PNG_FORMAT_RGB_COLORMAP;
+  png.colormap_entries = 1;
+  const std::string pixels(std::size_t{side} * side, '\0'), map(3, '\0');
+  png_alloc_size_t size = file.size();
+  EXPECT_NE(png_image_write_to_memory(&png, file.data(), &size, 0, pixels.data(), 0, map.data()), 0);
+  file.resize(size);
+  return file;
+}
+
+TEST(ReadMesh, takes_textures_of_as_many_pixels_as_their_files_pay_for) {
+  const auto warnings = [](const std::string& png) {
+    return read("box.gltf", {{"box.gltf", test_gltf("box.bin", "", kTexture, kTextured)},
+                             {"box.bin", test_gltf_buffer()},
+                             {"sub/t.png", png}})
+        .warnings;
+  };
+  EXPECT_THAT(warnings(flat_png(2048)), testing::IsEmpty());
+  const std::string large = flat_png(4096);
+  EXPECT_LT(large.size(), 20'000u);  // for 64 MiB of colors
+  EXPECT_THAT(warnings(large), testing::ElementsAre(HasSubstr("4096 x 4096 pixels, which is too many")));
+  EXPECT_THAT(warnings(large + std::string(50'000, '\0')),
+              testing::IsEmpty());  // of a file that pays for them
+}
+
+TEST(ReadMesh, refuses_a_small_file_that_unpacks_to_too_much) {
+  if (!Allowance::bounds_memory()) GTEST_SKIP() << "sanitizers take address space of their own";
+  std::string gltf = test_gltf();  // 2^26 corners, all of them 0 but one
+  const std::string corners = R"({"bufferView":0,"componentType":5126,"count":8,"type":"VEC3")";
+  const std::string sparse = R"({"componentType":5126,"count":67108864,"type":"VEC3","sparse":{"count":1,)"
+                             R"("indices":{"bufferView":1,"componentType":5123},"values":{"bufferView":0}})";
+  gltf.replace(gltf.find(corners), corners.size(), sparse);
+  const Result<MeshFile> file =
+      read_mesh("a.gltf", test_files({{"a.gltf", gltf}, {"box.bin", test_gltf_buffer()}}));
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().line(), "a.gltf: cannot be read: it takes too much memory");
+}
+
+TEST(ReadMesh, gives_the_process_of_a_small_file_little_memory) {
+  if (!Allowance::bounds_memory()) GTEST_SKIP() << "sanitizers take address space of their own";
+  OwnProcess process([](Pipe& pipe, Allowance& allowance) {
+    const auto can_take = [](std::size_t bytes) {
+      void* memory = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+      if (memory == MAP_FAILED) return false;
+      ::munmap(memory, bytes);
+      return true;
+    };
+    constexpr std::size_t kSome = 16u << 20;  // in use, or just freed
+    std::vector<std::byte> answers;
+    const auto ask = [&](std::size_t bytes) { answers.push_back(std::byte{can_take(bytes)}); };
+    ask(cost_of(0).memory - kSome), ask(cost_of(0).memory + kSome);
+    allowance.grow(1u << 20);
+    ask(cost_of(1u << 20).memory - kSome), ask(cost_of(1u << 20).memory + kSome);
+    allowance.grow(64u << 20);
+    ask(limits::kMeshMemoryBytes - kSome), ask(limits::kMeshMemoryBytes + kSome);
+    pipe.send('a', answers);
+  });
+  ASSERT_NE(process.pipe(), nullptr);
+  const auto answer = process.pipe()->receive(100);
+  ASSERT_TRUE(answer);
+  constexpr std::byte kYes{1}, kNo{0};
+  EXPECT_THAT(answer->bytes, testing::ElementsAre(kYes, kNo, kYes, kNo, kYes, kNo));
+}
+
 TEST(ReadMesh, refuses_a_collada_unit_that_is_none) {
   for (const char* unit : {"-1", "0", "abc", "", "nan", "inf", "0,01", "1 m"}) {
     std::string file = test_collada();
@@ -393,7 +486,7 @@ TEST(ReadMesh, leaves_out_faces_of_obj_with_one_or_two_corners) {
 }
 
 TEST(OwnProcess, tells_how_it_ended) {
-  OwnProcess process([](Pipe&) { ::raise(SIGSEGV); });
+  OwnProcess process([](Pipe&, Allowance&) { ::raise(SIGSEGV); });
   ASSERT_NE(process.pipe(), nullptr);
   EXPECT_FALSE(process.pipe()->receive(100));
   EXPECT_EQ(process.end(), "ended its process by signal 11");

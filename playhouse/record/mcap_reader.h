@@ -2,7 +2,8 @@
 
 /// McapReader: streams through an MCAP file from the front, without its summary: a truncated file
 /// is readable up to its last complete chunk. Every length is checked against the available bytes
-/// and base/limits.h before allocating. Supports zstd and uncompressed chunks. Thread: one.
+/// and base/limits.h before allocating, and all that chunks unpack to against the size of the file. Supports
+/// zstd and uncompressed chunks. Thread: one.
 
 #include <cstdint>
 #include <functional>
@@ -58,7 +59,8 @@ class McapReader {
   Error damaged(const std::string& what) const;
 
   const Source* source_;
-  std::uint64_t at_ = 0;  // offset of the current record
+  std::uint64_t at_ = 0;        // offset of the current record
+  std::uint64_t unpacked_ = 0;  // bytes of all chunks so far
   std::map<std::uint16_t, Schema> schemas_;
   std::map<std::uint16_t, Channel> channels_;
 };

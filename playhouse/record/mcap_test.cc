@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zstd.h>
 
 #include <cstdio>
 #include <fstream>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/base/packing.h"
 #include "playhouse/base/testing_folder.h"
 #include "playhouse/record/mcap_reader.h"
 #include "playhouse/record/mcap_writer.h"
@@ -139,6 +141,31 @@ TEST_F(Mcap, refuses_lengths_that_pass_a_limit_before_it_takes_memory) {
   content.resize(content.size() + 8);
   put_record(bytes, Op::kChunk, content);
   EXPECT_THAT(read(bytes).error().text, HasSubstr("too many"));
+}
+
+TEST_F(Mcap, refuses_a_file_whose_chunks_unpack_to_too_much_for_its_size) {
+  constexpr std::uint64_t kBytes = 200u << 20;  // of a chunk: fewer than its limit
+  Bytes zeros;
+  put_record(zeros, Op::kMessage, Bytes(static_cast<std::size_t>(kBytes - kRecordHeadBytes)));
+  Bytes packed(ZSTD_compressBound(zeros.size()));
+  packed.resize(ZSTD_compress(packed.data(), packed.size(), zeros.data(), zeros.size(), 1));
+  Bytes chunk(16);
+  Packer(chunk).u64(kBytes);
+  Packer(chunk).u32(0);  // no checksum
+  put_text(chunk, "zstd");
+  Packer(chunk).u64(packed.size());
+  chunk.insert(chunk.end(), packed.begin(), packed.end());
+  Bytes bytes;
+  for (const std::uint8_t byte : kMagic) bytes.push_back(std::byte{byte});
+  put_record(bytes, Op::kChannel, Bytes(2 + 2 + 4 + 4 + 4));  // number 0, of no schema
+  for (int i = 0; i < 2; ++i) put_record(bytes, Op::kChunk, chunk);
+  EXPECT_TRUE(read(bytes));
+  for (int i = 0; i < 2; ++i) put_record(bytes, Op::kChunk, chunk);
+  EXPECT_LT(bytes.size(), 200'000u);
+  EXPECT_THAT(read(bytes).error().text, HasSubstr("unpacks to more than"));
+  // As much of a file that is larger.
+  put_record(bytes, Op::kFooter, Bytes(300'000));
+  EXPECT_TRUE(read(bytes));
 }
 
 TEST_F(Mcap, ends_with_the_listener_s_error) {
