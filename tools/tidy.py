@@ -12,25 +12,12 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 import includes
+import locks
+import module_graph
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "playhouse"
 
-# A module may include itself and every module of a lower rank (ARCHITECTURE.md).
-RANKS = [
-    {"base"}, {"geom"}, {"mesh"}, {"wire", "net", "scene", "render"}, {"device", "world"}, {"libraries"}, {"replicate", "controllers", "behaviour"}, {"record", "stage"}, {"arena", "cluster"},
-    {"scenarios"}, {"drivers", "server", "web_server"}, {"observers"}, {"app"},
-]
-RANK = {module: rank for rank, modules in enumerate(RANKS) for module in modules}
-# Engines and what they stand on know nothing of devices and sockets, the device server nothing of robots, and the web
-# server nothing of devices, although the rank would allow it.
-FORBIDDEN = {
-    "world": {"wire", "net"}, "behaviour": {"wire", "net", "device"}, "stage": {"wire", "net", "device"}, "arena": {"wire", "net", "device"}, "controllers": {"wire", "net", "device"},
-    "scenarios": {"wire", "net", "device"}, "libraries": {"wire", "net", "device"}, "record": {"wire", "net", "device"}, "cluster": {"wire", "device"}, "wire": {"geom", "mesh"}, "net": {"geom", "mesh"}, "device": {"net", "scene"},
-    "server": {"scene", "world", "replicate", "controllers", "behaviour", "stage", "arena", "scenarios"},
-    "web_server": {"wire", "device", "controllers", "behaviour", "stage", "arena", "scenarios"},
-    "observers": {"wire", "device", "controllers", "behaviour", "stage", "arena", "scenarios", "drivers", "server"},
-}
 REPRODUCIBLE = {"geom", "mesh", "scene", "world", "behaviour", "stage", "arena", "controllers", "scenarios"}
 UNREPRODUCIBLE = re.compile(
     r"std::(sin|cos|tan|atan2?|asin|acos|exp|log|pow|hypot|rand)\(|\brand\(|random_device|unordered_|"
@@ -41,22 +28,22 @@ BUILD = [f'-D{name}=""' for name in ("PLAYHOUSE_VERSION", "PLAYHOUSE_SOURCE_DIR"
 # Of libraries whose headers are in a folder of their own.
 BUILD += subprocess.run(["pkg-config", "--cflags", "bullet"], capture_output=True, text=True, check=True).stdout.split()
 CLIENT = ROOT / "clients/cpp/include"  # which the command line is made of
-INCLUDE = re.compile(r'#include "playhouse/(\w+)/')
 
 
 def sources():
-    return sorted(p for p in SOURCE.rglob("*") if p.suffix in (".h", ".cc") and "generated" not in p.parts)
+    return sorted(p for p in SOURCE.rglob("*") if p.suffix in (".h", ".cc", ".inc") and "generated" not in p.parts)
 
 
 def check_file(path):
     module = path.relative_to(SOURCE).parts[0]
     is_test = path.stem.endswith(("_test", "_bench", "_fuzz"))
+    for number, includer, included in module_graph.wrong_includes(path):
+        yield f"{path.relative_to(ROOT)}:{number}: {includer} may not include {included}: it does not link it (DEPS)"
+    if path.suffix == ".inc":
+        return
     for number, line in enumerate(path.read_text().splitlines(), 1):
         where = f"{path.relative_to(ROOT)}:{number}"
         code = line.split("//")[0]
-        included = INCLUDE.search(code)
-        if included and not may_include(module, included[1]) and not is_test:
-            yield f"{where}: {module} may not include {included[1]}"
         empty = EMPTY_NAME.search(code)
         if empty:
             yield f"{where}: {empty[1]} is a name that says nothing"
@@ -64,12 +51,6 @@ def check_file(path):
             yield f"{where}: {UNREPRODUCIBLE.search(code)[0]} makes a run depend on more than its seed"
     for number, name, header in includes.missing(path, (ROOT, CLIENT)):
         yield f"{path.relative_to(ROOT)}:{number}: {name} needs #include <{header}>"
-
-
-def may_include(module, other):
-    if module == other:
-        return True
-    return RANK.get(other, 99) < RANK.get(module, -1) and other not in FORBIDDEN.get(module, set())
 
 
 def check_header(path):
@@ -102,11 +83,16 @@ def changed():
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--all", action="store_true", help="check every source file, as make test does")
-    check_all = parser.parse_args().all
+    parser.add_argument("--write-table", action="store_true", help="write the modules' links into ARCHITECTURE.md")
+    options = parser.parse_args()
+    if options.write_table:
+        print("\n".join(module_graph.table_findings(write=True)) or "tidy: the table is in order")
+        return 0
+    check_all = options.all
     checked = sources() if check_all else changed()
     findings = [finding for path in checked for finding in check_file(path)]
-    findings += [f"playhouse/{path.name}:1: module without a rank in tools/tidy.py and ARCHITECTURE.md"
-                 for path in sorted(SOURCE.iterdir()) if path.is_dir() and path.name not in RANK]
+    findings += module_graph.table_findings()
+    findings += locks.findings()
     findings += [finding for folder in (ROOT / "tests", ROOT / "clients/python") for path in sorted(folder.glob("*/test_*.py")) for finding in check_test_script(path)]
     headers = [path for path in checked if path.suffix == ".h" and not check_all]
     with ThreadPoolExecutor(2) as pool:

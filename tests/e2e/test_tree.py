@@ -1,0 +1,111 @@
+"""The tools that check the tree find what is wrong, in a tree made for the purpose."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+import locks  # noqa: E402
+import module_graph  # noqa: E402
+
+MAP = """
+| folder | contents | links |
+|---|---|---|
+| `playhouse/ground` | what all stand on | |
+| `playhouse/house` | rooms | ground |
+| `playhouse/roof` | tiles | ground |
+"""
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        self.write("ground/CMakeLists.txt", "playhouse_module(ground)")
+        self.write("house/CMakeLists.txt", "playhouse_module(house HOT DEPS playhouse_ground fmt::fmt\n  TOGETHER 4)")
+        self.write("roof/CMakeLists.txt",
+                   "playhouse_module(roof DEPS playhouse_house)  # DEPS playhouse_cellar\n"
+                   "target_link_libraries(playhouse_roof_test PRIVATE playhouse_chimney)")
+        self.write("chimney/CMakeLists.txt", "playhouse_module(chimney)")
+        (self.root / "ARCHITECTURE.md").write_text(MAP)
+        (self.root / "docs").mkdir()
+        for module in (module_graph, locks):
+            self.replace(module, "ROOT", self.root)
+            self.replace(module, "SOURCE", self.root / "playhouse")
+        self.replace(module_graph, "MAP", self.root / "ARCHITECTURE.md")
+        self.replace(locks, "PAGE", self.root / "docs/locks.md")
+        for cached in (module_graph.links, module_graph.reachable):
+            cached.cache_clear()
+            self.addCleanup(cached.cache_clear)
+
+    def replace(self, module, name, value):
+        patch = mock.patch.object(module, name, value)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def write(self, name, text):
+        path = self.root / "playhouse" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        return path
+
+    def wrong(self, name, *lines):
+        return list(module_graph.wrong_includes(self.write(name, "\n".join(lines))))
+
+
+class Includes(Tree):
+    def test_of_what_a_module_links_by_itself_or_through_others_are_right(self):
+        self.assertEqual(self.wrong("roof/tile.h", '#include "playhouse/roof/edge.h"', '#include "playhouse/house/a.h"',
+                                    '#include "playhouse/ground/b.h"', "#include <vector>"), [])
+
+    def test_of_anything_else_are_found_in_every_kind_of_file(self):
+        for suffix in ("h", "cc", "inc"):
+            with self.subTest(suffix):
+                self.assertEqual(self.wrong(f"house/door.{suffix}", "", '  # include "playhouse/roof/tile.h"'),
+                                 [(2, "house", "roof")])
+
+    def test_tests_may_include_what_their_program_links(self):
+        line = '#include "playhouse/chimney/smoke.h"'
+        self.assertEqual(self.wrong("roof/tile_test.cc", line), [])
+        self.assertEqual(self.wrong("roof/testing_tiles.h", line), [])
+        self.assertEqual(self.wrong("roof/tile.cc", line), [(1, "roof", "chimney")])
+        self.assertEqual(self.wrong("house/door_test.cc", line), [(1, "house", "chimney")])
+
+
+class Table(Tree):
+    def test_says_what_is_linked_and_not_what_follows_from_it(self):
+        self.assertEqual(module_graph.table_findings(),
+                         ["ARCHITECTURE.md:6: roof links house: tools/tidy.py --write-table",
+                          "ARCHITECTURE.md:1: no row for playhouse/chimney"])
+
+    def test_is_written(self):
+        module_graph.table_findings(write=True)
+        self.assertIn("| `playhouse/roof` | tiles | house |\n", (self.root / "ARCHITECTURE.md").read_text())
+        self.assertEqual(module_graph.table_findings(), ["ARCHITECTURE.md:1: no row for playhouse/chimney"])
+
+
+class Locks(Tree):
+    PAGE = "| mutex | protects |\n|---|---|\n| `roof::Tile::mutex_` | its colour |\n| `roof::paint::mutex` | the brush |\n"
+
+    def found(self, page):
+        (self.root / "docs/locks.md").write_text(page)
+        self.write("roof/tile.h", "class Tile {\n public:\n  struct Edge {\n    int length;\n  };\n\n private:\n"
+                                  "  mutable std::mutex mutex_;  // guards colour\n};\n")
+        self.write("roof/tile.cc", "void paint(int colour) {\n  static std::mutex mutex;\n}\n")
+        self.write("roof/tile_test.cc", "struct Log {\n  std::mutex mutex;\n};\n")
+        return list(locks.findings())
+
+    def test_that_are_listed_are_right(self):
+        self.assertEqual(self.found(self.PAGE), [])
+
+    def test_that_are_missing_or_gone_are_found(self):
+        self.assertEqual(self.found(self.PAGE.replace("Tile", "Chimney")),
+                         ["playhouse/roof/tile.h:8: Tile::mutex_ is not in docs/locks.md",
+                          "docs/locks.md:1: there is no mutex roof::Chimney::mutex_"])
+
+
+if __name__ == "__main__":
+    unittest.main()
