@@ -43,5 +43,7 @@ def _source(kinds: Kinds) -> str:
 
 
 def _adder(kind: Kind) -> list[str]:
-    return [f"{_signature(kind.desc)} {{", f"  static const {kind.desc} unsaid;",
-            *(f"  if ({differs(w)}) words.insert({_text(w.name)});" for w in kind.members if w.engine), "}"]
+    lines = [f"  if ({differs(w)}) words.insert({_text(w.name)});" for w in kind.members if w.engine]
+    if any("unsaid." in line for line in lines):
+        lines.insert(0, f"  static const {kind.desc} unsaid;")
+    return [f"{_signature(kind.desc)} {{", *lines, "}"]

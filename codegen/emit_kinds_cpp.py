@@ -346,7 +346,7 @@ def _check(word: Word, key: str, to: str) -> list[str]:
     if word.type in ("count", "tuple") or (word.min is None and word.above is None):
         return []
     if word.optional:
-        to += ".value_or(0)"
+        to += f".value_or({1 if word.above is not None else 0})"  # unsaid is within the limits
     if word.clamp:
         return [f"{to} = at_least_zero(properties, {key}, {to}, {_text(word.clamp)});"]
     if word.above is not None:

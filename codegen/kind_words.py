@@ -26,7 +26,7 @@ PART_SCALES = {"number": "N", "length": "L", "angle": "A"}
 COUNTED = {"integer", "number", "length", "angle", "pose", "size", "point"}  # element types of counted words
 
 # Units of plain numbers in world files, and what the member behind the word is kept in.
-UNITS = {"1": "1", "m": "m", "s": "s", "ms": "s", "deg": "rad", "kg": "kg", "px": "px", "px/m": "px/m", "W": "W", "J": "J",
+UNITS = {"1": "1", "m": "m", "s": "s", "ms": "s", "deg": "rad", "kg": "kg", "px": "px", "px/m": "px/m", "N": "N", "W": "W", "J": "J",
          "kJ": "kJ", "cd": "cd", "dB": "dB", "dBm": "dBm", "MHz": "MHz", "bit/s": "bit/s", "m/s": "m/s", "m/s^2": "m/s^2", "rad/s": "rad/s",
          "m/s^2/sqrt(Hz)": "m/s^2/sqrt(Hz)", "m/s^3/sqrt(Hz)": "m/s^3/sqrt(Hz)", "rad/s/sqrt(Hz)": "rad/s/sqrt(Hz)",
          "rad/s^2/sqrt(Hz)": "rad/s^2/sqrt(Hz)",

@@ -57,12 +57,10 @@ bool WorldSaver::write(Job job) {
   const Result<void> written =
       text ? write_file(job.file, std::as_bytes(std::span(*text)))
            : Result<void>(Error{escaped(job.file), "not saved: " + text.error().text});
-  if (written) {
+  if (written)
     log::info("saved the world at {} s to {}", job.time, escaped(job.file));
-    for (const std::string& warning : job.standing.warnings) log::warn("{}: {}", escaped(job.file), warning);
-  } else {
+  else
     log::tell(log::Level::kError, written.error());
-  }
   return written.ok();
 }
 

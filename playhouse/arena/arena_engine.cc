@@ -5,7 +5,10 @@
 
 #include "playhouse/arena/camera_sense.h"
 #include "playhouse/arena/lidar_sense.h"
+#include "playhouse/scene/actuator.h"
 #include "playhouse/stage/generated/moves.h"
+#include "playhouse/world/population.h"
+#include "playhouse/world/rows.h"
 
 namespace playhouse::arena {
 namespace {
@@ -52,11 +55,22 @@ bool carries(const world::Models& models, std::uint32_t carrier, std::uint32_t m
   return model == carrier;
 }
 
-Pose moved_by(const world::World& world, const stage::Mover& mover) {
+geom::SpatialPose moved_by(const world::World& world, const stage::Mover& mover) {
   const double dt = world.scene().interval;
-  return stage::with_move(mover.kind, [&](auto move) {
+  const geom::Tilt tilt = world.models.tilt_PM[mover.model];
+  if (tilt != geom::Tilt{} && mover.kind == scene::ModelKind::kActuator) {
+    const double position = stage::ActuatorMove::position_after(world, mover.part, dt);
+    const geom::Pose way = scene::way_along(stage::ActuatorMove::desc_of(world, mover.part), position);
+    return geom::compose(world::joint_of(world, {mover.part}), {way, {}});
+  }
+  const Pose X_PM = stage::with_move(mover.kind, [&](auto move) {
     return move.after(world, mover.part, world.models.X_PM[mover.model], dt);
   });
+  return {X_PM, tilt};
+}
+
+bool is_tilted(const geom::SpatialPose& X) {
+  return X.tilt != geom::Tilt{};
 }
 
 }  // namespace
@@ -66,7 +80,7 @@ ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsi
     : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense, .camera = make_camera_sense}),
       physics_(ground, scene.gravity) {
   world_.engine = "arena";
-  world_.upright = false;
+  world::tilt_as_described(world_);
   world_.has_light = true;
   populate();
 }
@@ -99,7 +113,10 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   body.models = std::move(models);
   body.number = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
   // bend() moves its hulls to where the joints are.
-  for (const stage::Mover& mover : movers_of(tree)) body.joints.push_back(world_.desc({mover.model}).X_PM);
+  for (const stage::Mover& mover : movers_of(tree)) {
+    const scene::ModelDesc& desc = world_.desc({mover.model});
+    body.joints.push_back(world::tilted(desc, desc.X_PM).X);
+  }
   return body;
 }
 
@@ -166,10 +183,10 @@ void ArenaEngine::load_guided(std::uint32_t tree) {
   for (const stage::Mover& mover : movers_of(tree)) {
     moves = moves || is_moving(world_, mover);
     if (mover.model != top) continue;
-    const Pose &now = world_.models.X_PM[top], then = moved_by(world_, mover);
+    const Pose &now = world_.models.X_PM[top], then = moved_by(world_, mover).X;
     const double per_second = 1 / world_.scene().interval;
     state.v = per_second * (Vec3{then.x, then.y, then.z} - state.p);
-    state.w = {0, 0, per_second * geom::normalize(then.a - now.a)};
+    state.w = (per_second * geom::normalize(then.a - now.a)) * (state.q * Vec3{0, 0, 1});
   }
   physics_.put(bodies_[tree].number, state, !moves);
 }
@@ -213,13 +230,18 @@ void ArenaEngine::find_blocked(unsigned steps) {
 /// Displacement of a point in a tick by a mover.  [m, both in W]
 Vec3 ArenaEngine::way_of(const Vec3& p, const stage::Mover& mover) const {
   const world::Models& models = world_.models;
-  const Pose& now = models.X_WM[mover.model];
-  Pose then = moved_by(world_, mover);
+  const geom::SpatialPose now = world::pose_in_world(models, {mover.model});
+  geom::SpatialPose then = moved_by(world_, mover);
   if (mover.model != models.root[mover.model])
-    then = geom::compose(models.X_WM[models.parent[mover.model]], then);
-  const geom::Vec2 p_M = geom::Rotation::of(now.a).inverse(geom::Vec2{p.x, p.y} - now.xy());
-  const geom::Vec2 q = then.xy() + geom::Rotation::of(then.a) * p_M;
-  return {q.x - p.x, q.y - p.y, then.z - now.z};
+    then = geom::compose(world::pose_in_world(models, {models.parent[mover.model]}), then);
+  if (is_tilted(now) || is_tilted(then)) {
+    const Quaternion q_WM = geom::orientation(now.X.a, now.tilt);
+    const Vec3 p_M = Quaternion{q_WM.w, -q_WM.x, -q_WM.y, -q_WM.z} * (p - Vec3{now.X.x, now.X.y, now.X.z});
+    return Vec3{then.X.x, then.X.y, then.X.z} + geom::orientation(then.X.a, then.tilt) * p_M - p;
+  }
+  const geom::Vec2 p_M = geom::Rotation::of(now.X.a).inverse(geom::Vec2{p.x, p.y} - now.X.xy());
+  const geom::Vec2 q = then.X.xy() + geom::Rotation::of(then.X.a) * p_M;
+  return {q.x - p.x, q.y - p.y, then.X.z - now.X.z};
 }
 
 void ArenaEngine::store(std::uint32_t tree) {
@@ -289,7 +311,9 @@ bool ArenaEngine::store_parts(std::uint32_t tree) {
   bool moved = false;
   for (const stage::Mover& mover : parts_of(tree)) {
     if (!is_moving(world_, mover) || is_blocked(mover)) continue;
-    world_.models.X_PM.own(mover.model) = moved_by(world_, mover);
+    const geom::SpatialPose X_PM = moved_by(world_, mover);
+    world_.models.X_PM.own(mover.model) = X_PM.X;
+    world_.models.tilt_PM.set(mover.model, X_PM.tilt);
     moved = true;
   }
   return moved;

@@ -143,16 +143,6 @@ ranger( name "eye" pose [-5 0 1.3 0] size [0 0 0] alwayson 1 sensor( range [0 10
   EXPECT_NEAR(world().models.tilt_WM[world().find("crate").index].y, tilt.y, 0.01);
 }
 
-// A door that a library or a client opens, on a wall that stands still.
-TEST_F(ArenaTest, a_world_file_of_what_is_tilted_tells_that_it_has_it_upright) {
-  start(kWorld);
-  EXPECT_TRUE(world::as_scene(world()).warnings.empty());
-  world().models.tilt_PM.set(world().find("high").index, {0.5, 0});
-  const std::vector<std::string> warnings = world::as_scene(world()).warnings;
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].find("a model that is tilted is written upright"), 0u);
-}
-
 TEST_F(ArenaTest, ticks_that_nothing_would_interrupt_are_refused) {
   const scene::SceneDesc scene = scene_of("interval_sim 20000\n");
   const auto made = make_engine(scene, {.seed = 1});

@@ -9,6 +9,7 @@
 #include "playhouse/arena/surface.h"
 #include "playhouse/geom/trapezoids.h"
 #include "playhouse/mesh/mesh.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::arena {
 namespace {
@@ -83,18 +84,19 @@ void add_hulls(std::vector<Hull>& hulls, const std::vector<Hull>& of_body, const
 }
 
 /// Poses of a tree's models in its root.
-std::map<std::uint32_t, Pose> poses_in_top(const world::World& world, const stage::Trees& trees,
-                                           std::uint32_t tree, Joints joints) {
+std::map<std::uint32_t, geom::SpatialPose> poses_in_top(const world::World& world, const stage::Trees& trees,
+                                                        std::uint32_t tree, Joints joints) {
   const world::Models& models = world.models;
-  std::map<std::uint32_t, Pose> X_BM;
+  std::map<std::uint32_t, geom::SpatialPose> X_BM;
   for (const std::uint32_t row : trees.models_of(tree)) {
     if (row == trees.root[tree]) {
       X_BM[row] = {};
       continue;
     }
-    const bool at_rest = joints == Joints::kAtRest && world::moves(models.kind[row]);
-    X_BM[row] = geom::compose(X_BM.at(models.parent[row]),
-                              at_rest ? world.desc({row}).X_PM : static_cast<Pose>(models.X_PM[row]));
+    geom::SpatialPose X_PM = world::pose_in_parent(models, {row});
+    const scene::ModelDesc& desc = world.desc({row});
+    if (joints == Joints::kAtRest && world::moves(desc.kind)) X_PM = world::tilted(desc, desc.X_PM);
+    X_BM[row] = geom::compose(X_BM.at(models.parent[row]), X_PM);
   }
   return X_BM;
 }
@@ -105,6 +107,7 @@ TreeHulls above(TreeHulls all, double z) {
   for (std::size_t i = 0; i < all.hulls.size(); ++i) {
     Hull& hull = all.hulls[i];
     if (std::ranges::all_of(hull, [z](const Vec3& p) { return p.z <= z; })) continue;
+    if (std::ranges::any_of(hull, [z](const Vec3& p) { return p.z < z; })) hull.round = Round::kNot;
     for (Vec3& p : hull) p.z = std::max(p.z, z);
     above.hulls.push_back(std::move(hull));
     above.models.push_back(all.models[i]);
@@ -189,6 +192,12 @@ std::vector<Wheel> wheels_of(scene::Drive drive, const Extent& extent) {
   return wheels;
 }
 
+Motors motors_of(const scene::PositionDesc& position) {
+  const bool is_steered = position.drive == scene::Drive::kDiff || position.drive == scene::Drive::kCar;
+  return {position.max_force.value_or(Motors::kNoLimit), position.max_power.value_or(Motors::kNoLimit),
+          !is_steered};
+}
+
 }  // namespace
 
 Part part_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
@@ -204,18 +213,20 @@ Part part_of(const world::World& world, const stage::Trees& trees, const stage::
 
 TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
                    std::uint32_t tree, Part part, Joints joints, MeshHulls& meshes) {
-  const std::map<std::uint32_t, Pose> X_BM = poses_in_top(world, trees, tree, joints);
+  const std::map<std::uint32_t, geom::SpatialPose> X_BM = poses_in_top(world, trees, tree, joints);
   TreeHulls all;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
   each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], stage::Observer::kMotion,
             [&](std::size_t begin, std::size_t end) {
               const std::uint32_t model = solids.model[begin];
-              const Pose& X_TM = X_BM.at(model);
+              const FrameOfBody frame(X_BM.at(model));
+              const std::size_t first = all.hulls.size();
               const mesh::Mesh* mesh = mesh_of(world, model);
               if (mesh == nullptr)
-                add_body(all.hulls, solids, begin, end, X_TM);
+                add_body(all.hulls, solids, begin, end, frame.X_FM());
               else if (std::exchange(latest, model) != model)  // its outlines are for the 2D engine
-                add_hulls(all.hulls, meshes.of(*mesh), body_in(world, model, X_TM));
+                add_hulls(all.hulls, meshes.of(*mesh), body_in(world, model, frame.X_FM()));
+              for (Hull& hull : std::span(all.hulls).subspan(first)) frame.turn(hull);
               all.models.resize(all.hulls.size(), model);
             });
   if (part != Part::kVehicle) return all;
@@ -239,6 +250,9 @@ BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::ui
     desc.center.z = extent.low.z + kCenterHeight * (extent.high.z - extent.low.z);
     desc.wheels = wheels_of(top.position->drive, extent);
     desc.is_upright = top.position->drive == scene::Drive::kWalk;
+    desc.motors = motors_of(*top.position);
+    if (desc.motors.have_limits())
+      for (Wheel& wheel : desc.wheels) wheel.brake = 0;  // its motors alone slow it down
   } else if (part == Part::kLoose) {
     desc.mass = mass > 0 ? mass : std::max(kDensity * content.volume, kLeastMass);
   } else {
@@ -255,7 +269,7 @@ std::vector<FixedSolid> fixed_solids(const world::World& world, const stage::Sol
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
   each_body(solids, 0, solids.fixed, stage::Observer::kMotion, [&](std::size_t begin, std::size_t end) {
     const std::uint32_t model = solids.model[begin];
-    const FrameOfFixed frame(world.models, model);
+    const FrameOfBody frame(world::pose_in_world(world.models, {model}));
     if (const mesh::Mesh* mesh = mesh_of(world, model)) {
       if (std::exchange(latest, model) == model) return;
       const Surface surface = surface_of(world.desc({model}));

@@ -26,9 +26,14 @@ Part part_of(const world::World& world, const stage::Trees& trees, const stage::
 /// Positions of a tree's joints: those of the tick, or those that the world file gives.
 enum class Joints : std::uint8_t { kNow, kAtRest };
 
+/// Hulls, which are corners alone for who draws them.
+struct Hulls : std::vector<Hull> {
+  operator std::vector<std::vector<Vec3>>() const { return {begin(), end()}; }
+};
+
 /// Hulls in B, and the model row of each.
 struct TreeHulls {
-  std::vector<Hull> hulls;
+  Hulls hulls;
   std::vector<std::uint32_t> models;
 };
 

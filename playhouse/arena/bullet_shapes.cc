@@ -7,6 +7,9 @@
 #include <map>
 #include <utility>
 
+#include "playhouse/arena/cylinder_contacts.h"
+#include "playhouse/arena/round_solids.h"
+
 namespace playhouse::arena {
 namespace {
 
@@ -43,6 +46,16 @@ std::unique_ptr<btConvexHullShape> make_hull(const Hull& hull, const Vec3& cente
   auto shape = inset_hull(hull, center, kMargin);
   shape->initializePolyhedralFeatures();  // for contacts at all corners of touching faces
   return shape;
+}
+
+/// The collision shape of a sphere or capsule, and X_FS of its frame in that of the hull.
+std::unique_ptr<btConvexShape> round_shape(const Hull& hull, btTransform& X_FS) {
+  const RoundSolid solid = round_of(hull);
+  X_FS = btTransform(btQuaternion::getIdentity(), bullet(solid.center()));
+  if (hull.round == Round::kSphere) return std::make_unique<btSphereShape>(solid.radius);
+  const btVector3 axis = bullet(solid.high - solid.low);
+  X_FS.setRotation(shortestArcQuat(btVector3(0, 0, 1), axis.normalized()));
+  return std::make_unique<btCapsuleShapeZ>(solid.radius, axis.length());
 }
 
 double half_thickness(const Hull& hull) {
@@ -96,10 +109,23 @@ std::vector<std::array<double, 3>> folds_of(const Triangles& triangles) {
 }  // namespace
 
 ConvexShapes::ConvexShapes(std::span<const Hull> solids, const Vec3& center) {
-  for (const Hull& hull : solids) hulls_.push_back(make_hull(hull, center));
-  if (hulls_.size() == 1) return;
+  std::vector<btTransform> poses;
+  for (const Hull& hull : solids) {
+    btTransform& pose = poses.emplace_back(btTransform::getIdentity());
+    if (hull.round == Round::kNot) {
+      solids_.push_back(make_hull(hull, center));
+      continue;
+    }
+    if (hull.round == Round::kCylinder) {
+      solids_.push_back(std::make_unique<CylinderShape>(hull, center, kMargin));
+      continue;
+    }
+    solids_.push_back(round_shape(hull, pose));
+    pose.setOrigin(pose.getOrigin() - bullet(center));
+  }
+  if (solids_.size() == 1 && poses.front() == btTransform::getIdentity()) return;
   compound_ = std::make_unique<btCompoundShape>();
-  for (const auto& hull : hulls_) compound_->addChildShape(btTransform::getIdentity(), hull.get());
+  for (std::size_t i = 0; i < solids_.size(); ++i) compound_->addChildShape(poses[i], solids_[i].get());
   compound_->getDynamicAabbTree()->optimizeTopDown();
 }
 

@@ -12,18 +12,18 @@
 
 namespace playhouse::arena {
 
-/// Convex solids as one collision shape, relative to `center`.
+/// Convex solids, polyhedra and round ones, as one collision shape, relative to `center`.
 class ConvexShapes {
  public:
   ConvexShapes(std::span<const Hull> solids, const Vec3& center);
   btCollisionShape& shape() const {
     if (compound_) return *compound_;
-    return *hulls_.front();
+    return *solids_.front();
   }
 
  private:
-  std::vector<std::unique_ptr<btConvexHullShape>> hulls_;
-  std::unique_ptr<btCompoundShape> compound_;  // if there is more than one
+  std::vector<std::unique_ptr<btConvexShape>> solids_;
+  std::unique_ptr<btCompoundShape> compound_;  // if there is more than one, or one that has a pose
 };
 
 /// Smaller copies of convex solids, relative to `center`: what of a fast body stops at obstacles, so that it

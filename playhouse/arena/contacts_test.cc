@@ -5,14 +5,13 @@
 #include <numbers>
 #include <vector>
 
-#include "playhouse/arena/physics.h"
+#include "playhouse/arena/testing_trials.h"
 
 // Contacts against closed forms in ticks of any length: the tolerances are those of docs/arena.md.
 
 namespace playhouse::arena {
 namespace {
 
-constexpr double kG = 9.81;                                     // m/s^2
 constexpr double kTicks[] = {0.001, 0.002, 0.005, 0.01, 0.05};  // s
 
 Hull box(const Vec3& size, const Vec3& middle = {}) {
@@ -29,46 +28,6 @@ BodyDesc crate(const Vec3& size, const Surface& surface = {}, double mass = 1) {
 
 double length(const Vec3& v) {
   return std::sqrt(dot(v, v));
-}
-
-/// Bodies in ticks of one length, divided into steps as ArenaEngine does.
-class Trial {
- public:
-  explicit Trial(double tick, const Surface& ground = {}, double gravity = kG)
-      : physics(ground, gravity),
-        tick_(tick),
-        trace_(__FILE__, __LINE__, testing::Message() << "tick " << tick) {}
-
-  std::uint32_t add(const BodyDesc& desc, const BodyState& state) {
-    const std::uint32_t body = physics.add(desc);
-    physics.put(body, state, false);
-    return body;
-  }
-  template <typename Look>
-  void run(double seconds, const Look& look) {
-    constexpr double kStep = 0.01;  // s, the longest
-    const int steps = static_cast<int>(std::ceil(tick_ / kStep - 1e-9));
-    for (int i = 0; i < std::lround(seconds / tick_); ++i) {
-      physics.clear_contacts();
-      for (int step = 0; step < steps; ++step) physics.step(tick_ / steps, workers_);
-      look();
-    }
-  }
-  void run(double seconds) {
-    run(seconds, [] {});
-  }
-
-  Physics physics;
-
- private:
-  double tick_;
-  world::Workers workers_{1};
-  testing::ScopedTrace trace_;
-};
-
-/// Height between the highest point of a fall's arc and the nearest tick, at most.
-double missed(double tick) {
-  return kG * tick * tick / 8;
 }
 
 TEST(Contacts, what_loses_nothing_bounces_for_a_minute_as_high_as_it_fell) {
@@ -157,15 +116,6 @@ TEST(Contacts, nothing_falls_through_a_plate_or_into_the_ground) {
     EXPECT_NEAR(trial.physics.state(above).p.z, 1.05, 0.003);
     EXPECT_NEAR(trial.physics.state(aside).p.z, 0.1, 0.003);
   }
-}
-
-/// A square of two triangles, tilted about y.
-std::vector<FixedSolid> square(double half, double height, double slope) {
-  FixedSolid solid;
-  for (const auto& [x, y] : {std::pair(-half, -half), {half, -half}, {half, half}, {-half, half}})
-    solid.triangles.p.push_back({x * std::cos(slope), y, height + x * std::sin(slope)});
-  solid.triangles.corner = {{0, 1, 2}, {0, 2, 3}};
-  return {solid};
 }
 
 constexpr double kSlope = 20 * std::numbers::pi / 180;  // rad

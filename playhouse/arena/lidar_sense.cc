@@ -84,7 +84,7 @@ void LidarSense::populate_fixed(const world::World& world, const stage::Solids& 
   std::vector<Triangles> triangles;
   std::vector<Owner> owners;
   each_model(solids, 0, solids.fixed, [&](std::uint32_t model, std::size_t begin, std::size_t end) {
-    const FrameOfFixed frame(models, model);
+    const FrameOfBody frame(world::pose_in_world(models, {model}));
     Triangles& of_model = triangles.emplace_back();
     add_bodies(of_model, world, solids, begin, end, frame.X_FM());
     frame.turn(of_model.p);

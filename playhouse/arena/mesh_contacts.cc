@@ -37,10 +37,9 @@ void clip(Polygon& polygon, Polygon& scratch, const btVector3& p, const btVector
 /// A hull and a triangle, in W. Axes point from the triangle to the hull.
 class Pair {
  public:
-  Pair(const btConvexHullShape& hull, const btTransform& X, const btTriangleShape& triangle,
-       const btTransform& X_triangle, const std::array<double, 3>& folds)
-      : hull_(*hull.getConvexPolyhedron()), X_(X), margin_(hull.getMargin()), folds_(folds) {
-    for (int i = 0; i < 3; ++i) t_[i] = X_triangle * triangle.m_vertices1[i];
+  Pair(const btConvexHullShape& hull, const btTransform& X, const std::array<btVector3, 3>& corners,
+       const std::array<double, 3>& folds)
+      : hull_(*hull.getConvexPolyhedron()), X_(X), margin_(hull.getMargin()), folds_(folds), t_(corners) {
     normal_ = (t_[1] - t_[0]).cross(t_[2] - t_[0]);
     const btScalar length = normal_.length();
     is_flat_ = length < SIMD_EPSILON;
@@ -220,10 +219,11 @@ class Algorithm final : public btCollisionAlgorithm {
     result->setPersistentManifold(contacts_);
     const btCollisionShape& sheet = *triangle->getCollisionObject()->getCollisionShape();
     const auto& surface = *static_cast<const SurfaceShape*>(sheet.getUserPointer());
-    Pair pair(static_cast<const btConvexHullShape&>(*hull->getCollisionShape()), hull->getWorldTransform(),
-              static_cast<const btTriangleShape&>(*triangle->getCollisionShape()),
-              triangle->getWorldTransform(), surface.folds(triangle->m_index));
-    pair.meet(*result, contacts_->getContactBreakingThreshold());
+    const btVector3* p = static_cast<const btTriangleShape&>(*triangle->getCollisionShape()).m_vertices1;
+    const btTransform& X = triangle->getWorldTransform();
+    meet_triangle(static_cast<const btConvexHullShape&>(*hull->getCollisionShape()),
+                  hull->getWorldTransform(), {X * p[0], X * p[1], X * p[2]}, surface.folds(triangle->m_index),
+                  contacts_->getContactBreakingThreshold(), *result);
   }
   btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
                                  btManifoldResult*) override {
@@ -236,6 +236,12 @@ class Algorithm final : public btCollisionAlgorithm {
 };
 
 }  // namespace
+
+void meet_triangle(const btConvexHullShape& hull, const btTransform& X_hull,
+                   const std::array<btVector3, 3>& corners, const std::array<double, 3>& folds, btScalar near,
+                   btManifoldResult& result) {
+  Pair(hull, X_hull, corners, folds).meet(result, near);
+}
 
 btCollisionAlgorithm* MeshContacts::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                              const btCollisionObjectWrapper*,

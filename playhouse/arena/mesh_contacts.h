@@ -12,9 +12,17 @@
 /// Source: separating axes with clipped faces (Gregorius, "The separating axis test between convex
 /// polyhedra", GDC 2013).
 
+#include <array>
+
 #include "playhouse/arena/bullet.h"
 
 namespace playhouse::arena {
+
+/// Adds the contacts of a hull with a triangle, whose corners are in W, that are nearer than `near`. For the
+/// folds of its edges see SurfaceShape::folds().
+void meet_triangle(const btConvexHullShape& hull, const btTransform& X_hull,
+                   const std::array<btVector3, 3>& corners, const std::array<double, 3>& folds, btScalar near,
+                   btManifoldResult& result);
 
 /// For pairs of a hull and a triangle of a SurfaceShape, in this order.
 class MeshContacts final : public btCollisionAlgorithmCreateFunc {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "playhouse/arena/round_solids.h"
 #include "playhouse/base/mesh_limits.h"
 #include "playhouse/geom/trig.h"
 #include "playhouse/mesh/mesh.h"
@@ -13,8 +14,6 @@
 namespace playhouse::arena {
 namespace {
 
-constexpr int kRound = 24;        // segments around cylinders and capsules
-constexpr int kRings = 5;         // rings of a hemisphere, including the pole
 constexpr std::size_t kFew = 64;  // hulls with at most this many corners are kept; others
 constexpr int kDirections = 256;  // keep the extreme corners in this many directions
 
@@ -47,30 +46,6 @@ Hull simplified(const Hull& hull) {
   return few;
 }
 
-/// Hemispheres of rings about z at +-`half`, with poles.
-Hull capsule(double radius, double half) {
-  Hull hull{{0, 0, -half - radius}, {0, 0, half + radius}};
-  for (const double side : {-1.0, 1.0})
-    for (int ring = 0; ring < kRings; ++ring) {
-      const geom::SinCos up = geom::sincos(0.5 * geom::kPi * ring / kRings);
-      for (int k = 0; k < kRound; ++k) {
-        const geom::SinCos a = geom::sincos(geom::normalize(2 * geom::kPi * k / kRound));
-        hull.push_back({radius * up.cos * a.cos, radius * up.cos * a.sin, side * (half + radius * up.sin)});
-      }
-    }
-  return hull;
-}
-
-Hull cylinder(double radius, double half) {
-  Hull hull;
-  for (const double z : {-half, half})
-    for (int k = 0; k < kRound; ++k) {
-      const geom::SinCos a = geom::sincos(geom::normalize(2 * geom::kPi * k / kRound));
-      hull.push_back({radius * a.cos, radius * a.sin, z});
-    }
-  return hull;
-}
-
 Hull box(const Vec3& half) {
   Hull hull;
   for (const double x : {-half.x, half.x})
@@ -79,7 +54,7 @@ Hull box(const Vec3& half) {
   return hull;
 }
 
-/// The convex hull of a collision shape, in B.
+/// The hull of a collision shape, in B.
 Hull hull_of(const mesh::Shape& shape) {
   Hull hull;
   switch (shape.kind) {
@@ -87,13 +62,13 @@ Hull hull_of(const mesh::Shape& shape) {
       hull = box(shape.half);
       break;
     case mesh::ShapeKind::kSphere:
-      hull = capsule(shape.half.x, 0);
+      hull = round_hull(shape.half.x, 0);
       break;
     case mesh::ShapeKind::kCapsule:
-      hull = capsule(shape.half.x, shape.half.z);
+      hull = round_hull(shape.half.x, shape.half.z);
       break;
     case mesh::ShapeKind::kCylinder:
-      hull = cylinder(shape.half.x, shape.half.z);
+      hull = cylinder_hull(shape.half.x, shape.half.z);
       break;
     case mesh::ShapeKind::kHull:
     case mesh::ShapeKind::kTriangles:
@@ -197,6 +172,7 @@ HullContent hull_content(const Hull& hull) {
   if (content.volume == 0) return content;
   content.center = (1 / content.volume) * sum + hull[0];
   content.volume = std::fabs(content.volume);
+  if (hull.round != Round::kNot) content.center = round_of(hull).center();
   return content;
 }
 

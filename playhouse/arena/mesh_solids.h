@@ -25,7 +25,7 @@ geom::Pose body_in(const world::World& world, std::uint32_t model, const geom::P
 void add_surfaces(Triangles& triangles, const mesh::Mesh& mesh, const geom::Pose& X_FB);
 
 /// Convex hulls of movable meshes, in B: from the collision shapes of
-/// their files (round shapes as polyhedra, triangle meshes as their hull);
+/// their files (triangle meshes as their hull);
 /// without any, a hull for each part (mesh/parts.h). Cached by mesh.
 class MeshHulls {
  public:
@@ -42,7 +42,7 @@ struct FixedParts {
 };
 FixedParts fixed_parts(const mesh::Mesh& mesh, const geom::Pose& X_FB);
 
-/// Volume and centroid of the convex hull of some points; volume 0 if they are coplanar.
+/// Volume and centroid of a hull, of a round one those of its outline; volume 0 if its corners are coplanar.
 struct HullContent {
   double volume = 0;  // m^3
   Vec3 center;        // m

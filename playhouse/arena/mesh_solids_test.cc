@@ -14,9 +14,34 @@
 namespace playhouse::arena {
 namespace {
 
+double length_of(const Vec3& v) {
+  return std::sqrt(dot(v, v));
+}
+
 std::string file(const std::string& name) {
   std::ifstream in(PLAYHOUSE_SOURCE_DIR "/worlds/meshes/" + name, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A loose body of 2 kg with a round shape along y about (0, 0, 0.1), seen as two triangles.
+std::string round_file(const std::string& shape) {
+  return R"(<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="12">
+-0.1 -0.1 0 0.1 0.1 0 -0.1 0.1 0.2 0.1 -0.1 0.2</float_array><technique_common>
+<accessor source="#a" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="2"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2 0 1 3</p></triangles>
+</mesh></geometry></library_geometries>
+<library_physics_models><physics_model id="m"><rigid_body sid="b"><technique_common><dynamic>true</dynamic>
+<mass>2</mass><shape><translate>0 0 0.1</translate>)" +
+         shape + R"(</shape></technique_common></rigid_body></physics_model></library_physics_models>
+<library_physics_scenes><physics_scene id="s"><instance_physics_model url="#m">
+<instance_rigid_body body="b" target="#n"/></instance_physics_model></physics_scene></library_physics_scenes>
+<library_visual_scenes><visual_scene id="f"><node id="n"><instance_geometry url="#g"/></node></visual_scene>
+</library_visual_scenes><scene><instance_physics_scene url="#s"/><instance_visual_scene url="#f"/></scene>
+</COLLADA>)";
 }
 
 class MeshTest : public ArenaRun {
@@ -24,6 +49,9 @@ class MeshTest : public ArenaRun {
   void start(const std::string& text) {
     std::map<std::string, std::string> files{{"box.obj", mesh::test_obj()}};
     for (const char* name : {"ramp.dae", "barrel.dae", "table.dae", "planks.png"}) files[name] = file(name);
+    files["ball.dae"] = round_file("<sphere><radius>0.1</radius></sphere>");
+    files["log.dae"] = round_file("<capsule><radius>0.1 0.1</radius><height>0.2</height></capsule>");
+    files["drum.dae"] = round_file("<cylinder><radius>0.1 0.1</radius><height>0.4</height></cylinder>");
     scene::MemoryFiles memory(files);
     Result<scene::SceneDesc> scene = scene::load_world_text("interval_sim 100\n" + text, "w.world", memory);
     ASSERT_TRUE(scene) << scene.error().line();
@@ -102,6 +130,34 @@ TEST_F(MeshTest, the_file_says_how_it_rubs_where_the_world_does_not) {
   EXPECT_LT(surface_of(scene_->models.at(2)).friction, 0.1);
 }
 
+/// The slope rises by a quarter, from x = -1.2 to -0.2: g sin / (1 + I / (m r^2)) from rest.
+TEST_F(MeshTest, balls_and_drums_roll_down_a_ramp_at_the_rate_of_their_inertia) {
+  start(
+      "model( name \"ramp\" mesh \"ramp.dae\" )\n"
+      "model( name \"ball\" mesh \"ball.dae\" pose [-0.3 0.4 0.2281 0] )\n"
+      "model( name \"drum\" mesh \"drum.dae\" pose [-0.3 -0.2 0.2281 0] )\n");
+  run(0.5);
+  const double slides = 9.81 * 0.25 / std::sqrt(1.0625);
+  const auto speed = [&](const char* name) {
+    const geom::SpatialVelocity& V = world().models.V_WM[row(name)];
+    const geom::Quaternion q =
+        geom::orientation(world().models.X_PM[row(name)].a, world().models.tilt_PM[row(name)]);
+    return length_of(V.v + cross(V.w, q * Vec3{0, 0, 0.1}));  // of the centre
+  };
+  EXPECT_NEAR(speed("ball"), 0.5 * slides * 5 / 7, 0.01);
+  EXPECT_NEAR(speed("drum"), 0.5 * slides * 2 / 3, 0.01);
+}
+
+TEST_F(MeshTest, what_rolls_is_the_same_run_for_any_number_of_workers_and_from_any_saved_tick) {
+  start(
+      "model( name \"ramp\" mesh \"ramp.dae\" )\n"
+      "model( mesh \"ball.dae\" pose [-0.3 0.4 0.3 0] ) model( mesh \"drum.dae\" pose [-0.3 -0.2 0.3 0] )\n"
+      "model( mesh \"log.dae\" pose [0.3 0 0.4 40] ) model( mesh \"drum.dae\" pose [-0.25 0 0.6 20] )\n"
+      "model( pose [-2 0 0 0] size [0.3 0.3 0.3] gripper_return 1 )");
+  expect_the_same_run(
+      30, 7, [](world::World&, int) {}, [](world::World&) {});
+}
+
 TEST_F(MeshTest, is_the_same_run_for_any_number_of_workers_and_from_any_saved_tick) {
   start(std::string(kRover) +
         "model( name \"ramp\" mesh \"ramp.dae\" )\nmodel( name \"barrel\" mesh \"barrel.dae\" pose [0.3 0 "
@@ -141,6 +197,9 @@ TEST(MeshHulls, of_round_shapes_hold_nearly_as_much_as_they) {
     EXPECT_GT(hull_content(hulls.of(of)[i]).volume, 0.95 * expected[i]);
     EXPECT_LT(hull_content(hulls.of(of)[i]).volume, expected[i]);
   }
+  EXPECT_EQ(hulls.of(of)[0].round, Round::kSphere);
+  EXPECT_EQ(hulls.of(of)[1].round, Round::kCylinder);
+  EXPECT_EQ(hulls.of(of)[2].round, Round::kCapsule);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "playhouse/arena/round_solids.h"
 #include "playhouse/arena/wheel_ray.h"
 
 namespace playhouse::arena {
@@ -16,6 +17,8 @@ Moving::Moving(const BodyDesc& of)
     : desc(of), solids(std::make_unique<ConvexShapes>(of.hulls, of.center)), cores(of.hulls, of.center) {
   body = make_body(desc.mass, solids->shape(), desc.surface);
   body->setUserPointer(this);
+  if (!is_guided() && is_any_round(desc.hulls))  // Bullet would take their bounding box
+    body->setMassProps(desc.mass, bullet(moments_of(desc.hulls, desc.center, desc.mass)));
   if (is_guided())
     body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);  // a static body would never wake others
   if (desc.is_upright) body->setMassProps(desc.mass, {0, 0, 0});      // zero inertia for Bullet: no rotation

@@ -3,14 +3,17 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "playhouse/arena/bullet_shapes.h"
 #include "playhouse/arena/contact_solver.h"
+#include "playhouse/arena/cylinder_contacts.h"
 #include "playhouse/arena/ground_contacts.h"
 #include "playhouse/arena/mesh_contacts.h"
 #include "playhouse/arena/moving.h"
+#include "playhouse/arena/round_contacts.h"
 #include "playhouse/arena/supports.h"
 #include "playhouse/arena/swept_world.h"
 #include "playhouse/arena/wheel_constraint.h"
@@ -47,11 +50,14 @@ double lowest_top(const Hull& hull) {
 }
 
 /// Extends a solid on the ground downwards, so that penetrating bodies are never pushed out through its base.
+/// A sphere or capsule has none.
 Hull rooted(Hull hull) {
+  if (hull.round == Round::kSphere || hull.round == Round::kCapsule) return hull;
   const std::size_t corners = hull.size();
   for (std::size_t i = 0; i < corners; ++i) {
     const Vec3 p = hull[i];
     if (std::fabs(p.z) > kRoot) continue;
+    hull.round = Round::kNot;
     if (top_above(hull, p) > kRoot)
       hull[i].z = -kDeep;
     else
@@ -66,6 +72,7 @@ Hull turned(const Hull& hull, double angle) {
   const Quaternion q = geom::orientation(angle, {});
   Hull out;
   for (const Vec3& p : hull) out.push_back(q * p);
+  out.round = hull.round;
   return out;
 }
 
@@ -80,6 +87,8 @@ struct Physics::Impl {
   btDefaultCollisionConfiguration configuration;
   GroundContacts on_ground{false}, under_hull{true};
   MeshContacts on_mesh;
+  RoundContacts of_round{false}, with_round{true};
+  CylinderContacts of_cylinder{false}, with_cylinder{true};
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   ContactSolver solver;
@@ -111,12 +120,30 @@ struct Physics::Impl {
     dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &on_ground);
     dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &under_hull);
     dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, TRIANGLE_SHAPE_PROXYTYPE, &on_mesh);
+    register_round();
     world.getSolverInfo().m_numIterations = kIterations;
     world.getSolverInfo().m_restitutionVelocityThreshold = SIMD_INFINITY;  // ContactSolver restitutes
     // Along the slip and across: with one direction stacks creep.
     world.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
   }
   ~Impl() { take_out(); }
+  /// Contacts of spheres, capsules and cylinders (CylinderShape).
+  void register_round() {
+    constexpr auto kCylinder = CUSTOM_POLYHEDRAL_SHAPE_TYPE;
+    constexpr std::array kOthers{STATIC_PLANE_PROXYTYPE, TRIANGLE_MESH_SHAPE_PROXYTYPE,
+                                 CONVEX_HULL_SHAPE_PROXYTYPE, kCylinder};
+    for (const int other : kOthers) {
+      for (const int round : {SPHERE_SHAPE_PROXYTYPE, CAPSULE_SHAPE_PROXYTYPE}) {
+        dispatcher.registerCollisionCreateFunc(round, other, &of_round);
+        dispatcher.registerCollisionCreateFunc(other, round, &with_round);
+      }
+      dispatcher.registerCollisionCreateFunc(other, kCylinder, &with_cylinder);
+      dispatcher.registerCollisionCreateFunc(kCylinder, other, &of_cylinder);
+    }
+    for (const int one : {SPHERE_SHAPE_PROXYTYPE, CAPSULE_SHAPE_PROXYTYPE})
+      for (const int other : {SPHERE_SHAPE_PROXYTYPE, CAPSULE_SHAPE_PROXYTYPE})
+        dispatcher.registerCollisionCreateFunc(one, other, &of_round);
+  }
 
   /// Calls visit(body, group, mask) for all bodies in numeric order.
   template <typename Visit>

@@ -2,6 +2,9 @@
 
 /// Description and state of a rigid body. Frames: W world, B body.
 
+#include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "playhouse/geom/orientation.h"
@@ -11,8 +14,17 @@ namespace playhouse::arena {
 using geom::Quaternion;
 using geom::Vec3;
 
-/// Corners of a convex solid.  [m, in the frame of its owner]
-using Hull = std::vector<Vec3>;
+/// What a solid is in contacts: a polyhedron, or a round solid (round_solids.h).
+enum class Round : std::uint8_t { kNot, kSphere, kCapsule, kCylinder };
+
+/// Corners of a convex solid.  [m, in the frame of its owner] Those of a round one are its outline, moved and
+/// turned as a whole: where it is follows from them. Who moves them otherwise makes it a polyhedron.
+struct Hull : std::vector<Vec3> {
+  using vector::vector;
+  Hull() = default;
+  Hull(std::vector<Vec3> corners) : vector(std::move(corners)) {}
+  Round round = Round::kNot;
+};
 
 /// Surface properties. Friction coefficients of two surfaces in contact
 /// are multiplied; of the coefficients of restitution the larger one applies.
@@ -33,6 +45,15 @@ struct Wheel {
   constexpr bool is_caster() const { return along <= 0 && across <= 0; }
 };
 
+/// What the motors of a vehicle can do, shared evenly by the wheels that touch the ground.
+struct Motors {
+  double max_force = kNoLimit;  // N, along the ground
+  double max_power = kNoLimit;  // W
+  bool push_sideways = false;   // the wheels are driven sideways, too
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  constexpr bool have_limits() const { return max_force < kNoLimit || max_power < kNoLimit; }
+};
+
 struct BodyDesc {
   std::vector<Hull> hulls;  // in B
   double mass = 1;          // kg; 0: kinematic
@@ -40,6 +61,7 @@ struct BodyDesc {
   Surface surface;
   std::vector<Wheel> wheels;  // none: no vehicle
   bool is_upright = false;    // a vehicle with no roll, pitch or yaw from contacts: it heads where driven
+  Motors motors;              // of a vehicle
 };
 
 struct BodyState {

@@ -41,26 +41,25 @@ inline std::vector<std::vector<geom::Vec2>> outlines_of(const stage::Solids& sol
   return outlines;
 }
 
-/// The frame F in which the body of a fixed model is made: the world, as in the stage engine, or for a tilted
-/// model its own frame M, whose points are then turned.
-class FrameOfFixed {
+/// The frame F in which the body of a model is made, from its pose in R, the world or its tree: R itself, as in
+/// the stage engine, or for a tilted model its own frame M, whose points are then turned.
+class FrameOfBody {
  public:
-  FrameOfFixed(const world::Models& models, std::uint32_t model)
-      : X_WM_(models.X_WM[model]), tilt_(models.tilt_WM[model]) {}
+  explicit FrameOfBody(const geom::SpatialPose& X_RM) : X_RM_(X_RM) {}
 
-  geom::Pose X_FM() const { return is_tilted() ? geom::Pose{} : X_WM_; }
-  /// From F to W.
+  geom::Pose X_FM() const { return is_tilted() ? geom::Pose{} : X_RM_.X; }
+  /// From F to R.
   void turn(std::span<geom::Vec3> points) const {
     if (!is_tilted()) return;
-    const geom::Quaternion q_WM = geom::orientation(X_WM_.a, tilt_);
-    for (geom::Vec3& p : points) p = geom::Vec3{X_WM_.x, X_WM_.y, X_WM_.z} + q_WM * p;
+    const geom::Pose& X = X_RM_.X;
+    const geom::Quaternion q_RM = geom::orientation(X.a, X_RM_.tilt);
+    for (geom::Vec3& p : points) p = geom::Vec3{X.x, X.y, X.z} + q_RM * p;
   }
 
  private:
-  bool is_tilted() const { return tilt_ != geom::Tilt{}; }
+  bool is_tilted() const { return X_RM_.tilt != geom::Tilt{}; }
 
-  geom::Pose X_WM_;
-  geom::Tilt tilt_;
+  geom::SpatialPose X_RM_;
 };
 
 }  // namespace playhouse::arena

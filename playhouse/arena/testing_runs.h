@@ -38,7 +38,7 @@ struct EngineRun {
   }
 };
 
-/// A scene in the arena, with ticks of 100 ms.
+/// A scene in the arena.
 class ArenaRun : public ::testing::Test {
  protected:
   void start(scene::SceneDesc scene, unsigned workers = 1) {
@@ -58,7 +58,7 @@ class ArenaRun : public ::testing::Test {
     ASSERT_TRUE(world::command_velocity(world(), world().position(world().id(model)), velocity));
   }
   void run(double seconds) {
-    for (int i = 0; i < std::lround(seconds * 10); ++i) engine_->step();
+    for (int i = 0; i < std::lround(seconds / scene_->interval); ++i) engine_->step();
   }
   /// Expects equal hashes with 1 and 3 workers, and with 2 workers when resumed from a saved state
   /// at every `every`-th tick. `command` runs before each tick, `look` on each loaded state.

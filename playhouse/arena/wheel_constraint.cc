@@ -1,12 +1,15 @@
 #include "playhouse/arena/wheel_constraint.h"
 
+#include <algorithm>
+
 namespace playhouse::arena {
 namespace {
 
-void limit(btTypedConstraint::btConstraintInfo2* info, int row, double most, double now) {
+void limit(btTypedConstraint::btConstraintInfo2* info, int row, double most, const ImpulseRange& motor,
+           double now) {
   const int at = row * info->rowskip;
-  info->m_lowerLimit[at] = -most - now;
-  info->m_upperLimit[at] = most - now;
+  info->m_lowerLimit[at] = std::max(-most, motor.low) - now;
+  info->m_upperLimit[at] = std::min(most, motor.high) - now;
 }
 
 }  // namespace
@@ -22,9 +25,9 @@ void WheelConstraint::getInfo2(btConstraintInfo2* info) {
   info->m_upperLimit[0] = SIMD_INFINITY;
   if (!target_.is_gripped()) return;
   put(info, 1, target_.along, target_.v_along);
-  limit(info, 1, target_.grip_along * impulse_.normal, impulse_.along);
+  limit(info, 1, target_.grip_along * impulse_.normal, impulse_.motor_along, impulse_.along);
   put(info, 2, target_.left, target_.v_left);
-  limit(info, 2, target_.grip_left * impulse_.normal, impulse_.across);
+  limit(info, 2, target_.grip_left * impulse_.normal, impulse_.motor_across, impulse_.across);
 }
 
 void WheelConstraint::put(btConstraintInfo2* info, int row, const Vec3& direction, double velocity) const {

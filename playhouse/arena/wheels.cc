@@ -27,9 +27,10 @@ constexpr double kTravel = 0.06;        // m, suspension travel of casters
 struct Contact {
   std::size_t normal = 0, along = 0, across = 0;  // the last two not for casters
   double grip_along = 0, grip_across = 0;
-  Vec3 up;               // of the ground
-  double x = 0;          // m forward, in B
-  bool is_even = false;  // ground level with the wheel
+  Vec3 up;                           // of the ground
+  double x = 0;                      // m forward, in B
+  double v_along = 0, v_across = 0;  // m/s of the wheel over the ground, before the step
+  bool is_even = false;              // ground level with the wheel
   WheelImpulse* impulse = nullptr;
   bool is_caster() const { return grip_along <= 0 && grip_across <= 0; }
 };
@@ -88,6 +89,8 @@ class Rows {
   }
 
   PLAYHOUSE_INLINE double impulse(std::size_t row) const { return impulse_[row]; }
+  /// kg that an impulse in the row feels
+  PLAYHOUSE_INLINE double mass(std::size_t row) const { return effective_[row]; }
   /// The accumulated impulse that would satisfy the row.
   PLAYHOUSE_INLINE double wanted(std::size_t row) const {
     return impulse_[row] + missing_[row] * effective_[row];
@@ -206,9 +209,41 @@ PLAYHOUSE_INLINE double press(const Contact& contact, Rows& rows) {
   return rows.set(contact.normal, std::max(0.0, rows.wanted(contact.normal)));
 }
 
-/// Friction limited by the load. Returns the change of impulses. [N s]
-PLAYHOUSE_INLINE double grip(const Contact& contact, Rows& rows) {
+/// What the motor of a wheel can do in a step.
+struct Motor {
+  double push = 0, work = 0, mass = 0;  // N s, J; its share of the mass in kg
+  bool is_sideways = false;
+
+  /// The largest impulse towards where it moves at v.  [N s]
+  double most(double v) const {
+    const double by_power = work < Motors::kNoLimit ? mass * (std::sqrt(v * v + 2 * work / mass) - v) : work;
+    return std::min(push, by_power);
+  }
+  ImpulseRange range(double v) const { return {-most(-v), most(v)}; }
+};
+
+/// Limits what a wheel is pushed along the ground. What is driven sideways as well pushes in the direction of
+/// the velocity that it lacks, whatever mass it feels in either.
+void limit(const Motor& motor, const Contact& contact, const Rows& rows, double& along, double& across) {
+  if (!motor.is_sideways) {
+    const ImpulseRange range = motor.range(contact.v_along);
+    along = std::clamp(along, range.low, range.high);
+    return;
+  }
+  const double v_along = along / rows.mass(contact.along), v_across = across / rows.mass(contact.across);
+  const double v = std::sqrt(v_along * v_along + v_across * v_across);
+  if (v <= 0) return;
+  const double most = motor.most((v_along * contact.v_along + v_across * contact.v_across) / v);
+  if (along * along + across * across <= most * most) return;
+  along = most / v * v_along;
+  across = most / v * v_across;
+}
+
+/// Friction limited by the load, and by the motor if there is one to heed. Returns the change of impulses. [N
+/// s]
+PLAYHOUSE_INLINE double grip(const Contact& contact, const Motor* motor, Rows& rows) {
   double along = rows.wanted(contact.along), across = rows.wanted(contact.across);
+  if (motor != nullptr) limit(*motor, contact, rows, along, across);
   const double load = rows.impulse(contact.normal);
   const double most_along = contact.grip_along * load, most_across = contact.grip_across * load;
   if (most_along <= 0 || most_across <= 0) {
@@ -271,7 +306,8 @@ PLAYHOUSE_INLINE void unload_casters(const Axle& axle, const Rows::Together& unl
 }
 
 /// Projected Gauss-Seidel until impulses change by less than `enough`.  [N s]
-PLAYHOUSE_INLINE void iterate(std::span<const Contact> contacts, double enough, Rows& rows) {
+PLAYHOUSE_INLINE void iterate(std::span<const Contact> contacts, const Motor* motor, double enough,
+                              Rows& rows) {
   const Axle axle = axle_of(contacts);
   const bool has_axle = axle.share >= 0;
   Rows::Together unloading;
@@ -281,9 +317,17 @@ PLAYHOUSE_INLINE void iterate(std::span<const Contact> contacts, double enough, 
     if (has_axle) unload_casters(axle, unloading, rows);  // before press(), which corrects its effect
     for (const Contact& contact : contacts) change += press(contact, rows);
     for (const Contact& contact : contacts)
-      if (!contact.is_caster()) change += grip(contact, rows);
+      if (!contact.is_caster()) change += grip(contact, motor, rows);
     if (change < enough) return;
   }
+}
+
+/// The share of a vehicle's motors that each wheel with grip has.
+Motor motor_of(const Motors& motors, std::span<const Contact> contacts, double mass, double dt) {
+  const auto wheels = static_cast<double>(
+      std::ranges::count_if(contacts, [](const Contact& each) { return !each.is_caster(); }));
+  return {motors.max_force * dt / wheels, motors.max_power * dt / wheels, mass / wheels,
+          motors.push_sideways};
 }
 
 PLAYHOUSE_INLINE void solve(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity,
@@ -312,19 +356,29 @@ PLAYHOUSE_INLINE void solve(const BodyDesc& desc, const Inertia& inertia, const 
     contact.normal = rows.add(target.normal, from_center, target.v_normal + dot(target.normal, footing.v),
                               impulses[i].normal);
     if (contact.is_caster()) continue;
+    const Vec3 v = motion.v + cross(motion.w, from_center) - footing.v;
+    contact.v_along = dot(target.along, v);
+    contact.v_across = dot(target.left, v);
     contact.along =
         rows.add(target.along, from_center, target.v_along + dot(target.along, footing.v), impulses[i].along);
     contact.across =
         rows.add(target.left, from_center, target.v_left + dot(target.left, footing.v), impulses[i].across);
   }
   rows.couple();
-  iterate({contacts.data(), count}, kConverged / inertia.per_mass, rows);
+  const std::span<const Contact> met(contacts.data(), count);
+  const bool has_limits = desc.motors.have_limits();
+  const Motor motor = has_limits ? motor_of(desc.motors, met, 1 / inertia.per_mass, dt) : Motor{};
+  iterate(met, has_limits ? &motor : nullptr, kConverged / inertia.per_mass, rows);
   rows.push();
   for (std::size_t i = 0; i < count; ++i) {
     const Contact& contact = contacts[i];
     WheelImpulse& impulse = *contact.impulse;
-    impulse = {rows.impulse(contact.normal), 0, 0, rows.push_of(contact.normal)};
+    impulse = {rows.impulse(contact.normal), 0, 0, rows.push_of(contact.normal), {}, {}};
     if (contact.is_caster()) continue;
+    if (has_limits) {
+      impulse.motor_along = motor.range(contact.v_along);
+      if (motor.is_sideways) impulse.motor_across = motor.range(contact.v_across);
+    }
     impulse.along = rows.impulse(contact.along);
     impulse.across = rows.impulse(contact.across);
     impulse.total = impulse.total + rows.push_of(contact.along) + rows.push_of(contact.across);

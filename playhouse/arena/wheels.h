@@ -10,7 +10,10 @@
 /// Out: the motion after the step; the impulses.
 /// Cost: with n rows, three per wheel and one per caster, 6 n² multiplications, and n² more per iteration, at
 ///   most kIterations (7 on average in a crowd); 1.4 us for two wheels and two casters.
-/// Source: sequential impulses with warm start (Catto, "Iterative dynamics with temporal coherence", GDC
+/// A motor's impulse J in a step of dt is at most F dt, and does the work J v + J²/2m <= P dt on its share m
+/// of the mass, which moves at v before the step: a vehicle driven by power alone has v² = 2 P t / m in any
+/// step. Source: sequential impulses with warm start (Catto, "Iterative dynamics with temporal coherence",
+/// GDC
 ///   2005), on the Delassus matrix that couples the rows; the friction cone as an ellipse scaled by the load
 ///   of the wheel.
 
@@ -36,10 +39,16 @@ struct Footing {
   Vec3 grain_x, grain_y, grain_z;  // in W
 };
 
+struct ImpulseRange {
+  double low = -Motors::kNoLimit, high = Motors::kNoLimit;  // N s
+};
+
 /// Impulses at a wheel.  [N s]
 struct WheelImpulse {
   double normal = 0, along = 0, across = 0;
   Vec3 total;  // their sum, in W
+  // What its motor could do in the step, in either direction.
+  ImpulseRange motor_along, motor_across;
 };
 
 /// Target of a wheel's constraints: velocities relative to

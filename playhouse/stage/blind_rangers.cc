@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -23,6 +24,13 @@ struct SeenLayer {
   std::uint32_t tree = 0;
 };
 
+/// True for what the arena turns by roll or pitch: it may reach any height there.
+bool may_be_tilted(const world::World& world, world::ModelRow row) {
+  for (; row; row = {world.models.parent[row.index]})
+    if (world.desc(row).roll != 0 || world.desc(row).pitch != 0) return true;
+  return false;
+}
+
 std::vector<SeenLayer> layers_of(const world::World& world) {
   std::vector<SeenLayer> layers;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
@@ -30,6 +38,8 @@ std::vector<SeenLayer> layers_of(const world::World& world) {
     if (desc.ranger_return < 0) continue;
     const double z = world.models.X_WM[row].z, z_body = z + desc.X_MB.z;
     const std::uint32_t tree = world.models.root[row];
+    constexpr double kAny = std::numeric_limits<double>::infinity();
+    if (may_be_tilted(world, {row})) layers.push_back({-kAny, kAny, tree});
     for (const scene::Block& block : desc.blocks)
       layers.push_back({z_body + block.z_min, z_body + block.z_max, tree});
     for (const scene::Contours& walls : desc.bitmaps)

@@ -37,6 +37,8 @@ TEST(BlindRangers, are_none_where_something_else_reaches_their_height) {
               testing::SizeIs(1))
       << "b sees nothing, a sees the mast of b";
   EXPECT_THAT(lines_of("robot( name \"a\" )"), IsEmpty()) << "there is nothing at all";
+  EXPECT_THAT(lines_of("robot( name \"a\" ) model( size [3 1 0.1] pose [3 0 0 0] tilt [0 -20] )"), IsEmpty())
+      << "a ramp of the arena";
 }
 
 TEST(BlindRangers, have_one_line_at_the_first_of_them) {

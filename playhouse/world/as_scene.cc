@@ -18,21 +18,37 @@
 namespace playhouse::world {
 namespace {
 
-constexpr double kUpright = 0.01;  // rad; contacts tilt resting bodies by less
+constexpr double kUpright = 0.01;   // rad; contacts tilt resting bodies by less
+constexpr double kRounding = 1e-9;  // rad
 
-/// Warnings about state that a world file cannot express.
-std::vector<std::string> left_out(const World& world) {
-  std::size_t tilted = 0;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    const geom::Tilt& tilt = world.models.tilt_PM[row];
-    if (std::fabs(tilt.x) > kUpright || std::fabs(tilt.y) > kUpright) ++tilted;
+bool are_near(geom::Tilt a, geom::Tilt b, double tolerance) {
+  return std::fabs(a.x - b.x) <= tolerance && std::fabs(a.y - b.y) <= tolerance;
+}
+
+/// A pose as a file says it.
+struct SaidPose {
+  geom::Pose X_PM;
+  double roll = 0, pitch = 0;  // rad
+};
+
+SaidPose said_in(const World& world, ModelRow row) {
+  const scene::ModelDesc& desc = world.desc(row);
+  if (world.upright) return {pose_said(world, row), desc.roll, desc.pitch};
+  const auto [X, tilt] = desc.kind == scene::ModelKind::kActuator
+                             ? joint_of(world, {world.models.part[row.index]})
+                             : pose_in_parent(world.models, row);
+  const geom::SpatialPose start = tilted(desc, desc.X_PM);
+  if (are_near(tilt, start.tilt, kRounding)) {
+    const double yaw = X.a == start.X.a ? desc.X_PM.a : geom::normalize(X.a - start.X.a + desc.X_PM.a);
+    return {{X.x, X.y, X.z, yaw}, desc.roll, desc.pitch};
   }
-  if (tilted == 0) return {};
-  return {
-      fmt::format("{} that {} tilted {} written upright; a saved run (--save-at SECONDS FILE.run) keeps "
-                  "how they lie",
-                  tilted == 1 ? "a model" : fmt::format("{} models", tilted), tilted == 1 ? "is" : "are",
-                  tilted == 1 ? "is" : "are")};
+  if (are_near(tilt, {}, kUpright)) return {X};
+  const geom::RollPitchYaw turns = geom::roll_pitch_yaw(X.a, tilt);
+  return {{X.x, X.y, X.z, turns.yaw}, turns.roll, turns.pitch};
+}
+
+bool is_tilted_as_described(const SaidPose& said, const scene::ModelDesc& desc) {
+  return said.roll == desc.roll && said.pitch == desc.pitch;
 }
 
 class StandingScene {
@@ -75,7 +91,7 @@ scene::SceneDesc StandingScene::make() {
   scene_ = from_;
   scene_.trees.clear();
   scene_.renamed.clear();
-  scene_.warnings = left_out(world_);
+  scene_.warnings.clear();
   find_attached();
   for (std::uint32_t row = 0; row < world_.models.size(); ++row)
     if (!ModelRow{world_.models.parent[row]}) add_tree(row);
@@ -96,7 +112,7 @@ void StandingScene::add_tree(std::uint32_t row) {
                        world_.name({row}),
                        unsaid_name({row}, {}, tops_),
                        world_.where({row}),
-                       pose_said(world_, {row}),
+                       said_in(world_, {row}).X_PM,
                        world_.models.color[row],
                        world_.models.fiducial_return[row]};
   const Change change = change_of(row, size);
@@ -115,7 +131,7 @@ StandingScene::Change StandingScene::change_of(std::uint32_t row, std::uint32_t 
   const auto says_otherwise = [&](std::uint32_t model) {
     const scene::ModelDesc& desc = world_.desc({model});
     return world_.models.say[model] != desc.say || (is_new && !desc.ctrl.empty()) ||
-           say_rows(world_, {model});
+           !is_tilted_as_described(said_in(world_, {model}), desc) || say_rows(world_, {model});
   };
   // A tree's own models are consecutive rows.
   for (std::uint32_t part = row + 1; part < row + size; ++part)
@@ -126,7 +142,7 @@ StandingScene::Change StandingScene::change_of(std::uint32_t row, std::uint32_t 
 bool StandingScene::is_another(std::uint32_t row) const {
   const Models& models = world_.models;
   const scene::ModelDesc& desc = world_.desc({row});
-  return pose_said(world_, {row}) != desc.X_PM || models.color[row] != desc.color ||
+  return said_in(world_, {row}).X_PM != desc.X_PM || models.color[row] != desc.color ||
          models.fiducial_return[row] != desc.fiducial_return;
 }
 
@@ -141,7 +157,10 @@ void StandingScene::describe(std::uint32_t row, std::int32_t parent, std::string
   desc.name = world_.name({row});
   desc.alias = std::move(alias);
   desc.parent = parent;
-  desc.X_PM = pose_said(world_, {row});
+  const SaidPose said = said_in(world_, {row});
+  desc.X_PM = said.X_PM;
+  desc.roll = said.roll;
+  desc.pitch = said.pitch;
   desc.color = world_.models.color[row];
   desc.fiducial_return = world_.models.fiducial_return[row];
   desc.say = world_.models.say[row];

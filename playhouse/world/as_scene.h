@@ -16,7 +16,7 @@ namespace playhouse::world {
 /// else is as in the world's scene, with which unchanged trees share their descriptions. Default
 /// names are those that a file would give. A world made from it starts at rest in the present
 /// configuration; velocities, odometry, measurements and controller memory are only in saved runs.
-/// `warnings` lists what a world file cannot express: tilts. Cost: the population. Tick thread.
+/// Tilts of up to 0.01 rad, as contacts leave them, are left out. Cost: the population. Tick thread.
 scene::SceneDesc as_scene(const World& world);
 
 /// The text of a world file at `path` (scene::write_world()) for the

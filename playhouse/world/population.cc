@@ -118,6 +118,16 @@ Error no_model() {
   return Error{{}, "there is no such model, or no more"};
 }
 
+/// Turns a model by the roll and pitch of its description. False if it has neither.
+bool tilt_by_desc(World& world, ModelRow row, const geom::Pose& upright_PM) {
+  const scene::ModelDesc& desc = world.desc(row);
+  if (desc.roll == 0 && desc.pitch == 0) return false;
+  const geom::SpatialPose X_PM = tilted(desc, upright_PM);
+  world.models.X_PM.set(row.index, X_PM.X);
+  world.models.tilt_PM.set(row.index, X_PM.tilt);
+  return true;
+}
+
 }  // namespace
 
 void Population::clear() {
@@ -188,6 +198,7 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
   models.parent_id.push_back(top ? ModelId{} : models.id[parent.index]);
   models.parent.push_back(parent.index);
   models.X_PM.set(row.index, X_PM);
+  if (!world_.upright) tilt_by_desc(world_, row, X_PM);
   models.X_WM.push_back({});
   place(models, row);
   models.root.push_back(top ? row.index : models.root[parent.index]);
@@ -417,6 +428,23 @@ geom::Pose Population::start_of(ModelRow row) const {
   if (from.tree != kNone) return world_.trees_[from.tree].X_WM;
   const auto given = world_.given_.find(from.first);
   return given == world_.given_.end() ? world_.desc(row).X_PM : given->second.X_WM;
+}
+
+geom::SpatialPose tilted(const scene::ModelDesc& desc, const geom::Pose& X_PM) {
+  const geom::SpatialPose turned = geom::spatial_pose({}, geom::RollPitchYaw{desc.roll, desc.pitch, 0});
+  return {{X_PM.x, X_PM.y, X_PM.z, geom::normalize(X_PM.a + turned.X.a)}, turned.tilt};
+}
+
+void tilt_as_described(World& world) {
+  world.upright = false;
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    const bool is_joint = world.models.kind[row] == scene::ModelKind::kActuator;
+    const bool is_tilted = tilt_by_desc(world, {row}, pose_said(world, {row}));
+    if (is_tilted && is_joint)
+      set_joint(world, {world.models.part[row]}, pose_in_parent(world.models, {row}));
+    else
+      place(world.models, {row});  // after its parent
+  }
 }
 
 std::string fresh_name(const World& world, std::string_view like) {

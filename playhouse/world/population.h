@@ -41,6 +41,13 @@ Result<void> despawn(World& world, ModelId model);
 /// if one does not exist, is a part, or is listed twice.
 Result<void> despawn(World& world, std::span<const ModelId> models);
 
+/// The pose of a model that is described with this roll and pitch and begins at X_PM, whose heading is the yaw.
+geom::SpatialPose tilted(const scene::ModelDesc& desc, const geom::Pose& X_PM);
+
+/// For engines that tilt models, before the first tick: each model is turned by the roll and pitch of its
+/// description, as are those that come later.
+void tilt_as_described(World& world);
+
 /// Attaches a root to another tree, at X_PC in `parent`, upright in it. Fails if the parent is
 /// in the child's tree, if the child is fixed or has a driven part, or if either does not exist.
 Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pose& X_PC);

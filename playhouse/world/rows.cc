@@ -68,15 +68,34 @@ void fill_row(World&, Blinkenlights& lamps, const scene::ModelDesc&, ModelRow) {
 
 /// The file's pose is that at position 0.
 void fill_row(World& world, Actuators& actuators, const scene::ModelDesc& model, ModelRow row) {
-  Models& models = world.models;
-  const geom::Pose X_PJ = models.X_PM[row.index];
-  actuators.X_PJ.back() = X_PJ;
   actuators.speed.back() = model.actuator->max_speed;
   actuators.motor_on.back() = 1;
-  if (actuators.position.back() == 0) return;
-  models.X_PM.own(row.index) =
-      geom::compose(X_PJ, scene::way_along(*model.actuator, actuators.position.back()));
-  place(models, row);
+  set_joint(world, {count32(actuators.model) - 1}, pose_in_parent(world.models, row));
+}
+
+void set_joint(World& world, ActuatorRow actuator, const geom::SpatialPose& X_PJ) {
+  Actuators& actuators = world.actuators;
+  const ModelRow row = actuators.model[actuator.index];
+  actuators.X_PJ[actuator.index] = X_PJ.X;
+  const double position = actuators.position[actuator.index];
+  const geom::SpatialPose X_PM =
+      position == 0 ? X_PJ : geom::compose(X_PJ, {scene::way_along(*world.desc(row).actuator, position), {}});
+  world.models.X_PM.set(row.index, X_PM.X);
+  world.models.tilt_PM.set(row.index, X_PM.tilt);
+  place(world.models, row);
+}
+
+geom::SpatialPose joint_of(const World& world, ActuatorRow actuator) {
+  const Actuators& actuators = world.actuators;
+  const ModelRow row = actuators.model[actuator.index];
+  const scene::ActuatorDesc& desc = *world.desc(row).actuator;
+  const geom::Tilt tilt = world.models.tilt_PM[row.index];
+  const double position = actuators.position[actuator.index];
+  const geom::Pose& X = actuators.X_PJ[actuator.index];
+  if (tilt == geom::Tilt{} || desc.type == scene::ActuatorType::kLinear || position == 0) return {X, tilt};
+  // A tilt is in M, which has turned.
+  const geom::Vec2 in_J = geom::Rotation::of(geom::normalize(position)) * geom::Vec2{tilt.x, tilt.y};
+  return {X, {in_J.x, in_J.y}};
 }
 
 void fill_row(World&, Grippers& grippers, const scene::ModelDesc& model, ModelRow) {
@@ -155,7 +174,7 @@ const geom::Pose& pose_said(const World& world, ModelRow row) {
 void moved_in_parent(World& world, Actuators& actuators, ModelRow row) {
   const std::uint32_t actuator = world.models.part[row.index];
   const geom::Pose way = scene::way_along(*world.desc(row).actuator, actuators.position[actuator]);
-  actuators.X_PJ[actuator] = geom::compose(world.models.X_PM[row.index], geom::inverse(way));
+  actuators.X_PJ[actuator] = geom::compose(pose_in_parent(world.models, row), {geom::inverse(way), {}}).X;
 }
 
 void moved_in_world(World& world, Positions& positions, ModelRow row) {

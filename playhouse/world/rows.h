@@ -47,6 +47,11 @@ const geom::Pose& pose_said(const World& world, const Actuators& actuators, Mode
 /// For any model.
 const geom::Pose& pose_said(const World& world, ModelRow row);
 
+/// Puts an actuator where its position is along or about the axis of this joint.
+void set_joint(World& world, ActuatorRow actuator, const geom::SpatialPose& X_PJ);
+/// X_PJ with its tilt.
+geom::SpatialPose joint_of(const World& world, ActuatorRow actuator);
+
 /// Hook: the model of a row got a new pose in its parent.
 template <typename Table>
 void moved_in_parent(World&, Table&, ModelRow) {}

@@ -408,6 +408,7 @@ void return_to_start(World& world) {
   World start(world.scene(), world.seed());
   Population population(world), at_start(start);
   at_start.clear();
+  start.upright = world.upright;
   for (std::uint32_t row = 0; row < world.models.size(); ++row)
     at_start.append(world.models.id[row], world.models.desc[row], {world.models.parent[row]},
                     population.start_of({row}));

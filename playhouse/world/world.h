@@ -40,6 +40,7 @@ class World : public Tables {
  public:
   /// Instantiates the scene's trees, with ids from 0 in order. The scene must outlive the world.
   World(const scene::SceneDesc& scene, std::uint64_t seed);
+  World(const scene::SceneDesc&&, std::uint64_t) = delete;
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 

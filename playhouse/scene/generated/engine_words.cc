@@ -6,6 +6,11 @@
 namespace playhouse::scene {
 namespace {
 
+void add_arena_words(const PositionDesc& from, std::set<std::string_view>& words) {
+  if (from.max_force) words.insert("max_force");
+  if (from.max_power) words.insert("max_power");
+}
+
 void add_arena_words(const RangerSensorDesc& from, std::set<std::string_view>& words) {
   static const RangerSensorDesc unsaid;
   if (from.rings != unsaid.rings) words.insert("rings");
@@ -16,6 +21,7 @@ void add_arena_words(const RangerSensorDesc& from, std::set<std::string_view>& w
 
 void add_arena_words(const PlainDesc& from, std::set<std::string_view>& words) {
   static const PlainDesc unsaid;
+  if (from.roll != unsaid.roll || from.pitch != unsaid.pitch) words.insert("tilt");
   if (from.friction != unsaid.friction) words.insert("friction");
   if (from.friction_x != unsaid.friction_x || from.friction_y != unsaid.friction_y) words.insert("friction_axes");
   if (from.material != unsaid.material) words.insert("material");
@@ -33,6 +39,7 @@ void add_arena_words(const WorldDesc& from, std::set<std::string_view>& words) {
 }
 
 void add_arena_words(const KindDescs& from, std::set<std::string_view>& words) {
+  if (from.position) add_arena_words(*from.position, words);
   for (const RangerSensorDesc& part : from.sensors) add_arena_words(part, words);
 }
 

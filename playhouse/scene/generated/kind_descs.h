@@ -38,6 +38,11 @@ enum class ModelKind : std::uint8_t {
 struct PlainDesc {
   /// Pose in the parent. [frame X_PM, m, m, m, rad]
   geom::Pose X_PM;
+  /// Roll and pitch in the parent, in the arena: turned about its x axis by the roll, then about y by the
+  /// pitch, then by its heading; a positive pitch lowers its front. The stage engine keeps all models
+  /// upright. [rad]
+  double roll = 0;
+  double pitch = 0;
   /// Pose of the body and of the sensors, relative to the model's pose. [frame X_MB, m, m, m, rad]
   geom::Pose X_MB;
   /// Bounding box that the body fills; 0 in x or y makes a wall 0.01 m thick. Else the kind's own. [m]
@@ -144,6 +149,12 @@ struct PositionDesc {
   Bounds acceleration_bounds[4] = {{-1, 1}, {-1, 1}, {-1, 1}, {geom::radians(-90), geom::radians(90)}};
   /// Distance between the front and the rear axle of a car. [m]
   double wheelbase = 1;
+  /// Largest force with which its motors push it along the ground, in the arena: with mass m it gains at most
+  /// max_force / m of speed a second. Else as much as its wheels grip. [N]
+  std::optional<double> max_force;
+  /// Largest mechanical power of its motors, in the arena: at speed v they push with at most max_power / v.
+  /// Else no limit. [W]
+  std::optional<double> max_power;
   /// Odometry errors along each axis, as fractions of the motion. Else drawn per robot: up to 0.015 in x and
   /// y, 0.025 in heading.
   std::optional<geom::Twist> odom_error;

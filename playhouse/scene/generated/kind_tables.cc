@@ -25,9 +25,10 @@ constexpr Meaning kOld_model_polygon{.how = Meaning::How::kNested, .part = "bloc
 constexpr Meaning kOld_model_blocks{.how = Meaning::How::kCount, .part = "block"};
 constexpr SaidWord kOld_model_block_part_words[] = {{"z", "0 1"}};
 constexpr Meaning kOld_model_block{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_block_part_words};
-constexpr Word kWordsOfModel[69] = {
+constexpr Word kWordsOfModel[70] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "Name of the model. Inside a parent the full name is parent.name; a name with a leading / is used as given."},
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Pose in the parent."},
+    {.name = "tilt", .use = Use::kRead, .type = "tuple", .form = "[roll pitch]", .unit = "deg", .otherwise = "[0 0]", .limits = "from -180 to 180", .doc = "Roll and pitch in the parent, in the arena: turned about its x axis by the roll, then about y by the pitch, then by its heading; a positive pitch lowers its front. The stage engine keeps all models upright."},
     {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Pose of the body and of the sensors, relative to the model's pose."},
     {.name = "size", .use = Use::kRead, .type = "size", .form = "[x y z]", .unit = "m", .told = "the kind's own", .doc = "Bounding box that the body fills; 0 in x or y makes a wall 0.01 m thick."},
     {.name = "color", .use = Use::kRead, .type = "color", .told = "the kind's own", .doc = "Name of an X11 color, or random, which is the same in every run."},
@@ -103,7 +104,7 @@ constexpr KindInterface kInterfacesOfModel[3] = {
     {"map", 42, Index::kCount, Need::kNothing, Need::kNever, true},
 };
 
-constexpr Word kWordsOfPosition[12] = {
+constexpr Word kWordsOfPosition[14] = {
     {.name = "drive", .use = Use::kRead, .type = "choice", .form = "\"diff\" | \"omni\" | \"walk\" | \"car\"", .otherwise = "\"diff\"", .doc = "Drive model. \"diff\": differential: forward velocity and turn rate, like two wheels; \"omni\": omnidirectional; \"walk\": legs: omnidirectional; with the arena engine it climbs steps of up to 0.3 m; \"car\": forward velocity and the steering angle of an axle."},
     {.name = "localization", .use = Use::kRead, .type = "choice", .form = "\"gps\" | \"odom\"", .otherwise = "\"gps\"", .doc = "Source of its pose estimate. \"gps\": the true pose; \"odom\": wheel odometry, with an error."},
     {.name = "localization_origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .told = "odom: the start pose, gps: 0 0 0 0", .doc = "Pose in the world of the origin of its pose estimate."},
@@ -111,6 +112,8 @@ constexpr Word kWordsOfPosition[12] = {
     {.name = "velocity_bounds", .use = Use::kRead, .type = "bounds", .form = "[xmin xmax ymin ymax zmin zmax amin amax]", .unit = "m/s, m/s, m/s, deg/s", .otherwise = "[-1 1 -1 1 -1 1 -90 90]", .doc = "Minimum and maximum velocity along each axis."},
     {.name = "acceleration_bounds", .use = Use::kRead, .type = "bounds", .form = "[xmin xmax ymin ymax zmin zmax amin amax]", .unit = "m/s^2, m/s^2, m/s^2, deg/s^2", .otherwise = "[-1 1 -1 1 -1 1 -90 90]", .doc = "Minimum and maximum acceleration along each axis, for commanded accelerations of controllers."},
     {.name = "wheelbase", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "1", .limits = "above 0", .doc = "Distance between the front and the rear axle of a car."},
+    {.name = "max_force", .use = Use::kRead, .type = "number", .unit = "N", .told = "as much as its wheels grip", .limits = "above 0", .doc = "Largest force with which its motors push it along the ground, in the arena: with mass m it gains at most max_force / m of speed a second."},
+    {.name = "max_power", .use = Use::kRead, .type = "number", .unit = "W", .told = "no limit", .limits = "above 0", .doc = "Largest mechanical power of its motors, in the arena: at speed v they push with at most max_power / v."},
     {.name = "odom_error", .use = Use::kRead, .type = "twist", .form = "[x y z heading]", .told = "drawn per robot: up to 0.015 in x and y, 0.025 in heading", .doc = "Odometry errors along each axis, as fractions of the motion."},
     {.name = "show_waypoints", .use = Use::kOld},
     {.name = "odom", .use = Use::kOld, .instead = "write localization \"odom\""},

@@ -18,6 +18,10 @@ void read(const Properties& properties, PositionDesc& to) {
   read_bounds(properties, "acceleration_bounds", "LLLLLLAA", to.acceleration_bounds);
   to.wheelbase = properties.length("wheelbase", to.wheelbase);
   require(to.wheelbase > 0, properties, "wheelbase", "must be above 0");
+  if (properties.has("max_force")) to.max_force = properties.number("max_force", {});
+  require(to.max_force.value_or(1) > 0, properties, "max_force", "must be above 0 N");
+  if (properties.has("max_power")) to.max_power = properties.number("max_power", {});
+  require(to.max_power.value_or(1) > 0, properties, "max_power", "must be above 0 W");
   if (properties.has("odom_error")) to.odom_error = read_twist(properties, "odom_error", "NNNN", "[x y z heading]");
 }
 
@@ -262,6 +266,11 @@ void read(const Properties& properties, GpsDesc& to) {
 
 void read(const Properties& properties, std::size_t row, PlainDesc& to) {
   to.X_PM = properties.pose("pose").value_or(to.X_PM);
+  double tilt[2] = {to.roll, to.pitch};
+  properties.tuple("tilt", "AA", tilt, "[roll pitch]");
+  require(tilt[0] >= geom::radians(-180) && tilt[0] <= geom::radians(180) && tilt[1] >= geom::radians(-180) && tilt[1] <= geom::radians(180), properties, "tilt", "needs numbers from -180 to 180");
+  to.roll = tilt[0];
+  to.pitch = tilt[1];
   to.X_MB = properties.pose("origin").value_or(to.X_MB);
   to.size = properties.size("size", to.size);
   to.color = properties.color(to.color, row);

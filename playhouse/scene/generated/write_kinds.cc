@@ -18,6 +18,8 @@ void write(const PositionDesc& from, const PositionDesc& unsaid, Words& to) {
   if (!std::ranges::equal(from.velocity_bounds, unsaid.velocity_bounds)) to.bounds("velocity_bounds", "LLLLLLAA", from.velocity_bounds);
   if (!std::ranges::equal(from.acceleration_bounds, unsaid.acceleration_bounds)) to.bounds("acceleration_bounds", "LLLLLLAA", from.acceleration_bounds);
   if (from.wheelbase != unsaid.wheelbase) to.length("wheelbase", from.wheelbase);
+  if (from.max_force) to.number("max_force", *from.max_force);
+  if (from.max_power) to.number("max_power", *from.max_power);
   if (from.odom_error) to.twist("odom_error", "NNNN", *from.odom_error);
 }
 
@@ -185,6 +187,8 @@ void write(const RangerSensorDesc& from, const RangerSensorDesc& unsaid, Words& 
 
 void write(const PlainDesc& from, const PlainDesc& unsaid, double z, Words& to) {
   if (from.X_PM != unsaid.X_PM) to.pose("pose", from.X_PM, z);
+  const double tilt[] = {from.roll, from.pitch};
+  if (from.roll != unsaid.roll || from.pitch != unsaid.pitch) to.tuple("tilt", "AA", tilt);
   if (from.X_MB != unsaid.X_MB) to.pose("origin", from.X_MB);
   if (from.size != unsaid.size) to.size("size", from.size);
   if (from.color != unsaid.color) to.color(from.color);
