@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import textwrap
 
-from codegen.model import COMMON, OPAQUE, SCALARS, SIGNED, Field, Interface, Message, Schema, Struct
+from codegen.model import COMMON, OPAQUE, SCALARS, Field, Interface, Message, Schema, Struct
 
 FOLDER = "playhouse/wire/generated"
 WIDTH = 110
@@ -196,8 +196,6 @@ def _to_json(struct: Struct) -> list[str]:
         elif f.is_array:
             call = "json_value" if f.is_scalar else "to_json"
             lines.append(f"  json_array(out, m.{f.name}, [](std::string& to, const auto& e) {{ {call}(to, e); }});")
-        elif f.signed:
-            lines.append(f"  json_value(out, static_cast<std::{SIGNED[f.type]}_t>(m.{f.name}));")
         else:
             lines.append(f"  {'json_value' if f.is_scalar else 'to_json'}(out, m.{f.name});")
     return [*lines, "  out += '}';", "}"]

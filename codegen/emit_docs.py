@@ -88,7 +88,7 @@ def _frame(f: Field) -> str:
 
 
 def _type(f: Field, inside: Interface) -> str:
-    one = f.type if f.is_scalar else _link(f.owner, f.type, inside)
+    one = f.original_type if f.is_scalar else _link(f.owner, f.type, inside)
     if f.signed:
         return f"{one}, signed"
     if f.length is not None:

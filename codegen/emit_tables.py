@@ -13,12 +13,18 @@ TYPES = {
     "float64": "double", "text": "std::string", "color": "scene::Color", "size": "geom::Size", "pose": "geom::Pose",
     "vector3": "geom::Vec3", "twist": "geom::Twist", "tilt": "geom::Tilt", "velocity6": "geom::SpatialVelocity", "ModelKind": "scene::ModelKind",
 }
+# Numbers of a value, in the order of world::each_number().
+NUMBERS = {
+    "color": ["red", "green", "blue", "alpha"], "size": ["x", "y", "z"], "pose": ["x", "y", "z", "heading"],
+    "twist": ["x", "y", "z", "heading"], "vector3": ["x", "y", "z"], "tilt": ["x", "y"],
+}
 ZERO = {"flag", "uint8", "int32", "uint32", "uint64", "float32", "float64"}
 
 
 def emit(kinds: Kinds) -> dict[str, str]:
     """Path from the root of the tree -> content."""
-    return {f"{FOLDER}/tables.h": _tables(kinds), f"{FOLDER}/table_columns.h": _columns(kinds), f"{FOLDER}/worded.h": _worded(kinds)}
+    return {f"{FOLDER}/tables.h": _tables(kinds), f"{FOLDER}/table_columns.h": _columns(kinds), f"{FOLDER}/worded.h": _worded(kinds),
+            f"{FOLDER}/part_names.h": _part_names(kinds)}
 
 
 def tabled(kinds: Kinds) -> list[Kind]:
@@ -81,6 +87,23 @@ def _record(record: Record) -> list[str]:
               f"void each_part(const {record.name}& value, const Visit& visit) {{", f"  const auto& [{names}] = value;",
               "  " + ", ".join(f"visit({f.name})" for f in record.fields) + ";", "}", ""]
     return lines
+
+
+def _part_names(kinds: Kinds) -> str:
+    lines = [BANNER.rstrip(), "#pragma once", "",
+             "/// Names of the numbers of records, in the order of each_number(). \"(model)\" is behind that of a model's id.", "",
+             '#include "playhouse/world/generated/tables.h"', "", "namespace playhouse::world {", "", "template <typename Record>",
+             'inline constexpr const char* kPartNames = "";']
+    for record in (record for kind in tabled(kinds) for record in kind.state.records):
+        names = " ".join(name for f in record.fields for name in _numbers_of(f))
+        lines += ["template <>", f"inline constexpr const char* kPartNames<{record.name}> =", f'    "{names}";']
+    return "\n".join([*lines, "", "}  // namespace playhouse::world", ""])
+
+
+def _numbers_of(field: Quantity) -> list[str]:
+    if field.type in NUMBERS:
+        return [f"{field.name}.{number}" for number in NUMBERS[field.type]]
+    return [f"{field.name}(model)" if field.type == "ModelId" else field.name]
 
 
 def _about(quantity: Quantity) -> str:

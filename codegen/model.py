@@ -22,8 +22,8 @@ SCALARS = {
     "int64": 8, "float32": 4, "float64": 8,
 }
 FLOATS = {"float32", "float64"}
-# Unsigned scalar -> the type of its value where a field is signed: old programs know the wire's type.
-SIGNED = {"uint8": "int8", "uint16": "int16", "uint32": "int32"}
+# Unsigned scalar -> the type of its value where a field is signed. Only one whose bytes are the same.
+SIGNED = {"uint32": "int32"}
 # Arrays of these travel as raw bytes padded to four, not element by element.
 OPAQUE = {"char", "int8", "uint8"}
 
@@ -73,7 +73,7 @@ class Field:
     """
 
     name: str
-    type: str                   # scalar name, or struct name
+    type: str                   # scalar name, or struct name; of the value, if it is signed
     owner: str                  # interface that defines the struct; "" for scalars, "common" for shared structs
     unit: str                   # "" only where there is no quantity
     frame: str
@@ -81,13 +81,18 @@ class Field:
     length: int | None = None
     max: int | None = None
     dynamic: bool = False
-    signed: bool = False        # unsigned on the wire, but its value is signed (two's complement)
+    signed: bool = False        # unsigned in the original, but its value is signed (two's complement)
     count_before: str = ""      # field before which the count word is encoded; "": directly before the array
     line: int = 0               # of the definition's file; 0 if unknown
 
     @property
     def is_scalar(self) -> bool:
         return self.type in SCALARS
+
+    @property
+    def original_type(self) -> str:
+        """The type of the original, which old programs know."""
+        return next(unsigned for unsigned, value in SIGNED.items() if value == self.type) if self.signed else self.type
 
     @property
     def is_array(self) -> bool:
@@ -384,7 +389,9 @@ def _field(source: str, struct: str, row: dict) -> Field:
     if row.get("signed", True) is not True:
         raise SchemaError(f"{where}: signed = {row['signed']!r}, valid: true")
     if f.signed and (f.is_array or f.type not in SIGNED):
-        raise SchemaError(f"{where}: signed is for single unsigned numbers")
+        raise SchemaError(f"{where}: signed is for single numbers of type uint32")
+    if f.signed:
+        f.type = SIGNED[f.type]
     if f.type in FLOATS and not f.unit:
         raise SchemaError(f'{where}: a float needs a unit ("1" for a plain number)')
     if f.type in GEOMETRY and not f.frame:

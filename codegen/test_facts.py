@@ -49,7 +49,7 @@ class Facts(unittest.TestCase):
                 for f in struct.fields:
                     fact = facts[struct.c_name][f.name]
                     array = fact["array"] or {}
-                    ctype = f.type if f.is_scalar else self.schema.struct_of(f).c_name
+                    ctype = f.original_type if f.is_scalar else self.schema.struct_of(f).c_name
                     self.assertEqual(ctype, fact["type"])
                     self.assertEqual(f.length, array.get("n"))
                     self.assertEqual(None if f.dynamic else f.max, array.get("max"))

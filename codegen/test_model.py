@@ -77,9 +77,9 @@ class Refused(unittest.TestCase):
                     struct=[struct({"name": "pose", "type": "Pose2d", "unit": "m, m, rad", "frame": "X_OR"})])
 
     def test_a_sign_for_what_has_one_or_is_no_number(self):
-        for kind in ("int32", "float64", "uint8[]", "Pose2d"):
+        for kind in ("int32", "uint8", "uint16", "float64", "uint32[]", "Pose2d"):
             field = {"name": "level", "type": kind, "signed": True, "unit": "m", "frame": "X_OR"}
-            self.refuse("field level: signed is for single unsigned numbers", struct=[struct(field | ({"max": 4} if "[" in kind else {}))])
+            self.refuse("field level: signed is for single numbers of type uint32", struct=[struct(field | ({"max": 4} if "[" in kind else {}))])
         self.refuse("field level: signed = 1, valid: true", struct=[struct({"name": "level", "type": "uint32", "signed": 1})])
 
     def test_an_unbounded_array(self):
@@ -205,6 +205,7 @@ class Checked(unittest.TestCase):
                                  "blobfinder.ColorConfig.channel"})
         level = next(f for f in schema.interface("wifi").struct("Link").fields if f.name == "level")
         self.assertEqual(level.described(), "Signal, up to Data.maxlevel (signed).")
+        self.assertEqual((level.type, level.original_type), ("int32", "uint32"))
 
     def test_file_names_are_code_and_name(self):
         for interface in load(ROOT / "interfaces").all():

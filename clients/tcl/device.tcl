@@ -132,6 +132,16 @@ oo::class create ::playhouse::Device {
         return [switch -- $kind {string {text $value} bool {expr {$value != 0}} default {set value}}]
     }
 
+    # Why the driver of a position2d or planner does not drive to the goal that it was given last, as its log says; empty if
+    # it does, has arrived, has not planned yet, or gives no reasons.
+    method whyRefused {} {
+        try {
+            return [my getProperty refusal string]
+        } trap {PLAYHOUSE REFUSED} {} {
+            return ""
+        }
+    }
+
     method setProperty {key kind value} {
         set message [lindex [my PropertyMessages $kind] 1]
         set said $value

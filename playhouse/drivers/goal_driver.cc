@@ -1,7 +1,11 @@
 #include "playhouse/drivers/goal_driver.h"
 
+#include <utility>
+
+#include "playhouse/base/log.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/in_ticks.h"
+#include "playhouse/drivers/refusal.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/header.h"
 
@@ -16,6 +20,10 @@ GoalDriver::GoalDriver(device::Opener& opener, std::size_t devices, std::size_t 
 
 Result<void> GoalDriver::start(device::DeviceId) {
   if (const Result<void> opened = client_.open(); !opened) return opened;
+  {
+    const std::lock_guard lock(mutex_);
+    incapable_.clear();
+  }
   ask_geometry();
   return {};
 }
@@ -43,9 +51,32 @@ device::Taken GoalDriver::command(const device::Message& message) {
     return taken;
   }
   const Result<p2d::CmdPos> command = wire::decode<p2d::CmdPos>(message.body);
-  if (!command || !is_usable(command->pos)) return device::Taken::kNo;
+  if (!command) return device::Taken::kNo;
+  if (!is_usable(command->pos)) {
+    refuse(std::string(kUnusableGoal));
+    return device::Taken::kNo;
+  }
   set_goal(pose_of(command->pos));
-  return device::Taken::kLatest;
+  const std::lock_guard lock(mutex_);
+  return incapable_.empty() ? device::Taken::kLatest : device::Taken::kNo;
+}
+
+/// The goal that it was given last; it goes on with an earlier one.
+void GoalDriver::refuse(std::string why) {
+  bool is_news = false;
+  {
+    const std::lock_guard lock(mutex_);
+    is_news = keep_refusal(refusal_, why);
+  }
+  if (is_news) log_refusal(name(), why);
+}
+
+void GoalDriver::drives_to_none(std::string why) {
+  log_refusal(name(), why);
+  const std::lock_guard lock(mutex_);
+  if (goal_) refusal_ = why;
+  goal_.reset();
+  incapable_ = std::move(why);
 }
 
 /// Replaces or clears the goal; true if there was one. A drive goes on with another goal and what it knows,
@@ -56,6 +87,8 @@ bool GoalDriver::set_goal(std::optional<geom::Pose> X_OG) {
     const std::lock_guard lock(mutex_);
     had_one = goal_.has_value();
     gave_up_ = false;
+    refusal_ = X_OG ? incapable_ : std::string();  // logged already
+    if (!incapable_.empty()) X_OG.reset();
     if (X_OG && goal_) {
       goal_->X_OG = *X_OG;
       return true;
@@ -68,12 +101,20 @@ bool GoalDriver::set_goal(std::optional<geom::Pose> X_OG) {
 }
 
 void GoalDriver::request(const device::Message& message, device::Replier replier) {
-  client_.forward(output_, message.subtype, message.body, std::move(replier));
+  if (!asks_for_refusal(message))
+    return client_.forward(output_, message.subtype, message.body, std::move(replier));
+  std::string why;
+  {
+    const std::lock_guard lock(mutex_);
+    why = refusal_;
+  }
+  answer_refusal(why, std::move(replier));
 }
 
 bool GoalDriver::capable(device::DeviceId, std::uint8_t type, std::uint8_t subtype) const {
   constexpr auto kCmd = static_cast<std::uint8_t>(wire::MessageType::kCmd);
-  return (type == kCmd && subtype == p2d::kCmdPos) || client_.capable(output_, type, subtype);
+  return (type == kCmd && subtype == p2d::kCmdPos) || may_ask_for_refusal(type, subtype) ||
+         client_.capable(output_, type, subtype);
 }
 
 void GoalDriver::take_news(std::vector<device::Publication>& more) {
@@ -106,6 +147,7 @@ std::optional<GoalDriver::Trip> GoalDriver::trip() const {
 }
 
 void GoalDriver::steer(const Trip& trip, double speed, double turn_rate, End end) {
+  std::string why;
   {
     const std::lock_guard lock(mutex_);
     if (!goal_ || goal_->drive != trip.drive) return;
@@ -114,7 +156,9 @@ void GoalDriver::steer(const Trip& trip, double speed, double turn_rate, End end
       goal_.reset();
     }
     gave_up_ = end == End::kStuck;
+    if (gave_up_) refusal_ = why = "it gave up the goal " + goal_text(trip.X_OG) + ": the robot is stuck";
   }
+  if (!why.empty()) log_refusal(name(), why);
   drive(speed, turn_rate);
 }
 

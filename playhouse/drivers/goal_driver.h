@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -59,6 +60,8 @@ class GoalDriver : public device::Driver {
   virtual void take_scans() = 0;
   /// True if a step can use the state.
   virtual bool is_usable_state(const wire::position2d::Data& state) const;
+  /// Logs why it drives to no goals until it is opened again, and refuses the current one.
+  void drives_to_none(std::string why);
 
   /// None without a goal or a state. With mutex_ held.
   std::optional<Trip> trip() const;
@@ -74,6 +77,7 @@ class GoalDriver : public device::Driver {
     std::uint64_t drive = 0;
   };
   bool set_goal(std::optional<geom::Pose> X_OG);
+  void refuse(std::string why);
   void take_news(std::vector<device::Publication>& more);
   void take_state(device::Publication& message);
   void drive(double speed, double turn_rate);
@@ -81,6 +85,8 @@ class GoalDriver : public device::Driver {
   std::optional<Goal> goal_;
   std::uint64_t drives_ = 0;  // so far
   bool gave_up_ = false;      // the last goal, being stuck
+  std::string refusal_;       // of the last goal (refusal.h); empty: none
+  std::string incapable_;     // why it drives to no goals; empty: it does
   std::optional<wire::position2d::Data> state_;
 
   const std::size_t output_;

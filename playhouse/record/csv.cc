@@ -89,7 +89,7 @@ class Table {
       if (columns > kTableColumns) return Error{escaped(path_), "cannot be written: it has too many columns"};
       if (!type_.lists()[field]) line += "," + cell(name);
       for (std::size_t i = 0; type_.lists()[field] && i < widths_[field]; ++i)
-        line += "," + cell(fmt::format("{}.{}", name, i));
+        line += "," + cell(type_.name_of(field, i));
     }
     for (const std::size_t turn : turns_) {
       const std::string& x = type_.fields()[turn];

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kDepth = 16;                       // nesting of messages
 constexpr std::uint32_t kFixedCount = 1u << 16;  // limit on fixed-size arrays
+constexpr std::size_t kPartLetters = 64, kMostParts = 64;
 constexpr std::string_view kNoId = "4294967295";
 constexpr std::string_view kTime = "builtin_interfaces/Time";
 
@@ -60,9 +61,34 @@ struct MessageType::Walk {
   std::size_t field = 0;  // next field
 };
 
+/// Null without names, and for names too many or too long.
+MessageType::SharedParts MessageType::parts_of(std::string_view note) {
+  const std::size_t at = note.find(kNumbersEach);
+  if (at == std::string_view::npos) return nullptr;
+  std::string_view names = note.substr(at + kNumbersEach.size());
+  names = trimmed(names.substr(0, names.find(';')));
+  Parts parts;
+  while (!names.empty()) {
+    std::string_view name = names.substr(0, names.find(' '));
+    names = trimmed(names.substr(name.size()));
+    const bool model = name.ends_with(kModelPart);
+    if (model) name.remove_suffix(kModelPart.size());
+    if (name.size() > kPartLetters || parts.size() == kMostParts) return nullptr;
+    parts.push_back({std::string(name), model});
+  }
+  return parts.empty() ? nullptr : std::make_shared<const Parts>(std::move(parts));
+}
+
+std::string MessageType::name_of(std::size_t field, std::size_t number) const {
+  if (parts_[field] == nullptr) return fmt::format("{}.{}", fields_[field], number);
+  const Parts& parts = *parts_[field];
+  return fmt::format("{}.{}.{}", fields_[field], number / parts.size(), parts[number % parts.size()].name);
+}
+
 Result<void> MessageType::add_line(std::string_view line, Fields& into) {
   const std::size_t note = std::min(line.find('#'), line.size());
   const bool model = line.substr(note).find(kNoModel) != std::string_view::npos;
+  SharedParts parts = parts_of(line.substr(note));
   line = trimmed(line.substr(0, note));
   if (line.empty()) return {};
   const std::size_t space = line.find_first_of(" \t");
@@ -90,6 +116,7 @@ Result<void> MessageType::add_line(std::string_view line, Fields& into) {
                : std::ranges::find(kNumbers, type) != kNumbers.end() ? Kind::kNumber
                                                                      : Kind::kMessage;
   field.model = model && field.type == "uint32";
+  if (field.list && field.kind == Kind::kNumber) field.parts = std::move(parts);
   into.push_back(std::move(field));
   return {};
 }
@@ -127,6 +154,7 @@ Result<void> MessageType::number_fields(const std::string& type, const std::stri
     if (field.kind != Kind::kMessage) {
       fields_.push_back(path + field.name);
       lists_.push_back(field.list || field.count != 1);
+      parts_.push_back(field.parts);
       continue;
     }
     if (field.list && (in_list || depth > 0 || has_list))
@@ -178,7 +206,8 @@ bool MessageType::read(const std::string& type, CdrReader& in, Walk& walk) const
     std::vector<std::string>& values = (*walk.to)[walk.field++];
     for (std::uint32_t i = 0; i < count && in.ok(); ++i) {
       values.push_back(field.kind == Kind::kText ? in.text() : number_text(field.type, in));
-      if (field.model && values.back() == kNoId) values.back().clear();
+      const bool model = field.parts ? (*field.parts)[i % field.parts->size()].model : field.model;
+      if (model && values.back() == kNoId) values.back().clear();
     }
   }
   return in.ok();

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,11 @@ namespace playhouse::record {
 
 /// Note of a field of model ids, in a schema: such a number has no value in a table.
 inline constexpr std::string_view kNoModel = "id; 4294967295: no model";
+
+/// Note of a list whose elements have several numbers, in a schema: their names follow, each after a space.
+inline constexpr std::string_view kNumbersEach = " numbers each: ";
+/// After the name of one that is a model's id, 4294967295 without a model.
+inline constexpr std::string_view kModelPart = "(model)";
 
 /// Limit on columns of a table; a list of numbers takes one for each element.
 inline constexpr std::size_t kTableColumns = 1u << 18;
@@ -33,6 +39,8 @@ class MessageType {
   const std::vector<std::string>& fields() const { return fields_; }
   /// Which fields are lists.
   const std::vector<bool>& lists() const { return lists_; }
+  /// Name of a list's number: "hits.0.range", or "ranges.0" where an element is one number.
+  std::string name_of(std::size_t field, std::size_t number) const;
 
   /// Values as text, by row and field; empty for a model that is absent (kNoModel). Fails on a message that
   /// does not match the type, or has more values than kMessageValues.
@@ -41,16 +49,25 @@ class MessageType {
 
  private:
   enum class Kind : std::uint8_t { kNumber, kText, kMessage, kTime };
+  /// A number of an element of a list.
+  struct Part {
+    std::string name;
+    bool model = false;
+  };
+  using Parts = std::vector<Part>;
+  using SharedParts = std::shared_ptr<const Parts>;  // a message's, wherever it is within others
   struct Field {
     std::string name, type;
     Kind kind = Kind::kNumber;
     bool list = false;
     std::uint32_t count = 1;  // of a fixed-size array
     bool model = false;       // a model's id, or none
+    SharedParts parts{};      // of an element
   };
   using Fields = std::vector<Field>;
   struct Walk;
 
+  static SharedParts parts_of(std::string_view note);
   Result<void> add_line(std::string_view line, Fields& into);
   Result<void> number_fields(const std::string& type, const std::string& path, int depth, bool in_list);
   /// Number of columns of a type.
@@ -60,7 +77,8 @@ class MessageType {
   std::map<std::string, Fields> types_;  // "" is the top-level type
   std::vector<std::string> fields_;
   std::vector<bool> lists_;
-  std::size_t messages_ = 0;  // nested messages, itself included
+  std::vector<SharedParts> parts_;  // by field; null: an element is one number
+  std::size_t messages_ = 0;        // nested messages, itself included
 };
 
 }  // namespace playhouse::record

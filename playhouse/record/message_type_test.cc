@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
 #include "playhouse/record/messages.h"
 
 namespace playhouse::record {
@@ -36,7 +40,8 @@ TEST(MessageType, of_every_table_has_fields_with_names_in_words) {
   for (const TableMessages& table : table_messages()) {
     const MessageType type = *MessageType::parse(table.text);
     for (const std::string& field : type.fields()) {
-      EXPECT_THAT(field, testing::MatchesRegex("[a-z][a-z0-9_]*(\\.[xyz]|\\.heading)?")) << table.schema;
+      EXPECT_THAT(field, testing::MatchesRegex("[a-z][a-z0-9_]*(\\.[xyz]|\\.heading|\\.turn_[xyz])?"))
+          << table.schema;
       EXPECT_THAT(field, testing::Not(testing::MatchesRegex("(x|p|v|tilt)_[a-z][a-z]"))) << table.schema;
     }
   }
@@ -93,6 +98,47 @@ TEST(MessageType, says_of_every_model_id_what_no_model_is) {
          at = table.text.find("id; 4294967295: no model", at + 1))
       ++ids;
   EXPECT_EQ(ids, 3u) << "held and touched of grippers, hits of bumpers";
+}
+
+TEST(MessageType, has_names_in_words_for_the_parts_of_a_list_s_elements_and_no_value_for_an_absent_model) {
+  const auto type = MessageType::parse(
+      "float64[] hits  # 3 numbers each: target(model) range size.x; more\nuint32[] plain  # m\n");
+  ASSERT_TRUE(type);
+  EXPECT_EQ(type->name_of(0, 0), "hits.0.target");
+  EXPECT_EQ(type->name_of(0, 4), "hits.1.range");
+  EXPECT_EQ(type->name_of(0, 5), "hits.1.size.x");
+  EXPECT_EQ(type->name_of(1, 3), "plain.3");
+  CdrWriter out;
+  out.count(6);
+  for (const double number : {7.0, 1.5, 0.5, 4294967295.0, 4294967295.0, 0.25}) out.number(number);
+  out.count(1);
+  out.number<std::uint32_t>(4294967295);
+  const auto rows = type->rows(out.message());
+  ASSERT_TRUE(rows);
+  EXPECT_EQ((*rows)[0][0], (std::vector<std::string>{"7", "1.5", "0.5", "", "4294967295", "0.25"}));
+  EXPECT_EQ((*rows)[0][1], (std::vector<std::string>{"4294967295"}));
+}
+
+TEST(MessageType, of_every_table_has_a_name_for_every_number_of_a_list_s_elements) {
+  std::size_t lists = 0;
+  for (const TableMessages& table : table_messages()) {
+    std::istringstream lines(table.text);
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t at = line.find(kNumbersEach);
+      EXPECT_EQ(line.find("[]") != std::string::npos && line.find(" each") != std::string::npos,
+                at != std::string::npos)
+          << line;
+      EXPECT_FALSE(std::regex_search(line, std::regex("^[a-z0-9]+\\[[0-9]+\\]")))
+          << line << ": numbers without names";
+      if (at == std::string::npos) continue;
+      ++lists;
+      const std::size_t count = std::stoul(line.substr(line.rfind(' ', at - 1)));
+      const std::string names = line.substr(at + kNumbersEach.size());
+      EXPECT_EQ(std::ranges::count(names.substr(0, names.find(';')), ' ') + 1, static_cast<long>(count))
+          << line;
+    }
+  }
+  EXPECT_GE(lists, 5u) << "hits, blobs, links, echoes, detections";
 }
 
 TEST(MessageType, refuses_messages_that_are_cut) {

@@ -13,6 +13,7 @@
 #include "playhouse/replicate/views.h"
 #include "playhouse/world/camera.h"
 #include "playhouse/world/columns.h"
+#include "playhouse/world/generated/part_names.h"
 #include "playhouse/world/periods.h"
 #include "playhouse/world/values.h"
 
@@ -157,6 +158,11 @@ constexpr Named kNamed<geom::Vec3>{"geometry_msgs/Vector3", "float64 x\nfloat64 
 template <>
 constexpr Named kNamed<geom::Tilt>{"playhouse/Tilt", "float64 x  # rad\nfloat64 y  # rad\n"};
 
+template <>
+constexpr Named kNamed<geom::SpatialVelocity>{"playhouse/MotionInSpace",
+                                              "float64 x\nfloat64 y\nfloat64 z\nfloat64 turn_x\n"
+                                              "float64 turn_y\nfloat64 turn_z\n"};
+
 template <typename T>
 std::string field_type() {
   if constexpr (std::is_same_v<T, std::string>) {
@@ -236,7 +242,8 @@ std::string table_schema() {
     if (column.frame[0] != '\0') note += (note.empty() ? "" : "; ") + std::string(column.frame);
     if constexpr (world::kIsList<Value> && !std::is_same_v<Value, std::string>)
       if (const std::size_t count = Shape<typename Value::value_type>().count; count > 1)
-        note += (note.empty() ? "" : "; ") + std::to_string(count) + " numbers each";
+        note += (note.empty() ? "" : "; ") + std::to_string(count) + std::string(kNumbersEach) +
+                world::kPartNames<typename Value::value_type>;
     if constexpr (std::is_same_v<Value, world::ModelId> || std::is_same_v<Value, std::vector<world::ModelId>>)
       note += (note.empty() ? "" : "; ") + std::string(kNoModel);
     text += note.empty() ? "\n" : "  # " + note + "\n";

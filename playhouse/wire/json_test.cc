@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/blobfinder.h"
 #include "playhouse/wire/generated/wifi.h"
 
@@ -56,19 +57,25 @@ TEST(JsonNumbers, are_the_shortest_that_read_back) {
   EXPECT_EQ(out, "0.1 1e+300 -9007199254740993 -1");
 }
 
-/// The protocol has these unsigned; their values are signed, in two's complement.
+/// The protocol has these unsigned; their values are signed, in two's complement: the bytes are the same.
 TEST(JsonNumbers, may_be_below_zero_where_the_definition_says_so) {
   std::string out;
-  wifi::Data data{.links = {{.freq = 4'000'000'000, .level = 0xFFFFFFE2, .noise = 0xFFFFFF9C}},
-                  .maxlevel = 0xFFFFFFFF,
+  wifi::Data data{.links = {{.freq = 4'000'000'000, .level = -30, .noise = -100}},
+                  .maxlevel = -1,
                   .maxnoise = 0x7FFFFFFF};
   to_json(out, data);
   for (const char* const part : {R"("freq":4000000000,)", R"("level":-30,"noise":-100})", R"("maxlevel":-1,)",
                                  R"("maxnoise":2147483647,)"})
     EXPECT_NE(out.find(part), std::string::npos) << part << " in " << out;
   out.clear();
-  to_json(out, blobfinder::ColorConfig{.channel = 0xFFFFFFFF});
+  to_json(out, blobfinder::ColorConfig{.channel = -1});
   EXPECT_TRUE(out.starts_with(R"({"channel":-1,)")) << out;
+
+  const std::vector<std::byte> bytes = encode(blobfinder::ColorConfig{.channel = -2, .rmin = 1});
+  EXPECT_EQ(std::vector(bytes.begin(), bytes.begin() + 8),
+            (std::vector{std::byte{0xFF}, std::byte{0xFF}, std::byte{0xFF}, std::byte{0xFE}, std::byte{0},
+                         std::byte{0}, std::byte{0}, std::byte{1}}));
+  EXPECT_EQ(decode<blobfinder::ColorConfig>(bytes)->channel, -2);
 }
 
 }  // namespace

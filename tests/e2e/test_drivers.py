@@ -9,12 +9,17 @@ import time
 import unittest
 import zlib
 
-from house import ACK, CMD, DATA, NACK, POSITION2D, REQ, ROOT, SIMULATION, Client, House, HouseTest
+from house import ACK, CMD, DATA, NACK, PATIENCE, POSITION2D, REQ, ROOT, SIMULATION, Client, House, HouseTest
 
 sys.path.insert(0, str(ROOT / "clients/python"))
-from playhouse_client import Mode, connect  # noqa: E402
+from playhouse_client import GoalRefused, Mode, connect  # noqa: E402
 from playhouse_client.generated import map as grid  # noqa: E402
 from playhouse_client.generated import planner  # noqa: E402
+from playhouse_client.connection import Message  # noqa: E402
+from playhouse_client.wire import Kind  # noqa: E402
+
+sys.path.insert(0, str(ROOT / "clients/python/tests"))
+from fake_server import FakeServer, Peer  # noqa: E402
 
 MAP, PLANNER = 42, 44
 GET_GEOM = 1
@@ -212,6 +217,57 @@ class Planned(HouseTest):
             for word in ("ticks", "hash", "sensed_hash"):
                 self.assertEqual(again[0][word], result[word])
             self.assertEqual(again[1:], (plans, robots))
+
+    def test_a_refused_goal_is_an_error_of_the_client_with_the_reason_of_the_log(self):
+        reasons = {(-7.9, -7.9): "the goal is within safety_dist of an obstacle",  # rock, all around the cave
+                   (99, 0): "the goal is off the map"}
+        with House("serve", ROOT / "worlds/plan.cfg", "--port", 0, "--headless", "--fast") as house, \
+                connect(f"127.0.0.1:{house.port()}") as client, client.planner(0) as guide:
+            self.assertEqual(guide.why_refused(), "")
+            for (x, y), reason in reasons.items():
+                with self.assertRaises(GoalRefused) as refused:
+                    guide.drive_to(x, y, 0)
+                why = house.wait_for_line(rf"driver wavefront: (no path to \({x}, {y}\): .*)").group(1)
+                self.assertEqual(why, f"no path to ({x}, {y}): {reason}")
+                self.assertTrue(str(refused.exception).endswith(f"planner:0: {why}"), str(refused.exception))
+                self.assertEqual(guide.why_refused(), why)
+            here = guide.drive_to(*self.GOAL)
+            self.assertTrue(here.done)
+            self.assertEqual(guide.why_refused(), "")
+
+    def test_a_client_learns_why_there_is_no_map_and_why_a_robot_drives_to_no_goals(self):
+        def nothing(peer: Peer, message: Message) -> None:
+            peer.answer(message, Kind.NACK)
+
+        world = self.world('interval_sim 100\nposition( name "r0" size [0.4 0.4 0.2] )')
+        with FakeServer(lambda peer: peer.serve(nothing)) as maps, FakeServer(lambda peer: peer.serve(nothing)) as lasers:
+            cfg = self.write("mute.cfg", f"""
+                driver( name "stage" provides ["simulation:0"] worldfile "{world}" )
+                driver( name "stage" provides ["position2d:0"] model "r0" )
+                driver( name "nd" provides ["position2d:1"]
+                        requires ["output:::position2d:0" "input:::position2d:0" "{lasers.port}:laser:0"] )
+                driver( name "wavefront" provides ["planner:0"]
+                        requires ["output:::position2d:0" "input:::position2d:0" "{maps.port}:map:0"] )
+                """)
+            with House("serve", cfg, "--port", 0, "--headless") as house, connect(f"127.0.0.1:{house.port()}") as client:
+                deadline = time.monotonic() + PATIENCE
+                while not all(server.peer and server.peer.received for server in (maps, lasers)):  # it is connected to both
+                    self.assertLess(time.monotonic(), deadline)
+                    time.sleep(0.01)
+                guide, base = client.planner(0), client.position2d(1)
+                with self.assertRaises(GoalRefused) as refused:
+                    guide.drive_to(1, 0, 0)
+                why = house.wait_for_line("driver wavefront: (no path to .*)").group(1)
+                self.assertEqual(why, "no path to (1, 0): there is no map: it does not tell its size")
+                self.assertTrue(str(refused.exception).endswith(f"planner:0: {why}"), str(refused.exception))
+                why = house.wait_for_line("driver nd: (.*)").group(1)
+                self.assertEqual(why, "its laser does not tell its place, so it drives to no goals")
+                self.assertEqual(base.why_refused(), "", "it has no goal")
+                base.go_to(1, 0, 0)
+                self.assertEqual(base.why_refused(), why)
+                base.stop()
+                self.assertEqual(base.why_refused(), "")
+                self.assertEqual(client.position2d(0).why_refused(), "", "simulated robots give no reasons")
 
     def test_the_documented_section_is_that_of_the_example(self):
         documented = (ROOT / "docs/drivers.md").read_text().split('## driver "wavefront"')[1].split("```")[1]

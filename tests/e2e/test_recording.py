@@ -283,6 +283,44 @@ robot( name "r0" pose [0 0 0 0] )
         self.assertAlmostEqual(beam, 2.9, places=5)
         self.assertEqual(len([name for name in scans[0] if name.startswith("ranges.")]), 181)
 
+    def test_parts_of_lists_and_of_vectors_have_names_in_words(self):
+        world = self.write("parts.world", """interval_sim 100
+            position( name "r" size [0.2 0.2 0.2] pose [0 0 0 0]
+              fiducial( alwayson 1 range_max 8 range_max_id 8 fov 360 )
+              wifi( alwayson 1 ip "10.0.0.1" ) imu( alwayson 1 ) blobfinder( alwayson 1 fov 90 ) )
+            position( name "post" size [0.5 0.25 1] pose [3 4 0 90] fiducial_return 7 color "red" wifi( ip "10.0.0.2" ) )
+            model( name "near" size [0.25 0.25 1] pose [2 0 0 0] fiducial_return 9 color "blue" )""")
+        done = finish("run", world, "--port", 0, "--headless", "--fast", "--duration", 1, "--record", self.file)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.export()
+        seen = self.table("r.fiducial_0.fiducial")[-1]
+        parts = ("target", "id", "range", "bearing", "heading", "size.x", "size.y", "size.z")
+        self.assertEqual(list(seen), ["time", *(f"hits.{i}.{part}" for i in (0, 1) for part in parts)])
+        posts = [i for i in (0, 1) if seen[f"hits.{i}.id"] == "7"]
+        self.assertEqual(len(posts), 1)
+        found = {part: float(seen[f"hits.{posts[0]}.{part}"]) for part in parts}
+        self.assertAlmostEqual(found["range"], 5)
+        self.assertAlmostEqual(found["bearing"], math.atan2(4, 3))
+        self.assertAlmostEqual(found["heading"], math.pi / 2)
+        self.assertEqual([found[f"size.{axis}"] for axis in "xyz"], [0.5, 0.25, 1])
+        link = self.table("r.wifi_0.wifi")[-1]
+        self.assertTrue(-100 < float(link["links.0.level"]) < 0)
+        self.assertEqual(float(link["links.0.station"]) % 1, 0)
+        self.assertIn("links.0.quality", link)
+        reading = self.table("r.imu_0.imu")[-1]
+        self.assertAlmostEqual(float(reading["reading.z"]), 9.81, delta=0.02)
+        self.assertEqual([float(reading[f"reading.turn_{axis}"]) for axis in "xyz"], [0, 0, 0])
+        blob = self.table("r.blobfinder_0.blobfinder")[-1]
+        self.assertEqual([float(blob[f"blobs.0.color.{part}"]) for part in ("red", "green", "blue")], [0, 0, 1])
+        for table in (self.folder / "run").glob("*.csv"):
+            with open(table) as file:
+                for name in file.readline().rstrip().split(","):
+                    letters = name.rsplit(".", 1)[-1]
+                    self.assertTrue(not letters.isdigit() or name.split(".")[-2] in
+                                    ("ranges", "intensities", "covariance", "orientation_covariance", "angular_velocity_covariance",
+                                     "linear_acceleration_covariance", "position_covariance", "d", "k", "r", "p"),
+                                    f"{table.name}: {name}")
+
     def test_scans_are_as_consumers_of_ros_expect_them(self):
         world = self.write("circle.world", """interval_sim 50
             position( name "r" size [0.2 0.2 0.2] pose [0 0 0 0] update_interval 50

@@ -60,6 +60,13 @@ ph_status ph_device_get_string(ph_device *device, const char *key, const char **
   return PH_OK;
 }
 
+ph_status ph_device_why_refused(ph_device *device, const char **why, ph_error *error) {
+  const ph_status status = ph_device_get_string(device, "refusal", why, error);
+  if (status != PH_REQUEST_REFUSED) return status;
+  *why = "";
+  return PH_OK;
+}
+
 ph_status ph_device_set_bool(ph_device *device, const char *key, bool value, ph_error *error) {
   const ph_common_boolprop_req body = {key, ph_text_count(key), value};
   return set(device, PH_COMMON_REQ_SET_BOOLPROP, &body, value ? "True" : "False", key, error);

@@ -25,6 +25,7 @@ static void find_nearest(ph_client *client, char address[64]) {
   while (!ph_device_take_fresh(air)) read_once(client);
   const ph_wifi_data *data = ph_device_latest(air, PH_WIFI_DATA_STATE)->data;
   must_be(data->links_count > 0, "a radio hears another one");
+  must_be(data->links[0].level < 0 && data->links[0].noise == -100, "levels are in dBm");
   snprintf(address, 64, "%.*s", (int)data->links[0].ip_count, (const char *)data->links[0].ip);
   ph_device_free(air);
 }
@@ -246,6 +247,12 @@ static void check_way(ph_planner *planner, ph_localize *place, ph_simulation *si
   must_refuse(ph_localize_set_estimate(place, start, none, &error), "a covariance that is none");
 }
 
+static const char *why_refused(ph_planner *planner) {
+  const char *why = NULL;
+  must(ph_device_why_refused(ph_planner_device(planner), &why, &error));
+  return why;
+}
+
 static void use_drivers_on_a_map(const char *address) {
   ph_client *client = connected(address);
   ph_simulation *simulation = must_have(ph_simulation_open(client, 0, PH_ACCESS_ALL, &error));
@@ -263,6 +270,10 @@ static void use_drivers_on_a_map(const char *address) {
   must(ph_planner_resume(planner, &error));
   while (!ph_planner_arrived(planner)) read_once(client);
   must_be(distance(true_pose(simulation), goal) < 0.6, "it is at the goal");
+  must_be(strcmp(why_refused(planner), "") == 0, "it was not refused");
+  must(ph_planner_go_to(planner, (ph_pose){999, 0, 0}, &error));
+  while (*why_refused(planner) == '\0') read_once(client);
+  must_be(strcmp(why_refused(planner), "no path to (999, 0): the goal is off the map") == 0, "it says why");
   ph_client_free(client);
 }
 

@@ -1,5 +1,6 @@
 #include "playhouse_client/planner.h"
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "convert.h"
 #include "done.h"
 #include "finite.h"
+#include "refusal.h"
 
 namespace playhouse::client {
 
@@ -18,6 +20,12 @@ namespace {
 bool same(const Pose& one, const Pose& other) {
   constexpr double kTurn = 2 * std::numbers::pi;
   return one.x == other.x && one.y == other.y && std::abs(std::remainder(one.a - other.a, kTurn)) < 1e-6;
+}
+
+constexpr double kRefusalPeriod = 1;  // of the server's time [s], between two questions while there is a path
+
+Error without_data(const Device& device, Seconds patience) {
+  return {device.name(), "no data in " + std::to_string(patience.count()) + " s"};
 }
 
 }  // namespace
@@ -44,6 +52,37 @@ Result<void> Planner::go_to(const Pose& pose) {
   if (const auto sound = finite(device_, "go_to", {pose.x, pose.y, pose.a}); !sound) return sound;
   goal_ = pose;
   return device_.command(planner::kCmdGoal, planner::Cmd{on_wire(pose)});
+}
+
+Result<std::string> Planner::why_refused() {
+  return refusal_of(device_);
+}
+
+Result<void> Planner::next_data(Client& client, Seconds patience) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  while (!device_.take_fresh()) {
+    const Seconds left = deadline - std::chrono::steady_clock::now();
+    if (left <= Seconds(0)) return without_data(device_, patience);
+    if (const auto read = client.read(left); !read) return read.error();
+    if (device_.gone()) return done(refusal_of(device_));
+  }
+  return {};
+}
+
+Result<void> Planner::drive_to(Client& client, const Pose& pose, Seconds patience) {
+  if (const auto sent = go_to(pose); !sent) return sent;
+  std::optional<double> asked;  // when, by the server's time
+  while (true) {
+    if (const auto fresh = next_data(client, patience); !fresh) return fresh;
+    if (arrived()) return {};
+    const std::optional<PlannerState> now = state();
+    if (!now) continue;
+    if (now->valid && asked && now->time >= *asked && now->time < *asked + kRefusalPeriod) continue;
+    asked = now->time;
+    const Result<std::string> why = why_refused();
+    if (!why) return why.error();
+    if (!why->empty()) return Error{device_.name(), *why};
+  }
 }
 
 Result<void> Planner::stop() {

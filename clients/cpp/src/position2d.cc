@@ -5,6 +5,7 @@
 #include "convert.h"
 #include "done.h"
 #include "finite.h"
+#include "refusal.h"
 
 namespace playhouse::client {
 
@@ -57,6 +58,10 @@ Result<void> Position2d::go_to(const Pose& pose, double speed) {
   command.vel.px = speed;
   command.state = 1;
   return device_.command(position2d::kCmdPos, command);
+}
+
+Result<std::string> Position2d::why_refused() {
+  return refusal_of(device_);
 }
 
 Result<void> Position2d::set_motor_power(bool on) {

@@ -14,9 +14,9 @@ std::string text_of(const std::vector<std::uint8_t>& bytes) {
   return std::string(wire::text(raw));
 }
 
-/// The wire has all levels unsigned; those in dBm are signed.
-std::int64_t level_of(std::uint32_t value, std::uint32_t unit) {
-  return unit == wf::kQualDbm ? std::int64_t{static_cast<std::int32_t>(value)} : std::int64_t{value};
+/// Levels in dBm are signed, all others are not.
+std::int64_t level_of(std::int32_t value, std::uint32_t unit) {
+  return unit == wf::kQualDbm ? std::int64_t{value} : std::int64_t{static_cast<std::uint32_t>(value)};
 }
 
 Link link_of(const wf::Link& one, std::uint32_t unit) {

@@ -241,10 +241,8 @@ TEST(Equipment, ABlobHasAColorOfThreeBytes) {
 
 TEST(Equipment, LevelsOfARadioAreSignedInDbm) {
   namespace wf = wire::wifi;
-  constexpr auto minus_48 = static_cast<std::uint32_t>(-48), minus_100 = static_cast<std::uint32_t>(-100);
-  const wf::Link link{
-      {'a', ':', 'b', 0, 'x'}, {'1', '.', '2'}, {}, wf::kModeInfra, 2412, 1, 40, minus_48, minus_100};
-  wf::Data data{{link}, 1, 2, wf::kModeInfra, wf::kQualDbm, 70, minus_48, minus_100, "cc"};
+  const wf::Link link{{'a', ':', 'b', 0, 'x'}, {'1', '.', '2'}, {}, wf::kModeInfra, 2412, 1, 40, -48, -100};
+  wf::Data data{{link}, 1, 2, wf::kModeInfra, wf::kQualDbm, 70, -48, -100, "cc"};
   wf::Data relative = data;
   relative.qual_type = wf::kQualRel;
   FakeServer server(
@@ -267,7 +265,7 @@ TEST(Equipment, LevelsOfARadioAreSignedInDbm) {
               ElementsAre(1, 2, wf::kModeInfra, wf::kQualDbm, 70));
   EXPECT_EQ(state->access_point, "cc");
   ASSERT_TRUE(client.read());
-  EXPECT_EQ(radio->links()[0].level, minus_48);
+  EXPECT_EQ(radio->links()[0].level, (std::int64_t{1} << 32) - 48);
 }
 
 TEST(Equipment, HasNoDataOfARunThatWasRestarted) {

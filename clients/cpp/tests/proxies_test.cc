@@ -3,8 +3,11 @@
 #include <zlib.h>
 
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <string>
 
 #include "fake_server.h"
 #include "playhouse/wire/generated/player.h"
@@ -267,6 +270,45 @@ TEST(Reading, APlannerGoesToAGoalAndTellsWhenTheRobotIsThere) {
   }
   EXPECT_THAT(goals, ElementsAre(planner::kCmdGoal, planner::kCmdGoal));
   EXPECT_THAT(enabled, ElementsAre(0, 1));
+}
+
+TEST(Reading, APlannerIsFollowedToItsGoalUnlessItRefusesIt) {
+  namespace planner = wire::planner;
+  const wire::Pose2d goal{6, 4, 1.5}, off{99, 0, 0};
+  const std::vector<planner::Data> told = {
+      {0, 0, {}, goal, {}, -1, 0},  // a server without reasons
+      {1, 0, {}, goal, goal, 0, 1}, {1, 1, goal, goal, {}, -1, 1},
+      {0, 0, {}, off, {}, -1, 0},  // has not planned yet
+      {0, 0, {}, off, {}, -1, 0},
+  };
+  std::deque<std::optional<std::string>> reasons = {std::nullopt, std::nullopt, "", "no path"};
+  std::size_t next = 0;
+  FakeServer server(rounds([&](Peer& peer, const Received& message) {
+    if (message.header.type == MessageType::kCmd) return;
+    if (message.header.interf == planner::kCode) {
+      const auto asked = wire::decode<wire::StrpropReq>(message.body);
+      EXPECT_EQ(wire::text(asked->key), "refusal");
+      const std::optional<std::string> why = reasons.front();
+      reasons.pop_front();
+      if (!why) return peer.answer(message, {}, MessageType::kNack);
+      return peer.answer(message, wire::encode(wire::StrpropReq{asked->key, wire::c_string(*why)}));
+    }
+    peer.answer(message);
+    say_data(peer, planner::kCode, told.at(next++));
+    peer.synch();
+  }));
+  {
+    Client client = connect(server);
+    Result<Planner> guide = Planner::open(client, 0);
+    ASSERT_TRUE(guide);
+    EXPECT_TRUE(guide->drive_to(client, {6, 4, 1.5}));
+    EXPECT_EQ(*guide->why_refused(), "");
+    const Result<void> refused = guide->drive_to(client, {99, 0, 0});
+    EXPECT_EQ(refused.error().line(), "planner:0: no path");
+  }
+  server.finish();
+  EXPECT_EQ(next, told.size());
+  EXPECT_TRUE(reasons.empty());
 }
 
 std::vector<std::int8_t> compressed(const std::vector<std::int8_t>& values) {

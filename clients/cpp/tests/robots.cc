@@ -163,6 +163,10 @@ void use_drivers_on_a_map(const std::string& address) {
   must(planner.resume());
   while (!planner.arrived()) must(client.read());
   must_be(distance(must(simulation.pose("r0")), goal) < 0.6, "it is at the goal");
+  must_be(must(planner.why_refused()).empty(), "it was not refused");
+  const Result<void> refused = planner.drive_to(client, {999, 0, 0});
+  must_be(!refused && refused.error().text == "no path to (999, 0): the goal is off the map", "it says why");
+  must_be(must(planner.why_refused()) == refused.error().text, "and again");
 }
 
 void use_gripper(Client& client, Gripper hand) {

@@ -53,7 +53,7 @@
 (define-struct (color-config "blobfinder.ColorConfig")
   "The colors that a channel detects, as ranges of red, green and blue. (player_blobfinder_color_config_t)"
   ;; Channel; -1 means all (signed).
-  (channel "channel" :uint32)
+  (channel "channel" :int32)
   (rmin "rmin" :uint32)
   (rmax "rmax" :uint32)
   (gmin "gmin" :uint32)

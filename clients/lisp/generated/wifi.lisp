@@ -51,9 +51,9 @@
   ;; Quality, up to Data.maxqual.
   (qual "qual" :uint32)
   ;; Signal, up to Data.maxlevel (signed).
-  (level "level" :uint32)
+  (level "level" :int32)
   ;; Noise, up to Data.maxnoise (signed).
-  (noise "noise" :uint32))
+  (noise "noise" :int32))
 
 (define-struct (data "wifi.Data")
   "Every link and the state of the card. (player_wifi_data_t)"
@@ -69,9 +69,9 @@
   ;; Maximum reported quality.
   (maxqual "maxqual" :uint32)
   ;; Maximum reported signal level (signed).
-  (maxlevel "maxlevel" :uint32)
+  (maxlevel "maxlevel" :int32)
   ;; Maximum reported noise level (signed).
-  (maxnoise "maxnoise" :uint32)
+  (maxnoise "maxnoise" :int32)
   ;; Hardware address of the access point, as a string.
   (ap "ap" (:array :char 32)))
 

@@ -170,6 +170,12 @@ value to the wire and back.")
         (fail 'request-refused "~a: ~a has no ~(~a~) property ~s" (peer device) (device-name device) kind key))
       (funcall unwrap (funcall value answer)))))
 
+(defun why-refused (device)
+  "Why the driver of a position2d or planner does not drive to the goal that it was given last, as its log says; empty if
+it does, has arrived, has not planned yet, or gives no reasons."
+  (handler-case (get-property device "refusal" :string)
+    (request-refused () "")))
+
 (defun set-property (device key value)
   "Sets a property to t or nil, an integer, a float or a string. Signals request-refused."
   (destructuring-bind (get set make accessor wrap unwrap) (property-row (kind-of-property value))

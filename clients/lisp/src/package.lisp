@@ -52,7 +52,7 @@
    #:device #:open-device #:with-device #:close-device #:device-interface #:device-code #:device-index #:device-access
    #:device-driver #:device-timestamp #:device-fresh-p #:device-name #:device-open-p #:device-gone-p
    #:device-has-data-p #:request #:command #:latest #:on-data #:next-data #:next-update #:do-updates #:get-property
-   #:set-property #:has-capability-p
+   #:set-property #:has-capability-p #:why-refused
    ;; Models and robots
    #:model #:model-name #:model-type #:model-parent #:model-devices #:model-id
    #:device-address #:device-address-port #:device-address-interface #:device-address-index #:device-address-model

@@ -60,7 +60,7 @@ first. Signals request-refused with the reason."
 (define-operation step-world ((simulator simulation) &optional (ticks 1) (timeout :forever))
   "Runs this number of ticks and waits until they are done, in lock-step until all members have requested them: at most
 TIMEOUT seconds, by default without a limit. In push mode all data of the ticks have then been delivered to the devices;
-in pull mode they are queued for read-data. Without lock-step the world is paused afterwards. Signals run-ended when the
+in pull mode they are queued for read-data. Without lock-step a running world refuses: PAUSE first. Signals run-ended when the
 run has ended."
   (insist-on-whole simulator "ticks" ticks 1 (ash 1 20))
   (request-of-world simulator "step" (little-endian ticks 4) :timeout timeout)

@@ -28,6 +28,8 @@
     (next-data air)
     (let ((links (playhouse.wifi:data-links (latest air playhouse.wifi:+data-state+))))
       (must-be (plusp (length links)) "a radio hears another one")
+      (must-be (and (minusp (playhouse.wifi:link-level (elt links 0))) (= -100 (playhouse.wifi:link-noise (elt links 0))))
+               "levels are in dBm")
       (text (playhouse.wifi:link-ip (elt links 0))))))
 
 (defun use-radios (address)
@@ -145,7 +147,11 @@
       (must-refuse (set-pose place start (make-covariance :xx -1)) "a covariance that is none")
       (resume planner)
       (read-while client (not (arrivedp planner)))
-      (must-be (< (distance-of (model-pose simulator "r0") goal) 0.6) "it is at the goal"))))
+      (must-be (< (distance-of (model-pose simulator "r0") goal) 0.6) "it is at the goal")
+      (must-be (string= (why-refused planner) "") "it was not refused")
+      (go-to planner (turned 999 0 0d0))
+      (read-while client (string= (why-refused planner) ""))
+      (must-be (string= (why-refused planner) "no path to (999, 0): the goal is off the map") "it says why"))))
 
 (defun use-token (address)
   (must-be (handler-case (progn (connect address :token "no-such-token") nil)

@@ -196,6 +196,13 @@ class Device:
             return False
         return True
 
+    def _why_refused(self) -> str:
+        """Why the driver does not drive to its last goal; empty if it does, or has no such property."""
+        try:
+            return self.get_property("refusal", str)
+        except RequestRefused:
+            return ""
+
     def prepare(self) -> None:
         """Requests constant data for a proxy. Called after opening."""
 

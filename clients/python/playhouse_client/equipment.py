@@ -430,5 +430,5 @@ def _link(one: wifi.Link, unit: int) -> Link:
 
 
 def _level(value: int, unit: int) -> int:
-    """The wire has all levels unsigned; those in dBm are signed."""
-    return value - (1 << 32) if unit == wifi.QUAL_DBM and value >= 1 << 31 else value
+    """Levels in dBm are signed, all others are not."""
+    return value if unit == wifi.QUAL_DBM else value % (1 << 32)

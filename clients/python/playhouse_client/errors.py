@@ -25,6 +25,10 @@ class RequestRefused(PlayerError):
         self.body = body
 
 
+class GoalRefused(RequestRefused):
+    """A driver does not drive to a goal; the text ends with its reason."""
+
+
 class NoData(PlayerError):
     """A value was read before the first data of the device; Device.next_data() waits for them."""
 

@@ -13,7 +13,7 @@ from array import array
 from typing import Any, Deque, Generic, Iterator, List, NamedTuple, Optional, Sequence, Tuple, TypeVar, cast
 
 from .device import Device
-from .errors import InvalidValue, NoData, RequestRefused, RunEnded, WireError
+from .errors import GoalRefused, InvalidValue, NoData, RequestRefused, RunEnded, WireError
 from .generated import aio, bumper, camera, common, fiducial, gps, imu, laser, localize, opaque, planner, pointcloud3d, position2d
 from .generated import map as grid_map
 from .generated import position3d, ptz, ranger, simulation, sonar, speech, speech_recognition
@@ -24,6 +24,7 @@ Kept = TypeVar("Kept")
 _ENDED = "the run has ended"  # the server's reason to refuse a step then
 _TILE = 512  # cells along a side of a tile of a map, so that any map fits into messages
 _MOST_CELLS = 1 << 26  # of a map
+_REFUSAL_PERIOD = 1.0  # of the server's time (s), between two questions of a refusal while there is a path
 
 
 class Pose(NamedTuple):
@@ -353,6 +354,11 @@ class Position2d(Device):
         self._moving = True
         goal, velocity = common.Pose2d(x, y, a), common.Pose2d(speed, 0.0, 0.0)
         self.command(position2d.CMD_POS, position2d.CmdPos(goal, velocity, 1))
+
+    def why_refused(self) -> str:
+        """Requests why the driver (nd, vfh) does not drive to the goal of the last go_to(), as its log says; empty if it does,
+        has arrived, or is a driver that gives no reasons."""
+        return self._why_refused()
 
     def set_motor_power(self, on: bool) -> None:
         self.request(position2d.REQ_MOTOR_POWER, position2d.PowerConfig(int(on)))
@@ -876,6 +882,27 @@ class Planner(Device):
         self._goal = Pose(x, y, a)
         self.command(planner.CMD_GOAL, planner.Cmd(common.Pose2d(x, y, a)))
 
+    def why_refused(self) -> str:
+        """Requests why the planner does not drive to the goal of the last go_to(), as its log says; empty if it does, has
+        arrived, has not planned yet, or is a driver that gives no reasons."""
+        return self._why_refused()
+
+    def drive_to(self, x: float, y: float, a: float, timeout: Optional[float] = None) -> PlannerState:
+        """go_to(), and reads until the goal is reached. Raises GoalRefused as soon as why_refused() has a reason, and
+        RequestTimeout after `timeout` s without data."""
+        self.go_to(x, y, a)
+        asked = -math.inf
+        for state in self.updates(timeout):
+            if self.arrived:
+                break
+            if state.valid and asked <= state.time < asked + _REFUSAL_PERIOD:
+                continue
+            asked = state.time
+            why = self.why_refused()
+            if why:
+                raise GoalRefused(f"{self._session.peer}: {self.name}: {why}")
+        return state
+
     def stop(self) -> None:
         """Stops the robot until resume(); the planner keeps its goal."""
         self.request(planner.REQ_ENABLE, planner.EnableReq(0))
@@ -983,7 +1010,7 @@ class Simulation(Device):
     def step(self, ticks: int = 1, timeout: Optional[float] = None) -> None:
         """Runs this number of ticks and waits until they are done, in lock-step until all members have requested them:
         at most `timeout` seconds, None: no limit. In push mode all data of the ticks have then been delivered to the
-        devices; in pull mode they are queued for read(). Without lock-step the world is paused afterwards."""
+        devices; in pull mode they are queued for read(). Without lock-step a running world refuses: pause() first."""
         self._insist_on_whole("ticks", ticks, 1, 1 << 20)
         self._of_world("step", struct.pack("<I", ticks), timeout=math.inf if timeout is None else timeout)
         self._client.deliver_pushed()

@@ -211,8 +211,8 @@ class OtherServers(unittest.TestCase):
         self.assertEqual(next(hand.updates()), (False, False, False, 0x80000001, 2.5))
 
     def test_levels_without_a_unit_are_not_signed(self) -> None:
-        link = wifi.Link(b"aa:bb\0", b"10.0.0.2", b"", wifi.MODE_INFRA, 2412, 1, 40, 200, 0xFFFFFF9C)
-        data = wifi.Data([link], 1, 2, wifi.MODE_INFRA, wifi.QUAL_REL, 70, 255, 0xFFFFFFFF, b"cc:dd")
+        link = wifi.Link(b"aa:bb\0", b"10.0.0.2", b"", wifi.MODE_INFRA, 2412, 1, 40, 200, -100)
+        data = wifi.Data([link], 1, 2, wifi.MODE_INFRA, wifi.QUAL_REL, 70, 255, -1, b"cc:dd")
         radio = self.connect(wifi.DATA_STATE, data).wifi(0)
         state = next(radio.updates())
         wanted = ("aa:bb", "10.0.0.2", "", wifi.MODE_INFRA, 2412, True, 40, 200, 0xFFFFFF9C)

@@ -9,15 +9,15 @@ from typing import Callable, List
 import package  # noqa: F401
 from fake_server import FakeServer, Peer
 from playhouse_client import (
-    Access, Cell, Client, ConnectionLost, Covariance, DeviceClosed, Face, Grid, Hypothesis, InvalidValue, Mode, NoData,
-    Particle, Path, PlannerState, PlayerError, Pose, Pose3d, RequestRefused, RequestTimeout, WireError, connect,
+    Access, Cell, Client, ConnectionLost, Covariance, DeviceClosed, Face, GoalRefused, Grid, Hypothesis, InvalidValue, Mode,
+    NoData, Particle, Path, PlannerState, PlayerError, Pose, Pose3d, RequestRefused, RequestTimeout, WireError, connect,
 )
 from playhouse_client.connection import Message
 from playhouse_client.device import did_you_mean
 from playhouse_client.generated import aio, bumper, camera, common, gps, imu, laser, localize, planner, player, pointcloud3d, position2d
 from playhouse_client.generated import map as grid_map
 from playhouse_client.generated import opaque, position3d, ptz, simulation
-from playhouse_client.wire import Kind
+from playhouse_client.wire import Kind, c_string, text
 
 DATA_REQUEST = player.REQ_DATA.subtype
 
@@ -420,6 +420,40 @@ class Reading(unittest.TestCase):
             self.assertEqual(sent[1:3], [(Kind.REQ, 2, b"\0\0\0\0"), (Kind.REQ, 2, b"\0\0\0\1")])
             self.assertEqual([kind for kind, _, _ in sent], [Kind.CMD, Kind.REQ, Kind.REQ, Kind.REQ, Kind.CMD])
             self.assertEqual([subtype for _, subtype, _ in sent], [1, 2, 2, 1, 1])
+
+    def test_a_planner_is_followed_to_its_goal_unless_it_refuses_it(self) -> None:
+        goal, off = common.Pose2d(6.0, 4.0, 1.5), common.Pose2d(99.0, 0.0, 0.0)
+        told = [
+            planner.Data(0, 0, common.Pose2d(), goal, common.Pose2d(), -1, 0),  # a server without reasons
+            planner.Data(1, 0, common.Pose2d(), goal, goal, 0, 1),
+            planner.Data(1, 1, goal, goal, common.Pose2d(), -1, 1),
+            planner.Data(0, 0, common.Pose2d(), off, common.Pose2d(), -1, 0),  # has not planned yet
+            planner.Data(0, 0, common.Pose2d(), off, common.Pose2d(), -1, 0),
+        ]
+        reasons = [None, None, "", "no path"]
+
+        def rounds(peer: Peer, message: Message) -> None:
+            if message.header.kind == Kind.CMD:
+                return
+            if message.header.interface == planner.CODE:
+                asked = common.StrpropReq.decode(message.body)
+                assert text(asked.key) == "refusal"
+                why = reasons.pop(0)
+                if why is None:
+                    peer.answer(message, Kind.NACK)
+                else:
+                    peer.answer(message, body=common.StrpropReq(asked.key, c_string(why)).encode())
+                return
+            peer.answer(message)
+            peer.data(planner.DATA_STATE, told.pop(0), timestamp=2.5)
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client, client.planner(0) as guide:
+            self.assertTrue(guide.drive_to(6.0, 4.0, 1.5).done)
+            self.assertEqual(guide.why_refused(), "")
+            with self.assertRaisesRegex(GoalRefused, "planner:0: no path$"):
+                guide.drive_to(99.0, 0.0, 0.0)
+        self.assertEqual((told, reasons), ([], []))
 
     def test_a_map_comes_whole_in_tiles(self) -> None:
         width, height = 600, 514

@@ -73,7 +73,7 @@
     # The colors that a channel detects, as ranges of red, green and blue. (player_blobfinder_color_config_t)
     #   channel: Channel; -1 means all.
     struct ColorConfig {
-        channel uint32
+        channel int32
         rmin uint32
         rmax uint32
         gmin uint32
@@ -82,12 +82,12 @@
         bmax uint32
     } {
         if {[string length $body] - $at < 28} {cut $body $at {4 4 4 4 4 4 4}}
-        binary scan $body @${at}IuIuIuIuIuIuIu channel rmin rmax gmin gmax bmin bmax
+        binary scan $body @${at}IIuIuIuIuIuIu channel rmin rmax gmin gmax bmin bmax
         incr at 28
         return [dict create channel $channel rmin $rmin rmax $rmax gmin $gmin gmax $gmax bmin $bmin \
             bmax $bmax]
     } {
-        append out [put uint32 [dict get $value channel]]
+        append out [put int32 [dict get $value channel]]
         append out [put uint32 [dict get $value rmin]]
         append out [put uint32 [dict get $value rmax]]
         append out [put uint32 [dict get $value gmin]]

@@ -35,8 +35,8 @@
         freq uint32
         encrypt uint32
         qual uint32
-        level uint32
-        noise uint32
+        level int32
+        noise int32
     } {
         if {[string length $body] - $at < 4} {cut $body $at {4}}
         incr at 4
@@ -48,7 +48,7 @@
         incr at 4
         set essid [opaque $body [length $body essid 32 1]]
         if {[string length $body] - $at < 24} {cut $body $at {4 4 4 4 4 4}}
-        binary scan $body @${at}IuIuIuIuIuIu mode freq encrypt qual level noise
+        binary scan $body @${at}IuIuIuIuII mode freq encrypt qual level noise
         incr at 24
         return [dict create mac $mac ip $ip essid $essid mode $mode freq $freq encrypt $encrypt \
             qual $qual level $level noise $noise]
@@ -66,8 +66,8 @@
         append out [put uint32 [dict get $value freq]]
         append out [put uint32 [dict get $value encrypt]]
         append out [put uint32 [dict get $value qual]]
-        append out [put uint32 [dict get $value level]]
-        append out [put uint32 [dict get $value noise]]
+        append out [put int32 [dict get $value level]]
+        append out [put int32 [dict get $value noise]]
         return $out
     }
 
@@ -87,8 +87,8 @@
         mode uint32
         qual_type uint32
         maxqual uint32
-        maxlevel uint32
-        maxnoise uint32
+        maxlevel int32
+        maxnoise int32
         ap char[32]
     } {
         if {[string length $body] - $at < 4} {cut $body $at {4}}
@@ -99,7 +99,7 @@
             lappend links [Link.read $body]
         }
         if {[string length $body] - $at < 60} {cut $body $at {4 4 4 4 4 4 4 32}}
-        binary scan $body @${at}IuIuIuIuIuIuIua32 throughput bitrate mode qual_type maxqual maxlevel \
+        binary scan $body @${at}IuIuIuIuIuIIa32 throughput bitrate mode qual_type maxqual maxlevel \
             maxnoise ap
         incr at 60
         return [dict create links $links throughput $throughput bitrate $bitrate mode $mode \
@@ -113,8 +113,8 @@
         append out [put uint32 [dict get $value mode]]
         append out [put uint32 [dict get $value qual_type]]
         append out [put uint32 [dict get $value maxqual]]
-        append out [put uint32 [dict get $value maxlevel]]
-        append out [put uint32 [dict get $value maxnoise]]
+        append out [put int32 [dict get $value maxlevel]]
+        append out [put int32 [dict get $value maxnoise]]
         append out [pad ap [dict get $value ap] 32]
         return $out
     }

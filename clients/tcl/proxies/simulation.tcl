@@ -61,7 +61,7 @@ oo::class create ::playhouse::Simulation {
 
     # Runs this number of ticks and waits until they are done, in lock-step until all members have requested them: at
     # most so many seconds, by default without a limit. In push mode all data of the ticks have then been delivered to
-    # the devices; in pull mode they are queued for read. Without lock-step the world is paused afterwards.
+    # the devices; in pull mode they are queued for read. Without lock-step a running world refuses: pause first.
     # From the first step on commands are sent as after join: Nagle's algorithm would delay the step after a command.
     method step {{ticks 1} {seconds Inf}} {
         my InsistOnWhole ticks $ticks 1 1048576

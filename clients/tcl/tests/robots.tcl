@@ -10,6 +10,8 @@ proc nearestRadio {client} {
     $air nextData
     set links [dict get [$air latest wifi.data.state] links]
     mustBe [llength $links] "a radio hears another one"
+    set link [lindex $links 0]
+    mustBe [expr {[dict get $link level] < 0 && [dict get $link noise] == -100}] "levels are in dBm"
     return [playhouse::wire::text [dict get [lindex $links 0] ip]]
 }
 
@@ -154,6 +156,10 @@ proc useDriversOnAMap {address} {
     $planner resume
     readUntil $client {[$planner arrived]}
     mustBe [expr {[distance [$simulation pose r0] $goal] < 0.6}] "it is at the goal"
+    mustBe [expr {[$planner whyRefused] eq ""}] "it was not refused"
+    $planner goTo 999.0 0.0 0.0
+    readUntil $client {[$planner whyRefused] ne ""}
+    mustBe [expr {[$planner whyRefused] eq "no path to (999, 0): the goal is off the map"}] "it says why"
 }
 
 proc useToken {address} {

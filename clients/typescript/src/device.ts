@@ -154,6 +154,19 @@ export class Device {
     return text(await this.getProperty('str', common.REQ_GET_STRPROP, key));
   }
 
+  /**
+   * Why the driver of a position2d or planner does not drive to the goal that it was given last, as its log says; empty if
+   * it does, has arrived, has not planned yet, or gives no reasons.
+   */
+  async whyRefused(): Promise<string> {
+    try {
+      return await this.getString('refusal');
+    } catch (error) {
+      if (error instanceof RequestRefused) return '';
+      throw error;
+    }
+  }
+
   /** Sets a property. Throws RequestRefused if the driver does not take the value; so do the next three. */
   setBool(key: string, value: boolean): Promise<void> {
     return this.setProperty(common.REQ_SET_BOOLPROP, key, Number(value), shown(value));

@@ -30,6 +30,7 @@ async function nearest(client: Client): Promise<string> {
   await air.nextData();
   const link = air.latest(wifi.DATA_STATE)?.links[0];
   mustBe(link !== undefined, 'a radio hears another one');
+  mustBe(link.level < 0 && link.noise === -100, 'levels are in dBm');
   return Buffer.from(link.ip).toString();
 }
 
@@ -140,6 +141,10 @@ async function useDriversOnAMap(client: Client): Promise<void> {
   await planner.resume();
   await readUntil(client, () => planner.arrived);
   mustBe(distance(await simulator.pose('r0'), goal) < 0.6, 'it is at the goal');
+  mustBe((await planner.whyRefused()) === '', 'it was not refused');
+  await planner.goTo({ x: 999, y: 0, a: 0 });
+  while ((await planner.whyRefused()) === '') await client.read();
+  mustBe((await planner.whyRefused()) === 'no path to (999, 0): the goal is off the map', 'it says why');
 }
 
 /** Uses the server with two connections. */

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "playhouse/base/log.h"
 #include "playhouse/drivers/nd/nd_options.h"
 #include "playhouse/drivers/section_devices.h"
 #include "playhouse/wire/codec.h"
@@ -40,7 +39,7 @@ void Nd::take_body(const AnswerBody& body) {
   const geom::Vec2 middle{geom.pose.px, geom.pose.py}, half{geom.size.sl / 2, geom.size.sw / 2};
   const geom::Box box{middle.x - half.x, middle.y - half.y, middle.x + half.x, middle.y + half.y};
   const bool has_size = box.x_min < box.x_max && box.y_min < box.y_max && std::isfinite(dot(middle, half));
-  if (!has_size) return log::warn("driver nd: its robot does not tell its size, so it drives to no goals");
+  if (!has_size) return drives_to_none("its robot does not tell its size, so it drives to no goals");
   const std::lock_guard lock(mutex_);
   body_ = box;
 }
@@ -48,7 +47,7 @@ void Nd::take_body(const AnswerBody& body) {
 void Nd::take_laser_geometry(const AnswerBody& body) {
   const std::optional<lsr::Geom> geom = decoded<lsr::Geom>(body);
   const std::optional<geom::Pose> X_RS = geom ? planar(geom->pose) : std::nullopt;
-  if (!X_RS) return log::warn("driver nd: its laser does not tell its place, so it drives to no goals");
+  if (!X_RS) return drives_to_none("its laser does not tell its place, so it drives to no goals");
   const std::lock_guard lock(mutex_);
   X_RS_ = X_RS;
 }
@@ -59,7 +58,7 @@ void Nd::take_sonar_geometry(const AnswerBody& body) {
   for (const wire::Pose3d& pose : geom.poses)
     if (const std::optional<geom::Pose> X_RS = planar(pose)) sonars.push_back(*X_RS);
   if (sonars.empty() || sonars.size() < geom.poses.size())
-    return log::warn("driver nd: its sonars do not tell their places, so it drives to no goals");
+    return drives_to_none("its sonars do not tell their places, so it drives to no goals");
   const std::lock_guard lock(mutex_);
   sonars_ = std::move(sonars);
 }

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/drivers/testing/refusal_of.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/world/population.h"
 
@@ -69,6 +70,7 @@ class NdTest : public ::testing::Test {
     site.run(0);
     return world().positions.command[robot];
   }
+  std::string refusal() { return testing::refusal_of(site, kNd); }
   /// The last STATE of nd.
   p2d::Data state() {
     p2d::Data newest;
@@ -165,9 +167,11 @@ TEST_F(NdTest, gives_up_a_goal_to_which_it_does_not_get_and_says_so_until_the_ne
   site.run(20);
   EXPECT_EQ(told().x, 0.3);
   EXPECT_EQ(state().stall, 0);
+  EXPECT_EQ(refusal(), "");
   site.run(5);
   EXPECT_EQ(told(), geom::Twist());
   EXPECT_EQ(state().stall, 1);
+  EXPECT_EQ(refusal(), "it gave up the goal (5, 0): the robot is stuck");
   site.run(20);
   EXPECT_EQ(told(), geom::Twist());
   EXPECT_EQ(state().stall, 1);
@@ -175,11 +179,20 @@ TEST_F(NdTest, gives_up_a_goal_to_which_it_does_not_get_and_says_so_until_the_ne
   site.run(2);
   EXPECT_EQ(told().x, 0.3);
   EXPECT_EQ(state().stall, 0);
+  EXPECT_EQ(refusal(), "");
   site.run(25);
   EXPECT_EQ(state().stall, 1);
   drive(0.1);
   site.run(2);
   EXPECT_EQ(state().stall, 0);
+  EXPECT_EQ(refusal(), "") << "it has no goal";
+}
+
+TEST_F(NdTest, a_goal_beyond_its_numbers_is_refused_in_words) {
+  EXPECT_EQ(go_to(1e300, 0), device::Taken::kNo);
+  EXPECT_EQ(refusal(), "the goal is no pose within 1e9 m and 1e9 rad");
+  go_to(0, 3);
+  EXPECT_EQ(refusal(), "");
 }
 
 TEST_F(NdTest, keeps_its_goal_when_the_run_is_taken_back) {

@@ -427,7 +427,7 @@ TEST_F(Device, a_radio_tells_whom_it_hears_by_address) {
   EXPECT_EQ(text(link.ip), "192.168.0.9");
   EXPECT_EQ(text(link.essid), "lab");
   EXPECT_EQ(text(link.mac).substr(0, 9), "02:00:00:");
-  EXPECT_EQ(static_cast<std::int32_t>(link.level), -62);
+  EXPECT_EQ(link.level, -62);
   EXPECT_EQ(link.qual, 28u);
   const auto own = reply<wire::wifi::MacReq>(ask(wire::wifi::kReqMac));
   EXPECT_EQ(text(own.mac), "08:00:20:ae:fd:7e");

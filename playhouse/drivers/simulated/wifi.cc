@@ -15,7 +15,7 @@ namespace {
 namespace wf = wire::wifi;
 using wire::MessageType;
 
-constexpr std::uint32_t kNoise = static_cast<std::uint32_t>(-100);  // dBm, constant noise level of a receiver
+constexpr std::int32_t kNoise = -100;  // dBm, constant noise level of a receiver
 
 /// Truncated to the length of an address.
 std::vector<std::uint8_t> text_of(const std::string& text) {
@@ -34,7 +34,7 @@ wf::Link link_of(const world::World& world, const world::WifiLink& link) {
   item.mode = wf::kModeAdhoc;
   item.freq = static_cast<std::uint32_t>(desc.frequency);
   item.qual = link.quality;
-  item.level = static_cast<std::uint32_t>(std::lround(link.level));
+  item.level = static_cast<std::int32_t>(std::lround(link.level));
   item.noise = kNoise;
   return item;
 }

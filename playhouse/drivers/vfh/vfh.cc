@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "playhouse/base/log.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/section_devices.h"
 #include "playhouse/drivers/vfh/vfh_options.h"
@@ -33,14 +32,14 @@ Vfh::Vfh(device::Opener& opener, const VfhOptions& options)
 void Vfh::ask_geometry() {
   client_.ask(kRobot, p2d::kReqGetGeom, {}, [this](const AnswerBody& body) {
     const std::optional<p2d::Geom> geom = decoded<p2d::Geom>(body);
-    if (!geom) return log::warn("driver vfh: its robot does not tell its size, so it drives to no goals");
+    if (!geom) return drives_to_none("its robot does not tell its size, so it drives to no goals");
     const std::lock_guard lock(mutex_);
     radius_ = std::max(geom->size.sl, geom->size.sw) / 2;
   });
   client_.ask(kLaser, lsr::kReqGetGeom, {}, [this](const AnswerBody& body) {
     const std::optional<lsr::Geom> geom = decoded<lsr::Geom>(body);
     const std::optional<geom::Pose> X_RS = geom ? planar(geom->pose) : std::nullopt;
-    if (!X_RS) return log::warn("driver vfh: its laser does not tell its place, so it drives to no goals");
+    if (!X_RS) return drives_to_none("its laser does not tell its place, so it drives to no goals");
     const std::lock_guard lock(mutex_);
     X_RS_ = X_RS;
   });

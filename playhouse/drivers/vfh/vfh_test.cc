@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/drivers/testing/refusal_of.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/world/population.h"
 
@@ -220,6 +221,27 @@ driver( name "stage" provides ["simulation:0"] worldfile "some.world" )
 driver( name "stage" provides ["laser:0"] model "gate" )
 driver( name "stage" provides ["position2d:0"] model "r0" alwayson 1 )
 driver( name "vfh" provides ["position2d:1"] requires ["position2d:0" "laser:0"] ))";
+
+TEST(VfhApart, tells_why_it_drives_to_no_goals) {
+  testing::Mute laser;
+  MemorySite site(kWorld);
+  ASSERT_TRUE(site.site().add_device({6665, 6, 0}, laser));
+  ASSERT_EQ(site.build(R"(
+driver( name "vfh" provides ["position2d:1"] requires ["laser:0" "position2d:0"] )
+driver( name "stage" provides ["simulation:0"] worldfile "some.world" )
+driver( name "stage" provides ["position2d:0"] model "r0" ))"),
+            "");
+  ASSERT_TRUE(site.hold(site.id(kVfh)));
+  const std::string why = "its laser does not tell its place, so it drives to no goals";
+  EXPECT_EQ(testing::refusal_of(site, kVfh), "") << "it has no goal";
+  const auto say = [&](std::uint8_t subtype, const std::vector<std::byte>& body) {
+    return site.driver(kVfh).command({site.id(kVfh), kCmd, subtype, body});
+  };
+  EXPECT_EQ(say(p2d::kCmdPos, wire::encode(p2d::CmdPos{{1, 0, 0}, {}, 1})), device::Taken::kNo);
+  EXPECT_EQ(testing::refusal_of(site, kVfh), why);
+  EXPECT_EQ(say(p2d::kCmdVel, wire::encode(p2d::CmdVel{{0.1, 0, 0}, 1})), device::Taken::kLatest);
+  EXPECT_EQ(testing::refusal_of(site, kVfh), "");
+}
 
 TEST(VfhApart, stops_its_robot_when_its_laser_goes) {
   MemorySite site(kApart);

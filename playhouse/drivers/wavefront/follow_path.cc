@@ -34,7 +34,8 @@ bool within(const Pose& a, const Pose& b, double length, double angle) {
 
 /// Uses what is known of the map and the goal, as far as they are the same.
 Result<Route> plan(const WavefrontOptions& options, const FollowIn& in, FollowMemory& memory) {
-  if (in.map == nullptr) return Error{"", "there is no map"};
+  if (in.map == nullptr)
+    return Error{"", in.map_fault.empty() ? "there is no map" : "there is no map: " + in.map_fault};
   const Pose X_WG = in.map->X_WG(), X_GW = inverse(X_WG);
   if (memory.map != in.map) {
     memory.costs = cost_map(*in.map, options.plan);

@@ -54,6 +54,7 @@ struct FollowIn {
   geom::Pose X_WR, X_OR;
   bool enabled = true;                 // drives
   std::shared_ptr<const GridMap> map;  // null: there is none
+  std::string map_fault{};             // why not; may be empty
 };
 
 struct FollowOut {

@@ -6,6 +6,7 @@
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/map_reader.h"
 #include "playhouse/drivers/in_ticks.h"
+#include "playhouse/drivers/refusal.h"
 #include "playhouse/drivers/section_devices.h"
 #include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/drivers/wavefront/wavefront_options.h"
@@ -62,6 +63,7 @@ void Wavefront::take_map(std::uint64_t reading, Result<GridMap> map) {
   const std::lock_guard lock(mutex_);
   if (reading != readings_) return;  // closed, or asked for again
   reading_ = false;
+  map_fault_ = map ? std::string() : map.error().text;
   map_ = map ? std::make_shared<const GridMap>(std::move(*map)) : nullptr;
 }
 
@@ -83,6 +85,7 @@ bool Wavefront::end_drive() {
     const std::lock_guard lock(mutex_);
     was_driving = std::exchange(driving_, false);
     goal_.reset();
+    unusable_.clear();
     progress_ = {};
   }
   thread_.clear();
@@ -103,7 +106,16 @@ device::Taken Wavefront::command(const device::Message& message) {
   if (message.subtype != planner::kCmdGoal && message.subtype != planner::kCmdStart)
     return device::Taken::kNo;
   const Result<planner::Cmd> command = wire::decode<planner::Cmd>(message.body);
-  if (!command || !is_usable(command->goal)) return device::Taken::kNo;
+  if (!command) return device::Taken::kNo;
+  if (!is_usable(command->goal)) {
+    bool is_news = false;
+    {
+      const std::lock_guard lock(mutex_);
+      is_news = keep_refusal(unusable_, std::string(kUnusableGoal));
+    }
+    if (is_news) log_refusal(name(), kUnusableGoal);
+    return device::Taken::kNo;
+  }
   set_goal(pose_of(command->goal), message.subtype == planner::kCmdStart);
   return device::Taken::kLatest;
 }
@@ -112,6 +124,7 @@ void Wavefront::set_goal(const geom::Pose& X_WT, bool start) {
   {
     const std::lock_guard lock(mutex_);
     enabled_ = enabled_ || start;
+    unusable_.clear();
     if (goal_ && goal_->X_WT == X_WT && !progress_.done() && !options_.refresh_map) return;
     goal_ = {X_WT, ++goals_};
     progress_ = {};
@@ -133,6 +146,7 @@ void Wavefront::enable(bool enabled) {
 }
 
 void Wavefront::request(const device::Message& message, device::Replier replier) {
+  if (asks_for_refusal(message)) return answer_refusal(refusal(), std::move(replier));
   if (message.subtype == planner::kReqGetWaypoints) return replier.ack(wire::encode(waypoints()));
   if (message.subtype != planner::kReqEnable) return;
   const Result<planner::EnableReq> asked = wire::decode<planner::EnableReq>(message.body);
@@ -145,7 +159,8 @@ bool Wavefront::capable(device::DeviceId, std::uint8_t type, std::uint8_t subtyp
   if (type == static_cast<std::uint8_t>(wire::MessageType::kCmd))
     return subtype == planner::kCmdGoal || subtype == planner::kCmdStart;
   return type == static_cast<std::uint8_t>(wire::MessageType::kReq) &&
-         (subtype == planner::kReqGetWaypoints || subtype == planner::kReqEnable);
+         (subtype == planner::kReqGetWaypoints || subtype == planner::kReqEnable ||
+          may_ask_for_refusal(type, subtype));
 }
 
 void Wavefront::take_news(std::vector<device::Publication>& more) {
@@ -168,7 +183,7 @@ void Wavefront::take_news(std::vector<device::Publication>& more) {
 /// None if there is nothing to do. Call with the mutex held.
 std::optional<FollowIn> Wavefront::next_step(double time) const {
   if (!goal_ || !X_WR_ || !X_OR_ || reading_ || progress_.done()) return std::nullopt;
-  return FollowIn{time, goal_->number, goal_->X_WT, *X_WR_, *X_OR_, enabled_, map_};
+  return FollowIn{time, goal_->number, goal_->X_WT, *X_WR_, *X_OR_, enabled_, map_, map_fault_};
 }
 
 void Wavefront::post(FollowIn in) {
@@ -182,25 +197,51 @@ void Wavefront::post(FollowIn in) {
 /// If the goal is another one by now, the robot sets out all the same: goals may come at any rate.
 void Wavefront::take_step(std::uint64_t goal, const FollowOut& out) {
   bool must_halt = false, must_go = false;
+  std::uint64_t current = 0;
+  std::string no_path;  // to be logged
   {
     const std::lock_guard lock(mutex_);
     if (!goal_) return;
     if (goal_->number == goal) progress_ = out;
-    if (goal_->number == goal && !out.fault.empty() && !std::exchange(goal_->told_fault, true))
-      log::warn("driver wavefront: no path to ({:.3g}, {:.3g}): {}", goal_->X_WT.x, goal_->X_WT.y, out.fault);
+    current = goal_->number;
+    if (current == goal && out.fault.empty()) goal_->no_path.clear();
+    if (current == goal && !out.fault.empty()) {
+      std::string why = "no path to " + goal_text(goal_->X_WT) + ": " + out.fault;
+      if (keep_refusal(goal_->no_path, why)) no_path = std::move(why);
+    }
     must_halt = goal_->number == goal && out.route == nullptr && std::exchange(driving_, false);
     must_go = out.X_OP && enabled_;
     if (must_go) driving_ = true;
     if (progress_.done()) driving_ = false;  // the output goes on to the goal itself
   }
+  if (!no_path.empty()) log_refusal(name(), no_path);
   if (must_halt) halt();
-  if (must_go) go_to(*out.X_OP);
+  if (must_go) go_to(current, *out.X_OP);
 }
 
-void Wavefront::go_to(const geom::Pose& X_OP) {
+void Wavefront::go_to(std::uint64_t goal, const geom::Pose& X_OP) {
   const p2d::CmdPos command{pose2d(X_OP), {}, 1};
-  if (client_.command(kOutput, p2d::kCmdPos, wire::encode(command)) == device::Taken::kNo)
-    log::warn("driver wavefront: its output does not go to poses");
+  if (client_.command(kOutput, p2d::kCmdPos, wire::encode(command)) != device::Taken::kNo)
+    return take_drive(goal, "");
+  ask_for_refusal(client_, kOutput, [this, goal](const std::string& why) {
+    const std::string no_drive = "its output does not go to poses";
+    take_drive(goal, why.empty() ? no_drive : no_drive + ": " + why);
+  });
+}
+
+/// Whether the output goes to the goal's waypoint, and why not.
+void Wavefront::take_drive(std::uint64_t goal, const std::string& no_drive) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!goal_ || goal_->number != goal || !keep_refusal(goal_->no_drive, no_drive)) return;
+  }
+  log_refusal(name(), no_drive);
+}
+
+std::string Wavefront::refusal() {
+  const std::lock_guard lock(mutex_);
+  if (!unusable_.empty() || !goal_) return unusable_;
+  return goal_->no_path.empty() ? goal_->no_drive : goal_->no_path;
 }
 
 void Wavefront::halt() {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -48,7 +49,7 @@ class Wavefront final : public device::Driver {
   struct Goal {
     geom::Pose X_WT;
     std::uint64_t number = 0;
-    bool told_fault = false;
+    std::string no_path{}, no_drive{};  // why it is refused (refusal.h), both logged
   };
   void read_map_again();
   void take_map(std::uint64_t reading, Result<GridMap> map);
@@ -59,7 +60,9 @@ class Wavefront final : public device::Driver {
   std::optional<FollowIn> next_step(double time) const;
   void post(FollowIn in);
   void take_step(std::uint64_t goal, const FollowOut& out);
-  void go_to(const geom::Pose& X_OP);
+  void go_to(std::uint64_t goal, const geom::Pose& X_OP);
+  void take_drive(std::uint64_t goal, const std::string& no_drive);
+  std::string refusal();
   void halt();
   wire::planner::Data state() const;
   wire::planner::WaypointsReq waypoints();
@@ -74,11 +77,13 @@ class Wavefront final : public device::Driver {
   std::mutex mutex_;  // guards what follows
   std::optional<Goal> goal_;
   std::uint64_t goals_ = 0;  // so far
+  std::string unusable_;     // why a goal after that one was refused; empty: there was none
   bool enabled_ = true;
   bool driving_ = false;  // the output is on its way to a waypoint
   FollowOut progress_;    // to the goal
   std::optional<geom::Pose> X_WR_, X_OR_;
   std::shared_ptr<const GridMap> map_;
+  std::string map_fault_;       // why there is no map, after it was read
   bool reading_ = false;        // the map
   std::uint64_t readings_ = 0;  // so far
 

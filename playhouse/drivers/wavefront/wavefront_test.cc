@@ -15,6 +15,7 @@
 #include "playhouse/drivers/grid_map/grid_map.h"
 #include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/drivers/testing/refusal_of.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/world/population.h"
@@ -30,7 +31,8 @@ namespace planner = wire::planner;
 using geom::Pose;
 using geom::radians;
 
-constexpr device::Address kRobot{6665, 4, 0}, kOther{6665, 4, 1}, kMap{6665, 42, 0}, kPlanner{6665, 44, 0};
+constexpr device::Address kRobot{6665, 4, 0}, kOther{6665, 4, 1}, kMap{6665, 42, 0}, kPlanner{6665, 44, 0},
+    kMuteLaser{6665, 6, 0};
 constexpr std::uint8_t kCmd = 2, kReq = 3;
 
 constexpr const char* kWorld = R"(
@@ -78,8 +80,9 @@ class Maps final : public device::Driver {
 };
 
 /// The planner, from the last in the chain to the first.
-std::string chain(const std::string& options, const std::string& output = "position2d:0") {
-  return "driver( name \"wavefront\" provides [\"planner:0\"] requires [\"output:::" + output +
+std::string chain(const std::string& options, const std::string& output = "position2d:0",
+                  const std::string& more = "") {
+  return more + "driver( name \"wavefront\" provides [\"planner:0\"] requires [\"output:::" + output +
          "\" \"input:::position2d:0\" \"map:0\"] " + options + R"( )
 driver( name "stage" provides ["simulation:0"] worldfile "some.world" )
 driver( name "stage" provides ["position2d:0"] model "r0" )
@@ -91,11 +94,12 @@ driver( name "stage" provides ["position2d:1"] model "r1" )
 class Planned {
  public:
   explicit Planned(const std::string& options = "", const std::string& output = "position2d:0",
-                   std::optional<GridMap> map = rooms())
+                   std::optional<GridMap> map = rooms(), const std::string& more = "")
       : site(kWorld) {
     maps.map = std::move(map);
     EXPECT_TRUE(site.site().add_device(kMap, maps));
-    EXPECT_EQ(site.build(chain(options, output)), "");
+    EXPECT_TRUE(site.site().add_device(kMuteLaser, mute));
+    EXPECT_EQ(site.build(chain(options, output, more)), "");
     robot_at(kStart);
     EXPECT_TRUE(site.hold(site.id(kPlanner)));
   }
@@ -138,6 +142,7 @@ class Planned {
     site.run(0);
     return world().positions.goal[robot];
   }
+  std::string refusal() { return testing::refusal_of(site, kPlanner); }
   bool was_halted(std::size_t robot = 0) {
     site.run(0);
     return world().positions.command[robot] == geom::Twist();
@@ -150,6 +155,7 @@ class Planned {
   }
 
   Maps maps;
+  testing::Mute mute;
   MemorySite site;
 };
 
@@ -404,6 +410,57 @@ TEST(Wavefront, a_goal_without_a_path_does_not_stop_a_robot_that_others_drive) {
   EXPECT_FALSE(test.was_halted());
 }
 
+TEST(Wavefront, tells_why_it_refuses_a_goal_until_it_is_given_another_one) {
+  Planned test;
+  EXPECT_EQ(test.refusal(), "") << "there is no goal";
+  for (const auto& [goal, why] : std::vector<std::pair<Pose, std::string>>{
+           {{5, 1, 0, 0}, "no path to (5, 1): the goal is within safety_dist of an obstacle"},
+           {{50, 1.25, 0, 0}, "no path to (50, 1.25): the goal is off the map"},
+           {kGoal, ""}}) {
+    test.begin(goal);
+    test.site.run(1);
+    EXPECT_EQ(test.refusal(), why);
+    EXPECT_EQ(test.state().valid, why.empty() ? 1 : 0);
+  }
+  test.go_to({50, 1, 0, 0});
+  test.site.run(3);
+  EXPECT_NE(test.refusal(), "");
+  test.go_to(kGoal);
+  EXPECT_EQ(test.refusal(), "") << "that of another goal, and no plan yet";
+  test.go_to({50, 1, 0, 0});
+  test.site.run(3);
+  test.site.release(test.site.id(kPlanner));
+  ASSERT_TRUE(test.site.hold(test.site.id(kPlanner)));
+  EXPECT_EQ(test.refusal(), "") << "of who had it open before";
+}
+
+TEST(Wavefront, tells_that_it_has_no_map_and_why) {
+  Planned test("", "position2d:0", std::nullopt);
+  test.begin();
+  test.site.run(1);
+  EXPECT_EQ(test.refusal(), "no path to (8, 1): there is no map: it does not tell its size");
+}
+
+TEST(Wavefront, tells_why_its_output_does_not_drive) {
+  Planned test("", "position2d:3", rooms(),
+               "driver( name \"nd\" provides [\"position2d:3\"] requires [\"output:::position2d:0\" "
+               "\"input:::position2d:0\" \"laser:0\"] )\n");
+  EXPECT_EQ(test.go_to(kGoal), device::Taken::kLatest);
+  test.site.run(3);
+  const std::string of_output = "its laser does not tell its place, so it drives to no goals";
+  EXPECT_EQ(testing::refusal_of(test.site, {6665, 4, 3}), of_output);
+  EXPECT_EQ(test.refusal(), "its output does not go to poses: " + of_output);
+}
+
+TEST(Wavefront, a_goal_beyond_its_numbers_is_refused_in_words) {
+  Planned test;
+  test.begin();
+  EXPECT_EQ(test.go_to({1e300, 0, 0, 0}), device::Taken::kNo);
+  EXPECT_EQ(test.refusal(), "the goal is no pose within 1e9 m and 1e9 rad");
+  test.go_to(kGoal);
+  EXPECT_EQ(test.refusal(), "");
+}
+
 TEST(Wavefront, a_goal_that_is_no_place_changes_nothing) {
   Planned test;
   test.begin({3, 1, 0, 0});
@@ -587,6 +644,7 @@ TEST(Wavefront, supports_these_messages) {
   EXPECT_TRUE(test.driver().capable(id, kCmd, planner::kCmdStart));
   EXPECT_TRUE(test.driver().capable(id, kReq, planner::kReqEnable));
   EXPECT_TRUE(test.driver().capable(id, kReq, planner::kReqGetWaypoints));
+  EXPECT_TRUE(test.driver().capable(id, kReq, wire::kReqGetStrprop));
   EXPECT_FALSE(test.driver().capable(id, kReq, 3));
   EXPECT_FALSE(test.driver().capable(id, kCmd, 3));
   test.driver().request({id, kReq, 3, {}}, device::Replier(test.site.recorder, 5));

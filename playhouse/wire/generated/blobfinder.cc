@@ -106,7 +106,7 @@ void write(Writer& out, const ColorConfig& m) {
 
 void to_json(std::string& out, const ColorConfig& m) {
   json_key(out, '{', "channel");
-  json_value(out, static_cast<std::int32_t>(m.channel));
+  json_value(out, m.channel);
   json_key(out, ',', "rmin");
   json_value(out, m.rmin);
   json_key(out, ',', "rmax");

@@ -63,7 +63,7 @@ struct Data {
 /// The colors that a channel detects, as ranges of red, green and blue.
 struct ColorConfig {
   /// Channel; -1 means all.
-  std::uint32_t channel = 0;
+  std::int32_t channel = 0;
   std::uint32_t rmin = 0;
   std::uint32_t rmax = 0;
   std::uint32_t gmin = 0;

@@ -59,9 +59,9 @@ void to_json(std::string& out, const Link& m) {
   json_key(out, ',', "qual");
   json_value(out, m.qual);
   json_key(out, ',', "level");
-  json_value(out, static_cast<std::int32_t>(m.level));
+  json_value(out, m.level);
   json_key(out, ',', "noise");
-  json_value(out, static_cast<std::int32_t>(m.noise));
+  json_value(out, m.noise);
   out += '}';
 }
 
@@ -108,9 +108,9 @@ void to_json(std::string& out, const Data& m) {
   json_key(out, ',', "maxqual");
   json_value(out, m.maxqual);
   json_key(out, ',', "maxlevel");
-  json_value(out, static_cast<std::int32_t>(m.maxlevel));
+  json_value(out, m.maxlevel);
   json_key(out, ',', "maxnoise");
-  json_value(out, static_cast<std::int32_t>(m.maxnoise));
+  json_value(out, m.maxnoise);
   json_key(out, ',', "ap");
   json_text(out, m.ap);
   out += '}';

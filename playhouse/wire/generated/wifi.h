@@ -56,9 +56,9 @@ struct Link {
   /// Quality, up to Data.maxqual.
   std::uint32_t qual = 0;
   /// Signal, up to Data.maxlevel.
-  std::uint32_t level = 0;
+  std::int32_t level = 0;
   /// Noise, up to Data.maxnoise.
-  std::uint32_t noise = 0;
+  std::int32_t noise = 0;
 
   friend bool operator==(const Link&, const Link&) = default;
 };
@@ -77,9 +77,9 @@ struct Data {
   /// Maximum reported quality.
   std::uint32_t maxqual = 0;
   /// Maximum reported signal level.
-  std::uint32_t maxlevel = 0;
+  std::int32_t maxlevel = 0;
   /// Maximum reported noise level.
-  std::uint32_t maxnoise = 0;
+  std::int32_t maxnoise = 0;
   /// Hardware address of the access point, as a string. (32 bytes; zeros fill a shorter text)
   std::string ap{};
 

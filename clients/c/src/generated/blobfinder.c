@@ -25,7 +25,7 @@ static const ph_field ph_blobfinder_data_fields[3] = {
 const ph_struct_type ph_blobfinder_data_type = {"blobfinder.Data", ph_blobfinder_data_fields, 3, 16, sizeof(ph_blobfinder_data)};
 
 static const ph_field ph_blobfinder_color_config_fields[7] = {
-    {"channel", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_blobfinder_color_config, channel), 0, NULL},
+    {"channel", PH_TYPE_INT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_blobfinder_color_config, channel), 0, NULL},
     {"rmin", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_blobfinder_color_config, rmin), 0, NULL},
     {"rmax", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_blobfinder_color_config, rmax), 0, NULL},
     {"gmin", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_blobfinder_color_config, gmin), 0, NULL},

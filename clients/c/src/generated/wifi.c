@@ -11,8 +11,8 @@ static const ph_field ph_wifi_link_fields[9] = {
     {"freq", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_link, freq), 0, NULL},
     {"encrypt", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_link, encrypt), 0, NULL},
     {"qual", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_link, qual), 0, NULL},
-    {"level", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_link, level), 0, NULL},
-    {"noise", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_link, noise), 0, NULL},
+    {"level", PH_TYPE_INT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_link, level), 0, NULL},
+    {"noise", PH_TYPE_INT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_link, noise), 0, NULL},
 };
 const ph_struct_type ph_wifi_link_type = {"wifi.Link", ph_wifi_link_fields, 9, 48, sizeof(ph_wifi_link)};
 
@@ -23,8 +23,8 @@ static const ph_field ph_wifi_data_fields[9] = {
     {"mode", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_data, mode), 0, NULL},
     {"qual_type", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_data, qual_type), 0, NULL},
     {"maxqual", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_data, maxqual), 0, NULL},
-    {"maxlevel", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_data, maxlevel), 0, NULL},
-    {"maxnoise", PH_TYPE_UINT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_data, maxnoise), 0, NULL},
+    {"maxlevel", PH_TYPE_INT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_data, maxlevel), 0, NULL},
+    {"maxnoise", PH_TYPE_INT32, PH_SHAPE_ONE, 0, 0, 1, offsetof(ph_wifi_data, maxnoise), 0, NULL},
     {"ap", PH_TYPE_CHAR, PH_SHAPE_FIXED, 0, 0, 32, offsetof(ph_wifi_data, ap), 0, NULL},
 };
 const ph_struct_type ph_wifi_data_type = {"wifi.Data", ph_wifi_data_fields, 9, 68, sizeof(ph_wifi_data)};

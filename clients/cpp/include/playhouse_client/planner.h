@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "playhouse/wire/generated/planner.h"
@@ -46,6 +47,14 @@ class Planner {
   /// nothing is sent, if a number is not finite.
   Result<void> go_to(const Pose& pose);
 
+  /// Requests why the planner does not drive to the goal of the last go_to(), as its log says; empty if it
+  /// does, has arrived, has not planned yet, or is a driver that gives no reasons.
+  Result<std::string> why_refused();
+
+  /// go_to(), and reads the planner's client until the goal is reached. An error as soon as why_refused() has
+  /// a reason, and after `patience` without data of the planner.
+  Result<void> drive_to(Client& client, const Pose& pose, Seconds patience = Seconds(5.0));
+
   /// Stops the robot until resume(); the planner keeps its goal.
   Result<void> stop();
   Result<void> resume();
@@ -58,6 +67,7 @@ class Planner {
  private:
   friend class Robot;
   explicit Planner(Device device) : device_(std::move(device)) {}
+  Result<void> next_data(Client& client, Seconds patience);
 
   Device device_;
   std::optional<Pose> goal_;  // of the last go_to()

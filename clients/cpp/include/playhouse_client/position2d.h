@@ -42,6 +42,10 @@ class Position2d {
   /// Goal pose in the odometry frame, planned by the driver; speed 0: the driver's default.
   Result<void> go_to(const Pose& pose, double speed = 0.0);
 
+  /// Requests why the driver (nd, vfh) does not drive to the goal of the last go_to(), as its log says; empty
+  /// if it does, has arrived, or is a driver that gives no reasons.
+  Result<std::string> why_refused();
+
   Result<void> set_motor_power(bool on);
 
   /// Sets the odometry pose; the robot does not move.

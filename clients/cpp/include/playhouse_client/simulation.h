@@ -37,7 +37,7 @@ class Simulation {
   Result<void> join(std::string_view name);
   /// Advances the world by `ticks` and waits until they are done; in lock-step this includes waiting
   /// for the other members. Push mode: all data of the ticks have been dispatched on return. Pull
-  /// mode: they are queued for Client::read(). Without lock-step the world is paused afterwards.
+  /// mode: they are queued for Client::read(). Without lock-step a running world refuses: pause() first.
   Result<void> step(std::uint32_t ticks = 1);
   Result<void> step(std::uint32_t ticks, Seconds patience);
   /// Restarts the run with this seed: at tick 0, with the initial models and their ids. Devices have no data

@@ -89,6 +89,7 @@ final class Robots {
       air.nextData();
       WifiMessages.Data data = air.latest(WifiMessages.DATA_STATE).orElseThrow();
       mustBe(!data.links().isEmpty(), "a radio hears another one");
+      mustBe(data.links().get(0).level() < 0 && data.links().get(0).noise() == -100, "levels are in dBm");
       return new String(data.links().get(0).ip(), StandardCharsets.UTF_8);
     }
   }
@@ -190,6 +191,10 @@ final class Robots {
       planner.resume();
       readUntil(client, planner::hasArrived);
       mustBe(distance(simulation.pose("r0"), goal) < 0.6, "it is at the goal");
+      mustBe(planner.whyRefused().isEmpty(), "it was not refused");
+      planner.goTo(new Pose(999, 0, 0));
+      readUntil(client, () -> !planner.whyRefused().isEmpty());
+      mustBe(planner.whyRefused().equals("no path to (999, 0): the goal is off the map"), "it says why");
     }
   }
 

@@ -108,7 +108,7 @@ class ColorConfig(Struct):
     bmax: int = 0
 
     def write(self, writer: Writer) -> None:
-        writer.number("I", self.channel)
+        writer.number("i", self.channel)
         writer.number("I", self.rmin)
         writer.number("I", self.rmax)
         writer.number("I", self.gmin)
@@ -119,7 +119,7 @@ class ColorConfig(Struct):
     @classmethod
     def read(cls, reader: Reader) -> "ColorConfig":
         self = cls()
-        self.channel = reader.number("I")
+        self.channel = reader.number("i")
         self.rmin = reader.number("I")
         self.rmax = reader.number("I")
         self.gmin = reader.number("I")

@@ -62,8 +62,8 @@ class Link(Struct):
         writer.number("I", self.freq)
         writer.number("I", self.encrypt)
         writer.number("I", self.qual)
-        writer.number("I", self.level)
-        writer.number("I", self.noise)
+        writer.number("i", self.level)
+        writer.number("i", self.noise)
 
     @classmethod
     def read(cls, reader: Reader) -> "Link":
@@ -78,8 +78,8 @@ class Link(Struct):
         self.freq = reader.number("I")
         self.encrypt = reader.number("I")
         self.qual = reader.number("I")
-        self.level = reader.number("I")
-        self.noise = reader.number("I")
+        self.level = reader.number("i")
+        self.noise = reader.number("i")
         return self
 
 
@@ -115,8 +115,8 @@ class Data(Struct):
         writer.number("I", self.mode)
         writer.number("I", self.qual_type)
         writer.number("I", self.maxqual)
-        writer.number("I", self.maxlevel)
-        writer.number("I", self.maxnoise)
+        writer.number("i", self.maxlevel)
+        writer.number("i", self.maxnoise)
         writer.fixed("ap", self.ap, 32)
 
     @classmethod
@@ -130,8 +130,8 @@ class Data(Struct):
         self.mode = reader.number("I")
         self.qual_type = reader.number("I")
         self.maxqual = reader.number("I")
-        self.maxlevel = reader.number("I")
-        self.maxnoise = reader.number("I")
+        self.maxlevel = reader.number("i")
+        self.maxnoise = reader.number("i")
         self.ap = reader.opaque(32)
         return self
 

@@ -103,7 +103,7 @@ export interface ColorConfig {
 export const ColorConfig: Codec<ColorConfig> = new Codec<ColorConfig>('blobfinder.ColorConfig', {
   zero: () => ({ channel: 0, rmin: 0, rmax: 0, gmin: 0, gmax: 0, bmin: 0, bmax: 0 }),
   write(to, value) {
-    to.uint32(value.channel);
+    to.int32(value.channel);
     to.uint32(value.rmin);
     to.uint32(value.rmax);
     to.uint32(value.gmin);
@@ -112,7 +112,7 @@ export const ColorConfig: Codec<ColorConfig> = new Codec<ColorConfig>('blobfinde
     to.uint32(value.bmax);
   },
   read(from) {
-    const channel = from.uint32();
+    const channel = from.int32();
     const rmin = from.uint32();
     const rmax = from.uint32();
     const gmin = from.uint32();

@@ -70,8 +70,8 @@ export const Link: Codec<Link> = new Codec<Link>('wifi.Link', {
     to.uint32(value.freq);
     to.uint32(value.encrypt);
     to.uint32(value.qual);
-    to.uint32(value.level);
-    to.uint32(value.noise);
+    to.int32(value.level);
+    to.int32(value.noise);
   },
   read(from) {
     from.uint32();
@@ -84,8 +84,8 @@ export const Link: Codec<Link> = new Codec<Link>('wifi.Link', {
     const freq = from.uint32();
     const encrypt = from.uint32();
     const qual = from.uint32();
-    const level = from.uint32();
-    const noise = from.uint32();
+    const level = from.int32();
+    const noise = from.int32();
     return { mac, ip, essid, mode, freq, encrypt, qual, level, noise };
   },
 });
@@ -132,8 +132,8 @@ export const Data: Codec<Data> = new Codec<Data>('wifi.Data', {
     to.uint32(value.mode);
     to.uint32(value.qualType);
     to.uint32(value.maxqual);
-    to.uint32(value.maxlevel);
-    to.uint32(value.maxnoise);
+    to.int32(value.maxlevel);
+    to.int32(value.maxnoise);
     to.fixed('ap', value.ap, 32);
   },
   read(from) {
@@ -144,8 +144,8 @@ export const Data: Codec<Data> = new Codec<Data>('wifi.Data', {
     const mode = from.uint32();
     const qualType = from.uint32();
     const maxqual = from.uint32();
-    const maxlevel = from.uint32();
-    const maxnoise = from.uint32();
+    const maxlevel = from.int32();
+    const maxnoise = from.int32();
     const ap = from.opaque(32);
     return { links, throughput, bitrate, mode, qualType, maxqual, maxlevel, maxnoise, ap };
   },

@@ -68,7 +68,7 @@ export class Simulation extends Device {
   /**
    * Runs this number of ticks and waits until they are done, in lock-step until all members have requested them: at most
    * `timeout` s, without it for ever. In push mode all data of the ticks have then been delivered to the devices; in pull
-   * mode they are queued for read(). Without lock-step the world is paused afterwards.
+   * mode they are queued for read(). Without lock-step a running world refuses: pause() first.
    */
   async step(ticks = 1, timeout = Infinity): Promise<void> {
     this.insistOnWhole('ticks', ticks, 1, 2 ** 20);

@@ -75,6 +75,9 @@ ph_status ph_device_get_bool(ph_device *device, const char *key, bool *value, ph
 ph_status ph_device_get_int(ph_device *device, const char *key, int32_t *value, ph_error *error);
 ph_status ph_device_get_double(ph_device *device, const char *key, double *value, ph_error *error);
 ph_status ph_device_get_string(ph_device *device, const char *key, const char **value, ph_error *error);
+/** Why the driver of a position2d or planner does not drive to the goal that it was given last, as its log says;
+ * "" if it does, has arrived, has not planned yet, or gives no reasons. Valid as ph_device_get_string()'s. */
+ph_status ph_device_why_refused(ph_device *device, const char **why, ph_error *error);
 ph_status ph_device_set_bool(ph_device *device, const char *key, bool value, ph_error *error);
 ph_status ph_device_set_int(ph_device *device, const char *key, int32_t value, ph_error *error);
 ph_status ph_device_set_double(ph_device *device, const char *key, double value, ph_error *error);

@@ -31,8 +31,8 @@ ph_status ph_simulation_restart(ph_simulation *simulation, uint64_t seed, ph_err
 ph_status ph_simulation_join(ph_simulation *simulation, const char *name, ph_error *error);
 /** Runs this number of ticks, 1 to 2^20, and waits until they are done, in lock-step until all members have
  * requested them: at most `timeout` seconds, INFINITY: no limit. In push mode all data of the ticks have then
- * been delivered to the devices; in pull mode they are queued for ph_client_read(). Without lock-step the
- * world is paused afterwards. PH_RUN_ENDED if the run has ended. */
+ * been delivered to the devices; in pull mode they are queued for ph_client_read(). Without lock-step a
+ * running world refuses: ph_simulation_pause() first. PH_RUN_ENDED if the run has ended. */
 ph_status ph_simulation_step(ph_simulation *simulation, int64_t ticks, double timeout, ph_error *error);
 /** Spawns a robot like the model `like` at a pose in the world (m, m, rad), under a name, or one that the
  * server chooses if it is NULL or "". `spawned`, which may be NULL, gets its name; valid until the next call

@@ -193,6 +193,18 @@ public class Device implements AutoCloseable {
   }
 
   /**
+   * Why the driver of a position2d or planner does not drive to the goal that it was given last, as its log
+   * says; empty if it does, has arrived, has not planned yet, or gives no reasons.
+   */
+  public String whyRefused() {
+    try {
+      return getString("refusal");
+    } catch (RequestRefusedException error) {
+      return "";
+    }
+  }
+
+  /**
    * Sets a property. Throws RequestRefusedException if there is none of this key and type, or the value is
    * none for it.
    */

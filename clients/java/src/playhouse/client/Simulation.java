@@ -97,8 +97,8 @@ public final class Simulation extends Device {
   /**
    * Runs this number of ticks and waits until they are done, in lock-step until all members have requested
    * them. In push mode all data of the ticks have then been delivered to the devices; in pull mode they are
-   * queued for read(). Without lock-step the world is paused afterwards. Throws RunEndedException when the
-   * run has ended.
+   * queued for read(). Without lock-step a running world refuses: pause() first. Throws RunEndedException
+   * when the run has ended.
    */
   public void step(int ticks, Duration timeout) {
     if (ticks < 1 || ticks > MOST_TICKS) {

@@ -50,7 +50,7 @@ PH_CODEC(ph_blobfinder_data)
 /** The colors that a channel detects, as ranges of red, green and blue. (player_blobfinder_color_config_t) */
 typedef struct ph_blobfinder_color_config {
   /** Channel; -1 means all (signed). */
-  uint32_t channel;
+  int32_t channel;
   uint32_t rmin;
   uint32_t rmax;
   uint32_t gmin;

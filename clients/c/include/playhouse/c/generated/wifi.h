@@ -49,9 +49,9 @@ typedef struct ph_wifi_link {
   /** Quality, up to Data.maxqual. */
   uint32_t qual;
   /** Signal, up to Data.maxlevel (signed). */
-  uint32_t level;
+  int32_t level;
   /** Noise, up to Data.maxnoise (signed). */
-  uint32_t noise;
+  int32_t noise;
 } ph_wifi_link;
 PH_CODEC(ph_wifi_link)
 
@@ -70,9 +70,9 @@ typedef struct ph_wifi_data {
   /** Maximum reported quality. */
   uint32_t maxqual;
   /** Maximum reported signal level (signed). */
-  uint32_t maxlevel;
+  int32_t maxlevel;
   /** Maximum reported noise level (signed). */
-  uint32_t maxnoise;
+  int32_t maxnoise;
   /** Hardware address of the access point, as a string. */
   char ap[32];
 } ph_wifi_data;

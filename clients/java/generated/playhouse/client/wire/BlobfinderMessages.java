@@ -113,11 +113,11 @@ public final class BlobfinderMessages {
    * @param bmax Bmax.
    */
   public record ColorConfig(
-      long channel, long rmin, long rmax, long gmin, long gmax, long bmin, long bmax)
+      int channel, long rmin, long rmax, long gmin, long gmax, long bmin, long bmax)
       implements Struct {
     /** Every number 0, every list empty. */
     public ColorConfig() {
-      this(0L, 0L, 0L, 0L, 0L, 0L, 0L);
+      this(0, 0L, 0L, 0L, 0L, 0L, 0L);
     }
 
     /** Decodes a body; bytes after the last field are ignored. Throws WireException. */
@@ -126,7 +126,7 @@ public final class BlobfinderMessages {
     }
 
     static ColorConfig read(Reader in) {
-      long channel = in.uint32();
+      int channel = in.int32();
       long rmin = in.uint32();
       long rmax = in.uint32();
       long gmin = in.uint32();
@@ -138,7 +138,7 @@ public final class BlobfinderMessages {
 
     @Override
     public void write(Writer out) {
-      out.uint32(channel);
+      out.int32(channel);
       out.uint32(rmin);
       out.uint32(rmax);
       out.uint32(gmin);

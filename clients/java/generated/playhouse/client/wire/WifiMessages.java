@@ -38,12 +38,12 @@ public final class WifiMessages {
    * @param noise Noise, up to Data.maxnoise (signed).
    */
   public record Link(
-      byte[] mac, byte[] ip, byte[] essid, long mode, long freq, long encrypt, long qual, long level, long
+      byte[] mac, byte[] ip, byte[] essid, long mode, long freq, long encrypt, long qual, int level, int
       noise)
       implements Struct {
     /** Every number 0, every list empty. */
     public Link() {
-      this(new byte[0], new byte[0], new byte[0], 0L, 0L, 0L, 0L, 0L, 0L);
+      this(new byte[0], new byte[0], new byte[0], 0L, 0L, 0L, 0L, 0, 0);
     }
 
     /** Decodes a body; bytes after the last field are ignored. Throws WireException. */
@@ -62,8 +62,8 @@ public final class WifiMessages {
       long freq = in.uint32();
       long encrypt = in.uint32();
       long qual = in.uint32();
-      long level = in.uint32();
-      long noise = in.uint32();
+      int level = in.int32();
+      int noise = in.int32();
       return new Link(mac, ip, essid, mode, freq, encrypt, qual, level, noise);
     }
 
@@ -82,8 +82,8 @@ public final class WifiMessages {
       out.uint32(freq);
       out.uint32(encrypt);
       out.uint32(qual);
-      out.uint32(level);
-      out.uint32(noise);
+      out.int32(level);
+      out.int32(noise);
     }
 
     @Override
@@ -114,12 +114,12 @@ public final class WifiMessages {
    * @param ap Hardware address of the access point, as a string (32 elements).
    */
   public record Data(
-      List<Link> links, long throughput, long bitrate, long mode, long qualType, long maxqual, long maxlevel,
-      long maxnoise, byte[] ap)
+      List<Link> links, long throughput, long bitrate, long mode, long qualType, long maxqual, int maxlevel,
+      int maxnoise, byte[] ap)
       implements Struct {
     /** Every number 0, every list empty. */
     public Data() {
-      this(List.of(), 0L, 0L, 0L, 0L, 0L, 0L, 0L, new byte[32]);
+      this(List.of(), 0L, 0L, 0L, 0L, 0L, 0, 0, new byte[32]);
     }
 
     /** Decodes a body; bytes after the last field are ignored. Throws WireException. */
@@ -135,8 +135,8 @@ public final class WifiMessages {
       long mode = in.uint32();
       long qualType = in.uint32();
       long maxqual = in.uint32();
-      long maxlevel = in.uint32();
-      long maxnoise = in.uint32();
+      int maxlevel = in.int32();
+      int maxnoise = in.int32();
       byte[] ap = in.bytes(32);
       return new Data(links, throughput, bitrate, mode, qualType, maxqual, maxlevel, maxnoise, ap);
     }
@@ -151,8 +151,8 @@ public final class WifiMessages {
       out.uint32(mode);
       out.uint32(qualType);
       out.uint32(maxqual);
-      out.uint32(maxlevel);
-      out.uint32(maxnoise);
+      out.int32(maxlevel);
+      out.int32(maxnoise);
       out.fixed("ap", ap, 32);
     }
 
