@@ -254,6 +254,13 @@ TEST(CommandLine, the_page_may_have_further_names) {
     EXPECT_THAT(fault({"run", "w", "--web-host", text}), HasSubstr("--web-host: the name of a host")) << text;
 }
 
+TEST(CommandLine, proxies_in_front_of_the_page_are_named_by_address) {
+  const auto proxies = parsed<RunOptions>({"run", "--trusted-proxy", "10.0.0.2,::1", "w"}).serving.proxies;
+  EXPECT_EQ(*proxies.client_of("10.0.0.2:1", "10.0.0.9"), "10.0.0.9:1");
+  EXPECT_THAT(fault({"run", "w", "--trusted-proxy", "nginx"}),
+              HasSubstr("--trusted-proxy: numeric addresses of proxies are wanted, not \"nginx\""));
+}
+
 TEST(CommandLine, a_letter_has_no_nearest_option_and_two_dashes_end_the_options) {
   EXPECT_EQ(fault({"run", "-p", "3", "w"}), "unknown option -p; playhouse COMMAND --help lists them");
   EXPECT_EQ(parsed<RunOptions>({"run", "--paused", "--", "-w.world"}).world, "-w.world");

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <optional>
 #include <vector>
 
 #include "playhouse/base/in_quotes.h"
@@ -11,6 +13,27 @@
 #include "playhouse_client/robot.h"
 
 namespace playhouse::app {
+namespace {
+
+/// A device of the last model of this name, or of its descendants, on whatever port; none if there is none.
+std::optional<client::DeviceAddress> find_on_any_port(const std::vector<client::Model>& models,
+                                                      const std::string& name,
+                                                      bool (*fits)(std::uint16_t interf)) {
+  const auto found = std::find_if(models.rbegin(), models.rend(),
+                                  [&](const client::Model& model) { return model.name == name; });
+  if (found == models.rend()) return std::nullopt;
+  std::vector<bool> is_part(models.size());
+  for (std::size_t row = models.rend() - found - 1; row < models.size(); ++row) {
+    const client::Model& model = models[row];
+    is_part[row] = &model == &*found || (model.parent && is_part[*model.parent]);
+    if (!is_part[row]) continue;
+    for (const client::DeviceAddress& device : model.devices)
+      if (fits(device.interf)) return device;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 Result<DeviceName> parse_device_name(std::string_view text) {
   const std::size_t colon = text.find(':');
@@ -51,6 +74,11 @@ Result<DeviceName> find_device(client::Client& client, const WantedDevice& wante
   if (!robot) return robot.error();
   for (const client::RobotDevice& device : robot->devices()) {
     if (fits(device.address.interf)) return DeviceName{device.address.interf, device.address.index};
+  }
+  if (const Result<std::vector<client::Model>> models = client.models(); models) {
+    if (const auto other = find_on_any_port(*models, wanted.model, fits))
+      return Error{client.peer(), fmt::format("model {} has {} on port {} of this server",
+                                              in_quotes(wanted.model), other->name(), other->port)};
   }
   return Error{client.peer(), "model " + in_quotes(wanted.model) +
                                   " has no device for this; playhouse devices lists what there is"};

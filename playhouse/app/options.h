@@ -12,6 +12,7 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/geom/orientation.h"
+#include "playhouse/net/forwarded.h"
 
 namespace playhouse::app {
 
@@ -30,6 +31,7 @@ struct Serving {
   std::string bind = "127.0.0.1";
   std::string port_option = "--port";       // name of the option of `port`, for errors
   std::vector<std::string> web_hosts = {};  // host names of the page besides the machine's
+  net::TrustedProxies proxies = {};         // in front of the page
   std::string guests = {};                  // access control file of the page; empty: full access
   std::size_t viewers = limits::kViewers;   // limit on simultaneous pages, and on observers
   std::uint32_t page_bytes = limits::kPageBytesPerSecond;  // limit per second for each page

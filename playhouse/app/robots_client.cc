@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -61,6 +62,17 @@ std::optional<drivers::RemoteDevice> parse_device(const std::string& text) {
   const wire::InterfaceDef* const interf = address ? wire::find_interface(address->interf) : nullptr;
   if (interf == nullptr) return std::nullopt;
   return drivers::RemoteDevice{interf->code, address->index};
+}
+
+/// The port of a device that is not on the connection's: "6666" of "laser:7 6666:position2d:0"; none: there
+/// is none.
+std::optional<std::uint16_t> other_port(const std::string& devices) {
+  std::istringstream words(devices);
+  for (std::string word; words >> word;)
+    if (const Result<scene::DeviceAddress> address = scene::parse_device_address(word);
+        address && address->port)
+      return address->port;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -147,6 +159,9 @@ device::Address RobotsClient::address_of(const Robot& robot, std::uint16_t port,
 
 /// Port and devices appear in one turn of the loop, so no client can see a port without devices.
 void RobotsClient::serve(Robot& robot, const std::string& devices) {
+  if (const std::optional<std::uint16_t> other = other_port(devices))
+    return fail_with({robot.desc.where, fmt::format("{} has devices on port {} of the server: --server {}:{}",
+                                                    in_quotes(robot.name), *other, options_.host, *other)});
   const Result<std::uint16_t> port = open_port(robot);
   if (!port) return fail_with(port.error());
   std::istringstream words(devices);

@@ -35,6 +35,7 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
   if (const Result<void> step = service.open_ports(); !step) return fail(step.error());
   if (const Result<void> step = service.make_devices(); !step)
     return fail_in_file(step.error(), service.other_errors());
+  if (const Result<void> step = service.open_following_ports(); !step) return fail(step.error());
   if (const Result<void> kept = keep_what_was_read(service, running, saves); !kept)
     return fail_in_file(kept.error());
   if (!running.save_world.empty())

@@ -8,6 +8,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <future>
+#include <limits>
 #include <set>
 #include <span>
 #include <system_error>
@@ -38,6 +40,7 @@ namespace playhouse::app {
 namespace {
 
 constexpr double kProgressSeconds = 0.5;
+constexpr std::uint32_t kLastPort = std::numeric_limits<std::uint16_t>::max();
 
 bool is_world_file(const std::string& file) {
   return file.ends_with(".world");
@@ -183,7 +186,31 @@ const scene::CfgFile* Service::file_without_world() const {
   return cfg_ && !has_world(*cfg_) ? &*cfg_ : nullptr;
 }
 
+/// Without a number (--port 0): a free port before as many free ones as the scene can need, as no interface
+/// has more devices than there are models; 0 if there is none. Whoever is faster may still take one.
+std::uint16_t Service::first_of_free_ports() {
+  constexpr int kTries = 16;
+  const std::size_t count = cfg_ || recording_ ? 1 : (scene_.models.size() + indices_ - 1) / indices_;
+  if (count < 2) return 0;
+  std::vector<std::unique_ptr<net::Listener>> tried;  // held, so that the system names others
+  for (int k = 0; k < kTries; ++k) {
+    const auto listen = [&](std::uint32_t port) {
+      if (port > kLastPort) return false;
+      auto opened = loop_.listen(serving_.bind, static_cast<std::uint16_t>(port), [](auto) {});
+      if (opened) tried.push_back(std::move(*opened));
+      return opened.ok();
+    };
+    if (!listen(0)) return 0;
+    const std::uint16_t first = tried.back()->port();
+    std::uint32_t end = first + 1u;
+    while (end < first + count && listen(end)) ++end;
+    if (end == first + count) return first;
+  }
+  return 0;
+}
+
 Result<void> Service::open_ports() {
+  if (serving_.port == 0) serving_.port = first_of_free_ports();
   const std::set<std::uint16_t> wanted = cfg_ ? ports_of(*cfg_, serving_.port) : std::set<std::uint16_t>{0};
   for (const std::uint16_t port : wanted) {
     const Result<std::uint16_t> opened = server_->listen(port == 0 ? serving_.port : port);
@@ -191,6 +218,33 @@ Result<void> Service::open_ports() {
     if (port == 0) serving_.port = *opened;
     player_ports_.push_back(*opened);
   }
+  return {};
+}
+
+Result<void> Service::open_following_ports() {
+  const std::size_t count = robots_ ? robots_->ports() : 1;
+  for (std::uint32_t port = serving_.port + 1u; port < serving_.port + count; ++port) {
+    const Result<void> opened = open_port(port);
+    if (!opened)
+      return Error{opened.error().where,
+                   fmt::format("{}; the devices of {} robots need {} ports, from {} on; {} takes others",
+                               opened.error().text, count_robots(simulation().world()), count, serving_.port,
+                               serving_.port_option)};
+    player_ports_.push_back(static_cast<std::uint16_t>(port));
+  }
+  return {};
+}
+
+/// The io thread never waits for the tick thread, so the tick thread may wait for it.
+Result<void> Service::open_port(std::uint32_t port) {
+  if (port > kLastPort) return Error{fmt::format("port {}", port), "the last port is 65535"};
+  const auto number = static_cast<std::uint16_t>(port);
+  const auto opened = std::make_shared<std::promise<Result<std::uint16_t>>>();  // outlives set_value()
+  const auto listen = [this, opened, number] { opened->set_value(server_->listen(number)); };
+  io_runs_ ? loop_.post(listen) : listen();
+  const Result<std::uint16_t> listening = opened->get_future().get();
+  if (!listening) return listening.error();
+  if (io_runs_) log::say(fmt::format("Player clients: {}:{}", shown_host(serving_.bind), port));
   return {};
 }
 
@@ -224,12 +278,13 @@ Result<void> Service::open_playback() {
 
 Result<void> Service::add_robots() {
   if (const Result<void> opened = site_->open_world(scene_.path); !opened) return opened.error();
-  robots_ = std::make_unique<drivers::AutoDevices>(*site_, serving_.port);
+  robots_ = std::make_unique<drivers::AutoDevices>(*site_, serving_.port, indices_);
   if (const Result<void> added = robots_->add_all(); !added) return added;
   if (robots_->left_out() > 0)
-    warn_(fmt::format("{} devices are left out: an interface has 65536 indices", robots_->left_out()));
+    warn_(fmt::format("{} devices are left out: an interface has {} indices on each of {} ports",
+                      robots_->left_out(), indices_, robots_->ports()));
   if (site_->device_count() > limits::kDevices) {
-    warn_(fmt::format("{} devices: a client's list shows the first {}, and all can be opened",
+    warn_(fmt::format("{} devices: a client's list shows the first {} of its port, and all can be opened",
                       site_->device_count(), limits::kDevices));
   }
   return {};
@@ -299,9 +354,17 @@ Result<void> Service::read_guests() {
   return {};
 }
 
-/// Of runs with guests; without, nobody is asked on the Player port.
+/// On the web thread. Without guests nobody is asked on the Player port, until somebody was sent out.
 void Service::close_clients_sent_out() {
-  if (guests_.guests().empty()) return;
+  if (observers_) observers_->end_sent_out();
+  if (guests_.guests().empty()) {
+    loop_.post([this] {
+      server_->admit_by([book = guests_](const std::string& token, const std::string& peer) {
+        const bool is_admitted = token == "*" && !book.is_sent_out(token, peer);
+        return is_admitted ? std::optional<device::Rights>(device::Rights{}) : std::nullopt;
+      });
+    });
+  }
   server_->close_clients([book = guests_](const std::string& token, const std::string& peer) {
     return book.is_sent_out(token, peer);
   });
@@ -317,11 +380,13 @@ Result<void> Service::open_page() {
                                        .host_name = {},
                                        .further_names = serving_.web_hosts,
                                        .guests = guests_,
+                                       .proxies = serving_.proxies,
                                        .sent_out = [this] { close_clients_sent_out(); },
                                        .viewers = serving_.viewers,
                                        .bytes_per_second = serving_.page_bytes,
                                        .physics_shapes = std::move(physics_shapes),
-                                       .place_of_body = drivers::free_place};
+                                       .place_of_body = drivers::free_place,
+                                       .shares = simulation().shares()};
   const auto device_names = [this](world::ModelId model) {
     if (playback_) return std::vector<std::string>();
     return drivers::device_names(simulation().directory(), model, player_ports_.front());
@@ -409,6 +474,7 @@ void Service::show_progress() {
 Outcome Service::run(const std::function<void(int signal)>& ended) {
   const bool shows_progress = isatty(STDERR_FILENO) == 1;
   if (shows_progress) progress_ = loop_.after(kProgressSeconds, [this] { show_progress(); });
+  io_runs_ = true;
   std::thread io([this] { loop_.run(); });
   std::thread web([this] { web_loop_.run(); });
   std::thread signals([this] { signal_loop_.run(); });

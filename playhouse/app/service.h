@@ -63,6 +63,8 @@ class Service final : private ServerSurroundings {
   void on_warning(Warn warn) { warn_ = std::move(warn); }
   /// Overrides the engine named in the options. Before the first step.
   void use_engine(EngineMaker make) { engine_maker_ = std::move(make); }
+  /// Overrides the number of indices of an interface on a port, for tests. Before the first step.
+  void use_indices(std::size_t indices) { indices_ = indices; }
   /// Locates controller libraries without loading them: the world cannot run then. Before the first step.
   void load_no_code() { libraries_ = controllers::Libraries::Use::kFind; }
 
@@ -98,6 +100,8 @@ class Service final : private ServerSurroundings {
   Result<void> open_ports();
   /// Makes the engine and the devices.
   Result<void> make_devices();
+  /// Opens the ports behind the first one that the devices of many robots need.
+  Result<void> open_following_ports();
   /// Further errors in the file of a failed step.
   const std::vector<Error>& other_errors() const { return other_errors_; }
   /// Reads the guest file. Fails if it is invalid or admits nobody.
@@ -109,7 +113,7 @@ class Service final : private ServerSurroundings {
   Result<void> open_observers();
 
   const Serving& serving() const { return serving_; }
-  /// Player ports, the default one first.
+  /// Player ports at the start of the run, the default one first.
   const std::vector<std::uint16_t>& player_ports() const { return player_ports_; }
   /// Web port; 0: no page.
   std::uint16_t web_port() const { return web_port_; }
@@ -130,7 +134,9 @@ class Service final : private ServerSurroundings {
   server::Server& the_server() override { return *server_; }
   net::IoLoop& the_loop() override { return loop_; }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
+  Result<void> open_port(std::uint32_t port) override;
 
+  std::uint16_t first_of_free_ports();
   Result<void> open_playback();
   Result<void> add_robots();
   Result<void> make_drivers();
@@ -145,6 +151,7 @@ class Service final : private ServerSurroundings {
   QuitTime quit_time_;
   Warn warn_;
   EngineMaker engine_maker_;
+  std::size_t indices_ = drivers::AutoMap::kIndices;
   std::vector<Error> other_errors_;
   controllers::Libraries::Use libraries_ = controllers::Libraries::Use::kLoad;
 
@@ -176,6 +183,7 @@ class Service final : private ServerSurroundings {
   std::unique_ptr<net::Timer> progress_;
 
   std::vector<std::uint16_t> player_ports_;
+  bool io_runs_ = false;  // tick thread
   std::uint16_t web_port_ = 0, observer_port_ = 0, cluster_port_ = 0;
   std::atomic<int> signal_ = 0;
 };

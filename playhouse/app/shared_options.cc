@@ -77,6 +77,9 @@ void add_hosts(CLI::App& app, Serving& serving) {
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_parsed(app, "--trusted-proxy", net::TrustedProxies::parse, serving.proxies,
+             "reverse proxies in front of the page, whose X-Forwarded-For counts")
+      ->type_name("ADDRESS,...");
   app.add_option("--guests", serving.guests,
                  "access control by role: observer, driver, human or admin (docs/guests.md)")
       ->type_name("FILE");

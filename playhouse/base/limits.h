@@ -137,7 +137,10 @@ inline constexpr std::size_t kTextBytes = 1u << 27;  // names and texts of all m
 inline constexpr std::size_t kBroughtModels = 1u << 14;   // of them, that clients and pages brought in all
 inline constexpr std::size_t kBroughtSensors = 1u << 16;  // of those
 inline constexpr std::size_t kBroughtBeams = 1u << 22;    // of those
-inline constexpr std::size_t kSensors = 1u << 24;    // of all rangers of a world
+inline constexpr std::size_t kBroughtByOneModels = 1u << 12;   // of those, that one client or page brought
+inline constexpr std::size_t kBroughtByOneSensors = 1u << 14;  // of those
+inline constexpr std::size_t kBroughtByOneBeams = 1u << 20;    // of those
+inline constexpr std::size_t kSensors = 1u << 24;              // of all rangers of a world
 inline constexpr std::size_t kOldParts =
     1u << 18;  // of rangers and bodies, that worlds of Stage 2 tell of by numbered words
 inline constexpr std::size_t kOldPartsOfOne = 1024;       // the same of one model

@@ -21,15 +21,18 @@ struct Rights {
 class Caller {
  public:
   /// `name` is for the log: "127.0.0.1:40312".
-  explicit Caller(std::string name) : name_(std::move(name)) {}
+  explicit Caller(std::string name) : name_(std::move(name)), holder_(name_) {}
   Caller(const Caller&) = delete;
   Caller& operator=(const Caller&) = delete;
   ~Caller() { leave(); }
 
   const std::string& name() const { return name_; }
   const Rights& rights() const { return rights_; }
+  /// Whose share of a run it takes what it brings from: who has several connections has one share.
+  const std::string& holder() const { return holder_; }
   /// For the server.
   void set_rights(const Rights& rights) { rights_ = rights; }
+  void set_holder(std::string holder) { holder_ = std::move(holder); }
 
   /// Adds a task to run when the client disconnects, before this object is destroyed.
   void when_gone(std::function<void()> task) { tasks_.push_back({nullptr, std::move(task)}); }
@@ -59,7 +62,7 @@ class Caller {
     std::function<void()> run;
   };
 
-  std::string name_;
+  std::string name_, holder_;
   Rights rights_;
   std::vector<Task> tasks_;
   std::function<void()> expect_alive_;

@@ -33,6 +33,11 @@ class Surroundings : public device::Opener {
   virtual Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) = 0;
   /// Retires a device: clients that have it open are notified. Io thread, not from inside a driver call.
   virtual void retire_device(device::DeviceId device) = 0;
+  /// Opens a further port for clients. Tick thread, or before the run; the tick thread waits for the io
+  /// thread.
+  virtual Result<void> open_port(std::uint32_t port) {
+    return Error{std::to_string(port), "this program opens no further ports"};
+  }
   /// Runs the task on the io thread, in the order of calls
   /// and after what the calling thread published. Any thread.
   virtual void post(std::function<void()> task) = 0;

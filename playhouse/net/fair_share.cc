@@ -40,6 +40,11 @@ std::string network_of(std::string_view peer) {
   return ip::address_v6(bytes).to_string();
 }
 
+std::string holder_of(std::string_view token, std::string_view peer) {
+  if (token != "*") return std::string(token);
+  return is_local(peer) ? std::string(peer) : network_of(peer);
+}
+
 std::size_t places_of(std::span<const Holder> holders, std::string_view network) {
   return static_cast<std::size_t>(std::ranges::count(holders, network, &Holder::network));
 }

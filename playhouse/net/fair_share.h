@@ -23,6 +23,10 @@ std::string network_of(std::string_view peer);
 /// True if "127.0.0.1:4242" is a loopback peer.
 bool is_local(std::string_view peer);
 
+/// Whom a peer's share of a run belongs to: its token, without one ("*") its network. Of loopback peers
+/// without one each is somebody else, as anybody may be behind them.
+std::string holder_of(std::string_view token, std::string_view peer);
+
 std::size_t places_of(std::span<const Holder> holders, std::string_view network);
 
 /// Index in `holders`, non-empty, of the connection to evict.

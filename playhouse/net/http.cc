@@ -85,14 +85,17 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
       const std::optional<HttpRefusal> refusal = refusal_of(error);
       return refusal ? refuse(*refusal) : close();
     }
-    const auto request = read_request(parser_->get(), peer_);
+    auto request = read_request(parser_->get(), peer_);
     if (const auto* refusal = std::get_if<HttpRefusal>(&request)) return refuse(*refusal);
     serve(std::get<HttpRequest>(request));
   }
 
-  void serve(const HttpRequest& request) {
+  void serve(HttpRequest& request) {
     if (const Result<void> ours = service_.serves(request.host); !ours)
       return refuse({421, ours.error().line()});
+    Result<std::string> client = service_.client_of(request);
+    if (!client) return refuse({400, client.error().line()});
+    request.peer = std::move(*client);
     if (beast::websocket::is_upgrade(parser_->get())) return upgrade(request);
     HttpReply reply = service_.get(request);
     if (reply.status == 200 && !reply.etag.empty() && request.if_none_match == reply.etag) reply.status = 304;
@@ -105,7 +108,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     if (const Result<void> allowed = service_.may_upgrade(request); !allowed) {
       return refuse({403, allowed.error().line()});
     }
-    accept_websocket(std::move(stream_), parser_->get(), peer_, std::move(place_),
+    accept_websocket(std::move(stream_), parser_->get(), request.peer, std::move(place_),
                      [&service = service_, request](std::unique_ptr<WebSocket> socket) {
                        service.upgraded(std::move(socket), request);
                      });

@@ -21,7 +21,8 @@ struct HttpRequest {
   std::string origin;  // Origin header; empty if absent (not a browser, or same origin)
   std::string if_none_match;
   bool accepts_gzip = false;
-  std::string peer;  // "address:port"
+  std::string peer;           // "address:port"
+  std::string forwarded_for;  // X-Forwarded-For headers, joined by commas; from anybody
 };
 
 struct HttpReply {
@@ -43,6 +44,9 @@ class HttpService {
   /// Whether this host ("name" or "name:port" from the Host header; empty with HTTP/1.0)
   /// is ours. Called first for every request; an error is sent with status 421.
   virtual Result<void> serves(const std::string& host) = 0;
+  /// The client behind a reverse proxy, which is then the request's peer and its WebSocket's; an error is
+  /// sent with status 400. Called second.
+  virtual Result<std::string> client_of(const HttpRequest& request) { return request.peer; }
   virtual HttpReply get(const HttpRequest& request) = 0;
   /// Called before an upgrade to a WebSocket; an error is sent with status 403.
   virtual Result<void> may_upgrade(const HttpRequest& request) = 0;

@@ -96,6 +96,9 @@ std::variant<HttpRequest, HttpRefusal> read_request(const Message& message, cons
   request.if_none_match = text_of(message[http::field::if_none_match]);
   request.accepts_gzip = accepts_gzip(message[http::field::accept_encoding]);
   request.peer = peer;
+  const auto [first, last] = message.equal_range("X-Forwarded-For");
+  for (auto field = first; field != last; ++field)
+    request.forwarded_for += (field == first ? "" : ",") + text_of(field->value());
   return request;
 }
 

@@ -333,6 +333,9 @@ TEST(FairShare, a_network_is_an_address_or_half_of_one) {
   EXPECT_NE(network_of("[fd00:0:0:1::7]:4242"), network_of("[fd00::7]:4242"));
   EXPECT_EQ(network_of("[::ffff:10.0.0.7]:4242"), "10.0.0.7");
   EXPECT_NE(network_of("[fe80::1%lo]:1"), "");
+  EXPECT_EQ(holder_of("blue-chair-7", "10.0.0.7:4242"), "blue-chair-7");
+  EXPECT_EQ(holder_of("*", "10.0.0.7:4242"), holder_of("*", "10.0.0.7:4243"));
+  EXPECT_NE(holder_of("*", "127.0.0.1:4242"), holder_of("*", "127.0.0.1:4243")) << "whoever is behind them";
   for (const char* peer : {"127.0.0.1:1", "127.8.8.8:1", "[::1]:1", "[::ffff:127.0.0.1]:1"})
     EXPECT_TRUE(is_local(peer)) << peer;
   for (const char* peer : {"10.0.0.7:1", "[fd00::1]:1", "[::ffff:10.0.0.7]:1"})

@@ -52,6 +52,17 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
     });
   }
 
+  void end_sent_out() {
+    for (auto observer = observers_.begin(); observer != observers_.end();) {
+      const auto next = std::next(observer);
+      if (options_.guests.is_sent_out(observer->second.token, net::to_text(observer->first))) {
+        send_goodbye(observer->first, observer->second.viewer->session(), web_server::kSentOut);
+        end(observer, "an admin has sent them out");
+      }
+      observer = next;
+    }
+  }
+
   void say_goodbye(const std::string& why) {
     for (const auto& [peer, observer] : observers_) send_goodbye(peer, observer.viewer->session(), why);
     observers_.clear();
@@ -73,6 +84,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
  private:
   struct Observer {
     std::uint64_t nonce = 0;  // of its join request
+    std::string token;        // "*": none
     std::vector<std::byte> welcome;
     std::unique_ptr<replicate::DatagramViewer> viewer;
   };
@@ -152,7 +164,8 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
                    options_.bytes_per_second),
         std::clamp<std::uint32_t>(join.wanted.frames_per_second, 1, limits::kObserverFrames)};
     const std::uint64_t session = random_number();
-    Observer observer{join.nonce, replicate::encode(replicate::Welcome{join.nonce, session, terms}),
+    Observer observer{join.nonce, guest.token,
+                      replicate::encode(replicate::Welcome{join.nonce, session, terms}),
                       std::make_unique<replicate::DatagramViewer>(session, terms, front_.layout, scene_text(),
                                                                   network_.now())};
     send(from, observer.welcome);
@@ -268,6 +281,9 @@ bool ObserverServer::wants_show() const {
 }
 void ObserverServer::show(const world::World& world, const world::Pace& pace) {
   impl_->show(world, pace);
+}
+void ObserverServer::end_sent_out() {
+  impl_->end_sent_out();
 }
 void ObserverServer::say_goodbye(const std::string& why) {
   impl_->say_goodbye(why);

@@ -52,6 +52,8 @@ class ObserverServer {
   bool wants_show() const;
   void show(const world::World& world, const world::Pace& pace);
 
+  /// Ends the sessions of guests who were sent out.
+  void end_sent_out();
   /// Ends all sessions with a reason.
   void say_goodbye(const std::string& why);
 

@@ -119,10 +119,33 @@ TEST_F(Observers, need_the_token_of_a_guest_and_who_was_sent_out_of_the_page_is_
   EXPECT_TRUE(wrong->observer().ended());
   EXPECT_TRUE(bob->observer().has_joined());
   EXPECT_EQ(server_->status().refused, 2u);
-  book.send_out("blue-chair-7", "10.0.0.9:1");
+  book.send_out("blue-chair-7");
   const auto again = join("10.0.0.5", "blue-chair-7");
   run_for(1);
   EXPECT_EQ(again->observer().ended(), web_server::kSentOut);
+}
+
+TEST_F(Observers, are_ended_when_they_are_sent_out_and_do_not_come_again_without_the_token) {
+  web_server::GuestBook book{{web_server::Role::kHuman, "blue-chair-7", "Bob"},
+                             {web_server::Role::kHuman, "red-chair-77", "Eve"},
+                             {web_server::Role::kObserver, "*", ""}};
+  open({.guests = book});
+  const auto bob = join("10.0.0.4", "blue-chair-7"), same = join("10.0.0.4"),
+             eve = join("10.0.0.4", "red-chair-77"), other = join("10.0.0.5");
+  run_for(1);
+  EXPECT_EQ(server_->status().observers, 4u);
+  book.send_out("blue-chair-7");
+  book.send_out_network("10.0.0.4:1");
+  server_->end_sent_out();
+  run_for(1);
+  EXPECT_EQ(bob->observer().ended(), web_server::kSentOut);
+  EXPECT_EQ(same->observer().ended(), web_server::kSentOut);
+  EXPECT_FALSE(eve->observer().ended()) << "another token";
+  EXPECT_FALSE(other->observer().ended());
+  const auto again = join("10.0.0.4"), elsewhere = join("10.0.0.6", "blue-chair-7");
+  run_for(1);
+  EXPECT_EQ(again->observer().ended(), web_server::kSentOut);
+  EXPECT_EQ(elsewhere->observer().ended(), web_server::kSentOut);
 }
 
 TEST_F(Observers, of_one_address_take_half_of_the_places_at_most) {

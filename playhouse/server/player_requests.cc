@@ -11,6 +11,7 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
+#include "playhouse/net/fair_share.h"
 #include "playhouse/server/session.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/common.h"
@@ -79,6 +80,7 @@ void Session::authenticate(const wire::Header& header, Body body) {
   if (!rights) return refuse(header, Fault::kRights, "no guest of this run");
   token_ = std::move(token);
   caller_.set_rights(*rights);
+  caller_.set_holder(net::holder_of(token_, peer_));
   reply(header, true);
 }
 

@@ -96,7 +96,8 @@ class Server final : public device::Publisher, public device::Outlet {
   void take_turns(device::Turns& turns);
 
   /// Access control: every client begins with the rights of the token "*", or with none, and gets others by
-  /// AUTH (docs/guests.md). Before the loop runs; called on the io thread.
+  /// AUTH (docs/guests.md). Before the loop runs, or on the io thread, for clients that come later; called
+  /// there.
   using Admit =
       std::function<std::optional<device::Rights>(const std::string& token, const std::string& peer)>;
   void admit_by(Admit admit);

@@ -10,6 +10,7 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
+#include "playhouse/net/fair_share.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/common.h"
 #include "playhouse/wire/generated/player.h"
@@ -61,6 +62,7 @@ Session::Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, 
       peer_(std::move(peer)),
       token_(kNoToken),
       caller_(peer_) {
+  caller_.set_holder(net::holder_of(token_, peer_));
   if (board_.admit) caller_.set_rights(board_.admit(token_, peer_).value_or(kNothing));
 }
 

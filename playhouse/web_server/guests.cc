@@ -150,9 +150,14 @@ bool GuestBook::is_sent_out(const std::string& token, const std::string& peer) c
   return book_->sent_out.contains(token == "*" ? net::network_of(peer) : token);
 }
 
-void GuestBook::send_out(const std::string& token, const std::string& peer) {
+void GuestBook::send_out(const std::string& token) {
   const std::lock_guard lock(book_->mutex);
-  book_->sent_out.insert(token == "*" ? net::network_of(peer) : token);
+  book_->sent_out.insert(token);
+}
+
+void GuestBook::send_out_network(const std::string& peer) {
+  const std::lock_guard lock(book_->mutex);
+  book_->sent_out.insert(net::network_of(peer));
 }
 
 }  // namespace playhouse::web_server

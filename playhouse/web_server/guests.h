@@ -54,10 +54,12 @@ class GuestBook {
   /// Kicked guests are rejected: by token, or by address if the token is shared by all. After kGuesses
   /// wrong tokens a network has one try a second, right or wrong; each wrong one is logged.
   std::optional<Guest> admit(const std::string& token, const std::string& peer) const;
-  /// True if the guest was kicked.
+  /// True if the guest was kicked: by its token, or by its network if it has none.
   bool is_sent_out(const std::string& token, const std::string& peer) const;
-  /// Kicks the guest: by token, or by the peer's network if it has none.
-  void send_out(const std::string& token, const std::string& peer);
+  /// Kicks the guest with this token.
+  void send_out(const std::string& token);
+  /// Kicks whoever comes from this peer's network without a token.
+  void send_out_network(const std::string& peer);
 
   const std::vector<Guest>& guests() const { return book_->guests; }
 

@@ -54,6 +54,24 @@ TEST(Guests, who_guesses_waits_for_a_second_and_others_do_not) {
   EXPECT_FALSE(book.admit("the-admin", "10.0.0.7:4005"));
 }
 
+TEST(Guests, who_is_sent_out_is_known_by_the_token_or_without_one_by_the_network) {
+  GuestBook book({{Role::kHuman, "blue-chair-7", "Bob"},
+                  {Role::kHuman, "red-chair-77", "Eve"},
+                  {Role::kObserver, "*", ""}});
+  GuestBook same_list = book;
+  book.send_out("blue-chair-7");
+  EXPECT_FALSE(same_list.admit("blue-chair-7", "10.0.0.7:1"));
+  EXPECT_TRUE(same_list.admit("*", "10.0.0.7:1"));
+  book.send_out_network("10.0.0.7:1");
+  EXPECT_FALSE(same_list.admit("*", "10.0.0.7:2"));
+  EXPECT_TRUE(same_list.admit("*", "10.0.0.8:2"));
+  EXPECT_TRUE(same_list.admit("red-chair-77", "10.0.0.7:2")) << "as another guest";
+  GuestBook everybody;
+  everybody.send_out_network("10.0.0.7:1");
+  EXPECT_FALSE(everybody.admit("*", "10.0.0.7:2"));
+  EXPECT_TRUE(everybody.admit("*", "10.0.0.8:2"));
+}
+
 TEST(Guests, rights_follow_from_the_role) {
   EXPECT_FALSE(rights_of(Role::kObserver).drives || rights_of(Role::kObserver).joins);
   EXPECT_TRUE(rights_of(Role::kDriver).drives);

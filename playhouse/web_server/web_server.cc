@@ -148,6 +148,16 @@ class WebServer::Impl final : public net::HttpService,
     return Error{"", text};
   }
 
+  Result<std::string> client_of(const net::HttpRequest& request) override {
+    if (!request.forwarded_for.empty() && options_.proxies.empty() && net::is_local(request.peer) &&
+        forwarded_ignored_++ == 0)
+      log::warn(
+          "web: {} forwards requests of others (X-Forwarded-For), who all count as one: --trusted-proxy "
+          "with its address tells them apart",
+          request.peer);
+    return options_.proxies.client_of(request.peer, request.forwarded_for);
+  }
+
   net::HttpReply get(const net::HttpRequest& request) override {
     return page_reply(options_.page, mesh_files_, request);
   }
@@ -283,14 +293,7 @@ class WebServer::Impl final : public net::HttpService,
     WebViewer* const out = viewer(kick.viewer);
     if (!out) return Error{"", "nobody has this number"};
     if (out == &from) return Error{"", "this is yourself"};
-    // Otherwise the admin would be locked out too.
-    const std::string &token = out->guest().token, &own = from.guest().token;
-    const bool is_same =
-        token == "*" ? net::network_of(out->peer()) == net::network_of(from.peer()) : token == own;
-    if (!is_same) {
-      options_.guests.send_out(token, out->peer());
-      if (options_.sent_out) options_.sent_out();
-    }
+    bar(*out, from);
     std::vector<std::uint32_t> pages;  // of that guest
     for (const auto& other : viewers_)
       if (other.get() == out || options_.guests.is_sent_out(other->guest().token, other->peer()))
@@ -300,6 +303,20 @@ class WebServer::Impl final : public net::HttpService,
       left(*viewer(page), "an admin has sent them out");
     }
     return {};
+  }
+
+  /// Blocks the guest, by the token and without one: else who was sent out comes back by the plain link.
+  /// Not what the admin has come by, who would be locked out too.
+  void bar(const WebViewer& out, const WebViewer& admin) {
+    const std::string &token = out.guest().token, &own = admin.guest().token;
+    if (token != "*" && token == own) return;
+    if (token != "*") options_.guests.send_out(token);
+    for (const auto& page : viewers_) {
+      const bool is_theirs = page.get() == &out || (token != "*" && page->guest().token == token);
+      const bool is_own = own == "*" && net::network_of(page->peer()) == net::network_of(admin.peer());
+      if (is_theirs && !is_own) options_.guests.send_out_network(page->peer());
+    }
+    if (options_.sent_out) options_.sent_out();
   }
 
   /// Sends the list of viewers and their rights to all.
@@ -426,12 +443,10 @@ class WebServer::Impl final : public net::HttpService,
   Result<void> execute(const replicate::Copy& copy, WebViewer& from) {
     return with_row(copy.model, [&](std::uint32_t row) -> Result<void> {
       if (!may_be_moved(newest_->root[row])) return Error{"", "this model may not be copied"};
-      return post_change([copy, tell = teller(from)](world::World& world) {
+      return post_spawn(from, [copy](world::World& world) -> std::optional<Result<world::ModelId>> {
         const world::ModelRow model = world.row(copy.model);
-        if (!model) return;
-        if (const Result<void> room = world::check_budget(world); !room) return tell(room.error().text);
-        const auto came = world::spawn_like(world, model, {copy.x, copy.y, 0, copy.a});
-        if (!came) tell(came.error().text);
+        if (!model) return std::nullopt;
+        return world::spawn_like(world, model, {copy.x, copy.y, 0, copy.a});
       });
     });
   }
@@ -439,11 +454,22 @@ class WebServer::Impl final : public net::HttpService,
   Result<void> execute(const replicate::Add& add, WebViewer& from) {
     if (add.robot >= prototypes_.addable().size()) return Error{"", "there is no such robot to add"};
     const std::uint32_t desc = prototypes_.addable()[add.robot].desc;
-    return post_change([add, desc, tell = teller(from)](world::World& world) {
-      if (const Result<void> room = world::check_budget(world); !room) return tell(room.error().text);
+    return post_spawn(from, [add, desc](world::World& world) -> std::optional<Result<world::ModelId>> {
       const geom::Pose X_WM{add.x, add.y, world.scene().models[desc].X_PM.z, add.a};
-      const auto came = world::spawn(world, desc, X_WM);
-      if (!came) tell(came.error().text);
+      return world::spawn(world, desc, X_WM);
+    });
+  }
+
+  /// Of the viewer's share. `spawn` returns none if what it would copy was removed.
+  Result<void> post_spawn(const WebViewer& from,
+                          std::function<std::optional<Result<world::ModelId>>(world::World&)> spawn) {
+    return post_change([spawn = std::move(spawn), tell = teller(from), shares = options_.shares,
+                        holder = net::holder_of(from.guest().token, from.peer())](world::World& world) {
+      if (const Result<void> room = shares->check(world, holder); !room) return tell(room.error().text);
+      const std::optional<Result<world::ModelId>> came = spawn(world);
+      if (!came) return;
+      if (!*came) return tell(came->error().text);
+      shares->add(world, holder, **came);
     });
   }
 
@@ -513,7 +539,6 @@ class WebServer::Impl final : public net::HttpService,
     }
     const std::string name = std::filesystem::path(standing.path).stem().string() + ".saved.world";
     viewer.send_text(std::make_shared<const std::string>(replicate::world_file_text(name, *text)));
-    for (const std::string& warning : standing.warnings) viewer.notice(warning);
   }
 
   Result<void> post_change(std::function<void(world::World&)> change) {
@@ -627,7 +652,7 @@ class WebServer::Impl final : public net::HttpService,
   std::chrono::steady_clock::time_point past_time_;
   std::shared_ptr<const std::string> history_text_;  // of timeline_
   WebStatus status_;
-  std::uint64_t hosts_refused_ = 0, origins_refused_ = 0, turned_away_ = 0;
+  std::uint64_t hosts_refused_ = 0, origins_refused_ = 0, turned_away_ = 0, forwarded_ignored_ = 0;
   std::uint32_t viewers_ever_ = 0;
   std::set<Person> muted_;
 };

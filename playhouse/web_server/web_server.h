@@ -17,6 +17,7 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
+#include "playhouse/net/forwarded.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/replicate/scene_text.h"
 #include "playhouse/web_server/bodies.h"
@@ -24,6 +25,7 @@
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/control.h"
 #include "playhouse/world/physics_shapes.h"
+#include "playhouse/world/shares.h"
 
 namespace playhouse::web_server {
 
@@ -36,6 +38,7 @@ struct WebOptions {
   std::chrono::milliseconds join_period = std::chrono::seconds(1);  // between two bodies; for tests
   std::vector<std::string> further_names;                           // further allowed host names
   GuestBook guests;                                                 // access list
+  net::TrustedProxies proxies;     // in front of the page, which name its clients
   std::function<void()> sent_out;  // called after somebody was sent out, on the loop's thread; or empty
   std::size_t viewers = limits::kViewers;                        // limit on simultaneous viewers
   std::uint32_t bytes_per_second = limits::kPageBytesPerSecond;  // of state, to each page
@@ -43,6 +46,8 @@ struct WebOptions {
   std::function<world::PhysicsShapes()> physics_shapes;
   /// Where a person who joins goes; tick thread. Empty: anywhere.
   PlaceOfBody place_of_body;
+  /// What each page and client brought; tick thread.
+  std::shared_ptr<world::Shares> shares = std::make_shared<world::Shares>();
 };
 
 struct WebStatus {

@@ -856,6 +856,7 @@ class GuestsTest : public WebServerTest {
               };
             },
             people) {}
+  explicit GuestsTest(const std::function<void(WebOptions&)>& change) : WebServerTest(change) {}
   /// The next text with `part` in it: texts about the population come in between, when they are due.
   std::string text_with(WebClient& viewer, const std::string& part) {
     std::string text;
@@ -953,7 +954,7 @@ TEST_F(GuestsTest, who_is_muted_stays_so_at_another_page) {
 }
 
 TEST_F(GuestsTest, who_is_sent_out_leaves_with_all_pages) {
-  WebClient admin(port_), one(port_), other(port_), observer(port_);
+  WebClient admin(port_), one(port_), other(port_), observer(port_, "127.0.0.7");
   ASSERT_TRUE(admin.upgrade_with("the-admin"));
   ASSERT_TRUE(one.upgrade_with("somebody-"));
   ASSERT_TRUE(other.upgrade_with("somebody-"));
@@ -964,7 +965,7 @@ TEST_F(GuestsTest, who_is_sent_out_leaves_with_all_pages) {
 }
 
 TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_by_the_same_link) {
-  WebClient human(port_), admin(port_), again(port_), observer(port_);
+  WebClient human(port_), admin(port_), again(port_), observer(port_, "127.0.0.7");
   ASSERT_TRUE(human.upgrade_with("somebody-"));
   ASSERT_TRUE(admin.upgrade_with("the-admin"));
   EXPECT_TRUE(hears(admin, R"("viewer":1)"));
@@ -979,11 +980,25 @@ TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_by_the_same_link) {
   EXPECT_EQ(server_.status().viewers, 2u);
 }
 
-TEST_F(GuestsTest, an_admin_does_not_shut_out_the_own_address) {
+TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_where_all_have_one_address) {
+  WebClient observer(port_), driver(port_), admin(port_);
+  ASSERT_TRUE(observer.upgrade());
+  ASSERT_TRUE(driver.upgrade_with("a-driver-"));
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  admin.send_text(R"({"do":"kick","viewer":1})");
+  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 2; }));
+  WebClient again(port_), same(port_);
+  ASSERT_TRUE(again.upgrade());
+  EXPECT_THAT(again.message(), HasSubstr("an admin has sent you out"));
+  ASSERT_TRUE(same.upgrade_with("the-admin"));
+  EXPECT_THAT(same.message(), HasSubstr("\"name\":\"small\""));
+}
+
+TEST_F(WebServerTest, an_admin_without_a_token_does_not_shut_out_the_own_address) {
   WebClient observer(port_), elsewhere(port_, "127.0.0.7"), admin(port_);
   ASSERT_TRUE(observer.upgrade());
   ASSERT_TRUE(elsewhere.upgrade());
-  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  ASSERT_TRUE(admin.upgrade());
   admin.send_text(R"({"do":"kick","viewer":1})");
   admin.send_text(R"({"do":"kick","viewer":2})");
   ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
@@ -992,6 +1007,96 @@ TEST_F(GuestsTest, an_admin_does_not_shut_out_the_own_address) {
   EXPECT_THAT(again.message(), HasSubstr("\"name\":\"small\""));
   ASSERT_TRUE(other.upgrade());
   EXPECT_THAT(other.message(), HasSubstr("an admin has sent you out"));
+}
+
+TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_without_the_token) {
+  WebClient human(port_, "127.0.0.7"), admin(port_);
+  ASSERT_TRUE(human.upgrade_with("somebody-"));
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  EXPECT_TRUE(hears(admin, R"("viewer":1)"));
+  admin.send_text(R"({"do":"kick","viewer":1})");
+  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
+  WebClient plain(port_, "127.0.0.7"), elsewhere(port_, "127.0.0.8"), as_another(port_, "127.0.0.7");
+  plain.upgrade();
+  EXPECT_THAT(plain.message(), HasSubstr("an admin has sent you out"));
+  ASSERT_TRUE(elsewhere.upgrade());
+  EXPECT_THAT(elsewhere.message(), HasSubstr("\"name\":\"small\""));
+  ASSERT_TRUE(as_another.upgrade_with("a-driver-"));
+  EXPECT_THAT(as_another.message(), HasSubstr("\"name\":\"small\""));
+}
+
+/// Behind a proxy at 127.0.0.7.
+class ProxyTest : public WebServerTest {
+ protected:
+  ProxyTest()
+      : WebServerTest([](WebOptions& options) {
+          options.guests = {{Role::kAdmin, "the-admin", "Ada"}, {Role::kObserver, "*", ""}};
+          options.proxies = *net::TrustedProxies::parse("127.0.0.7");
+        }) {}
+};
+
+TEST_F(ProxyTest, who_is_sent_out_is_one_client_of_it) {
+  WebClient one(port_, "127.0.0.7"), other(port_, "127.0.0.7"), admin(port_);
+  ASSERT_TRUE(one.upgrade("X-Forwarded-For: 203.0.113.5\r\n"));
+  ASSERT_TRUE(other.upgrade("X-Forwarded-For: 203.0.113.6\r\n"));
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  admin.send_text(R"({"do":"kick","viewer":1})");
+  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 2; }));
+  WebClient again(port_, "127.0.0.7"), liar(port_, "127.0.0.7"), next(port_, "127.0.0.7");
+  again.upgrade("X-Forwarded-For: 203.0.113.5\r\n");
+  EXPECT_THAT(again.message(), HasSubstr("an admin has sent you out"));
+  liar.upgrade("X-Forwarded-For: 203.0.113.6\r\nX-Forwarded-For: 203.0.113.5\r\n");
+  EXPECT_THAT(liar.message(), HasSubstr("an admin has sent you out")) << "the proxy's own line is the last";
+  ASSERT_TRUE(next.upgrade("X-Forwarded-For: 203.0.113.7\r\n"));
+  EXPECT_THAT(next.message(), HasSubstr("\"name\":\"small\""));
+}
+
+TEST_F(ProxyTest, who_comes_past_it_is_who_they_are) {
+  WebClient direct(port_, "127.0.0.8"), admin(port_);
+  ASSERT_TRUE(direct.upgrade("X-Forwarded-For: 203.0.113.5\r\n"));
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  admin.send_text(R"({"do":"kick","viewer":1})");
+  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
+  WebClient again(port_, "127.0.0.8"), named(port_, "127.0.0.7");
+  again.upgrade("X-Forwarded-For: 203.0.113.9\r\n");
+  EXPECT_THAT(again.message(), HasSubstr("an admin has sent you out")) << "whatever address is invented";
+  ASSERT_TRUE(named.upgrade("X-Forwarded-For: 203.0.113.5\r\n"));
+}
+
+TEST_F(ProxyTest, what_names_no_address_is_refused) {
+  WebClient page(port_, "127.0.0.7");
+  const std::string reply = page.ask("GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nX-Forwarded-For: unknown\r\n\r\n");
+  EXPECT_THAT(reply, AllOf(StartsWith("HTTP/1.1 400"),
+                           HasSubstr("X-Forwarded-For has \"unknown\", which is no address")));
+}
+
+/// Two admins.
+class SharesTest : public GuestsTest {
+ protected:
+  explicit SharesTest(std::shared_ptr<world::Shares> shares = std::make_shared<world::Shares>())
+      : GuestsTest([&shares](WebOptions& options) {
+          options.guests = {{Role::kAdmin, "the-admin", "Ada"}, {Role::kAdmin, "the-other", "Bea"}};
+          options.shares = shares;
+        }),
+        shares_(std::move(shares)) {}
+  const std::shared_ptr<world::Shares> shares_;
+};
+
+TEST_F(SharesTest, of_what_may_be_brought_belong_to_the_token) {
+  // As if it had brought the first robot, of four models, that often.
+  for (std::size_t k = 0; k < limits::kBroughtByOneModels; k += 4)
+    shares_->add(small_.world, "the-admin", SmallWorld::id(0));
+  WebClient page(port_), same(port_), other(port_);
+  ASSERT_TRUE(page.upgrade_with("the-admin"));
+  ASSERT_TRUE(same.upgrade_with("the-admin"));
+  ASSERT_TRUE(other.upgrade_with("the-other"));
+  constexpr const char* kAdd = R"({"do":"add","robot":0,"x":3,"y":-4,"a":0})";
+  EXPECT_THAT(answer(page, kAdd), HasSubstr("your share of the run is full"));
+  EXPECT_THAT(answer(same, R"({"do":"copy","model":1,"x":3,"y":-4,"a":0})"),
+              HasSubstr("your share of the run is full"));
+  const std::size_t before = small_.world.models.size();
+  other.send_text(kAdd);
+  EXPECT_TRUE(turn_until([&] { return small_.world.models.size() == before + 4; }));
 }
 
 /// Somebody joins, and then the run begins again: their body has gone, and its id is another's.

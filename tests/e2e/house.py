@@ -140,8 +140,8 @@ def text(value: str) -> bytes:
 class Client:
     """One connection, byte for byte."""
 
-    def __init__(self, port: int):
-        self.socket = socket.create_connection(("127.0.0.1", port), PATIENCE)
+    def __init__(self, port: int, source: str = "127.0.0.1"):
+        self.socket = socket.create_connection(("127.0.0.1", port), PATIENCE, (source, 0))
         self.socket.settimeout(PATIENCE)
         self.buffer = b""
         self.data: list[Message] = []   # that arrived while something else was waited for

@@ -5,6 +5,7 @@ import struct
 import sys
 import time
 import unittest
+from pathlib import Path
 
 from house import ACK, NACK, PATIENCE, PLAYER, POSITION2D, ROOT, Client, House, HouseTest, finish
 from viewer import Viewer
@@ -128,6 +129,122 @@ class Guests(HouseTest):
             self.assertEqual(other.request(PLAYER, 0, 1).type, ACK, "others stay")
             with Client(house.port()) as again:
                 self.assertEqual(again.request(PLAYER, 0, AUTH, auth("a-driver-01")).type, NACK)
+
+    def with_page(self, *arguments) -> tuple[House, int]:
+        house = self.enterContext(House("run", self.world(WORLD), "--port", 0, "--web", 0, *arguments))
+        return house, int(house.wait_for_line(r"http://127\.0\.0\.1:(\d+)/").group(1))
+
+    def send_out(self, admin: Viewer, role: str, others: int):
+        admin.turn_until(lambda: len(admin.people) == others + 1)
+        admin.send(do="kick", viewer=next(person["viewer"] for person in admin.people[::-1] if person["role"] == role))
+        admin.turn_until(lambda: len(admin.people) == others)
+
+    def test_who_is_sent_out_does_not_come_back_without_the_token(self):
+        guests = self.write("guests.txt", GUESTS + "observer *\n")
+        house, page = self.with_page("--guests", guests)
+        with Viewer(page, "the-admin-1") as admin, Viewer(page, "a-driver-01", "127.0.0.7"), \
+                Client(house.port(), "127.0.0.7") as plain:
+            self.assertEqual(plain.request(PLAYER, 0, 1).type, ACK)
+            self.send_out(admin, "driver", 1)
+            with self.assertRaises((ConnectionError, EOFError)):
+                while True:
+                    plain.receive()
+            for token in ("a-driver-01", ""):
+                with self.assertRaisesRegex(ConnectionError, "an admin has sent you out"):
+                    Viewer(page, token, "127.0.0.7")
+            with Client(house.port(), "127.0.0.7") as again, Client(house.port(), "127.0.0.8") as other:
+                self.assertEqual(again.request(PLAYER, 0, 1).type, NACK)
+                self.assertEqual(other.request(PLAYER, 0, 1).type, ACK)
+                self.assertEqual(again.request(PLAYER, 0, AUTH, auth("a-driver-01")).type, NACK)
+                self.assertEqual(again.request(PLAYER, 0, AUTH, auth("watcher-001")).type, ACK, "as another guest")
+                self.assertEqual(again.request(PLAYER, 0, 1).type, ACK)
+            with Viewer(page, "watcher-001", "127.0.0.7"), Viewer(page, "", "127.0.0.8"):
+                pass
+            admin.turn_until(lambda: len(admin.people) == 1)
+            with Viewer(page, "", "127.0.0.1"):
+                self.send_out(admin, "observer", 1)
+            with self.assertRaisesRegex(ConnectionError, "an admin has sent you out"):
+                Viewer(page, "", "127.0.0.1")
+            with Viewer(page, "the-admin-1", "127.0.0.1"):
+                pass
+
+    def test_who_is_sent_out_observes_no_more(self):
+        guests = self.write("guests.txt", GUESTS)
+        house, page = self.with_page("--guests", guests, "--observers", 0)
+        observers = house.wait_for_line(r"^observers: (127\.0\.0\.1:\d+)$").group(1)
+        with Viewer(page, "the-admin-1") as admin, Viewer(page, "a-driver-01"), \
+                House("observe", observers, "--token", "a-driver-01") as observer, \
+                House("observe", observers, "--token", "watcher-001") as other:
+            house.wait_for_line(r"observes as driver")
+            house.wait_for_line(r"observes as observer")
+            self.send_out(admin, "driver", 1)
+            self.assertEqual(observer.wait(), 1)
+            self.assertIn("an admin has sent you out", observer.log())
+            again = finish("observe", observers, "--token", "a-driver-01", "--seconds", 1)
+            self.assertEqual(again.returncode, 1)
+            self.assertIn("an admin has sent you out", again.stderr)
+            self.assertNotIn("sent", other.log())
+
+    def test_who_is_sent_out_of_a_run_without_guests_is_no_player_client_either(self):
+        house, page = self.with_page()
+        with Viewer(page) as admin, Viewer(page, "", "127.0.0.7"), Client(house.port(), "127.0.0.7") as client:
+            self.assertEqual(client.request(PLAYER, 0, 1).type, ACK)
+            self.send_out(admin, "admin", 1)
+            with self.assertRaises((ConnectionError, EOFError)):
+                while True:
+                    client.receive()
+            with Client(house.port(), "127.0.0.7") as again, Client(house.port()) as other:
+                self.assertEqual(again.request(PLAYER, 0, 1).type, NACK)
+                self.assertEqual(again.open(POSITION2D, 0).type, NACK)
+                self.assertEqual(other.open(POSITION2D, 0).type, ACK)
+
+    def test_clients_of_a_trusted_proxy_are_sent_out_one_by_one(self):
+        """A proxy is whoever sends the header."""
+        guests = self.write("guests.txt", GUESTS + "observer *\n")
+        of = "X-Forwarded-For: 203.0.113.{}\r\n".format
+        house, page = self.with_page("--guests", guests, "--trusted-proxy", "127.0.0.7")
+        with Viewer(page, "the-admin-1") as admin, Viewer(page, "", "127.0.0.7", of(5)), Viewer(page, "", "127.0.0.7", of(6)):
+            self.send_out(admin, "observer", 2)
+            house.wait_for_line(r"web: 203\.0\.113\.6:\d+ left: an admin has sent them out")
+            with self.assertRaisesRegex(ConnectionError, "an admin has sent you out"):
+                Viewer(page, "", "127.0.0.7", of(6))
+            with Viewer(page, "", "127.0.0.7", of(7)):
+                pass
+        house, page = self.with_page("--guests", guests)
+        with Viewer(page, "", more=of(5)), Viewer(page, "", more=of(6)):
+            house.wait_for_line(r"forwards requests of others \(X-Forwarded-For\).* --trusted-proxy with its address")
+        self.assertEqual(len(re.findall("--trusted-proxy", house.log())), 1)
+
+    def cupboard(self) -> Path:
+        """It is 129 models: 32 of them are as many as one may bring."""
+        boxes = "".join(f"model( pose [0 0 0 {k}] size [0.1 0.1 0.1] ) " for k in range(128))
+        return self.write("cupboard.world", f'interval_sim 100 model( name "c" size [0.2 0.2 0.2] {boxes})')
+
+    def test_on_the_machine_itself_each_connection_has_a_share_of_what_may_be_brought(self):
+        house = self.enterContext(self.run_house(world=self.cupboard()))
+        with connect(f":{house.port()}", timeout=60) as first, connect(f":{house.port()}", timeout=60) as other:
+            for client in (first, other):
+                for k in range(32):
+                    client.simulation(0).spawn("c", k, 0, 0)
+                with self.assertRaisesRegex(RequestRefused, "your share of the run is full: you brought 4128 models"):
+                    client.simulation(0).spawn("c", 0, 1, 0)
+
+    def test_a_token_has_one_share_of_what_may_be_brought(self):
+        guests = self.write("guests.txt", "admin the-admin-1 Ada\nadmin the-admin-2 Bea\n")
+        world = self.cupboard()
+        house = self.enterContext(self.run_house("--guests", guests, world=world))
+        address = f":{house.port()}"
+        with connect(address, token="the-admin-1", timeout=60) as first, connect(address, token="the-admin-2", timeout=60) as other:
+            names = [first.simulation(0).spawn("c", k, 0, 0) for k in range(32)]
+            refused = "your share of the run is full: you brought 4128 models with 0 sensors and 0 beams"
+            with self.assertRaisesRegex(RequestRefused, refused):
+                first.simulation(0).spawn("c", 0, 1, 0)
+            with connect(address, token="the-admin-1", timeout=60) as again:
+                with self.assertRaisesRegex(RequestRefused, refused):
+                    again.simulation(0).spawn("c", 0, 1, 0)
+                other.simulation(0).spawn("c", 0, 2, 0)
+                other.simulation(0).remove(names[7])
+                again.simulation(0).spawn("c", 0, 1, 0)
 
 
 if __name__ == "__main__":

@@ -249,14 +249,27 @@ class LockStep(HouseTest):
             with self.assertRaises(RequestRefused):
                 world.pose("extra")
 
-    def test_without_lock_step_a_step_pauses_the_world_and_joining_and_starting_again_are_refused(self):
+    def test_without_lock_step_a_running_world_refuses_to_step_and_a_paused_one_stays_paused(self):
         with self.run_house(world=self.world(ARENA)) as house, \
                 connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
             world, laser = client.simulation(0), client.laser(0)
+            with self.assertRaisesRegex(RequestRefused, "the world is running: pause it first, or start it with --lock-step"):
+                world.step(4)
+            for _ in range(3):
+                laser.next_data()  # it goes on
+            world.pause()
             world.step()
             before = laser.timestamp
             world.step(4)
             self.assertAlmostEqual(laser.timestamp, before + 0.4)
+            time.sleep(0.5)
+            world.step()
+            self.assertAlmostEqual(laser.timestamp, before + 0.5, msg="it stood still meanwhile")
+
+    def test_without_lock_step_joining_and_starting_again_are_refused(self):
+        with self.run_house(world=self.world(ARENA)) as house, \
+                connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
+            world = client.simulation(0)
             with self.assertRaisesRegex(RequestRefused, "--lock-step"):
                 world.join("me")
             with self.assertRaisesRegex(RequestRefused, "--lock-step"):

@@ -15,20 +15,25 @@ TEXT, BINARY, CLOSE = 1, 2, 8
 
 
 class Viewer:
-    def __init__(self, port: int, token: str = ""):
-        self.socket = socket.create_connection(("127.0.0.1", port), PATIENCE)
+    def __init__(self, port: int, token: str = "", source: str = "127.0.0.1", more: str = ""):
+        """`more`: lines of the request."""
+        self.socket = socket.create_connection(("127.0.0.1", port), PATIENCE, (source, 0))
         self.socket.settimeout(PATIENCE)
         self.buffer = b""
         key = base64.b64encode(os.urandom(16)).decode()
         self.socket.sendall((f"GET /live{token and '?token=' + token} HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
-                             f"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: {key}\r\n\r\n").encode())
+                             f"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: {key}\r\n{more}\r\n").encode())
         while b"\r\n\r\n" not in self.buffer:
             self.buffer += self.socket.recv(65536)
         head, self.buffer = self.buffer.split(b"\r\n\r\n", 1)
         assert head.startswith(b"HTTP/1.1 101"), head
         self.notices: list[str] = []
         self.people: list[dict] = []    # of the last list of them
-        self.scene = json.loads(self._receive()[1])
+        code, payload = self._receive()
+        if code == CLOSE:
+            self.close()
+            raise ConnectionError(payload[2:].decode())
+        self.scene = json.loads(payload)
         self.models = {model["id"]: model for model in self.scene["models"]}
         self.came: list[int] = []   # tops, in the order in which they came
 

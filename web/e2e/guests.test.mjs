@@ -67,7 +67,9 @@ test('an admin sees who is there, mutes them and sends them out', async () => {
   await human.page.getByText('an admin has muted you').waitFor();
   await bob.getByTestId('kick').click();
   await human.page.getByText('The program says: an admin has sent you out').waitFor();
-  await observer.page.waitForFunction(() => !window.playhouse.robots.includes('Bob'));
+  await page.waitForFunction(() => !window.playhouse.robots.includes('Bob'));
+  // From that address without a token, too: else he were back as an observer.
+  await observer.page.getByText('The program says: an admin has sent you out').waitFor();
   await human.page.reload();
   await human.page.getByText('The program says: an admin has sent you out').waitFor();
 });

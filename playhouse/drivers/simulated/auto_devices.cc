@@ -15,7 +15,7 @@ AutoDevices::AutoDevices(Site& site, std::uint16_t port, std::size_t indices)
       simulation_(*site.simulation()),
       port_(port),
       driver_(simulation_, "stage"),
-      map_(indices) {
+      map_(indices, [this](std::size_t number) { return open_port(number); }) {
   simulation_.add_follower(
       [this](const world::World& world, const world::Change& change) { follow(world, change); });
 }
@@ -24,11 +24,26 @@ Result<void> AutoDevices::add_all() {
   const std::vector<MappedDevice> devices = map_.of_world(simulation_.world());
   remember(simulation_.world(), devices);
   for (const MappedDevice& mapped : devices) {
-    const Result<void> added =
-        add_simulated_device(site_, driver_, {port_, mapped.interf, mapped.index}, mapped.model);
+    const Result<void> added = add_simulated_device(site_, driver_, address_of(mapped), mapped.model);
     if (!added) return added;
   }
+  opens_ports_ = true;
   return {};
+}
+
+device::Address AutoDevices::address_of(const MappedDevice& mapped) const {
+  return {static_cast<std::uint32_t>(port_) + mapped.port, mapped.interf, mapped.index};
+}
+
+bool AutoDevices::open_port(std::size_t number) {
+  if (!opens_ports_) return true;
+  const Result<void> opened = site_.surroundings().open_port(static_cast<std::uint32_t>(port_ + number));
+  if (opened) return true;
+  warned_ = true;
+  log::warn(
+      "{}; models that come have fewer devices: an interface has {} indices on a port, and none is free",
+      opened.error().line(), map_.indices());
+  return false;
 }
 
 void AutoDevices::follow(const world::World& world, const world::Change& change) {
@@ -90,9 +105,9 @@ void AutoDevices::make(const world::World& world, std::span<const MappedDevice> 
   };
   std::vector<Made> made;
   for (const MappedDevice& mapped : devices) {
-    const device::Address address{port_, mapped.interf, mapped.index};
-    simulation_.directory().add(world.id(mapped.model), address);
-    made.push_back({address, make_device(simulation_, mapped.interf, mapped.model)});
+    const device::Address address = address_of(mapped);
+    if (mapped.model) simulation_.directory().add(world.id(mapped.model), address);
+    made.push_back({address, make_device(simulation_, mapped.interf, mapped.model, address.robot)});
   }
   if (made.empty()) return;
   site_.surroundings().post([this, made = std::move(made)] {
@@ -126,7 +141,9 @@ void AutoDevices::forget_who_cannot_come_back() {
 
 void AutoDevices::warn_of_left_out() {
   if (map_.left_out() == 0 || std::exchange(warned_, true)) return;
-  log::warn("models that come have fewer devices: an interface has 65536 indices, none is free");
+  log::warn(
+      "models that come have fewer devices: an interface has {} indices on each of {} ports, none is free",
+      map_.indices(), map_.ports());
 }
 
 }  // namespace playhouse::drivers

@@ -3,7 +3,8 @@
 /// AutoDevices: the devices of a world without a .cfg file: those of AutoMap, served by a
 /// driver "stage". Models spawned during the run get devices before anybody sees the world with
 /// them; devices of removed models retire (Site), and get the same addresses if the models come
-/// back (kReload). Addresses are assigned on the tick thread, in the order of the change log.
+/// back (kReload). Addresses are assigned on the tick thread, in the order of the change log. A port
+/// has few indices: further devices are on the following ports, which are opened during the run as needed.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,14 +22,17 @@ namespace playhouse::drivers {
 
 class AutoDevices {
  public:
-  /// Devices on `port`, for the site's open world. Must outlive
-  /// the run. `indices`: per interface; smaller in tests.
+  /// Devices on `port` and those behind it, for the site's open world. Must
+  /// outlive the run. `indices`: per interface and port; smaller in tests.
   AutoDevices(Site& site, std::uint16_t port, std::size_t indices = AutoMap::kIndices);
   AutoDevices(const AutoDevices&) = delete;
   AutoDevices& operator=(const AutoDevices&) = delete;
 
   /// Adds the devices of the present world, before the run. Fails if an address is taken.
+  /// From now on further ports are opened here; the caller opens the ports() that are in use already.
   Result<void> add_all();
+  /// Number of ports in use, from `port` on.
+  std::size_t ports() const { return map_.ports(); }
 
   /// Number of devices without an address (AutoMap).
   std::size_t left_out() const { return map_.left_out(); }
@@ -42,6 +46,8 @@ class AutoDevices {
   void go(const world::World& world, world::ModelId model);
   void go_and_come_back(const world::World& world);
   void make(const world::World& world, std::span<const MappedDevice> devices);
+  bool open_port(std::size_t number);
+  device::Address address_of(const MappedDevice& mapped) const;
   void remember(const world::World& world, std::span<const MappedDevice> devices);
   void forget_who_cannot_come_back();
   void warn_of_left_out();
@@ -59,6 +65,7 @@ class AutoDevices {
   /// Of every model that exists or can come back.
   std::map<world::ModelId, Given> given_;
   std::size_t forget_at_ = 0;  // size of given_ that triggers clean-up
+  bool opens_ports_ = false;
   bool warned_ = false;
 };
 

@@ -8,6 +8,7 @@
 
 #include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/wire/generated/position2d.h"
+#include "playhouse/wire/generated/simulation.h"
 #include "playhouse/world/population.h"
 #include "playhouse/world/state.h"
 
@@ -257,6 +258,7 @@ class ManyRobots : public ::testing::Test {
  protected:
   explicit ManyRobots(std::size_t indices = 256) : indices_(indices), site(kFewThings) {
     EXPECT_TRUE(site.site().open_world("some.world"));
+    site.last_port = 6665;
     robots = std::make_unique<AutoDevices>(site.site(), 6665, indices);
     EXPECT_TRUE(robots->add_all());
   }
@@ -361,6 +363,93 @@ TEST_F(ManyRobots, that_come_back_have_numbers_that_others_had_in_their_place) {
   rest();
   while (wheels(come(1).front()) != "")
     EXPECT_NE(wheels(simulation().world().models.id.back()), "position2d:3");
+}
+
+/// With further ports.
+class RobotsOfSeveralPorts : public ManyRobots {
+ protected:
+  RobotsOfSeveralPorts() : ManyRobots(4) { site.last_port = 6667; }
+  bool has_world(std::uint32_t port) {
+    return site.site().find({port, wire::simulation::kCode, 0}).has_value();
+  }
+};
+
+// Robots 0 and 1 and the gate's laser:2 are there from the start.
+TEST_F(RobotsOfSeveralPorts, continue_on_the_next_port_which_is_opened_then) {
+  EXPECT_EQ(wheels(come(1).front()), "position2d:3");
+  EXPECT_THAT(site.ports, IsEmpty());
+  const std::vector<ModelId> next = come(5);
+  EXPECT_THAT(site.ports, ElementsAre(6666u, 6667u));
+  EXPECT_EQ(wheels(next[0]), "6666:position2d:0");
+  EXPECT_THAT(names({next[0].value + 1}), ElementsAre("ranger:3", "6666:laser:0"))
+      << "each counts for itself";
+  EXPECT_EQ(wheels(next[3]), "6666:position2d:3");
+  EXPECT_EQ(wheels(next[4]), "6667:position2d:0");
+  EXPECT_TRUE(has_world(6665) && has_world(6666) && has_world(6667));
+  ASSERT_TRUE(site.hold(site.id({6667, p2d::kCode, 0})));
+  site.run(1);
+  EXPECT_EQ(site.recorder.published.back().device, site.id({6667, p2d::kCode, 0}));
+}
+
+TEST_F(RobotsOfSeveralPorts, are_told_to_clients_with_their_port_if_it_is_another_one) {
+  const std::vector<ModelId> ids = come(2);
+  const std::string name(simulation().world().name(simulation().world().row(ids[1])));
+  const auto told = [&](std::uint32_t port) {
+    const device::Address address{port, wire::simulation::kCode, 0};
+    const std::uint8_t get = wire::simulation::kReqGetProperty;
+    const std::vector<std::byte> asked =
+        wire::encode(wire::simulation::PropertyReq{wire::c_string(name), wire::c_string("devices"), 0, {}});
+    site.driver(address).request({site.id(address), kReq, get, asked}, device::Replier(site.recorder, port));
+    site.run(0);
+    const auto answer = wire::decode<wire::simulation::PropertyReq>(site.recorder.answers.at(port).body);
+    return std::string(wire::text(answer->value));
+  };
+  EXPECT_EQ(
+      told(6665),
+      "6666:position2d:0 6666:position3d:0 6666:speech:0 6666:speech_recognition:0 ranger:3 6666:laser:0");
+  EXPECT_EQ(told(6666), "position2d:0 position3d:0 speech:0 speech_recognition:0 6665:ranger:3 laser:0");
+}
+
+TEST_F(RobotsOfSeveralPorts, have_none_once_a_port_is_in_use) {
+  const std::vector<ModelId> ids = come(20);
+  EXPECT_THAT(site.ports, ElementsAre(6666u, 6667u));
+  EXPECT_EQ(wheels(ids[8]), "6667:position2d:3");
+  EXPECT_EQ(wheels(ids[9]), "");
+  site.last_port = 65535;
+  EXPECT_EQ(wheels(come(1).front()), "") << "its line was the last word";
+  EXPECT_FALSE(has_world(6668));
+  go({ids[7]});
+  rest();
+  EXPECT_EQ(wheels(come(1).front()), "6667:position2d:2") << "free again";
+}
+
+TEST_F(RobotsOfSeveralPorts, have_a_rested_number_before_a_new_port) {
+  const std::vector<ModelId> ids = come(5);
+  ASSERT_EQ(wheels(ids[4]), "6666:position2d:3");
+  go({ids[0], ids[2]});
+  rest();
+  EXPECT_EQ(wheels(come(1).front()), "position2d:3");
+  EXPECT_EQ(wheels(come(1).front()), "6666:position2d:1");
+  EXPECT_THAT(site.ports, ElementsAre(6666u));
+  EXPECT_EQ(wheels(come(1).front()), "6667:position2d:0");
+}
+
+TEST_F(RobotsOfSeveralPorts, come_back_on_their_port) {
+  const std::vector<ModelId> ids = come(3);
+  ASSERT_EQ(wheels(ids[2]), "6666:position2d:1");
+  simulation().record(true);
+  site.run(1);
+  const std::uint64_t instant = simulation().timeline()->ticks.back();
+  go({ids[2]});
+  const ModelId later = come(1).front();
+  ASSERT_EQ(wheels(later), "6666:position2d:2");
+  site.run(2);
+  testing::rewind_to(simulation(), instant);
+  site.hear();
+  EXPECT_EQ(wheels(ids[2]), "6666:position2d:1");
+  EXPECT_EQ(wheels(later), "");
+  EXPECT_TRUE(has_world(6666));
+  EXPECT_EQ(wheels(come(1).front()), "6666:position2d:3") << "and numbers are used once";
 }
 
 class VeryManyRobots : public ManyRobots {

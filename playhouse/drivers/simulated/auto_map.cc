@@ -40,40 +40,57 @@ std::vector<world::ModelRow> top_models(const world::World& world) {
 }
 
 std::vector<MappedDevice> AutoMap::of_world(const world::World& world) {
-  for (const KindInterface& each : scene::world_kind().interfaces) add(each.code, 0, {});
+  add_world(0);
   return of_trees(world, top_models(world));
 }
 
 std::vector<MappedDevice> AutoMap::of_trees(const world::World& world,
                                             std::span<const world::ModelRow> tops) {
   // Robot numbers first: further devices are indexed behind them.
-  std::vector<std::pair<world::ModelRow, std::size_t>> robots;
+  std::vector<std::pair<world::ModelRow, Number>> robots;
   for (const world::ModelRow top : tops)
     if (is_robot(world, top)) robots.emplace_back(top, next_robot(world.time()));
-  for (const auto& [top, number] : robots) map_tree(world, top, number);
+  for (const auto& [top, number] : robots) map_tree(world, top, true, number);
   for (const world::ModelRow top : tops)
-    if (!is_robot(world, top)) map_tree(world, top, std::nullopt);
+    if (!is_robot(world, top)) map_tree(world, top, false, std::nullopt);
   for (const auto& [interf, model] : std::exchange(further_, {}))
-    add(interf, next_index(interf, world.time()), model);
+    add(interf, next_number(interf, world.time()), model);
   return std::exchange(out_, {});
 }
 
-/// indices_ if there is none left.
-std::size_t AutoMap::next_robot(double time) {
-  std::size_t number = 0;
-  each_numbered([&](std::uint16_t interf) { number = std::max(number, next_[interf]); });
-  each_numbered([&](std::uint16_t interf) { next_[interf] = std::min(number + 1, indices_); });
-  return number < indices_ ? number : retired_[kNumbers].take(time).value_or(indices_);
+AutoMap::Number AutoMap::next_robot(double time) {
+  std::size_t next = 0;
+  each_numbered([&](std::uint16_t interf) { next = std::max(next, next_[interf]); });
+  const Number number = has_room_for(next) ? next : beyond_ports(kNumbers, next, time);
+  // Numbers that only some of these interfaces have used are no robot's any more.
+  const std::size_t after = number == next ? next + 1 : next;
+  each_numbered([&](std::uint16_t interf) { next_[interf] = after; });
+  return number;
 }
 
-/// indices_ if there is none left.
-std::size_t AutoMap::next_index(std::uint16_t interf, double time) {
+AutoMap::Number AutoMap::next_number(std::uint16_t interf, double time) {
   std::size_t& next = next_[interf];
-  return next < indices_ ? next++ : retired_[place_of(interf)].take(time).value_or(indices_);
+  const Number number = has_room_for(next) ? next : beyond_ports(place_of(interf), next, time);
+  if (number == next) ++next;
+  return number;
 }
 
-void AutoMap::map_tree(const world::World& world, world::ModelRow top, std::optional<std::size_t> robot) {
-  robot_ = robot;
+AutoMap::Number AutoMap::beyond_ports(std::uint16_t place, std::size_t next, double time) {
+  if (const Number retired = retired_[place].take(time)) return retired;
+  has_all_ports_ = has_all_ports_ || ports_ == kPorts || !open_port_(ports_);
+  if (has_all_ports_) return std::nullopt;
+  add_world(ports_++);
+  return next;
+}
+
+/// First of its port, so that every client's list has it.
+void AutoMap::add_world(std::size_t port) {
+  for (const KindInterface& each : scene::world_kind().interfaces) add(each.code, port * indices_, {});
+}
+
+void AutoMap::map_tree(const world::World& world, world::ModelRow top, bool is_robot, Number number) {
+  is_robot_ = is_robot;
+  robot_ = number;
   numbered_.clear();
   visit(world, top);
 }
@@ -83,10 +100,10 @@ void AutoMap::visit(const world::World& world, world::ModelRow model) {
   each_interface(world, model, [&](const KindInterface& each) {
     if (!has(world, model, each.listed)) return;
     const bool is_its_own = &each == own;
-    if (each.index == Index::kRobot && robot_ && numbered_.insert(each.code).second) {
-      add(each.code, *robot_, model);
+    if (each.index == Index::kRobot && is_robot_ && numbered_.insert(each.code).second) {
+      add(each.code, robot_, model);
     } else if (each.index == Index::kCount || is_its_own) {
-      add(each.code, next_index(each.code, world.time()), model);
+      add(each.code, next_number(each.code, world.time()), model);
     } else {
       further_.emplace_back(each.code, model);
     }
@@ -94,21 +111,22 @@ void AutoMap::visit(const world::World& world, world::ModelRow model) {
   for (const std::uint32_t child : world.children(model)) visit(world, {child});
 }
 
-void AutoMap::add(std::uint16_t interf, std::size_t index, world::ModelRow model) {
-  if (index >= indices_) {
+void AutoMap::add(std::uint16_t interf, Number number, world::ModelRow model) {
+  if (!number) {
     ++left_out_;
     return;
   }
-  if (model) retired_[place_of(interf)].hold(index);
-  out_.push_back({interf, static_cast<std::uint16_t>(index), model});
+  if (model) retired_[place_of(interf)].hold(*number);
+  out_.push_back({interf, static_cast<std::uint16_t>(*number % indices_), model,
+                  static_cast<std::uint16_t>(*number / indices_)});
 }
 
 void AutoMap::retire(const MappedDevice& device, double time) {
-  retired_[place_of(device.interf)].release(device.index, time);
+  retired_[place_of(device.interf)].release(number_of(device), time);
 }
 
 void AutoMap::come_back(const MappedDevice& device) {
-  retired_[place_of(device.interf)].hold(device.index);
+  retired_[place_of(device.interf)].hold(number_of(device));
 }
 
 void AutoMap::rewind_to(double time) {

@@ -14,14 +14,14 @@
 namespace playhouse::drivers {
 namespace {
 
-/// "interface:index=model" per device, in order.
-std::vector<std::string> mapped(const std::string& text) {
+/// "interface:index=model" per device, in order; behind the first port "port+interface:index=model".
+std::vector<std::string> mapped(const std::string& text, AutoMap map = AutoMap()) {
   const scene::SceneDesc scene = testing::scene_of(text);
   const world::World world(scene, 1);
   std::vector<std::string> lines;
-  AutoMap map;
   for (const MappedDevice& device : map.of_world(world)) {
-    std::string line(wire::find_interface(device.interf)->name);
+    std::string line = device.port > 0 ? std::to_string(device.port) + "+" : "";
+    line += wire::find_interface(device.interf)->name;
     line += ":" + std::to_string(device.index);
     if (device.model) line += "=" + world.desc(device.model).name;
     lines.push_back(line);
@@ -122,6 +122,83 @@ position( name "b" fiducial( name "f" ) laser( name "l" ) laser( name "m" ) sona
                    "position3d:4=cart.p",
                    "laser:5=cart.p.l",
                    "sonar:4=gate"}));
+}
+
+TEST(AutoMap, continues_on_the_following_ports_and_the_world_is_on_each) {
+  EXPECT_EQ(mapped(std::string(kMacros) + R"(
+position( name "a" laser( name "l" ) laser( name "m" ) )
+position( name "b" )
+position( name "c" laser( name "l" ) )
+laser( name "gate" ))",
+                   AutoMap(2)),
+            (Lines{"simulation:0",
+                   "1+simulation:0",
+                   "position2d:0=a",
+                   "position3d:0=a",
+                   "speech:0=a",
+                   "speech_recognition:0=a",
+                   "ranger:0=a.l",
+                   "laser:0=a.l",
+                   "ranger:1=a.m",
+                   "position2d:1=b",
+                   "position3d:1=b",
+                   "speech:1=b",
+                   "speech_recognition:1=b",
+                   "1+position2d:0=c",
+                   "1+position3d:0=c",
+                   "1+speech:0=c",
+                   "1+speech_recognition:0=c",
+                   "1+ranger:0=c.l",
+                   "1+laser:0=c.l",
+                   "1+ranger:1=gate",
+                   "1+laser:1=a.m",
+                   "2+simulation:0",
+                   "2+laser:0=gate"}));
+}
+
+TEST(AutoMap, robot_k_is_on_port_k_by_indices_at_the_rest) {
+  constexpr std::size_t kRobots = 1000, kIndices = 300;
+  std::string text;
+  for (std::size_t k = 0; k < kRobots; ++k) text += fmt::format("position( name \"r{}\" )\n", k);
+  const scene::SceneDesc scene = testing::scene_of(text);
+  const world::World world(scene, 1);
+  AutoMap map(kIndices);
+  std::size_t robots = 0, worlds = 0;
+  for (const MappedDevice& device : map.of_world(world)) {
+    worlds += !device.model;
+    if (!device.model) EXPECT_EQ(device.index, 0u);
+    if (!device.model) continue;
+    ++robots;
+    const std::size_t k = device.port * kIndices + device.index;
+    EXPECT_LT(device.index, kIndices);
+    EXPECT_EQ(world.name(device.model), fmt::format("r{}", k));
+  }
+  EXPECT_EQ(robots, kRobots * 4) << "position2d, position3d, speech, speech_recognition";
+  EXPECT_EQ(worlds, 4u);
+  EXPECT_EQ(map.ports(), 4u);
+  EXPECT_EQ(map.left_out(), 0u);
+}
+
+TEST(AutoMap, leaves_out_what_no_port_has_room_for_and_asks_for_a_port_once) {
+  std::string text;
+  for (std::size_t k = 0; k < 10; ++k) text += fmt::format("position( name \"r{}\" )\n", k);
+  const scene::SceneDesc scene = testing::scene_of(text);
+  const world::World world(scene, 1);
+  std::vector<std::size_t> asked;
+  AutoMap map(4, [&](std::size_t port) {
+    asked.push_back(port);
+    return port < 2;
+  });
+  EXPECT_EQ(map.of_world(world).size(), 2 + 8 * 4u);
+  EXPECT_EQ(asked, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(map.ports(), 2u);
+  EXPECT_EQ(map.left_out(), 2 * 4u);
+  AutoMap narrow(1);
+  std::string crowd;
+  for (std::size_t k = 0; k < AutoMap::kPorts + 1; ++k) crowd += fmt::format("position( name \"r{}\" )\n", k);
+  const scene::SceneDesc crowded = testing::scene_of(crowd);
+  EXPECT_EQ(narrow.of_world(world::World(crowded, 1)).size(), AutoMap::kPorts * 5);
+  EXPECT_EQ(narrow.left_out(), 4u);
 }
 
 TEST(AutoMap, every_interface_of_what_is_simulated_has_a_device) {

@@ -12,10 +12,10 @@
 namespace playhouse::drivers {
 
 std::unique_ptr<SimulatedDevice> make_device(Simulation& simulation, std::uint16_t interf,
-                                             world::ModelRow model) {
+                                             world::ModelRow model, std::uint32_t port) {
   if (!model) {
     PLAYHOUSE_ASSERT(interf == wire::simulation::kCode);
-    return std::make_unique<SimulationDevice>(simulation);
+    return std::make_unique<SimulationDevice>(simulation, port);
   }
   PLAYHOUSE_ASSERT(fits(simulation.world(), model, interf));
   const scene::ModelKind kind = simulation.world().models.kind[model.index];
@@ -30,7 +30,7 @@ Result<void> add_simulated_device(Site& site, SimulatedDriver& driver, device::A
                                   world::ModelRow model) {
   const Result<device::DeviceId> id = site.add_device(address, driver);
   if (!id) return id.error();
-  driver.add(*id, make_device(*site.simulation(), address.interf, model));
+  driver.add(*id, make_device(*site.simulation(), address.interf, model, address.robot));
   if (model) site.simulation()->directory().add(site.simulation()->world().id(model), address);
   return {};
 }

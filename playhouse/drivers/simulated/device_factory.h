@@ -13,9 +13,10 @@
 
 namespace playhouse::drivers {
 
-/// `model` must fit the interface (asserted), or be none for the interface simulation.
+/// `model` must fit the interface (asserted), or be none for the interface simulation,
+/// whose clients get the addresses of devices on other ports than `port` with their ports.
 std::unique_ptr<SimulatedDevice> make_device(Simulation& simulation, std::uint16_t interf,
-                                             world::ModelRow model);
+                                             world::ModelRow model, std::uint32_t port = 0);
 
 /// Registers the device of a model, or of the world, at an address: with
 /// the server, its driver and the directory. Fails if the address is taken.

@@ -7,7 +7,6 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
-#include "playhouse/device/device_table.h"
 #include "playhouse/wire/messages.h"
 
 namespace playhouse::drivers {
@@ -98,17 +97,15 @@ std::vector<std::string> device_names(const Directory& directory, world::ModelId
   return names;
 }
 
-std::string devices_below(const world::World& world, const Directory& directory, world::ModelRow model) {
+std::string devices_below(const world::World& world, const Directory& directory, world::ModelRow model,
+                          std::uint32_t port) {
   std::string text;
   const auto add = [&text](const std::string& more) {
     if (!text.empty() && !more.empty()) text += ' ';
     text += more;
   };
-  for (const device::Address& address : directory.devices_of(world.id(model))) {
-    const std::string whole = device::describe(address);
-    add(whole.substr(whole.find(':') + 1));
-  }
-  for (const std::uint32_t child : world.children(model)) add(devices_below(world, directory, {child}));
+  for (const std::string& name : device_names(directory, world.id(model), port)) add(name);
+  for (const std::uint32_t child : world.children(model)) add(devices_below(world, directory, {child}, port));
   return text;
 }
 

@@ -39,9 +39,10 @@ class Directory {
 /// port in front ("6666:position2d:0") if that is not `port`.
 std::vector<std::string> device_names(const Directory& directory, world::ModelId model, std::uint32_t port);
 
-/// The devices of a model and all its parts, as
-/// "position2d:7 laser:7": in tree order, without ports.
-std::string devices_below(const world::World& world, const Directory& directory, world::ModelRow model);
+/// The devices of a model and all its parts, as "position2d:7 laser:7":
+/// in tree order, each with its port in front if that is not `port`.
+std::string devices_below(const world::World& world, const Directory& directory, world::ModelRow model,
+                          std::uint32_t port);
 
 /// Reply to a client's query for models and their devices (docs/drivers.md).
 struct ModelList {

@@ -60,13 +60,52 @@ geom::Box box_of(std::span<const Solid> solids) {
   return box;
 }
 
+/// Bounds of what descriptions of models describe, each computed at the first need: many models share one.
+class Bounds {
+ public:
+  explicit Bounds(const scene::SceneDesc& scene) : scene_(scene), squares_(scene.models.size(), kUnknown) {}
+
+  /// Squared distance from the model's origin, within which its body is.  [m^2]
+  double square(std::uint32_t desc) {
+    if (squares_[desc] == kUnknown) squares_[desc] = square_of(scene_.models[desc]);
+    return squares_[desc];
+  }
+
+ private:
+  static constexpr double kUnknown = -1;
+
+  static double square_of(const scene::ModelDesc& desc) {
+    double square = 0;
+    const auto add = [&](std::span<const geom::Vec2> points) {
+      for (const geom::Vec2 p_B : points) {
+        const geom::Vec2 p_M = geom::transform(desc.X_MB, p_B);
+        square = std::max(square, geom::dot(p_M, p_M));
+      }
+    };
+    for (const scene::Block& block : desc.blocks) add(block.points);
+    for (const scene::Contours& contours : desc.bitmaps)
+      for (const std::vector<geom::Vec2>& loop : contours.loops) add(loop);
+    const double radius = std::sqrt(square) + stage::kTouch;
+    return radius * radius;
+  }
+
+  const scene::SceneDesc& scene_;
+  std::vector<double> squares_;  // by row of SceneDesc::models
+};
+
 /// What a tree of a prototype could hit at most `reach` from X_WM.  [m]
 class Obstacles {
  public:
   Obstacles(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM, double reach)
       : world_(world), prototype_(prototype) {
     const geom::Box near = box_of(solids_of(world, prototype, X_WM)).grown(reach);
+    if (near.empty()) return;
+    Bounds bounds(world.scene());
     for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+      const geom::Pose& X_WO = world.models.X_WM[row];
+      const double dx = X_WO.x - std::clamp(X_WO.x, near.x_min, near.x_max),
+                   dy = X_WO.y - std::clamp(X_WO.y, near.y_min, near.y_max);
+      if (dx * dx + dy * dy > bounds.square(world.models.desc[row])) continue;
       const scene::ModelDesc& desc = world.desc({row});
       std::vector<Solid> solids;
       stage::add_blocks(desc, world.models.X_WM[row], solids);
@@ -111,8 +150,9 @@ bool is_far(const world::World& world, const geom::Pose& X_WM) {
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     const geom::Pose& X_WO = world.models.X_WM[row];
     const geom::Size& size = world.desc({row}).size;
-    const double reach = kFarthest + std::hypot(size.x, size.y);
-    if (std::hypot(X_WO.x - X_WM.x, X_WO.y - X_WM.y) <= reach) return false;
+    const double dx = std::abs(X_WO.x - X_WM.x), dy = std::abs(X_WO.y - X_WM.y);
+    if (std::max(dx, dy) > kFarthest + size.x + size.y) continue;  // most of a large world, without a root
+    if (std::hypot(dx, dy) <= kFarthest + std::hypot(size.x, size.y)) return false;
   }
   return world.models.size() != 0;
 }

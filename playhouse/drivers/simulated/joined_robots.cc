@@ -76,10 +76,15 @@ void JoinedRobots::join(const wire::simulation::PropertyReq& request, device::Ca
     return replier.nack(answer(request, fmt::format("a client brings {} robots at most", kRobotsOfClient)));
   ++owned->asked_for;
   auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
-  const bool posted = simulation_.post(
-      [owned, brought = brought_, shared, request, wanted = std::move(*wanted)](world::World& world) {
+  const bool posted =
+      simulation_.post([owned, brought = brought_, shared, request, wanted = std::move(*wanted),
+                        holder = caller->holder(), shares = simulation_.shares()](world::World& world) {
+        if (const Result<void> room = shares->check(world, holder); !room)
+          return shared->nack(answer(request, room.error().text));
         Result<Joined> joined = drivers::join(world, wanted);
         if (!joined) return shared->nack(answer(request, joined.error().text));
+        shares->add(world, holder, joined->robot);
+        for (const world::ModelId sensor : joined->sensors) shares->add(world, holder, sensor);
         shared->ack(answer(request, joined->name));
         (*brought)[joined->robot] = owned;
         owned->robots.push_back(std::move(*joined));

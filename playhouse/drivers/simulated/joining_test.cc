@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <cstring>
+#include <tuple>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/drivers/simulated/auto_devices.h"
 #include "playhouse/drivers/simulated/joined_robots.h"
 #include "playhouse/drivers/testing/memory_site.h"
@@ -64,7 +66,7 @@ class Joining : public ::testing::Test {
     return told;
   }
   std::string devices(const std::string& model) {
-    return devices_below(world(), simulation().directory(), world().find(model));
+    return devices_below(world(), simulation().directory(), world().find(model), 6665);
   }
 
   MemorySite site;
@@ -95,6 +97,27 @@ TEST_F(Joining, the_nearest_free_place_is_beside_what_is_in_the_way) {
   }
   EXPECT_EQ(free_place(world(), cart, {-900e3, 0, 0, 0}).error().text,
             "-900000.00 0.00 is more than 1000 m from everything in the world");
+}
+
+class JoiningWhatIsFarFromItsOrigin : public Joining {
+ protected:
+  JoiningWhatIsFarFromItsOrigin()
+      : Joining(
+            "robot_types [ \"cart\" ] define cart position( size [0.4 0.4 0.2] origin [0 0 0 0] ) "
+            "model( name \"ring\" pose [10 0 0 90] origin [50 0 0 0] size [1 2 1] ) "
+            "model( name \"low\" pose [-5 0 0 0] origin [0 0 0 0] size [1 1 0.1] )") {}
+};
+
+/// The ring's body is at 10 50, turned, so 2 x 1; a cart beside it needs 1.2 and 0.7.
+TEST_F(JoiningWhatIsFarFromItsOrigin, finds_the_body) {
+  const std::uint32_t cart = world().scene().robot_types.at("cart");
+  for (const auto& [dx, dy, free] :
+       {std::tuple(0.0, 0.0, false), std::tuple(1.19, 0.0, false), std::tuple(1.21, 0.0, true),
+        std::tuple(-1.19, 0.0, false), std::tuple(0.0, 0.69, false), std::tuple(0.0, 0.71, true),
+        std::tuple(0.0, -0.69, false), std::tuple(0.0, -50.0, true)})
+    EXPECT_EQ(is_free(world(), cart, {10 + dx, 50 + dy, 0, 0}), free) << dx << " " << dy;
+  EXPECT_FALSE(is_free(world(), cart, {-5.69, 0, 0, 0}));
+  EXPECT_TRUE(is_free(world(), cart, {-5.71, 0, 0, 0}));
 }
 
 class JoiningASolidWorld : public Joining {
@@ -239,6 +262,30 @@ TEST_F(Joining, the_sensors_of_a_robot_go_with_it_whoever_takes_it_out) {
   site.run(2);
   for (const char* const name : {"bob", "bob-scanner", "bob-scanner~2"}) EXPECT_FALSE(world().find(name));
   EXPECT_TRUE(world().find("eve-scanner"));
+}
+
+TEST_F(Joining, robots_and_their_sensors_are_of_the_share_of_the_client) {
+  JoinedRobots joined(simulation());
+  testing::Recorder answers;
+  device::Caller student("10.0.0.1:1"), same("10.0.0.1:2"), other("10.0.0.2:1");
+  for (device::Caller* each : {&student, &same}) each->set_holder("blue-chair-7");
+  // As if it had brought what is here already so often that two models are left of its share.
+  for (std::size_t k = 2; k < limits::kBroughtByOneModels; ++k)
+    simulation().shares()->add(world(), "blue-chair-7", world().id(world().find("own")));
+  joined.join(property("cart", wire_value(0, 0, {"bob", "", "scanner"})), &student, {answers, 1});
+  joined.join(property("cart", wire_value(1, 0, {"ann"})), &same, {answers, 2});
+  joined.join(property("cart", wire_value(2, 0, {"eve"})), &other, {answers, 3});
+  site.run(1);
+  EXPECT_TRUE(answers.answers[1].ack);
+  EXPECT_FALSE(answers.answers[2].ack);
+  EXPECT_EQ(wire::text(wire::decode<wire::simulation::PropertyReq>(answers.answers[2].body)->value),
+            "your share of the run is full: you brought 4096 models with 1 sensors and 3 beams");
+  EXPECT_TRUE(answers.answers[3].ack);
+  student.leave();
+  site.run(1);
+  joined.join(property("cart", wire_value(1, 0, {"ann"})), &same, {answers, 4});
+  site.run(1);
+  EXPECT_TRUE(answers.answers[4].ack) << "what went is not counted";
 }
 
 TEST_F(Joining, who_is_no_client_and_who_asks_for_what_is_not_gets_a_reason) {

@@ -365,15 +365,25 @@ void Simulation::resume() {
   want([](Wanted& wanted) { wanted.paused = false; });
 }
 
+void Simulation::step_once() {
+  pause();
+  step(1, {});
+}
+
 void Simulation::step(std::uint64_t ticks, LockStep::Done done) {
+  std::string why_not;
   const bool taken = want([&](Wanted& wanted) {
-    if (ticks > limits::kSingleSteps - wanted.steps) return false;
-    wanted.paused = true;
-    wanted.steps += ticks;
-    if (done) steppers_.push_back(std::move(done));
-    return true;
+    if (!wanted.paused) {
+      why_not = "the world is running: pause it first, or start it with --lock-step";
+    } else if (ticks > limits::kSingleSteps - wanted.steps) {
+      why_not = fmt::format("too many steps are waiting: {} at most", limits::kSingleSteps);
+    } else {
+      wanted.steps += ticks;
+      if (done) steppers_.push_back(std::move(done));
+    }
+    return why_not.empty();
   });
-  if (!taken && done) done(fmt::format("too many steps are waiting: {} at most", limits::kSingleSteps));
+  if (!taken && done) done(why_not);
 }
 
 void Simulation::set_speed(double times_real_time) {

@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <functional>
 #include <limits>
+#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -30,6 +31,7 @@
 #include "playhouse/world/control.h"
 #include "playhouse/world/engine.h"
 #include "playhouse/world/run_listener.h"
+#include "playhouse/world/shares.h"
 
 namespace playhouse::drivers {
 
@@ -64,6 +66,7 @@ class Simulation final : public world::Control {
   void publish_to(device::Publisher& publisher) { publisher_ = &publisher; }
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
   void add_watcher(Watcher watcher) { watchers_.push_back(std::move(watcher)); }
+  /// From a follower too.
   void add_follower(Follower follower) { followers_.push_back(std::move(follower)); }
   /// Observes every tick and every change between ticks. Must outlive run().
   void add_run_listener(world::RunListener& listener) { run_listeners_.push_back(&listener); }
@@ -92,10 +95,11 @@ class Simulation final : public world::Control {
   // Control; any thread.
   void pause() override;
   void resume() override;
-  void step_once() override { step(1, {}); }
-  /// Runs so many single steps, then pauses. `done`, if set, is called on the
-  /// tick thread when their data are published; or at once with a reason, and
-  /// without effect, if more than limits::kSingleSteps would be pending.
+  /// Pauses a running world first.
+  void step_once() override;
+  /// Runs so many single steps of a paused world, which stays paused. `done`, if set, is called on
+  /// the tick thread when their data are published; or at once with a reason, and without effect,
+  /// if the world is running, or if more than limits::kSingleSteps would be pending.
   void step(std::uint64_t ticks, LockStep::Done done);
   void set_speed(double times_real_time) override;
   void drive(world::ModelId robot, const geom::Twist& velocity) override;
@@ -130,6 +134,8 @@ class Simulation final : public world::Control {
   std::size_t source_count() const { return sources_.size(); }
   /// The devices of each model.
   Directory& directory() { return directory_; }
+  /// What each client and page brought.
+  const std::shared_ptr<world::Shares>& shares() const { return shares_; }
   world::Engine& engine() { return *engine_; }
   const world::World& world() const { return engine_->world(); }
 
@@ -171,12 +177,13 @@ class Simulation final : public world::Control {
 
   std::unique_ptr<world::Engine> engine_;
   device::Publisher* publisher_ = nullptr;
-  std::vector<Follower> followers_;
+  std::list<Follower> followers_;  // a follower may add one
   std::vector<Listener> listeners_;
   std::vector<Watcher> watchers_;
   Saver saver_;
   std::vector<world::RunListener*> run_listeners_;
   Directory directory_;
+  std::shared_ptr<world::Shares> shares_ = std::make_shared<world::Shares>();
   std::uint64_t end_tick_;
 
   // Shared between threads.

@@ -210,7 +210,7 @@ void SimulationDevice::list_devices(const sim::PropertyReq& request, device::Rep
   ask_world(std::move(replier), [this, r = request](world::World& world) mutable -> std::optional<Bytes> {
     const world::ModelRow row = find_or_warn(world, r.name);
     if (!row) return std::nullopt;
-    r.value = wire::c_string(devices_below(world, simulation().directory(), row));
+    r.value = wire::c_string(devices_below(world, simulation().directory(), row, port_));
     return wire::encode(r);
   });
 }

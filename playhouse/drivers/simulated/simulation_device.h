@@ -21,7 +21,9 @@ namespace playhouse::drivers {
 
 class SimulationDevice final : public SimulatedDevice {
  public:
-  explicit SimulationDevice(Simulation& simulation) : SimulatedDevice(simulation, {}), joined_(simulation) {}
+  /// `port`: its own.
+  SimulationDevice(Simulation& simulation, std::uint32_t port)
+      : SimulatedDevice(simulation, {}), port_(port), joined_(simulation) {}
 
   std::span<const Served> served() const override;
   device::Taken command(const device::Message& message) override;
@@ -37,6 +39,7 @@ class SimulationDevice final : public SimulatedDevice {
   void list_models(std::uint32_t first, device::Replier replier);
   void list_devices(const wire::simulation::PropertyReq& request, device::Replier replier);
 
+  const std::uint32_t port_;
   JoinedRobots joined_;
   std::atomic<std::uint64_t> newest_reset_ = 0, newest_save_ = 0;  // sequence numbers of the latest requests
 

@@ -352,13 +352,21 @@ TEST_F(SingleSteps, that_are_acknowledged_are_done) {
   EXPECT_EQ(first.why_not + third.why_not, "");
 }
 
-TEST_F(SingleSteps, that_are_too_many_do_not_pause_the_world) {
+TEST_F(SingleSteps, of_a_running_world_are_refused_without_effect) {
   allowed_ = kAll;
   simulation_.resume();
   Asked asked;
+  step(1, asked);
+  EXPECT_EQ(asked.done_at, 0u);
+  EXPECT_EQ(asked.why_not, "the world is running: pause it first, or start it with --lock-step");
+  EXPECT_FALSE(simulation_.pace().paused);
+}
+
+TEST_F(SingleSteps, that_are_too_many_leave_the_world_paused) {
+  Asked asked;
   step(limits::kSingleSteps + 1, asked);
   EXPECT_EQ(asked.done_at, 0u);
-  EXPECT_FALSE(simulation_.pace().paused);
+  EXPECT_TRUE(simulation_.pace().paused);
 }
 
 TEST(Simulation, what_still_waits_at_the_end_is_refused) {

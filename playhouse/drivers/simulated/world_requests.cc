@@ -107,7 +107,8 @@ void reset(Simulation& simulation, const Asked& asked) {
 }
 
 /// Payload: x, y [m], heading [rad] as float64, then an optional name.
-void spawn(Simulation& simulation, const Asked& asked, OverlapWarnings& overlaps) {
+void spawn(Simulation& simulation, const Asked& asked, const device::Caller* caller,
+           OverlapWarnings& overlaps) {
   double place[3];
   const std::string& value = asked.request.value;
   if (value.size() < sizeof place)
@@ -118,17 +119,21 @@ void spawn(Simulation& simulation, const Asked& asked, OverlapWarnings& overlaps
     return asked.nack("the pose is none");
   if (!name.empty() && !world::can_be_said(name)) return asked.nack("the name is no line of text");
   const geom::Pose at{place[0], place[1], 0, place[2]};
-  const bool posted = simulation.post([asked, at, name, &overlaps](world::World& world) {
-    const std::string_view like = wire::text(asked.request.name);
-    const world::ModelRow model = world.find(like);
-    if (!model) return asked.nack("there is no model " + in_quotes(like));
-    if (const Result<void> room = world::check_budget(world); !room) return asked.nack(room.error().text);
-    if (const Result<void> near = check_near(world, at); !near) return asked.nack(near.error().text);
-    const auto came = world::spawn_like(world, model, at, name);
-    if (!came) return asked.nack(came.error().text);
-    overlaps.placed(world, world.row(*came), "spawned");
-    asked.ack(wire::c_string(world.name(world.row(*came))));
-  });
+  const std::string holder = caller == nullptr ? std::string() : caller->holder();
+  const bool posted = simulation.post(
+      [asked, at, name, holder, shares = simulation.shares(), &overlaps](world::World& world) {
+        const std::string_view like = wire::text(asked.request.name);
+        const world::ModelRow model = world.find(like);
+        if (!model) return asked.nack("there is no model " + in_quotes(like));
+        if (const Result<void> room = shares->check(world, holder); !room)
+          return asked.nack(room.error().text);
+        if (const Result<void> near = check_near(world, at); !near) return asked.nack(near.error().text);
+        const auto came = world::spawn_like(world, model, at, name);
+        if (!came) return asked.nack(came.error().text);
+        shares->add(world, holder, *came);
+        overlaps.placed(world, world.row(*came), "spawned");
+        asked.ack(wire::c_string(world.name(world.row(*came))));
+      });
   if (!posted) asked.nack(simulation.why_not_posted());
 }
 
@@ -161,7 +166,7 @@ bool ask_for_world(Simulation& simulation, const sim::PropertyReq& request, devi
   } else if (property == "reset") {
     reset(simulation, asked);
   } else if (property == "spawn") {
-    spawn(simulation, asked, overlaps);
+    spawn(simulation, asked, caller, overlaps);
   } else {
     remove(simulation, asked);
   }

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "playhouse/base/limits.h"
 #include "playhouse/drivers/testing/still_engine.h"
@@ -56,6 +57,20 @@ TEST_F(WorldRequests, for_steps_tell_how_many_there_may_be) {
   EXPECT_EQ(step((1u << 20) + 1), "a number of ticks is wanted, 1 to 1048576, in 4 or 8 bytes");
 }
 
+TEST_F(WorldRequests, for_steps_of_a_running_world_are_refused_and_a_paused_one_stays_paused) {
+  open({});
+  EXPECT_EQ(step(5), "the world is running: pause it first, or start it with --lock-step");
+  EXPECT_FALSE(simulation_->pace().paused);
+  simulation_->pause();
+  EXPECT_EQ(step(5), "");
+  EXPECT_FALSE(recorder_.answers.contains(ticket_)) << "the steps are not done yet";
+  simulation_->extend(5);
+  simulation_->run();
+  EXPECT_TRUE(recorder_.answers.at(ticket_).ack);
+  EXPECT_EQ(simulation_->world().tick(), 5u);
+  EXPECT_TRUE(simulation_->pace().paused);
+}
+
 TEST_F(WorldRequests, for_spawns_far_from_everything_are_refused) {
   open({});
   std::string place(24, '\0');
@@ -86,6 +101,34 @@ TEST_F(WorldRequests, for_spawns_are_refused_once_the_run_is_full) {
   EXPECT_FALSE(recorder_.answers[ticket_].ack);
   const Result<sim::PropertyReq> told = wire::decode<sim::PropertyReq>(recorder_.answers[ticket_].body);
   EXPECT_EQ(wire::text(told->value), "the run is full: 16384 models with 0 sensors and 0 beams came");
+}
+
+TEST_F(WorldRequests, for_spawns_are_refused_once_the_share_of_a_client_is_full) {
+  open({});
+  world::World& world = simulation_->engine().world();
+  device::Caller other{"another"};
+  std::vector<world::ModelId> brought;
+  for (std::size_t i = 0; i < limits::kBroughtByOneModels; ++i) {
+    const Result<world::ModelId> came = world::spawn(world, 0, {}, "n" + std::to_string(i));
+    ASSERT_TRUE(came);
+    simulation_->shares()->add(world, client_.holder(), *came);
+    brought.push_back(*came);
+  }
+  const auto spawned_for = [&](device::Caller& client) {
+    device::Replier replier(recorder_, ++ticket_);
+    const sim::PropertyReq request{wire::c_string("r0"), wire::c_string("spawn"), 0, std::string(24, '\0')};
+    EXPECT_TRUE(ask_for_world(*simulation_, request, &client, replier, overlaps_));
+    simulation_->extend(1);
+    simulation_->run();
+    return recorder_.answers.at(ticket_).ack;
+  };
+  EXPECT_FALSE(spawned_for(client_));
+  EXPECT_EQ(wire::text(wire::decode<sim::PropertyReq>(recorder_.answers[ticket_].body)->value),
+            "your share of the run is full: you brought 4096 models with 0 sensors and 0 beams");
+  EXPECT_TRUE(spawned_for(other)) << "who has a share of its own";
+  ASSERT_TRUE(world::despawn(world, brought[5]));
+  EXPECT_TRUE(spawned_for(client_));
+  EXPECT_FALSE(spawned_for(client_)) << "what it spawned counts";
 }
 
 TEST_F(WorldRequests, that_are_refused_leave_nothing_with_the_client) {

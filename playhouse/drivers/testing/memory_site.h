@@ -91,6 +91,11 @@ class MemorySite final : public Surroundings {
     holders.erase(found);
     if (holders.empty()) added_[device.row].second->stop(device);
   }
+  Result<void> open_port(std::uint32_t port) override {
+    if (port > last_port) return Error{std::to_string(port), "is in use"};
+    ports.push_back(port);
+    return {};
+  }
   void post(std::function<void()> task) override { posted_.push_back(std::move(task)); }
   net::Network& network() override { return network_; }
   Result<std::unique_ptr<Simulation>> open_world(const std::string& path) override {
@@ -105,6 +110,8 @@ class MemorySite final : public Surroundings {
   std::map<std::uint32_t, std::vector<device::Driver*>> held;  // once per hold; null: nobody hears of its end
   std::vector<std::uint32_t> retired;                          // in this order
   std::vector<std::string> opened;
+  std::vector<std::uint32_t> ports;  // opened after the first one
+  std::uint32_t last_port = 65535;   // further ones are in use
 
  private:
   net::SimulatedNetwork network_{1};

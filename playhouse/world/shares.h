@@ -1,0 +1,47 @@
+#pragma once
+
+/// Shares: what each peer brought to a run, so that no peer takes all that may be brought. Thread: the tick
+/// thread, between steps.
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/world/world.h"
+
+namespace playhouse::world {
+
+class Shares {
+ public:
+  /// For a spawn that this peer asks for, before it: fails as check_budget(), and if what the peer brought
+  /// and what still exists is as much as one may bring (base/limits.h, kBroughtByOne...). "": a driver of
+  /// the program, which has no share. Cost: the peer's trees, if models were removed since a full share was
+  /// last counted; else constant.
+  Result<void> check(const World& world, const std::string& peer);
+  /// After it: counts the tree of this root, until it is removed, whoever removes it.
+  void add(const World& world, const std::string& peer, ModelId root);
+
+ private:
+  struct Amount {
+    std::size_t models = 0, sensors = 0, beams = 0;
+  };
+  struct Tree {
+    ModelId root;
+    Amount amount;
+  };
+  struct Share {
+    std::vector<Tree> trees;
+    Amount sum;
+    std::uint64_t population = 0;  // World::population() of the sum
+  };
+  static Amount amount_of(const World& world, ModelRow root);
+  static bool is_full(const Amount& amount);
+  static void forget_removed(const World& world, Share& share);
+
+  std::map<std::string, Share> shares_;
+};
+
+}  // namespace playhouse::world
