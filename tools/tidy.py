@@ -12,8 +12,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 import includes
-import locks
 import module_graph
+import threads
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "playhouse"
@@ -63,6 +63,21 @@ def check_header(path):
         yield f"{path.relative_to(ROOT)}:1: does not compile alone: {first}"
 
 
+def unused_limits():
+    """Limits of base/ that no code of the program heeds."""
+    headers = [SOURCE / "base/limits.h", SOURCE / "base/mesh_limits.h"]
+    words = {}  # how often each constant is named
+    for path in SOURCE.rglob("*"):
+        if path.suffix in (".h", ".cc", ".inc") and not module_graph.is_test(path):
+            for word in re.findall(r"\bk[A-Z]\w+", path.read_text()):
+                words[word] = words.get(word, 0) + 1
+    for header in headers:
+        for number, line in enumerate(header.read_text().splitlines(), 1):
+            limit = re.match(r"inline constexpr [\w:]+ (k\w+)", line)
+            if limit and words[limit[1]] < 2:
+                yield f"{header.relative_to(ROOT)}:{number}: nothing heeds {limit[1]}"
+
+
 def check_test_script(path):
     """Definitions behind unittest.main() never run."""
     lines = path.read_text().splitlines()
@@ -92,7 +107,8 @@ def main():
     checked = sources() if check_all else changed()
     findings = [finding for path in checked for finding in check_file(path)]
     findings += module_graph.table_findings()
-    findings += locks.findings()
+    findings += threads.findings()
+    findings += unused_limits()
     findings += [finding for folder in (ROOT / "tests", ROOT / "clients/python") for path in sorted(folder.glob("*/test_*.py")) for finding in check_test_script(path)]
     headers = [path for path in checked if path.suffix == ".h" and not check_all]
     with ThreadPoolExecutor(2) as pool:

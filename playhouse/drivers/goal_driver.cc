@@ -47,7 +47,8 @@ device::Taken GoalDriver::command(const device::Message& message) {
   if (message.subtype != p2d::kCmdPos) {
     const bool was_driving = set_goal(std::nullopt);
     const device::Taken taken = client_.command(output_, message.subtype, message.body);
-    if (was_driving && taken == device::Taken::kNo) drive(0, 0);  // stop: no longer controlled
+    const bool is_taken = taken == device::Taken::kLatest || taken == device::Taken::kQueued;
+    if (was_driving && !is_taken) drive(0, 0);  // stop: no longer controlled
     return taken;
   }
   const Result<p2d::CmdPos> command = wire::decode<p2d::CmdPos>(message.body);
@@ -73,10 +74,15 @@ void GoalDriver::refuse(std::string why) {
 
 void GoalDriver::drives_to_none(std::string why) {
   log_refusal(name(), why);
-  const std::lock_guard lock(mutex_);
-  if (goal_) refusal_ = why;
-  goal_.reset();
-  incapable_ = std::move(why);
+  bool was_driving = false;
+  {
+    const std::lock_guard lock(mutex_);
+    was_driving = goal_.has_value();
+    if (was_driving) refusal_ = why;
+    goal_.reset();
+    incapable_ = std::move(why);
+  }
+  if (was_driving) drive(0, 0);
 }
 
 /// Replaces or clears the goal; true if there was one. A drive goes on with another goal and what it knows,

@@ -7,8 +7,8 @@ import unittest
 from unittest import mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
-import locks  # noqa: E402
 import module_graph  # noqa: E402
+import threads  # noqa: E402
 
 MAP = """
 | folder | contents | links |
@@ -32,11 +32,11 @@ class Tree(unittest.TestCase):
         self.write("chimney/CMakeLists.txt", "playhouse_module(chimney)")
         (self.root / "ARCHITECTURE.md").write_text(MAP)
         (self.root / "docs").mkdir()
-        for module in (module_graph, locks):
+        for module in (module_graph, threads):
             self.replace(module, "ROOT", self.root)
             self.replace(module, "SOURCE", self.root / "playhouse")
-        self.replace(module_graph, "MAP", self.root / "ARCHITECTURE.md")
-        self.replace(locks, "PAGE", self.root / "docs/locks.md")
+            self.replace(module, "MAP", self.root / "ARCHITECTURE.md")
+        self.replace(threads, "PAGE", self.root / "docs/locks.md")
         for cached in (module_graph.links, module_graph.reachable):
             cached.cache_clear()
             self.addCleanup(cached.cache_clear)
@@ -81,6 +81,14 @@ class Table(Tree):
                          ["ARCHITECTURE.md:6: roof links house: tools/tidy.py --write-table",
                           "ARCHITECTURE.md:1: no row for playhouse/chimney"])
 
+    def test_has_no_rows_of_modules_that_are_gone(self):
+        (self.root / "ARCHITECTURE.md").write_text(MAP + "| `playhouse/cellar` | wine | ground |\n")
+        self.assertIn("ARCHITECTURE.md:7: there is no module cellar", module_graph.table_findings())
+
+    def test_names_of_packages_are_no_keywords(self):
+        self.write("roof/CMakeLists.txt", "playhouse_module(roof DEPS TBB::tbb ZLIB::ZLIB playhouse_house)")
+        self.assertEqual(module_graph.links()["roof"], {"house"})
+
     def test_is_written(self):
         module_graph.table_findings(write=True)
         self.assertIn("| `playhouse/roof` | tiles | house |\n", (self.root / "ARCHITECTURE.md").read_text())
@@ -96,15 +104,40 @@ class Locks(Tree):
                                   "  mutable std::mutex mutex_;  // guards colour\n};\n")
         self.write("roof/tile.cc", "void paint(int colour) {\n  static std::mutex mutex;\n}\n")
         self.write("roof/tile_test.cc", "struct Log {\n  std::mutex mutex;\n};\n")
-        return list(locks.findings())
+        return list(threads.lock_findings())
 
     def test_that_are_listed_are_right(self):
         self.assertEqual(self.found(self.PAGE), [])
 
     def test_that_are_missing_or_gone_are_found(self):
         self.assertEqual(self.found(self.PAGE.replace("Tile", "Chimney")),
-                         ["playhouse/roof/tile.h:8: Tile::mutex_ is not in docs/locks.md",
+                         ["playhouse/roof/tile.h:8: roof::Tile::mutex_ is not in docs/locks.md",
                           "docs/locks.md:1: there is no mutex roof::Chimney::mutex_"])
+
+    def test_of_another_module_are_others(self):
+        self.assertEqual(self.found(self.PAGE.replace("roof::Tile", "house::Tile"))[0],
+                         "playhouse/roof/tile.h:8: roof::Tile::mutex_ is not in docs/locks.md")
+
+    def test_are_written_one_a_line(self):
+        for line in ("std::mutex a, b;", "std::mutex m = {};", "std::array<std::mutex, 4> m;", "std::unique_ptr<std::mutex> m;",
+                     "alignas(64) std::mutex m;", "thread_local std::mutex m;", "void f() { static std::mutex m; }"):
+            with self.subTest(line):
+                self.write("house/door.h", line)
+                self.assertEqual(self.found(self.PAGE), ["playhouse/house/door.h:1: write one mutex a line, so that "
+                                                         "tools/threads.py finds it"])
+        self.write("house/door.h", "std::lock_guard<std::mutex> lock(mutex);  // std::mutex m;\nvoid f(std::mutex& m);")
+        self.assertEqual(self.found(self.PAGE), [])
+
+
+class Threads(Tree):
+    def test_are_found_where_the_table_lacks_the_file_that_starts_them(self):
+        (self.root / "ARCHITECTURE.md").write_text("| thread | does |\n|---|---|\n| sweep | `roof/sweep.h` |\n\n`house/door.h`\n")
+        self.write("roof/sweep.cc", "thread_ = std::thread([this] { run(); });")
+        self.write("house/door.cc", "\nstd::thread bell([] {});")
+        self.write("house/bench_door.cc", "std::thread bell([] {});")
+        self.write("house/wall.cc", "std::thread::id id = std::this_thread::get_id();  std::thread thread_;")
+        self.assertEqual(list(threads.thread_findings()),
+                         ["playhouse/house/door.cc:2: house/door.h is not in the table of threads in ARCHITECTURE.md"])
 
 
 if __name__ == "__main__":

@@ -22,6 +22,7 @@ bool same(const Pose& one, const Pose& other) {
   return one.x == other.x && one.y == other.y && std::abs(std::remainder(one.a - other.a, kTurn)) < 1e-6;
 }
 
+constexpr int kStatesUnderWay = 2;    // of another goal, after an answer
 constexpr double kRefusalPeriod = 1;  // of the server's time [s], between two questions while there is a path
 
 Error without_data(const Device& device, Seconds patience) {
@@ -72,12 +73,18 @@ Result<void> Planner::next_data(Client& client, Seconds patience) {
 Result<void> Planner::drive_to(Client& client, const Pose& pose, Seconds patience) {
   if (const auto sent = go_to(pose); !sent) return sent;
   std::optional<double> asked;  // when, by the server's time
+  int others = 0;               // states of another goal since
   while (true) {
     if (const auto fresh = next_data(client, patience); !fresh) return fresh;
     if (arrived()) return {};
     const std::optional<PlannerState> now = state();
     if (!now) continue;
-    if (now->valid && asked && now->time >= *asked && now->time < *asked + kRefusalPeriod) continue;
+    const bool is_mine = same(now->goal, *goal_);
+    // Once a request was answered, which came after the goal, data of before it may still be on their way.
+    others = is_mine || !asked ? 0 : others + 1;
+    if (others > kStatesUnderWay) return Error{device_.name(), "it has another goal, or no longer one"};
+    if (now->valid && is_mine && asked && now->time >= *asked && now->time < *asked + kRefusalPeriod)
+      continue;
     asked = now->time;
     const Result<std::string> why = why_refused();
     if (!why) return why.error();

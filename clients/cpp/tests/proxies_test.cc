@@ -274,14 +274,17 @@ TEST(Reading, APlannerGoesToAGoalAndTellsWhenTheRobotIsThere) {
 
 TEST(Reading, APlannerIsFollowedToItsGoalUnlessItRefusesIt) {
   namespace planner = wire::planner;
-  const wire::Pose2d goal{6, 4, 1.5}, off{99, 0, 0};
+  const wire::Pose2d goal{6, 4, 1.5}, off{99, 0, 0}, own{2, 3, 0};
   const std::vector<planner::Data> told = {
       {0, 0, {}, goal, {}, -1, 0},  // a server without reasons
       {1, 0, {}, goal, goal, 0, 1}, {1, 1, goal, goal, {}, -1, 1},
       {0, 0, {}, off, {}, -1, 0},  // has not planned yet
       {0, 0, {}, off, {}, -1, 0},
+      {1, 0, {}, own, own, 0, 1},
+      {1, 0, {}, goal, goal, 0, 1},  // of another client
+      {1, 0, {}, goal, goal, 0, 1}, {1, 0, {}, goal, goal, 0, 1},
   };
-  std::deque<std::optional<std::string>> reasons = {std::nullopt, std::nullopt, "", "no path"};
+  std::deque<std::optional<std::string>> reasons = {std::nullopt, std::nullopt, "", "no path", "", "", ""};
   std::size_t next = 0;
   FakeServer server(rounds([&](Peer& peer, const Received& message) {
     if (message.header.type == MessageType::kCmd) return;
@@ -305,6 +308,8 @@ TEST(Reading, APlannerIsFollowedToItsGoalUnlessItRefusesIt) {
     EXPECT_EQ(*guide->why_refused(), "");
     const Result<void> refused = guide->drive_to(client, {99, 0, 0});
     EXPECT_EQ(refused.error().line(), "planner:0: no path");
+    EXPECT_EQ(guide->drive_to(client, {2, 3, 0}).error().line(),
+              "planner:0: it has another goal, or no longer one");
   }
   server.finish();
   EXPECT_EQ(next, told.size());

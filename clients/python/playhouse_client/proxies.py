@@ -25,6 +25,7 @@ _ENDED = "the run has ended"  # the server's reason to refuse a step then
 _TILE = 512  # cells along a side of a tile of a map, so that any map fits into messages
 _MOST_CELLS = 1 << 26  # of a map
 _REFUSAL_PERIOD = 1.0  # of the server's time (s), between two questions of a refusal while there is a path
+_STATES_UNDER_WAY = 2  # of another goal, after an answer
 
 
 class Pose(NamedTuple):
@@ -888,14 +889,19 @@ class Planner(Device):
         return self._why_refused()
 
     def drive_to(self, x: float, y: float, a: float, timeout: Optional[float] = None) -> PlannerState:
-        """go_to(), and reads until the goal is reached. Raises GoalRefused as soon as why_refused() has a reason, and
-        RequestTimeout after `timeout` s without data."""
+        """go_to(), and reads until the goal is reached. Raises GoalRefused as soon as why_refused() has a reason or the
+        planner has another goal, as another client's, and RequestTimeout after `timeout` s without data."""
         self.go_to(x, y, a)
-        asked = -math.inf
+        asked, others = -math.inf, 0
         for state in self.updates(timeout):
             if self.arrived:
                 break
-            if state.valid and asked <= state.time < asked + _REFUSAL_PERIOD:
+            is_mine = self._goal is not None and _same(state.goal, self._goal)
+            # Once a request was answered, which came after the goal, data of before it may still be on their way.
+            others = 0 if is_mine or asked == -math.inf else others + 1
+            if others > _STATES_UNDER_WAY:
+                raise GoalRefused(f"{self._session.peer}: {self.name}: it has another goal, or no longer one")
+            if state.valid and is_mine and asked <= state.time < asked + _REFUSAL_PERIOD:
                 continue
             asked = state.time
             why = self.why_refused()

@@ -422,15 +422,17 @@ class Reading(unittest.TestCase):
             self.assertEqual([subtype for _, subtype, _ in sent], [1, 2, 2, 1, 1])
 
     def test_a_planner_is_followed_to_its_goal_unless_it_refuses_it(self) -> None:
-        goal, off = common.Pose2d(6.0, 4.0, 1.5), common.Pose2d(99.0, 0.0, 0.0)
+        goal, off, own = common.Pose2d(6.0, 4.0, 1.5), common.Pose2d(99.0, 0.0, 0.0), common.Pose2d(2.0, 3.0, 0.0)
         told = [
             planner.Data(0, 0, common.Pose2d(), goal, common.Pose2d(), -1, 0),  # a server without reasons
             planner.Data(1, 0, common.Pose2d(), goal, goal, 0, 1),
             planner.Data(1, 1, goal, goal, common.Pose2d(), -1, 1),
             planner.Data(0, 0, common.Pose2d(), off, common.Pose2d(), -1, 0),  # has not planned yet
             planner.Data(0, 0, common.Pose2d(), off, common.Pose2d(), -1, 0),
+            planner.Data(1, 0, common.Pose2d(), own, own, 0, 1),
+            *3 * [planner.Data(1, 0, common.Pose2d(), goal, goal, 0, 1)],  # of another client
         ]
-        reasons = [None, None, "", "no path"]
+        reasons = [None, None, "", "no path", "", "", ""]
 
         def rounds(peer: Peer, message: Message) -> None:
             if message.header.kind == Kind.CMD:
@@ -453,6 +455,8 @@ class Reading(unittest.TestCase):
             self.assertEqual(guide.why_refused(), "")
             with self.assertRaisesRegex(GoalRefused, "planner:0: no path$"):
                 guide.drive_to(99.0, 0.0, 0.0)
+            with self.assertRaisesRegex(GoalRefused, "planner:0: it has another goal, or no longer one$"):
+                guide.drive_to(2.0, 3.0, 0.0)
         self.assertEqual((told, reasons), ([], []))
 
     def test_a_map_comes_whole_in_tiles(self) -> None:

@@ -138,21 +138,25 @@ Route route_of(const WavefrontOptions& options, const std::vector<Vec2>& p_WC, c
 FollowOut follow_path(const WavefrontOptions& options, const FollowIn& in, FollowMemory& memory) {
   FollowOut& out = memory.out;
   double slack = 1;
+  bool may_have_given_up = false;
   if (memory.goal != in.goal || strayed(options, in, memory)) {
     plan_again(options, in, memory);
   } else if (out.route != nullptr && !out.done() && in.enabled && stands(in, memory)) {
     if (reached(options, out.route->waypoints[out.waypoint], in.X_WR, kStillSlack)) {
       slack = kStillSlack;
-    } else {  // the device that drives may have given up
+    } else {  // the device that drives
+      may_have_given_up = true;
       if (replans(options)) plan_again(options, in, memory);
       memory.X_OP.reset();
     }
   }
   out.X_OP.reset();
+  out.again = false;
   if (out.route == nullptr || !in.enabled) return out;
   const std::vector<Waypoint>& waypoints = out.route->waypoints;
   for (; !out.done() && reached(options, waypoints[out.waypoint], in.X_WR, slack); ++out.waypoint) slack = 1;
   if (!out.done()) out.X_OP = news(options, in, memory);
+  out.again = may_have_given_up && out.X_OP;
   return out;
 }
 

@@ -62,6 +62,7 @@ struct FollowOut {
   std::shared_ptr<const Route> route;
   std::size_t waypoint = 0;        // the current one; the number of waypoints: goal reached
   std::optional<geom::Pose> X_OP;  // a new goal for the device that drives
+  bool again = false;              // it was told before, and the robot stands
 
   bool done() const { return route != nullptr && waypoint == route->waypoints.size(); }
 };

@@ -26,6 +26,9 @@ constexpr std::size_t kOutput = 0;
 constexpr std::size_t kInput = 1;
 constexpr std::size_t kMap = 2;
 
+constexpr double kElsewhere = 0.1;  // m
+constexpr std::string_view kDisabled = "it is disabled: ENABLE 1 lets it drive on";
+
 std::optional<geom::Pose> pose_in(const device::Publication& message) {
   const Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
   if (!state || !is_usable(state->pos)) return std::nullopt;
@@ -125,12 +128,20 @@ void Wavefront::set_goal(const geom::Pose& X_WT, bool start) {
     const std::lock_guard lock(mutex_);
     enabled_ = enabled_ || start;
     unusable_.clear();
-    if (goal_ && goal_->X_WT == X_WT && !progress_.done() && !options_.refresh_map) return;
+    if (goal_ && goal_->X_WT == X_WT && !progress_.done() && !options_.refresh_map && !may_have_path_now())
+      return;
     goal_ = {X_WT, ++goals_};
     progress_ = {};
     reading_ = reading_ || options_.refresh_map;
   }
   if (options_.refresh_map) read_map_again();
+}
+
+/// Why there is no path may depend on where the robot is. Call with the mutex held.
+bool Wavefront::may_have_path_now() const {
+  if (goal_->no_path.empty() || !X_WR_) return false;
+  return !goal_->X_WR || geom::dot(X_WR_->xy() - goal_->X_WR->xy(), X_WR_->xy() - goal_->X_WR->xy()) >
+                             kElsewhere * kElsewhere;
 }
 
 /// Stops the robot, or lets it go on with another plan, as it may have moved meanwhile.
@@ -208,6 +219,7 @@ void Wavefront::take_step(std::uint64_t goal, const FollowOut& out) {
     if (current == goal && !out.fault.empty()) {
       std::string why = "no path to " + goal_text(goal_->X_WT) + ": " + out.fault;
       if (keep_refusal(goal_->no_path, why)) no_path = std::move(why);
+      goal_->X_WR = X_WR_;
     }
     must_halt = goal_->number == goal && out.route == nullptr && std::exchange(driving_, false);
     must_go = out.X_OP && enabled_;
@@ -216,13 +228,22 @@ void Wavefront::take_step(std::uint64_t goal, const FollowOut& out) {
   }
   if (!no_path.empty()) log_refusal(name(), no_path);
   if (must_halt) halt();
-  if (must_go) go_to(current, *out.X_OP);
+  if (must_go && out.again) {
+    ask_for_refusal(client_, kOutput, [this, current](const std::string& why) {
+      if (!why.empty()) take_drive(current, "its output gave up: " + why);
+    });
+  }
+  if (must_go) go_to(current, *out.X_OP, out.again);
 }
 
-void Wavefront::go_to(std::uint64_t goal, const geom::Pose& X_OP) {
+/// A waypoint that is told again may be given up again: until another one is told, the reason is kept.
+void Wavefront::go_to(std::uint64_t goal, const geom::Pose& X_OP, bool again) {
   const p2d::CmdPos command{pose2d(X_OP), {}, 1};
-  if (client_.command(kOutput, p2d::kCmdPos, wire::encode(command)) != device::Taken::kNo)
-    return take_drive(goal, "");
+  const device::Taken taken = client_.command(kOutput, p2d::kCmdPos, wire::encode(command));
+  if (taken == device::Taken::kLatest || taken == device::Taken::kQueued) {
+    if (!again) take_drive(goal, "");
+    return;
+  }
   ask_for_refusal(client_, kOutput, [this, goal](const std::string& why) {
     const std::string no_drive = "its output does not go to poses";
     take_drive(goal, why.empty() ? no_drive : no_drive + ": " + why);
@@ -241,6 +262,7 @@ void Wavefront::take_drive(std::uint64_t goal, const std::string& no_drive) {
 std::string Wavefront::refusal() {
   const std::lock_guard lock(mutex_);
   if (!unusable_.empty() || !goal_) return unusable_;
+  if (!enabled_ && !progress_.done()) return std::string(kDisabled);
   return goal_->no_path.empty() ? goal_->no_drive : goal_->no_path;
 }
 

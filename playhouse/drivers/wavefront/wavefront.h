@@ -50,17 +50,19 @@ class Wavefront final : public device::Driver {
     geom::Pose X_WT;
     std::uint64_t number = 0;
     std::string no_path{}, no_drive{};  // why it is refused (refusal.h), both logged
+    std::optional<geom::Pose> X_WR{};   // where the robot was when there was no path
   };
   void read_map_again();
   void take_map(std::uint64_t reading, Result<GridMap> map);
   void set_goal(const geom::Pose& X_WT, bool start);
+  bool may_have_path_now() const;
   void enable(bool enabled);
   bool end_drive();
   void take_news(std::vector<device::Publication>& more);
   std::optional<FollowIn> next_step(double time) const;
   void post(FollowIn in);
   void take_step(std::uint64_t goal, const FollowOut& out);
-  void go_to(std::uint64_t goal, const geom::Pose& X_OP);
+  void go_to(std::uint64_t goal, const geom::Pose& X_OP, bool again);
   void take_drive(std::uint64_t goal, const std::string& no_drive);
   std::string refusal();
   void halt();

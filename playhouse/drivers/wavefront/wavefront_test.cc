@@ -37,7 +37,7 @@ constexpr std::uint8_t kCmd = 2, kReq = 3;
 
 constexpr const char* kWorld = R"(
 interval_sim 100
-position( name "r0" size [0.4 0.4 0.2] )
+position( name "r0" size [0.4 0.4 0.2] ranger( sensor( samples 9 fov 180 range [0 8] ) ) )
 position( name "r1" size [0.4 0.4 0.2] )
 )";
 
@@ -450,6 +450,48 @@ TEST(Wavefront, tells_why_its_output_does_not_drive) {
   const std::string of_output = "its laser does not tell its place, so it drives to no goals";
   EXPECT_EQ(testing::refusal_of(test.site, {6665, 4, 3}), of_output);
   EXPECT_EQ(test.refusal(), "its output does not go to poses: " + of_output);
+}
+
+TEST(Wavefront, tells_that_its_output_gave_up_a_waypoint) {
+  Planned test("", "position2d:3", rooms(),
+               "driver( name \"nd\" provides [\"position2d:3\"] requires [\"output:::position2d:0\" "
+               "\"input:::position2d:0\" \"laser:1\"] )\n"
+               "driver( name \"stage\" provides [\"laser:1\"] model \"r0\" )\n");
+  test.world().positions.motor_on[0] = 1;
+  std::ranges::fill(test.world().sensors.ranges, 8.0f);
+  test.go_to(kGoal);
+  test.site.run(10);
+  EXPECT_EQ(test.refusal(), "");
+  test.site.run(70);  // both wait for two seconds
+  EXPECT_THAT(test.refusal(), HasSubstr("its output gave up: it gave up the goal"));
+  test.go_to({7, 1, 0, 0});
+  EXPECT_EQ(test.refusal(), "");
+}
+
+TEST(Wavefront, a_goal_that_had_no_path_is_planned_for_again_where_the_robot_is_elsewhere) {
+  Planned test;
+  test.robot_at({50, 1, 0, 0});
+  test.begin();
+  test.site.run(1);
+  EXPECT_THAT(test.refusal(), HasSubstr("off the map"));
+  test.go_to(kGoal);
+  test.site.run(3);
+  EXPECT_THAT(test.refusal(), HasSubstr("off the map")) << "it is where it was";
+  test.robot_at(kStart);
+  test.site.run(1);
+  test.go_to(kGoal);
+  test.site.run(3);
+  EXPECT_EQ(test.refusal(), "");
+  EXPECT_EQ(test.state().valid, 1);
+}
+
+TEST(Wavefront, tells_that_it_is_disabled) {
+  Planned test;
+  test.begin();
+  EXPECT_TRUE(test.enable(false));
+  EXPECT_EQ(test.refusal(), "it is disabled: ENABLE 1 lets it drive on");
+  EXPECT_TRUE(test.enable(true));
+  EXPECT_EQ(test.refusal(), "");
 }
 
 TEST(Wavefront, a_goal_beyond_its_numbers_is_refused_in_words) {

@@ -52,7 +52,7 @@ class Planner {
   Result<std::string> why_refused();
 
   /// go_to(), and reads the planner's client until the goal is reached. An error as soon as why_refused() has
-  /// a reason, and after `patience` without data of the planner.
+  /// a reason or the planner has another goal, and after `patience` without data of the planner.
   Result<void> drive_to(Client& client, const Pose& pose, Seconds patience = Seconds(5.0));
 
   /// Stops the robot until resume(); the planner keeps its goal.
