@@ -21,8 +21,9 @@ for target in $targets; do
   dictionary=
   [ -f "$words" ] && dictionary="-dict=$words"
   echo "== $target: $seconds s from $(find "$corpus/" -type f | wc -l) inputs"
+  # One input may take longer than the process of its own that reads a mesh, which ends after 10 s of a processor.
   # shellcheck disable=SC2086
-  "$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536 -print_final_stats=1 \
+  "$program" -max_total_time="$seconds" -timeout=25 -rss_limit_mb=2048 -max_len=65536 -print_final_stats=1 \
     $dictionary -artifact_prefix="$found/crash-" "$found" "$corpus" > "$found.log" 2>&1 \
     || { tail -40 "$found.log"; echo "fuzz.sh: $target failed, see $found.log" >&2; exit 1; }
   grep -E "stat::number_of_executed_units|stat::new_units_added" "$found.log"

@@ -27,6 +27,9 @@ EMPTY_NAME = re.compile(r"\b(?:class|struct|enum class)\s+(\w*(?:Manager|Handler
 BUILD = [f'-D{name}=""' for name in ("PLAYHOUSE_VERSION", "PLAYHOUSE_SOURCE_DIR", "EXAMPLE_CONTROLLERS")]
 # Of libraries whose headers are in a folder of their own.
 BUILD += subprocess.run(["pkg-config", "--cflags", "bullet"], capture_output=True, text=True, check=True).stdout.split()
+# What Debian 12's node, 18, lacks, though the machine may have a newer one.
+NEWER_NODE = re.compile(r"import\.meta\.(?:dirname|filename|resolve)|\bwithResolvers\b|\.(?:toSorted|toReversed|toSpliced)\(|\bgroupBy\(|\bstyleText\b|"
+                        r"node:sqlite")
 CLIENT = ROOT / "clients/cpp/include"  # which the command line is made of
 
 
@@ -78,6 +81,14 @@ def unused_limits():
                 yield f"{header.relative_to(ROOT)}:{number}: nothing heeds {limit[1]}"
 
 
+def check_node_script(path):
+    """Run by node: tests, and tools of the build."""
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        found = NEWER_NODE.search(line)
+        if found:
+            yield f"{path.relative_to(ROOT)}:{number}: node 18 of Debian 12 has no {found[0]}"
+
+
 def check_test_script(path):
     """Definitions behind unittest.main() never run."""
     lines = path.read_text().splitlines()
@@ -106,6 +117,9 @@ def main():
     check_all = options.all
     checked = sources() if check_all else changed()
     findings = [finding for path in checked for finding in check_file(path)]
+    scripts = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.mjs", "web/*.test.ts", "web/*.config.ts", "clients/typescript/*.ts"],
+                             cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
+    findings += [finding for name in scripts if (ROOT / name).is_file() for finding in check_node_script(ROOT / name)]
     findings += module_graph.table_findings()
     findings += threads.findings()
     findings += unused_limits()

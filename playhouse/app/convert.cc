@@ -18,6 +18,7 @@
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/scene/write_world.h"
 #include "playhouse/stage/plan_of_solids.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::app {
 namespace {
@@ -152,7 +153,9 @@ int write_map(const ConvertOptions& options, const scene::SceneDesc& scene) {
 }
 
 int write_gltf(const ConvertOptions& options, const scene::SceneDesc& scene) {
-  const Result<std::string> glb = glb_of(world::World(scene, 1));
+  world::World world(scene, 1);
+  world::tilt_as_described(world);
+  const Result<std::string> glb = glb_of(world);
   if (!glb) return fail_in_file({escaped(options.input), glb.error().text});
   return write_text(options.output, *glb);
 }

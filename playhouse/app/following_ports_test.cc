@@ -5,14 +5,20 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
 
+#include <atomic>
 #include <functional>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "playhouse/app/device_name.h"
+#include "playhouse/app/options.h"
+#include "playhouse/app/robots_client.h"
 #include "playhouse/app/service.h"
 #include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/net/io_loop.h"
@@ -30,13 +36,17 @@ using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using ::testing::StrEq;
+using ::testing::UnorderedElementsAre;
 
 constexpr std::size_t kIndices = 2;  // of a port
 constexpr std::size_t kRobots = 5;   // on three ports
 
-/// Robot k starts at (0, 2 k) and looks along x.
+/// Robot k starts at (0, 2 k) and looks along x. Further ones may be bugs, which have a laser.
 scene::SceneDesc robots_in_a_row() {
-  std::string text = "interval_sim 100\n";
+  std::string text =
+      "interval_sim 100\n"
+      "define bug position( size [0.4 0.4 0.3] ranger( sensor( samples 3 fov 180 ) ) )\n"
+      "robot_types [ \"bug\" ]\n";
   for (std::size_t k = 0; k < kRobots; ++k)
     text += fmt::format("position( name \"r{}\" pose [0 {} 0 0] size [0.4 0.4 0.3] )\n", k, 2 * k);
   return drivers::testing::scene_of(text);
@@ -131,8 +141,11 @@ TEST_F(FollowingPorts, are_opened_during_the_run_for_robots_that_come) {
               if (!models) return models.error();
               EXPECT_EQ(models->at(5).devices.front(),
                         (client::DeviceAddress{port(2), wire::position2d::kCode, 1}));
-              if (models->at(6).devices.empty())
-                return {};  // another program has the port, and a line says so
+              if (models->at(6).devices.empty()) {  // another program has the port, and a line says so
+                net::IoLoop probe;
+                EXPECT_FALSE(probe.listen("127.0.0.1", port(3), [](auto) {})) << "it was free";
+                return {};
+              }
               EXPECT_EQ(models->at(6).devices.front(),
                         (client::DeviceAddress{port(3), wire::position2d::kCode, 0}));
               Result<Client> driver = connect(3);
@@ -145,6 +158,115 @@ TEST_F(FollowingPorts, are_opened_during_the_run_for_robots_that_come) {
               return {};
             }),
             "");
+}
+
+/// The log lines since it was made.
+class LinesOfLog {
+ public:
+  LinesOfLog() {
+    spdlog::set_default_logger(
+        std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(text_)));
+  }
+  ~LinesOfLog() { spdlog::set_default_logger(before_); }
+  std::string text() const { return text_.str(); }
+
+ private:
+  std::ostringstream text_;
+  std::shared_ptr<spdlog::logger> before_ = spdlog::default_logger();
+};
+
+/// `playhouse robot` with the bug "bob", in a thread of its own.
+class Bob {
+ public:
+  explicit Bob(std::uint16_t server_port)
+      : port_(free_port()), client_(service_, options(server_port), {desc()}) {
+    client_.begin();
+    program_ = std::thread([this] {
+      code_ = service_.run();
+      ended_ = true;
+    });
+  }
+  ~Bob() {
+    service_.loop().post([this] { service_.end(app::kDone); });
+    if (program_.joinable()) program_.join();
+  }
+  /// To his port, once he has joined.
+  Result<Client> connect() const {
+    for (;;) {
+      const bool is_last = ended_;
+      Result<Client> client = Client::connect("127.0.0.1", port_);
+      if (client || is_last) return client;
+    }
+  }
+  /// The exit code.
+  int wait() {
+    program_.join();
+    return code_;
+  }
+
+ private:
+  static std::uint16_t free_port() {
+    net::IoLoop loop;
+    const auto taken = loop.listen("127.0.0.1", 0, [](auto) {});
+    return (*taken)->port();
+  }
+  app::RobotsClient::Options options(std::uint16_t server_port) const {
+    app::RobotsClient::Options options;
+    options.host = options.bind = "127.0.0.1";
+    options.server_port = server_port;
+    options.port = port_;
+    return options;
+  }
+  static scene::RobotDesc desc() {
+    scene::RobotDesc bob;
+    bob.where = "bob.toml:1";
+    bob.type = "bug";
+    bob.name = "bob";
+    bob.X_WR = {20, 0, 0, 0};
+    return bob;
+  }
+
+  const std::uint16_t port_;
+  app::DeviceService service_{"127.0.0.1"};
+  app::RobotsClient client_;
+  std::atomic<int> code_ = -1;
+  std::atomic<bool> ended_ = false;
+  std::thread program_;
+};
+
+// Bob is robot 5, and no other has a ranger.
+TEST_F(FollowingPorts, let_a_robot_join_by_the_one_of_its_wheels_without_what_is_elsewhere) {
+  ASSERT_EQ(prepare(0), "");
+  const LinesOfLog log;
+  EXPECT_EQ(run_beside([&]() -> Result<void> {
+              const Bob bob(port(2));
+              Result<Client> driver = bob.connect();
+              if (!driver) return driver.error();
+              const Result<std::vector<client::DeviceEntry>> devices = driver->devices();
+              if (!devices) return devices.error();
+              std::vector<std::string> names;
+              for (const client::DeviceEntry& each : *devices) names.push_back(each.name());
+              EXPECT_THAT(names, UnorderedElementsAre("position2d:0", "position3d:0", "speech:0",
+                                                      "speech_recognition:0", "laser:0"));
+              return drive_a_metre(*driver, 0);
+            }),
+            "");
+  EXPECT_THAT(log.text(),
+              HasSubstr(fmt::format(
+                  "\"bob\" has devices on other ports of the server, left out: {}:ranger:0\n", port(0))));
+}
+
+TEST_F(FollowingPorts, send_a_robot_that_joins_by_another_to_the_one_of_its_wheels) {
+  ASSERT_EQ(prepare(0), "");
+  const LinesOfLog log;
+  EXPECT_EQ(run_beside([&]() -> Result<void> {
+              EXPECT_EQ(Bob(port(0)).wait(), app::kFailed);
+              return {};
+            }),
+            "");
+  EXPECT_THAT(log.text(),
+              HasSubstr(fmt::format("\"bob\" has devices on port {0} of the server: --server 127.0.0.1:{0}\n",
+                                    port(2))));
 }
 
 TEST_F(FollowingPorts, in_use_refuse_the_run_before_it_starts_and_none_later) {

@@ -174,9 +174,9 @@ void Writer::add_node(std::uint32_t row) {
   mesh::JsonList children;
   for (const std::uint32_t child : world_.children({row})) children.add("{}", child);
   if (children.size() > 0) rest += fmt::format(R"(,"children":[{}])", children.text());
-  const geom::SinCos half = geom::sincos(X_PM.a / 2);
-  nodes_.add(R"({{"name":{},"translation":[{},{},{}],"rotation":[0,0,{},{}]{}}})", name, X_PM.x, X_PM.y,
-             X_PM.z, half.sin, half.cos, rest);
+  const geom::Quaternion q = geom::orientation(X_PM.a, world_.models.tilt_PM[row]);
+  nodes_.add(R"({{"name":{},"translation":[{},{},{}],"rotation":[{},{},{},{}]{}}})", name, X_PM.x, X_PM.y,
+             X_PM.z, q.x, q.y, q.z, q.w, rest);
   if (world_.models.parent[row] == world::ModelRow::kNone) tops_.add("{}", row);
 }
 

@@ -64,15 +64,10 @@ std::optional<drivers::RemoteDevice> parse_device(const std::string& text) {
   return drivers::RemoteDevice{interf->code, address->index};
 }
 
-/// The port of a device that is not on the connection's: "6666" of "laser:7 6666:position2d:0"; none: there
-/// is none.
-std::optional<std::uint16_t> other_port(const std::string& devices) {
-  std::istringstream words(devices);
-  for (std::string word; words >> word;)
-    if (const Result<scene::DeviceAddress> address = scene::parse_device_address(word);
-        address && address->port)
-      return address->port;
-  return std::nullopt;
+/// The port of a device that is not on the connection's: 6666 of "6666:position2d:0".
+std::optional<std::uint16_t> other_port(const std::string& device) {
+  const Result<scene::DeviceAddress> address = scene::parse_device_address(device);
+  return address ? address->port : std::nullopt;
 }
 
 }  // namespace
@@ -157,18 +152,24 @@ device::Address RobotsClient::address_of(const Robot& robot, std::uint16_t port,
   return {port, interf, static_cast<std::uint16_t>(index)};
 }
 
-/// Port and devices appear in one turn of the loop, so no client can see a port without devices.
+/// Port and devices appear in one turn of the loop, so no client can see a port without devices. The robot's
+/// first device decides on the server's port: as interfaces count for themselves, no port may have them all.
 void RobotsClient::serve(Robot& robot, const std::string& devices) {
-  if (const std::optional<std::uint16_t> other = other_port(devices))
+  if (const std::optional<std::uint16_t> other = other_port(devices.substr(0, devices.find(' '))))
     return fail_with({robot.desc.where, fmt::format("{} has devices on port {} of the server: --server {}:{}",
                                                     in_quotes(robot.name), *other, options_.host, *other)});
   const Result<std::uint16_t> port = open_port(robot);
   if (!port) return fail_with(port.error());
   std::istringstream words(devices);
-  std::vector<std::string> shown;
+  std::vector<std::string> shown, elsewhere;
   for (std::string word; words >> word;) {
     const std::optional<drivers::RemoteDevice> device = parse_device(word);
     if (!device) continue;
+    if (const std::optional<std::uint16_t> other = other_port(word)) {
+      elsewhere.push_back(
+          fmt::format("{}:{}:{}", *other, wire::find_interface(device->interf)->name, device->index));
+      continue;
+    }
     const device::Address address = address_of(robot, *port, device->interf);
     if (const Result<void> added = relay_->add(address, *device); !added)
       return fail_with({robot.desc.where, added.error().line()});
@@ -181,6 +182,10 @@ void RobotsClient::serve(Robot& robot, const std::string& devices) {
   robot.joined = true;
   log::say(fmt::format("Player clients: {}:{} ({}: {})", shown_host(options_.bind), *port,
                        escaped(robot.name), fmt::join(shown, " ")));
+  if (!elsewhere.empty())
+    warn(Error{robot.desc.where, fmt::format("{} has devices on other ports of the server, left out: {}",
+                                             in_quotes(robot.name), fmt::join(elsewhere, " "))}
+             .line());
   bring_next();
   if (next_ == robots_.size() && !look_after_) look_after();
 }

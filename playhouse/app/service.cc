@@ -187,10 +187,12 @@ const scene::CfgFile* Service::file_without_world() const {
 }
 
 /// Without a number (--port 0): a free port before as many free ones as the scene can need, as no interface
-/// has more devices than there are models; 0 if there is none. Whoever is faster may still take one.
+/// has more devices than there are models; 0 if there is none. A saved run has what clients brought, too.
+/// Whoever is faster may still take one.
 std::uint16_t Service::first_of_free_ports() {
   constexpr int kTries = 16;
-  const std::size_t count = cfg_ || recording_ ? 1 : (scene_.models.size() + indices_ - 1) / indices_;
+  const std::size_t models = scene_.models.size() + (saved_ ? limits::kBroughtModels : 0);
+  const std::size_t count = cfg_ || recording_ ? 1 : (models + indices_ - 1) / indices_;
   if (count < 2) return 0;
   std::vector<std::unique_ptr<net::Listener>> tried;  // held, so that the system names others
   for (int k = 0; k < kTries; ++k) {

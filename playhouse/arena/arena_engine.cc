@@ -115,7 +115,7 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   // bend() moves its hulls to where the joints are.
   for (const stage::Mover& mover : movers_of(tree)) {
     const scene::ModelDesc& desc = world_.desc({mover.model});
-    body.joints.push_back(world::tilted(desc, desc.X_PM).X);
+    body.joints.push_back(world::tilted(desc, desc.X_PM));
   }
   return body;
 }
@@ -197,7 +197,7 @@ void ArenaEngine::bend(std::uint32_t tree) {
   const std::span<const stage::Mover> movers = movers_of(tree);
   bool is_bent = false;
   for (std::size_t i = 0; i < movers.size(); ++i) {
-    const Pose& X_PM = world_.models.X_PM[movers[i].model];
+    const geom::SpatialPose X_PM = world::pose_in_parent(world_.models, {movers[i].model});
     if (movers[i].model == trees_.root[tree] || X_PM == body.joints[i]) continue;
     body.joints[i] = X_PM;
     is_bent = true;

@@ -25,8 +25,8 @@ class ArenaEngine final : public stage::BodyEngine {
     std::uint32_t number = kNone;       // in Physics; kNone: it has no collision shape
     double radius = 0;                  // m, of its corners from B's upright axis, at most
     bool has_joints = false;            // parts of it have joints
-    std::vector<geom::Pose> joints;     // X_PM of those parts as last given to Physics
-    std::vector<std::uint32_t> models;  // model row of each hull (hulls)
+    std::vector<geom::SpatialPose> joints;  // X_PM of those parts as last given to Physics
+    std::vector<std::uint32_t> models;      // model row of each hull (hulls)
   };
 
   void move() override;

@@ -26,6 +26,7 @@ constexpr double kAsDeep = 1e-4;  // m between contacts that are as deep
 constexpr std::size_t kMostNormals = 4;  // normals that differ
 constexpr double kParallel2 = 0.01;      // squared sine of the angle between axes
 constexpr int kSteps = 8;                // between two axes
+constexpr double kCoaxial = 1e-9;        // m between points of two axes that have no direction
 // Half the angle between two edges.
 constexpr double kCosHalf = 0.99144486137381041, kSinHalf = 0.13052619222005159;
 
@@ -122,6 +123,13 @@ btVector3 way_between(const CylinderShape& from, const btTransform& X_from, cons
   return end - begin;
 }
 
+/// A unit vector across an axis, the same one each time.
+btVector3 across_axis(const btVector3& axis) {
+  btVector3 one, other;
+  btPlaneSpace1(axis.normalized(), one, other);
+  return one;
+}
+
 /// Finds the contacts of a cylinder.
 class CylinderTrial {
  public:
@@ -196,8 +204,9 @@ class CylinderTrial {
     const btVector3 half = X.getBasis() * other.axis() * other.half(), middle = X * other.middle();
     for (const btVector3& end : {middle - half, middle + half}) {
       const btVector3 p = nearest_on_axis(cylinder_, X_, end), q = nearest_on_axis(other, X, p);
-      const btVector3 normal = (p - q).normalized();
-      const btScalar distance = p.distance(q) - cylinder_.radius() - other.radius();
+      const btVector3 arm = p - q;
+      const btScalar apart = arm.length(), distance = apart - cylinder_.radius() - other.radius();
+      const btVector3 normal = apart > kCoaxial ? arm / apart : across_axis(half);
       if (distance < near_) found_.addContactPoint(normal, q + normal * other.radius(), distance);
     }
   }
@@ -275,7 +284,7 @@ class CylinderAlgorithm final : public btCollisionAlgorithm {
       if (left.empty()) continue;
       result->setPersistentManifold(contacts);
       std::vector<CylinderTouch> alike;
-      const btVector3 normal = left.front().normal;
+      const btVector3 normal = std::ranges::min_element(left, {}, &CylinderTouch::distance)->normal;
       std::erase_if(left, [&](const CylinderTouch& touch) {
         if (touch.normal.dot(normal) < kAlikeNormals) return false;
         alike.push_back(touch);

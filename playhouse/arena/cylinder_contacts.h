@@ -5,7 +5,7 @@
 /// In: a cylinder as a polyhedron, and what is near.
 /// Out: the contacts of that polyhedron, turned about its axis so that one of its edges is where the cylinder
 ///   is nearest: it lies and rolls on a line of its own, and leans on a point of its rim. Of those with one
-///   normal at most four, around a large area.
+///   normal at most four, around a large area; of more than four normals those of the deepest.
 /// Cost: that of the polyhedron's contacts; with a polyhedron a product for each of its faces.
 ///
 /// Of a polyhedron the face counts above which the cylinder is highest; a disc that is nearly parallel to it

@@ -83,6 +83,19 @@ bool is_solid(const Hull& hull) {
   return hull_content(hull).volume > 1e-12;
 }
 
+/// False for a point and a line.
+bool has_area(const Hull& hull) {
+  constexpr double kNoArea2 = 1e-16;  // m^4
+  const auto from_first = [&](const Vec3& p) { return p - hull.front(); };
+  Vec3 longest;
+  for (const Vec3& p : hull)
+    if (const Vec3 arm = from_first(p); dot(arm, arm) > dot(longest, longest)) longest = arm;
+  return std::ranges::any_of(hull, [&](const Vec3& p) {
+    const Vec3 area = cross(longest, from_first(p));
+    return dot(area, area) > kNoArea2;
+  });
+}
+
 }  // namespace
 
 const mesh::Mesh* mesh_of(const world::World& world, std::uint32_t model) {
@@ -134,8 +147,11 @@ FixedParts fixed_parts(const mesh::Mesh& mesh, const geom::Pose& X_FB) {
   }
   for (const mesh::Shape& shape : mesh.physics->shapes) {
     if (shape.kind != mesh::ShapeKind::kTriangles) {
-      Hull& hull = parts.hulls.emplace_back(hull_of(shape));
+      Hull hull = hull_of(shape);
+      if (!has_area(hull)) continue;
+      if (!is_solid(hull)) hull.round = Round::kNot;
       for (Vec3& p : hull) p = turned(X_FB, p);
+      parts.hulls.push_back(std::move(hull));
       continue;
     }
     const auto first = static_cast<std::uint32_t>(parts.triangles.p.size());

@@ -35,7 +35,8 @@ class MeshHulls {
   std::map<const mesh::Mesh*, std::vector<Hull>> known_;
 };
 
-/// A static mesh: convex hulls, and triangles for what is not convex.
+/// A static mesh: convex hulls, and triangles for what is not convex. A flat hull is kept, not round; a line
+/// or a point is left out.
 struct FixedParts {
   std::vector<Hull> hulls;
   Triangles triangles;

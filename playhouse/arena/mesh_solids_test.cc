@@ -7,8 +7,10 @@
 #include <cmath>
 #include <fstream>
 
+#include "playhouse/arena/round_solids.h"
 #include "playhouse/arena/surface.h"
 #include "playhouse/arena/testing_runs.h"
+#include "playhouse/arena/testing_trials.h"
 #include "playhouse/mesh/testing_meshes.h"
 
 namespace playhouse::arena {
@@ -200,6 +202,47 @@ TEST(MeshHulls, of_round_shapes_hold_nearly_as_much_as_they) {
   EXPECT_EQ(hulls.of(of)[0].round, Round::kSphere);
   EXPECT_EQ(hulls.of(of)[1].round, Round::kCylinder);
   EXPECT_EQ(hulls.of(of)[2].round, Round::kCapsule);
+}
+
+mesh::Mesh with_shapes(std::initializer_list<mesh::Shape> shapes) {
+  mesh::Mesh mesh;
+  mesh.physics.emplace();
+  for (const mesh::Shape& shape : shapes) mesh.physics->shapes.push_back(shape);
+  return mesh;
+}
+
+TEST(FixedParts, without_thickness_are_flat_or_left_out) {
+  using mesh::ShapeKind;
+  const FixedParts parts = fixed_parts(with_shapes({{ShapeKind::kCylinder, {}, {}, {1, 1, 0}, {}, {}},
+                                                    {ShapeKind::kCapsule, {}, {}, {1, 1, 0}, {}, {}},
+                                                    {ShapeKind::kCylinder, {}, {}, {0, 0, 1}, {}, {}},
+                                                    {ShapeKind::kCapsule, {}, {}, {0, 0, 1}, {}, {}},
+                                                    {ShapeKind::kSphere, {}, {}, {0, 0, 0}, {}, {}},
+                                                    {ShapeKind::kBox, {}, {}, {0, 1, 0}, {}, {}}}),
+                                       {});
+  ASSERT_EQ(parts.hulls.size(), 2u) << "the disc and the ball";
+  EXPECT_EQ(parts.hulls[0].round, Round::kNot);
+  EXPECT_EQ(parts.hulls[1].round, Round::kSphere);
+}
+
+TEST(FixedParts, that_are_discs_of_no_height_carry_what_is_round) {
+  const FixedParts parts =
+      fixed_parts(with_shapes({{mesh::ShapeKind::kCylinder, {0, 0, 0.5}, {}, {2, 2, 0}, {}, {}}}), {});
+  ASSERT_EQ(parts.hulls.size(), 1u);
+  FixedSolid disc;
+  disc.hull = parts.hulls[0];
+  for (const double tick : {0.001, 0.01, 0.05}) {
+    Trial trial(tick);
+    trial.physics.set_fixed(std::vector<FixedSolid>{disc});
+    const auto drop = [&](const Hull& hull, const Vec3& p) {
+      return trial.add({.hulls = {hull}, .mass = 2, .center = {}, .surface = {}, .wheels = {}}, {.p = p});
+    };
+    const std::uint32_t ball = drop(round_hull(0.1, 0), {0.5, 0.3, 0.7}),
+                        drum = drop(cylinder_hull(0.3, 0.4), {-0.7, 0, 0.95});
+    trial.run(2);
+    EXPECT_NEAR(trial.physics.state(ball).p.z, 0.6, 0.004);
+    EXPECT_NEAR(trial.physics.state(drum).p.z, 0.9, 0.004);
+  }
 }
 
 }  // namespace

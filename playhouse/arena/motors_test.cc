@@ -16,12 +16,13 @@ constexpr double kPower = 10000;  // W
 /// Of a tonne on level ground, in ticks of so many milliseconds.
 class MotorsTest : public ArenaRun, public testing::WithParamInterface<int> {
  protected:
-  void start(const std::string& words) {
+  /// `load`: models of the world file that it carries.
+  void start(const std::string& words, const std::string& load = {}) {
     const std::string text = "interval_sim " + std::to_string(GetParam()) +
                              "\ndefine base position( size [2 1 0.5] mass 1000 localization \"gps\" "
                              "velocity_bounds [-50 50 -50 50 -1 1 "
                              "-90 90] " +
-                             words + " )\nbase( name \"it\" pose [0 0 0 0] )\n";
+                             words + " )\nbase( name \"it\" pose [0 0 0 0] )\n" + load;
     scene::MemoryFiles files({{std::string("w.world"), text}});
     Result<scene::SceneDesc> scene = scene::load_world_text(text, "w.world", files);
     ASSERT_TRUE(scene) << scene.error().line();
@@ -56,6 +57,18 @@ TEST_P(MotorsTest, wheels_that_are_driven_sideways_share_the_force_by_direction)
   run(2);
   EXPECT_NEAR(speed(), kForce / kMass * 2, 0.02);
   EXPECT_NEAR(std::atan2(pose("it").y, pose("it").x), std::atan2(16, 12), 0.02);
+}
+
+// Bullet moves the wheels of what carries a load, within what their motors have left.
+TEST_P(MotorsTest, wheels_that_are_driven_sideways_share_the_force_with_a_load_as_well) {
+  start("max_force 2000 drive \"omni\"",
+        "model( name \"crate\" pose [0 0 0.5 0] size [0.3 0.3 0.3] mass 10 gripper_return 1 )\n");
+  drive("it", {12, 16, 0, 0});
+  run(2);
+  EXPECT_NEAR(speed(), kForce * 2 / (kMass + 10), 0.03);
+  EXPECT_NEAR(std::atan2(pose("it").y, pose("it").x), std::atan2(16, 12), 0.02);
+  EXPECT_NEAR(pose("crate").x, pose("it").x, 0.1);
+  EXPECT_NEAR(pose("crate").z, 0.5, 0.01);
 }
 
 // v² = 2 P t / m, from where the force ends.

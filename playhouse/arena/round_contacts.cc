@@ -18,6 +18,7 @@ constexpr double kNearer = 1e-9;          // m
 constexpr double kAlike = 0.999;          // cosine of the angle between normals that count as one
 constexpr double kNoLength = 1e-18;       // squared length of what has no direction
 constexpr std::size_t kMostContacts = 4;  // contacts of a pair, as Bullet keeps
+constexpr std::size_t kParts = 32;        // of an axis
 
 /// An axis and the radius about it, in W or in the frame of what it meets.
 struct RoundAxis {
@@ -71,6 +72,36 @@ btVector3 nearest_on_polygon(int count, const Corner& corner, const btVector3& n
   return nearest;
 }
 
+/// Shares of an axis, between its ends, that are nearest to something. Of those in each part of the axis it
+/// keeps the nearest, the lowest and the highest: there may be thousands above small triangles.
+class Places {
+ public:
+  void add(btScalar share, btScalar distance2) {
+    Part& part = parts_[std::min(static_cast<std::size_t>(share * kParts), kParts - 1)];
+    part.low = std::min(part.low, share);
+    part.high = std::max(part.high, share);
+    if (distance2 > part.distance2 || (distance2 == part.distance2 && share > part.nearest)) return;
+    part.distance2 = distance2;
+    part.nearest = share;
+  }
+  std::vector<btScalar> shares() const {
+    std::vector<btScalar> shares;
+    for (const Part& part : parts_) {
+      if (part.low > part.high) continue;
+      shares.push_back(part.low);
+      if (part.nearest > part.low) shares.push_back(part.nearest);
+      if (part.high > part.nearest) shares.push_back(part.high);
+    }
+    return shares;
+  }
+
+ private:
+  struct Part {
+    btScalar low = 1, high = 0, nearest = 0, distance2 = BT_LARGE_FLOAT;  // low > high: no place
+  };
+  std::array<Part, kParts> parts_;
+};
+
 /// What a round solid may touch.
 class Opposite {
  public:
@@ -78,18 +109,22 @@ class Opposite {
   /// Adds where it is nearest to a point of the axis, if that is nearer than `reach`. Share is left to do.
   virtual void meet(const btVector3& c, btScalar reach, std::vector<Touch>& touches) const = 0;
   /// Adds the shares of the axis, between its ends, that are nearest to an edge within `reach`.
-  virtual void find_places(const RoundAxis&, btScalar, std::vector<btScalar>&) const {}
+  virtual void find_places(const RoundAxis&, btScalar, Places&) const {}
 
  protected:
+  static void add_end(const RoundAxis& axis, const btVector3& end, Places& places) {
+    const btScalar share = axis.share_at(end);
+    if (share > 0 && share < 1) places.add(share, axis.at(share).distance2(end));
+  }
   static void add_place(const RoundAxis& axis, const btVector3& a, const btVector3& b, btScalar reach,
-                        std::vector<btScalar>& places) {
+                        Places& places) {
     const btVector3 u = axis.high - axis.low, v = b - a, w = axis.low - a;
     const btScalar uu = u.length2(), uv = u.dot(v), vv = v.length2(), across = uu * vv - uv * uv;
     if (across <= 1e-9 * uu * vv) return;  // parallel: the corners and the ends are the places
     const btScalar on_edge = btClamped((uu * v.dot(w) - uv * u.dot(w)) / across, btScalar(0), btScalar(1));
     const btVector3 p = a + on_edge * v;
-    const btScalar share = axis.share_at(p);
-    if (share > 0 && share < 1 && axis.at(share).distance2(p) < reach * reach) places.push_back(share);
+    const btScalar share = axis.share_at(p), distance2 = axis.at(share).distance2(p);
+    if (share > 0 && share < 1 && distance2 < reach * reach) places.add(share, distance2);
   }
 };
 
@@ -117,9 +152,8 @@ class OppositeRound final : public Opposite {
     const btVector3 normal = length > 0 ? arm / length : btVector3(0, 0, 1);
     touches.push_back({p + normal * axis_.radius, normal, length - axis_.radius});
   }
-  void find_places(const RoundAxis& axis, btScalar reach, std::vector<btScalar>& places) const override {
-    for (const btVector3& end : {axis_.low, axis_.high})
-      if (const btScalar share = axis.share_at(end); share > 0 && share < 1) places.push_back(share);
+  void find_places(const RoundAxis& axis, btScalar reach, Places& places) const override {
+    for (const btVector3& end : {axis_.low, axis_.high}) add_end(axis, end, places);
     add_place(axis, axis_.low, axis_.high, reach + axis_.radius, places);
   }
 
@@ -149,10 +183,9 @@ class OppositeCylinder final : public Opposite {
       touches.push_back({c - out * beside, out, beside});
     }
   }
-  void find_places(const RoundAxis& axis, btScalar reach, std::vector<btScalar>& places) const override {
+  void find_places(const RoundAxis& axis, btScalar reach, Places& places) const override {
     const btVector3 arm = axis_ * half_;
-    for (const btVector3& end : {middle_ - arm, middle_ + arm})
-      if (const btScalar share = axis.share_at(end); share > 0 && share < 1) places.push_back(share);
+    for (const btVector3& end : {middle_ - arm, middle_ + arm}) add_end(axis, end, places);
     add_place(axis, middle_ - arm, middle_ + arm, reach + radius_, places);
   }
 
@@ -190,7 +223,7 @@ class OppositeHull final : public Opposite {
     const btVector3 n = length > kSame ? (c - nearest) / length : normal(above);
     touches.push_back({nearest + n * margin_, n, length - margin_});
   }
-  void find_places(const RoundAxis& axis, btScalar reach, std::vector<btScalar>& places) const override {
+  void find_places(const RoundAxis& axis, btScalar reach, Places& places) const override {
     for (int i = 0; i < hull_.m_faces.size(); ++i) {
       const auto& rows = hull_.m_faces[i].m_indices;
       for (int k = 0; k < rows.size(); ++k) {
@@ -230,6 +263,11 @@ class OppositeSheet final : public Opposite, btTriangleCallback {
     Triangle triangle{{p[0], p[1], p[2]}, (p[1] - p[0]).cross(p[2] - p[0])};
     if (triangle.normal.length2() <= kNoLength) return;  // its sides are those of others
     triangle.normal.normalize();
+    triangle.low = triangle.high = p[0];
+    for (int i = 1; i < 3; ++i) {
+      triangle.low.setMin(p[i]);
+      triangle.high.setMax(p[i]);
+    }
     triangles_.push_back(triangle);
   }
 
@@ -242,14 +280,20 @@ class OppositeSheet final : public Opposite, btTriangleCallback {
     };
     std::vector<Near> near;
     for (const Triangle& triangle : triangles_) {
+      if (!triangle.has_near(c, reach)) continue;
       const btVector3 p = triangle.nearest(c);
       if (p.distance(c) < reach) near.push_back({&triangle, p, p.distance(c)});
     }
+    std::ranges::stable_sort(near, {}, &Near::distance);
     const std::size_t first = touches.size();
-    for (const Near& at : near) {
-      const bool is_covered = std::ranges::any_of(near, [&](const Near& other) {
-        return other.distance < at.distance - kNearer && other.triangle->nearest(at.p).distance(at.p) < kSame;
-      });
+    for (std::size_t row = 0; row < near.size(); ++row) {
+      const Near& at = near[row];
+      bool is_covered = false;
+      for (std::size_t i = row; i > 0 && !is_covered; --i) {  // a neighbour is hardly nearer
+        const Near& other = near[i - 1];
+        is_covered = other.distance < at.distance - kNearer && other.triangle->has_near(at.p, kSame) &&
+                     other.triangle->nearest(at.p).distance(at.p) < kSame;
+      }
       const bool is_known = std::any_of(touches.begin() + static_cast<std::ptrdiff_t>(first), touches.end(),
                                         [&](const Touch& known) { return known.p.distance(at.p) < kSame; });
       if (is_covered || is_known) continue;
@@ -257,7 +301,7 @@ class OppositeSheet final : public Opposite, btTriangleCallback {
       touches.push_back({at.p, up, at.distance});
     }
   }
-  void find_places(const RoundAxis& axis, btScalar reach, std::vector<btScalar>& places) const override {
+  void find_places(const RoundAxis& axis, btScalar reach, Places& places) const override {
     for (const Triangle& triangle : triangles_)
       for (int i = 0; i < 3; ++i)
         add_place(axis, triangle.corner[i], triangle.corner[(i + 1) % 3], reach, places);
@@ -267,6 +311,13 @@ class OppositeSheet final : public Opposite, btTriangleCallback {
   struct Triangle {
     std::array<btVector3, 3> corner;
     btVector3 normal;
+    btVector3 low{}, high{};  // its bounding box
+    /// False only if the triangle is farther than `reach` from c.
+    bool has_near(const btVector3& c, btScalar reach) const {
+      for (int i = 0; i < 3; ++i)
+        if (c[i] < low[i] - reach || c[i] > high[i] + reach) return false;
+      return true;
+    }
     btVector3 nearest(const btVector3& c) const {
       return nearest_on_polygon(
           3, [this](int i) -> const btVector3& { return corner[i]; }, normal, c);
@@ -278,13 +329,15 @@ class OppositeSheet final : public Opposite, btTriangleCallback {
 /// All touches of an axis, the deepest first, those between others of the same normal left out.
 std::vector<Touch> touches_of(const RoundAxis& axis, const Opposite& opposite, btScalar near) {
   const btScalar reach = axis.radius + near;
-  std::vector<btScalar> places{0};
+  std::vector<btScalar> shares{0};
   if (!axis.is_point()) {
-    places.push_back(1);
+    Places places;
     opposite.find_places(axis, reach, places);
+    shares = places.shares();
+    shares.insert(shares.begin(), {0, 1});
   }
   std::vector<Touch> all, chosen;
-  for (const btScalar share : places) {
+  for (const btScalar share : shares) {
     std::size_t row = all.size();
     opposite.meet(axis.at(share), reach, all);
     for (; row < all.size(); ++row) all[row].share = share;
@@ -292,14 +345,16 @@ std::vector<Touch> touches_of(const RoundAxis& axis, const Opposite& opposite, b
   std::erase_if(all, [reach](const Touch& touch) { return touch.distance >= reach; });
   std::ranges::stable_sort(all, {}, &Touch::distance);
   for (const Touch& touch : all) {
+    if (chosen.size() == kMostContacts) break;
     bool has_lower = false, has_higher = false, is_known = false;
     for (const Touch& other : all) {
+      if (has_lower && has_higher) break;
       if (touch.normal.dot(other.normal) < kAlike) continue;
       has_lower = has_lower || other.share < touch.share;
       has_higher = has_higher || other.share > touch.share;
     }
     for (const Touch& other : chosen) is_known = is_known || touch.p.distance(other.p) < kSame;
-    if (chosen.size() < kMostContacts && !is_known && !(has_lower && has_higher)) chosen.push_back(touch);
+    if (!is_known && !(has_lower && has_higher)) chosen.push_back(touch);
   }
   return chosen;
 }

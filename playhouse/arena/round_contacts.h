@@ -6,7 +6,8 @@
 /// In: a round solid, the points within a radius of an axis, and what is near.
 /// Out: contacts where that is nearest to the ends of the axis, and to the points of the axis that are
 ///   nearest to an edge; of those with one normal the two farthest from each other, at most four.
-/// Cost: for each end, the distance to each near face; for a capsule, to each near edge as well.
+/// Cost: for each end, the distance to each near face; for a capsule, also for up to three points in each of
+///   32 parts of its axis, and a product for each near edge.
 ///
 /// A point of a mesh is a contact if no other triangle there is nearer: nothing is met twice, and what rolls
 /// over an edge between two triangles in a plane or in a hollow does not touch the edge.

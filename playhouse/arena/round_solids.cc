@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kAround = 24;  // corners of a ring
 constexpr std::size_t kRings = 5;    // rings of a hemisphere, without the pole; the first is widest
 constexpr std::size_t kPoles = 2;    // they come first
+constexpr double kNoSize = 1e-9;     // m, of what has no direction
 
 /// Middle of a ring.
 Vec3 middle_of(const Hull& hull, std::size_t first) {
@@ -62,7 +63,7 @@ Hull round_hull(double radius, double half) {
         hull.push_back({radius * up.cos * a.cos, radius * up.cos * a.sin, side * (half + radius * up.sin)});
       }
     }
-  hull.round = half > 0 ? Round::kCapsule : Round::kSphere;
+  hull.round = half > kNoSize ? Round::kCapsule : Round::kSphere;
   return hull;
 }
 
@@ -73,7 +74,7 @@ Hull cylinder_hull(double radius, double half) {
       const geom::SinCos a = geom::sincos(geom::normalize(2 * geom::kPi * static_cast<double>(k) / kAround));
       hull.push_back({radius * a.cos, radius * a.sin, z});
     }
-  hull.round = Round::kCylinder;
+  if (radius > kNoSize && half > kNoSize) hull.round = Round::kCylinder;
   return hull;
 }
 

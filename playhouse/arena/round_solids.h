@@ -17,10 +17,11 @@ struct RoundSolid {
 };
 
 /// A capsule along z about the origin, as a hull with its corners on the surface: hemispheres of `radius` at
-/// z = -half and z = half. A sphere for half 0.
+/// z = -half and z = half. A sphere for half 0 (1e-9 or less).
 Hull round_hull(double radius, double half);
 
-/// A cylinder along z about the origin, likewise; its first corner is one of the low disc.
+/// A cylinder along z about the origin, likewise; its first corner is one of the low disc. Not round if
+/// `radius` or `half` is 0 (1e-9 or less).
 Hull cylinder_hull(double radius, double half);
 
 /// That of a hull that is round.

@@ -207,6 +207,95 @@ TEST(RoundSolids, stand_on_each_other) {
   }
 }
 
+bool is_finite(const BodyState& state) {
+  return std::isfinite(dot(state.p, state.p)) && std::isfinite(dot(state.v, state.v)) &&
+         std::isfinite(dot(state.w, state.w));
+}
+
+// Neither their axes nor their middles say in which direction.
+TEST(RoundSolids, on_one_axis_come_apart) {
+  const BodyDesc drum{
+      .hulls = {cylinder_hull(0.3, 0.4)}, .mass = 20, .center = {}, .surface = {}, .wheels = {}};
+  struct Pair {
+    BodyDesc body;
+    double radius;
+    Vec3 first, second;
+  };
+  const BodyDesc log = roller(Round::kCylinder);
+  const Pair pairs[] = {{drum, 0.3, {0, 0, 0.4}, {0, 0, 0.4}},
+                        {drum, 0.3, {0, 0, 0.4}, {0, 0, 0.45}},
+                        {log, kRadius, {0, 0, kRadius}, {0, 0, kRadius}},
+                        {log, kRadius, {0, 0, kRadius}, {0, 0.15, kRadius}}};
+  for (const double tick : kRollTicks)
+    for (const Pair& pair : pairs) {
+      Trial trial(tick);
+      const std::uint32_t first = trial.add(pair.body, {.p = pair.first}),
+                          second = trial.add(pair.body, {.p = pair.second});
+      trial.run(2);
+      const BodyState a = trial.physics.state(first), b = trial.physics.state(second);
+      ASSERT_TRUE(is_finite(a) && is_finite(b)) << pair.radius;
+      EXPECT_GT(size_of(a.p - b.p), 2 * pair.radius - 0.01) << pair.radius;
+    }
+}
+
+/// Eight walls 2 mm from a drum, and a floor whose triangle is met last.
+std::vector<FixedSolid> well(double floor) {
+  FixedSolid solid;
+  Triangles& triangles = solid.triangles;
+  const double corner = 0.302 / std::cos(std::numbers::pi / 8);
+  for (int k = 0; k < 8; ++k) {
+    const double angle = k * std::numbers::pi / 4;
+    for (const double z : {floor, floor + 1})
+      triangles.p.push_back({corner * std::cos(angle), corner * std::sin(angle), z});
+  }
+  for (std::uint32_t k = 0; k < 8; ++k) {
+    const std::uint32_t a = 2 * k, b = 2 * ((k + 1) % 8);
+    triangles.corner.push_back({b, a, a + 1});
+    triangles.corner.push_back({b, a + 1, b + 1});
+  }
+  for (const Vec3& p : {Vec3{-60, 0, floor}, {10, -20, floor}, {10, 20, floor}}) triangles.p.push_back(p);
+  triangles.corner.push_back({16, 17, 18});
+  return {solid};
+}
+
+TEST(RoundSolids, stand_on_the_floor_of_a_well_whose_walls_are_near) {
+  const BodyDesc drum{
+      .hulls = {cylinder_hull(0.3, 0.4)}, .mass = 20, .center = {}, .surface = {}, .wheels = {}};
+  for (const double tick : kRollTicks) {
+    Trial trial(tick);
+    trial.physics.set_fixed(well(0.5));
+    expect_to_rest(trial, trial.add(drum, {.p = {0, 0, 0.9}}));
+  }
+}
+
+/// A level table from x = -1 to 1 and y = -1 to 1 of triangles with sides of 2 cm.
+std::vector<FixedSolid> fine_table(double height) {
+  FixedSolid solid;
+  constexpr std::uint32_t kSides = 100;
+  for (std::uint32_t i = 0; i <= kSides; ++i)
+    for (std::uint32_t k = 0; k <= kSides; ++k)
+      solid.triangles.p.push_back({-1 + 0.02 * i, -1 + 0.02 * k, height});
+  for (std::uint32_t i = 0; i < kSides; ++i)
+    for (std::uint32_t k = 0; k < kSides; ++k) {
+      const std::uint32_t a = i * (kSides + 1) + k, b = a + kSides + 1;
+      solid.triangles.corner.push_back({a, b, b + 1});
+      solid.triangles.corner.push_back({a, b + 1, a + 1});
+    }
+  return {solid};
+}
+
+// Of the hundreds of edges below a capsule, the outermost at the table's edge bear it.
+TEST(RoundSolids, rest_and_roll_on_small_triangles_as_on_large_ones) {
+  Trial trial(0.01);
+  trial.physics.set_fixed(fine_table(0.5));
+  const Vec3 begin{-0.9, -0.1, 0.5 + kRadius};
+  const std::uint32_t rolling =
+      trial.add(roller(Round::kCapsule), {.p = begin, .v = {1, 0, 0}, .w = {0, 1 / kRadius, 0}});
+  trial.run(1);
+  EXPECT_NEAR(size_of(trial.physics.state(rolling).p - begin - Vec3{1, 0, 0}), 0, 3e-3);
+  expect_to_rest(trial, trial.add(roller(Round::kCapsule), {.p = {-0.301, 0.97, 0.5 + kRadius}}));
+}
+
 /// A log on two others, that friction holds together.
 TEST(RoundSolids, lie_on_each_other) {
   for (const double tick : kRollTicks)
@@ -297,6 +386,9 @@ TEST(RoundSolids, are_where_the_corners_of_their_hull_are) {
   EXPECT_NEAR(size_of(solid.low - p - q * Vec3{0, 0, -0.5}), 0, 1e-12);
   EXPECT_NEAR(size_of(solid.high - p - q * Vec3{0, 0, 0.5}), 0, 1e-12);
   EXPECT_EQ(round_hull(0.3, 0).round, Round::kSphere);
+  EXPECT_EQ(round_hull(0.3, 1e-12).round, Round::kSphere);
+  EXPECT_EQ(cylinder_hull(0.3, 0).round, Round::kNot);
+  EXPECT_EQ(cylinder_hull(0, 0.3).round, Round::kNot);
 }
 
 }  // namespace

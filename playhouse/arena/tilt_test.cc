@@ -155,6 +155,60 @@ model( name "post" pose [5 0 1 90] size [0.1 0.1 0.1] stack_children 0
   expect_near(point("post.slide", {}), slid, 1e-6);
 }
 
+TEST_F(TiltTest, an_arm_whose_axis_is_turned_over_turns_the_other_way_and_keeps_its_joint) {
+  ArenaRun::start(scene_of(R"(
+model( name "stand" pose [0 0 1 0] size [0.1 0.1 0.1] stack_children 0
+  actuator( name "elbow" pose [0 0 0 0] tilt [90 0] size [0 0 0] type "rotational" axis [0 0 -1]
+            start_position 0.2 min_position -3 max_position 3 max_speed 0.5 stack_children 0
+    model( name "hand" pose [1 0 0 0] size [0.1 0.1 0.1] ) ) )
+)"));
+  const world::ActuatorRow elbow{world().models.part[world().find("stand.elbow").index]};
+  world::subscribe(world(), world().find("stand.elbow"));
+  ASSERT_TRUE(world::command_joint_position(world(), elbow, 1));
+  for (int second = 0; second < 5; ++second) {
+    const double angle = world().actuators.position[elbow.index];
+    expect_near(point("stand.elbow.hand", {}), {std::cos(angle), 0, 1 - std::sin(angle)});
+    run(1);
+  }
+  EXPECT_GT(world().actuators.position[elbow.index], 0.9);
+}
+
+TEST_F(TiltTest, a_joint_that_is_turned_in_place_is_so_for_physics_in_every_tick_and_after_loading) {
+  const char* arm = R"(
+model( name "stand" pose [0 0 1 0] size [0.1 0.1 0.1] stack_children 0
+  actuator( name "elbow" pose [0 0 0 0] size [1 0.1 0.1] type "rotational" start_position 0.5
+            min_position -3 max_position 3 ) )
+)";
+  ArenaRun::start(scene_of(arm));
+  const world::ModelRow elbow = world().find("stand.elbow");
+  geom::SpatialPose X = world::pose_in_parent(world().models, elbow);
+  X.tilt = {0.5 * geom::kPi, 0};
+  ASSERT_TRUE(world::set_spatial_pose(world(), elbow, X));
+  std::vector<std::byte> saved;
+  ASSERT_TRUE(world::save_state(world(), saved));
+  run(0.5);
+  const std::uint64_t hash = world().hash();
+  const world::PhysicsShapes shapes = engine_->physics_shapes();
+  ArenaRun::start(scene_of(arm));
+  ASSERT_TRUE(world::load_state(world(), saved));
+  run(0.5);
+  EXPECT_EQ(world().hash(), hash);
+  EXPECT_EQ(engine_->physics_shapes().bodies.size(), shapes.bodies.size());
+}
+
+TEST_F(TiltTest, odometry_begins_where_a_tilt_puts_a_robot_as_after_a_restart) {
+  ArenaRun::start(scene_of(R"(
+define base position( localization "odom" size [0.4 0.4 0.2] )
+base( name "tilted" pose [0 0 1 30] tilt [30 40] )
+model( name "ramp" pose [5 0 1 0] size [1 1 0.1] tilt [0 20] base( name "carried" pose [2 0 0 0] ) )
+)"));
+  const std::uint64_t hash = world().hash();
+  world::return_to_start(world());
+  EXPECT_EQ(world().hash(), hash);
+  const std::uint32_t robot = world().models.part[world().find("tilted").index];
+  EXPECT_EQ(world().positions.X_OM[robot], geom::Pose{});
+}
+
 TEST_F(TiltTest, the_stage_engine_keeps_all_upright_and_the_words) {
   const scene::SceneDesc scene = scene_of(kTilted);
   auto engine = stage::make_engine(scene, {});

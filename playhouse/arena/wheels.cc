@@ -22,6 +22,7 @@ constexpr double kSlop = 1e-4;          // m of tolerated penetration
 constexpr double kEven = 1e-3;          // m, tolerance for ground level with a wheel
 constexpr double kSimilarNormal = 0.8;  // cosine between ground normals of a common plane
 constexpr double kTravel = 0.06;        // m, suspension travel of casters
+constexpr double kUsedUp = 1e-9;        // share of a motor's impulse that is no more than rounding
 
 /// A wheel in contact. Members are row numbers of Rows.
 struct Contact {
@@ -239,6 +240,20 @@ void limit(const Motor& motor, const Contact& contact, const Rows& rows, double&
   across = most / v * v_across;
 }
 
+/// What the motor can still do at a wheel after its impulses. What is driven sideways and used up may push
+/// less in either direction, not more: each alone would be within its limit, both together not.
+void note_ranges(const Motor& motor, const Contact& contact, double along, double across,
+                 WheelImpulse& impulse) {
+  impulse.motor_along = motor.range(contact.v_along);
+  if (!motor.is_sideways) return;
+  impulse.motor_across = motor.range(contact.v_across);
+  const double total = std::sqrt(along * along + across * across);
+  const double v = total > 0 ? (along * contact.v_along + across * contact.v_across) / total : 0;
+  if (total < motor.most(v) * (1 - kUsedUp)) return;
+  impulse.motor_along = {-std::fabs(along), std::fabs(along)};
+  impulse.motor_across = {-std::fabs(across), std::fabs(across)};
+}
+
 /// Friction limited by the load, and by the motor if there is one to heed. Returns the change of impulses. [N
 /// s]
 PLAYHOUSE_INLINE double grip(const Contact& contact, const Motor* motor, Rows& rows) {
@@ -375,12 +390,9 @@ PLAYHOUSE_INLINE void solve(const BodyDesc& desc, const Inertia& inertia, const 
     WheelImpulse& impulse = *contact.impulse;
     impulse = {rows.impulse(contact.normal), 0, 0, rows.push_of(contact.normal), {}, {}};
     if (contact.is_caster()) continue;
-    if (has_limits) {
-      impulse.motor_along = motor.range(contact.v_along);
-      if (motor.is_sideways) impulse.motor_across = motor.range(contact.v_across);
-    }
     impulse.along = rows.impulse(contact.along);
     impulse.across = rows.impulse(contact.across);
+    if (has_limits) note_ranges(motor, contact, impulse.along, impulse.across, impulse);
     impulse.total = impulse.total + rows.push_of(contact.along) + rows.push_of(contact.across);
   }
 }

@@ -47,7 +47,8 @@ struct ImpulseRange {
 struct WheelImpulse {
   double normal = 0, along = 0, across = 0;
   Vec3 total;  // their sum, in W
-  // What its motor could do in the step, in either direction.
+  // What its motor could do in the step, in either direction; of one that also drives sideways and is used
+  // up, what it did and less.
   ImpulseRange motor_along, motor_across;
 };
 

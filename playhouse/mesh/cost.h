@@ -22,9 +22,10 @@ constexpr Cost cost_of(std::size_t bytes) {
       static_cast<unsigned>(std::min<std::size_t>(limits::kMeshSeconds, kSeconds + most / kBytesASecond))};
 }
 
-/// Pixels of textures, by the bytes of their files.
+/// Pixels of textures, by the bytes of the mesh file and of theirs.
 class PixelBudget {
  public:
+  explicit PixelBudget(std::size_t mesh_bytes) : bytes_(std::min(mesh_bytes, limits::kMeshFileBytes)) {}
   /// The most pixels of the next texture, of a file of this size.
   std::size_t most(std::size_t bytes) {
     constexpr std::size_t kPixels = 1u << 22, kPixelsEach = 256;
@@ -35,7 +36,7 @@ class PixelBudget {
   void use(std::size_t pixels) { used_ += pixels; }
 
  private:
-  std::size_t bytes_ = 0, used_ = 0;
+  std::size_t bytes_, used_ = 0;
 };
 
 }  // namespace playhouse::mesh

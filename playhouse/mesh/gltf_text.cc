@@ -40,7 +40,7 @@ class Walk {
  public:
   explicit Walk(std::string_view json) : rest_(json) {}
 
-  /// The next string, unescaped; none if a structural mark comes first, which is consumed.
+  /// The next string, as it is written; none if a structural mark comes first, which is consumed.
   std::optional<std::string_view> text_or_mark() {
     mark_ = 0;
     skipped_ = rest_.substr(0, rest_.find_first_of("\"[]{}:"));
@@ -72,33 +72,56 @@ class Walk {
   int depth_ = 0;
 };
 
+/// True if a string, as it is written, is this word of ASCII letters.
+bool says(std::string_view text, std::string_view word) {
+  constexpr std::size_t kEscape = 6;  // as of "\u0061"
+  for (const char letter : word) {
+    if (text.starts_with("\\u") && text.size() >= kEscape) {
+      unsigned code = 0;
+      const char* const end = text.data() + kEscape;
+      if (std::from_chars(text.data() + 2, end, code, 16).ptr != end || code != static_cast<unsigned>(letter))
+        return false;
+      text.remove_prefix(kEscape);
+    } else if (text.starts_with(letter)) {
+      text.remove_prefix(1);
+    } else {
+      return false;
+    }
+  }
+  return text.empty();
+}
+
 using Rows = std::vector<std::uint32_t>;
 
-Rows rows_of(std::string_view text) {
-  Rows rows;
+void add_rows(std::string_view text, Rows& rows) {
   for (std::size_t at = 0; (at = text.find_first_of("0123456789", at)) != text.npos;) {
     std::uint32_t row = 0;
     const auto read = std::from_chars(text.data() + at, text.data() + text.size(), row);
     if (read.ec == std::errc()) rows.push_back(row);
     at = static_cast<std::size_t>(read.ptr - text.data());
   }
-  return rows;
 }
 
-/// The numbers of the array `key` of each object of a top-level array.
+/// The numbers in the array `key` of each object of a top-level array, by the object's place in it. What is
+/// there twice is taken together: a reader that takes either has no more.
 std::vector<Rows> rows_of_each(std::string_view json, std::string_view list, std::string_view key) {
-  constexpr int kTop = 1, kObject = 3, kArray = 4;  // depths
+  constexpr int kTop = 1, kList = 2, kObject = 3, kArray = 4;  // depths
   std::vector<Rows> rows;
+  std::size_t row = 0;
   bool is_list = false, is_key = false;
   for (Walk walk(json); !walk.is_at_end();) {
-    if (const auto text = walk.text_or_mark()) {
-      if (walk.depth() == kTop) is_list = *text == list;
-      if (walk.depth() == kObject) is_key = *text == key;
+    const int depth = walk.depth();
+    const auto text = walk.text_or_mark();
+    if (is_list && depth == kList) row += static_cast<std::size_t>(std::ranges::count(walk.skipped(), ','));
+    if (is_list && is_key && depth == kArray && row < rows.size()) add_rows(walk.skipped(), rows[row]);
+    if (text) {
+      if (depth == kTop) is_list = says(*text, list);
+      if (depth == kObject) is_key = says(*text, key);
+    } else if (is_list && walk.mark() == '[' && walk.depth() == kList) {
+      row = 0;
     } else if (is_list && walk.mark() == '{' && walk.depth() == kObject) {
-      rows.emplace_back();
+      rows.resize(std::max(rows.size(), row + 1));
       is_key = false;
-    } else if (is_list && is_key && walk.mark() == '[' && walk.depth() == kArray) {
-      if (!walk.text_or_mark() && walk.mark() == ']') rows.back() = rows_of(walk.skipped());
     }
   }
   return rows;
@@ -126,7 +149,7 @@ std::vector<std::string> gltf_list(std::string_view bytes, std::string_view key)
   bool is_key = false;
   while (!walk.is_at_end()) {
     const std::optional<std::string_view> text = walk.text_or_mark();
-    if (text) is_key = walk.depth() == 1 && *text == key;
+    if (text) is_key = walk.depth() == 1 && says(*text, key);
     if (!is_key || text || walk.mark() != '[' || walk.depth() != 2) continue;
     while (!walk.is_at_end() && walk.mark() != ']')
       if (const auto one = walk.text_or_mark()) list.emplace_back(*one);

@@ -77,13 +77,15 @@ class Files final : public Assimp::IOSystem {
   mutable std::map<std::string, std::optional<std::string>> known_;
 };
 
-/// Restricts Assimp's format detection to supported formats.
+/// Restricts Assimp's format detection to supported formats. The reader of glTF 1.0, which has the same file
+/// endings as that of 2.0, is none of them: check_gltf_nodes() would not count what it makes.
 void keep_formats(Assimp::Importer& importer) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     Assimp::BaseImporter* reader = importer.GetImporter(i);
     std::set<std::string> endings;
     reader->GetExtensionList(endings);
     const bool is_ours =
+        reader->GetInfo()->mName != std::string_view("glTF Importer") &&
         std::ranges::any_of(endings, [](const std::string& ending) { return is_mesh_name("." + ending); });
     if (is_ours) continue;
     importer.UnregisterLoader(reader);
@@ -190,7 +192,7 @@ Result<MeshFile> import(const std::string& path, std::string_view bytes, const R
   for (const std::string& missing : obj.missing)
     file.warnings.push_back("material file " + in_quotes(missing) +
                             " is not beside the mesh; its materials are grey");
-  const Look look(**scene, colors, std::move(obj.colored));
+  const Look look(**scene, colors, std::move(obj.colored), bytes.size());
   look.add_materials(file.mesh);
   look.add_textures(file, folder, read);
   look.dim_emission(file, folder, read);

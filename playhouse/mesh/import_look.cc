@@ -185,7 +185,7 @@ void Look::add_materials(Mesh& mesh) const {
 
 void Look::add_textures(MeshFile& file, const std::string& folder, const ReadFile& read) const {
   std::map<std::string, std::uint32_t> rows;
-  PixelBudget pixels;
+  PixelBudget pixels(bytes_);
   for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
     const std::optional<std::string> name = texture(*scene_.mMaterials[i]);
     if (!name) continue;
@@ -213,7 +213,7 @@ Result<Image> Look::load(const std::string& name, const std::string& folder, con
 
 void Look::dim_emission(MeshFile& file, const std::string& folder, const ReadFile& read) const {
   std::map<std::string, std::array<float, 3>> means;
-  PixelBudget pixels;
+  PixelBudget pixels(bytes_);
   for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
     const std::optional<std::string> name = texture(*scene_.mMaterials[i], {aiTextureType_EMISSIVE});
     std::array<float, 3>& emission = file.mesh.materials[i].emission;

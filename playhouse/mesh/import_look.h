@@ -23,9 +23,9 @@ enum class Colors : std::uint8_t { kGltf, kCollada, kObj };
 
 class Look {
  public:
-  /// `colored`: for OBJ, the materials that define a color.
-  Look(const aiScene& scene, Colors colors, std::set<std::string> colored)
-      : scene_(scene), colors_(colors), colored_(std::move(colored)) {}
+  /// `colored`: for OBJ, the materials that define a color. `bytes`: of the mesh file, for its textures.
+  Look(const aiScene& scene, Colors colors, std::set<std::string> colored, std::size_t bytes)
+      : scene_(scene), colors_(colors), colored_(std::move(colored)), bytes_(bytes) {}
 
   /// In the order of the scene, without textures.
   void add_materials(Mesh& mesh) const;
@@ -49,6 +49,7 @@ class Look {
   const aiScene& scene_;
   Colors colors_;
   std::set<std::string> colored_;
+  std::size_t bytes_;
 };
 
 }  // namespace playhouse::mesh

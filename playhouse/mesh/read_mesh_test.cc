@@ -376,6 +376,65 @@ TEST(ReadMesh, counts_nodes_of_gltf_by_every_path_to_them) {
   EXPECT_THAT(error_of("a.gltf", endless), HasSubstr("has too many nodes: up to 65536 are possible"));
 }
 
+/// 40 levels of nodes, each of which has the next twice by these children, written around "N,N"; before them
+/// and after the nodes' own list something else may be.
+std::string nodes_of_json(const std::string& before_children, const std::string& after_children,
+                          const std::string& first = "", const std::string& more = "") {
+  std::string nodes;
+  const int shift = first.empty() ? 0 : 1;
+  for (int level = 1; level <= 40; ++level)
+    nodes += fmt::format("{{{}{},{}{}}},", before_children, level + shift, level + shift, after_children);
+  std::string gltf = test_gltf();
+  gltf.insert(gltf.find(R"(}],)", gltf.find(R"({"mesh":0)")) + 3, more);
+  gltf.insert(gltf.find(R"({"mesh":0})"), first + nodes);
+  if (shift > 0) gltf.replace(gltf.find(R"("nodes":[0])"), 11, R"("nodes":[1])");
+  return gltf;
+}
+
+TEST(ReadMesh, counts_nodes_of_gltf_however_they_are_written) {
+  EXPECT_FALSE(check_gltf_nodes(nodes_of_json(R"("children":[)", "]")));
+  // Elements that are no numbers.
+  EXPECT_FALSE(check_gltf_nodes(nodes_of_json(R"("children":["x",)", "]")));
+  EXPECT_FALSE(check_gltf_nodes(nodes_of_json(R"("children":[{"a":[1]},)", R"(,"],[",[],null])")));
+  EXPECT_FALSE(check_gltf_nodes(nodes_of_json(R"("children":[)", "]", "7,")));
+  EXPECT_FALSE(check_gltf_nodes(nodes_of_json(R"("children":[)", "]", "[{},{}],")));
+  // Twice: one of them counts.
+  EXPECT_FALSE(check_gltf_nodes(nodes_of_json(R"("children":[)", R"(],"children":[])")));
+  EXPECT_FALSE(check_gltf_nodes(nodes_of_json(R"("children":[],"children":[)", "]")));
+  EXPECT_FALSE(check_gltf_nodes(nodes_of_json(R"("children":[)", "]", "", R"("nodes":[{},{}],)")));
+  EXPECT_FALSE(
+      check_gltf_nodes(nodes_of_json(R"("children":[)", "]", "", R"("scenes":[{"nodes":[]}],"scenes":[],)")));
+  // Escaped.
+  EXPECT_FALSE(check_gltf_nodes(nodes_of_json(R"("chil\u0064r\u0065n":[)", "]")));
+  std::string gltf = nodes_of_json(R"("children":[)", "]");
+  gltf.replace(gltf.find(R"("nodes":[{)"), 7, R"("n\u006Fdes")");
+  EXPECT_FALSE(check_gltf_nodes(gltf));
+  gltf.replace(gltf.find(R"("scenes")"), 8, R"("\u0073cenes")");
+  EXPECT_FALSE(check_gltf_nodes(gltf));
+  EXPECT_THAT(error_of("a.gltf", gltf), HasSubstr("has too many nodes: up to 65536 are possible"));
+  // Names with escapes, and numbers elsewhere, are none of them.
+  EXPECT_TRUE(check_gltf_nodes(nodes_of_json(R"("name":"\"\u0063","matrix":[)", "]")));
+  EXPECT_TRUE(check_gltf_nodes(nodes_of_json(R"("extras":{"children":[)", "]}")));
+}
+
+TEST(ReadMesh, reads_no_gltf_of_version_1) {
+  std::string as_second = test_gltf();
+  as_second.replace(as_second.find(R"("2.0")"), 5, R"("1.0")");
+  // As a reader of 1.0 would take it.
+  const std::string first = R"({"asset":{"version":"1.0"},"scene":"s","scenes":{"s":{"nodes":["n"]}},)"
+                            R"("nodes":{"n":{"meshes":["m"]}},"meshes":{"m":{"primitives":[{"attributes":)"
+                            R"({"POSITION":"p"},"mode":4}]}},"accessors":{"p":{"bufferView":"v",)"
+                            R"("byteOffset":0,"componentType":5126,"count":3,"type":"VEC3"}},)"
+                            R"("bufferViews":{"v":{"buffer":"b","byteOffset":0,"byteLength":36}},)"
+                            R"("buffers":{"b":{"uri":"box.bin","byteLength":168,"type":"arraybuffer"}}})";
+  for (const std::string& gltf : {as_second, first}) {
+    const Result<MeshFile> file =
+        read_mesh("a.gltf", test_files({{"a.gltf", gltf}, {"box.bin", test_gltf_buffer()}}));
+    ASSERT_FALSE(file);
+    EXPECT_THAT(file.error().line(), HasSubstr("a.gltf: cannot be read: "));
+  }
+}
+
 /// A PNG of one color, 1 bit for each of side x side pixels.
 std::string flat_png(std::uint32_t side) {
   std::string file(1u << 20, '\0');
@@ -404,6 +463,19 @@ TEST(ReadMesh, takes_textures_of_as_many_pixels_as_their_files_pay_for) {
   EXPECT_THAT(warnings(large), testing::ElementsAre(HasSubstr("4096 x 4096 pixels, which is too many")));
   EXPECT_THAT(warnings(large + std::string(50'000, '\0')),
               testing::IsEmpty());  // of a file that pays for them
+}
+
+TEST(ReadMesh, takes_textures_that_the_mesh_file_itself_pays_for) {
+  const std::string large = flat_png(4096);
+  const auto warnings = [&](std::size_t spaces) {
+    return read("box.gltf",
+                {{"box.gltf", test_gltf("box.bin", "", kTexture, kTextured) + std::string(spaces, ' ')},
+                 {"box.bin", test_gltf_buffer()},
+                 {"sub/t.png", large}})
+        .warnings;
+  };
+  EXPECT_EQ(warnings(0).size(), 1u);
+  EXPECT_THAT(warnings(60'000), testing::IsEmpty());
 }
 
 TEST(ReadMesh, refuses_a_small_file_that_unpacks_to_too_much) {

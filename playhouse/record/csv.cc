@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <system_error>
@@ -22,8 +23,18 @@
 namespace playhouse::record {
 namespace {
 
-/// Write buffer of a table.
-constexpr std::size_t kBufferBytes = 1u << 16;
+/// Write buffers: of a table, and of all of them while each has at least the smallest one.
+constexpr std::size_t kBufferBytes = 1u << 16, kLeastBufferBytes = 1u << 12, kAllBufferBytes = 1u << 26;
+
+using SharedType = std::shared_ptr<const MessageType>;  // of all channels of a schema
+
+constexpr const char* kTooManyFields = "the recording has too many fields";
+
+/// What a type takes of the limit on fields: one for each, and for the letters of their names.
+std::size_t fields_of(const MessageType& type) {
+  constexpr std::size_t kLettersEach = 64;
+  return type.fields().size() + type.letters() / kLettersEach;
+}
 
 std::string cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -63,16 +74,16 @@ double heading_of(std::span<const std::vector<std::string>> parts) {
 
 class Table {
  public:
-  Table(MessageType type, std::string path)
-      : type_(std::move(type)), path_(std::move(path)), widths_(type_.fields().size()) {
-    const std::vector<std::string>& fields = type_.fields();
+  Table(SharedType type, std::string path)
+      : type_(std::move(type)), path_(std::move(path)), widths_(type_->fields().size()) {
+    const std::vector<std::string>& fields = type_->fields();
     for (std::size_t i = 0; i + 3 < fields.size(); ++i)
       if (is_turn(fields, i)) turns_.push_back(i);
   }
 
   /// First pass: measures the lengths of lists.
   Result<void> measure(const Message& message) {
-    const Result<MessageType::Rows> rows = type_.rows(message.body);
+    const Result<MessageType::Rows> rows = type_->rows(message.body);
     if (!rows) return rows.error();
     for (const auto& row : *rows)
       for (std::size_t field = 0; field < row.size(); ++field)
@@ -84,28 +95,29 @@ class Table {
     std::string line = "time";
     std::size_t columns = 1;
     for (std::size_t field = 0; field < widths_.size(); ++field) {
-      const std::string& name = type_.fields()[field];
+      const std::string& name = type_->fields()[field];
       columns += widths_[field];
       if (columns > kTableColumns) return Error{escaped(path_), "cannot be written: it has too many columns"};
-      if (!type_.lists()[field]) line += "," + cell(name);
-      for (std::size_t i = 0; type_.lists()[field] && i < widths_[field]; ++i)
-        line += "," + cell(type_.name_of(field, i));
+      if (!type_->lists()[field]) line += "," + cell(name);
+      for (std::size_t i = 0; type_->lists()[field] && i < widths_[field]; ++i)
+        line += "," + cell(type_->name_of(field, i));
     }
     for (const std::size_t turn : turns_) {
-      const std::string& x = type_.fields()[turn];
+      const std::string& x = type_->fields()[turn];
       line += "," + cell(x.substr(0, x.size() - 1) + "heading");
     }
-    text_ = line + "\n";
+    text_ = std::move(line) + "\n";
     return write("wb");
   }
 
-  Result<void> add(const Message& message) {
-    const Result<MessageType::Rows> rows = type_.rows(message.body);
+  /// Writes once there is as much as the buffer takes.
+  Result<void> add(const Message& message, std::size_t buffer_bytes) {
+    const Result<MessageType::Rows> rows = type_->rows(message.body);
     if (!rows) return rows.error();
     for (const auto& row : *rows) {
       text_ += fmt::format("{}", static_cast<double>(message.publish_time) / 1e9);
       for (std::size_t field = 0; field < row.size(); ++field) {
-        const std::size_t width = type_.lists()[field] ? widths_[field] : 1;
+        const std::size_t width = type_->lists()[field] ? widths_[field] : 1;
         for (std::size_t i = 0; i < width; ++i)
           text_ += i < row[field].size() ? "," + cell(row[field][i]) : ",";
       }
@@ -113,7 +125,7 @@ class Table {
         text_ += fmt::format(",{}", heading_of(std::span(row).subspan(turn, 4)));
       text_ += "\n";
       ++rows_;
-      if (text_.size() >= kBufferBytes)
+      if (text_.size() >= buffer_bytes)
         if (const Result<void> written = write("ab"); !written) return written;
     }
     return {};
@@ -133,10 +145,12 @@ class Table {
     }
     if (!written) return Error{escaped(path_), "cannot be written: " + std::generic_category().message(code)};
     text_.clear();
+    // A long row, or the first one, is no reason to keep as much for each table.
+    if (text_.capacity() > 2 * kBufferBytes) text_.shrink_to_fit();
     return {};
   }
 
-  const MessageType type_;
+  const SharedType type_;
   const std::string path_;
   std::vector<std::size_t> widths_;  // by field
   std::vector<std::size_t> turns_;   // first fields of quaternions
@@ -146,7 +160,8 @@ class Table {
 
 class Export {
  public:
-  Export(const Source& source, std::string folder) : source_(source), folder_(std::move(folder)) {}
+  Export(const Source& source, std::string folder, std::size_t most_fields)
+      : source_(source), folder_(std::move(folder)), most_fields_(most_fields) {}
 
   Result<CsvTables> run() {
     if (const Result<void> measured =
@@ -158,8 +173,10 @@ class Export {
     if (fault) return Error{escaped(folder_), "cannot be made: " + fault.message()};
     for (auto& [channel, table] : tables_)
       if (const Result<void> begun = table.begin(); !begun) return begun.error();
+    const std::size_t buffer_bytes = std::clamp(kAllBufferBytes / std::max<std::size_t>(tables_.size(), 1),
+                                                kLeastBufferBytes, kBufferBytes);
     if (const Result<void> added =
-            read([](Table& table, const Message& message) { return table.add(message); });
+            read([=](Table& table, const Message& message) { return table.add(message, buffer_bytes); });
         !added)
       return added.error();
     for (auto& [channel, table] : tables_) {
@@ -195,13 +212,28 @@ class Export {
     if (!is_known) return leave_out(channel, "its messages are not those of ROS 2");
     for (const char* const bytes : {kState, kEdit, kImage, kPointCloud})
       if (schema->second.name == bytes) return nullptr;
-    Result<MessageType> type = MessageType::parse(schema->second.text);
+    const Result<SharedType>& type = type_of(schema->second);
     if (!type) return leave_out(channel, type.error().text);
+    if (fields_ += fields_of(**type); fields_ > most_fields_) return leave_out(channel, kTooManyFields);
+    // Another topic may have the name with the number, too.
     std::string file = file_of(channel.topic);
-    if (!files_.insert(file).second)
+    while (!files_.insert(file).second)
       file = fmt::format("{}.{}.csv", file.substr(0, file.size() - 4), channel.id);
-    files_.insert(file);
-    return &tables_.emplace(channel.id, Table(std::move(*type), folder_ + "/" + file)).first->second;
+    return &tables_.emplace(channel.id, Table(*type, folder_ + "/" + file)).first->second;
+  }
+
+  /// Parsed once for all channels of the schema.
+  const Result<SharedType>& type_of(const Schema& schema) {
+    const auto found = types_.find(schema.id);
+    return found != types_.end() ? found->second : types_.emplace(schema.id, parsed(schema)).first->second;
+  }
+
+  Result<SharedType> parsed(const Schema& schema) {
+    if (fields_ > most_fields_) return Error{{}, kTooManyFields};
+    Result<MessageType> type = MessageType::parse(schema.text);
+    if (!type) return type.error();
+    if (fields_ += fields_of(*type); fields_ > most_fields_) return Error{{}, kTooManyFields};
+    return SharedType(std::make_shared<const MessageType>(std::move(*type)));
   }
 
   Table* leave_out(const Channel& channel, const std::string& why) {
@@ -211,6 +243,9 @@ class Export {
 
   const Source& source_;
   const std::string folder_;
+  const std::size_t most_fields_;
+  std::size_t fields_ = 0;                             // of all tables and types
+  std::map<std::uint16_t, Result<SharedType>> types_;  // by schema
   std::map<std::uint16_t, Table> tables_;
   std::set<std::uint16_t> seen_;
   std::set<std::string> files_;
@@ -219,8 +254,8 @@ class Export {
 
 }  // namespace
 
-Result<CsvTables> write_csv(const Source& source, const std::string& folder) {
-  return Export(source, folder).run();
+Result<CsvTables> write_csv(const Source& source, const std::string& folder, std::size_t most_fields) {
+  return Export(source, folder, most_fields).run();
 }
 
 }  // namespace playhouse::record

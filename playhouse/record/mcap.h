@@ -5,6 +5,7 @@
 /// content, and the content; numbers are little-endian, strings have a 32-bit length
 /// prefix. Source: the MCAP specification, version 0 (mcap.dev/spec). Values; any thread.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,24 @@ enum class Op : std::uint8_t {
   kStatistics = 0x0B,
   kSummaryOffset = 0x0E,
   kDataEnd = 0x0F,
+  kFiller = 0x80,  // zeros; of the opcodes for private use, which readers skip
+};
+
+/// Bytes that all chunks of a file may unpack to, by its size, so that a small file does not unpack for
+/// minutes. Recordings of worlds where nothing happens unpack to 40 times their size; images of one color
+/// and clouds of one point to 30,000 times, so their files get filler: a share of what they unpack to.
+struct UnpackedRoom {
+  std::uint64_t bytes = std::uint64_t{2} << 30, bytes_each = 1024;
+
+  std::uint64_t most(std::uint64_t file_bytes) const {
+    return bytes + bytes_each * std::min<std::uint64_t>(file_bytes, std::uint64_t{1} << 50);
+  }
+  /// Filler that a file of this size needs: with it, half of the room is enough. A cut file lacks its last
+  /// one.
+  std::uint64_t filler(std::uint64_t file_bytes, std::uint64_t unpacked) const {
+    const std::uint64_t room = most(file_bytes) / 2;
+    return unpacked <= room ? 0 : 2 * (unpacked - room) / bytes_each + 1;
+  }
 };
 
 /// The type definition of a channel's messages.

@@ -73,13 +73,6 @@ std::size_t most_bytes(Op op) {
   return op == Op::kChunk ? limits::kReadChunkBytes : limits::kReadRecordBytes;
 }
 
-/// Bytes that the chunks of a file may unpack to. The chunks of worlds where nothing happens unpack to 180
-/// times their size at most, whole files to 40 times; zeros to 30,000.
-std::uint64_t most_unpacked(std::uint64_t file_bytes) {
-  constexpr std::uint64_t kBytes = 512u << 20, kBytesEach = 1024;
-  return kBytes + kBytesEach * std::min<std::uint64_t>(file_bytes, std::uint64_t{1} << 50);
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Source>> open_source(const std::string& path) {
@@ -153,10 +146,9 @@ Result<void> McapReader::take_chunk(std::span<const std::byte> content, const Li
   if (!in.ok()) return damaged("ends too early");
   if (size > limits::kReadChunkBytes) return damaged(fmt::format("unpacks to {} bytes, too many", size));
   unpacked_ += size;
-  if (unpacked_ > most_unpacked(source_->size()))
-    return Error{{},
-                 fmt::format("unpacks to more than {} bytes, too many for a file of {}",
-                             most_unpacked(source_->size()), source_->size())};
+  if (const std::uint64_t most = room_.most(source_->size()); unpacked_ > most)
+    return Error{
+        {}, fmt::format("unpacks to more than {} bytes, too many for a file of {}", most, source_->size())};
   Bytes unpacked;
   std::span<const std::byte> records = packed;
   if (compression == "zstd") {

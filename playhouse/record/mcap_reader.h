@@ -2,8 +2,8 @@
 
 /// McapReader: streams through an MCAP file from the front, without its summary: a truncated file
 /// is readable up to its last complete chunk. Every length is checked against the available bytes
-/// and base/limits.h before allocating, and all that chunks unpack to against the size of the file. Supports
-/// zstd and uncompressed chunks. Thread: one.
+/// and base/limits.h before allocating, and all that chunks unpack to against the size of the file
+/// (UnpackedRoom). Supports zstd and uncompressed chunks. Thread: one.
 
 #include <cstdint>
 #include <functional>
@@ -39,7 +39,7 @@ class McapReader {
   enum class End : std::uint8_t { kWhole, kCut };
 
   /// The source must outlive the reader.
-  explicit McapReader(const Source& source) : source_(&source) {}
+  explicit McapReader(const Source& source, const UnpackedRoom& room = {}) : source_(&source), room_(room) {}
 
   /// Reads everything. Fails, without a file name, on data that
   /// is not MCAP or damaged, and at limits; not on truncation.
@@ -59,6 +59,7 @@ class McapReader {
   Error damaged(const std::string& what) const;
 
   const Source* source_;
+  UnpackedRoom room_;
   std::uint64_t at_ = 0;        // offset of the current record
   std::uint64_t unpacked_ = 0;  // bytes of all chunks so far
   std::map<std::uint16_t, Schema> schemas_;

@@ -34,10 +34,11 @@ struct McapWriter::Written {
   std::vector<std::pair<std::uint16_t, std::uint64_t>> indices;  // channel, offset of its index
 };
 
-Result<std::unique_ptr<McapWriter>> McapWriter::create(const std::string& path, const std::string& profile) {
+Result<std::unique_ptr<McapWriter>> McapWriter::create(const std::string& path, const std::string& profile,
+                                                       const UnpackedRoom& room) {
   const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0) return Error{escaped(path), "cannot be written: " + std::generic_category().message(errno)};
-  std::unique_ptr<McapWriter> writer(new McapWriter(path, file));
+  std::unique_ptr<McapWriter> writer(new McapWriter(path, file, room));
   if (const Result<void> emptied = writer->empty(); !emptied) return emptied.error();
   Bytes head, content;
   put_bytes(head, std::as_bytes(std::span(kMagic)));
@@ -48,7 +49,8 @@ Result<std::unique_ptr<McapWriter>> McapWriter::create(const std::string& path, 
   return writer;
 }
 
-McapWriter::McapWriter(std::string path, int file) : path_(std::move(path)), file_(file) {}
+McapWriter::McapWriter(std::string path, int file, const UnpackedRoom& room)
+    : path_(std::move(path)), file_(file), room_(room) {}
 
 McapWriter::~McapWriter() {
   close(file_);
@@ -146,6 +148,9 @@ Result<void> McapWriter::flush() {
     }
     put_record(out, Op::kMessageIndex, index);
   }
+  unpacked_ += chunk_.size();
+  if (const std::uint64_t filler = room_.filler(size_ + out.size(), unpacked_); filler > 0)
+    put_record(out, Op::kFiller, Bytes(static_cast<std::size_t>(filler)));
   chunk_.clear();
   index_.clear();
   chunk_from_ = chunk_to_ = 0;

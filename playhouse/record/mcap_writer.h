@@ -1,9 +1,10 @@
 #pragma once
 
 /// McapWriter: writes an MCAP file: zstd-compressed chunks, each followed by its message
-/// index; at the end a summary for random access. Before that the file contains all
-/// flushed chunks, readable sequentially. Memory does not grow with the length of the
-/// file: the summary is built from chunk headers read back from the file. Thread: one.
+/// index, and by filler if readers would not unpack as much of so small a file (UnpackedRoom); at the end a
+/// summary for random access. Before that the file contains all flushed chunks, readable sequentially. Memory
+/// does not grow with the length of the file: the summary is built from chunk headers read back from the
+/// file. Thread: one.
 
 #include <cstdint>
 #include <map>
@@ -20,7 +21,8 @@ namespace playhouse::record {
 class McapWriter final : public RecordSink {
  public:
   /// Creates or truncates the file. Errors include its name.
-  static Result<std::unique_ptr<McapWriter>> create(const std::string& path, const std::string& profile);
+  static Result<std::unique_ptr<McapWriter>> create(const std::string& path, const std::string& profile,
+                                                    const UnpackedRoom& room = {});
   ~McapWriter() override;
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
@@ -44,7 +46,7 @@ class McapWriter final : public RecordSink {
   };
   struct Written;  // a chunk of the file
 
-  McapWriter(std::string path, int file);
+  McapWriter(std::string path, int file, const UnpackedRoom& room);
   Result<void> write(std::span<const std::byte> bytes);
   Result<void> write_summary();
   Result<std::uint64_t> write_chunk_indices();
@@ -56,7 +58,9 @@ class McapWriter final : public RecordSink {
 
   const std::string path_;
   const int file_;
-  std::uint64_t size_ = 0;  // of complete writes
+  const UnpackedRoom room_;
+  std::uint64_t size_ = 0;      // of complete writes
+  std::uint64_t unpacked_ = 0;  // bytes of all chunks
   bool failed_ = false;
 
   Bytes chunk_;                                        // buffered records

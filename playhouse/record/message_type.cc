@@ -151,6 +151,8 @@ Result<void> MessageType::number_fields(const std::string& type, const std::stri
   for (const Field& field : found->second) {
     if (field.kind == Kind::kTime) continue;
     if (fields_.size() >= kTableColumns) return Error{{}, "has a schema with too many fields"};
+    letters_ += path.size() + field.name.size();
+    if (letters_ > kPathLetters) return Error{{}, "has a schema with names that are too long in each other"};
     if (field.kind != Kind::kMessage) {
       fields_.push_back(path + field.name);
       lists_.push_back(field.list || field.count != 1);

@@ -26,6 +26,8 @@ inline constexpr std::string_view kModelPart = "(model)";
 
 /// Limit on columns of a table; a list of numbers takes one for each element.
 inline constexpr std::size_t kTableColumns = 1u << 18;
+/// Limit on the letters of all paths of a type, nested messages included.
+inline constexpr std::size_t kPathLetters = 1u << 24;
 /// Limit on rows times fields of one message; a world of 100,000 robots has 2 million.
 inline constexpr std::size_t kMessageValues = 1u << 22;
 
@@ -37,6 +39,8 @@ class MessageType {
   /// Paths of the leaf fields: "transform.rotation.x".
   /// Timestamps are omitted: messages have a log time.
   const std::vector<std::string>& fields() const { return fields_; }
+  /// Of all paths, those of nested messages included.
+  std::size_t letters() const { return letters_; }
   /// Which fields are lists.
   const std::vector<bool>& lists() const { return lists_; }
   /// Name of a list's number: "hits.0.range", or "ranges.0" where an element is one number.
@@ -79,6 +83,7 @@ class MessageType {
   std::vector<bool> lists_;
   std::vector<SharedParts> parts_;  // by field; null: an element is one number
   std::size_t messages_ = 0;        // nested messages, itself included
+  std::size_t letters_ = 0;
 };
 
 }  // namespace playhouse::record

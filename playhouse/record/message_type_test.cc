@@ -36,6 +36,17 @@ TEST(MessageType, has_a_row_of_its_fields) {
                                              ElementsAre("0.25"))));
 }
 
+TEST(MessageType, of_names_that_are_too_long_in_each_other_is_refused) {
+  const std::string name(40'000, 'n');
+  std::string text;  // 8 in 8 in 8: 512 fields of 120,000 letters
+  for (int level = 0; level < 3; ++level) {
+    if (level > 0) text += "===\nMSG: p/L" + std::to_string(level) + "\n";
+    for (int k = 0; k < 8; ++k)
+      text += (level < 2 ? "p/L" + std::to_string(level + 1) : "uint8") + " " + name + "\n";
+  }
+  EXPECT_EQ(fault_of(text), "has a schema with names that are too long in each other");
+}
+
 TEST(MessageType, of_every_table_has_fields_with_names_in_words) {
   for (const TableMessages& table : table_messages()) {
     const MessageType type = *MessageType::parse(table.text);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/record/csv.h"
@@ -14,14 +15,23 @@ namespace {
 
 namespace files = std::filesystem;
 
+/// A folder until the program exits.
+struct OuterFolder {
+  OuterFolder() { PLAYHOUSE_ASSERT(mkdtemp(name.data()) != nullptr); }
+  ~OuterFolder() {
+    std::error_code ignored;
+    files::remove_all(name, ignored);
+  }
+  OuterFolder(const OuterFolder&) = delete;
+  OuterFolder& operator=(const OuterFolder&) = delete;
+
+  std::string name = files::temp_directory_path() / "playhouse_export_fuzz_XXXXXX";
+};
+
 /// A folder in a folder, so that what escapes from the inner one is seen.
 const std::string& outer_folder() {
-  static const std::string folder = [] {
-    std::string name = files::temp_directory_path() / "playhouse_export_fuzz_XXXXXX";
-    PLAYHOUSE_ASSERT(mkdtemp(name.data()) != nullptr);
-    return name;
-  }();
-  return folder;
+  static const OuterFolder folder;
+  return folder.name;
 }
 
 }  // namespace

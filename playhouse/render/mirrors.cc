@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <tuple>
 
 #include "playhouse/geom/convex_hull.h"
@@ -16,7 +17,7 @@ using geom::Vec3;
 constexpr float kLeastMetal = 0.5f, kMostRoughness = 0.05f;
 constexpr double kFlat = 0.9999;  // cosine between the normals of a corner and of its triangle
 constexpr double kLeastShare = 0.01;
-constexpr std::size_t kMostFaces = 16;
+constexpr std::size_t kMostFaces = 16, kMostFacets = 1u << 16;
 constexpr double kLeastPixels = 1;
 // Planes that are one: their normals (one less the cosine), and how far one is off the other.  [m]
 constexpr double kParallel = 1e-8, kApart = 1e-3;
@@ -38,19 +39,29 @@ bool is_flat(const mesh::Surface& surface, const std::array<std::uint32_t, 3>& c
   });
 }
 
-void add_facets(const mesh::Surface& surface, bool is_two_sided, std::vector<Facet>& facets) {
-  for (const auto& corners : surface.corners) {
-    const Vec3 a = vec(surface.p[corners[0]]), b = vec(surface.p[corners[1]]), c = vec(surface.p[corners[2]]);
-    const Vec3 n2 = cross(b - a, c - a);
-    const double length = std::sqrt(dot(n2, n2));
-    if (!(length > 0)) continue;
-    const Vec3 n = (1 / length) * n2;
-    if (!is_flat(surface, corners, n)) continue;
-    const auto raster = [](double value, double per_one) { return std::llround(value * per_one); };
-    const double off = std::clamp(dot(n, (1.0 / 3) * (a + b + c)), -1e9, 1e9);
-    facets.push_back({{is_two_sided, raster(n.x, 1e4), raster(n.y, 1e4), raster(n.z, 1e4), raster(off, 1e3)},
-                      {a, b, c},
-                      n2});
+/// Of a flat triangle.
+std::optional<Facet> facet_of(const mesh::Surface& surface, const std::array<std::uint32_t, 3>& corners,
+                              bool is_two_sided) {
+  const Vec3 a = vec(surface.p[corners[0]]), b = vec(surface.p[corners[1]]), c = vec(surface.p[corners[2]]);
+  const Vec3 n2 = cross(b - a, c - a);
+  const double length = std::sqrt(dot(n2, n2));
+  if (!(length > 0)) return std::nullopt;
+  const Vec3 n = (1 / length) * n2;
+  if (!is_flat(surface, corners, n)) return std::nullopt;
+  const auto raster = [](double value, double per_one) { return std::llround(value * per_one); };
+  const double off = std::clamp(dot(n, (1.0 / 3) * (a + b + c)), -1e9, 1e9);
+  return Facet{
+      {is_two_sided, raster(n.x, 1e4), raster(n.y, 1e4), raster(n.z, 1e4), raster(off, 1e3)}, {a, b, c}, n2};
+}
+
+template <typename Take>
+void for_each_facet(const mesh::Mesh& mesh, const Take& take) {
+  for (const mesh::Surface& surface : mesh.surfaces) {
+    if (surface.material >= mesh.materials.size()) continue;
+    const mesh::Material& material = mesh.materials[surface.material];
+    if (!is_mirror(material) || mesh::is_see_through(mesh, material) || mesh::is_all_hole(material)) continue;
+    for (const auto& corners : surface.corners)
+      if (const std::optional<Facet> facet = facet_of(surface, corners, material.is_two_sided)) take(*facet);
   }
 }
 
@@ -109,13 +120,12 @@ bool is_mirror(const mesh::Material& material) {
 }
 
 std::vector<FlatFace> mirror_faces(const mesh::Mesh& mesh) {
+  std::size_t count = 0;
+  for_each_facet(mesh, [&](const Facet&) { ++count; });
+  if (count > kMostFacets) return {};
   std::vector<Facet> facets;
-  for (const mesh::Surface& surface : mesh.surfaces) {
-    if (surface.material >= mesh.materials.size()) continue;
-    const mesh::Material& material = mesh.materials[surface.material];
-    if (is_mirror(material) && !mesh::is_see_through(mesh, material) && !mesh::is_all_hole(material))
-      add_facets(surface, material.is_two_sided, facets);
-  }
+  facets.reserve(count);
+  for_each_facet(mesh, [&](const Facet& facet) { facets.push_back(facet); });
   std::ranges::stable_sort(facets, {}, &Facet::plane);
   const double least = kLeastShare * area_of(facets);
   std::vector<std::pair<double, std::span<const Facet>>> runs;  // with minus the area

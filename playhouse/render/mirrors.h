@@ -32,7 +32,7 @@ struct FlatFace {
   bool is_two_sided = false;
 };
 /// The largest faces first: those with at least a hundredth of all that is mirror, 16 at most. Triangles
-/// whose normals differ between corners are not flat.
+/// whose normals differ between corners are not flat. None of a shape with more than 65,536 flat triangles.
 std::vector<FlatFace> mirror_faces(const mesh::Mesh& mesh);
 
 /// Pixels [left, right) x [high, low), rows from the top.

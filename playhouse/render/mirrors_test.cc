@@ -161,6 +161,62 @@ TEST(Mirrors, a_thing_of_many_facets_is_no_mirror) {
   EXPECT_TRUE(mirror_faces(cone).empty());
 }
 
+TEST(Mirrors, a_shape_of_very_many_flat_triangles_has_none) {
+  mesh::Mesh box = testing::box({0.1, 1.5, 1.2});
+  box.materials[0] = {.metallic = 1, .roughness = 0};
+  mesh::Surface& surface = box.surfaces[0];
+  const auto first = surface.corners[0];
+  surface.corners.resize(65'536, first);
+  EXPECT_FALSE(mirror_faces(box).empty());
+  surface.corners.push_back(first);
+  EXPECT_TRUE(mirror_faces(box).empty());
+  for (std::size_t k = 12; k < surface.corners.size(); ++k)
+    surface.corners[k] = {first[0], first[0], first[0]};  // no triangles
+  EXPECT_EQ(mirror_faces(box).size(), 6u);
+}
+
+/// Flat strips around the origin, 3 m from it, two degrees apart, towards it.
+mesh::Mesh strips(int count) {
+  constexpr double kRadius = 3, kHeight = 2, kStep = geom::kPi / 90;
+  mesh::Mesh mesh;
+  mesh.materials.push_back({.metallic = 1, .roughness = 0});
+  mesh::Surface& surface = mesh.surfaces.emplace_back();
+  for (int k = 0; k < count; ++k) {
+    const double middle = (k - 0.5 * (count - 1)) * kStep;
+    const auto first = static_cast<std::uint32_t>(surface.p.size());
+    for (const auto& [side, z] : {std::pair(-0.5, 0.0), {-0.5, kHeight}, {0.5, kHeight}, {0.5, 0.0}}) {
+      const double angle = middle + side * kStep;
+      surface.p.push_back({static_cast<float>(kRadius * std::cos(angle)),
+                           static_cast<float>(kRadius * std::sin(angle)), static_cast<float>(z)});
+      surface.normal.push_back(
+          {static_cast<float>(-std::cos(middle)), static_cast<float>(-std::sin(middle)), 0});
+      surface.uv.push_back({0, 0});
+    }
+    surface.corners.push_back({first, first + 1, first + 2});
+    surface.corners.push_back({first, first + 2, first + 3});
+  }
+  return mesh;
+}
+
+TEST(Mirrors, beside_those_that_are_shown_have_nothing_of_earlier_pictures) {
+  const mesh::Mesh mesh = strips(12);
+  EXPECT_EQ(mirror_faces(mesh).size(), 12u);
+  Studio fresh, used;
+  std::vector<Instance> instances{fresh.crate_at({-1, -0.4, 1}, kRed), fresh.crate_at({-1, 0.4, 1.2}, kBlue)};
+  Instance& strip = instances.emplace_back();
+  strip.shape = fresh.renderer->add_shape(mesh);
+  ASSERT_EQ(used.renderer->add_shape(mesh), strip.shape);
+  for (const double heading : {-0.2, 0.1, 0.25, 0.02})
+    used.draw(ahead(Shows::kColor, heading), {.instances = instances});
+  const View view = ahead(Shows::kColor, 0.05);
+  const Picture picture = fresh.draw(view, {.instances = instances});
+  EXPECT_EQ(used.draw(view, {.instances = instances}).sample, picture.sample);
+  mesh::Mesh matt = mesh;
+  matt.materials[0] = {.metallic = 0, .roughness = 1};
+  strip.shape = fresh.renderer->add_shape(matt);
+  EXPECT_NE(fresh.draw(view, {.instances = instances}).sample, picture.sample);
+}
+
 TEST(Mirrors, show_what_is_before_them_where_its_mirror_image_is) {
   Studio& in = studio();
   // Beside and behind the eye, none of them in the direct picture.

@@ -145,7 +145,7 @@ class Renderer::Impl {
     std::array<SurfaceProgram, 2> beyond;  // what they show; by Bends
     Program smoke_beyond;
     SurfaceProgram surface;  // themselves
-    GLint planes = -1, shown = -1;
+    GLint planes = -1, windows = -1, shown = -1;
     bool is_sound = false;
     MirrorPage page;
   };
@@ -457,6 +457,7 @@ void Renderer::Impl::make_mirrors() {
   made.smoke_beyond = Program(smoke_vertex_shader(), smoke_fragment_shader(Shown::kBeyondPlane));
   made.surface = SurfaceProgram(vertex_shader(Bends::kNo, Paints::kColor), mirror_fragment_shader());
   made.planes = made.surface.program.at("mirrors");
+  made.windows = made.surface.program.at("mirror_windows");
   made.shown = made.surface.program.at("mirrors_shown");
   for (const Program* program :
        {&made.beyond[0].program, &made.beyond[1].program, &made.smoke_beyond, &made.surface.program})
@@ -489,9 +490,15 @@ void Renderer::Impl::draw_reflection(const Drawn& drawn, const View& view, const
 void Renderer::Impl::send_mirrors(const View& view) {
   const Mirrors& to = *card_->mirrors;
   const std::span<const Mirror> mirrors = mirrors_.mirrors();
-  std::array<std::array<float, 4>, kMostMirrors> planes{};
-  for (std::size_t i = 0; i < mirrors.size(); ++i) planes[i] = four(mirrors[i].n, mirrors[i].d);
+  std::array<std::array<float, 4>, kMostMirrors> planes{}, windows{};
+  for (std::size_t i = 0; i < mirrors.size(); ++i) {
+    const Window& window = mirrors[i].window;
+    planes[i] = four(mirrors[i].n, mirrors[i].d);
+    windows[i] = {static_cast<float>(window.left), static_cast<float>(window.high),
+                  static_cast<float>(window.right), static_cast<float>(window.low)};
+  }
   glProgramUniform4fv(to.surface.program, to.planes, kMostMirrors, planes[0].data());
+  glProgramUniform4fv(to.surface.program, to.windows, kMostMirrors, windows[0].data());
   const float per_pixel = 1 / static_cast<float>(pixels_per_texel(view));
   glProgramUniform4f(to.surface.program, to.shown, static_cast<float>(mirrors.size()), per_pixel, per_pixel,
                      0);

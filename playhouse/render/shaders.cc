@@ -165,15 +165,20 @@ layout(location = 0) out vec4 color;
 constexpr const char* kMirrors = R"(
 layout(binding = 2) uniform sampler2DArray mirrored;  // what each shows through all the fog: a layer each
 uniform vec4 mirrors[4];     // planes: n, towards the eye, and d; n p + d = 0 in them, in E
+uniform vec4 mirror_windows[4];  // px: left, high, right, low of what was drawn of each
 uniform vec4 mirrors_shown;  // how many; texels for each pixel, across and down
 
-/// The mirror whose plane p lies in, by its normal; -1: none.
+/// The mirror whose plane p lies in, by its normal, and that was drawn at this pixel: a face beside one that
+/// is shown is close to its plane, too. -1: none.
 int mirror_at(vec3 p, vec3 n) {
   int at = -1;
   float least = 2e-3;  // m
+  vec4 pixel = (gl_FragCoord.xy - viewport.xy).xyxy;
   for (int i = 0; i < int(mirrors_shown.x); ++i) {
     float off = abs(dot(mirrors[i].xyz, p) + mirrors[i].w);
-    if (off < least && dot(mirrors[i].xyz, n) > 0.999) {
+    vec4 window = mirror_windows[i];
+    bool drawn = all(greaterThan(pixel.xy, window.xy)) && all(lessThan(pixel.zw, window.zw));
+    if (drawn && off < least && dot(mirrors[i].xyz, n) > 0.9999) {
       at = i;
       least = off;
     }

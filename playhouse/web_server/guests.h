@@ -54,7 +54,7 @@ class GuestBook {
   /// Kicked guests are rejected: by token, or by address if the token is shared by all. After kGuesses
   /// wrong tokens a network has one try a second, right or wrong; each wrong one is logged.
   std::optional<Guest> admit(const std::string& token, const std::string& peer) const;
-  /// True if the guest was kicked: by its token, or by its network if it has none.
+  /// True if the guest was kicked: by its token, or by its network if it has none or there is no list.
   bool is_sent_out(const std::string& token, const std::string& peer) const;
   /// Kicks the guest with this token.
   void send_out(const std::string& token);

@@ -68,8 +68,11 @@ TEST(Guests, who_is_sent_out_is_known_by_the_token_or_without_one_by_the_network
   EXPECT_TRUE(same_list.admit("red-chair-77", "10.0.0.7:2")) << "as another guest";
   GuestBook everybody;
   everybody.send_out_network("10.0.0.7:1");
-  EXPECT_FALSE(everybody.admit("*", "10.0.0.7:2"));
-  EXPECT_TRUE(everybody.admit("*", "10.0.0.8:2"));
+  for (const char* token : {"*", "invented"}) {
+    EXPECT_FALSE(everybody.admit(token, "10.0.0.7:2")) << token;
+    EXPECT_TRUE(everybody.is_sent_out(token, "10.0.0.7:2")) << token;
+    EXPECT_TRUE(everybody.admit(token, "10.0.0.8:2")) << token;
+  }
 }
 
 TEST(Guests, rights_follow_from_the_role) {

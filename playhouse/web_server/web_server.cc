@@ -306,7 +306,8 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   /// Blocks the guest, by the token and without one: else who was sent out comes back by the plain link.
-  /// Not what the admin has come by, who would be locked out too.
+  /// Not what the admin has come by, who would be locked out too, nor, for whoever comes from elsewhere
+  /// without a token, the machine itself.
   void bar(const WebViewer& out, const WebViewer& admin) {
     const std::string &token = out.guest().token, &own = admin.guest().token;
     if (token != "*" && token == own) return;
@@ -314,7 +315,8 @@ class WebServer::Impl final : public net::HttpService,
     for (const auto& page : viewers_) {
       const bool is_theirs = page.get() == &out || (token != "*" && page->guest().token == token);
       const bool is_own = own == "*" && net::network_of(page->peer()) == net::network_of(admin.peer());
-      if (is_theirs && !is_own) options_.guests.send_out_network(page->peer());
+      const bool is_house = own == "*" && net::is_local(page->peer()) && !net::is_local(admin.peer());
+      if (is_theirs && !is_own && !is_house) options_.guests.send_out_network(page->peer());
     }
     if (options_.sent_out) options_.sent_out();
   }

@@ -1002,11 +1002,13 @@ TEST_F(WebServerTest, an_admin_without_a_token_does_not_shut_out_the_own_address
   admin.send_text(R"({"do":"kick","viewer":1})");
   admin.send_text(R"({"do":"kick","viewer":2})");
   ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
-  WebClient again(port_), other(port_, "127.0.0.7");
+  WebClient again(port_), other(port_, "127.0.0.7"), inventor(port_, "127.0.0.7");
   ASSERT_TRUE(again.upgrade());
   EXPECT_THAT(again.message(), HasSubstr("\"name\":\"small\""));
   ASSERT_TRUE(other.upgrade());
   EXPECT_THAT(other.message(), HasSubstr("an admin has sent you out"));
+  ASSERT_TRUE(inventor.upgrade_with("invented-1"));
+  EXPECT_THAT(inventor.message(), HasSubstr("an admin has sent you out")) << "no list knows that token";
 }
 
 TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_without_the_token) {
@@ -1061,6 +1063,29 @@ TEST_F(ProxyTest, who_comes_past_it_is_who_they_are) {
   again.upgrade("X-Forwarded-For: 203.0.113.9\r\n");
   EXPECT_THAT(again.message(), HasSubstr("an admin has sent you out")) << "whatever address is invented";
   ASSERT_TRUE(named.upgrade("X-Forwarded-For: 203.0.113.5\r\n"));
+}
+
+/// The same without a list of guests: everybody is an admin.
+class OpenProxyTest : public WebServerTest {
+ protected:
+  OpenProxyTest()
+      : WebServerTest(
+            [](WebOptions& options) { options.proxies = *net::TrustedProxies::parse("127.0.0.7"); }) {}
+};
+
+TEST_F(OpenProxyTest, who_comes_from_elsewhere_does_not_shut_out_the_machine_itself) {
+  WebClient house(port_), other(port_, "127.0.0.7"), admin(port_, "127.0.0.7");
+  ASSERT_TRUE(house.upgrade());
+  ASSERT_TRUE(other.upgrade("X-Forwarded-For: 203.0.113.6\r\n"));
+  ASSERT_TRUE(admin.upgrade("X-Forwarded-For: 203.0.113.5\r\n"));
+  admin.send_text(R"({"do":"kick","viewer":1})");
+  admin.send_text(R"({"do":"kick","viewer":2})");
+  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
+  WebClient again(port_), next(port_, "127.0.0.7");
+  ASSERT_TRUE(again.upgrade());
+  EXPECT_THAT(again.message(), HasSubstr("\"name\":\"small\""));
+  next.upgrade("X-Forwarded-For: 203.0.113.6\r\n");
+  EXPECT_THAT(next.message(), HasSubstr("an admin has sent you out"));
 }
 
 TEST_F(ProxyTest, what_names_no_address_is_refused) {

@@ -445,6 +445,7 @@ void tilt_as_described(World& world) {
     else
       place(world.models, {row});  // after its parent
   }
+  for (std::uint32_t robot = 0; robot < world.positions.size(); ++robot) begin_odometry(world, {robot});
 }
 
 std::string fresh_name(const World& world, std::string_view like) {

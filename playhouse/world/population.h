@@ -44,7 +44,7 @@ Result<void> despawn(World& world, std::span<const ModelId> models);
 /// The pose of a model that is described with this roll and pitch and begins at X_PM, whose heading is the yaw.
 geom::SpatialPose tilted(const scene::ModelDesc& desc, const geom::Pose& X_PM);
 
-/// For engines that tilt models, before the first tick: each model is turned by the roll and pitch of its
+/// For what tilts models, before the first tick: each model is turned by the roll and pitch of its
 /// description, as are those that come later.
 void tilt_as_described(World& world);
 

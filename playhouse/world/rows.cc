@@ -30,14 +30,21 @@ geom::Twist draw_odometry_error(const World& world, ModelRow model) {
 
 void fill_row(World& world, Positions& positions, const scene::ModelDesc& model, ModelRow row) {
   const scene::PositionDesc& desc = *model.position;
-  const geom::Pose& X_WM = world.models.X_WM[row.index];
-  const bool gps = desc.localization == scene::Localization::kGps;
-  const geom::Pose X_WO = desc.localization_origin.value_or(gps ? geom::Pose{} : X_WM);
   positions.command.back() = desc.velocity;
-  positions.X_OM.back() = geom::compose(geom::inverse(X_WO), X_WM);
-  positions.X_WO.back() = X_WO;
+  begin_odometry(world, {count32(positions.model) - 1});
   positions.odom_error.back() = desc.odom_error.value_or(draw_odometry_error(world, row));
   positions.motor_on.back() = 1;
+}
+
+void begin_odometry(World& world, PositionRow robot) {
+  Positions& positions = world.positions;
+  const ModelRow model = positions.model[robot.index];
+  const scene::PositionDesc& desc = *world.desc(model).position;
+  const geom::Pose& X_WM = world.models.X_WM[model.index];
+  const bool gps = desc.localization == scene::Localization::kGps;
+  const geom::Pose X_WO = desc.localization_origin.value_or(gps ? geom::Pose{} : X_WM);
+  positions.X_OM[robot.index] = geom::compose(geom::inverse(X_WO), X_WM);
+  positions.X_WO[robot.index] = X_WO;
 }
 
 void fill_row(World& world, Rangers& rangers, const scene::ModelDesc& model, ModelRow) {
@@ -94,7 +101,7 @@ geom::SpatialPose joint_of(const World& world, ActuatorRow actuator) {
   const geom::Pose& X = actuators.X_PJ[actuator.index];
   if (tilt == geom::Tilt{} || desc.type == scene::ActuatorType::kLinear || position == 0) return {X, tilt};
   // A tilt is in M, which has turned.
-  const geom::Vec2 in_J = geom::Rotation::of(geom::normalize(position)) * geom::Vec2{tilt.x, tilt.y};
+  const geom::Vec2 in_J = geom::Rotation::of(scene::way_along(desc, position).a) * geom::Vec2{tilt.x, tilt.y};
   return {X, {in_J.x, in_J.y}};
 }
 

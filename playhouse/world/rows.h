@@ -47,6 +47,9 @@ const geom::Pose& pose_said(const World& world, const Actuators& actuators, Mode
 /// For any model.
 const geom::Pose& pose_said(const World& world, ModelRow row);
 
+/// The odometry of a robot where it is now, as at its start.
+void begin_odometry(World& world, PositionRow robot);
+
 /// Puts an actuator where its position is along or about the axis of this joint.
 void set_joint(World& world, ActuatorRow actuator, const geom::SpatialPose& X_PJ);
 /// X_PJ with its tilt.

@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import math
 import os
 import struct
 import unittest
@@ -190,6 +191,13 @@ class Convert(HouseTest):
         self.assertAlmostEqual(volumes["a"], 0.2 * 0.4 * 1, 6)
         self.assertAlmostEqual(volumes["walls"], 12, 4)
         self.assertAlmostEqual(volumes["r"], 0.4 * 0.4 * 0.2, 6)
+
+    def test_what_is_tilted_is_so_in_glTF(self):
+        about, _ = self.glb('model( name "plank" pose [1 2 3 90] tilt [0 -30] size [2 0.4 0.1] )')
+        node = next(node for node in about["nodes"] if node["name"] == "plank")
+        (zs, zc), (ys, yc) = ((math.sin(math.radians(a / 2)), math.cos(math.radians(a / 2))) for a in (90, -30))
+        for is_, should in zip(node["rotation"], (-zs * ys, zc * ys, zs * yc, zc * yc)):  # qz qy
+            self.assertAlmostEqual(is_, should, 6)
 
     def test_an_empty_world_is_glTF_without_buffers_and_a_plan_is_none(self):
         about, _ = self.glb('name "nothing"')

@@ -193,8 +193,12 @@ class Guests(HouseTest):
             with self.assertRaises((ConnectionError, EOFError)):
                 while True:
                     client.receive()
+            for token in ("", "invented-01"):
+                with self.assertRaisesRegex(ConnectionError, "an admin has sent you out"):
+                    Viewer(page, token, "127.0.0.7")
             with Client(house.port(), "127.0.0.7") as again, Client(house.port()) as other:
                 self.assertEqual(again.request(PLAYER, 0, 1).type, NACK)
+                self.assertEqual(again.request(PLAYER, 0, AUTH, auth("invented-01")).type, NACK)
                 self.assertEqual(again.open(POSITION2D, 0).type, NACK)
                 self.assertEqual(other.open(POSITION2D, 0).type, ACK)
 

@@ -6,9 +6,10 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { chooseRobot, results, startBrowser, startProgram, watch } from './program.mjs';
 
-const root = resolve(import.meta.dirname, '../..');
+const root = resolve(fileURLToPath(import.meta.url), '../../..');
 const libraries = mkdtempSync(join(tmpdir(), 'playhouse_custom_'));
 
 let program;

@@ -3,9 +3,11 @@
 #include <cmath>
 
 #include "playhouse/drivers/generated/device_makers.h"
+#include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/scene/actuator.h"
 #include "playhouse/wire/generated/actarray.h"
 #include "playhouse/world/periods.h"
+#include "playhouse/world/rows.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -19,13 +21,13 @@ bool is_joint(std::int32_t joint) {
 }
 
 /// Pose of the joint at position 0 in its robot, in the world if none carries it.
-geom::Pose rest_on_robot(const world::World& world, world::ModelRow model) {
+geom::SpatialPose rest_on_robot(const world::World& world, world::ModelRow model) {
   const world::Models& models = world.models;
-  geom::Pose X = world.actuators.X_PJ[models.part[model.index]];
+  geom::SpatialPose X = world::joint_of(world, {models.part[model.index]});
   const std::uint32_t root = models.root[model.index];
   for (std::uint32_t row = models.parent[model.index]; row != world::ModelRow::kNone && row != root;
        row = models.parent[row])
-    X = geom::compose(models.X_PM[row], X);
+    X = geom::compose(world::pose_in_parent(models, {row}), X);
   return X;
 }
 
@@ -41,8 +43,8 @@ act::Geom geometry(const world::World& world, world::ModelRow model) {
   joint.max = static_cast<float>(desc.max_position);
   joint.home = static_cast<float>(desc.start_position);
   joint.hasbrakes = 1;
-  const geom::Pose X_RJ = rest_on_robot(world, model);
-  return {{joint}, {X_RJ.x, X_RJ.y, X_RJ.z}, {0, 0, X_RJ.a}};
+  const wire::Pose3d X_RJ = pose3d(rest_on_robot(world, model));
+  return {{joint}, {X_RJ.px, X_RJ.py, X_RJ.pz}, {X_RJ.proll, X_RJ.ppitch, X_RJ.pyaw}};
 }
 
 std::int32_t state_of(const world::Actuators& actuators, std::uint32_t row) {

@@ -434,6 +434,24 @@ TEST_F(RobotsOfSeveralPorts, have_a_rested_number_before_a_new_port) {
   EXPECT_EQ(wheels(come(1).front()), "6667:position2d:0");
 }
 
+// Robots 0 and 1 and the gate stay.
+TEST_F(RobotsOfSeveralPorts, open_no_third_port_if_few_come_and_go_without_a_rest) {
+  std::size_t without = 0;
+  for (int k = 0; k < 100; ++k) {
+    const std::vector<ModelId> id = come(1);
+    without += wheels(id[0]).empty();
+    go(id);
+  }
+  EXPECT_THAT(site.ports, ElementsAre(6666u));
+  EXPECT_EQ(without, 100u - 5u) << "numbers 3 to 7";
+  rest();
+  const std::vector<ModelId> stay = come(9);
+  EXPECT_THAT(site.ports, ElementsAre(6666u, 6667u)) << "who stay need it";
+  EXPECT_EQ(wheels(stay[0]), "position2d:3") << "rested";
+  EXPECT_EQ(wheels(stay[4]), "6666:position2d:3");
+  EXPECT_EQ(wheels(stay[8]), "6667:position2d:3");
+}
+
 TEST_F(RobotsOfSeveralPorts, come_back_on_their_port) {
   const std::vector<ModelId> ids = come(3);
   ASSERT_EQ(wheels(ids[2]), "6666:position2d:1");

@@ -76,7 +76,9 @@ AutoMap::Number AutoMap::next_number(std::uint16_t interf, double time) {
 }
 
 AutoMap::Number AutoMap::beyond_ports(std::uint16_t place, std::size_t next, double time) {
-  if (const Number retired = retired_[place].take(time)) return retired;
+  RetiredIndices& retired = retired_[place];
+  if (const Number rested = retired.take(time)) return rested;
+  if (retired.size() > indices_) return std::nullopt;
   has_all_ports_ = has_all_ports_ || ports_ == kPorts || !open_port_(ports_);
   if (has_all_ports_) return std::nullopt;
   add_world(ports_++);

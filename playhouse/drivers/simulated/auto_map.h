@@ -32,7 +32,8 @@ std::vector<world::ModelRow> top_models(const world::World& world);
 
 /// Address allocator. An interface counts its numbers over all ports: number n is index n % indices of port
 /// n / indices. Later models get numbers that were never used; once no port has one left, the number that
-/// retired first (RetiredIndices), and if none has rested, one of a further port.
+/// retired first (RetiredIndices), and if none has rested, one of a further port, or none while more than
+/// a port's numbers rest: else few robots that come and go would open port after port.
 /// How an interface counts its numbers is defined in kinds/:
 ///   one    0 of every port, of the whole world
 ///   robot  the number of the robot (a root position model) for the first of its models with this
@@ -79,7 +80,7 @@ class AutoMap {
 
   Number next_robot(double time);
   Number next_number(std::uint16_t interf, double time);
-  /// A retired number, or `next` once a further port has it.
+  /// A retired number, or `next` once a further port has it; none while more numbers rest than a port has.
   Number beyond_ports(std::uint16_t place, std::size_t next, double time);
   bool has_room_for(std::size_t number) const { return number < ports_ * indices_; }
   void add_world(std::size_t port);

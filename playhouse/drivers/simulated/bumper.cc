@@ -14,11 +14,11 @@ using wire::MessageType;
 /// Poses of a bumper's switch faces on the robot.
 bumper::Geom geometry(const world::World& world, world::ModelRow model) {
   const scene::BumperDesc& desc = *world.desc(model).bumper;
-  const geom::Pose X_RB = pose_on_robot(world, model);
+  const geom::SpatialPose X_RB = pose_on_robot(world, model);
   bumper::Geom geom;
   for (std::size_t k = 0; k < desc.X_BS.size(); ++k)
     geom.bumper_def.push_back(
-        {pose3d(geom::compose(X_RB, desc.X_BS[k])), static_cast<float>(desc.blength[k]), 0});
+        {pose3d(geom::compose(X_RB, {desc.X_BS[k], {}})), static_cast<float>(desc.blength[k]), 0});
   return geom;
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "playhouse/drivers/simulated/device_factory.h"
+#include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
 #include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/wire/generated/blobfinder.h"
@@ -23,6 +24,7 @@
 #include "playhouse/wire/generated/simulation.h"
 #include "playhouse/wire/generated/sonar.h"
 #include "playhouse/wire/generated/wifi.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -314,6 +316,23 @@ TEST_F(LaserDevice, geometry_is_that_of_the_scanner_on_the_robot) {
   EXPECT_NEAR(geom.pose.px, 0.15, 1e-12);
   EXPECT_NEAR(geom.pose.pz, 0.12, 1e-12);
   EXPECT_NEAR(reply<wire::laser::Config>(ask(wire::laser::kReqGetConfig)).scanning_frequency, 10, 1e-6);
+}
+
+TEST(PoseOnRobot, has_the_tilts_of_the_parts_that_carry_it) {
+  const scene::SceneDesc scene = testing::scene_of(R"(
+position( name "r" tilt [0 10] size [0.4 0.4 0.2] stack_children 0
+  model( name "mast" pose [0.1 0 0 90] tilt [0 30] size [0.1 0.1 0.1] stack_children 0
+    ranger( name "eye" pose [0 0 1 0] origin [0 0 0 0] ) ) )
+)");
+  world::World world(scene, 1);
+  world::tilt_as_described(world);
+  const wire::Pose3d X = pose3d(pose_on_robot(world, world.find("r.mast.eye")));
+  EXPECT_NEAR(X.px, 0.1, 1e-12);  // leans to the left, where the mast's front is
+  EXPECT_NEAR(X.py, std::sin(pi / 6), 1e-12);
+  EXPECT_NEAR(X.pz, std::cos(pi / 6), 1e-12);
+  EXPECT_NEAR(X.proll, 0, 1e-12);
+  EXPECT_NEAR(X.ppitch, pi / 6, 1e-12);
+  EXPECT_NEAR(X.pyaw, pi / 2, 1e-12);
 }
 
 TEST_F(SonarDevice, publishes_one_range_per_transducer_and_where_they_are) {

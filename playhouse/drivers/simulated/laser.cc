@@ -45,7 +45,7 @@ Laser::Laser(Simulation& simulation, world::ModelRow model)
                ranger_rows(simulation.world(), model).first_sensor),
       sensor_(simulation.world().desc(model).sensors[scanner_]),
       configuration_(wire::encode(configuration(simulation.world(), model, sensor_))) {
-  const geom::Pose X_RS = geom::compose(pose_on_robot(simulation.world(), model), sensor_.X_BS);
+  const geom::SpatialPose X_RS = geom::compose(pose_on_robot(simulation.world(), model), {sensor_.X_BS, {}});
   geometry_ = wire::encode(lsr::Geom{pose3d(X_RS), bbox3d(simulation.world().desc(model).size)});
   scan_.min_angle = static_cast<float>(-sensor_.fov / 2);
   scan_.max_angle = static_cast<float>(sensor_.fov / 2);

@@ -29,6 +29,6 @@ inline wire::Bbox3d bbox3d(const geom::Size& size) {
 }
 
 /// Pose of a model's body, the sensor frame, in the robot that carries it; in the world if none does.
-geom::Pose pose_on_robot(const world::World& world, world::ModelRow model);
+geom::SpatialPose pose_on_robot(const world::World& world, world::ModelRow model);
 
 }  // namespace playhouse::drivers

@@ -11,10 +11,10 @@ using wire::MessageType;
 Sonar::Sonar(Simulation& simulation, world::ModelRow model)
     : SimulatedDevice(simulation, simulation.world().id(model)) {
   const world::World& world = simulation.world();
-  const geom::Pose X_RB = pose_on_robot(world, model);
+  const geom::SpatialPose X_RB = pose_on_robot(world, model);
   snr::Geom geom;
   for (const scene::RangerSensorDesc& sensor : world.desc(model).sensors) {
-    geom.poses.push_back(pose3d(geom::compose(X_RB, sensor.X_BS)));
+    geom.poses.push_back(pose3d(geom::compose(X_RB, {sensor.X_BS, {}})));
   }
   geometry_ = wire::encode(geom);
 }

@@ -218,8 +218,8 @@ void Wavefront::take_step(std::uint64_t goal, const FollowOut& out) {
     if (current == goal && out.fault.empty()) goal_->no_path.clear();
     if (current == goal && !out.fault.empty()) {
       std::string why = "no path to " + goal_text(goal_->X_WT) + ": " + out.fault;
+      if (!goal_->X_WR) goal_->X_WR = X_WR_;
       if (keep_refusal(goal_->no_path, why)) no_path = std::move(why);
-      goal_->X_WR = X_WR_;
     }
     must_halt = goal_->number == goal && out.route == nullptr && std::exchange(driving_, false);
     must_go = out.X_OP && enabled_;

@@ -81,25 +81,26 @@ class Maps final : public device::Driver {
 
 /// The planner, from the last in the chain to the first.
 std::string chain(const std::string& options, const std::string& output = "position2d:0",
-                  const std::string& more = "") {
+                  const std::string& more = "", const std::string& after = "") {
   return more + "driver( name \"wavefront\" provides [\"planner:0\"] requires [\"output:::" + output +
          "\" \"input:::position2d:0\" \"map:0\"] " + options + R"( )
 driver( name "stage" provides ["simulation:0"] worldfile "some.world" )
 driver( name "stage" provides ["position2d:0"] model "r0" )
 driver( name "stage" provides ["position2d:1"] model "r1" )
-)";
+)" + after;
 }
 
 /// A planner with a map device, open.
 class Planned {
  public:
   explicit Planned(const std::string& options = "", const std::string& output = "position2d:0",
-                   std::optional<GridMap> map = rooms(), const std::string& more = "")
+                   std::optional<GridMap> map = rooms(), const std::string& more = "",
+                   const std::string& after = "")
       : site(kWorld) {
     maps.map = std::move(map);
     EXPECT_TRUE(site.site().add_device(kMap, maps));
     EXPECT_TRUE(site.site().add_device(kMuteLaser, mute));
-    EXPECT_EQ(site.build(chain(options, output, more)), "");
+    EXPECT_EQ(site.build(chain(options, output, more, after)), "");
     robot_at(kStart);
     EXPECT_TRUE(site.hold(site.id(kPlanner)));
   }
@@ -455,7 +456,7 @@ TEST(Wavefront, tells_why_its_output_does_not_drive) {
 TEST(Wavefront, tells_that_its_output_gave_up_a_waypoint) {
   Planned test("", "position2d:3", rooms(),
                "driver( name \"nd\" provides [\"position2d:3\"] requires [\"output:::position2d:0\" "
-               "\"input:::position2d:0\" \"laser:1\"] )\n"
+               "\"input:::position2d:0\" \"laser:1\"] )\n",
                "driver( name \"stage\" provides [\"laser:1\"] model \"r0\" )\n");
   test.world().positions.motor_on[0] = 1;
   std::ranges::fill(test.world().sensors.ranges, 8.0f);
