@@ -122,13 +122,13 @@ const std::vector<Hull>& MeshHulls::of(const mesh::Mesh& mesh) {
   if (mesh.physics && !mesh.physics->shapes.empty()) {
     for (const mesh::Shape& shape : mesh.physics->shapes) hulls.push_back(hull_of(shape));
   } else {
-    for (const Hull& part : mesh::parts_of(mesh, limits::kMeshParts)) hulls.push_back(simplified(part));
+    for (const auto& part : mesh::parts_of(mesh, limits::kMeshParts)) hulls.push_back(simplified(part));
   }
   std::erase_if(hulls, [](const Hull& hull) { return !is_solid(hull); });
   if (!hulls.empty()) return hulls;
   // Only sheets: the hull of all of them, or their bounding box with a minimal thickness.
   Hull all;
-  for (const Hull& part : mesh::parts_of(mesh, 1)) all = simplified(part);
+  for (const auto& part : mesh::parts_of(mesh, 1)) all = simplified(part);
   if (!is_solid(all)) {
     constexpr double kSheet = 0.01;  // m
     const Vec3 extent = mesh.high - mesh.low, middle = 0.5 * (mesh.low + mesh.high);

@@ -211,7 +211,7 @@ class OppositeHull final : public Opposite {
       touches.push_back({c + n * (margin_ - highest), n, highest - margin_});
       return;
     }
-    btVector3 nearest;
+    btVector3 nearest = c;
     btScalar least = BT_LARGE_FLOAT;
     for (int i = 0; i < hull_.m_faces.size(); ++i) {
       if (over_face(i, c) <= 0) continue;

@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { after, before, test } from 'node:test';
 import { join } from 'node:path';
-import { results, startBrowser, startProgram, watch } from './program.mjs';
+import { openPage, results, startBrowser, startProgram, watch } from './program.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'guests-'));
 let program;
@@ -75,7 +75,7 @@ test('an admin sees who is there, mutes them and sends them out', async () => {
 });
 
 test('a wrong link says so', async () => {
-  const page = await browser.newPage();
+  const page = await openPage(browser);
   await page.goto(`${program.page}#not-a-token`);
   await page.getByText('The program says: open the page by the link').waitFor();
   await page.close();

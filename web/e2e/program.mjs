@@ -80,10 +80,16 @@ export function startBrowser() {
 /** What is waited for at most: a picture drawn in software takes seconds where other work goes on. */
 const kPatienceMs = 90000;
 
+/** An empty page with that patience. */
+export async function openPage(browser, options = {}) {
+  const page = await browser.newPage(options);
+  page.setDefaultTimeout(kPatienceMs);
+  return page;
+}
+
 /** A page that shows the world at this tick or later, and the errors it met. */
 export async function watch(browser, url, options = {}, leastTick = 1) {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, ...options });
-  page.setDefaultTimeout(kPatienceMs);
+  const page = await openPage(browser, { viewport: { width: 1280, height: 800 }, ...options });
   const errors = [];
   page.on('pageerror', (error) => errors.push(error.message));
   page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));

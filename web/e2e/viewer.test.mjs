@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createServer } from 'node:http';
 import { join } from 'node:path';
-import { results, startBrowser, startProgram, watch } from './program.mjs';
+import { openPage, results, startBrowser, startProgram, watch } from './program.mjs';
 
 let program;
 let browser;
@@ -255,8 +255,9 @@ test('the search finds a robot and the help opens', async () => {
   }
 });
 
-test('a page that does not draw says that it is too slow, and does not blame the program', async () => {
-  const slow = await browser.newPage();
+test('a page that does not draw says that it is too slow, and does not blame the program', async (t) => {
+  const slow = await openPage(browser);
+  t.after(() => slow.close());
   await slow.addInitScript(() => {
     const draw = window.requestAnimationFrame.bind(window);
     window.requestAnimationFrame = (frame) => (window.stands ? ((window.frame = frame), 0) : draw(frame));
@@ -269,7 +270,6 @@ test('a page that does not draw says that it is too slow, and does not blame the
   assert.ok(await by('pause', slow).isEnabled(), 'the program hears it');
   await slow.evaluate(() => window.goOn());
   await slow.locator('#lost').waitFor({ state: 'hidden' });
-  await slow.close();
 });
 
 test('the page works on a phone', async () => {
@@ -290,7 +290,7 @@ test('the page works on a phone', async () => {
 });
 
 test('a browser that cannot draw is told why', async () => {
-  const poor = await browser.newPage();
+  const poor = await openPage(browser);
   await poor.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });
@@ -304,7 +304,7 @@ test('a browser that cannot draw is told why', async () => {
 });
 
 test('a page under a name that only points here is told what to do', async () => {
-  const other = await browser.newPage();
+  const other = await openPage(browser);
   const answer = await other.goto(program.page.replace('127.0.0.1', 'elsewhere.localhost'));
   assert.equal(answer.status(), 421);
   assert.match(await other.locator('body').textContent(), /"elsewhere.localhost:\d+" is no name of this program.*--web-host/);
@@ -317,7 +317,7 @@ test('a page of another port of this machine can neither control nor frame the p
     answer.end(`<iframe src="${program.page}"></iframe>`);
   });
   await new Promise((done) => stranger.listen(0, '127.0.0.1', done));
-  const other = await browser.newPage();
+  const other = await openPage(browser);
   await other.goto(`http://127.0.0.1:${stranger.address().port}/`);
   const live = new URL('live', program.page).href.replace(/^http/, 'ws');
   const opened = (from) =>
