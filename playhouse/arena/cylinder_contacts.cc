@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
 #include <vector>
 
 #include "playhouse/arena/bullet_shapes.h"
 #include "playhouse/arena/mesh_contacts.h"
+#include "playhouse/arena/pair_algorithm.h"
 #include "playhouse/arena/round_solids.h"
 
 namespace playhouse::arena {
@@ -256,33 +256,22 @@ class CylinderTrial {
   Collected found_;
 };
 
-class CylinderAlgorithm final : public btCollisionAlgorithm {
+class CylinderAlgorithm final : public PairAlgorithm<kMostNormals> {
  public:
-  CylinderAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObject& cylinder,
-                    const btCollisionObject& other, bool cylinder_second)
-      : btCollisionAlgorithm(info), cylinder_second_(cylinder_second) {
-    if (!m_dispatcher->needsCollision(&cylinder, &other)) return;
-    for (auto& contacts : contacts_) contacts = m_dispatcher->getNewManifold(&cylinder, &other);
-  }
-  ~CylinderAlgorithm() override {
-    for (btPersistentManifold* contacts : contacts_)
-      if (contacts != nullptr) m_dispatcher->releaseManifold(contacts);
-  }
+  using PairAlgorithm::PairAlgorithm;
 
-  void processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
-                        const btDispatcherInfo&, btManifoldResult* result) override {
-    if (contacts_[0] == nullptr) return;
-    const btCollisionObjectWrapper &round = cylinder_second_ ? *second : *first,
-                                   &other = cylinder_second_ ? *first : *second;
+ private:
+  void meet(const btCollisionObjectWrapper& round, const btCollisionObjectWrapper& other,
+            const Manifolds& manifolds, btManifoldResult& result) const override {
     const auto& cylinder = static_cast<const CylinderShape&>(*round.getCollisionShape());
-    const btScalar near = btMin(contacts_[0]->getContactBreakingThreshold(), kNearShare * cylinder.radius());
+    const btScalar near = btMin(manifolds[0]->getContactBreakingThreshold(), kNearShare * cylinder.radius());
     CylinderTrial trial(cylinder, round.getWorldTransform(), near);
     trial.meet(*other.getCollisionShape(), other.getWorldTransform());
     std::vector<CylinderTouch> left = trial.touches();
-    for (btPersistentManifold* contacts : contacts_) {
+    for (btPersistentManifold* contacts : manifolds) {
       contacts->clearManifold();
       if (left.empty()) continue;
-      result->setPersistentManifold(contacts);
+      result.setPersistentManifold(contacts);
       std::vector<CylinderTouch> alike;
       const btVector3 normal = std::ranges::min_element(left, {}, &CylinderTouch::distance)->normal;
       std::erase_if(left, [&](const CylinderTouch& touch) {
@@ -291,21 +280,9 @@ class CylinderAlgorithm final : public btCollisionAlgorithm {
         return true;
       });
       for (const CylinderTouch& touch : around(alike))
-        result->addContactPoint(touch.normal, touch.p, touch.distance);
+        result.addContactPoint(touch.normal, touch.p, touch.distance);
     }
   }
-  btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
-                                 btManifoldResult*) override {
-    return 1;
-  }
-  void getAllContactManifolds(btManifoldArray& all) override {
-    for (btPersistentManifold* contacts : contacts_)
-      if (contacts != nullptr) all.push_back(contacts);
-  }
-
- private:
-  const bool cylinder_second_;
-  std::array<btPersistentManifold*, kMostNormals> contacts_{};  // of each normal
 };
 
 }  // namespace
@@ -357,10 +334,7 @@ btTransform CylinderShape::with_flat_side(const btTransform& X, const btVector3&
 btCollisionAlgorithm* CylinderContacts::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                                  const btCollisionObjectWrapper* first,
                                                                  const btCollisionObjectWrapper* second) {
-  const btCollisionObject &cylinder = *(m_swapped ? second : first)->getCollisionObject(),
-                          &other = *(m_swapped ? first : second)->getCollisionObject();
-  return new (info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(CylinderAlgorithm)))
-      CylinderAlgorithm(info, cylinder, other, m_swapped);
+  return make_pair_algorithm<CylinderAlgorithm>(info, first, second, m_swapped);
 }
 
 }  // namespace playhouse::arena

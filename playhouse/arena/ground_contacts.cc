@@ -1,27 +1,19 @@
 #include "playhouse/arena/ground_contacts.h"
 
-#include <new>
+#include "playhouse/arena/pair_algorithm.h"
 
 namespace playhouse::arena {
 namespace {
 
-class Algorithm final : public btCollisionAlgorithm {
+class GroundAlgorithm final : public PairAlgorithm<1> {
  public:
-  Algorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObject& hull,
-            const btCollisionObject& plane, bool plane_first)
-      : btCollisionAlgorithm(info), plane_first_(plane_first) {
-    if (m_dispatcher->needsCollision(&hull, &plane)) contacts_ = m_dispatcher->getNewManifold(&hull, &plane);
-  }
-  ~Algorithm() override {
-    if (contacts_ != nullptr) m_dispatcher->releaseManifold(contacts_);
-  }
+  using PairAlgorithm::PairAlgorithm;
 
-  void processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
-                        const btDispatcherInfo&, btManifoldResult* result) override {
-    if (contacts_ == nullptr) return;
-    const btCollisionObjectWrapper &hull = plane_first_ ? *second : *first,
-                                   &plane = plane_first_ ? *first : *second;
-    result->setPersistentManifold(contacts_);
+ private:
+  void meet(const btCollisionObjectWrapper& hull, const btCollisionObjectWrapper& plane,
+            const Manifolds& manifolds, btManifoldResult& result) const override {
+    btPersistentManifold& contacts = *manifolds[0];
+    result.setPersistentManifold(&contacts);
     const auto& shape = static_cast<const btConvexHullShape&>(*hull.getCollisionShape());
     const auto& ground = static_cast<const btStaticPlaneShape&>(*plane.getCollisionShape());
     const btTransform &X_WH = hull.getWorldTransform(), &X_WG = plane.getWorldTransform();
@@ -30,22 +22,11 @@ class Algorithm final : public btCollisionAlgorithm {
     for (int i = 0; i < shape.getNumPoints(); ++i) {
       const btVector3 p = X_WH * shape.getScaledPoint(i);
       const btScalar distance = normal.dot(p) - height;
-      if (distance < contacts_->getContactBreakingThreshold())
-        result->addContactPoint(normal, p - normal * (distance + shape.getMargin()), distance);
+      if (distance < contacts.getContactBreakingThreshold())
+        result.addContactPoint(normal, p - normal * (distance + shape.getMargin()), distance);
     }
-    if (contacts_->getNumContacts() > 0) result->refreshContactPoints();
+    if (contacts.getNumContacts() > 0) result.refreshContactPoints();
   }
-  btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
-                                 btManifoldResult*) override {
-    return 1;
-  }
-  void getAllContactManifolds(btManifoldArray& all) override {
-    if (contacts_ != nullptr) all.push_back(contacts_);
-  }
-
- private:
-  const bool plane_first_;
-  btPersistentManifold* contacts_ = nullptr;
 };
 
 }  // namespace
@@ -53,10 +34,7 @@ class Algorithm final : public btCollisionAlgorithm {
 btCollisionAlgorithm* GroundContacts::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                                const btCollisionObjectWrapper* first,
                                                                const btCollisionObjectWrapper* second) {
-  const btCollisionObject &hull = *(m_swapped ? second : first)->getCollisionObject(),
-                          &plane = *(m_swapped ? first : second)->getCollisionObject();
-  return new (info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(Algorithm)))
-      Algorithm(info, hull, plane, m_swapped);
+  return make_pair_algorithm<GroundAlgorithm>(info, first, second, m_swapped);
 }
 
 }  // namespace playhouse::arena

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <new>
 #include <vector>
 
 #include "playhouse/arena/cylinder_contacts.h"
+#include "playhouse/arena/pair_algorithm.h"
 
 namespace playhouse::arena {
 namespace {
@@ -359,56 +359,38 @@ std::vector<Touch> touches_of(const RoundAxis& axis, const Opposite& opposite, b
   return chosen;
 }
 
-class RoundAlgorithm final : public btCollisionAlgorithm {
+class RoundAlgorithm final : public PairAlgorithm<1> {
  public:
-  RoundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObject& round,
-                 const btCollisionObject& other, bool round_second)
-      : btCollisionAlgorithm(info), round_second_(round_second) {
-    if (m_dispatcher->needsCollision(&round, &other))
-      contacts_ = m_dispatcher->getNewManifold(&round, &other);
-  }
-  ~RoundAlgorithm() override {
-    if (contacts_ != nullptr) m_dispatcher->releaseManifold(contacts_);
-  }
+  using PairAlgorithm::PairAlgorithm;
 
-  void processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
-                        const btDispatcherInfo&, btManifoldResult* result) override {
-    if (contacts_ == nullptr) return;
-    const btCollisionObjectWrapper &round = round_second_ ? *second : *first,
-                                   &other = round_second_ ? *first : *second;
-    result->setPersistentManifold(contacts_);
-    contacts_->clearManifold();
+ private:
+  void meet(const btCollisionObjectWrapper& round, const btCollisionObjectWrapper& other,
+            const Manifolds& manifolds, btManifoldResult& result) const override {
+    btPersistentManifold& contacts = *manifolds[0];
+    result.setPersistentManifold(&contacts);
+    contacts.clearManifold();
     const RoundAxis axis = axis_of(*round.getCollisionShape(), round.getWorldTransform());
     const btTransform& X = other.getWorldTransform();
-    const btScalar near = contacts_->getContactBreakingThreshold();
+    const btScalar near = contacts.getContactBreakingThreshold();
     switch (const btCollisionShape& shape = *other.getCollisionShape(); shape.getShapeType()) {
       case STATIC_PLANE_PROXYTYPE:
-        return add(*result, axis, OppositePlane(static_cast<const btStaticPlaneShape&>(shape), X), near,
+        return add(result, axis, OppositePlane(static_cast<const btStaticPlaneShape&>(shape), X), near,
                    btTransform::getIdentity());
       case CONVEX_HULL_SHAPE_PROXYTYPE:
-        return add(*result, within(X, axis), OppositeHull(static_cast<const btConvexHullShape&>(shape)), near,
+        return add(result, within(X, axis), OppositeHull(static_cast<const btConvexHullShape&>(shape)), near,
                    X);
       case CUSTOM_POLYHEDRAL_SHAPE_TYPE:
-        return add(*result, axis, OppositeCylinder(static_cast<const CylinderShape&>(shape), X), near,
+        return add(result, axis, OppositeCylinder(static_cast<const CylinderShape&>(shape), X), near,
                    btTransform::getIdentity());
       case TRIANGLE_MESH_SHAPE_PROXYTYPE: {
         const RoundAxis in_mesh = within(X, axis);
-        return add(*result, in_mesh, OppositeSheet(static_cast<const btConcaveShape&>(shape), in_mesh, near),
+        return add(result, in_mesh, OppositeSheet(static_cast<const btConcaveShape&>(shape), in_mesh, near),
                    near, X);
       }
       default:
-        return add(*result, axis, OppositeRound(axis_of(shape, X)), near, btTransform::getIdentity());
+        return add(result, axis, OppositeRound(axis_of(shape, X)), near, btTransform::getIdentity());
     }
   }
-  btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
-                                 btManifoldResult*) override {
-    return 1;
-  }
-  void getAllContactManifolds(btManifoldArray& all) override {
-    if (contacts_ != nullptr) all.push_back(contacts_);
-  }
-
- private:
   static RoundAxis within(const btTransform& X, const RoundAxis& axis) {
     const btTransform inverse = X.inverse();
     return {inverse * axis.low, axis.is_point() ? inverse * axis.low : inverse * axis.high, axis.radius};
@@ -419,9 +401,6 @@ class RoundAlgorithm final : public btCollisionAlgorithm {
     for (const Touch& touch : touches_of(axis, opposite, near))
       result.addContactPoint(X.getBasis() * touch.normal, X * touch.p, touch.distance - axis.radius);
   }
-
-  const bool round_second_;
-  btPersistentManifold* contacts_ = nullptr;
 };
 
 }  // namespace
@@ -429,10 +408,7 @@ class RoundAlgorithm final : public btCollisionAlgorithm {
 btCollisionAlgorithm* RoundContacts::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                               const btCollisionObjectWrapper* first,
                                                               const btCollisionObjectWrapper* second) {
-  const btCollisionObject &round = *(m_swapped ? second : first)->getCollisionObject(),
-                          &other = *(m_swapped ? first : second)->getCollisionObject();
-  return new (info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(RoundAlgorithm)))
-      RoundAlgorithm(info, round, other, m_swapped);
+  return make_pair_algorithm<RoundAlgorithm>(info, first, second, m_swapped);
 }
 
 }  // namespace playhouse::arena
