@@ -73,6 +73,16 @@ function(playhouse_test_options TARGET)
   endif()
 endfunction()
 
+# Options of modules with vector functions (simd/vectors.h): without the first two, which change no result, square roots
+# and choices are not turned into vector instructions.
+function(playhouse_vector_options TARGET)
+  target_compile_options(${TARGET} PRIVATE -fno-math-errno -fno-trapping-math
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
+  if(PLAYHOUSE_SANITIZE)
+    target_compile_options(${TARGET} PRIVATE -O1)
+  endif()
+endfunction()
+
 # playhouse_gtest(TARGET NAME SHARDS n COMPUTED UNSANITIZED Suite.test...): the tests of a program, named NAME.1 to NAME.n:
 # n runs of the program share them. A run of its own for each test would start a sanitized program two thousand times. Laws draw the same cases in every
 # run, so that a red one can be repeated: a hundred; with sanitizers a tenth of those that the release draws as well. Of
@@ -111,16 +121,19 @@ function(playhouse_fuzzer TARGET)
   add_dependencies(fuzzers ${TARGET})
 endfunction()
 
-# playhouse_module(NAME DEPS a b c COMPUTED UNSANITIZED Suite.test HOT PRECOMPILED world OWN EXCEPT x.cc TOGETHER 8 APART y.cc ALONE z.cc)
+# playhouse_module(NAME DEPS a b c COMPUTED UNSANITIZED Suite.test HOT VECTORS PRECOMPILED world OWN EXCEPT x.cc TOGETHER 8 APART y.cc ALONE z.cc)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
 # COMPUTED, SHARDS n, UNSANITIZED: see playhouse_gtest; UNSANITIZED * are all its tests. HOT: optimised with sanitizers,
-# too, since tests spend their time there. PRECOMPILED (library if left out), OWN: see Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake.
+# too, since tests spend their time there. VECTORS: HOT, with the options of playhouse_vector_options(). PRECOMPILED (library if left out), OWN: see Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake.
 function(playhouse_module NAME)
-  cmake_parse_arguments(ARG "OWN;HOT;COMPUTED" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;UNSANITIZED;EXCEPT;APART;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "OWN;HOT;VECTORS;COMPUTED" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;UNSANITIZED;EXCEPT;APART;ALONE" ${ARGN})
   if(NOT ARG_PRECOMPILED)
     set(ARG_PRECOMPILED library)
+  endif()
+  if(ARG_VECTORS)
+    set(ARG_PRECOMPILED world)
   endif()
   file(GLOB SOURCES CONFIGURE_DEPENDS *.cc */*.cc)
   set(TESTS ${SOURCES})
@@ -137,15 +150,20 @@ function(playhouse_module NAME)
   set(TARGET playhouse_${NAME})
   if(SOURCES)
     add_library(${TARGET} STATIC ${SOURCES})
-    if(PLAYHOUSE_SANITIZE AND ARG_HOT)
-      set(ARG_OWN TRUE)
-      target_compile_options(${TARGET} PRIVATE -O1)
+    if(ARG_VECTORS)
+      playhouse_vector_options(${TARGET})
+      playhouse_precompile(${TARGET} vectors)
+    else()
+      if(PLAYHOUSE_SANITIZE AND ARG_HOT)
+        set(ARG_OWN TRUE)
+        target_compile_options(${TARGET} PRIVATE -O1)
+      endif()
+      set(OWN)
+      if(ARG_OWN)
+        set(OWN OWN)
+      endif()
+      playhouse_precompile(${TARGET} ${ARG_PRECOMPILED} ${OWN})
     endif()
-    set(OWN)
-    if(ARG_OWN)
-      set(OWN OWN)
-    endif()
-    playhouse_precompile(${TARGET} ${ARG_PRECOMPILED} ${OWN})
     playhouse_unity(${TARGET} TOGETHER ${ARG_TOGETHER} APART ${ARG_APART} ALONE ${ARG_ALONE})
     set(SCOPE PUBLIC)
   else()

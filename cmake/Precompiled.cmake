@@ -2,7 +2,7 @@
 # half the time. tools/tidy.py checks that files include what they use of them.
 #
 # playhouse_precompile(TARGET HEADER) has the sources of a target begin with a header of precompiled/: library, world or
-# devices, for tests library_test and so on. The target must be compiled with the options of its kind, in Playhouse.cmake;
+# devices, for tests library_test and so on; vectors is world for modules with VECTORS. The target must be compiled with the options of its kind, in Playhouse.cmake;
 # one with other options has the header compiled for itself: playhouse_precompile(TARGET HEADER OWN).
 
 option(PLAYHOUSE_PRECOMPILE "precompile common headers: faster, but the compiler sees no missing include" OFF)
@@ -27,7 +27,12 @@ function(playhouse_precompile TARGET HEADER)
   if(NOT TARGET ${OF})
     file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/precompiled_${HEADER}.cc CONTENT "")
     add_library(${OF} OBJECT ${CMAKE_BINARY_DIR}/precompiled_${HEADER}.cc)
-    target_precompile_headers(${OF} PRIVATE ${PLAYHOUSE_PRECOMPILED_FOLDER}/${HEADER}.h)
+    if(HEADER STREQUAL vectors)
+      target_precompile_headers(${OF} PRIVATE ${PLAYHOUSE_PRECOMPILED_FOLDER}/world.h)
+      playhouse_vector_options(${OF})
+    else()
+      target_precompile_headers(${OF} PRIVATE ${PLAYHOUSE_PRECOMPILED_FOLDER}/${HEADER}.h)
+    endif()
     target_link_libraries(${OF} PRIVATE playhouse_flags fmt::fmt)
     if(HEADER MATCHES test)
       target_link_libraries(${OF} PRIVATE rapidcheck rapidcheck_gtest GTest::gtest GTest::gmock)

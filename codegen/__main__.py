@@ -20,7 +20,7 @@ EMITTERS = [emit_c, emit_cpp, emit_cpp_fields, emit_docs, emit_java, emit_lisp, 
 KIND_EMITTERS = [emit_engine_words, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_tables, emit_views]
 # Folders owned by the emitters: other files there are left over.
 OWNED = [*(emitter.FOLDER for emitter in EMITTERS), emit_c.SOURCES, emit_kinds_cpp.FOLDER, emit_kinds_docs.FOLDER,
-         emit_kind_lists.BEHAVIOUR, emit_kind_lists.STAGE, emit_kind_lists.DRIVERS, emit_tables.FOLDER, emit_views.FOLDER, emit_views.WEB_FOLDER]
+         emit_kind_lists.BEHAVIOUR, emit_kind_lists.BODIES, emit_kind_lists.SENSES, emit_kind_lists.DRIVERS, emit_tables.FOLDER, emit_views.FOLDER, emit_views.WEB_FOLDER]
 
 
 def wanted() -> dict[str, str]:

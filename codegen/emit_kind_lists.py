@@ -1,5 +1,5 @@
 """Lists of hand-written code per kind, and power consumption, for engines and drivers; so that a kind adds files and changes none. In the folders
-`generated` of playhouse/scene/, behaviour/, stage/ and drivers/."""
+`generated` of playhouse/scene/, behaviour/, bodies/, senses/ and drivers/."""
 
 from __future__ import annotations
 
@@ -8,20 +8,21 @@ from codegen.kinds import BASE, Kinds
 
 SCENE = "playhouse/scene/generated"
 BEHAVIOUR = "playhouse/behaviour/generated"
-STAGE = "playhouse/stage/generated"
+BODIES = "playhouse/bodies/generated"
+SENSES = "playhouse/senses/generated"
 DRIVERS = "playhouse/drivers/generated"
 
 
 def emit(kinds: Kinds) -> dict[str, str]:
     """Path from the root of the tree -> content."""
     return {f"{SCENE}/bodies.h": _bodies(kinds), f"{BEHAVIOUR}/acts.h": _acts(kinds), f"{BEHAVIOUR}/draws.h": _draws(kinds),
-            f"{STAGE}/senses.h": _senses(kinds), f"{STAGE}/moves.h": _moves(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds)}
+            f"{SENSES}/senses.h": _senses(kinds), f"{BODIES}/moves.h": _moves(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds)}
 
 
 def _bodies(kinds: Kinds) -> str:
     found = [k for k in kinds.simulated() if k.body and k.body.form]
     lines = [BANNER.rstrip(), "#pragma once", "", "/// Bodies specific to kinds, each built by playhouse/scene/body_NAME.cc.", "",
-             '#include "playhouse/scene/body.h"', "", "namespace playhouse::scene {", ""]
+             '#include "playhouse/scene/forms/body.h"', "", "namespace playhouse::scene {", ""]
     lines += [f"void make_{k.name}_body(const geom::Size& size, ModelDesc& model);" for k in found]
     lines += ["", "/// Gives a model the body of its kind, which fills `size`.",
               "inline void make_body(const geom::Size& size, ModelDesc& model) {", "  switch (model.kind) {"]
@@ -57,8 +58,8 @@ def _draws(kinds: Kinds) -> str:
 
 def _senses(kinds: Kinds) -> str:
     found = [k for k in kinds.simulated() if k.measures]
-    lines = [BANNER.rstrip(), "#pragma once", "", "/// Sense phases of kinds, each defined in playhouse/stage/sense_NAME.cc.", "",
-             "#include <memory>", "", '#include "playhouse/stage/sense_phase.h"', "", "namespace playhouse::stage {", "",
+    lines = [BANNER.rstrip(), "#pragma once", "", "/// Sense phases of kinds, each defined in playhouse/senses/sense_NAME.cc.", "",
+             "#include <memory>", "", '#include "playhouse/senses/sense_phase.h"', "", "namespace playhouse::senses {", "",
              "/// `workers` is the maximum number of concurrent threads."]
     lines += [f"std::unique_ptr<SensePhase> make_{k.name}_sense(unsigned workers);" for k in found]
     lines += ["", "/// Factories of the phase of each kind; an engine with other sensor models has its own.", "struct SenseMakers {",
@@ -66,20 +67,20 @@ def _senses(kinds: Kinds) -> str:
     lines += [f"  Make {k.name} = make_{k.name}_sense;" for k in found]
     lines += ["};", "", "inline void add_senses(Senses& senses, unsigned workers, const SenseMakers& makers = {}) {"]
     lines += [f"  senses.add(makers.{k.name}(workers));" for k in found]
-    return "\n".join([*lines, "}", "", "}  // namespace playhouse::stage", ""])
+    return "\n".join([*lines, "}", "", "}  // namespace playhouse::senses", ""])
 
 
 def _moves(kinds: Kinds) -> str:
     """The first kind, the most frequent one, is the default branch."""
     first, *others = [k for k in kinds.simulated() if k.moves]
     lines = [BANNER.rstrip(), "#pragma once", "",
-             "/// Motion of each kind that moves by itself, by functions of playhouse/stage/move_NAME.h.", ""]
-    lines += [f'#include "playhouse/stage/move_{name}.h"' for name in sorted(k.name for k in [first, *others])]
-    lines += ["", "namespace playhouse::stage {", "", "/// Calls visit(functions) with the functions of a kind that moves.",
+             "/// Motion of each kind that moves by itself, by functions of playhouse/bodies/move_NAME.h.", ""]
+    lines += [f'#include "playhouse/bodies/move_{name}.h"' for name in sorted(k.name for k in [first, *others])]
+    lines += ["", "namespace playhouse::bodies {", "", "/// Calls visit(functions) with the functions of a kind that moves.",
               "template <typename Visit>",
               f"decltype(auto) with_move({'' if others else '[[maybe_unused]] '}scene::ModelKind kind, const Visit& visit) {{"]
     lines += [f"  if (kind == scene::ModelKind::{enumerator(k.kind)}) return visit({enumerator(k.name)[1:]}Move{{}});" for k in others]
-    return "\n".join([*lines, f"  return visit({enumerator(first.name)[1:]}Move{{}});", "}", "", "}  // namespace playhouse::stage", ""])
+    return "\n".join([*lines, f"  return visit({enumerator(first.name)[1:]}Move{{}});", "}", "", "}  // namespace playhouse::bodies", ""])
 
 
 def _devices(kinds: Kinds) -> str:
@@ -89,14 +90,14 @@ def _devices(kinds: Kinds) -> str:
             is_first = served.name not in {name for name, _, _ in found}
             found.append((served.name if is_first else f"{kind.name}_{served.name}", served.code, kind))
     lines = [BANNER.rstrip(), "#pragma once", "",
-             "/// The device of each interface of simulated models, defined in playhouse/drivers/simulated/NAME.cc,",
+             "/// The device of each interface of simulated models, defined in playhouse/drivers/interfaces/NAME.cc,",
              "/// and devices specific to a kind, with NAME of the kind.", "",
              "#include <cstdint>", "#include <memory>", "#include <optional>", "", '#include "playhouse/drivers/simulated/simulated_device.h"', "",
              "namespace playhouse::drivers {", "", "/// `model` fits the interface (model_interfaces.h)."]
-    lines += [f"std::unique_ptr<SimulatedDevice> make_{name}_device(Simulation& simulation, world::ModelRow model);" for name, _, _ in found]
+    lines += [f"std::unique_ptr<SimulatedDevice> make_{name}_device(run::Simulation& simulation, world::ModelRow model);" for name, _, _ in found]
     lines += ["", "struct DeviceMaker {", "  std::uint16_t interf;",
               "  std::optional<scene::ModelKind> kind;  // any kind, if empty",
-              "  std::unique_ptr<SimulatedDevice> (*make)(Simulation& simulation, world::ModelRow model);", "};",
+              "  std::unique_ptr<SimulatedDevice> (*make)(run::Simulation& simulation, world::ModelRow model);", "};",
               "inline constexpr DeviceMaker kDeviceMakers[] = {"]
     for name, code, kind in found:
         of = f"scene::ModelKind::{enumerator(kind.kind)}" if kind.entity == "model" and kind.name != BASE else "std::nullopt"

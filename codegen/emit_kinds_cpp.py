@@ -94,7 +94,7 @@ def _descs(kinds: Kinds) -> str:
     lines += _comment("Descriptions of each kind in world files, in SI units and radians; members have the default values "
                       "of files. Frames: W world, P parent, M model, B its body, S sensor, O odometry.")
     lines += ["", "#include <cstdint>", "#include <optional>", "#include <string>", "#include <vector>", "",
-              '#include "playhouse/geom/pose.h"', '#include "playhouse/scene/values.h"', "", "namespace playhouse::scene {", ""]
+              '#include "playhouse/geom/pose.h"', '#include "playhouse/scene/text/values.h"', "", "namespace playhouse::scene {", ""]
     lines += _comment("The simulated kinds of models; models of any other type are kPlain.")
     lines += ["enum class ModelKind : std::uint8_t {"]
     lines += [f"  {enumerator(k.kind)} = {k.number}," for k in kinds.simulated()]
@@ -228,7 +228,7 @@ def _signature(kind: Kind) -> str:
 def _readers(kinds: Kinds) -> str:
     inner = [k for k in described(kinds) if _through_kind(k)]
     lines = [BANNER.rstrip(), f'#include "{FOLDER}/read_kinds.h"', "", '#include "playhouse/base/limits.h"',
-             '#include "playhouse/scene/read_word.h"', "", "namespace playhouse::scene {", "namespace {", ""]
+             '#include "playhouse/scene/text/read_word.h"', "", "namespace playhouse::scene {", "namespace {", ""]
     for kind in inner:
         lines += [*_reader(kind), ""]
     lines += ["}  // namespace", ""]
@@ -365,7 +365,7 @@ def _writers_header(kinds: Kinds) -> str:
     lines = [BANNER.rstrip(), "#pragma once", ""]
     lines += _comment("Writes the words in which a description differs from `unsaid`, that of an entity that says nothing, so that "
                       "read() of read_kinds.h gives it back.")
-    lines += ["", '#include "playhouse/scene/generated/kind_descs.h"', '#include "playhouse/scene/write_word.h"', "",
+    lines += ["", '#include "playhouse/scene/generated/kind_descs.h"', '#include "playhouse/scene/text/write_word.h"', "",
               "namespace playhouse::scene {", ""]
     for kind in described(kinds):
         if kind.name == BASE:

@@ -83,7 +83,7 @@ def _cpp(kinds: Kinds) -> str:
     shown = views(kinds)
     lines = [BANNER.rstrip(), '#include "playhouse/replicate/views.h"', "", "#include <fmt/format.h>", "", "#include <iterator>", "#include <string>", "#include <string_view>",
              "", '#include "playhouse/replicate/json_text.h"', '#include "playhouse/replicate/quantize.h"',
-             '#include "playhouse/scene/colors.h"', '#include "playhouse/world/traits.h"', "",
+             '#include "playhouse/scene/forms/colors.h"', '#include "playhouse/world/traits.h"', "",
              "namespace playhouse::replicate {", "namespace {", ""]
     for view in shown:
         lines += _row_of(view.kind) + _capture(view)

@@ -10,7 +10,7 @@ An entry is a text, what to write instead, of what has no effect (or, of a type,
 
 `to` holds a word for each value, `word.1` for its second number; one word alone has them all. With `part` these are words of parts:
 old[1] of the second, old without a number of all. `counts` tells how many parts there are; `nested` is polygon[1].points of the
-second; `by_hand` is for what playhouse/scene/old_words.cc knows. `words` and `part_words` are what an entity of an old type, or a part that an old word makes, says where the file does not; of a
+second; `by_hand` is for what playhouse/scene/text/old_words.cc knows. `words` and `part_words` are what an entity of an old type, or a part that an old word makes, says where the file does not; of a
 `type` that is "" nothing is left.
 """
 

@@ -18,7 +18,7 @@ import threads
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "playhouse"
 
-REPRODUCIBLE = {"geom", "mesh", "scene", "world", "behaviour", "stage", "arena", "controllers", "scenarios"}
+REPRODUCIBLE = {"geom", "mesh", "scene", "world", "behaviour", "simd", "bodies", "rays", "senses", "stage", "arena", "controllers", "scenarios"}
 UNREPRODUCIBLE = re.compile(
     r"std::(sin|cos|tan|atan2?|asin|acos|exp|log|pow|hypot|rand)\(|\brand\(|random_device|unordered_|"
     r"system_clock|steady_clock|\btime\(nullptr")

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "playhouse/device/client.h"
-#include "playhouse/drivers/simulated/simulation.h"
 #include "playhouse/net/network.h"
-#include "playhouse/scene/expand.h"
+#include "playhouse/run/simulation.h"
+#include "playhouse/scene/text/expand.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/common.h"
 #include "world.h"

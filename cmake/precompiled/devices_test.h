@@ -3,4 +3,4 @@
 
 #include "devices.h"
 #include "library_test.h"
-#include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/run/testing/still_engine.h"

@@ -3,5 +3,5 @@
 
 #include "library_test.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 #include "world.h"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "playhouse/app/options.h"
+#include "playhouse/app/commands/options.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/record/rerun.h"
 #include "playhouse/scene/scene_desc.h"

@@ -5,7 +5,7 @@
 
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/run/testing/still_engine.h"
 #include "playhouse/server/server.h"
 #include "playhouse/server/test_client.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -57,7 +57,7 @@ class BusyTick : public ::testing::Test {
   }
 
   net::SimulatedNetwork network_{3};
-  drivers::testing::StillSimulation still_;
+  run::testing::StillSimulation still_;
   drivers::SimulatedDriver driver_;
   server::Server server_;
 };

@@ -19,7 +19,7 @@
 #include "playhouse/cluster/hello.h"
 #include "playhouse/cluster/node.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::app {
 namespace {

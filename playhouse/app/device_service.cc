@@ -12,10 +12,10 @@
 #include <optional>
 #include <utility>
 
+#include "playhouse/app/commands/options.h"
 #include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
-#include "playhouse/app/options.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
@@ -63,7 +63,7 @@ Result<void> DeviceService::make_drivers(const scene::CfgFile& file) {
   return {};
 }
 
-Result<std::unique_ptr<drivers::Simulation>> DeviceService::open_world(const std::string& path) {
+Result<std::unique_ptr<run::Simulation>> DeviceService::open_world(const std::string& path) {
   return Error{escaped(path), "there is no world here"};
 }
 

@@ -42,7 +42,7 @@ class DeviceService final : private ServerSurroundings {
  private:
   server::Server& the_server() override { return *server_; }
   net::IoLoop& the_loop() override { return loop_; }
-  Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
+  Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override;
 
   // In order of construction: later members use earlier ones.
   net::IoLoop loop_;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/app/options.h"
+#include "playhouse/app/commands/options.h"
 #include "playhouse/base/result.h"
 
 namespace playhouse::app {

@@ -16,12 +16,12 @@
 #include <thread>
 #include <vector>
 
-#include "playhouse/app/device_name.h"
-#include "playhouse/app/options.h"
-#include "playhouse/app/robots_client.h"
+#include "playhouse/app/commands/device_name.h"
+#include "playhouse/app/commands/options.h"
+#include "playhouse/app/commands/robots_client.h"
 #include "playhouse/app/service.h"
-#include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/net/io_loop.h"
+#include "playhouse/run/testing/still_engine.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse_client/position2d.h"
 #include "playhouse_client/robot.h"
@@ -49,7 +49,7 @@ scene::SceneDesc robots_in_a_row() {
       "robot_types [ \"bug\" ]\n";
   for (std::size_t k = 0; k < kRobots; ++k)
     text += fmt::format("position( name \"r{}\" pose [0 {} 0 0] size [0.4 0.4 0.3] )\n", k, 2 * k);
-  return drivers::testing::scene_of(text);
+  return run::testing::scene_of(text);
 }
 
 class FollowingPorts : public ::testing::Test {

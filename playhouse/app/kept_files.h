@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/text/source_text.h"
 
 namespace playhouse::app {
 

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "playhouse/app/command_line.h"
+#include "playhouse/app/commands/command_line.h"
 #include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
@@ -21,7 +21,7 @@
 #include "playhouse/app/standard_streams.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
-#include "playhouse/stage/instruction_set.h"
+#include "playhouse/simd/instruction_set.h"
 
 namespace playhouse::app {
 namespace {
@@ -60,9 +60,9 @@ void end_in_one_line() {
 Result<void> choose_instruction_set() {
   const char* const wanted = std::getenv("PLAYHOUSE_INSTRUCTION_SET");
   if (wanted == nullptr) return {};
-  const Result<stage::InstructionSet> set = stage::parse_instruction_set(wanted);
+  const Result<simd::InstructionSet> set = simd::parse_instruction_set(wanted);
   if (!set) return Error{"PLAYHOUSE_INSTRUCTION_SET", set.error().text};
-  stage::choose_instruction_set(*set);
+  simd::choose_instruction_set(*set);
   return {};
 }
 

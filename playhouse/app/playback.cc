@@ -21,7 +21,7 @@ std::shared_ptr<const world::Timeline> moments(std::uint64_t first, std::uint64_
 
 }  // namespace
 
-Playback::Playback(drivers::Simulation& simulation, record::Rerun& rerun)
+Playback::Playback(run::Simulation& simulation, record::Rerun& rerun)
     : simulation_(simulation),
       rerun_(rerun),
       timeline_(moments(rerun.first_tick(), rerun.last_tick(), rerun.world().scene().interval)) {}

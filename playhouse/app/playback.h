@@ -6,15 +6,15 @@
 #include <memory>
 #include <string>
 
-#include "playhouse/drivers/simulated/simulation.h"
 #include "playhouse/record/rerun.h"
+#include "playhouse/run/simulation.h"
 
 namespace playhouse::app {
 
 class Playback final : public world::Control {
  public:
   /// Both must outlive it; the rerun is the simulation's engine.
-  Playback(drivers::Simulation& simulation, record::Rerun& rerun);
+  Playback(run::Simulation& simulation, record::Rerun& rerun);
 
   /// Pauses at the end of the recording. To be called after every tick. Tick thread.
   void look_for_end();
@@ -33,7 +33,7 @@ class Playback final : public world::Control {
   std::uint64_t generation(world::ModelId) const override { return 0; }
 
  private:
-  drivers::Simulation& simulation_;
+  run::Simulation& simulation_;
   record::Rerun& rerun_;
   std::shared_ptr<const world::Timeline> timeline_;
   bool told_ = false;

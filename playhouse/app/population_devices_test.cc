@@ -11,13 +11,13 @@
 
 #include "playhouse/app/service.h"
 #include "playhouse/drivers/simulated/auto_devices.h"
-#include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/run/testing/still_engine.h"
 #include "playhouse/server/server.h"
 #include "playhouse/server/test_client.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/wire/generated/ranger.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 #include "playhouse_client/laser.h"
 #include "playhouse_client/position2d.h"
 
@@ -48,7 +48,7 @@ constexpr std::size_t kDevicesOfRobot = 9;
 class Town final : public drivers::Surroundings {
  public:
   explicit Town(std::size_t indices = drivers::AutoMap::kIndices)
-      : scene_(drivers::testing::scene_of(kWorld)), site_(*this, kPort), server_(simulated) {
+      : scene_(run::testing::scene_of(kWorld)), site_(*this, kPort), server_(simulated) {
     EXPECT_EQ(*server_.listen(kPort), kPort);
     EXPECT_TRUE(site_.open_world("some.world"));
     site_.data_flow().pass_to(server_);
@@ -57,7 +57,7 @@ class Town final : public drivers::Surroundings {
   }
   ~Town() override { simulation().discard(); }
 
-  drivers::Simulation& simulation() { return *site_.simulation(); }
+  run::Simulation& simulation() { return *site_.simulation(); }
   void post(std::function<void(world::World&)> change) { ASSERT_TRUE(simulation().post(std::move(change))); }
   void tick() {
     simulation().extend(1);
@@ -89,10 +89,10 @@ class Town final : public drivers::Surroundings {
   void release(device::DeviceId device, device::Driver* holder) override { server_.release(device, holder); }
   void post(std::function<void()> task) override { simulated.post(std::move(task)); }
   net::Network& network() override { return simulated; }
-  Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string&) override {
-    return std::make_unique<drivers::Simulation>(
-        std::make_unique<drivers::testing::StillEngine>(scene_),
-        drivers::Simulation::Options{.speed = 0, .paused = false, .duration = 0});
+  Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override {
+    return std::make_unique<run::Simulation>(
+        std::make_unique<run::testing::StillEngine>(scene_),
+        run::Simulation::Options{.speed = 0, .paused = false, .duration = 0});
   }
 
   net::SimulatedNetwork simulated{11};
@@ -277,12 +277,12 @@ TEST(PopulationDevices, with_the_number_of_another_say_nothing_to_who_had_that_o
 TEST(PopulationDevices, follow_over_tcp_with_every_thread_of_the_program) {
   constexpr std::uint16_t kRobots = 100;
   app::Service service({.port = 0, .web = std::nullopt}, {.speed = 0}, app::QuitTime::kIgnored);
-  service.take_scene(drivers::testing::scene_of(kWorld));
+  service.take_scene(run::testing::scene_of(kWorld));
   ASSERT_TRUE(service.open_ports());
   ASSERT_TRUE(service.make_devices());
   const std::size_t before = service.server().status().devices;
   const std::uint16_t port = service.player_ports().front();
-  drivers::Simulation& simulation = service.simulation();
+  run::Simulation& simulation = service.simulation();
 
   std::size_t opened = 0, gone = 0;
   std::string fault;

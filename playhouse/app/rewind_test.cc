@@ -1,15 +1,15 @@
 // Runs that are taken back: what comes after an instant is the same to the bit as the first time, whoever
 // came and went, and however many workers there are. Out of scope here: which instants there are
-// (drivers/simulated/history_test.cc) and what happens to devices (drivers/simulated/auto_devices_test.cc).
+// (run/history_test.cc) and what happens to devices (drivers/simulated/auto_devices_test.cc).
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "playhouse/app/world_opener.h"
-#include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/run/testing/still_engine.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::app {
 namespace {
@@ -27,7 +27,7 @@ class Rewound {
       : scene_(*scene::load_world(std::string(PLAYHOUSE_SOURCE_DIR) + "/worlds/cave.world")),
         simulation_(*make_engine(scene_, {.workers = workers}, controllers::Libraries::Use::kLoad,
                                  [](const std::string&) {}),
-                    {.speed = 0, .duration = 0, .clock = drivers::testing::no_time_passes}) {
+                    {.speed = 0, .duration = 0, .clock = run::testing::no_time_passes}) {
     simulation_.record(true);
     simulation_.add_listener(
         [this](const world::World& world, const world::Pace&) { hash_of_tick[world.tick()] = world.hash(); });
@@ -54,7 +54,7 @@ class Rewound {
 
  private:
   scene::SceneDesc scene_;
-  drivers::Simulation simulation_;
+  run::Simulation simulation_;
 };
 
 TEST(Rewind, goes_on_as_the_first_time_with_any_number_of_workers) {

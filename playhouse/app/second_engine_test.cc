@@ -8,11 +8,11 @@
 
 #include "playhouse/app/service.h"
 #include "playhouse/behaviour/testing/spring_engine.h"
-#include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/replicate/quantize.h"
 #include "playhouse/replicate/viewer.h"
-#include "playhouse/world/population.h"
-#include "playhouse/world/state.h"
+#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/world/population/population.h"
+#include "playhouse/world/saving/state.h"
 #include "playhouse_client/laser.h"
 #include "playhouse_client/position2d.h"
 #include "playhouse_client/simulation.h"
@@ -55,7 +55,7 @@ double x_of(const world::World& world, std::string_view name) {
 }
 
 TEST(SecondEngine, moves_bodies_its_own_way_and_robots_by_the_shared_drive_models) {
-  const scene::SceneDesc scene = drivers::testing::scene_of(kWorld);
+  const scene::SceneDesc scene = run::testing::scene_of(kWorld);
   const auto engine = springs_with_controllers(scene, 1);
   world::World& world = engine->world();
   const world::ModelRow guest = world.find("guest");
@@ -70,7 +70,7 @@ TEST(SecondEngine, moves_bodies_its_own_way_and_robots_by_the_shared_drive_model
 }
 
 TEST(SecondEngine, rolls_what_is_loose_with_all_its_parts) {
-  const scene::SceneDesc scene = drivers::testing::scene_of(kWorld);
+  const scene::SceneDesc scene = run::testing::scene_of(kWorld);
   const auto engine = springs_with_controllers(scene, 1);
   const world::World& world = engine->world();
   for (int tick = 0; tick < 5; ++tick) engine->step();
@@ -87,7 +87,7 @@ TEST(SecondEngine, rolls_what_is_loose_with_all_its_parts) {
 }
 
 TEST(SecondEngine, hears_of_changes_saves_and_goes_on_to_the_same_hash_with_any_number_of_workers) {
-  const scene::SceneDesc scene = drivers::testing::scene_of(kWorld);
+  const scene::SceneDesc scene = run::testing::scene_of(kWorld);
   std::vector<std::uint64_t> hashes;
   std::vector<std::byte> saved;
   for (const unsigned workers : {1u, 3u}) {
@@ -154,7 +154,7 @@ class Watcher {
 TEST(SecondEngine, serves_clients_and_viewers_as_the_first_does) {
   app::Service service({.port = 0, .web = std::nullopt}, {.speed = 0}, app::QuitTime::kIgnored);
   service.use_engine(make_springs);
-  service.take_scene(drivers::testing::scene_of(kWorld));
+  service.take_scene(run::testing::scene_of(kWorld));
   ASSERT_TRUE(service.open_ports());
   ASSERT_TRUE(service.make_devices());
   const std::uint16_t port = service.player_ports().front();

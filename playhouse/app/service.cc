@@ -26,15 +26,15 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log_at.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/bodies/blind_rangers.h"
+#include "playhouse/bodies/blocked_starts.h"
 #include "playhouse/drivers/simulated/joining.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/record/mcap_writer.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/stage/blind_rangers.h"
-#include "playhouse/stage/blocked_starts.h"
 #include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::app {
 namespace {
@@ -256,7 +256,7 @@ Result<void> Service::make_devices() {
   site_->data_flow().pass_to(*server_);
   const Result<void> made = recording_ ? open_playback() : cfg_ ? make_drivers() : add_robots();
   if (made && site_->simulation() != nullptr)
-    if (drivers::LockStep* lock_step = simulation().lock_step()) server_->take_turns(*lock_step);
+    if (run::LockStep* lock_step = simulation().lock_step()) server_->take_turns(*lock_step);
   // Before ports are announced: a reader of those may send a signal at once.
   if (made) catch_signals();
   return made;
@@ -292,10 +292,10 @@ Result<void> Service::add_robots() {
   return {};
 }
 
-Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::string& path) {
+Result<std::unique_ptr<run::Simulation>> Service::open_world(const std::string& path) {
   if (recording_)
-    return std::make_unique<drivers::Simulation>(std::move(recording_->rerun),
-                                                 pace_of(recording_->scene, serving_, running_, quit_time_));
+    return std::make_unique<run::Simulation>(std::move(recording_->rerun),
+                                             pace_of(recording_->scene, serving_, running_, quit_time_));
   if (cfg_) {
     if (const Result<void> read = read_world(path, scene::NamedBy::kFile); !read) return read.error();
   }
@@ -306,11 +306,11 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
     const Result<void> loaded = world::load_state((*engine)->world(), saved_->state);
     if (!loaded) return Error{{}, "the saved run " + loaded.error().text};
   } else {
-    for (const std::string& warning : stage::blocked_starts((*engine)->world())) warn_(warning);
-    for (const std::string& warning : stage::blind_rangers((*engine)->world())) warn_(warning);
+    for (const std::string& warning : bodies::blocked_starts((*engine)->world())) warn_(warning);
+    for (const std::string& warning : bodies::blind_rangers((*engine)->world())) warn_(warning);
   }
-  const drivers::Simulation::Options pace = pace_of(scene_, serving_, running_, quit_time_);
-  if (!running_.cluster) return std::make_unique<drivers::Simulation>(std::move(*engine), pace);
+  const run::Simulation::Options pace = pace_of(scene_, serving_, running_, quit_time_);
+  if (!running_.cluster) return std::make_unique<run::Simulation>(std::move(*engine), pace);
   const bool is_open = !net::is_local(serving_.bind + ":0");
   if (is_open && running_.cluster_token.empty()) running_.cluster_token = web_server::random_token();
   auto head = std::make_unique<cluster::Head>(std::move(*engine), sources_,
@@ -323,7 +323,7 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
   const Result<std::uint16_t> port = head_->listen();
   if (!port) return port.error();
   cluster_port_ = *port;
-  auto simulation = std::make_unique<drivers::Simulation>(std::move(head), pace);
+  auto simulation = std::make_unique<run::Simulation>(std::move(head), pace);
   simulation->add_run_listener(*head_);
   return simulation;
 }
@@ -391,7 +391,7 @@ Result<void> Service::open_page() {
                                        .shares = simulation().shares()};
   const auto device_names = [this](world::ModelId model) {
     if (playback_) return std::vector<std::string>();
-    return drivers::device_names(simulation().directory(), model, player_ports_.front());
+    return run::device_names(simulation().directory(), model, player_ports_.front());
   };
   world::Control& control = playback_ ? static_cast<world::Control&>(*playback_) : simulation();
   web_ = std::make_unique<web_server::WebServer>(web_loop_, options, control, simulation().world(),

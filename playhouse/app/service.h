@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "playhouse/app/again.h"
-#include "playhouse/app/options.h"
+#include "playhouse/app/commands/options.h"
 #include "playhouse/app/playback.h"
 #include "playhouse/app/server_surroundings.h"
 #include "playhouse/app/world_opener.h"
@@ -28,10 +28,10 @@
 #include "playhouse/record/recorder.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/scene/scene_desc.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/text/source_text.h"
 #include "playhouse/server/server.h"
 #include "playhouse/web_server/web_server.h"
-#include "playhouse/world/saved_run.h"
+#include "playhouse/world/saving/saved_run.h"
 
 namespace playhouse::app {
 
@@ -127,13 +127,13 @@ class Service final : private ServerSurroundings {
   /// Ends run(). Any thread.
   void stop();
 
-  drivers::Simulation& simulation() { return *site_->simulation(); }
+  run::Simulation& simulation() { return *site_->simulation(); }
   const server::Server& server() const { return *server_; }
 
  private:
   server::Server& the_server() override { return *server_; }
   net::IoLoop& the_loop() override { return loop_; }
-  Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
+  Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override;
   Result<void> open_port(std::uint32_t port) override;
 
   std::uint16_t first_of_free_ports();

@@ -6,7 +6,7 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/text/source_text.h"
 
 namespace playhouse::app {
 

@@ -11,9 +11,9 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/base/program_folder.h"
+#include "playhouse/bodies/check_scene.h"
 #include "playhouse/libraries/custom_kinds.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/stage/check_scene.h"
 #include "playhouse/stage/engine.h"
 
 namespace playhouse::app {
@@ -60,9 +60,9 @@ Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene
   if (!maker) return maker.error();
   Result<std::unique_ptr<world::Engine>> engine = (*maker)(scene, running.seed, running.workers);
   if (!engine) return engine;
-  for (const std::string& warning : stage::oddities_of(scene)) warn(warning);
+  for (const std::string& warning : bodies::oddities_of(scene)) warn(warning);
   if (!make && running.engine == kStage)
-    for (const std::string& warning : stage::left_out_in_the_plane(scene)) warn(warning);
+    for (const std::string& warning : bodies::left_out_in_the_plane(scene)) warn(warning);
   const libraries::Libraries allowed{
       .folders = libraries::library_folders(scene, program_folder()),
       .allowed = {running.allowed_libraries.begin(), running.allowed_libraries.end()},
@@ -77,12 +77,12 @@ Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene
   return engine;
 }
 
-drivers::Simulation::Options pace_of(const scene::SceneDesc& scene, const Serving& serving,
-                                     const Running& running, QuitTime quit_time) {
+run::Simulation::Options pace_of(const scene::SceneDesc& scene, const Serving& serving,
+                                 const Running& running, QuitTime quit_time) {
   constexpr double kForever = std::numeric_limits<double>::infinity();
   const double file_end =
       quit_time == QuitTime::kHonoured && scene.quit_time > 0 ? scene.quit_time : kForever;
-  drivers::Simulation::Options options;
+  run::Simulation::Options options;
   options.speed = running.speed.value_or(scene.speedup > 0 ? scene.speedup : 1.0);
   if (running.lock_step) {
     options.speed = running.speed.value_or(0);

@@ -11,12 +11,12 @@
 #include <string_view>
 #include <vector>
 
-#include "playhouse/app/options.h"
+#include "playhouse/app/commands/options.h"
 #include "playhouse/base/result.h"
 #include "playhouse/controllers/attach.h"
-#include "playhouse/drivers/simulated/simulation.h"
+#include "playhouse/run/simulation.h"
 #include "playhouse/scene/scene_desc.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/text/source_text.h"
 #include "playhouse/world/engine.h"
 
 namespace playhouse::app {
@@ -57,8 +57,8 @@ enum class QuitTime : std::uint8_t { kHonoured, kIgnored };
 /// could not keep up; use --fast for that. A file with paused starts
 /// paused only if there is a page to resume it. In lock-step the
 /// clients set the pace; a speed on the command line is an upper bound.
-drivers::Simulation::Options pace_of(const scene::SceneDesc& scene, const Serving& serving,
-                                     const Running& running, QuitTime quit_time);
+run::Simulation::Options pace_of(const scene::SceneDesc& scene, const Serving& serving,
+                                 const Running& running, QuitTime quit_time);
 
 /// The number of robots: root position models.
 std::size_t count_robots(const world::World& world);

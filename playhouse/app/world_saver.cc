@@ -8,7 +8,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
-#include "playhouse/world/as_scene.h"
+#include "playhouse/world/saving/as_scene.h"
 
 namespace playhouse::app {
 

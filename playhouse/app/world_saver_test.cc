@@ -9,7 +9,7 @@
 #include "playhouse/app/whole_file.h"
 #include "playhouse/base/testing_folder.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::app {
 namespace {

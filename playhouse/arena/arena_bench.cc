@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "playhouse/arena/ray_scene.h"
+#include "playhouse/arena/sensing/ray_scene.h"
 #include "playhouse/base/rng.h"
 #include "playhouse/geom/trig.h"
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "playhouse/arena/camera_sense.h"
-#include "playhouse/arena/lidar_sense.h"
-#include "playhouse/scene/actuator.h"
-#include "playhouse/stage/generated/moves.h"
-#include "playhouse/world/population.h"
-#include "playhouse/world/rows.h"
+#include "playhouse/arena/sensing/camera_sense.h"
+#include "playhouse/arena/sensing/lidar_sense.h"
+#include "playhouse/bodies/generated/moves.h"
+#include "playhouse/scene/forms/actuator.h"
+#include "playhouse/world/population/population.h"
+#include "playhouse/world/population/rows.h"
 
 namespace playhouse::arena {
 namespace {
@@ -45,8 +45,8 @@ double length(const Vec3& v) {
   return std::sqrt(dot(v, v));
 }
 
-bool is_moving(const world::World& world, const stage::Mover& mover) {
-  return stage::with_move(mover.kind, [&](auto move) { return move.is_moving(world, mover.part); });
+bool is_moving(const world::World& world, const bodies::Mover& mover) {
+  return bodies::with_move(mover.kind, [&](auto move) { return move.is_moving(world, mover.part); });
 }
 
 /// True if a model is `carrier` or attached to it.
@@ -55,15 +55,15 @@ bool carries(const world::Models& models, std::uint32_t carrier, std::uint32_t m
   return model == carrier;
 }
 
-geom::SpatialPose moved_by(const world::World& world, const stage::Mover& mover) {
+geom::SpatialPose moved_by(const world::World& world, const bodies::Mover& mover) {
   const double dt = world.scene().interval;
   const geom::Tilt tilt = world.models.tilt_PM[mover.model];
   if (tilt != geom::Tilt{} && mover.kind == scene::ModelKind::kActuator) {
-    const double position = stage::ActuatorMove::position_after(world, mover.part, dt);
-    const geom::Pose way = scene::way_along(stage::ActuatorMove::desc_of(world, mover.part), position);
+    const double position = bodies::ActuatorMove::position_after(world, mover.part, dt);
+    const geom::Pose way = scene::way_along(bodies::ActuatorMove::desc_of(world, mover.part), position);
     return geom::compose(world::joint_of(world, {mover.part}), {way, {}});
   }
-  const Pose X_PM = stage::with_move(mover.kind, [&](auto move) {
+  const Pose X_PM = bodies::with_move(mover.kind, [&](auto move) {
     return move.after(world, mover.part, world.models.X_PM[mover.model], dt);
   });
   return {X_PM, tilt};
@@ -101,7 +101,7 @@ void ArenaEngine::populated(bool fixed) {
 ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   Body body;
   body.part = part_of(world_, trees_, solids_, tree);
-  for (const stage::Mover& mover : movers_of(tree))
+  for (const bodies::Mover& mover : movers_of(tree))
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
   auto [hulls, models] = hulls_of(world_, trees_, solids_, tree, body.part, Joints::kAtRest, mesh_hulls_);
   if (hulls.empty()) {
@@ -113,7 +113,7 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   body.models = std::move(models);
   body.number = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
   // bend() moves its hulls to where the joints are.
-  for (const stage::Mover& mover : movers_of(tree)) {
+  for (const bodies::Mover& mover : movers_of(tree)) {
     const scene::ModelDesc& desc = world_.desc({mover.model});
     body.joints.push_back(world::tilted(desc, desc.X_PM));
   }
@@ -133,13 +133,13 @@ world::PhysicsShapes ArenaEngine::shapes() const {
   return shapes;
 }
 
-std::span<const stage::Mover> ArenaEngine::movers_of(std::uint32_t tree) const {
+std::span<const bodies::Mover> ArenaEngine::movers_of(std::uint32_t tree) const {
   const std::uint32_t first = trees_.first_mover[tree];
   return {trees_.movers.data() + first, trees_.first_mover[tree + 1] - first};
 }
 
-std::span<const stage::Mover> ArenaEngine::parts_of(std::uint32_t tree) const {
-  const std::span<const stage::Mover> movers = movers_of(tree);
+std::span<const bodies::Mover> ArenaEngine::parts_of(std::uint32_t tree) const {
+  const std::span<const bodies::Mover> movers = movers_of(tree);
   return bodies_[tree].part == Part::kVehicle ? movers.subspan(1) : movers;
 }
 
@@ -180,7 +180,7 @@ void ArenaEngine::load_guided(std::uint32_t tree) {
   BodyState state = state_of(world_.models, top);
   state.v = state.w = {};
   bool moves = false;
-  for (const stage::Mover& mover : movers_of(tree)) {
+  for (const bodies::Mover& mover : movers_of(tree)) {
     moves = moves || is_moving(world_, mover);
     if (mover.model != top) continue;
     const Pose &now = world_.models.X_PM[top], then = moved_by(world_, mover).X;
@@ -194,7 +194,7 @@ void ArenaEngine::load_guided(std::uint32_t tree) {
 /// Updates hulls of an articulated body to its joint positions.
 void ArenaEngine::bend(std::uint32_t tree) {
   Body& body = bodies_[tree];
-  const std::span<const stage::Mover> movers = movers_of(tree);
+  const std::span<const bodies::Mover> movers = movers_of(tree);
   bool is_bent = false;
   for (std::size_t i = 0; i < movers.size(); ++i) {
     const geom::SpatialPose X_PM = world::pose_in_parent(world_.models, {movers[i].model});
@@ -216,7 +216,7 @@ void ArenaEngine::find_blocked(unsigned steps) {
   const double lag = lag_after(steps, world_.scene().interval / steps);
   for (const Penetration& penetration : physics_.penetrations(kPressed)) {
     const std::uint32_t tree = tree_of_[penetration.body];
-    for (const stage::Mover& mover : parts_of(tree)) {
+    for (const bodies::Mover& mover : parts_of(tree)) {
       if (!is_moving(world_, mover) ||
           !carries(world_.models, mover.model, bodies_[tree].models[penetration.hull]))
         continue;
@@ -228,7 +228,7 @@ void ArenaEngine::find_blocked(unsigned steps) {
 }
 
 /// Displacement of a point in a tick by a mover.  [m, both in W]
-Vec3 ArenaEngine::way_of(const Vec3& p, const stage::Mover& mover) const {
+Vec3 ArenaEngine::way_of(const Vec3& p, const bodies::Mover& mover) const {
   const world::Models& models = world_.models;
   const geom::SpatialPose now = world::pose_in_world(models, {mover.model});
   geom::SpatialPose then = moved_by(world_, mover);
@@ -252,12 +252,12 @@ void ArenaEngine::store(std::uint32_t tree) {
   moved = store_parts(tree) || moved;
   if (moved) {
     world::place_tree(world_, {top});
-    stage::turn(solids_, world_.models, trees_.models_of(tree));
-    stage::place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
+    bodies::turn(solids_, world_.models, trees_.models_of(tree));
+    bodies::place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
   }
   if (body.part == Part::kVehicle) store_drive(tree, before);
-  for (const stage::Mover& mover : parts_of(tree))
-    stage::with_move(mover.kind, [&](auto move) {
+  for (const bodies::Mover& mover : parts_of(tree))
+    bodies::with_move(mover.kind, [&](auto move) {
       move.stall(world_, mover.part, is_blocked(mover));
       if (move.is_moving(world_, mover.part) && !is_blocked(mover)) move.arrive(world_, mover.part);
     });
@@ -302,14 +302,14 @@ void ArenaEngine::store_drive(std::uint32_t tree, const Pose& before) {
   };
   const bool stalls = wanted > 0 && share(way.x / dt, way.y / dt, geom::normalize(way.a) / dt) < kStalled &&
                       share(v.x, v.y, V.w.z) < kStalled;
-  stage::PositionMove::stall(world_, robot, stalls);
-  if (wanted > 0 && !stalls) stage::PositionMove::arrive(world_, robot);
+  bodies::PositionMove::stall(world_, robot, stalls);
+  if (wanted > 0 && !stalls) bodies::PositionMove::arrive(world_, robot);
 }
 
 /// Moves the kinematic parts of a tree. True if any moved.
 bool ArenaEngine::store_parts(std::uint32_t tree) {
   bool moved = false;
-  for (const stage::Mover& mover : parts_of(tree)) {
+  for (const bodies::Mover& mover : parts_of(tree)) {
     if (!is_moving(world_, mover) || is_blocked(mover)) continue;
     const geom::SpatialPose X_PM = moved_by(world_, mover);
     world_.models.X_PM.own(mover.model) = X_PM.X;

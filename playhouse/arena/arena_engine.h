@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "playhouse/arena/body_plan.h"
-#include "playhouse/arena/mesh_solids.h"
-#include "playhouse/arena/physics.h"
-#include "playhouse/stage/body_engine.h"
+#include "playhouse/arena/physics/mesh_solids.h"
+#include "playhouse/arena/physics/physics.h"
+#include "playhouse/senses/body_engine.h"
 
 namespace playhouse::arena {
 
-class ArenaEngine final : public stage::BodyEngine {
+class ArenaEngine final : public senses::BodyEngine {
  public:
   ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers, const Surface& ground);
 
@@ -22,9 +22,9 @@ class ArenaEngine final : public stage::BodyEngine {
   struct Body {
     static constexpr std::uint32_t kNone = world::ModelRow::kNone;
     Part part = Part::kGuided;
-    std::uint32_t number = kNone;       // in Physics; kNone: it has no collision shape
-    double radius = 0;                  // m, of its corners from B's upright axis, at most
-    bool has_joints = false;            // parts of it have joints
+    std::uint32_t number = kNone;           // in Physics; kNone: it has no collision shape
+    double radius = 0;                      // m, of its corners from B's upright axis, at most
+    bool has_joints = false;                // parts of it have joints
     std::vector<geom::SpatialPose> joints;  // X_PM of those parts as last given to Physics
     std::vector<std::uint32_t> models;      // model row of each hull (hulls)
   };
@@ -36,15 +36,15 @@ class ArenaEngine final : public stage::BodyEngine {
   void replaced(std::uint32_t) override {}
 
   Body make_body(std::uint32_t tree);
-  std::span<const stage::Mover> movers_of(std::uint32_t tree) const;
+  std::span<const bodies::Mover> movers_of(std::uint32_t tree) const;
   /// Movers of the tree; the root is one only if the body is kinematic.
-  std::span<const stage::Mover> parts_of(std::uint32_t tree) const;
+  std::span<const bodies::Mover> parts_of(std::uint32_t tree) const;
   void load(std::uint32_t tree);
   void load_guided(std::uint32_t tree);
   void bend(std::uint32_t tree);
   void find_blocked(unsigned steps);
-  geom::Vec3 way_of(const geom::Vec3& p, const stage::Mover& mover) const;
-  bool is_blocked(const stage::Mover& mover) const { return blocked_[&mover - trees_.movers.data()] != 0; }
+  geom::Vec3 way_of(const geom::Vec3& p, const bodies::Mover& mover) const;
+  bool is_blocked(const bodies::Mover& mover) const { return blocked_[&mover - trees_.movers.data()] != 0; }
   void store(std::uint32_t tree);
   bool store_state(std::uint32_t tree);
   void store_drive(std::uint32_t tree, const geom::Pose& before);

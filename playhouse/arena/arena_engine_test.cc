@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "playhouse/arena/testing_runs.h"
-#include "playhouse/world/as_scene.h"
+#include "playhouse/world/saving/as_scene.h"
 
 namespace playhouse::arena {
 namespace {

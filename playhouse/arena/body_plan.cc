@@ -9,7 +9,7 @@
 #include "playhouse/arena/surface.h"
 #include "playhouse/geom/trapezoids.h"
 #include "playhouse/mesh/mesh.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::arena {
 namespace {
@@ -62,7 +62,7 @@ void add_prisms(std::vector<Hull>& hulls, std::span<const geom::Outline> outline
 }
 
 /// Appends the convex prisms, in F, of solids [begin, end) of one body (see Solids::body).
-void add_body(std::vector<Hull>& hulls, const stage::Solids& solids, std::size_t begin, std::size_t end,
+void add_body(std::vector<Hull>& hulls, const bodies::Solids& solids, std::size_t begin, std::size_t end,
               const Pose& X_FM) {
   const std::vector<std::vector<Vec2>> outlines = outlines_of(solids, begin, end, X_FM);
   const double z_low = X_FM.z + solids.z_min_M[begin], z_high = X_FM.z + solids.z_max_M[begin];
@@ -84,7 +84,7 @@ void add_hulls(std::vector<Hull>& hulls, const std::vector<Hull>& of_body, const
 }
 
 /// Poses of a tree's models in its root.
-std::map<std::uint32_t, geom::SpatialPose> poses_in_top(const world::World& world, const stage::Trees& trees,
+std::map<std::uint32_t, geom::SpatialPose> poses_in_top(const world::World& world, const bodies::Trees& trees,
                                                         std::uint32_t tree, Joints joints) {
   const world::Models& models = world.models;
   std::map<std::uint32_t, geom::SpatialPose> X_BM;
@@ -158,7 +158,7 @@ Content content_of(std::span<const Hull> hulls) {
   return all;
 }
 
-double mass_of(const world::World& world, const stage::Trees& trees, std::uint32_t tree) {
+double mass_of(const world::World& world, const bodies::Trees& trees, std::uint32_t tree) {
   double mass = 0;
   for (const std::uint32_t row : trees.models_of(tree)) {
     const scene::ModelDesc& desc = world.desc({row});
@@ -200,7 +200,7 @@ Motors motors_of(const scene::PositionDesc& position) {
 
 }  // namespace
 
-Part part_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
+Part part_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
              std::uint32_t tree) {
   const std::uint32_t top = trees.root[tree];
   bool is_solid = false;
@@ -211,12 +211,12 @@ Part part_of(const world::World& world, const stage::Trees& trees, const stage::
   return world.models.mobility[top] == world::Mobility::kLoose ? Part::kLoose : Part::kGuided;
 }
 
-TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
+TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
                    std::uint32_t tree, Part part, Joints joints, MeshHulls& meshes) {
   const std::map<std::uint32_t, geom::SpatialPose> X_BM = poses_in_top(world, trees, tree, joints);
   TreeHulls all;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
-  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], stage::Observer::kMotion,
+  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], bodies::Observer::kMotion,
             [&](std::size_t begin, std::size_t end) {
               const std::uint32_t model = solids.model[begin];
               const FrameOfBody frame(X_BM.at(model));
@@ -236,7 +236,7 @@ TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const s
                                         extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
 }
 
-BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::uint32_t tree, Part part,
+BodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
                    std::vector<Hull> hulls) {
   const scene::ModelDesc& top = world.desc({trees.root[tree]});
   BodyDesc desc;
@@ -263,11 +263,11 @@ BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::ui
   return desc;
 }
 
-std::vector<FixedSolid> fixed_solids(const world::World& world, const stage::Solids& solids) {
+std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::Solids& solids) {
   std::vector<FixedSolid> fixed;
   std::vector<Hull> hulls;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
-  each_body(solids, 0, solids.fixed, stage::Observer::kMotion, [&](std::size_t begin, std::size_t end) {
+  each_body(solids, 0, solids.fixed, bodies::Observer::kMotion, [&](std::size_t begin, std::size_t end) {
     const std::uint32_t model = solids.model[begin];
     const FrameOfBody frame(world::pose_in_world(world.models, {model}));
     if (const mesh::Mesh* mesh = mesh_of(world, model)) {

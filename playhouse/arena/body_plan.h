@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "playhouse/arena/mesh_solids.h"
-#include "playhouse/arena/physics.h"
-#include "playhouse/stage/bodies.h"
+#include "playhouse/arena/physics/mesh_solids.h"
+#include "playhouse/arena/physics/physics.h"
+#include "playhouse/bodies/bodies.h"
 
 namespace playhouse::arena {
 
@@ -20,7 +20,7 @@ enum class Part : std::uint8_t {
 };
 
 /// The part of tree `tree`.
-Part part_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
+Part part_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
              std::uint32_t tree);
 
 /// Positions of a tree's joints: those of the tick, or those that the world file gives.
@@ -39,15 +39,15 @@ struct TreeHulls {
 
 /// The obstacles of a tree as convex hulls at these joint positions; of a vehicle only
 /// above the ground clearance of its wheels. Models with a mesh have the hulls of the mesh.
-TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
+TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
                    std::uint32_t tree, Part part, Joints joints, MeshHulls& meshes);
 
 /// The body of a tree with at least one hull. With hulls at rest it does not depend on
 /// what joints did: an arm that reaches out moves no wheel, and no mass.
-BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::uint32_t tree, Part part,
+BodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
                    std::vector<Hull> hulls);
 
 /// The static obstacles.
-std::vector<FixedSolid> fixed_solids(const world::World& world, const stage::Solids& solids);
+std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::Solids& solids);
 
 }  // namespace playhouse::arena

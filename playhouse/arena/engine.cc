@@ -4,7 +4,7 @@
 
 #include "playhouse/arena/arena_engine.h"
 #include "playhouse/arena/surface.h"
-#include "playhouse/stage/check_scene.h"
+#include "playhouse/bodies/check_scene.h"
 
 namespace playhouse::arena {
 
@@ -16,7 +16,7 @@ constexpr double kLongestTick = 10;  // s: thousands of physics steps, not inter
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
                                                    const EngineOptions& options) {
-  if (const Result<void> checked = stage::check_scene(scene); !checked) return checked.error();
+  if (const Result<void> checked = bodies::check_scene(scene); !checked) return checked.error();
   if (scene.interval > kLongestTick)
     return Error{scene.path,
                  fmt::format("interval_sim {:g} is too long for physics, which takes at most {:g}",

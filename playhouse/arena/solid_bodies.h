@@ -8,27 +8,27 @@
 #include <span>
 #include <vector>
 
+#include "playhouse/bodies/bodies.h"
 #include "playhouse/geom/orientation.h"
-#include "playhouse/stage/bodies.h"
 
 namespace playhouse::arena {
 
 /// Calls visit(begin, end) for each body, a run of rows in [first,
 /// last) of one model (see Solids::body), that `observer` sees.
 template <typename Visit>
-void each_body(const stage::Solids& solids, std::size_t first, std::size_t last, stage::Observer observer,
+void each_body(const bodies::Solids& solids, std::size_t first, std::size_t last, bodies::Observer observer,
                const Visit& visit) {
   for (std::size_t begin = first; begin < last;) {
     std::size_t end = begin + 1;
     while (end < last && solids.body[end] == solids.body[begin]) ++end;
-    if ((solids.seen_by[begin] & stage::bit(observer)) != 0) visit(begin, end);
+    if ((solids.seen_by[begin] & bodies::bit(observer)) != 0) visit(begin, end);
     begin = end;
   }
 }
 
 /// The outlines of a body in F, a frame in which its
 /// model is upright; the solid side is on their left. [m]
-inline std::vector<std::vector<geom::Vec2>> outlines_of(const stage::Solids& solids, std::size_t begin,
+inline std::vector<std::vector<geom::Vec2>> outlines_of(const bodies::Solids& solids, std::size_t begin,
                                                         std::size_t end, const geom::Pose& X_FM) {
   const geom::Rotation turn = geom::Rotation::of(X_FM.a);
   std::vector<std::vector<geom::Vec2>> outlines;
@@ -41,8 +41,8 @@ inline std::vector<std::vector<geom::Vec2>> outlines_of(const stage::Solids& sol
   return outlines;
 }
 
-/// The frame F in which the body of a model is made, from its pose in R, the world or its tree: R itself, as in
-/// the stage engine, or for a tilted model its own frame M, whose points are then turned.
+/// The frame F in which the body of a model is made, from its pose in R, the world or its tree: R itself, as
+/// in the stage engine, or for a tilted model its own frame M, whose points are then turned.
 class FrameOfBody {
  public:
   explicit FrameOfBody(const geom::SpatialPose& X_RM) : X_RM_(X_RM) {}

@@ -1,7 +1,7 @@
 #include "playhouse/arena/surface.h"
 
 #include "playhouse/mesh/mesh.h"
-#include "playhouse/scene/materials.h"
+#include "playhouse/scene/forms/materials.h"
 
 namespace playhouse::arena {
 

@@ -2,7 +2,7 @@
 
 /// Friction and restitution of materials.
 
-#include "playhouse/arena/rigid_body.h"
+#include "playhouse/arena/physics/rigid_body.h"
 #include "playhouse/scene/scene_desc.h"
 
 namespace playhouse::arena {

@@ -5,8 +5,8 @@
 
 #include "playhouse/arena/testing_runs.h"
 #include "playhouse/scene/write_world.h"
-#include "playhouse/world/as_scene.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
+#include "playhouse/world/saving/as_scene.h"
 
 namespace playhouse::arena {
 namespace {

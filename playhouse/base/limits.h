@@ -91,7 +91,7 @@ inline constexpr std::size_t kObserverCommandBytes = 4096;   // of one text from
 inline constexpr std::size_t kTokenBytes = 128;              // of a guest's token
 inline constexpr std::size_t kTokenBytesLeast = 8;           // of one that a file of guests gives
 
-// The last minutes of a run that somebody watches (drivers/simulated/history.h).
+// The last minutes of a run that somebody watches (run/history.h).
 inline constexpr double kHistorySeconds = 600;            // simulated, back from the newest instant
 inline constexpr double kHistoryPeriodSeconds = 1;        // simulated, from one instant to the next
 inline constexpr std::size_t kHistoryBytes = 128u << 20;  // of all states

@@ -44,7 +44,7 @@ enum class Purpose : std::uint64_t {
 };
 
 /// Key of an independent sequence per tick: purpose, entity and part. Models are identified by serial number
-/// (world/serials.h), which does not change when other models are spawned or removed.
+/// (world/population/serials.h), which does not change when other models are spawned or removed.
 struct Stream {
   Purpose purpose;
   std::uint32_t entity = 0, part = 0, detail = 0;

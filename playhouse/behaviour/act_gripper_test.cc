@@ -6,7 +6,7 @@
 
 #include "playhouse/behaviour/generated/acts.h"
 #include "playhouse/world/gripper.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::behaviour {
 namespace {

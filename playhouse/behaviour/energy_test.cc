@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::behaviour {
 namespace {

@@ -11,7 +11,7 @@
 #include "playhouse/base/packing.h"
 #include "playhouse/behaviour/due_list.h"
 #include "playhouse/world/division.h"
-#include "playhouse/world/sensed_rows.h"
+#include "playhouse/world/saving/sensed_rows.h"
 #include "playhouse/world/workers.h"
 
 namespace playhouse::behaviour {

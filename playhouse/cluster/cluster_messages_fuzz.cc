@@ -10,9 +10,9 @@
 #include "playhouse/cluster/hello.h"
 #include "playhouse/cluster/step.h"
 #include "playhouse/cluster/stream.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/text/source_text.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/world/sensed_rows.h"
+#include "playhouse/world/saving/sensed_rows.h"
 
 namespace {
 

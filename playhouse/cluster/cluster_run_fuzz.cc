@@ -25,8 +25,8 @@
 #include "playhouse/cluster/node.h"
 #include "playhouse/record/whole_state.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/world/saved_run.h"
-#include "playhouse/world/sensed_rows.h"
+#include "playhouse/world/saving/saved_run.h"
+#include "playhouse/world/saving/sensed_rows.h"
 
 namespace {
 

@@ -19,7 +19,7 @@
 #include "playhouse/cluster/hello.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/record/whole_state.h"
-#include "playhouse/world/saved_run.h"
+#include "playhouse/world/saving/saved_run.h"
 
 namespace playhouse::cluster {
 namespace {

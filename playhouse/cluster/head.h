@@ -17,7 +17,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/cluster/step.h"
 #include "playhouse/cluster/stream.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/text/source_text.h"
 #include "playhouse/world/engine.h"
 #include "playhouse/world/run_listener.h"
 

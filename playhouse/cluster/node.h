@@ -11,7 +11,7 @@
 #include "playhouse/cluster/step.h"
 #include "playhouse/cluster/stream.h"
 #include "playhouse/world/engine.h"
-#include "playhouse/world/saved_run.h"
+#include "playhouse/world/saving/saved_run.h"
 
 namespace playhouse::cluster {
 

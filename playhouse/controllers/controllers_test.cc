@@ -11,8 +11,8 @@
 #include "playhouse/controllers/attach.h"
 #include "playhouse/controllers/rasterize.h"
 #include "playhouse/controllers/testing/scenes.h"
-#include "playhouse/scene/colors.h"
-#include "playhouse/world/population.h"
+#include "playhouse/scene/forms/colors.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::controllers {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "playhouse/controllers/attach.h"
 #include "playhouse/controllers/testing/scenes.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::controllers {
 namespace {

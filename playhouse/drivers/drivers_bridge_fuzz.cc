@@ -133,7 +133,7 @@ std::vector<std::byte> any_body(FuzzScript& script) {
 struct Bridge {
   scene::SceneDesc scene;
   Clients clients;
-  Simulation simulation;
+  run::Simulation simulation;
   SimulatedDriver driver;
   std::set<std::uint32_t> open;
 

@@ -22,7 +22,7 @@
 #include "playhouse/base/fuzz_script.h"
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/gym/link.h"
-#include "playhouse/drivers/simulated/simulation.h"
+#include "playhouse/run/simulation.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
 
@@ -101,8 +101,8 @@ class Program {
     memory_ = {static_cast<std::byte*>(memory), bytes};
   }
 
-  Simulation simulation_{*stage::make_engine(the_scene(), {}),
-                         {.speed = 0, .duration = 1e9, .lock_step = LockStep::Options{}}};
+  run::Simulation simulation_{*stage::make_engine(the_scene(), {}),
+                              {.speed = 0, .duration = 1e9, .lock_step = run::LockStep::Options{}}};
   int socket_ = -1;
   std::unique_ptr<Link> link_;
   std::span<std::byte> memory_;

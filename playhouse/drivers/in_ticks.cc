@@ -8,9 +8,9 @@ namespace playhouse::drivers {
 void run_in_ticks(Site& site, std::span<const device::Address> devices, device::Address robot,
                   AlgorithmThread& thread, std::function<void(const world::World&)> reloaded) {
   constexpr std::uint64_t kDelay = 1;  // ticks from a step to its result
-  Simulation* const simulation = site.simulation();
+  run::Simulation* const simulation = site.simulation();
   if (simulation == nullptr) return;
-  Directory& directory = simulation->directory();
+  run::Directory& directory = simulation->directory();
   for (const device::Address& device : devices) directory.add(directory.model_of(robot), device);
   thread.follow_ticks(simulation->world().tick(), kDelay);
   simulation->add_follower(

@@ -8,7 +8,7 @@
 #include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/ranger.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -70,7 +70,7 @@ position( name "r0" ranger( sensor( samples 181 ) ) ranger( sensor( ) sensor( ) 
   ASSERT_EQ(site.build(std::string(kStage) +
                        "driver( name \"stage\" provides [\"sonar:0\" \"sonar:1\"] model \"r0\" )"),
             "");
-  Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *site.site().simulation();
   EXPECT_EQ(list_models(simulation.world(), simulation.directory(), 0).text,
             "0\tr0\tposition\t\t\n"
             "1\tr0.ranger:0\tranger\tr0\t6665:sonar:1\n"
@@ -83,7 +83,7 @@ TEST(StageDriver, speech_is_of_the_model_that_is_named_and_may_be_of_it_twice) {
 driver( name "stage" provides ["speech:0" "speech:1"] model "r0.ranger:0" )
 driver( name "stage" provides ["speech:2"] model "r0" ))"),
             "");
-  Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *site.site().simulation();
   EXPECT_EQ(list_models(simulation.world(), simulation.directory(), 0).text,
             "0\tr0\tposition\t\t6665:speech:2\n"
             "1\tr0.ranger:0\tranger\tr0\t6665:speech:0 6665:speech:1\n"
@@ -100,7 +100,7 @@ TEST(StageDriver, tells_the_directory_which_model_each_device_shows) {
 driver( name "stage" provides ["position2d:0" "ranger:0" "ranger:1"] model "r0" )
 driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
             "");
-  Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *site.site().simulation();
   EXPECT_EQ(list_models(simulation.world(), simulation.directory(), 0).text,
             "0\tr0\tposition\t\t6665:position2d:0\n"
             "1\tr0.ranger:0\tranger\tr0\t6665:ranger:0\n"

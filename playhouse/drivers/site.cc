@@ -62,7 +62,7 @@ std::set<device::Address> Site::take_remote_devices() {
 }
 
 Result<void> Site::open_world(const std::string& path) {
-  Result<std::unique_ptr<Simulation>> simulation = surroundings_.open_world(path);
+  Result<std::unique_ptr<run::Simulation>> simulation = surroundings_.open_world(path);
   if (!simulation) return simulation.error();
   simulation_ = std::move(*simulation);
   simulation_->publish_to(data_flow_);
@@ -73,7 +73,7 @@ Result<void> Site::open_world(const std::string& path) {
 
 void Site::follow(const world::World& world, const world::Change& change) {
   using Kind = world::Change::Kind;
-  const Directory& directory = simulation_->directory();
+  const run::Directory& directory = simulation_->directory();
   std::vector<device::Address> gone;
   if (change.kind == Kind::kReload) {
     for (const device::Address& address : directory.devices())

@@ -20,8 +20,8 @@
 #include "playhouse/device/client.h"
 #include "playhouse/device/data_flow.h"
 #include "playhouse/device/driver.h"
-#include "playhouse/drivers/simulated/simulation.h"
 #include "playhouse/net/network.h"
+#include "playhouse/run/simulation.h"
 #include "playhouse/scene/device_address.h"
 
 namespace playhouse::drivers {
@@ -44,7 +44,7 @@ class Surroundings : public device::Opener {
   /// For drivers that connect to other machines. Same thread as tasks of post().
   virtual net::Network& network() = 0;
   /// Loads a world file into a new engine.
-  virtual Result<std::unique_ptr<Simulation>> open_world(const std::string& path) = 0;
+  virtual Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) = 0;
 };
 
 class Site {
@@ -73,7 +73,7 @@ class Site {
   std::set<std::uint32_t> ports() const;
 
   /// The world, once a driver has opened it.
-  Simulation* simulation() const { return simulation_.get(); }
+  run::Simulation* simulation() const { return simulation_.get(); }
   Result<void> open_world(const std::string& path);
 
   /// Retires devices, and recursively those of drivers that require them, since
@@ -119,7 +119,7 @@ class Site {
 
   Surroundings& surroundings_;
   std::uint16_t default_port_;
-  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<run::Simulation> simulation_;
   device::DataFlow data_flow_;
   struct Provided {
     device::DeviceId id;

@@ -11,9 +11,9 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/mesh_limits.h"
 #include "playhouse/mesh/check_mesh.h"
-#include "playhouse/mesh/collada_physics.h"
 #include "playhouse/mesh/fit.h"
 #include "playhouse/mesh/image_file.h"
+#include "playhouse/mesh/import/collada_physics.h"
 #include "playhouse/mesh/packed.h"
 #include "playhouse/mesh/parts.h"
 

@@ -15,12 +15,12 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/mesh_limits.h"
 #include "playhouse/mesh/check_mesh.h"
-#include "playhouse/mesh/collada_document.h"
-#include "playhouse/mesh/collada_physics.h"
-#include "playhouse/mesh/import.h"
+#include "playhouse/mesh/import/collada_document.h"
+#include "playhouse/mesh/import/collada_physics.h"
+#include "playhouse/mesh/import/import.h"
+#include "playhouse/mesh/import/trimmed.h"
 #include "playhouse/mesh/own_process.h"
 #include "playhouse/mesh/packed.h"
-#include "playhouse/mesh/trimmed.h"
 
 namespace playhouse::mesh {
 namespace {

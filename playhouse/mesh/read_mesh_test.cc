@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "playhouse/base/testing_folder.h"
-#include "playhouse/mesh/gltf_text.h"
+#include "playhouse/mesh/import/gltf_text.h"
 #include "playhouse/mesh/opacity.h"
 #include "playhouse/mesh/own_process.h"
 #include "playhouse/mesh/testing_meshes.h"

@@ -9,7 +9,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/net/network.h"
-#include "playhouse/replicate/datagram_observer.h"
+#include "playhouse/replicate/datagrams/datagram_observer.h"
 
 namespace playhouse::observers {
 

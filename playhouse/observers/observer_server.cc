@@ -10,7 +10,7 @@
 #include "playhouse/base/log.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/observers/cookie.h"
-#include "playhouse/replicate/datagram_viewer.h"
+#include "playhouse/replicate/datagrams/datagram_viewer.h"
 #include "playhouse/replicate/scene_text.h"
 #include "playhouse/replicate/snapshot_feed.h"
 

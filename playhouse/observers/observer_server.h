@@ -1,6 +1,6 @@
 #pragma once
 
-/// ObserverServer: read-only replication of the world over datagrams (replicate/datagram.h). Admits
+/// ObserverServer: read-only replication of the world over datagrams (replicate/datagrams/datagram.h). Admits
 /// observers after address validation and a check of their token, and sends each one deltas within its
 /// budget. No cost without observers. docs/observers.md. Threads: wants_show() and show() are for the
 /// tick thread or one that works for it, all else for the thread of the network, or before that runs.

@@ -11,7 +11,7 @@
 #include "playhouse/observers/observer_client.h"
 #include "playhouse/observers/observer_server.h"
 #include "playhouse/replicate/small_world.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::observers {
 namespace {

@@ -12,8 +12,8 @@
 #include "playhouse/record/whole_state.h"
 #include "playhouse/replicate/views.h"
 #include "playhouse/world/periods.h"
-#include "playhouse/world/saved_run.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/saving/saved_run.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::record {
 namespace {

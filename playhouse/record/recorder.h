@@ -15,13 +15,13 @@
 #include "playhouse/record/messages.h"
 #include "playhouse/record/record_thread.h"
 #include "playhouse/record/selection.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/text/source_text.h"
 #include "playhouse/world/control.h"
 #include "playhouse/world/run_listener.h"
 
 namespace playhouse::record {
 
-/// Name of the attachment with the initial state, a file of world/saved_run.h.
+/// Name of the attachment with the initial state, a file of world/saving/saved_run.h.
 inline constexpr const char* kStartName = "start.run";
 
 /// Simulated time between two keyframes of a recording. [s]

@@ -10,7 +10,7 @@
 #include "playhouse/record/mcap_writer.h"
 #include "playhouse/record/rerun.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::record {
 namespace {

@@ -13,7 +13,7 @@
 #include "playhouse/record/mcap_reader.h"
 #include "playhouse/record/packed_bytes.h"
 #include "playhouse/world/engine.h"
-#include "playhouse/world/saved_run.h"
+#include "playhouse/world/saving/saved_run.h"
 
 namespace playhouse::record {
 

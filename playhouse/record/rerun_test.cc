@@ -6,7 +6,7 @@
 #include "playhouse/base/packing.h"
 #include "playhouse/record/whole_state.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::record {
 namespace {

@@ -9,8 +9,8 @@
 #include "playhouse/record/frames.h"
 #include "playhouse/record/messages.h"
 #include "playhouse/record/on_earth.h"
-#include "playhouse/scene/camera.h"
-#include "playhouse/scene/sensor_rays.h"
+#include "playhouse/scene/forms/camera.h"
+#include "playhouse/scene/forms/sensor_rays.h"
 #include "playhouse/world/periods.h"
 
 namespace playhouse::record {

@@ -5,7 +5,7 @@
 
 #include "playhouse/base/hash.h"
 #include "playhouse/base/packing.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::record {
 namespace {

@@ -13,7 +13,7 @@
 
 namespace playhouse::record {
 
-/// Appends the state to `out`: that of world/state.h with its size in front, then the subscriptions
+/// Appends the state to `out`: that of world/saving/state.h with its size in front, then the subscriptions
 /// of each model without controllers, and of those the watchers. Fails like world::save_state().
 Result<void> save_whole(const world::World& world, Bytes& out);
 

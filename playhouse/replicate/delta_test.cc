@@ -10,8 +10,8 @@
 #include "playhouse/replicate/quantize.h"
 #include "playhouse/replicate/small_world.h"
 #include "playhouse/replicate/viewer.h"
-#include "playhouse/world/population.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/population/population.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::replicate {
 namespace {

@@ -14,7 +14,7 @@
 #include "playhouse/replicate/scene_text.h"
 #include "playhouse/replicate/small_world.h"
 #include "playhouse/replicate/views.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::replicate {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "playhouse/geom/pose.h"
-#include "playhouse/scene/values.h"
+#include "playhouse/scene/text/values.h"
 
 namespace playhouse::replicate {
 

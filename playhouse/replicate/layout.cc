@@ -5,8 +5,8 @@
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/quantize.h"
 #include "playhouse/replicate/views.h"
-#include "playhouse/scene/colors.h"
-#include "playhouse/world/population.h"
+#include "playhouse/scene/forms/colors.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::replicate {
 namespace {

@@ -9,7 +9,7 @@
 #include "playhouse/mesh/mesh.h"
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/views.h"
-#include "playhouse/scene/materials.h"
+#include "playhouse/scene/forms/materials.h"
 
 namespace playhouse::replicate {
 namespace {

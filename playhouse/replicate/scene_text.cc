@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "playhouse/replicate/json_text.h"
-#include "playhouse/scene/daylight.h"
+#include "playhouse/scene/forms/daylight.h"
 
 namespace playhouse::replicate {
 namespace {

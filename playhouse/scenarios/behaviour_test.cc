@@ -13,7 +13,7 @@
 #include "playhouse/controllers/attach.h"
 #include "playhouse/scenarios/scenario.h"
 #include "playhouse/scenarios/testing_simulation.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::scenarios {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "playhouse/geom/pose.h"
-#include "playhouse/scene/bitmap.h"
+#include "playhouse/scene/images/bitmap.h"
 
 namespace playhouse::scenarios {
 

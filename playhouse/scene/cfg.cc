@@ -7,7 +7,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
-#include "playhouse/scene/colors.h"
+#include "playhouse/scene/forms/colors.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/shipped_worlds.h"
 #include "playhouse/scene/warnings.h"

@@ -12,8 +12,8 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/scene/device_address.h"
-#include "playhouse/scene/expand.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/text/expand.h"
+#include "playhouse/scene/text/source_text.h"
 
 namespace playhouse::scene {
 

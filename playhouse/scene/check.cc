@@ -11,7 +11,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/mesh/mesh.h"
 #include "playhouse/scene/cfg.h"
-#include "playhouse/scene/syntax.h"
+#include "playhouse/scene/text/syntax.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::scene {

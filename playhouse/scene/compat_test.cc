@@ -12,10 +12,10 @@
 #include <map>
 
 #include "playhouse/base/testing_reference.h"
-#include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/cfg.h"
-#include "playhouse/scene/syntax.h"
+#include "playhouse/scene/images/bitmap.h"
 #include "playhouse/scene/testing_expanded.h"
+#include "playhouse/scene/text/syntax.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::scene {

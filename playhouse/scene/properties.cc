@@ -6,7 +6,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/rng.h"
-#include "playhouse/scene/colors.h"
+#include "playhouse/scene/forms/colors.h"
 
 namespace playhouse::scene {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "playhouse/scene/expand.h"
+#include "playhouse/scene/text/expand.h"
 #include "playhouse/scene/warnings.h"
 
 namespace playhouse::scene {

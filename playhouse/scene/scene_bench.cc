@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "playhouse/scene/bitmap.h"
+#include "playhouse/scene/images/bitmap.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::scene {

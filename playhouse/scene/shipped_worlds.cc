@@ -3,7 +3,7 @@
 #include <system_error>
 
 #include "playhouse/base/in_quotes.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/text/source_text.h"
 
 namespace playhouse::scene {
 namespace {

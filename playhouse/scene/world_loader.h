@@ -9,7 +9,7 @@
 #include "playhouse/base/mesh_limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/scene/scene_desc.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/text/source_text.h"
 
 namespace playhouse::scene {
 

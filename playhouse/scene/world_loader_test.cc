@@ -11,7 +11,7 @@
 
 #include "playhouse/base/finding.h"
 #include "playhouse/base/testing_folder.h"
-#include "playhouse/scene/charge.h"
+#include "playhouse/scene/forms/charge.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/testing_expanded.h"
 

@@ -11,15 +11,15 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
-#include "playhouse/scene/body.h"
-#include "playhouse/scene/expand.h"
-#include "playhouse/scene/file_search.h"
+#include "playhouse/scene/forms/body.h"
+#include "playhouse/scene/forms/mesh_words.h"
 #include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/generated/write_kinds.h"
 #include "playhouse/scene/kinds.h"
-#include "playhouse/scene/mesh_words.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/text/expand.h"
+#include "playhouse/scene/text/file_search.h"
+#include "playhouse/scene/text/source_text.h"
 
 namespace playhouse::scene {
 namespace {

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
+#include "playhouse/bodies/overlap.h"
 #include "playhouse/stage/engine.h"
-#include "playhouse/stage/overlap.h"
 #include "playhouse/stage/testing_scenes.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::stage {
 namespace {
@@ -30,7 +30,7 @@ class Running {
     engine_ = std::move(*made);
   }
   World& world() { return engine_->world(); }
-  const Pose& X_WM(std::uint32_t row) { return world().models.X_WM[row]; }
+  const geom::Pose& X_WM(std::uint32_t row) { return world().models.X_WM[row]; }
   double position(std::uint32_t actuator = 0) { return world().actuators.position[actuator]; }
   bool stalls(std::uint32_t actuator = 0) { return world().actuators.stall[actuator] != 0; }
   void step(int ticks = 1) {
@@ -62,7 +62,7 @@ TEST(Actuator, slides_along_its_own_axis_with_what_it_carries) {
   EXPECT_NEAR(run.X_WM(0).x, 1, 1e-12);
   EXPECT_NEAR(run.X_WM(0).y, 2.3, 1e-12);
   EXPECT_NEAR(run.X_WM(1).y, 2.4, 1e-12);
-  EXPECT_EQ(run.world().models.X_PM[1], (Pose{0.1, 0, 0.2, 0}));
+  EXPECT_EQ(run.world().models.X_PM[1], (geom::Pose{0.1, 0, 0.2, 0}));
 }
 
 TEST(Actuator, turns_what_it_carries_about_itself) {
@@ -313,7 +313,7 @@ TEST(Actuator, on_a_robot_moves_with_it) {
   Running run(scene);
   run.set_speed(0.2);
   run.step(10);
-  const Pose X_WE = geom::compose(run.X_WM(0), {0.2 + 0.2 + 0.1, 0, 0.3, 0});
+  const geom::Pose X_WE = geom::compose(run.X_WM(0), {0.2 + 0.2 + 0.1, 0, 0.3, 0});
   EXPECT_NEAR(run.X_WM(2).x, X_WE.x, 1e-12);
   EXPECT_NEAR(run.X_WM(2).y, X_WE.y, 1e-12);
   EXPECT_NEAR(run.world().sensors.ranges[0], (2.9 - X_WE.x) / std::cos(X_WE.a), 1e-6);
@@ -370,8 +370,8 @@ void run_workshop(Running& run, std::uint64_t until) {
 /// Whether bodies of two trees overlap, and at the same height.
 bool any_overlap(const World& world) {
   struct Body {
-    std::vector<Vec2> p;
-    Vec2 center;
+    std::vector<geom::Vec2> p;
+    geom::Vec2 center;
     double z_min, z_max;
     std::uint32_t root;
     bool fixed;  // walls may overlap each other
@@ -379,18 +379,19 @@ bool any_overlap(const World& world) {
   std::vector<Body> bodies;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     const scene::ModelDesc& desc = world.desc({row});
-    const Pose X_WB = geom::compose(world.models.X_WM[row], desc.X_MB);
+    const geom::Pose X_WB = geom::compose(world.models.X_WM[row], desc.X_MB);
     Body body{{},
               X_WB.xy(),
               X_WB.z,
               X_WB.z + desc.size.z,
               world.models.root[row],
               world.models.mobility[row] == Mobility::kFixed};
-    for (const Vec2 p : desc.blocks[0].points) body.p.push_back(geom::transform(X_WB, p));
+    for (const geom::Vec2 p : desc.blocks[0].points) body.p.push_back(geom::transform(X_WB, p));
     for (const Body& other : bodies) {
-      const bool high = body.z_min < other.z_max - 2 * kTouch && other.z_min < body.z_max - 2 * kTouch;
+      const bool high =
+          body.z_min < other.z_max - 2 * bodies::kTouch && other.z_min < body.z_max - 2 * bodies::kTouch;
       if (high && other.root != body.root && !(other.fixed && body.fixed) &&
-          overlap({body.p, body.center, true}, {other.p, other.center, true}))
+          bodies::overlap({body.p, body.center, true}, {other.p, other.center, true}))
         return true;
     }
     bodies.push_back(std::move(body));

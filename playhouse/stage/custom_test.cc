@@ -15,8 +15,8 @@
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
 #include "playhouse/world/custom_library.h"
-#include "playhouse/world/population.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/population/population.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::stage {
 namespace {

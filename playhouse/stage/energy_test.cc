@@ -6,11 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "playhouse/bodies/overlap.h"
+#include "playhouse/bodies/touch.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
-#include "playhouse/stage/overlap.h"
-#include "playhouse/stage/touch.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/saving/state.h"
 #include "playhouse/world/traits.h"
 
 namespace playhouse::stage {
@@ -160,18 +160,18 @@ TEST(Touch, is_to_come_near_to_cross_or_to_be_inside) {
     return std::vector<Vec2>{{x - h, y - h}, {x + h, y - h}, {x + h, y + h}, {x - h, y + h}};
   };
   const std::vector<Vec2> unit = square(0, 0, 1);
-  EXPECT_TRUE(touch(unit, square(1, 0.3, 1))) << "an edge along an edge";
-  EXPECT_TRUE(touch(unit, square(1, 1, 1))) << "corner to corner";
-  EXPECT_TRUE(touch(unit, square(0.8, 0, 1)));
-  EXPECT_TRUE(touch(unit, square(0.1, 0, 0.2))) << "inside";
-  EXPECT_TRUE(touch(square(0.1, 0, 0.2), unit));
-  EXPECT_TRUE(touch(unit, unit));
-  EXPECT_TRUE(touch(unit, square(1 + 0.5 * kTouch, 0, 1)));
-  EXPECT_FALSE(touch(unit, square(1 + 10 * kTouch, 0, 1)));
-  EXPECT_FALSE(touch(unit, {{{0.6, -1}, {2, -1}, {0.6, 1}}}));
+  EXPECT_TRUE(bodies::touch(unit, square(1, 0.3, 1))) << "an edge along an edge";
+  EXPECT_TRUE(bodies::touch(unit, square(1, 1, 1))) << "corner to corner";
+  EXPECT_TRUE(bodies::touch(unit, square(0.8, 0, 1)));
+  EXPECT_TRUE(bodies::touch(unit, square(0.1, 0, 0.2))) << "inside";
+  EXPECT_TRUE(bodies::touch(square(0.1, 0, 0.2), unit));
+  EXPECT_TRUE(bodies::touch(unit, unit));
+  EXPECT_TRUE(bodies::touch(unit, square(1 + 0.5 * bodies::kTouch, 0, 1)));
+  EXPECT_FALSE(bodies::touch(unit, square(1 + 10 * bodies::kTouch, 0, 1)));
+  EXPECT_FALSE(bodies::touch(unit, {{{0.6, -1}, {2, -1}, {0.6, 1}}}));
   const std::vector<Vec2> hook = {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
-  EXPECT_FALSE(touch(hook, square(1.5, 2, 0.5))) << "in the mouth";
-  EXPECT_TRUE(touch(hook, square(1.5, 2, 1)));
+  EXPECT_FALSE(bodies::touch(hook, square(1.5, 2, 0.5))) << "in the mouth";
+  EXPECT_TRUE(bodies::touch(hook, square(1.5, 2, 1)));
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "playhouse/stage/engine.h"
 
-#include "playhouse/stage/check_scene.h"
+#include "playhouse/bodies/check_scene.h"
 #include "playhouse/stage/stage_engine.h"
 
 namespace playhouse::stage {
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
-    : BodyEngine(scene, seed, workers), motion_(workers_.count()) {
+    : senses::BodyEngine(scene, seed, workers), motion_(workers_.count()) {
   populate();
 }
 
@@ -24,7 +24,7 @@ void StageEngine::move() {
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
                                                    const EngineOptions& options) {
-  if (const Result<void> checked = check_scene(scene); !checked) return checked.error();
+  if (const Result<void> checked = bodies::check_scene(scene); !checked) return checked.error();
   return std::unique_ptr<world::Engine>(std::make_unique<StageEngine>(scene, options.seed, options.workers));
 }
 

@@ -3,26 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
-#include "playhouse/stage/overlap.h"
-#include "playhouse/stage/space.h"
+#include "playhouse/bodies/overlap.h"
+#include "playhouse/bodies/space.h"
 
 namespace playhouse::stage {
 namespace {
 
 constexpr double kFar = 1e300;  // m
 
-double length(Vec2 v) {
+double length(geom::Vec2 v) {
   return std::sqrt(geom::dot(v, v));
 }
 
-bool moves_as_a_whole(const Trees& trees, std::uint32_t tree) {
+bool moves_as_a_whole(const bodies::Trees& trees, std::uint32_t tree) {
   const std::uint32_t first = trees.first_mover[tree];
   return trees.first_mover[tree + 1] == first + 1 && trees.movers[first].model == trees.root[tree];
 }
 
 }  // namespace
 
-void Headroom::populate(const Trees& trees, const Solids& solids, const world::Models& models) {
+void Headroom::populate(const bodies::Trees& trees, const bodies::Solids& solids,
+                        const world::Models& models) {
   rigid_.resize(trees.size());
   arm_.resize(trees.size());
   radius_.resize(trees.size());
@@ -34,57 +35,58 @@ void Headroom::populate(const Trees& trees, const Solids& solids, const world::M
   until_.assign(trees.size(), 0);
 }
 
-void Headroom::replaced(const Trees& trees, std::uint32_t tree, const Solids& solids,
+void Headroom::replaced(const bodies::Trees& trees, std::uint32_t tree, const bodies::Solids& solids,
                         const world::Models& models) {
   measure_shape(trees, tree, solids, models);
   std::ranges::fill(until_, drift_);
 }
 
-void Headroom::measure_shape(const Trees& trees, std::uint32_t tree, const Solids& solids,
+void Headroom::measure_shape(const bodies::Trees& trees, std::uint32_t tree, const bodies::Solids& solids,
                              const world::Models& models) {
-  const Vec2 p = models.X_WM[trees.root[tree]].xy();
+  const geom::Vec2 p = models.X_WM[trees.root[tree]].xy();
   rigid_[tree] = moves_as_a_whole(trees, tree);
   arm_[tree] = radius_[tree] = 0;
   for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row) {
     const double arm = length(solids.center[row] - p);
-    arm_[tree] = std::max(arm_[tree], arm + kMargin);
-    if (solids.is_obstacle(row)) radius_[tree] = std::max(radius_[tree], arm + solids.radius[row] + kMargin);
+    arm_[tree] = std::max(arm_[tree], arm + bodies::kMargin);
+    if (solids.is_obstacle(row))
+      radius_[tree] = std::max(radius_[tree], arm + solids.radius[row] + bodies::kMargin);
   }
 }
 
 void Headroom::begin(double others) {
-  others_ = others + kMargin;
+  others_ = others + bodies::kMargin;
   drift_ += others_;
 }
 
-void Headroom::avoid(std::uint32_t tree, Vec2 p, const FastBodies& fast) {
+void Headroom::avoid(std::uint32_t tree, geom::Vec2 p, const bodies::FastBodies& fast) {
   const double before = until_[tree] - drift_;
   if (before <= 0 || fast.empty()) return;
   double room = before;
-  fast.index().near(p, radius_[tree] + room, -kFar, kFar, [&](const DiscIndex::Disc& disc) {
-    if (disc.root == root_[tree] || (disc.seen_by & bit(Observer::kMotion)) == 0) return;
-    room = std::min(room, length(disc.center - p) - disc.radius - radius_[tree] - kMargin);
+  fast.index().near(p, radius_[tree] + room, -kFar, kFar, [&](const bodies::DiscIndex::Disc& disc) {
+    if (disc.root == root_[tree] || (disc.seen_by & bit(bodies::Observer::kMotion)) == 0) return;
+    room = std::min(room, length(disc.center - p) - disc.radius - radius_[tree] - bodies::kMargin);
   });
   if (room < before) until_[tree] = drift_ + room;
 }
 
-void Headroom::measure(std::uint32_t tree, Vec2 p, double way, const Solids& solids, const DiscIndex& index,
-                       const Walls& walls) {
+void Headroom::measure(std::uint32_t tree, geom::Vec2 p, double way, const bodies::Solids& solids,
+                       const bodies::DiscIndex& index, const bodies::Walls& walls) {
   constexpr double kTicks = 12;  // search radius, in ticks of motion: how long a query may last
   const double radius = radius_[tree];
   double room = kTicks * (way + others_);
-  index.near(p, radius + room, -kFar, kFar, [&](const DiscIndex::Disc& disc) {
-    if (disc.root == root_[tree] || (disc.seen_by & bit(Observer::kMotion)) == 0) return;
+  index.near(p, radius + room, -kFar, kFar, [&](const bodies::DiscIndex::Disc& disc) {
+    if (disc.root == root_[tree] || (disc.seen_by & bit(bodies::Observer::kMotion)) == 0) return;
     room = std::min(room, length(disc.center - p) - disc.radius - radius);
   });
   if (walls_block_ && walls.clear_about(p) < radius + room) {
-    const geom::Box box = box_about(p, radius + std::max(room, 0.0));
-    walls.near(box, [&](const Walls::Edge& edge) {
+    const geom::Box box = bodies::box_about(p, radius + std::max(room, 0.0));
+    walls.near(box, [&](const bodies::Walls::Edge& edge) {
       if (!edge.reaches(box) || !solids.is_obstacle(edge.solid)) return;
-      room = std::min(room, distance_to_segment(p, edge.a, edge.b) - radius);
+      room = std::min(room, bodies::distance_to_segment(p, edge.a, edge.b) - radius);
     });
   }
-  until_[tree] = drift_ - others_ + room - kMargin;
+  until_[tree] = drift_ - others_ + room - bodies::kMargin;
 }
 
 }  // namespace playhouse::stage

@@ -11,18 +11,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "playhouse/stage/bodies.h"
-#include "playhouse/stage/disc_index.h"
-#include "playhouse/stage/fast_bodies.h"
-#include "playhouse/stage/walls.h"
+#include "playhouse/bodies/bodies.h"
+#include "playhouse/bodies/disc_index.h"
+#include "playhouse/bodies/fast_bodies.h"
+#include "playhouse/bodies/walls.h"
 
 namespace playhouse::stage {
 
 class Headroom {
  public:
-  void populate(const Trees& trees, const Solids& solids, const world::Models& models);
+  void populate(const bodies::Trees& trees, const bodies::Solids& solids, const world::Models& models);
   /// A tree was teleported: invalidates the headroom of all trees.
-  void replaced(const Trees& trees, std::uint32_t tree, const Solids& solids, const world::Models& models);
+  void replaced(const bodies::Trees& trees, std::uint32_t tree, const bodies::Solids& solids,
+                const world::Models& models);
 
   /// True if the tree moves as one rigid body, by its root: only such a tree has headroom.
   bool is_rigid(std::uint32_t tree) const { return rigid_[tree] != 0; }
@@ -34,7 +35,7 @@ class Headroom {
   void begin(double others);
   /// Lowers the headroom of a tree to what the fast bodies of this tick leave; p is the root's position at
   /// its start. Again after measure().
-  void avoid(std::uint32_t tree, Vec2 p, const FastBodies& fast);
+  void avoid(std::uint32_t tree, geom::Vec2 p, const bodies::FastBodies& fast);
   /// Consumes the headroom of a rigid tree whose root is displaced by `way` in this tick.
   /// True if enough was left: nothing can touch it at its old place or its new one. [m]
   bool spend(std::uint32_t tree, double way) {
@@ -43,11 +44,11 @@ class Headroom {
   }
   /// Measures the headroom of a tree at the start of this tick, for another spend().
   /// `index` has the movable solids at that time; p is the root's position then.
-  void measure(std::uint32_t tree, Vec2 p, double way, const Solids& solids, const DiscIndex& index,
-               const Walls& walls);
+  void measure(std::uint32_t tree, geom::Vec2 p, double way, const bodies::Solids& solids,
+               const bodies::DiscIndex& index, const bodies::Walls& walls);
 
  private:
-  void measure_shape(const Trees& trees, std::uint32_t tree, const Solids& solids,
+  void measure_shape(const bodies::Trees& trees, std::uint32_t tree, const bodies::Solids& solids,
                      const world::Models& models);
 
   std::vector<std::uint8_t> rigid_;   // (trees)

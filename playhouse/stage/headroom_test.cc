@@ -5,15 +5,15 @@
 #include <cmath>
 
 #include "playhouse/base/rng.h"
-#include "playhouse/stage/fast_bodies.h"
-#include "playhouse/stage/overlap.h"
-#include "playhouse/stage/space.h"
+#include "playhouse/bodies/fast_bodies.h"
+#include "playhouse/bodies/overlap.h"
+#include "playhouse/bodies/space.h"
 #include "playhouse/stage/testing_scenes.h"
 
 namespace playhouse::stage {
 namespace {
 
-double length(Vec2 v) {
+double length(geom::Vec2 v) {
   return std::sqrt(geom::dot(v, v));
 }
 
@@ -23,10 +23,10 @@ class Wanderers {
  public:
   explicit Wanderers(const scene::SceneDesc& scene, std::uint32_t hasty = 0)
       : scene_(scene), world_(scene_, 1), shapes_(scene_), hasty_(hasty) {
-    trees_ = make_trees(world_);
+    trees_ = bodies::make_trees(world_);
     solids_ = make_fixed_solids(world_, shapes_);
     replace_moving_solids(solids_, world_, shapes_, trees_);
-    walls_ = Walls(solids_);
+    walls_ = bodies::Walls(solids_);
     headroom_.populate(trees_, solids_, world_.models);
     index_.populate(solids_.moving(), 0.2);
   }
@@ -35,11 +35,11 @@ class Wanderers {
   void go(std::uint64_t tick, std::size_t* free, std::size_t* others) {
     index_.rebuild(
         solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.fixed + i); }, workers_);
-    std::vector<Pose> next;
+    std::vector<geom::Pose> next;
     std::vector<double> reach;
     for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
       Rng rng(7, tick, {Purpose::kTestScene, tree});
-      Pose X = world_.models.X_WM[trees_.root[tree]];
+      geom::Pose X = world_.models.X_WM[trees_.root[tree]];
       const double x = X.x, y = X.y, turn = rng.uniform(-0.05, 0.05);
       const bool leaps = hasty_ > 0 && tree % hasty_ == 0 && rng.uniform() < 0.3;
       const double far = leaps ? 2 : 0.03;
@@ -54,7 +54,7 @@ class Wanderers {
     headroom_.begin(fast_.reach_of_others());
     std::vector<std::uint32_t> are_free;
     for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
-      const Vec2 p = world_.models.X_WM[trees_.root[tree]].xy();
+      const geom::Vec2 p = world_.models.X_WM[trees_.root[tree]].xy();
       const double way = length(next[tree].xy() - p);
       headroom_.avoid(tree, p, fast_);
       bool is_free = headroom_.spend(tree, way);
@@ -66,10 +66,10 @@ class Wanderers {
       if (is_free) are_free.push_back(tree);
       ++*(is_free ? free : others);
     }
-    const Solids before = solids_;
-    std::vector<Vec2> from;
+    const bodies::Solids before = solids_;
+    std::vector<geom::Vec2> from;
     for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
-      Pose& X_WM = world_.models.X_WM[trees_.root[tree]];
+      geom::Pose& X_WM = world_.models.X_WM[trees_.root[tree]];
       from.push_back(X_WM.xy());
       X_WM = next[tree];
     }
@@ -77,7 +77,7 @@ class Wanderers {
       turn(solids_, world_.models, trees_.models_of(tree));
     place(solids_, world_.models, solids_.fixed, solids_.size());
     for (const std::uint32_t tree : are_free)
-      for (const Vec2 p : {from[tree], next[tree].xy()}) {
+      for (const geom::Vec2 p : {from[tree], next[tree].xy()}) {
         expect_clear_about(p, tree, before);
         expect_clear_about(p, tree, solids_);
       }
@@ -87,7 +87,7 @@ class Wanderers {
 
  private:
   /// The circle about `p` that holds the tree however it turns is clear of all other solids.
-  void expect_clear_about(Vec2 p, std::uint32_t tree, const Solids& solids) const {
+  void expect_clear_about(geom::Vec2 p, std::uint32_t tree, const bodies::Solids& solids) const {
     const std::uint32_t first = trees_.first_solid[tree], end = trees_.first_solid[tree + 1];
     double radius = 0;
     for (std::uint32_t row = first; row < end; ++row)
@@ -95,21 +95,21 @@ class Wanderers {
     for (std::uint32_t row = 0; row < solids.size(); ++row) {
       if (first <= row && row < end) continue;
       if (row >= solids.fixed) EXPECT_GT(length(solids.center[row] - p), radius + solids.radius[row]);
-      const std::span<const Vec2> wall = solids.polygon(row);
+      const std::span<const geom::Vec2> wall = solids.polygon(row);
       for (std::size_t i = 0; row < solids.fixed && i < wall.size(); ++i)
-        EXPECT_GT(distance_to_segment(p, wall[i], wall[(i + 1) % wall.size()]), radius);
+        EXPECT_GT(bodies::distance_to_segment(p, wall[i], wall[(i + 1) % wall.size()]), radius);
     }
   }
 
   scene::SceneDesc scene_;
   world::World world_;
-  Shapes shapes_;
-  Trees trees_;
-  Solids solids_;
-  Walls walls_;
-  DiscIndex index_;
+  bodies::Shapes shapes_;
+  bodies::Trees trees_;
+  bodies::Solids solids_;
+  bodies::Walls walls_;
+  bodies::DiscIndex index_;
   Headroom headroom_;
-  FastBodies fast_;
+  bodies::FastBodies fast_;
   std::uint32_t hasty_;
   std::size_t leaps_ = 0;  // ticks with fast bodies
   world::Workers workers_{1};

@@ -5,18 +5,18 @@
 #include <map>
 
 #include "playhouse/base/limits.h"
-#include "playhouse/stage/generated/moves.h"
+#include "playhouse/bodies/generated/moves.h"
 
 namespace playhouse::stage {
 namespace {
 
 constexpr double kRounding = 1e-9;  // m; tolerance for a deeper penetration
 
-bool is_moving(const world::World& world, const Mover& mover) {
-  return with_move(mover.kind, [&](auto move) { return move.is_moving(world, mover.part); });
+bool is_moving(const world::World& world, const bodies::Mover& mover) {
+  return bodies::with_move(mover.kind, [&](auto move) { return move.is_moving(world, mover.part); });
 }
 
-double distance(Vec2 a, Vec2 b) {
+double distance(geom::Vec2 a, geom::Vec2 b) {
   return std::sqrt(geom::dot(b - a, b - a));
 }
 
@@ -25,44 +25,46 @@ struct HeightRange {
 };
 
 /// The pose of a mover after this tick; X_PM is the present one.
-Pose moved_by(const world::World& world, const Mover& mover, const Pose& X_PM) {
+geom::Pose moved_by(const world::World& world, const bodies::Mover& mover, const geom::Pose& X_PM) {
   const double dt = world.scene().interval;
-  return with_move(mover.kind, [&](auto move) { return move.after(world, mover.part, X_PM, dt); });
+  return bodies::with_move(mover.kind, [&](auto move) { return move.after(world, mover.part, X_PM, dt); });
 }
 
 template <typename A, typename B>
 bool z_overlaps(const A& a, const B& b) {
-  return a.z_min < b.z_max - kTouch && b.z_min < a.z_max - kTouch;
+  return a.z_min < b.z_max - bodies::kTouch && b.z_min < a.z_max - bodies::kTouch;
 }
 
-Pose part_at(const Pose& X_WP, Rotation rotation, const Pose& X_PM) {
-  const Vec2 p = X_WP.xy() + rotation * X_PM.xy();
+geom::Pose part_at(const geom::Pose& X_WP, geom::Rotation rotation, const geom::Pose& X_PM) {
+  const geom::Vec2 p = X_WP.xy() + rotation * X_PM.xy();
   return {p.x, p.y, X_WP.z + X_PM.z, geom::normalize(X_WP.a + X_PM.a)};
 }
 
-Outline outline_at(const Solids& solids, std::size_t row, Vec2 center, const Vec2* p) {
+bodies::Outline outline_at(const bodies::Solids& solids, std::size_t row, geom::Vec2 center,
+                           const geom::Vec2* p) {
   const std::size_t vertices = solids.first_vertex[row + 1] - solids.first_vertex[row] - 1;
   return {{p, vertices}, center, solids.convex[row] != 0};
 }
 
 /// Height range of a solid in a configuration; `first` is its tree's first solid.
-HeightRange heights_in(const Solids& solids, std::size_t row, const TreeShape& shape, std::size_t first) {
+HeightRange heights_in(const bodies::Solids& solids, std::size_t row, const bodies::TreeShape& shape,
+                       std::size_t first) {
   if (shape.z.empty()) return {solids.z_min[row], solids.z_max[row]};
   const double z = shape.z[row - first];
   return {z + solids.z_min_M[row], z + solids.z_max_M[row]};
 }
 
-Outline outline_now(const Solids& solids, std::size_t row) {
+bodies::Outline outline_now(const bodies::Solids& solids, std::size_t row) {
   return outline_at(solids, row, solids.center[row], solids.p.data() + solids.first_vertex[row]);
 }
 
 }  // namespace
 
-Motion::Body Motion::body_now(const Solids& solids, std::size_t row) {
+Motion::Body Motion::body_now(const bodies::Solids& solids, std::size_t row) {
   return {outline_now(solids, row), solids.z_min[row], solids.z_max[row]};
 }
 
-Motion::Body Motion::proposed(const Solids& solids, std::size_t row) const {
+Motion::Body Motion::proposed(const bodies::Solids& solids, std::size_t row) const {
   Body body = body_now(solids, row);
   body.outline = outline_at(solids, row, center_[place_of(row)], p_.data() + vertex_of(solids, row));
   if (!lifts_[solids.tree[row]]) return body;
@@ -70,7 +72,7 @@ Motion::Body Motion::proposed(const Solids& solids, std::size_t row) const {
   return {body.outline, z + solids.z_min_M[row], z + solids.z_max_M[row]};
 }
 
-void Motion::populate(const Trees& trees, const Solids& solids, const world::Models& models) {
+void Motion::populate(const bodies::Trees& trees, const bodies::Solids& solids, const world::Models& models) {
   trees_ = &trees;
   fixed_ = solids.fixed;
   fixed_vertices_ = solids.first_vertex[fixed_];
@@ -126,7 +128,7 @@ void Motion::add_parents(std::span<const std::uint32_t> rows, const world::Model
   }
 }
 
-TreeShape Motion::proposal(const Solids& solids, std::uint32_t tree, Sweep& sweep) {
+bodies::TreeShape Motion::proposal(const bodies::Solids& solids, std::uint32_t tree, Sweep& sweep) {
   const std::uint32_t models = trees_->first_model[tree + 1] - trees_->first_model[tree];
   const std::uint32_t solid = trees_->first_solid[tree], last = trees_->first_solid[tree + 1];
   return {{moved_.data() + trees_->first_mover[tree], movers_of(tree).size()},
@@ -139,38 +141,39 @@ TreeShape Motion::proposal(const Solids& solids, std::uint32_t tree, Sweep& swee
 
 /// The configuration of a tree after `fraction` of this tick's motion.
 void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fraction,
-                      const TreeShape& out) const {
+                      const bodies::TreeShape& out) const {
   const world::Models& models = in.world.models;
   const double dt = in.world.scene().interval * fraction;
   const std::uint32_t first = trees_->first_model[tree];
-  const std::span<const Mover> movers = movers_of(tree);
+  const std::span<const bodies::Mover> movers = movers_of(tree);
   std::size_t next = 0;  // of movers
   for (std::size_t i = 0; i < out.X_WM.size(); ++i) {
     const std::uint32_t model = trees_->models[first + i];
-    const Pose* X_PM = &models.X_PM[model];
+    const geom::Pose* X_PM = &models.X_PM[model];
     if (next < movers.size() && movers[next].model == model) {
-      const Mover& mover = movers[next];
-      Pose& X = out.moved[next++];
-      X = with_move(mover.kind, [&](auto move) { return move.after(in.world, mover.part, *X_PM, dt); });
+      const bodies::Mover& mover = movers[next];
+      geom::Pose& X = out.moved[next++];
+      X = bodies::with_move(mover.kind,
+                            [&](auto move) { return move.after(in.world, mover.part, *X_PM, dt); });
       X_PM = &X;
     }
     if (i == 0) {
       out.X_WM[0] = *X_PM;
-      out.rotation[0] = Rotation::of(out.X_WM[0].a);
+      out.rotation[0] = geom::Rotation::of(out.X_WM[0].a);
       continue;
     }
     const std::uint32_t parent = parent_of(models, tree, model, i);
     out.X_WM[i] = part_at(out.X_WM[parent], out.rotation[parent], *X_PM);
-    out.rotation[i] = X_PM->a == 0 ? out.rotation[parent] : Rotation::of(out.X_WM[i].a);
+    out.rotation[i] = X_PM->a == 0 ? out.rotation[parent] : geom::Rotation::of(out.X_WM[i].a);
   }
 
-  const Solids& solids = in.solids;
+  const bodies::Solids& solids = in.solids;
   const std::uint32_t first_solid = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
   std::size_t local = 0, vertex = 0;
   for (std::uint32_t row = first_solid; row < end; ++row) {
     while (trees_->models[first + local] != solids.model[row]) ++local;
-    const Vec2 p = out.X_WM[local].xy();
-    const Rotation rotation = out.rotation[local];
+    const geom::Vec2 p = out.X_WM[local].xy();
+    const geom::Rotation rotation = out.rotation[local];
     out.center[row - first_solid] = p + rotation * solids.center_M[row];
     if (!out.z.empty()) out.z[row - first_solid] = out.X_WM[local].z;
     for (std::uint32_t v = solids.first_vertex[row]; v < solids.first_vertex[row + 1]; ++v)
@@ -182,29 +185,30 @@ void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fractio
 void Motion::propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
   proposes_[tree] = stalls_[tree] = lifts_[tree] = free_[tree] = 0;
   reach_[tree] = 0;
-  for (const Mover& mover : movers_of(tree)) {
+  for (const bodies::Mover& mover : movers_of(tree)) {
     if (!is_moving(in.world, mover)) continue;
     proposes_[tree] = 1;
-    if (with_move(mover.kind, [&](auto move) { return move.changes_height(in.world, mover.part); }))
+    if (bodies::with_move(mover.kind, [&](auto move) { return move.changes_height(in.world, mover.part); }))
       lifts_[tree] = 1;
   }
   if (!proposes_[tree]) return;
   if (headroom_.is_rigid(tree) && !lifts_[tree]) {
-    const Pose& X_WM = in.world.models.X_PM[trees_->root[tree]];
-    const Pose& moved = moved_[trees_->first_mover[tree]] = moved_by(in.world, movers_of(tree)[0], X_WM);
+    const geom::Pose& X_WM = in.world.models.X_PM[trees_->root[tree]];
+    const geom::Pose& moved = moved_[trees_->first_mover[tree]] =
+        moved_by(in.world, movers_of(tree)[0], X_WM);
     way_[tree] = distance(X_WM.xy(), moved.xy());
     reach_[tree] =
         way_[tree] + std::fabs(geom::normalize(moved.a - X_WM.a)) * headroom_.arm(tree) + kRounding;
     return;
   }
-  const TreeShape shape = propose_shape(in, tree, sweep);
+  const bodies::TreeShape shape = propose_shape(in, tree, sweep);
   for (std::size_t i = 0; i < shape.center.size(); ++i)
     reach_[tree] =
         std::max(reach_[tree], distance(shape.center[i], in.solids.center[trees_->first_solid[tree] + i]));
 }
 
-TreeShape Motion::propose_shape(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
-  const TreeShape shape = proposal(in.solids, tree, sweep);
+bodies::TreeShape Motion::propose_shape(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
+  const bodies::TreeShape shape = proposal(in.solids, tree, sweep);
   shape_at(in, tree, 1.0, shape);
   rotation_[tree] = shape.rotation[0];
   return shape;
@@ -216,13 +220,13 @@ void Motion::propose_rest(const Surroundings& in, std::uint32_t tree, Sweep& swe
   const double way = way_[tree];
   free_[tree] = headroom_.spend(tree, way);
   if (!free_[tree]) {
-    const Vec2 p = in.world.models.X_WM[trees_->root[tree]].xy();
+    const geom::Vec2 p = in.world.models.X_WM[trees_->root[tree]].xy();
     headroom_.measure(tree, p, way, in.solids, in.index, in.walls);
     headroom_.avoid(tree, p, fast_);
     free_[tree] = headroom_.spend(tree, way);
   }
   if (free_[tree])
-    rotation_[tree] = Rotation::of(moved_[trees_->first_mover[tree]].a);
+    rotation_[tree] = geom::Rotation::of(moved_[trees_->first_mover[tree]].a);
   else
     propose_shape(in, tree, sweep);
 }
@@ -231,13 +235,16 @@ void Motion::propose_rest(const Surroundings& in, std::uint32_t tree, Sweep& swe
 unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
   const double dt = in.world.scene().interval;
   double turn = 0;
-  for (const Mover& mover : movers_of(tree))
-    turn += with_move(mover.kind, [&](auto move) { return move.turn_rate(in.world, mover.part); }) * dt;
+  for (const bodies::Mover& mover : movers_of(tree))
+    turn +=
+        bodies::with_move(mover.kind, [&](auto move) { return move.turn_rate(in.world, mover.part); }) * dt;
   // A full turn of a joint in a tick has a large path but a small displacement.
-  const auto swing = [&](Vec2 center) {
+  const auto swing = [&](geom::Vec2 center) {
     double way = 0;
-    for (const Mover& mover : movers_of(tree))
-      way += with_move(mover.kind, [&](auto move) { return move.swing(in.world, mover.part, center); }) * dt;
+    for (const bodies::Mover& mover : movers_of(tree))
+      way +=
+          bodies::with_move(mover.kind, [&](auto move) { return move.swing(in.world, mover.part, center); }) *
+          dt;
     return way;
   };
   double steps = 1;
@@ -245,10 +252,10 @@ unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
     if (!in.solids.is_obstacle(row)) continue;
     const double way = distance(center_[place_of(row)], in.solids.center[row]) +
                        turn * in.solids.radius[row] + swing(in.solids.center[row]);
-    steps = std::max(steps, way / std::max(0.5 * in.solids.width[row], kTouch));
+    steps = std::max(steps, way / std::max(0.5 * in.solids.width[row], bodies::kTouch));
     if (!lifts_[tree]) continue;
     const double height = in.solids.z_max[row] - in.solids.z_min[row];
-    steps = std::max(steps, rise_of(in.solids, row) / std::max(0.5 * height, kTouch));
+    steps = std::max(steps, rise_of(in.solids, row) / std::max(0.5 * height, bodies::kTouch));
   }
   return static_cast<unsigned>(std::ceil(std::min(steps, static_cast<double>(limits::kMotionSteps))));
 }
@@ -256,11 +263,11 @@ unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
 /// True if the outline penetrates a wall deeper than before.
 bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const {
   const double radius = in.solids.radius[solid];
-  const Vec2 center = then.outline.center;
+  const geom::Vec2 center = then.outline.center;
   if (in.walls.clear_about(center) > radius) return false;
-  const geom::Box box = box_about(center, radius);
+  const geom::Box box = bodies::box_about(center, radius);
   bool met = false;
-  in.walls.near(box, [&](const Walls::Edge& edge) {
+  in.walls.near(box, [&](const bodies::Walls::Edge& edge) {
     if (met || !in.solids.is_obstacle(edge.solid) || !edge.reaches(box)) return;
     const HeightRange wall{in.solids.z_min[edge.solid], in.solids.z_max[edge.solid]};
     if (!z_overlaps(then, wall) || in.solids.root[edge.solid] == in.solids.root[solid]) return;
@@ -274,7 +281,7 @@ bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Body& n
 /// True if a solid that rises or sinks enters a static block, even if it crosses none of its edges.
 bool Motion::meets_inside(const Surroundings& in, std::size_t solid, const Body& now,
                           const Body& then) const {
-  const Solids& solids = in.solids;
+  const bodies::Solids& solids = in.solids;
   for (std::size_t row = 0; row < fixed_; ++row) {
     if (!solids.full[row] || !solids.is_obstacle(row) || solids.root[row] == solids.root[solid]) continue;
     const Body block = body_now(solids, row);
@@ -315,10 +322,11 @@ bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Body& 
 /// Broad phase: collects solids of other trees near a configuration within its bounding circle.
 void Motion::gather(const Surroundings& in, std::uint32_t tree, const Circle& all, Sweep& sweep) const {
   const std::uint32_t root = trees_->root[tree];
-  const double z_low = all.z_min - rise_max_ + kTouch, z_high = all.z_max + rise_max_ - kTouch;
-  const auto collect = [&](const DiscIndex& index, double reach, bool fast) {
-    index.near(all.center, reach, z_low, z_high, [&](const DiscIndex::Disc& disc) {
-      if (disc.root == root || (disc.seen_by & bit(Observer::kMotion)) == 0 ||
+  const double z_low = all.z_min - rise_max_ + bodies::kTouch,
+               z_high = all.z_max + rise_max_ - bodies::kTouch;
+  const auto collect = [&](const bodies::DiscIndex& index, double reach, bool fast) {
+    index.near(all.center, reach, z_low, z_high, [&](const bodies::DiscIndex::Disc& disc) {
+      if (disc.root == root || (disc.seen_by & bit(bodies::Observer::kMotion)) == 0 ||
           distance(disc.center, all.center) >= disc.radius + reach)
         return;
       const std::uint32_t other = in.solids.tree[disc.row];
@@ -330,7 +338,8 @@ void Motion::gather(const Surroundings& in, std::uint32_t tree, const Circle& al
   if (!fast_.empty()) collect(fast_.index(), all.radius, true);
 }
 
-Motion::Circle Motion::circle_about(const Solids& solids, std::uint32_t tree, const TreeShape& shape) const {
+Motion::Circle Motion::circle_about(const bodies::Solids& solids, std::uint32_t tree,
+                                    const bodies::TreeShape& shape) const {
   const std::uint32_t first = trees_->first_solid[tree];
   Circle all{shape.center[0], 0, 1e300, -1e300};
   for (std::uint32_t row = first; row < trees_->first_solid[tree + 1]; ++row) {
@@ -343,8 +352,9 @@ Motion::Circle Motion::circle_about(const Solids& solids, std::uint32_t tree, co
   return all;
 }
 
-bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& shape, Sweep& sweep) const {
-  const Solids& solids = in.solids;
+bool Motion::meets(const Surroundings& in, std::uint32_t tree, const bodies::TreeShape& shape,
+                   Sweep& sweep) const {
+  const bodies::Solids& solids = in.solids;
   const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
   if (first == end) return false;
   const Circle all = circle_about(solids, tree, shape);
@@ -352,7 +362,7 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
   const bool near_walls = in.walls.clear_about(all.center) <= all.radius;
   for (std::uint32_t row = first; row < end; ++row) {
     if (!solids.is_obstacle(row)) continue;
-    const Vec2* p = shape.p.data() + (solids.first_vertex[row] - solids.first_vertex[first]);
+    const geom::Vec2* p = shape.p.data() + (solids.first_vertex[row] - solids.first_vertex[first]);
     const HeightRange heights = heights_in(solids, row, shape, first);
     const Body now = body_now(solids, row),
                then{outline_at(solids, row, shape.center[row - first], p), heights.z_min, heights.z_max};
@@ -361,7 +371,7 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
     const double reach = solids.radius[row] + fast_.reach_of_others();
     // Heights, like places, in the index are those before this tick.
     const HeightRange near{then.z_min - rise_max_, then.z_max + rise_max_};
-    for (const DiscIndex::Disc* const disc : sweep.near)
+    for (const bodies::DiscIndex::Disc* const disc : sweep.near)
       if (distance(disc->center, then.outline.center) < disc->radius + reach && z_overlaps(near, *disc) &&
           meets_other(in, row, now, then, disc->row, sweep))
         return true;
@@ -372,13 +382,13 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
 /// True if the way is blocked whatever earlier trees do; otherwise its conflicts are in `sweep`.
 bool Motion::is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
   const unsigned steps = steps_of(in, tree);
-  const TreeShape last = proposal(in.solids, tree, sweep);
-  const TreeShape between{{sweep.moved.data(), last.moved.size()},
-                          last.X_WM,
-                          last.rotation,
-                          {sweep.center.data(), last.center.size()},
-                          {sweep.p.data(), last.p.size()},
-                          {sweep.z.data(), last.z.size()}};
+  const bodies::TreeShape last = proposal(in.solids, tree, sweep);
+  const bodies::TreeShape between{{sweep.moved.data(), last.moved.size()},
+                                  last.X_WM,
+                                  last.rotation,
+                                  {sweep.center.data(), last.center.size()},
+                                  {sweep.p.data(), last.p.size()},
+                                  {sweep.z.data(), last.z.size()}};
   for (unsigned step = 1; step < steps; ++step) {
     shape_at(in, tree, static_cast<double>(step) / steps, between);
     if (meets(in, tree, between, sweep)) return true;
@@ -409,13 +419,13 @@ void Motion::decide() {
 }
 
 /// Recomputes the poses of the tree's models instead of storing them: saves most of the proposal's memory.
-void Motion::put(world::Models& models, Solids& solids, std::uint32_t tree) const {
+void Motion::put(world::Models& models, bodies::Solids& solids, std::uint32_t tree) const {
   const std::uint32_t first = trees_->first_model[tree];
   for (std::uint32_t i = trees_->first_mover[tree]; i < trees_->first_mover[tree + 1]; ++i)
     models.X_PM.own(trees_->movers[i].model) = moved_[i];
   for (std::uint32_t i = first; i < trees_->first_model[tree + 1]; ++i) {
     const std::uint32_t model = trees_->models[i];
-    const Pose& X_PM = models.X_PM[model];
+    const geom::Pose& X_PM = models.X_PM[model];
     if (i == first) {
       models.X_WM[model] = X_PM;
       solids.rotation[model] = rotation_[tree];
@@ -423,24 +433,24 @@ void Motion::put(world::Models& models, Solids& solids, std::uint32_t tree) cons
     }
     const std::uint32_t parent = models.parent[model];
     models.X_WM[model] = part_at(models.X_WM[parent], solids.rotation[parent], X_PM);
-    solids.rotation[model] = X_PM.a == 0 ? solids.rotation[parent] : Rotation::of(models.X_WM[model].a);
+    solids.rotation[model] = X_PM.a == 0 ? solids.rotation[parent] : geom::Rotation::of(models.X_WM[model].a);
   }
 }
 
-void Motion::commit(world::World& world, Solids& solids, std::uint32_t tree) const {
-  for (const Mover& mover : movers_of(tree)) {
+void Motion::commit(world::World& world, bodies::Solids& solids, std::uint32_t tree) const {
+  for (const bodies::Mover& mover : movers_of(tree)) {
     const bool stalls = stalls_[tree] && is_moving(world, mover);
-    with_move(mover.kind, [&](auto move) { move.stall(world, mover.part, stalls); });
+    bodies::with_move(mover.kind, [&](auto move) { move.stall(world, mover.part, stalls); });
   }
   if (!proposes_[tree] || stalls_[tree]) return;
   put(world.models, solids, tree);
   place(solids, world.models, trees_->first_solid[tree], trees_->first_solid[tree + 1]);
-  for (const Mover& mover : movers_of(tree))
-    with_move(mover.kind, [&](auto move) { move.arrive(world, mover.part); });
+  for (const bodies::Mover& mover : movers_of(tree))
+    bodies::with_move(mover.kind, [&](auto move) { move.arrive(world, mover.part); });
 }
 
-bool Motion::move(world::World& world, Solids& solids, const DiscIndex& index, const Walls& walls,
-                  world::Workers& workers) {
+bool Motion::move(world::World& world, bodies::Solids& solids, const bodies::DiscIndex& index,
+                  const bodies::Walls& walls, world::Workers& workers) {
   constexpr std::size_t kGrain = 64;
   const Surroundings in{world, solids, index, walls};
   const auto each_tree = [&](const auto& body) {

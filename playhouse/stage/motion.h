@@ -14,12 +14,12 @@
 #include <cmath>
 #include <vector>
 
-#include "playhouse/stage/bodies.h"
-#include "playhouse/stage/disc_index.h"
-#include "playhouse/stage/fast_bodies.h"
+#include "playhouse/bodies/bodies.h"
+#include "playhouse/bodies/disc_index.h"
+#include "playhouse/bodies/fast_bodies.h"
+#include "playhouse/bodies/overlap.h"
+#include "playhouse/bodies/walls.h"
 #include "playhouse/stage/headroom.h"
-#include "playhouse/stage/overlap.h"
-#include "playhouse/stage/walls.h"
 #include "playhouse/world/workers.h"
 
 namespace playhouse::stage {
@@ -29,15 +29,15 @@ class Motion {
   explicit Motion(unsigned workers) : sweeps_(workers) {}
 
   /// Sizes the buffers for these trees, which must outlive the next move().
-  void populate(const Trees& trees, const Solids& solids, const world::Models& models);
+  void populate(const bodies::Trees& trees, const bodies::Solids& solids, const world::Models& models);
   /// To be called after a tree was teleported.
-  void replaced(std::uint32_t tree, const Solids& solids, const world::Models& models) {
+  void replaced(std::uint32_t tree, const bodies::Solids& solids, const world::Models& models) {
     headroom_.replaced(*trees_, tree, solids, models);
   }
 
   /// The phase `move`. `index` has the movable solids at their present places. True if anything moved.
-  bool move(world::World& world, Solids& solids, const DiscIndex& index, const Walls& walls,
-            world::Workers& workers);
+  bool move(world::World& world, bodies::Solids& solids, const bodies::DiscIndex& index,
+            const bodies::Walls& walls, world::Workers& workers);
 
  private:
   /// A way blocked by one of two places of another tree: its proposal, or where it was.
@@ -48,11 +48,11 @@ class Motion {
   /// Scratch buffers of one worker, for one way at a time.
   struct Sweep {
     // The configuration of a tree at a substep of its way.
-    std::vector<Pose> moved, X_WM;
-    std::vector<Rotation> rotation;
-    std::vector<Vec2> center, p;
+    std::vector<geom::Pose> moved, X_WM;
+    std::vector<geom::Rotation> rotation;
+    std::vector<geom::Vec2> center, p;
     std::vector<double> z;
-    std::vector<const DiscIndex::Disc*> near;  // of other trees, near the way
+    std::vector<const bodies::DiscIndex::Disc*> near;  // of other trees, near the way
     // Of all ways of this tick, way by way; keeps its capacity.
     std::vector<Conflict> conflicts;
     std::size_t first_conflict = 0;  // of the present way
@@ -66,52 +66,53 @@ class Motion {
   };
   /// A placed solid: outline and height range [m].
   struct Body {
-    Outline outline;
+    bodies::Outline outline;
     double z_min, z_max;
   };
   /// Bounding circle and height range of a configuration. [m]
   struct Circle {
-    Vec2 center;
+    geom::Vec2 center;
     double radius, z_min, z_max;
   };
   struct Surroundings {
     const world::World& world;
-    const Solids& solids;
-    const DiscIndex& index;
-    const Walls& walls;
+    const bodies::Solids& solids;
+    const bodies::DiscIndex& index;
+    const bodies::Walls& walls;
   };
 
   void add_parents(std::span<const std::uint32_t> rows, const world::Models& models, std::uint32_t tree);
-  std::span<const Mover> movers_of(std::uint32_t tree) const {
+  std::span<const bodies::Mover> movers_of(std::uint32_t tree) const {
     const std::uint32_t first = trees_->first_mover[tree];
     return {trees_->movers.data() + first, trees_->first_mover[tree + 1] - first};
   }
   void propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
-  TreeShape propose_shape(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
+  bodies::TreeShape propose_shape(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
   void propose_rest(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
-  void shape_at(const Surroundings& in, std::uint32_t tree, double fraction, const TreeShape& out) const;
+  void shape_at(const Surroundings& in, std::uint32_t tree, double fraction,
+                const bodies::TreeShape& out) const;
   unsigned steps_of(const Surroundings& in, std::uint32_t tree) const;
   void follow(const Surroundings& in, std::uint32_t tree, std::uint32_t worker);
   bool is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
   void gather(const Surroundings& in, std::uint32_t tree, const Circle& all, Sweep& sweep) const;
-  Circle circle_about(const Solids& solids, std::uint32_t tree, const TreeShape& shape) const;
-  bool meets(const Surroundings& in, std::uint32_t tree, const TreeShape& shape, Sweep& sweep) const;
+  Circle circle_about(const bodies::Solids& solids, std::uint32_t tree, const bodies::TreeShape& shape) const;
+  bool meets(const Surroundings& in, std::uint32_t tree, const bodies::TreeShape& shape, Sweep& sweep) const;
   bool meets_wall(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const;
   bool meets_inside(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const;
   bool meets_other(const Surroundings& in, std::size_t solid, const Body& now, const Body& then,
                    std::size_t other, Sweep& sweep) const;
   /// A solid at its present place, and as its tree proposes it.
-  static Body body_now(const Solids& solids, std::size_t row);
-  Body proposed(const Solids& solids, std::size_t row) const;
+  static Body body_now(const bodies::Solids& solids, std::size_t row);
+  Body proposed(const bodies::Solids& solids, std::size_t row) const;
   /// By how much a proposal that changes heights raises or lowers a solid. [m]
-  double rise_of(const Solids& solids, std::size_t row) const {
+  double rise_of(const bodies::Solids& solids, std::size_t row) const {
     return std::fabs(z_[place_of(row)] + solids.z_min_M[row] - solids.z_min[row]);
   }
   void decide();
-  void commit(world::World& world, Solids& solids, std::uint32_t tree) const;
-  void put(world::Models& models, Solids& solids, std::uint32_t tree) const;
+  void commit(world::World& world, bodies::Solids& solids, std::uint32_t tree) const;
+  void put(world::Models& models, bodies::Solids& solids, std::uint32_t tree) const;
   /// A view of the proposal: its own buffers, and the sweep's for what can be recomputed.
-  TreeShape proposal(const Solids& solids, std::uint32_t tree, Sweep& sweep);
+  bodies::TreeShape proposal(const bodies::Solids& solids, std::uint32_t tree, Sweep& sweep);
 
   /// Row in its tree of the parent of a model, which is the tree's `place`-th.
   std::uint32_t parent_of(const world::Models& models, std::uint32_t tree, std::uint32_t model,
@@ -122,13 +123,13 @@ class Motion {
   }
   /// Where the proposal of a movable solid, and of its vertices, begins.
   std::size_t place_of(std::size_t solid) const { return solid - fixed_; }
-  std::size_t vertex_of(const Solids& solids, std::size_t solid) const {
+  std::size_t vertex_of(const bodies::Solids& solids, std::size_t solid) const {
     return solids.first_vertex[solid] - fixed_vertices_;
   }
 
-  const Trees* trees_ = nullptr;
+  const bodies::Trees* trees_ = nullptr;
   Headroom headroom_;
-  FastBodies fast_;
+  bodies::FastBodies fast_;
   std::size_t fixed_ = 0, fixed_vertices_ = 0;  // of Solids: static ones
   // Rows as in Trees.
   std::vector<std::uint8_t> proposes_, stalls_;  // (trees)
@@ -143,9 +144,9 @@ class Motion {
   std::vector<std::uint32_t> parent_;        // (models of such trees)
   double rise_max_ = 0;                      // m, bound for this tick: rise or drop
   // The proposals; rows as in Trees::movers, in Trees, and in Solids counted from the first movable one.
-  std::vector<Pose> moved_;         // X_PM of the movers
-  std::vector<Rotation> rotation_;  // of the root
-  std::vector<Vec2> center_, p_;
+  std::vector<geom::Pose> moved_;         // X_PM of the movers
+  std::vector<geom::Rotation> rotation_;  // of the root
+  std::vector<geom::Vec2> center_, p_;
   std::vector<double> z_;      // of the solid's model in W, if the tree lifts
   std::vector<Sweep> sweeps_;  // one per worker
 };

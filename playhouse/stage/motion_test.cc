@@ -23,29 +23,29 @@ std::unique_ptr<world::Engine> engine_of(const scene::SceneDesc& scene, unsigned
 }
 
 /// The corners of a model's block after it has driven at `v` for `dt`.
-std::vector<Vec2> corners(const world::World& world, std::uint32_t row, const geom::Twist& v = {},
-                          double dt = 0) {
+std::vector<geom::Vec2> corners(const world::World& world, std::uint32_t row, const geom::Twist& v = {},
+                                double dt = 0) {
   const scene::ModelDesc& desc = world.desc({row});
-  const Pose X_WM = geom::compose(world.models.X_WM[row], {v.x * dt, v.y * dt, 0, v.a * dt});
-  const Pose X_WB = geom::compose(X_WM, desc.X_MB);
-  std::vector<Vec2> points;
-  for (const Vec2 p : desc.blocks[0].points) points.push_back(geom::transform(X_WB, p));
+  const geom::Pose X_WM = geom::compose(world.models.X_WM[row], {v.x * dt, v.y * dt, 0, v.a * dt});
+  const geom::Pose X_WB = geom::compose(X_WM, desc.X_MB);
+  std::vector<geom::Vec2> points;
+  for (const geom::Vec2 p : desc.blocks[0].points) points.push_back(geom::transform(X_WB, p));
   return points;
 }
 
 /// The oracle: how deep two convex polygons overlap, by their best separating axis. Negative: apart.
-double depth(const std::vector<Vec2>& first, const std::vector<Vec2>& second) {
+double depth(const std::vector<geom::Vec2>& first, const std::vector<geom::Vec2>& second) {
   double best = 1e300;
   for (const auto* polygon : {&first, &second}) {
     for (std::size_t i = 0; i < polygon->size(); ++i) {
-      const Vec2 e = (*polygon)[(i + 1) % polygon->size()] - (*polygon)[i];
+      const geom::Vec2 e = (*polygon)[(i + 1) % polygon->size()] - (*polygon)[i];
       const double length = std::sqrt(geom::dot(e, e));
       double a_min = 1e300, a_max = -1e300, b_min = 1e300, b_max = -1e300;
-      for (const Vec2 p : first) {
+      for (const geom::Vec2 p : first) {
         a_min = std::min(a_min, geom::cross(e, p) / length);
         a_max = std::max(a_max, geom::cross(e, p) / length);
       }
-      for (const Vec2 p : second) {
+      for (const geom::Vec2 p : second) {
         b_min = std::min(b_min, geom::cross(e, p) / length);
         b_max = std::max(b_max, geom::cross(e, p) / length);
       }
@@ -85,14 +85,14 @@ RC_GTEST_PROP(Motion, bodies_that_start_apart_never_come_to_overlap, ()) {
   RC_PRE(deepest(engine->world()) <= 0);
   for (int tick = 0; tick < 30; ++tick) {
     engine->step();
-    RC_ASSERT(deepest(engine->world()) < 2 * kTouch);
+    RC_ASSERT(deepest(engine->world()) < 2 * bodies::kTouch);
   }
 }
 
 /// The oracle: who stalls in the next tick if models move one after the other, in row order, each to its end
 /// of the tick if nothing is there by then. Nothing if one of them is too close to call.
 std::optional<std::vector<bool>> stalls_one_after_the_other(const world::World& world) {
-  std::vector<std::vector<Vec2>> place;
+  std::vector<std::vector<geom::Vec2>> place;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) place.push_back(corners(world, row));
   std::vector<bool> stalls;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
@@ -342,8 +342,8 @@ TEST(Motion, exact_odometry_equals_the_true_motion) {
     scene.models[0].position->velocity = {0.3, 0.1, 0, 0.2};
     const auto engine = engine_of(scene);
     for (int tick = 0; tick < 100; ++tick) engine->step();
-    const Pose believed = engine->world().positions.X_OM[0];
-    const Pose truth = geom::compose(geom::inverse({1, 2, 0, 0.5}), engine->world().models.X_WM[0]);
+    const geom::Pose believed = engine->world().positions.X_OM[0];
+    const geom::Pose truth = geom::compose(geom::inverse({1, 2, 0, 0.5}), engine->world().models.X_WM[0]);
     EXPECT_NEAR(believed.x, truth.x, 1e-9);
     EXPECT_NEAR(believed.y, truth.y, 1e-9);
     EXPECT_NEAR(believed.a, truth.a, 1e-9);
@@ -460,7 +460,7 @@ TEST(Motion, a_robot_that_another_one_carries_moves_with_it_and_by_itself) {
     EXPECT_NEAR(world.models.X_WM[0].y, 0.5, 1e-9);
     EXPECT_NEAR(world.models.X_PM[1].x, 0.3, 1e-9);
     EXPECT_NEAR(world.models.X_PM[2].a, 0.3, 1e-9);
-    Pose expected = world.models.X_WM[0];
+    geom::Pose expected = world.models.X_WM[0];
     for (std::uint32_t row = 1; row < 3; ++row) {
       expected = geom::compose(expected, world.models.X_PM[row]);
       EXPECT_NEAR(world.models.X_WM[row].x, expected.x, 1e-9);

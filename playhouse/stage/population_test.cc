@@ -1,7 +1,7 @@
 /// Models that come, go and are carried while the engine runs: every table follows, and what is saved at any
 /// tick goes on as what ran through.
 
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "playhouse/stage/engine.h"
 #include "playhouse/stage/testing_scenes.h"
 #include "playhouse/world/gripper.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::stage {
 namespace {

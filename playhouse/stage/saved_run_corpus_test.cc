@@ -12,10 +12,10 @@
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
 #include "playhouse/world/columns.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 #include "playhouse/world/radio_messages.h"
-#include "playhouse/world/saved_run.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/saving/saved_run.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::stage {
 namespace {

@@ -2,12 +2,12 @@
 
 /// StageEngine: planar motion with collision by refusal (motion.h). Thread: the tick thread.
 
-#include "playhouse/stage/body_engine.h"
+#include "playhouse/senses/body_engine.h"
 #include "playhouse/stage/motion.h"
 
 namespace playhouse::stage {
 
-class StageEngine final : public BodyEngine {
+class StageEngine final : public senses::BodyEngine {
  public:
   StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers);
 

@@ -6,8 +6,8 @@
 
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
-#include "playhouse/world/saved_run.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/saving/saved_run.h"
+#include "playhouse/world/saving/state.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "playhouse/base/rng.h"
+#include "playhouse/bodies/bodies.h"
 #include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/scene_desc.h"
-#include "playhouse/stage/bodies.h"
 
 namespace playhouse::stage::testing {
 
@@ -193,9 +193,9 @@ inline scene::SceneDesc throng(std::size_t robots, std::uint64_t seed) {
 }
 
 /// The solids of a world as the engine makes them.
-inline Solids make_solids(const world::World& world, Trees& trees) {
-  Shapes shapes(world.scene());
-  Solids solids = make_fixed_solids(world, shapes);
+inline bodies::Solids make_solids(const world::World& world, bodies::Trees& trees) {
+  bodies::Shapes shapes(world.scene());
+  bodies::Solids solids = make_fixed_solids(world, shapes);
   replace_moving_solids(solids, world, shapes, trees);
   return solids;
 }

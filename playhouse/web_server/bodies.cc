@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "playhouse/base/log.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::web_server {
 namespace {

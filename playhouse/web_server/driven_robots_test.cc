@@ -5,7 +5,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/net/simulated.h"
 #include "playhouse/replicate/small_world.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::web_server {
 namespace {

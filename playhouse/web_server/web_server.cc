@@ -30,8 +30,8 @@
 #include "playhouse/web_server/speech_log.h"
 #include "playhouse/web_server/watched_sensors.h"
 #include "playhouse/web_server/web_viewer.h"
-#include "playhouse/world/as_scene.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
+#include "playhouse/world/saving/as_scene.h"
 
 namespace playhouse::web_server {
 namespace {

@@ -25,7 +25,7 @@
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/control.h"
 #include "playhouse/world/physics_shapes.h"
-#include "playhouse/world/shares.h"
+#include "playhouse/world/population/shares.h"
 
 namespace playhouse::web_server {
 

@@ -17,7 +17,7 @@
 #include "playhouse/net/web_client.h"
 #include "playhouse/replicate/delta.h"
 #include "playhouse/replicate/small_world.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::web_server {
 namespace {

@@ -12,7 +12,7 @@ namespace playhouse::web_server {
 namespace {
 
 /// A page that gets nothing for a second assumes that the program hangs; the present world is offered every
-/// 0.25 s at least (drivers/simulated/simulation.cc).
+/// 0.25 s at least (run/simulation.cc).
 constexpr std::chrono::milliseconds kSignOfLife{750};
 
 }  // namespace

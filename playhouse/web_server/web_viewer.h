@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "playhouse/net/websocket.h"
+#include "playhouse/replicate/datagrams/token_bucket.h"
 #include "playhouse/replicate/snapshot_feed.h"
-#include "playhouse/replicate/token_bucket.h"
 #include "playhouse/replicate/viewer.h"
 #include "playhouse/web_server/guests.h"
 

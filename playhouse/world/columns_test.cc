@@ -13,8 +13,8 @@
 
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/world/population.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/population/population.h"
+#include "playhouse/world/saving/state.h"
 #include "playhouse/world/testing_scene.h"
 #include "playhouse/world/values.h"
 

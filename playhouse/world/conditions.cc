@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "playhouse/base/assert.h"
-#include "playhouse/scene/colors.h"
+#include "playhouse/scene/forms/colors.h"
 
 namespace playhouse::world {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Conditions: predicates on models, compiled from the texts of a world file
-/// (scene/condition.h). A term is tested on a model and its ancestors: it holds if it
+/// (scene/text/condition.h). A term is tested on a model and its ancestors: it holds if it
 /// holds for one of them; with != if none has the value, with < if none has as much.
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/scene/condition.h"
+#include "playhouse/scene/text/condition.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::world {

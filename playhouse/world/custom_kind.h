@@ -12,7 +12,7 @@
 
 #include "playhouse/base/rng.h"
 #include "playhouse/geom/pose.h"
-#include "playhouse/scene/values.h"
+#include "playhouse/scene/text/values.h"
 #include "playhouse/world/models.h"
 
 namespace playhouse::world {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "playhouse/base/limits.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/saving/state.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::world {

@@ -7,11 +7,11 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
-#include "playhouse/scene/actuator.h"
+#include "playhouse/scene/forms/actuator.h"
 #include "playhouse/world/columns.h"
-#include "playhouse/world/hash_values.h"
-#include "playhouse/world/population.h"
-#include "playhouse/world/rows.h"
+#include "playhouse/world/population/population.h"
+#include "playhouse/world/population/rows.h"
+#include "playhouse/world/saving/hash_values.h"
 #include "playhouse/world/speech.h"
 
 namespace playhouse::world {
@@ -294,7 +294,8 @@ std::uint64_t World::hash() const {
   std::uint64_t sum = 0;
   for (std::uint32_t model = 0; model < models.size(); ++model) {
     const bool sensed = models.controllers[model] > 0;
-    sum += hash_of(model, sensed ? [](Role role) { return is_done(role) || role == Role::kSensed; } : is_done);
+    sum +=
+        hash_of(model, sensed ? [](Role role) { return is_done(role) || role == Role::kSensed; } : is_done);
   }
   hash.add(sum);
   for (const std::unique_ptr<Decider>& decider : deciders) decider->hash(*this, hash);

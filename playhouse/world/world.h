@@ -19,7 +19,7 @@
 #include "playhouse/world/custom_kind.h"
 #include "playhouse/world/decider.h"
 #include "playhouse/world/generated/tables.h"
-#include "playhouse/world/serials.h"
+#include "playhouse/world/population/serials.h"
 
 namespace playhouse::world {
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <vector>
 
-#include "playhouse/world/population.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/population/population.h"
+#include "playhouse/world/saving/state.h"
 #include "playhouse/world/testing_scene.h"
 #include "playhouse/world/workers.h"
 

@@ -10,8 +10,8 @@
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/map_reader.h"
 #include "playhouse/drivers/in_ticks.h"
+#include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/drivers/section_devices.h"
-#include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/map.h"
@@ -364,7 +364,7 @@ Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& secti
   driver->set_seed(own);
   const auto connected = [&site, shown = *provided, odometry = required->front(), own,
                           &amcl = *driver]() -> Result<void> {
-    Simulation* const simulation = site.simulation();
+    run::Simulation* const simulation = site.simulation();
     if (simulation == nullptr) return {};
     amcl.set_seed(own ^ mix64(simulation->world().seed()));
     run_in_ticks(site, shown, odometry, amcl.thread(), [&amcl, own](const world::World& world) {

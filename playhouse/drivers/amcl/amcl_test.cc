@@ -11,7 +11,7 @@
 #include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -71,8 +71,8 @@ class AmclTest : public ::testing::Test {
     EXPECT_NE(found, site.recorder.published.rend());
     return *wire::decode<T>(found->body);
   }
-  testing::Recorder::Answer ask(device::Address address, std::uint8_t subtype,
-                                const std::vector<std::byte>& body) {
+  run::testing::Recorder::Answer ask(device::Address address, std::uint8_t subtype,
+                                     const std::vector<std::byte>& body) {
     driver().request({site.id(address), kReq, subtype, body}, device::Replier(site.recorder, 1));
     site.run(0);
     return site.recorder.answers.at(1);
@@ -192,7 +192,7 @@ TEST_F(AmclTest, has_its_devices_open_while_one_of_its_own_is) {
 }
 
 TEST_F(AmclTest, retires_with_its_robot) {
-  Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *site.site().simulation();
   const world::ModelId robot = simulation.world().id(simulation.world().find("r0"));
   EXPECT_EQ(simulation.directory().model_of(kLocalize), robot);
   site.run(1);

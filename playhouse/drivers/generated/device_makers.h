@@ -1,7 +1,7 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// The device of each interface of simulated models, defined in playhouse/drivers/simulated/NAME.cc,
+/// The device of each interface of simulated models, defined in playhouse/drivers/interfaces/NAME.cc,
 /// and devices specific to a kind, with NAME of the kind.
 
 #include <cstdint>
@@ -13,37 +13,37 @@
 namespace playhouse::drivers {
 
 /// `model` fits the interface (model_interfaces.h).
-std::unique_ptr<SimulatedDevice> make_speech_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_speech_recognition_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_map_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_position2d_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_position3d_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_ranger_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_laser_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_sonar_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_pointcloud3d_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_fiducial_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_blobfinder_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_bumper_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_blinkenlight_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_lightindicator_blinkenlight_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_gripper_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_actarray_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_wifi_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_opaque_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_camera_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_ptz_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_detector_ranger_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_detector_fiducial_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_aio_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_imu_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_gps_device(Simulation& simulation, world::ModelRow model);
-std::unique_ptr<SimulatedDevice> make_power_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_speech_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_speech_recognition_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_map_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_position2d_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_position3d_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_ranger_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_laser_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_sonar_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_pointcloud3d_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_fiducial_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_blobfinder_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_bumper_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_blinkenlight_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_lightindicator_blinkenlight_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_gripper_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_actarray_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_wifi_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_opaque_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_camera_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_ptz_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_detector_ranger_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_detector_fiducial_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_aio_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_imu_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_gps_device(run::Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_power_device(run::Simulation& simulation, world::ModelRow model);
 
 struct DeviceMaker {
   std::uint16_t interf;
   std::optional<scene::ModelKind> kind;  // any kind, if empty
-  std::unique_ptr<SimulatedDevice> (*make)(Simulation& simulation, world::ModelRow model);
+  std::unique_ptr<SimulatedDevice> (*make)(run::Simulation& simulation, world::ModelRow model);
 };
 inline constexpr DeviceMaker kDeviceMakers[] = {
     {12, std::nullopt, make_speech_device},

@@ -9,14 +9,14 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/drivers/gym/shared_columns.h"
-#include "playhouse/drivers/simulated/simulation.h"
+#include "playhouse/run/simulation.h"
 #include "playhouse/world/control.h"
 
 namespace playhouse::drivers::gym {
 
 class Agents {
  public:
-  explicit Agents(Simulation& simulation) : simulation_(simulation) {}
+  explicit Agents(run::Simulation& simulation) : simulation_(simulation) {}
 
   /// Finds the agents, allocates the columns and subscribes the sensors from the first tick
   /// on. Fails if there are no agents, or if their range finders differ in number of beams.
@@ -47,7 +47,7 @@ class Agents {
   void stand(std::size_t agent);
   bool is_free(const geom::Pose& place, std::size_t agent) const;
 
-  Simulation& simulation_;
+  run::Simulation& simulation_;
   std::vector<Agent> agents_;
   std::uint32_t beams_ = 0;
   SharedColumns columns_;

@@ -16,8 +16,8 @@
 
 #include "playhouse/drivers/gym/link.h"
 #include "playhouse/drivers/gym/shared_columns.h"
-#include "playhouse/drivers/testing/still_engine.h"
-#include "playhouse/world/population.h"
+#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers::gym {
 namespace {
@@ -34,8 +34,8 @@ constexpr world::ModelId kB{2}, kLaserOfB{3};
 class Gym : public ::testing::Test {
  protected:
   explicit Gym(double duration = 0)
-      : simulation_(std::make_unique<testing::StillEngine>(scene_),
-                    {.speed = 0, .duration = duration, .lock_step = LockStep::Options{}}) {}
+      : simulation_(std::make_unique<run::testing::StillEngine>(scene_),
+                    {.speed = 0, .duration = duration, .lock_step = run::LockStep::Options{}}) {}
   void carry_out(std::function<void(world::World&)> change) {
     ASSERT_TRUE(simulation_.post(std::move(change)));
     simulation_.run();
@@ -45,8 +45,8 @@ class Gym : public ::testing::Test {
     return world().models.subscribers[world().row(model).index];
   }
 
-  const scene::SceneDesc scene_ = testing::scene_of(kWorld);
-  Simulation simulation_;
+  const scene::SceneDesc scene_ = run::testing::scene_of(kWorld);
+  run::Simulation simulation_;
 };
 
 TEST(SharedColumnsOfGym, keep_their_size_whatever_the_other_program_does) {

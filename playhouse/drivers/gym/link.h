@@ -9,7 +9,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/drivers/gym/agents.h"
-#include "playhouse/drivers/simulated/simulation.h"
+#include "playhouse/run/simulation.h"
 
 namespace playhouse::drivers::gym {
 
@@ -17,7 +17,8 @@ class Link {
  public:
   /// `simulation` must be in lock-step with one member, and must outlive
   /// the link. The socket, a Unix domain stream, is closed with the link.
-  Link(Simulation& simulation, int socket) : simulation_(simulation), socket_(socket), agents_(simulation) {}
+  Link(run::Simulation& simulation, int socket)
+      : simulation_(simulation), socket_(socket), agents_(simulation) {}
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
   ~Link();
@@ -34,7 +35,7 @@ class Link {
   void answer(const std::string& why_not) const;
   Result<void> send_memory() const;
 
-  Simulation& simulation_;
+  run::Simulation& simulation_;
   const int socket_;
   Agents agents_;
   std::string why_not_;  // error of the change in the current step; tick thread

@@ -7,8 +7,8 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/section_devices.h"
-#include "playhouse/scene/ros_map.h"
-#include "playhouse/scene/source_text.h"
+#include "playhouse/scene/images/ros_map.h"
+#include "playhouse/scene/text/source_text.h"
 
 namespace playhouse::drivers {
 namespace {

@@ -2,7 +2,7 @@
 
 /// The .cfg driver "mapfile": a grid map from an image, for planners and programs that show maps.
 ///
-/// In: the section's image, size of a pixel, and place; or its map of ROS (scene/ros_map.h).
+/// In: the section's image, size of a pixel, and place; or its map of ROS (scene/images/ros_map.h).
 ///
 /// Out: cells that are occupied (1), free (-1) or neither (0), row 0 at the bottom.
 ///

@@ -11,7 +11,7 @@
 #include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/drivers/testing/refusal_of.h"
 #include "playhouse/wire/codec.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -207,14 +207,14 @@ TEST_F(NdTest, keeps_its_goal_when_the_run_is_taken_back) {
 }
 
 TEST_F(NdTest, has_no_goal_after_a_restart) {
-  Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *site.site().simulation();
   simulation.record(true);
   site.run(1);
   const std::uint64_t start = simulation.timeline()->ticks.front();
   go_to(0, 3);
   site.run(3);
   EXPECT_NE(told().a, 0);
-  testing::rewind_to(simulation, start, 1);
+  run::testing::rewind_to(simulation, start, 1);
   site.run(3);
   EXPECT_EQ(told(), geom::Twist());
 }
@@ -245,12 +245,12 @@ TEST_F(NdTest, requests_are_its_robot_s) {
 }
 
 TEST_F(NdTest, the_directory_shows_it_at_its_robot) {
-  Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *site.site().simulation();
   EXPECT_EQ(simulation.directory().model_of(kNd), simulation.directory().model_of(kWheels));
 }
 
 TEST_F(NdTest, goes_with_its_robot_amid_a_drive) {
-  Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *site.site().simulation();
   const device::DeviceId nd = site.id(kNd);
   device::Driver& gone = driver();
   go_to(0, 3);

@@ -76,7 +76,9 @@ class Relay : public ::testing::Test, public Surroundings {
   void release(device::DeviceId device, device::Driver* holder) override { here.release(device, holder); }
   void post(std::function<void()> task) override { network_.post(std::move(task)); }
   net::Network& network() override { return network_; }
-  Result<std::unique_ptr<Simulation>> open_world(const std::string&) override { return Error{"", "none"}; }
+  Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override {
+    return Error{"", "none"};
+  }
 
   net::SimulatedNetwork network_{13};
   FakeDriver wheels{"wheels"}, laser{"laser"};

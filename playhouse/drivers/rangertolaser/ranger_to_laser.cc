@@ -161,7 +161,7 @@ Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSec
   const auto connected = [&site, where = section.at("requires"), laser, ranger]() -> Result<void> {
     if (site.simulation() == nullptr) return {};
     if (const Result<void> checked = check_sensors(site, where, ranger); !checked) return checked;
-    Directory& directory = site.simulation()->directory();
+    run::Directory& directory = site.simulation()->directory();
     directory.add(directory.model_of(ranger), laser);
     return {};
   };

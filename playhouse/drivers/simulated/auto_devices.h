@@ -53,7 +53,7 @@ class AutoDevices {
   void warn_of_left_out();
 
   Site& site_;
-  Simulation& simulation_;
+  run::Simulation& simulation_;
   const std::uint16_t port_;
   SimulatedDriver driver_;
   // Tick thread, once it runs.

@@ -9,8 +9,8 @@
 #include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/wire/generated/simulation.h"
-#include "playhouse/world/population.h"
-#include "playhouse/world/state.h"
+#include "playhouse/world/population/population.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -42,7 +42,7 @@ class AutoDevicesTest : public ::testing::Test {
     robots = std::make_unique<AutoDevices>(site.site(), 6665);
     EXPECT_TRUE(robots->add_all());
   }
-  Simulation& simulation() { return *site.site().simulation(); }
+  run::Simulation& simulation() { return *site.site().simulation(); }
   void post(std::function<void(world::World&)> change) { EXPECT_TRUE(simulation().post(std::move(change))); }
   /// Comes before the next tick, and its devices with it.
   ModelId come(std::uint32_t prototype) {
@@ -177,7 +177,7 @@ TEST_F(AutoDevicesTest, stay_when_the_run_is_taken_back_and_those_of_whom_came_s
   ASSERT_TRUE(site.hold(site.id({6665, p2d::kCode, 0})));
   ASSERT_TRUE(site.hold(site.id({6665, p2d::kCode, 4})));
   site.run(10);
-  testing::rewind_to(simulation(), instant);
+  run::testing::rewind_to(simulation(), instant);
   site.hear();
   EXPECT_EQ(simulation().world().tick(), instant);
   EXPECT_EQ(devices(), before);
@@ -201,7 +201,7 @@ TEST_F(AutoDevicesTest, of_robots_that_come_back_have_their_addresses_again) {
   go(robot);
   go({kA});
   site.run(10);
-  testing::rewind_to(simulation(), instant);
+  run::testing::rewind_to(simulation(), instant);
   site.hear();
   EXPECT_THAT(names(robot), ElementsAre("position2d:4", "position3d:4", "speech:4", "speech_recognition:4"));
   EXPECT_THAT(names({kA}), ElementsAre("position2d:0", "position3d:0", "speech:0", "speech_recognition:0"));
@@ -222,7 +222,7 @@ TEST_F(AutoDevicesTest, that_close_late_take_no_use_from_a_robot_that_came_back)
   ASSERT_GE(instant, 10u);
   // It goes and comes back, and only then the io thread hears of it.
   ASSERT_TRUE(simulation().post([=](world::World& world) { EXPECT_TRUE(world::despawn(world, robot)); }));
-  testing::rewind_to(simulation(), instant);
+  run::testing::rewind_to(simulation(), instant);
   world::World& world = simulation().engine().world();
   ASSERT_TRUE(world.row(robot));
   world::subscribe(world, world.row(robot));
@@ -241,14 +241,14 @@ TEST_F(AutoDevicesTest, are_those_of_the_newest_that_has_an_id_which_a_tick_gave
   site.run(1);
   const std::uint64_t instant = simulation().timeline()->ticks.front();
   const ModelId first = comes_in_a_tick();
-  testing::rewind_to(simulation(), instant);
+  run::testing::rewind_to(simulation(), instant);
   site.hear();
   ASSERT_EQ(comes_in_a_tick(), first);
   EXPECT_EQ(names(first).front(), "position2d:5");
   site.run(10);
   const std::uint64_t later = simulation().timeline()->ticks.back();
   go(first);
-  testing::rewind_to(simulation(), later);
+  run::testing::rewind_to(simulation(), later);
   site.hear();
   EXPECT_THAT(names(first), ElementsAre("position2d:5", "position3d:5", "speech:5", "speech_recognition:5"));
 }
@@ -267,7 +267,7 @@ class ManyRobots : public ::testing::Test {
       "position( name \"a\" laser( name \"l\" ) )\nposition( name \"b\" )\nlaser( name \"gate\" )\n";
   static constexpr std::uint32_t kA = 0, kB = 2, kGate = 3;
 
-  Simulation& simulation() { return *site.site().simulation(); }
+  run::Simulation& simulation() { return *site.site().simulation(); }
   std::vector<ModelId> come(std::size_t count, std::uint32_t prototype = kA) {
     std::vector<ModelId> ids;
     EXPECT_TRUE(simulation().post([&](world::World& world) {
@@ -352,7 +352,7 @@ TEST_F(ManyRobots, that_come_back_have_numbers_that_others_had_in_their_place) {
   const ModelId heir = come(1).front();
   ASSERT_EQ(wheels(heir), "position2d:3");
   ASSERT_LE(simulation().timeline()->ticks.front(), instant) << "the history is too short for this test";
-  testing::rewind_to(simulation(), instant);
+  run::testing::rewind_to(simulation(), instant);
   site.hear();
   EXPECT_EQ(wheels(first), "position2d:3");
   EXPECT_EQ(wheels(heir), "");
@@ -462,7 +462,7 @@ TEST_F(RobotsOfSeveralPorts, come_back_on_their_port) {
   const ModelId later = come(1).front();
   ASSERT_EQ(wheels(later), "6666:position2d:2");
   site.run(2);
-  testing::rewind_to(simulation(), instant);
+  run::testing::rewind_to(simulation(), instant);
   site.hear();
   EXPECT_EQ(wheels(ids[2]), "6666:position2d:1");
   EXPECT_EQ(wheels(later), "");

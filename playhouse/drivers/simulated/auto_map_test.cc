@@ -7,7 +7,7 @@
 
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/model_interfaces.h"
-#include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/run/testing/still_engine.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/wire/messages.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 /// "interface:index=model" per device, in order; behind the first port "port+interface:index=model".
 std::vector<std::string> mapped(const std::string& text, AutoMap map = AutoMap()) {
-  const scene::SceneDesc scene = testing::scene_of(text);
+  const scene::SceneDesc scene = run::testing::scene_of(text);
   const world::World world(scene, 1);
   std::vector<std::string> lines;
   for (const MappedDevice& device : map.of_world(world)) {
@@ -160,7 +160,7 @@ TEST(AutoMap, robot_k_is_on_port_k_by_indices_at_the_rest) {
   constexpr std::size_t kRobots = 1000, kIndices = 300;
   std::string text;
   for (std::size_t k = 0; k < kRobots; ++k) text += fmt::format("position( name \"r{}\" )\n", k);
-  const scene::SceneDesc scene = testing::scene_of(text);
+  const scene::SceneDesc scene = run::testing::scene_of(text);
   const world::World world(scene, 1);
   AutoMap map(kIndices);
   std::size_t robots = 0, worlds = 0;
@@ -182,7 +182,7 @@ TEST(AutoMap, robot_k_is_on_port_k_by_indices_at_the_rest) {
 TEST(AutoMap, leaves_out_what_no_port_has_room_for_and_asks_for_a_port_once) {
   std::string text;
   for (std::size_t k = 0; k < 10; ++k) text += fmt::format("position( name \"r{}\" )\n", k);
-  const scene::SceneDesc scene = testing::scene_of(text);
+  const scene::SceneDesc scene = run::testing::scene_of(text);
   const world::World world(scene, 1);
   std::vector<std::size_t> asked;
   AutoMap map(4, [&](std::size_t port) {
@@ -196,7 +196,7 @@ TEST(AutoMap, leaves_out_what_no_port_has_room_for_and_asks_for_a_port_once) {
   AutoMap narrow(1);
   std::string crowd;
   for (std::size_t k = 0; k < AutoMap::kPorts + 1; ++k) crowd += fmt::format("position( name \"r{}\" )\n", k);
-  const scene::SceneDesc crowded = testing::scene_of(crowd);
+  const scene::SceneDesc crowded = run::testing::scene_of(crowd);
   EXPECT_EQ(narrow.of_world(world::World(crowded, 1)).size(), AutoMap::kPorts * 5);
   EXPECT_EQ(narrow.left_out(), 4u);
 }
@@ -206,7 +206,7 @@ TEST(AutoMap, every_interface_of_what_is_simulated_has_a_device) {
       std::string(kMacros) + "position( joules 1 laser( ) sonars( ) ranger( sensor( rings 2 ) ) )";
   for (const scene::Kind& kind : scene::kinds())
     if (kind.entity == scene::EntityForm::kModel && kind.simulated) text += fmt::format(" {}( )", kind.name);
-  testing::StillSimulation still(text);
+  run::testing::StillSimulation still(text);
   AutoMap map;
   std::set<std::uint16_t> made, simulated;
   for (const MappedDevice& device : map.of_world(still.world())) {

@@ -11,7 +11,7 @@
 
 namespace playhouse::drivers {
 
-std::unique_ptr<SimulatedDevice> make_device(Simulation& simulation, std::uint16_t interf,
+std::unique_ptr<SimulatedDevice> make_device(run::Simulation& simulation, std::uint16_t interf,
                                              world::ModelRow model, std::uint32_t port) {
   if (!model) {
     PLAYHOUSE_ASSERT(interf == wire::simulation::kCode);

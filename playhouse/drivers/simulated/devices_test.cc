@@ -8,10 +8,10 @@
 #include <limits>
 #include <numbers>
 
+#include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/drivers/simulated/device_factory.h"
-#include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/run/testing/still_engine.h"
 #include "playhouse/wire/generated/blobfinder.h"
 #include "playhouse/wire/generated/bumper.h"
 #include "playhouse/wire/generated/camera.h"
@@ -24,7 +24,7 @@
 #include "playhouse/wire/generated/simulation.h"
 #include "playhouse/wire/generated/sonar.h"
 #include "playhouse/wire/generated/wifi.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -74,7 +74,7 @@ class Device : public ::testing::Test {
     still_.run(0);
   }
   /// The answer to a request, which must have come by the next moment between ticks.
-  testing::Recorder::Answer ask(std::uint8_t subtype, std::span<const std::byte> body = {}) {
+  run::testing::Recorder::Answer ask(std::uint8_t subtype, std::span<const std::byte> body = {}) {
     driver_.request({kId, static_cast<std::uint8_t>(MessageType::kReq), subtype, body},
                     device::Replier(still_.recorder, ++ticket_));
     still_.run(0);
@@ -82,11 +82,11 @@ class Device : public ::testing::Test {
     return still_.recorder.answers[ticket_];
   }
   template <typename Payload>
-  testing::Recorder::Answer ask_with(std::uint8_t subtype, const Payload& payload) {
+  run::testing::Recorder::Answer ask_with(std::uint8_t subtype, const Payload& payload) {
     return ask(subtype, wire::encode(payload));
   }
   template <typename Reply>
-  Reply reply(const testing::Recorder::Answer& answer) {
+  Reply reply(const run::testing::Recorder::Answer& answer) {
     EXPECT_TRUE(answer.ack);
     const Result<Reply> value = wire::decode<Reply>(answer.body);
     EXPECT_TRUE(value);
@@ -115,7 +115,7 @@ class Device : public ::testing::Test {
   }
 
   static constexpr device::DeviceId kId{3};
-  testing::StillSimulation still_;
+  run::testing::StillSimulation still_;
   SimulatedDriver driver_;
   std::uint64_t ticket_ = 0;
 };
@@ -319,7 +319,7 @@ TEST_F(LaserDevice, geometry_is_that_of_the_scanner_on_the_robot) {
 }
 
 TEST(PoseOnRobot, has_the_tilts_of_the_parts_that_carry_it) {
-  const scene::SceneDesc scene = testing::scene_of(R"(
+  const scene::SceneDesc scene = run::testing::scene_of(R"(
 position( name "r" tilt [0 10] size [0.4 0.4 0.2] stack_children 0
   model( name "mast" pose [0.1 0 0 90] tilt [0 30] size [0.1 0.1 0.1] stack_children 0
     ranger( name "eye" pose [0 0 1 0] origin [0 0 0 0] ) ) )

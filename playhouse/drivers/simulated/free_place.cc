@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/bodies/overlap.h"
+#include "playhouse/bodies/solids.h"
 #include "playhouse/drivers/simulated/joining.h"
-#include "playhouse/stage/overlap.h"
-#include "playhouse/stage/solids.h"
 
 namespace playhouse::drivers {
 namespace {
 
-using stage::Solid;
+using bodies::Solid;
 
 constexpr double kFarthest = 1000;  // m from any model
 constexpr double kReach = 2;        // m, in which another place is looked for
@@ -31,23 +31,23 @@ std::vector<Solid> solids_of(const world::World& world, std::uint32_t prototype,
     const scene::ModelDesc& desc = models[prototype + i];
     poses.push_back(
         i == 0 ? X_WM : geom::compose(poses[static_cast<std::uint32_t>(desc.parent) - prototype], desc.X_PM));
-    stage::add_blocks(desc, poses.back(), solids);
+    bodies::add_blocks(desc, poses.back(), solids);
   }
   return solids;
 }
 
 /// True if an edge of the loops penetrates the outline, or if that is inside by the even-odd rule.
 bool meets_contours(const Solid& solid, const scene::Contours& contours, const geom::Pose& X_WB) {
-  if (!stage::share_heights(solid, X_WB.z + contours.z_min, X_WB.z + contours.z_max)) return false;
-  const stage::Outline outline = stage::outline_of(solid);
+  if (!bodies::share_heights(solid, X_WB.z + contours.z_min, X_WB.z + contours.z_max)) return false;
+  const bodies::Outline outline = bodies::outline_of(solid);
   const geom::Vec2 inner = solid.p.front();
   bool inside = false;
   for (const std::vector<geom::Vec2>& loop : contours.loops) {
-    const std::vector<geom::Vec2> p = stage::moved(X_WB, loop);
+    const std::vector<geom::Vec2> p = bodies::moved(X_WB, loop);
     for (std::size_t i = 0, before = p.size() - 1; i < p.size(); before = i++) {
       const geom::Vec2 a = p[before], b = p[i];
-      if (stage::length_inside(outline, a, b) > 0) return true;
-      if (stage::ray_crosses(inner, a, b)) inside = !inside;
+      if (bodies::length_inside(outline, a, b) > 0) return true;
+      if (bodies::ray_crosses(inner, a, b)) inside = !inside;
     }
   }
   return inside;
@@ -85,7 +85,7 @@ class Bounds {
     for (const scene::Block& block : desc.blocks) add(block.points);
     for (const scene::Contours& contours : desc.bitmaps)
       for (const std::vector<geom::Vec2>& loop : contours.loops) add(loop);
-    const double radius = std::sqrt(square) + stage::kTouch;
+    const double radius = std::sqrt(square) + bodies::kTouch;
     return radius * radius;
   }
 
@@ -108,7 +108,7 @@ class Obstacles {
       if (dx * dx + dy * dy > bounds.square(world.models.desc[row])) continue;
       const scene::ModelDesc& desc = world.desc({row});
       std::vector<Solid> solids;
-      stage::add_blocks(desc, world.models.X_WM[row], solids);
+      bodies::add_blocks(desc, world.models.X_WM[row], solids);
       for (Solid& solid : solids)
         if (box_of(std::span(&solid, 1)).overlaps(near)) blocks_.push_back(std::move(solid));
       if (!desc.obstacle_return) continue;
@@ -131,8 +131,8 @@ class Obstacles {
   bool are_met_by(const Solid& solid) const {
     return std::ranges::any_of(blocks_,
                                [&](const Solid& other) {
-                                 return stage::share_heights(solid, other.bottom, other.top) &&
-                                        stage::touch(solid.p, other.p);
+                                 return bodies::share_heights(solid, other.bottom, other.top) &&
+                                        bodies::touch(solid.p, other.p);
                                }) ||
            std::ranges::any_of(contours_, [&](const Placed& placed) {
              return meets_contours(solid, *placed.contours, placed.X_WB);

@@ -9,7 +9,7 @@
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/model_interfaces.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/run/testing/still_engine.h"
 #include "playhouse/wire/generated/gps.h"
 #include "playhouse/wire/generated/imu.h"
 #include "playhouse/wire/generated/pointcloud3d.h"
@@ -74,7 +74,7 @@ class SpatialDevice : public ::testing::Test {
   }
 
   static constexpr device::DeviceId kId{3};
-  testing::StillSimulation still_;
+  run::testing::StillSimulation still_;
   SimulatedDriver driver_;
   std::uint64_t ticket_ = 0;
 };

@@ -23,7 +23,7 @@ std::vector<std::byte> answer(wire::simulation::PropertyReq body, std::string_vi
 
 }  // namespace
 
-JoinedRobots::JoinedRobots(Simulation& simulation) : simulation_(simulation) {
+JoinedRobots::JoinedRobots(run::Simulation& simulation) : simulation_(simulation) {
   simulation.add_follower(
       [&simulation, brought = brought_](const world::World&, const world::Change& change) {
         follow(simulation, *brought, change);
@@ -31,7 +31,7 @@ JoinedRobots::JoinedRobots(Simulation& simulation) : simulation_(simulation) {
 }
 
 /// Removes the sensors of a robot that has been removed, before the next tick.
-void JoinedRobots::follow(Simulation& simulation, Brought& brought, const world::Change& change) {
+void JoinedRobots::follow(run::Simulation& simulation, Brought& brought, const world::Change& change) {
   if (change.kind != world::Change::Kind::kDespawn) return;
   const auto found = brought.find(change.model);
   if (found == brought.end()) return;

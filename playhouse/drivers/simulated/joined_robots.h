@@ -11,7 +11,7 @@
 
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/simulated/joining.h"
-#include "playhouse/drivers/simulated/simulation.h"
+#include "playhouse/run/simulation.h"
 #include "playhouse/wire/generated/simulation.h"
 
 namespace playhouse::drivers {
@@ -19,7 +19,7 @@ namespace playhouse::drivers {
 class JoinedRobots {
  public:
   /// Before simulation.run().
-  explicit JoinedRobots(Simulation& simulation);
+  explicit JoinedRobots(run::Simulation& simulation);
 
   /// Spawns a robot of type `request.name`, described by its value, and ties its
   /// lifetime to the caller's connection. ACK returns its name, NACK the reason.
@@ -34,9 +34,9 @@ class JoinedRobots {
   std::shared_ptr<Owned> owned_by(device::Caller& caller);
   /// Tick thread; by robot.
   using Brought = std::map<world::ModelId, std::shared_ptr<Owned>>;
-  static void follow(Simulation& simulation, Brought& brought, const world::Change& change);
+  static void follow(run::Simulation& simulation, Brought& brought, const world::Change& change);
 
-  Simulation& simulation_;
+  run::Simulation& simulation_;
   using Owners = std::map<const device::Caller*, std::shared_ptr<Owned>>;
   std::shared_ptr<Owners> owners_ = std::make_shared<Owners>();
   std::shared_ptr<Brought> brought_ = std::make_shared<Brought>();

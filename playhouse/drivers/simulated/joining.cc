@@ -12,9 +12,9 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/drivers/simulated/model_interfaces.h"
-#include "playhouse/scene/colors.h"
-#include "playhouse/scene/expand.h"
-#include "playhouse/world/population.h"
+#include "playhouse/scene/forms/colors.h"
+#include "playhouse/scene/text/expand.h"
+#include "playhouse/world/population/population.h"
 #include "playhouse/world/speech.h"
 
 namespace playhouse::drivers {

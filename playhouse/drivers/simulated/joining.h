@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
-#include "playhouse/scene/values.h"
+#include "playhouse/scene/text/values.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::drivers {

@@ -10,9 +10,9 @@
 #include "playhouse/drivers/simulated/auto_devices.h"
 #include "playhouse/drivers/simulated/joined_robots.h"
 #include "playhouse/drivers/testing/memory_site.h"
-#include "playhouse/scene/colors.h"
+#include "playhouse/scene/forms/colors.h"
 #include "playhouse/wire/codec.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -50,7 +50,7 @@ class Joining : public ::testing::Test {
     robots = std::make_unique<AutoDevices>(site.site(), 6665);
     EXPECT_TRUE(robots->add_all());
   }
-  Simulation& simulation() { return *site.site().simulation(); }
+  run::Simulation& simulation() { return *site.site().simulation(); }
   const world::World& world() { return simulation().world(); }
   /// The name of what came, or why nothing did.
   std::string come(const JoinRequest& wanted) {
@@ -224,7 +224,7 @@ wire::simulation::PropertyReq property(const std::string& type, std::string valu
 
 TEST_F(Joining, robots_leave_with_the_client_that_brought_them) {
   JoinedRobots joined(simulation());
-  testing::Recorder answers;
+  run::testing::Recorder answers;
   {
     device::Caller student("10.0.0.1:1"), other("10.0.0.2:1");
     int expected = 0;
@@ -250,7 +250,7 @@ TEST_F(Joining, robots_leave_with_the_client_that_brought_them) {
 
 TEST_F(Joining, the_sensors_of_a_robot_go_with_it_whoever_takes_it_out) {
   JoinedRobots joined(simulation());
-  testing::Recorder answers;
+  run::testing::Recorder answers;
   device::Caller student("10.0.0.1:1");
   joined.join(property("cart", wire_value(0, 0, {"bob", "", "scanner", "scanner 0.2 0 3"})), &student,
               {answers, 1});
@@ -266,7 +266,7 @@ TEST_F(Joining, the_sensors_of_a_robot_go_with_it_whoever_takes_it_out) {
 
 TEST_F(Joining, robots_and_their_sensors_are_of_the_share_of_the_client) {
   JoinedRobots joined(simulation());
-  testing::Recorder answers;
+  run::testing::Recorder answers;
   device::Caller student("10.0.0.1:1"), same("10.0.0.1:2"), other("10.0.0.2:1");
   for (device::Caller* each : {&student, &same}) each->set_holder("blue-chair-7");
   // As if it had brought what is here already so often that two models are left of its share.
@@ -290,7 +290,7 @@ TEST_F(Joining, robots_and_their_sensors_are_of_the_share_of_the_client) {
 
 TEST_F(Joining, who_is_no_client_and_who_asks_for_what_is_not_gets_a_reason) {
   JoinedRobots joined(simulation());
-  testing::Recorder answers;
+  run::testing::Recorder answers;
   const auto reason = [&](std::uint64_t ticket) {
     EXPECT_FALSE(answers.answers[ticket].ack);
     const auto body = wire::decode<wire::simulation::PropertyReq>(answers.answers[ticket].body);

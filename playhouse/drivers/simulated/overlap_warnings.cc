@@ -5,13 +5,13 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
-#include "playhouse/stage/blocked_starts.h"
+#include "playhouse/bodies/blocked_starts.h"
 
 namespace playhouse::drivers {
 
 void OverlapWarnings::placed(const world::World& world, world::ModelRow model, std::string_view done) {
   if (told_ >= limits::kWarningsOfAKind) return;
-  const std::string other = stage::overlapped_by(world, model);
+  const std::string other = bodies::overlapped_by(world, model);
   if (other.empty()) return;
   ++told_;
   log::warn("simulation: a client {} {} into {}{}", done, in_quotes(world.name(model)), other,

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "playhouse/device/driver.h"
-#include "playhouse/drivers/simulated/simulation.h"
+#include "playhouse/run/simulation.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/header.h"
 
@@ -30,11 +30,12 @@ struct Served {
   std::uint8_t subtype;
 };
 
-class SimulatedDevice : public Source {
+class SimulatedDevice : public run::Source {
  public:
   /// `model` is watched while the device is open, and used from a client's first command on: whoever reads
   /// draws no power and changes nothing. None for a device of the whole world.
-  SimulatedDevice(Simulation& simulation, world::ModelId model) : simulation_(simulation), model_(model) {}
+  SimulatedDevice(run::Simulation& simulation, world::ModelId model)
+      : simulation_(simulation), model_(model) {}
   SimulatedDevice(const SimulatedDevice&) = delete;
   SimulatedDevice& operator=(const SimulatedDevice&) = delete;
 
@@ -86,7 +87,7 @@ class SimulatedDevice : public Source {
   virtual void ended(world::World& world) { static_cast<void>(world); }
 
  protected:
-  Simulation& simulation() const { return simulation_; }
+  run::Simulation& simulation() const { return simulation_; }
 
   /// Runs on the tick thread; returns the body of the ACK, or none for NACK.
   using Question = std::function<std::optional<Bytes>(world::World&)>;
@@ -111,7 +112,7 @@ class SimulatedDevice : public Source {
   }
 
  private:
-  Simulation& simulation_;
+  run::Simulation& simulation_;
   world::ModelId model_;
   device::DeviceId id_;
   std::atomic<bool> has_acted_ = false;  // since it was opened

@@ -17,7 +17,7 @@ namespace playhouse::drivers {
 class SimulatedDriver final : public device::Driver {
  public:
   /// `name` is reported to clients.
-  SimulatedDriver(Simulation& simulation, std::string name)
+  SimulatedDriver(run::Simulation& simulation, std::string name)
       : simulation_(simulation), name_(std::move(name)) {}
 
   /// Registers a device at `id`, until forget(). Io thread too.
@@ -38,7 +38,7 @@ class SimulatedDriver final : public device::Driver {
   Device find(device::DeviceId id) const;
   void note_act(const Device& device);
 
-  Simulation& simulation_;
+  run::Simulation& simulation_;
   std::string name_;
   mutable std::mutex mutex_;  // guards what follows
   std::map<device::DeviceId, Device> devices_;

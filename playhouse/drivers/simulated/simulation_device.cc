@@ -5,10 +5,10 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
-#include "playhouse/drivers/simulated/directory.h"
+#include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/drivers/simulated/properties.h"
-#include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/drivers/simulated/world_requests.h"
+#include "playhouse/run/directory.h"
 #include "playhouse/wire/generated/simulation.h"
 
 namespace playhouse::drivers {
@@ -225,7 +225,7 @@ std::optional<Bytes> SimulationDevice::model_page(const world::World& world, std
   pages_of_ = world.population();
   const auto kept = model_pages_.find(first);
   if (kept != model_pages_.end() && !kept->second.empty()) return kept->second;
-  ModelList list = drivers::list_models(world, simulation().directory(), first);
+  run::ModelList list = run::list_models(world, simulation().directory(), first);
   if (list.text.size() > kLongestList) return std::nullopt;  // a single name is as long as a message
   Bytes page = wire::encode(
       sim::PropertyReq{wire::c_string(""), wire::c_string("models"), list.next, std::move(list.text)});

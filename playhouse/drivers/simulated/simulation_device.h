@@ -22,7 +22,7 @@ namespace playhouse::drivers {
 class SimulationDevice final : public SimulatedDevice {
  public:
   /// `port`: its own.
-  SimulationDevice(Simulation& simulation, std::uint32_t port)
+  SimulationDevice(run::Simulation& simulation, std::uint32_t port)
       : SimulatedDevice(simulation, {}), port_(port), joined_(simulation) {}
 
   std::span<const Served> served() const override;

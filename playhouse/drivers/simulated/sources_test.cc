@@ -1,7 +1,7 @@
 // What many open devices publish, for any number of workers. Out of scope here: what each message says
 // (devices_test.cc).
 
-#include "playhouse/drivers/simulated/sources.h"
+#include "playhouse/run/sources.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@
 #include "playhouse/drivers/simulated/auto_map.h"
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/run/testing/still_engine.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -68,7 +68,7 @@ class AllOpen {
   }
 
  private:
-  testing::StillSimulation still_;
+  run::testing::StillSimulation still_;
   SimulatedDriver driver_;
   std::size_t count_ = 0;
 };
@@ -90,7 +90,7 @@ TEST(Sources, of_many_devices_give_the_same_batch_for_any_number_of_workers) {
 }
 
 /// Says its number, in ticks that it divides.
-struct Number final : Source {
+struct Number final : run::Source {
   explicit Number(std::uint32_t number) : number(number) {}
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     if (world.tick() % number == 0) out.push_back({{number}, 0, world.time(), {}});
@@ -99,9 +99,9 @@ struct Number final : Source {
 };
 
 TEST(Sources, come_in_the_order_in_which_they_were_added_behind_what_is_there) {
-  const scene::SceneDesc scene = testing::scene_of("interval_sim 100\n");
-  testing::StillEngine engine(scene, 3);
-  Sources sources;
+  const scene::SceneDesc scene = run::testing::scene_of("interval_sim 100\n");
+  run::testing::StillEngine engine(scene, 3);
+  run::Sources sources;
   std::vector<std::shared_ptr<Number>> numbers;
   for (std::uint32_t number = 1000; number > 0; --number) {
     numbers.push_back(std::make_shared<Number>(number));

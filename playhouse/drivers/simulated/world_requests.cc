@@ -15,7 +15,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/drivers/simulated/joining.h"
 #include "playhouse/wire/codec.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 #include "playhouse/world/speech.h"
 
 namespace playhouse::drivers {
@@ -41,7 +41,7 @@ struct Asked {
     replier->nack(wire::encode(body));
   }
   /// As the callback of a step.
-  LockStep::Done when_done() const {
+  run::LockStep::Done when_done() const {
     return [asked = *this](std::optional<std::string> why_not) {
       if (why_not) return asked.nack(*why_not);
       asked.ack();
@@ -63,13 +63,13 @@ std::optional<std::uint64_t> number(std::string_view value) {
 }
 
 /// Removes a member when its client disconnects, whatever it waits for.
-void watch(LockStep& lock_step, device::Caller& caller) {
+void watch(run::LockStep& lock_step, device::Caller& caller) {
   if (lock_step.has(&caller))
     caller.when_gone_once(&lock_step, [&lock_step, who = &caller] { lock_step.leave(who); });
 }
 
-void join(Simulation& simulation, const Asked& asked, device::Caller* caller) {
-  LockStep* lock_step = simulation.lock_step();
+void join(run::Simulation& simulation, const Asked& asked, device::Caller* caller) {
+  run::LockStep* lock_step = simulation.lock_step();
   if (lock_step == nullptr)
     return asked.nack("this world goes on by itself: it was not started with --lock-step");
   if (caller == nullptr) return asked.nack("clients alone join");
@@ -81,10 +81,10 @@ void join(Simulation& simulation, const Asked& asked, device::Caller* caller) {
   asked.ack();
 }
 
-void step(Simulation& simulation, const Asked& asked, device::Caller* caller) {
+void step(run::Simulation& simulation, const Asked& asked, device::Caller* caller) {
   const std::optional<std::uint64_t> ticks =
       asked.request.value.empty() ? std::optional<std::uint64_t>(1) : number(asked.request.value);
-  LockStep* lock_step = simulation.lock_step();
+  run::LockStep* lock_step = simulation.lock_step();
   const std::uint32_t most = lock_step == nullptr ? limits::kSingleSteps : limits::kStepTicks;
   if (!ticks || *ticks == 0 || *ticks > most)
     return asked.nack(fmt::format("a number of ticks is wanted, 1 to {}, in 4 or 8 bytes", most));
@@ -94,7 +94,7 @@ void step(Simulation& simulation, const Asked& asked, device::Caller* caller) {
   watch(*lock_step, *caller);
 }
 
-void reset(Simulation& simulation, const Asked& asked) {
+void reset(run::Simulation& simulation, const Asked& asked) {
   const bool same_seed = asked.request.value.empty();
   const std::optional<std::uint64_t> seed = number(asked.request.value);
   if (!same_seed && !seed) return asked.nack("a seed is wanted, in 4 or 8 bytes");
@@ -107,7 +107,7 @@ void reset(Simulation& simulation, const Asked& asked) {
 }
 
 /// Payload: x, y [m], heading [rad] as float64, then an optional name.
-void spawn(Simulation& simulation, const Asked& asked, const device::Caller* caller,
+void spawn(run::Simulation& simulation, const Asked& asked, const device::Caller* caller,
            OverlapWarnings& overlaps) {
   double place[3];
   const std::string& value = asked.request.value;
@@ -137,7 +137,7 @@ void spawn(Simulation& simulation, const Asked& asked, const device::Caller* cal
   if (!posted) asked.nack(simulation.why_not_posted());
 }
 
-void remove(Simulation& simulation, const Asked& asked) {
+void remove(run::Simulation& simulation, const Asked& asked) {
   const bool posted = simulation.post([asked](world::World& world) {
     const std::string_view name = wire::text(asked.request.name);
     const world::ModelRow model = world.find(name);
@@ -151,7 +151,7 @@ void remove(Simulation& simulation, const Asked& asked) {
 
 }  // namespace
 
-bool ask_for_world(Simulation& simulation, const sim::PropertyReq& request, device::Caller* caller,
+bool ask_for_world(run::Simulation& simulation, const sim::PropertyReq& request, device::Caller* caller,
                    device::Replier& replier, OverlapWarnings& overlaps) {
   const std::string_view name = wire::text(request.name), property = wire::text(request.prop);
   const bool of_world = name.empty() || name == "world";

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "playhouse/drivers/registry.h"
-#include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/net/simulated.h"
+#include "playhouse/run/testing/still_engine.h"
 
 namespace playhouse::drivers::testing {
 
@@ -98,15 +98,16 @@ class MemorySite final : public Surroundings {
   }
   void post(std::function<void()> task) override { posted_.push_back(std::move(task)); }
   net::Network& network() override { return network_; }
-  Result<std::unique_ptr<Simulation>> open_world(const std::string& path) override {
+  Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override {
     opened.push_back(path);
-    scene_ = scene_of(world_text_);
-    return std::make_unique<Simulation>(
-        std::make_unique<StillEngine>(scene_),
-        Simulation::Options{.speed = 0, .paused = false, .duration = 0, .clock = no_time_passes});
+    scene_ = run::testing::scene_of(world_text_);
+    return std::make_unique<run::Simulation>(
+        std::make_unique<run::testing::StillEngine>(scene_),
+        run::Simulation::Options{
+            .speed = 0, .paused = false, .duration = 0, .clock = run::testing::no_time_passes});
   }
 
-  Recorder recorder;
+  run::testing::Recorder recorder;
   std::map<std::uint32_t, std::vector<device::Driver*>> held;  // once per hold; null: nobody hears of its end
   std::vector<std::uint32_t> retired;                          // in this order
   std::vector<std::string> opened;

@@ -12,7 +12,7 @@
 #include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/drivers/testing/refusal_of.h"
 #include "playhouse/wire/codec.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -175,12 +175,12 @@ TEST_F(VfhTest, requests_are_its_robot_s) {
 }
 
 TEST_F(VfhTest, the_directory_shows_it_at_its_robot) {
-  Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *site.site().simulation();
   EXPECT_EQ(simulation.directory().model_of(kVfh), simulation.directory().model_of(kWheels));
 }
 
 TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_them) {
-  Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *site.site().simulation();
   const device::DeviceId vfh = site.id(kVfh);
   device::Driver& driver = site.driver(kVfh);
   go_to(0, 3);
@@ -246,7 +246,7 @@ driver( name "stage" provides ["position2d:0"] model "r0" ))"),
 TEST(VfhApart, stops_its_robot_when_its_laser_goes) {
   MemorySite site(kApart);
   ASSERT_EQ(site.build(kApartFile), "");
-  Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *site.site().simulation();
   const world::World& world = simulation.world();
   const device::DeviceId vfh = site.id(kVfh), laser = site.id({6665, 6, 0});
   ASSERT_TRUE(site.hold(vfh));

@@ -13,12 +13,12 @@
 #include "playhouse/base/testing_folder.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/grid_map.h"
-#include "playhouse/drivers/simulated/shapes.h"
+#include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/drivers/testing/refusal_of.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
-#include "playhouse/world/population.h"
+#include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -692,13 +692,13 @@ TEST(Wavefront, supports_these_messages) {
   EXPECT_FALSE(test.driver().capable(id, kCmd, 3));
   test.driver().request({id, kReq, 3, {}}, device::Replier(test.site.recorder, 5));
   EXPECT_FALSE(test.site.recorder.answers.at(5).ack);
-  Simulation& simulation = *test.site.site().simulation();
+  run::Simulation& simulation = *test.site.site().simulation();
   EXPECT_EQ(simulation.directory().model_of(kPlanner), simulation.directory().model_of(kRobot));
 }
 
 TEST(Wavefront, goes_with_its_robot_amid_a_drive) {
   Planned test;
-  Simulation& simulation = *test.site.site().simulation();
+  run::Simulation& simulation = *test.site.site().simulation();
   const device::DeviceId id = test.site.id(kPlanner);
   device::Driver& driver = test.driver();
   test.go_to(kGoal);

@@ -9,7 +9,7 @@
 
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/quantize.h"
-#include "playhouse/scene/colors.h"
+#include "playhouse/scene/forms/colors.h"
 #include "playhouse/world/traits.h"
 
 namespace playhouse::replicate {

@@ -3,7 +3,7 @@
 
 /// Bodies specific to kinds, each built by playhouse/scene/body_NAME.cc.
 
-#include "playhouse/scene/body.h"
+#include "playhouse/scene/forms/body.h"
 
 namespace playhouse::scene {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "playhouse/geom/pose.h"
-#include "playhouse/scene/values.h"
+#include "playhouse/scene/text/values.h"
 
 namespace playhouse::scene {
 

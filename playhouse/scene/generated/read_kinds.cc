@@ -2,7 +2,7 @@
 #include "playhouse/scene/generated/read_kinds.h"
 
 #include "playhouse/base/limits.h"
-#include "playhouse/scene/read_word.h"
+#include "playhouse/scene/text/read_word.h"
 
 namespace playhouse::scene {
 namespace {

@@ -5,7 +5,7 @@
 /// that read() of read_kinds.h gives it back.
 
 #include "playhouse/scene/generated/kind_descs.h"
-#include "playhouse/scene/write_word.h"
+#include "playhouse/scene/text/write_word.h"
 
 namespace playhouse::scene {
 

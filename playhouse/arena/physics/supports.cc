@@ -1,0 +1,36 @@
+#include "playhouse/arena/physics/supports.h"
+
+#include <algorithm>
+
+namespace playhouse::arena {
+namespace {
+
+constexpr double kWide = 2;  // m along x; wider boxes are tested by brute force
+
+bool overlap(const Box& a, const Box& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+}  // namespace
+
+void Supports::set(std::span<const Box> boxes) {
+  narrow_.clear();
+  wide_.clear();
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    (boxes[i].high.x - boxes[i].low.x > kWide ? wide_ : narrow_).push_back({boxes[i], i});
+  std::ranges::sort(narrow_, {}, [](const Entry& entry) { return std::pair(entry.box.low.x, entry.body); });
+}
+
+void Supports::find(const Box& box, std::vector<std::uint32_t>& bodies) const {
+  bodies.clear();
+  for (const Entry& entry : wide_)
+    if (overlap(entry.box, box)) bodies.push_back(entry.body);
+  const auto low_x = [](const Entry& entry) { return entry.box.low.x; };
+  for (auto entry = std::ranges::lower_bound(narrow_, box.low.x - kWide, {}, low_x);
+       entry != narrow_.end() && entry->box.low.x <= box.high.x; ++entry)
+    if (overlap(entry->box, box)) bodies.push_back(entry->body);
+  std::ranges::sort(bodies);
+}
+
+}  // namespace playhouse::arena

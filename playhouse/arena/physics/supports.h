@@ -1,0 +1,42 @@
+#pragma once
+
+/// Supports: broad phase for wheels: the movable bodies that may be below a vehicle.
+///
+/// In: axis-aligned bounding boxes in W.
+/// Out: for a box, the bodies whose boxes overlap it, in ascending order.
+/// Cost: set() sorts all boxes; find() visits
+///   those whose low side is within kWide of the
+///   box in x, and all boxes wider than kWide.
+/// Source: sweep and prune along one axis (Baraff, 1992).
+///
+/// Thread: find() from any number of threads at once; set() from one.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "playhouse/arena/physics/rigid_body.h"
+
+namespace playhouse::arena {
+
+struct Box {
+  Vec3 low, high;  // m, in W
+};
+
+class Supports {
+ public:
+  /// `boxes` has one for each body.
+  void set(std::span<const Box> boxes);
+  /// Replaces `bodies` by the bodies whose boxes overlap `box`.
+  void find(const Box& box, std::vector<std::uint32_t>& bodies) const;
+
+ private:
+  struct Entry {
+    Box box;
+    std::uint32_t body = 0;
+  };
+  std::vector<Entry> narrow_;  // sorted by the low side in x
+  std::vector<Entry> wide_;
+};
+
+}  // namespace playhouse::arena

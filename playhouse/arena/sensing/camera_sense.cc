@@ -1,0 +1,111 @@
+#include "playhouse/arena/sensing/camera_sense.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "playhouse/arena/sensing/looks.h"
+#include "playhouse/base/log.h"
+#include "playhouse/rays/camera_image.h"
+#include "playhouse/scene/forms/camera.h"
+#include "playhouse/senses/generated/senses.h"
+
+namespace playhouse::arena {
+namespace {
+
+using geom::Vec3;
+using scene::ImageKind;
+
+constexpr double kNearest =
+    0.01;  // m, of what is shown at all: depths are exact to a tenth of a millimetre then
+
+render::Shows shows_of(ImageKind image) {
+  switch (image) {
+    case ImageKind::kDepth:
+      return render::Shows::kDepth;
+    case ImageKind::kSegmentation:
+      return render::Shows::kSegments;
+    case ImageKind::kColor:
+    case ImageKind::kGray:
+      break;
+  }
+  return render::Shows::kColor;
+}
+
+}  // namespace
+
+senses::SensorTable CameraSense::table(world::World& world) const {
+  return {world.cameras.model, world.cameras.measured_tick};
+}
+
+void CameraSense::populate(const world::World& world, const bodies::Space& space) {
+  is_stale_ = true;
+  if (instead_) instead_->populate(world, space);
+}
+
+/// Makes the renderer, or the fallback.
+void CameraSense::begin() {
+  if (renderer_ || instead_) return;
+  Result<std::unique_ptr<render::Renderer>> made = make_();
+  if (made) {
+    renderer_ = std::move(*made);
+    log::info("cameras are rendered by {}", renderer_->name());
+    return;
+  }
+  log::warn(
+      "cameras show what those of the stage engine do, without light, tilts and people: {} "
+      "(docs/arena.md, Cameras)",
+      made.error().line());
+  instead_ = senses::make_camera_sense(workers_);
+}
+
+render::View CameraSense::view_of(const world::World& world, std::uint32_t camera) const {
+  const std::uint32_t model = world.cameras.model[camera].index;
+  const scene::ModelDesc& desc = world.desc({model});
+  const scene::CameraDesc& lens = *desc.camera;
+  // Values come from a loaded state, which may be corrupt.
+  const auto sound = [](double angle) { return std::fabs(angle) <= 1e5 ? geom::normalize(angle) : 0; };
+  const double zoom = world.cameras.zoom[camera];
+  const scene::HalfImage half = half_image(lens, zoom > 0 && zoom < geom::kPi ? zoom : lens.fov_horizontal);
+  const PlacedModel at = model_in_world(world.models, model);
+  const Vec3 eye{desc.X_MB.x, desc.X_MB.y, desc.X_MB.z + rays::lens_height(desc)};
+  render::View view;
+  view.shows = shows_of(lens.image);
+  view.eye = at.p + at.q * eye;
+  view.q_WC = at.q * geom::orientation(desc.X_MB.a + sound(world.cameras.pan[camera]),
+                                       {0, -sound(world.cameras.tilt[camera])});
+  view.half_width = half.width;
+  view.half_height = half.height;
+  view.near = std::max(lens.range_min, kNearest);
+  view.far = std::max(lens.range_max, view.near + kNearest);
+  view.width = static_cast<std::uint32_t>(lens.width);
+  view.height = static_cast<std::uint32_t>(lens.height);
+  view.hides = world.models.root[model];
+  return view;
+}
+
+std::uint64_t CameraSense::sense(world::World& world, const bodies::Space& space,
+                                 std::span<const std::uint32_t> due, std::uint64_t tick,
+                                 world::Workers& workers) {
+  begin();
+  if (instead_) return instead_->sense(world, space, due, tick, workers);
+  if (std::exchange(is_stale_, false)) bodies_.find(world, space.solids, *renderer_);
+  const double time = static_cast<double>(tick) * world.scene().interval;
+  bodies_.place(world, time);
+  views_.clear();
+  for (const std::uint32_t camera : due) views_.push_back(view_of(world, camera));
+  renderer_->draw(surroundings_of(world.scene(), time), bodies_.scene(), views_, pictures_);
+  workers.run(due.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      rays::expose(world, due[i], tick, {pictures_[i].depth, pictures_[i].sample});
+  });
+  std::uint64_t rays = 0;
+  for (const std::uint32_t camera : due) rays += world.cameras.pixels[camera].size();
+  return rays;
+}
+
+std::unique_ptr<senses::SensePhase> make_camera_sense(unsigned workers) {
+  return std::make_unique<CameraSense>(workers);
+}
+
+}  // namespace playhouse::arena

@@ -1,0 +1,65 @@
+#pragma once
+
+/// LidarSense: rangers in 3D. Rays follow the tilt of the ranger, in any number of
+/// rings, and hit bodies in their full orientation and the ground. A single-beam
+/// transducer sees a cone: the nearest of the hit on its axis and the off-axis hits
+/// that face it. Noise is that of the stage engine, plus a lidar's (lidar_echo.h).
+
+#include <map>
+#include <vector>
+
+#include "playhouse/arena/sensing/lidar_beams.h"
+#include "playhouse/arena/sensing/lidar_echo.h"
+#include "playhouse/arena/sensing/ray_scene.h"
+#include "playhouse/senses/sense_phase.h"
+
+namespace playhouse::arena {
+
+class LidarSense final : public senses::SensePhase {
+ public:
+  explicit LidarSense(unsigned workers) : scratch_(workers) {}
+
+  senses::SensorTable table(world::World& world) const override;
+  void populate(const world::World& world, const bodies::Space& space) override;
+  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const std::uint32_t> due,
+                      std::uint64_t tick, world::Workers& workers) override;
+
+ private:
+  struct Scratch {
+    RayBatch rays;
+    std::size_t ray[RayBatch::kMost] = {};  // rows of LidarBeams::rays
+    std::vector<double> range;              // m (beams)
+    std::vector<float> intensity;           // (beams)
+  };
+
+  void populate_fixed(const world::World& world, const bodies::Solids& solids);
+  void populate_moving(const world::World& world, const bodies::Solids& solids);
+  void populate_rangers(const world::World& world);
+  void place(const world::Models& models);
+  const LidarBeams& beams(const world::World& world, std::uint32_t ranger) const;
+  void measure(world::World& world, std::uint32_t ranger, std::uint64_t tick, Scratch& scratch) const;
+  /// One measurement.
+  struct Look {
+    const world::World& world;
+    world::ModelRow model;
+    std::uint64_t tick;
+    const LidarBeams& beams;
+  };
+  void cast(const Look& look, Scratch& scratch) const;
+  void keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& scratch) const;
+  void keep_echo(const Look& look, std::size_t k, Scratch& scratch) const;
+  static void store(world::World& world, const LidarBeams& beams, std::uint32_t ranger, Scratch& scratch);
+
+  RayScene scene_;
+  std::vector<bodies::StaticModel> fixed_;           // that scene_ has
+  std::map<std::uint32_t, std::uint32_t> shape_of_;  // by row of SceneDesc::models, of movable models
+  std::vector<std::uint32_t> instances_;             // rows of world::Models
+  std::map<std::uint32_t, LidarBeams> beams_;        // by row of SceneDesc::models
+  std::vector<float> returns_;                       // return value of a beam that hits a model (models)
+  std::vector<Optics> optics_;                       // (models)
+  std::vector<Scratch> scratch_;                     // one per worker
+};
+
+std::unique_ptr<senses::SensePhase> make_lidar_sense(unsigned workers);
+
+}  // namespace playhouse::arena

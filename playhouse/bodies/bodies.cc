@@ -1,0 +1,264 @@
+#include "playhouse/bodies/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/bodies/enclosure.h"
+#include "playhouse/bodies/overlap.h"
+
+namespace playhouse::bodies {
+namespace {
+
+constexpr std::uint32_t kNone = world::ModelRow::kNone;
+
+double signed_area(std::span<const Vec2> polygon) {
+  double doubled = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    doubled += geom::cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  return 0.5 * doubled;
+}
+
+/// The convex hull, counter-clockwise, without collinear corners (Andrew's monotone chain).
+std::vector<Vec2> convex_hull(std::span<const Vec2> polygon) {
+  std::vector<Vec2> points(polygon.begin(), polygon.end());
+  std::ranges::sort(points, [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::vector<Vec2> hull;
+  const auto add_chain = [&hull](auto first, const auto last) {
+    const std::size_t begin = hull.size();
+    for (; first != last; ++first) {
+      const Vec2 p = *first;
+      while (hull.size() >= begin + 2 &&
+             geom::cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();  // the next chain begins with it
+  };
+  add_chain(points.begin(), points.end());
+  add_chain(points.rbegin(), points.rend());
+  return hull;
+}
+
+/// The smallest distance between parallel supporting lines of the polygon, one along
+/// a side of the hull, by rotating calipers: O(n log n) for the hull, O(n) after.
+double width_of(std::span<const Vec2> polygon) {
+  const std::vector<Vec2> hull = convex_hull(polygon);
+  if (hull.size() < 3) return 0;
+  const auto corner = [&hull](std::size_t i) { return hull[i % hull.size()]; };
+  double width = 1e300;
+  for (std::size_t i = 0, far = 1; i < hull.size(); ++i) {
+    const Vec2 e = corner(i + 1) - hull[i];
+    const auto height = [&](std::size_t k) { return geom::cross(e, corner(k) - hull[i]); };
+    while (height(far + 1) > height(far)) ++far;
+    width = std::min(width, height(far) / std::sqrt(geom::dot(e, e)));
+  }
+  return width;
+}
+
+Shape make_shape(std::span<const Vec2> points_B, double z_min, double z_max, const scene::ModelDesc& desc) {
+  const Rotation turn = Rotation::of(desc.X_MB.a);
+  const bool reversed = signed_area(points_B) < 0;
+  Shape shape;
+  shape.z_min_M = z_min + desc.X_MB.z;
+  shape.z_max_M = z_max + desc.X_MB.z;
+  Vec2 sum;
+  for (std::size_t i = 0; i < points_B.size(); ++i) {
+    const Vec2 p_M = desc.X_MB.xy() + turn * points_B[reversed ? points_B.size() - 1 - i : i];
+    shape.p_M.push_back(p_M);
+    sum = sum + p_M;
+  }
+  shape.center_M = (1.0 / static_cast<double>(shape.p_M.size())) * sum;
+  double radius_squared = 0;
+  for (const Vec2 p : shape.p_M)
+    radius_squared = std::max(radius_squared, geom::dot(p - shape.center_M, p - shape.center_M));
+  shape.radius = std::sqrt(radius_squared);
+  shape.width = width_of(shape.p_M);
+  shape.convex = is_convex(shape.p_M);
+  shape.p_M.push_back(shape.p_M.front());
+  return shape;
+}
+
+void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc, std::uint32_t model,
+               std::uint32_t root, std::uint32_t tree, std::uint32_t first) {
+  solids.model.push_back(model);
+  solids.root.push_back(root);
+  solids.tree.push_back(tree);
+  solids.z_min_M.push_back(shape.z_min_M);
+  solids.z_max_M.push_back(shape.z_max_M);
+  solids.center_M.push_back(shape.center_M);
+  solids.radius.push_back(shape.radius);
+  solids.width.push_back(shape.width);
+  solids.convex.push_back(shape.convex);
+  solids.full.push_back(shape.full);
+  solids.hole.push_back(shape.hole);
+  solids.body.push_back(first + shape.body);
+  solids.seen_by.push_back(observers_of(desc));
+  solids.enclosed.push_back(0);
+  solids.p_M.insert(solids.p_M.end(), shape.p_M.begin(), shape.p_M.end());
+  solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p_M.size()));
+}
+
+void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes, std::uint32_t model,
+                      std::uint32_t tree) {
+  const scene::ModelDesc& desc = world.desc({model});
+  const auto first = static_cast<std::uint32_t>(solids.size());
+  for (const Shape& shape : shapes.of(world.models.desc[model]))
+    add_solid(solids, shape, desc, model, world.models.root[model], tree, first);
+}
+
+/// Copies the corners of p relative to the center into columns.
+void put_corners(Solids& solids, std::size_t row) {
+  constexpr std::size_t kEight = EightCorners::kCorners;
+  const std::size_t count = solids.convex_corners(row);
+  const Vec2* const p = solids.p.data() + solids.first_vertex[row];
+  const Vec2 center = solids.center[row];
+  EightCorners* eight = solids.corners.data() + solids.first_corners[row - solids.fixed];
+  for (std::size_t first = 0; first < count; first += kEight, ++eight) {
+    for (std::size_t i = 0; i < kEight; ++i) {
+      const Vec2 corner = p[first + i < count ? first + i : 0];
+      eight->x[i] = static_cast<float>(corner.x - center.x);
+      eight->y[i] = static_cast<float>(corner.y - center.y);
+    }
+  }
+}
+
+/// Allocates the corner columns of movable solids.
+void make_room_for_corners(Solids& solids) {
+  std::uint32_t count = 0;
+  solids.first_corners.clear();
+  for (std::size_t row = solids.fixed; row < solids.size(); ++row) {
+    solids.first_corners.push_back(count);
+    count += static_cast<std::uint32_t>((solids.convex_corners(row) + EightCorners::kCorners - 1) /
+                                        EightCorners::kCorners);
+  }
+  solids.corners.resize(count);
+}
+
+/// Sizes the placement columns and places the solids from row `first` on.
+void put_in_place(Solids& solids, const world::Models& models, std::size_t first) {
+  solids.center.resize(solids.size());
+  solids.z_min.resize(solids.size());
+  solids.z_max.resize(solids.size());
+  solids.p.resize(solids.p_M.size() + Solids::kSpare);
+  make_room_for_corners(solids);
+  solids.rotation.resize(models.size());
+  for (std::uint32_t model = 0; model < models.size(); ++model) turn(solids, models, {&model, 1});
+  place(solids, models, first, solids.size());
+}
+
+bool stands_still(const world::Models& models, std::uint32_t row) {
+  return models.mobility[row] == world::Mobility::kFixed;
+}
+
+/// Appends a model and all attached to it, parents first.
+void add_tree(Trees& trees, const world::World& world, std::uint32_t row) {
+  const world::Models& models = world.models;
+  trees.models.push_back(row);
+  if (world::moves(models.kind[row])) trees.movers.push_back({row, models.part[row], models.kind[row]});
+  for (const std::uint32_t child : world.children({row})) add_tree(trees, world, child);
+}
+
+}  // namespace
+
+const std::vector<Shape>& Shapes::of(std::uint32_t row) {
+  const auto [entry, is_new] = made_.try_emplace(row);
+  if (!is_new) return entry->second;
+  const scene::ModelDesc& desc = scene_.models[row];
+  std::vector<Shape>& shapes = entry->second;
+  const auto next = [&shapes] { return static_cast<std::uint32_t>(shapes.size()); };
+  for (const scene::Block& block : desc.blocks) {
+    if (block.points.size() < 3) continue;
+    Shape shape = make_shape(block.points, block.z_min, block.z_max, desc);
+    shape.full = true;
+    shape.body = next();
+    shapes.push_back(std::move(shape));
+  }
+  for (const scene::Contours& bitmap : desc.bitmaps) {
+    const std::uint32_t body = next();
+    for (const std::vector<Vec2>& loop : bitmap.loops) {
+      if (loop.size() < 3) continue;
+      Shape shape = make_shape(loop, bitmap.z_min, bitmap.z_max, desc);
+      shape.hole = signed_area(loop) < 0;
+      shape.body = body;
+      shapes.push_back(std::move(shape));
+    }
+  }
+  return shapes;
+}
+
+Trees make_trees(const world::World& world) {
+  const world::Models& models = world.models;
+  std::vector<std::uint8_t> can_move(models.size());  // of roots: some model of the tree is movable
+  for (std::uint32_t row = 0; row < models.size(); ++row)
+    if (!stands_still(models, row)) can_move[models.root[row]] = 1;
+  Trees trees;
+  trees.first_model.push_back(0);
+  trees.first_mover.push_back(0);
+  for (std::uint32_t row = 0; row < models.size(); ++row) {
+    if (!can_move[row]) continue;
+    trees.root.push_back(row);
+    add_tree(trees, world, row);
+    trees.first_model.push_back(static_cast<std::uint32_t>(trees.models.size()));
+    trees.first_mover.push_back(static_cast<std::uint32_t>(trees.movers.size()));
+  }
+  return trees;
+}
+
+std::vector<StaticModel> static_models(const world::World& world) {
+  const world::Models& models = world.models;
+  std::vector<StaticModel> all;
+  for (std::uint32_t row = 0; row < models.size(); ++row)
+    if (stands_still(models, row))
+      all.push_back({row, models.root[row], models.desc[row], models.X_WM[row], models.tilt_WM[row]});
+  return all;
+}
+
+Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
+  Solids solids;
+  solids.first_vertex.push_back(0);
+  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+    if (stands_still(world.models, row)) add_model_solids(solids, world, shapes, row, kNone);
+  solids.fixed = solids.size();
+  put_in_place(solids, world.models, 0);
+  return solids;
+}
+
+void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees) {
+  const std::size_t fixed = solids.fixed, vertices = solids.first_vertex[fixed];
+  for (auto* column : {&solids.model, &solids.root, &solids.tree, &solids.body}) column->resize(fixed);
+  for (auto* column : {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width, &solids.enclosed})
+    column->resize(fixed);
+  for (auto* column : {&solids.convex, &solids.full, &solids.hole}) column->resize(fixed);
+  solids.seen_by.resize(fixed);
+  solids.center_M.resize(fixed);
+  solids.first_vertex.resize(fixed + 1);
+  solids.p_M.resize(vertices);
+  trees.first_solid.assign(1, static_cast<std::uint32_t>(fixed));
+  for (std::uint32_t tree = 0; tree < trees.size(); ++tree) {
+    for (std::uint32_t i = trees.first_model[tree]; i < trees.first_model[tree + 1]; ++i)
+      if (!stands_still(world.models, trees.models[i]))
+        add_model_solids(solids, world, shapes, trees.models[i], tree);
+    find_enclosed(solids, world.models, trees.first_solid.back(), solids.size());
+    trees.first_solid.push_back(static_cast<std::uint32_t>(solids.size()));
+  }
+  put_in_place(solids, world.models, fixed);
+}
+
+void turn(Solids& solids, const world::Models& models, std::span<const std::uint32_t> tree) {
+  for (const std::uint32_t model : tree) solids.rotation[model] = Rotation::of(models.X_WM[model].a);
+}
+
+void place(Solids& solids, const world::Models& models, std::size_t begin, std::size_t end) {
+  for (std::size_t row = begin; row < end; ++row) {
+    const Pose& X_WM = models.X_WM[solids.model[row]];
+    const Rotation rotation = solids.rotation[solids.model[row]];
+    solids.center[row] = X_WM.xy() + rotation * solids.center_M[row];
+    solids.z_min[row] = X_WM.z + solids.z_min_M[row];
+    solids.z_max[row] = X_WM.z + solids.z_max_M[row];
+    for (std::uint32_t v = solids.first_vertex[row]; v < solids.first_vertex[row + 1]; ++v)
+      solids.p[v] = X_WM.xy() + rotation * solids.p_M[v];
+    if (row >= solids.fixed) put_corners(solids, row);
+  }
+}
+
+}  // namespace playhouse::bodies

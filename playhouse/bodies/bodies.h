@@ -1,0 +1,161 @@
+#pragma once
+
+/// Bodies: the solids of a world as columns. A solid is one closed polygon extruded in z; a
+/// block is one solid, every contour of a bitmap is one. Static solids come first; solids of
+/// movable trees follow in tree order, so the solids and vertices of a tree are consecutive and
+/// can be rebuilt without the static ones. Static parts of a tree, such as the walls around a
+/// door, are not among the tree's solids. Frames: W world, M the model that owns the solid.
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "playhouse/bodies/observer.h"
+#include "playhouse/geom/pose.h"
+#include "playhouse/world/world.h"
+
+namespace playhouse::bodies {
+
+using geom::Pose;
+using geom::Rotation;
+using geom::Vec2;
+
+/// A model that is driven by its own kinematics: a robot, an actuator, a custom model.
+struct Mover {
+  std::uint32_t model, part;  // rows of world::Models and of its kind's table
+  scene::ModelKind kind;
+};
+
+/// Trees of models with at least one mover.
+struct Trees {
+  std::vector<std::uint32_t> root;                 // root model row, ascending                     (t)
+  std::vector<std::uint32_t> first_model, models;  // rows, parents first: models[first_model[t] ..]
+  std::vector<std::uint32_t> first_mover;          // movers[first_mover[t] ..], in the order of models
+  std::vector<Mover> movers;
+  std::vector<std::uint32_t> first_solid;  // solids first_solid[t] .. first_solid[t + 1] - 1
+  std::size_t size() const { return root.size(); }
+  std::span<const std::uint32_t> models_of(std::uint32_t tree) const {
+    return std::span(models).subspan(first_model[tree], first_model[tree + 1] - first_model[tree]);
+  }
+  /// Row of the tree with this root.
+  std::uint32_t of_root(std::uint32_t top) const {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(root, top) - root.begin());
+  }
+};
+
+/// A solid in the frame of its model, made once per row of SceneDesc::models, shared by its instances.
+struct Shape {
+  double z_min_M = 0, z_max_M = 0;  // m
+  Vec2 center_M;                    // mean of the vertices                                    [m]
+  double radius = 0;                // bounding circle about the center                          [m]
+  double width = 0;                 // smallest extent                                         [m]
+  bool convex = false;
+  bool full = false;       // its inside is solid: a block, not a contour of a bitmap
+  bool hole = false;       // its inside is free: an inner contour of a bitmap
+  std::uint32_t body = 0;  // first shape of the same body: contours of one bitmap share it
+  std::vector<Vec2> p_M;   // counter-clockwise vertices, the first again at the end  [m]
+};
+
+class Shapes {
+ public:
+  explicit Shapes(const scene::SceneDesc& scene) : scene_(scene) {}
+  const std::vector<Shape>& of(std::uint32_t desc);
+
+ private:
+  const scene::SceneDesc& scene_;
+  std::map<std::uint32_t, std::vector<Shape>> made_;
+};
+
+/// Convex polygons with more corners take the code path of concave ones.
+inline constexpr std::size_t kConvexCorners = 32;
+
+/// Eight corners of a convex polygon, padded with its first corner.
+struct alignas(64) EightCorners {
+  static constexpr std::size_t kCorners = 8;
+  float x[kCorners], y[kCorners];  // m from the centre of the solid, along W's axes
+
+  /// Bound on the single-precision error of the signed distance of a corner from a ray's
+  /// line, for a ray that passes near a solid of this radius: seven roundings of numbers
+  /// up to the radius, 2^-24 each, and what the corner lost to rounding in W. [m]
+  static float error(double radius) { return static_cast<float>(0x1p-20 * radius + 1e-8); }
+};
+
+struct Solids {
+  // Constant: shape and owner.
+  std::vector<std::uint32_t> model, root;  // rows of world::Models
+  std::vector<std::uint32_t> tree;         // row of Trees, Row::kNone: static
+  std::vector<double> z_min_M, z_max_M;    // m
+  std::vector<Vec2> center_M;              // mean of the vertices                                    [m]
+  std::vector<double> radius;              // bounding circle about the center                          [m]
+  std::vector<double> width;               // smallest extent                                         [m]
+  std::vector<std::uint8_t> convex;        // 1: a convex polygon
+  std::vector<std::uint8_t> full;          // 1: its inside is solid, not only its outline
+  std::vector<std::uint8_t> hole;          // 1: its inside is free: a hole in the body of a bitmap
+  std::vector<std::uint32_t> body;         // row of the first solid of the same body
+  std::vector<Observers> seen_by;          // visibility mask: observers that see it, or are blocked by it
+  // Height of its lowest part that another solid of its tree encloses (enclosure.h), kAll if all of it.  [m]
+  std::vector<double> enclosed;
+  static constexpr double kAll = 1e300;     // above everything: enclosed all over
+  std::vector<std::uint32_t> first_vertex;  // (n + 1)
+  // Counter-clockwise vertices, the first of each polygon again at its end.                            [m]
+  // (vertices)
+  std::vector<Vec2> p_M;
+  std::size_t fixed = 0;  // rows below this are static
+
+  std::vector<Rotation> rotation;  // headings of models in W, written by: turn (models)
+
+  // Placement in W.                           written by: place
+  std::vector<Vec2> center;          // in W                                                    [m]
+  std::vector<double> z_min, z_max;  // in W                                                    [m]
+  std::vector<Vec2> p;  // vertices in W, padded by kSpare for vector loads           [m] (vertices)
+  static constexpr std::size_t kSpare = 32;
+  // Corners of polygons with convex_corners(), polygon by polygon.
+  std::vector<EightCorners> corners;
+  std::vector<std::uint32_t> first_corners;  // rows of corners                            (movable solids)
+
+  std::size_t size() const { return model.size(); }
+  std::size_t moving() const { return size() - fixed; }
+  /// The height from which on rays from other trees can hit it.  [m, in W]
+  double z_free(std::size_t row) const { return z_min[row] + enclosed[row]; }
+  /// Number of corners of a convex polygon; 0 if concave or more than kConvexCorners.
+  std::size_t convex_corners(std::size_t row) const {
+    const std::size_t count = first_vertex[row + 1] - first_vertex[row] - 1;
+    return convex[row] != 0 && count <= kConvexCorners ? count : 0;
+  }
+  bool is_obstacle(std::size_t row) const { return (seen_by[row] & bit(Observer::kMotion)) != 0; }
+  std::span<const Vec2> polygon(std::size_t row) const {
+    return {p.data() + first_vertex[row], first_vertex[row + 1] - first_vertex[row] - 1};
+  }
+};
+
+Trees make_trees(const world::World& world);
+/// A static model, as far as its solids depend on it.
+struct StaticModel {
+  std::uint32_t model, root, desc;  // rows of world::Models; of SceneDesc::models
+  Pose X_WM;
+  geom::Tilt tilt_WM;
+  bool operator==(const StaticModel&) const = default;
+};
+std::vector<StaticModel> static_models(const world::World& world);
+/// The static solids, placed.
+Solids make_fixed_solids(const world::World& world, Shapes& shapes);
+/// Replaces the movable solids by those of `trees`, placed; sets trees.first_solid.
+void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees);
+
+/// Updates solids.rotation of the models of a tree from their headings in W.
+void turn(Solids& solids, const world::Models& models, std::span<const std::uint32_t> tree);
+/// Places the solids [begin, end) in W by the poses of their models. Needs turn() for those models.
+void place(Solids& solids, const world::Models& models, std::size_t begin, std::size_t end);
+
+/// A proposed configuration of one tree, or a substep towards it. Rows count from the tree's first.
+struct TreeShape {
+  std::span<Pose> moved;         // X_PM of the movers (movers of the tree)
+  std::span<Pose> X_WM;          // (models of the tree)
+  std::span<Rotation> rotation;  // of X_WM (models of the tree)
+  std::span<Vec2> center, p;     // (solids of the tree), (their vertices)
+  std::span<double> z;           // of the models of the solids, in W; empty if no height changes
+};
+
+}  // namespace playhouse::bodies

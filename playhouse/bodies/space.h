@@ -1,0 +1,64 @@
+#pragma once
+
+/// Space: all bodies and their broad phase, read-only for the senses; and a single exact ray cast.
+
+#include "playhouse/bodies/bodies.h"
+#include "playhouse/bodies/disc_index.h"
+#include "playhouse/bodies/walls.h"
+
+namespace playhouse::bodies {
+
+struct Space {
+  const Solids& solids;
+  const DiscIndex& index;  // the movable solids as disc_of(); row: of Solids
+  const Walls& walls;      // the edges of the static ones
+};
+
+/// Inflation of bounding circles and reaches in culling
+/// tests, so that rounding never culls a hit. [m]
+inline constexpr double kMargin = 1e-6;
+
+/// The entry of a movable solid in the index.
+inline DiscIndex::Disc disc_of(const Solids& solids, std::size_t row) {
+  const std::uint32_t vertex = solids.first_vertex[row];
+  const std::uint32_t vertices = solids.first_vertex[row + 1] - vertex - 1;
+  return {solids.center[row],
+          solids.radius[row],
+          solids.z_free(row),
+          solids.z_max[row],
+          static_cast<std::uint32_t>(row),
+          solids.root[row],
+          vertex,
+          vertices,
+          solids.first_corners[row - solids.fixed],
+          static_cast<std::uint8_t>(solids.convex_corners(row)),
+          solids.seen_by[row]};
+}
+
+struct Ray {
+  Vec2 p, d;               // origin, unit vector in W
+  double z_low = 0;        // m; heights z_low .. z_high are tested
+  double z_high = 0;       // m
+  double range = 0;        // m
+  Observers by = 0;        // the observers: solids invisible to all of them are ignored
+  std::uint32_t root = 0;  // tree that is ignored
+  std::uint32_t also_root = world::ModelRow::kNone;  // another one
+};
+
+struct Hit {
+  double range = 0;                              // m; the ray's range if it missed
+  std::uint32_t solid = world::ModelRow::kNone;  // row of Solids, or kNone
+};
+
+/// True if rays within these heights can hit it.
+inline bool at_height(const Solids& solids, std::size_t row, double z_low, double z_high) {
+  return solids.z_free(row) <= z_high && z_low <= solids.z_max[row];
+}
+inline bool at_height(const Solids& solids, std::size_t row, double z) {
+  return at_height(solids, row, z, z);
+}
+
+/// The nearest hit of the ray, by the rule of ray_edge.h.
+Hit cast(const Space& space, const Ray& ray);
+
+}  // namespace playhouse::bodies

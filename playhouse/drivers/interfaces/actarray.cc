@@ -1,0 +1,209 @@
+/// An actuator as interface actarray: an array of one joint (docs/drivers.md).
+
+#include <cmath>
+
+#include "playhouse/drivers/generated/device_makers.h"
+#include "playhouse/drivers/interfaces/shapes.h"
+#include "playhouse/scene/forms/actuator.h"
+#include "playhouse/wire/generated/actarray.h"
+#include "playhouse/world/periods.h"
+#include "playhouse/world/population/rows.h"
+
+namespace playhouse::drivers {
+namespace {
+
+namespace act = wire::actarray;
+using wire::MessageType;
+
+/// The only joint, or all.
+bool is_joint(std::int32_t joint) {
+  return joint == 0 || joint == -1;
+}
+
+/// Pose of the joint at position 0 in its robot, in the world if none carries it.
+geom::SpatialPose rest_on_robot(const world::World& world, world::ModelRow model) {
+  const world::Models& models = world.models;
+  geom::SpatialPose X = world::joint_of(world, {models.part[model.index]});
+  const std::uint32_t root = models.root[model.index];
+  for (std::uint32_t row = models.parent[model.index]; row != world::ModelRow::kNone && row != root;
+       row = models.parent[row])
+    X = geom::compose(world::pose_in_parent(models, {row}), X);
+  return X;
+}
+
+act::Geom geometry(const world::World& world, world::ModelRow model) {
+  const scene::ActuatorDesc& desc = *world.desc(model).actuator;
+  const scene::Axis axis = scene::axis_of(desc);
+  const bool turns = desc.type == scene::ActuatorType::kRotational;
+  act::Actuatorgeom joint;
+  joint.type = static_cast<std::uint8_t>(turns ? act::kTypeRotary : act::kTypeLinear);
+  joint.axis = {axis.x, axis.y, axis.z};
+  joint.min = static_cast<float>(desc.min_position);
+  joint.centre = static_cast<float>(0.5 * (desc.min_position + desc.max_position));
+  joint.max = static_cast<float>(desc.max_position);
+  joint.home = static_cast<float>(desc.start_position);
+  joint.hasbrakes = 1;
+  const wire::Pose3d X_RJ = pose3d(rest_on_robot(world, model));
+  return {{joint}, {X_RJ.px, X_RJ.py, X_RJ.pz}, {X_RJ.proll, X_RJ.ppitch, X_RJ.pyaw}};
+}
+
+std::int32_t state_of(const world::Actuators& actuators, std::uint32_t row) {
+  if (actuators.braked[row]) return act::kActstateBraked;
+  if (actuators.stall[row]) return act::kActstateStalled;
+  return actuators.velocity[row] != 0 ? act::kActstateMoving : act::kActstateIdle;
+}
+
+class Actarray final : public SimulatedDevice {
+ public:
+  Actarray(run::Simulation& simulation, world::ModelRow model)
+      : SimulatedDevice(simulation, simulation.world().id(model)),
+        update_ticks_(world::update_ticks(simulation.world(), model)),
+        desc_(*simulation.world().desc(model).actuator),
+        geometry_(geometry(simulation.world(), model)) {}
+
+  world::ModelId robot() const override { return model(); }
+  std::span<const Served> served() const override {
+    static constexpr Served kServed[] = {
+        {MessageType::kCmd, act::kCmdPos},    {MessageType::kCmd, act::kCmdMultiPos},
+        {MessageType::kCmd, act::kCmdSpeed},  {MessageType::kCmd, act::kCmdMultiSpeed},
+        {MessageType::kCmd, act::kCmdHome},   {MessageType::kReq, act::kReqPower},
+        {MessageType::kReq, act::kReqBrakes}, {MessageType::kReq, act::kReqGetGeom},
+        {MessageType::kReq, act::kReqSpeed},
+    };
+    return kServed;
+  }
+
+  device::Taken command(const device::Message& message) override {
+    run::Change command = meaning(message);
+    if (!command) return device::Taken::kNo;
+    simulation().command({model(), act::kCode}, std::move(command));
+    return device::Taken::kLatest;
+  }
+
+  void request(const device::Message& message, device::Replier replier) override {
+    switch (message.subtype) {
+      case act::kReqGetGeom:
+        ask_joint(std::move(replier), [geometry = geometry_](auto& actuators, auto row) mutable {
+          geometry.actuators[0].config_speed = static_cast<float>(actuators.speed[row]);
+          return wire::encode(geometry);
+        });
+        return;
+      case act::kReqPower:
+        if (const auto value = wire::decode<act::PowerConfig>(message.body)) {
+          ask_joint(std::move(replier), [on = value->value != 0](auto& actuators, auto row) {
+            actuators.motor_on[row] = on;
+            return Bytes();
+          });
+        }
+        return;
+      case act::kReqBrakes:
+        if (const auto value = wire::decode<act::BrakesConfig>(message.body)) {
+          ask_joint(std::move(replier), [on = value->value != 0](auto& actuators, auto row) {
+            actuators.braked[row] = on;
+            return Bytes();
+          });
+        }
+        return;
+      default:  // SPEED
+        if (const auto value = wire::decode<act::SpeedConfig>(message.body);
+            value && is_joint(value->joint) && can_go_at(value->speed)) {
+          ask_joint(std::move(replier),
+                    [speed = std::min(double{value->speed}, desc_.max_speed)](auto& actuators, auto row) {
+                      actuators.speed[row] = speed;
+                      return Bytes();
+                    });
+        }
+        return;
+    }
+  }
+
+  void emit(const world::World& world, std::vector<device::Publication>& out) override {
+    if (world.tick() % update_ticks_ != 0) return;
+    const world::ModelRow model = world.row(this->model());
+    if (!model) return;
+    const world::Actuators& actuators = world.actuators;
+    const std::uint32_t row = world.models.part[model.index];
+    act::Actuator joint;
+    joint.position = static_cast<float>(actuators.position[row]);
+    joint.speed = actuators.stall[row] ? 0 : static_cast<float>(actuators.velocity[row]);
+    joint.current = -1;
+    joint.state = static_cast<std::uint8_t>(state_of(actuators, row));
+    publish(world, act::kDataState, act::Data{{joint}, actuators.motor_on[row]}, out);
+  }
+
+  void closed(world::World& world, world::ModelRow model) override {
+    const std::uint32_t row = world.models.part[model.index];
+    world.actuators.motor_on[row] = 1;
+    world.actuators.braked[row] = 0;
+    world.actuators.speed[row] = desc_.max_speed;
+  }
+
+ private:
+  bool can_go_at(float speed) const { return speed > 0 && speed <= static_cast<float>(desc_.max_speed); }
+
+  /// Replies with `question(actuators, row)`, or NACK if the actuator was removed.
+  template <typename Question>
+  void ask_joint(device::Replier replier, Question question) const {
+    ask_world(std::move(replier),
+              [id = model(), question](world::World& world) mutable -> std::optional<Bytes> {
+                const world::ModelRow model = world.row(id);
+                if (!model) return std::nullopt;
+                return question(world.actuators, world.models.part[model.index]);
+              });
+  }
+
+  run::Change go_to(double position) const {
+    if (!std::isfinite(position)) return {};
+    return [id = model(), position](world::World& world) {
+      if (const world::ModelRow model = world.row(id))
+        world::command_joint_position(world, world::ActuatorRow{world.models.part[model.index]}, position);
+    };
+  }
+  run::Change move_at(double velocity) const {
+    if (!std::isfinite(velocity)) return {};
+    return [id = model(), velocity](world::World& world) {
+      if (const world::ModelRow model = world.row(id))
+        world::command_joint_velocity(world, world::ActuatorRow{world.models.part[model.index]}, velocity);
+    };
+  }
+
+  /// The change that a command requests; empty if invalid.
+  run::Change meaning(const device::Message& message) const {
+    switch (message.subtype) {
+      case act::kCmdPos:
+        if (const auto value = wire::decode<act::PositionCmd>(message.body); value && value->joint == 0)
+          return go_to(value->position);
+        return {};
+      case act::kCmdMultiPos:
+        if (const auto value = wire::decode<act::MultiPositionCmd>(message.body);
+            value && value->positions.size() == 1)
+          return go_to(value->positions[0]);
+        return {};
+      case act::kCmdSpeed:
+        if (const auto value = wire::decode<act::SpeedCmd>(message.body); value && value->joint == 0)
+          return move_at(value->speed);
+        return {};
+      case act::kCmdMultiSpeed:
+        if (const auto value = wire::decode<act::MultiSpeedCmd>(message.body);
+            value && value->speeds.size() == 1)
+          return move_at(value->speeds[0]);
+        return {};
+      default:  // HOME
+        if (const auto value = wire::decode<act::HomeCmd>(message.body); value && is_joint(value->joint))
+          return go_to(desc_.start_position);
+        return {};
+    }
+  }
+
+  std::uint64_t update_ticks_;
+  scene::ActuatorDesc desc_;
+  act::Geom geometry_;
+};
+
+}  // namespace
+
+std::unique_ptr<SimulatedDevice> make_actarray_device(run::Simulation& simulation, world::ModelRow model) {
+  return std::make_unique<Actarray>(simulation, model);
+}
+
+}  // namespace playhouse::drivers

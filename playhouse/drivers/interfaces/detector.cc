@@ -1,0 +1,95 @@
+/// A detector as interface ranger, by beam, and as
+/// interface fiducial, by detection (docs/detectors.md).
+
+#include "playhouse/drivers/interfaces/fiducial.h"
+#include "playhouse/drivers/interfaces/ranger.h"
+#include "playhouse/drivers/interfaces/shapes.h"
+
+namespace playhouse::drivers {
+namespace {
+
+namespace fid = wire::fiducial;
+namespace rng = wire::ranger;
+
+/// Row of a detector, if it measured in this very tick.
+std::optional<std::uint32_t> fresh_row(const world::World& world, world::ModelId id) {
+  const world::ModelRow model = world.row(id);
+  if (!model) return std::nullopt;
+  const std::uint32_t row = world.models.part[model.index];
+  if (world.detectors.measured_tick[row] != world.tick()) return std::nullopt;
+  return row;
+}
+
+rng::Geom geometry(const world::World& world, world::ModelRow model) {
+  const scene::ModelDesc& desc = world.desc(model);
+  return {
+      pose3d(pose_on_robot(world, model)), bbox3d(desc.size), {pose3d(geom::Pose{})}, {bbox3d(desc.size)}};
+}
+
+/// Beams point at the centres of equal shares of the field of view, rightmost first.
+rng::Config configuration(const world::World& world, world::ModelRow model) {
+  const scene::DetectorDesc& detector = *world.desc(model).detector;
+  const double share = detector.fov / detector.samples;
+  rng::Config config;
+  config.min_angle = 0.5 * (share - detector.fov);
+  config.max_angle = 0.5 * (detector.fov - share);
+  config.angular_res = share;
+  config.min_range = detector.range_min;
+  config.max_range = detector.range_max;
+  config.range_res = detector.resolution;
+  config.frequency = measuring_frequency(world, model);
+  return config;
+}
+
+class DetectorRanger final : public RangerDevice {
+ public:
+  DetectorRanger(run::Simulation& simulation, world::ModelRow model)
+      : RangerDevice(simulation, model, geometry(simulation.world(), model),
+                     configuration(simulation.world(), model)) {}
+
+ private:
+  bool read(const world::World& world, std::vector<Reading>& out) const override {
+    const std::optional<std::uint32_t> row = fresh_row(world, model());
+    out.clear();
+    if (!row) return false;
+    for (const world::Echo& echo : world.detectors.echoes[*row])
+      out.push_back({static_cast<double>(echo.range), static_cast<double>(echo.level)});
+    return true;
+  }
+};
+
+fid::Fov field_of_view(const world::World& world, world::ModelRow model) {
+  const scene::DetectorDesc& detector = *world.desc(model).detector;
+  return {static_cast<float>(detector.range_min), static_cast<float>(detector.range_max),
+          static_cast<float>(detector.fov)};
+}
+
+class DetectorFiducial final : public FiducialDevice {
+ public:
+  DetectorFiducial(run::Simulation& simulation, world::ModelRow model)
+      : FiducialDevice(simulation, model, field_of_view(simulation.world(), model)) {}
+
+ private:
+  std::optional<fid::Data> read(const world::World& world) const override {
+    const std::optional<std::uint32_t> row = fresh_row(world, model());
+    if (!row) return std::nullopt;
+    fid::Data data;
+    for (const world::Detection& found : world.detectors.finds[*row])
+      data.fiducials.push_back(fiducial_item(found.number, found.range, found.bearing, 0));
+    return data;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<SimulatedDevice> make_detector_ranger_device(run::Simulation& simulation,
+                                                             world::ModelRow model) {
+  return std::make_unique<DetectorRanger>(simulation, model);
+}
+
+std::unique_ptr<SimulatedDevice> make_detector_fiducial_device(run::Simulation& simulation,
+                                                               world::ModelRow model) {
+  return std::make_unique<DetectorFiducial>(simulation, model);
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,96 @@
+/// A battery as interface power (docs/drivers.md).
+
+#include "playhouse/wire/generated/power.h"
+
+#include "playhouse/drivers/generated/device_makers.h"
+#include "playhouse/world/periods.h"
+#include "playhouse/world/traits.h"
+
+namespace playhouse::drivers {
+namespace {
+
+namespace pow = wire::power;
+using wire::MessageType;
+
+/// True if the model, or a part supplied by the same battery, can be charged.
+bool can_be_charged(const world::World& world, world::ModelRow model) {
+  if (world.desc(model).take_watts > 0) return true;
+  for (const std::uint32_t child : world.children(model)) {
+    const bool has_its_own = world::trait_row(world.packs, child) != world::ModelRow::kNone;
+    if (!has_its_own && can_be_charged(world, {child})) return true;
+  }
+  return false;
+}
+
+class Power final : public SimulatedDevice {
+ public:
+  Power(run::Simulation& simulation, world::ModelRow model)
+      : SimulatedDevice(simulation, simulation.world().id(model)),
+        update_ticks_(world::update_ticks(simulation.world(), model)),
+        can_be_charged_(drivers::can_be_charged(simulation.world(), model)) {}
+
+  std::span<const Served> served() const override {
+    static constexpr Served kServed[] = {{MessageType::kReq, pow::kReqSetChargingPolicy}};
+    return kServed;
+  }
+
+  bool acts(std::uint8_t request) const override { return request == pow::kReqSetChargingPolicy; }
+  void request(const device::Message& message, device::Replier replier) override {
+    const auto value = wire::decode<pow::ChargepolicyConfig>(message.body);
+    if (!value) return;
+    ask_world(std::move(replier),
+              [id = model(), policy = *value](world::World& world) -> std::optional<Bytes> {
+                const world::ModelRow row = world.row(id);
+                if (!row) return std::nullopt;
+                set_policy(world, row, policy.enable_input != 0, policy.enable_output != 0);
+                return Bytes();
+              });
+  }
+
+  void emit(const world::World& world, std::vector<device::Publication>& out) override {
+    if (world.tick() % update_ticks_ != 0) return;
+    const world::ModelRow row = world.row(model());
+    if (row) publish(world, pow::kDataState, state_of(world.packs, pack_of(world, row)), out);
+  }
+
+  void closed(world::World& world, world::ModelRow model) override { set_policy(world, model, true, true); }
+
+ private:
+  static std::uint32_t pack_of(const world::World& world, world::ModelRow model) {
+    return world::trait_row(world.packs, model.index);  // traits never change
+  }
+
+  static void set_policy(world::World& world, world::ModelRow model, bool takes, bool gives) {
+    const std::uint32_t pack = pack_of(world, model);
+    world.packs.takes[pack] = takes;
+    world.packs.gives[pack] = gives;
+  }
+
+  pow::Data state_of(const world::Packs& packs, std::uint32_t pack) const {
+    const double stored = packs.stored[pack], capacity = packs.capacity[pack];
+    pow::Data data;
+    data.valid = pow::kMaskWatts | pow::kMaskPercent | pow::kMaskCharging;
+    data.watts = static_cast<float>(packs.watts[pack]);
+    if (stored < 0) {
+      data.percent = 100;
+      data.charging = -1;
+      return data;
+    }
+    data.valid |= pow::kMaskJoules;
+    data.joules = static_cast<float>(stored);
+    data.percent = capacity > 0 ? static_cast<float>(100 * stored / capacity) : 0;
+    data.charging = can_be_charged_ && packs.takes[pack] != 0 ? packs.charging[pack] : -1;
+    return data;
+  }
+
+  std::uint64_t update_ticks_;
+  bool can_be_charged_;
+};
+
+}  // namespace
+
+std::unique_ptr<SimulatedDevice> make_power_device(run::Simulation& simulation, world::ModelRow model) {
+  return std::make_unique<Power>(simulation, model);
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,117 @@
+/// A camera as interface ptz (docs/drivers.md).
+
+#include "playhouse/wire/generated/ptz.h"
+
+#include <cmath>
+
+#include "playhouse/drivers/generated/device_makers.h"
+#include "playhouse/drivers/interfaces/shapes.h"
+#include "playhouse/world/camera.h"
+#include "playhouse/world/periods.h"
+
+namespace playhouse::drivers {
+namespace {
+
+namespace ptz = wire::ptz;
+using wire::MessageType;
+using world::ControlMode;
+
+class Ptz final : public SimulatedDevice {
+ public:
+  Ptz(run::Simulation& simulation, world::ModelRow model)
+      : SimulatedDevice(simulation, simulation.world().id(model)),
+        update_ticks_(world::update_ticks(simulation.world(), model)) {
+    const world::World& world = simulation.world();
+    geometry_ = wire::encode(ptz::Geom{pose3d(pose_on_robot(world, model)), bbox3d(world.desc(model).size)});
+  }
+
+  world::ModelId robot() const override { return model(); }
+  std::span<const Served> served() const override {
+    static constexpr Served kServed[] = {
+        {MessageType::kCmd, ptz::kCmdState},
+        {MessageType::kReq, ptz::kReqControlMode},
+        {MessageType::kReq, ptz::kReqGeom},
+        {MessageType::kReq, ptz::kReqStatus},
+    };
+    return kServed;
+  }
+
+  device::Taken command(const device::Message& message) override {
+    const auto wanted = wire::decode<ptz::Cmd>(message.body);
+    if (!wanted || !are_finite(*wanted)) return device::Taken::kNo;
+    simulation().command({model(), ptz::kCode}, [id = model(), wanted = *wanted](world::World& world) {
+      const world::ModelRow model = world.row(id);
+      if (!model) return;
+      const world::CameraRow camera{world.models.part[model.index]};
+      if (world.cameras.mode[camera.index] == ControlMode::kVelocity) {
+        world::turn_camera(world, camera, wanted.panspeed, wanted.tiltspeed);
+      } else {
+        world::aim_camera(world, camera, {wanted.pan, wanted.tilt, wanted.zoom});
+      }
+    });
+    return device::Taken::kLatest;
+  }
+
+  void request(const device::Message& message, device::Replier replier) override {
+    switch (message.subtype) {
+      case ptz::kReqGeom:
+        replier.ack(geometry_);
+        return;
+      case ptz::kReqStatus:
+        replier.ack(wire::encode(ptz::ReqStatus{}));
+        return;
+      default:  // CONTROL_MODE
+        if (const auto value = wire::decode<ptz::ReqControlMode>(message.body);
+            value && (value->mode == ptz::kVelocityControl || value->mode == ptz::kPositionControl))
+          set_mode(std::move(replier),
+                   value->mode == ptz::kVelocityControl ? ControlMode::kVelocity : ControlMode::kPosition);
+        return;
+    }
+  }
+
+  void emit(const world::World& world, std::vector<device::Publication>& out) override {
+    if (world.tick() % update_ticks_ != 0) return;
+    const world::ModelRow row = world.row(model());
+    if (!row) return;
+    const world::Cameras& cameras = world.cameras;
+    const std::uint32_t camera = world.models.part[row.index];
+    ptz::Data data;
+    data.pan = static_cast<float>(cameras.pan[camera]);
+    data.tilt = static_cast<float>(cameras.tilt[camera]);
+    data.zoom = static_cast<float>(cameras.zoom[camera]);
+    data.panspeed = static_cast<float>(cameras.pan_speed[camera]);
+    data.tiltspeed = static_cast<float>(cameras.tilt_speed[camera]);
+    publish(world, ptz::kDataState, data, out);
+  }
+
+  /// Resets to position control for the next client.
+  void closed(world::World& world, world::ModelRow model) override {
+    world::set_camera_mode(world, world::CameraRow{world.models.part[model.index]}, ControlMode::kPosition);
+  }
+
+ private:
+  static bool are_finite(const ptz::Cmd& wanted) {
+    return std::isfinite(wanted.pan) && std::isfinite(wanted.tilt) && std::isfinite(wanted.zoom) &&
+           std::isfinite(wanted.panspeed) && std::isfinite(wanted.tiltspeed);
+  }
+
+  void set_mode(device::Replier replier, ControlMode mode) const {
+    ask_world(std::move(replier), [id = model(), mode](world::World& world) -> std::optional<Bytes> {
+      const world::ModelRow model = world.row(id);
+      if (!model) return std::nullopt;
+      world::set_camera_mode(world, world::CameraRow{world.models.part[model.index]}, mode);
+      return Bytes();
+    });
+  }
+
+  std::uint64_t update_ticks_;
+  Bytes geometry_;
+};
+
+}  // namespace
+
+std::unique_ptr<SimulatedDevice> make_ptz_device(run::Simulation& simulation, world::ModelRow model) {
+  return std::make_unique<Ptz>(simulation, model);
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,17 @@
+#pragma once
+
+/// Counts walls along a line segment: outlines of static bodies that it enters.
+
+#include <cstdint>
+#include <vector>
+
+#include "playhouse/bodies/space.h"
+
+namespace playhouse::rays {
+
+/// From one place to the other, at the height of the first; ignores
+/// bodies that `by` does not see. `crossed` is a scratch buffer.
+int walls_between(const bodies::Space& space, const geom::Pose& from_W, const geom::Pose& to_W,
+                  bodies::Observers by, std::vector<std::uint32_t>& crossed);
+
+}  // namespace playhouse::rays

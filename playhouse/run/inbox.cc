@@ -1,0 +1,75 @@
+#include "playhouse/run/inbox.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "playhouse/base/assert.h"
+#include "playhouse/base/limits.h"
+
+namespace playhouse::run {
+
+void Inbox::command(Slot slot, Change command) {
+  const std::lock_guard lock(mutex_);
+  if (closed_) return;
+  const auto [place, is_new] = slots_.try_emplace(slot, entries_.size());
+  if (is_new) {
+    entries_.push_back(std::move(command));
+  } else {
+    entries_[place->second] = std::move(command);
+  }
+}
+
+bool Inbox::post(Change change, world::ModelId model) {
+  const std::lock_guard lock(mutex_);
+  if (closed_ || changes_ >= limits::kRequestQueue) return false;
+  append(std::move(change), model);
+  return true;
+}
+
+bool Inbox::post_to_all(Change change) {
+  const std::lock_guard lock(mutex_);
+  if (closed_ || changes_ >= limits::kRequestQueue) return false;
+  append(std::move(change), {});
+  slots_.clear();
+  return true;
+}
+
+void Inbox::post_always(Change change, world::ModelId model) {
+  const std::lock_guard lock(mutex_);
+  if (!closed_) append(std::move(change), model);
+}
+
+void Inbox::append(Change change, world::ModelId model) {
+  entries_.push_back(std::move(change));
+  ++changes_;
+  if (!model) return;
+  const auto first = slots_.lower_bound({model, 0});
+  auto last = first;
+  while (last != slots_.end() && last->first.model == model) ++last;
+  slots_.erase(first, last);
+}
+
+void Inbox::take(std::vector<Change>& out) {
+  out.clear();
+  const std::lock_guard lock(mutex_);
+  slots_.clear();
+  std::swap(entries_, out);
+  changes_ = 0;
+}
+
+void Inbox::close() {
+  const std::lock_guard lock(mutex_);
+  closed_ = true;
+}
+
+bool Inbox::closed() const {
+  const std::lock_guard lock(mutex_);
+  return closed_;
+}
+
+bool Inbox::empty() const {
+  const std::lock_guard lock(mutex_);
+  return entries_.empty();
+}
+
+}  // namespace playhouse::run

@@ -1,0 +1,64 @@
+#pragma once
+
+/// Inbox: hand-over from the io thread to the tick thread. Commands are
+/// latest-value slots, one per model and interface; everything else is a bounded
+/// queue of changes. Per model the order is kept: a change seals the model's
+/// slots, so earlier commands are executed before it and later ones after it.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "playhouse/world/world.h"
+
+namespace playhouse::run {
+
+using Change = std::function<void(world::World&)>;
+
+class Inbox {
+ public:
+  /// Key of a command slot: one per interface of a model.
+  struct Slot {
+    world::ModelId model;
+    std::uint16_t interf = 0;
+    auto operator<=>(const Slot&) const = default;
+  };
+
+  /// Replaces the command in the slot, or appends it.
+  void command(Slot slot, Change command);
+
+  /// False, without effect, if limits::kRequestQueue changes are
+  /// queued, or after close(). `model`, if any, is the model concerned.
+  bool post(Change change, world::ModelId model = {});
+
+  /// As post(), for a change that concerns all models.
+  bool post_to_all(Change change);
+
+  /// As post(), but rejected only after close(): for changes that must
+  /// not be lost and are bounded by their sender (closing a device).
+  void post_always(Change change, world::ModelId model = {});
+
+  /// Moves all entries to `out` (cleared first), in order.
+  void take(std::vector<Change>& out);
+
+  bool empty() const;
+
+  /// Rejects everything from now on. Queued entries stay for take().
+  void close();
+  bool closed() const;
+
+ private:
+  void append(Change change, world::ModelId model);
+
+  mutable std::mutex mutex_;
+  std::vector<Change> entries_;
+  std::map<Slot, std::size_t> slots_;  // replaceable commands: index in entries_
+  std::size_t changes_ = 0;
+  bool closed_ = false;
+};
+
+}  // namespace playhouse::run

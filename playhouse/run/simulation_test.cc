@@ -1,0 +1,505 @@
+#include "playhouse/run/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/run/velocity_command.h"
+#include "playhouse/wire/generated/position2d.h"
+#include "playhouse/world/population/population.h"
+
+namespace playhouse::run {
+namespace {
+
+using testing::StillEngine;
+using testing::StillSimulation;
+
+constexpr const char* kRobot = "interval_sim 100\nposition( name \"r0\" )\n";
+
+TEST(Simulation, ends_at_the_first_tick_at_or_after_the_duration) {
+  for (const auto& [duration, ticks] : {std::pair{0.0, 0u}, {0.1, 1u}, {0.25, 3u}, {1.0, 10u}}) {
+    const scene::SceneDesc scene = testing::scene_of(kRobot);
+    Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 0, .duration = duration});
+    simulation.run();
+    EXPECT_EQ(simulation.world().tick(), ticks) << duration;
+  }
+}
+
+TEST(Simulation, carries_out_what_was_posted_before_the_next_tick) {
+  StillSimulation still(kRobot);
+  std::uint64_t seen_at = 99;
+  ASSERT_TRUE(still.simulation.post([&](world::World& world) { seen_at = world.tick(); }));
+  still.run(3);
+  EXPECT_EQ(seen_at, 0u);
+}
+
+TEST(Simulation, a_command_reaches_its_robot) {
+  StillSimulation still(kRobot);
+  still.simulation.drive({0}, {0.3, 0, 0, 0.2});
+  still.run(1);
+  EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.3, 0, 0, 0.2}));
+}
+
+TEST(Simulation, a_viewer_who_drives_is_one_more_who_commands) {
+  StillSimulation still(kRobot);
+  still.simulation.command({{0}, wire::position2d::kCode}, velocity_command({0}, {0.3, 0, 0, 0.2}));
+  still.simulation.drive({0}, {0.5, 0.1, 0, -1});
+  still.run(1);
+  EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.5, 0.1, 0, -1}));
+}
+
+TEST(Simulation, shows_every_tick_to_its_listeners_with_the_time) {
+  StillSimulation still(kRobot);
+  std::vector<std::uint64_t> seen;
+  still.simulation.add_listener(
+      [&](const world::World& world, const world::Pace&) { seen.push_back(world.tick()); });
+  still.run(2);
+  EXPECT_EQ(seen, (std::vector<std::uint64_t>{0, 1, 2}));
+  EXPECT_DOUBLE_EQ(still.simulation.time(), 0.2);
+}
+
+TEST(Simulation, shows_every_tick_to_watchers_who_want_it_while_the_world_stands) {
+  StillSimulation still(kRobot);
+  std::vector<std::uint64_t> seen;
+  still.simulation.add_watcher({[&] { return still.world().tick() % 2 == 1; },
+                                [&](const world::World& world, const world::Pace&) {
+                                  const std::uint64_t tick = world.tick();
+                                  std::this_thread::yield();
+                                  EXPECT_EQ(world.tick(), tick);
+                                  seen.push_back(tick);
+                                }});
+  still.run(6);
+  EXPECT_EQ(seen, (std::vector<std::uint64_t>{1, 3, 5}));
+}
+
+/// So many that the publisher thread encodes for them.
+constexpr std::uint32_t kManySources = 200;
+
+/// Publishes its number in each tick.
+struct Numbered final : Source {
+  explicit Numbered(std::uint32_t number) : number(number) {}
+  void emit(const world::World& world, std::vector<device::Publication>& out) override {
+    out.push_back({{number}, 0, world.time(), {}});
+  }
+  std::uint32_t number;
+};
+
+void add_many_sources(Simulation& simulation) {
+  for (std::uint32_t number = 0; number < kManySources; ++number)
+    simulation.add_source(std::make_shared<Numbered>(number));
+}
+
+/// Asks for something whenever it gets data, as drivers do that read others.
+struct Asking final : device::Publisher {
+  explicit Asking(Simulation& simulation) : simulation(simulation) {}
+  void publish(std::vector<device::Publication> batch) override {
+    times.push_back(batch.size() == kManySources ? batch.back().timestamp : -1);
+    simulation.post_always([this](world::World& world) { answered.push_back(world.time()); }, {});
+  }
+  Simulation& simulation;
+  std::vector<double> times, answered;
+};
+
+TEST(Simulation, what_drivers_ask_for_at_the_data_of_many_devices_happens_before_the_next_tick) {
+  for (const unsigned workers : {1u, 3u}) {
+    StillSimulation still(kRobot, workers);
+    Asking asking(still.simulation);
+    still.simulation.publish_to(asking);
+    add_many_sources(still.simulation);
+    std::vector<double> ticks;
+    for (int tick = 1; tick <= 50; ++tick) ticks.push_back(tick * 0.1);
+    still.run(50);
+    ASSERT_EQ(asking.times.size(), 50u);
+    EXPECT_EQ(asking.answered, asking.times);
+    for (std::size_t k = 0; k < 50; ++k) EXPECT_DOUBLE_EQ(asking.times[k], ticks[k]);
+  }
+}
+
+TEST(Simulation, tells_its_listeners_when_the_data_of_many_devices_are_out) {
+  StillSimulation still(kRobot);
+  add_many_sources(still.simulation);
+  std::vector<std::size_t> published;
+  still.simulation.add_listener(
+      [&](const world::World&, const world::Pace&) { published.push_back(still.recorder.published.size()); });
+  still.run(2);
+  EXPECT_EQ(published, (std::vector<std::size_t>{0, kManySources, 2 * kManySources}));
+}
+
+TEST(Simulation, tells_its_followers_of_each_change_before_the_next_and_before_its_listeners) {
+  StillSimulation still(kRobot);
+  std::string told;
+  still.simulation.add_follower([&](const world::World& world, const world::Change& change) {
+    told += change.kind == world::Change::Kind::kSpawn ? "came " : "went ";
+    told += std::to_string(world.models.size()) + ", ";
+  });
+  still.simulation.add_listener([&](const world::World&, const world::Pace&) { told += "shown, "; });
+  world::ModelId robot;
+  still.simulation.post([&](world::World& world) { robot = *world::spawn(world, 0, {}); });
+  still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::despawn(world, robot)); });
+  still.run(0);
+  EXPECT_EQ(told, "shown, came 2, went 1, shown, ") << "the pace is shown first";
+}
+
+TEST(Simulation, shows_a_run_listener_the_world_before_and_after_what_was_posted_and_each_tick) {
+  struct Notes final : world::RunListener {
+    void before_changes(const world::World& world) override { note("before", world); }
+    void after_changes(const world::World& world) override { note("after", world); }
+    void ticked(const world::World& world) override { note("tick", world); }
+    void note(const char* what, const world::World& world) {
+      text += std::string(what) + " " + std::to_string(world.models.size()) + ", ";
+    }
+    std::string text;
+  } notes;
+  StillSimulation still(kRobot);
+  still.simulation.add_run_listener(notes);
+  still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {})); });
+  still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {})); });
+  still.run(2);
+  EXPECT_EQ(notes.text, "before 1, after 3, tick 3, tick 3, ");
+}
+
+TEST(Simulation, has_controllers_know_who_came_before_anybody_saves_the_state) {
+  struct Counter final : world::Decider {
+    std::string_view name() const override { return "counter"; }
+    std::size_t size() const override { return known; }
+    void follow(world::World& world) override { known = world.models.size(); }
+    void decide(world::World&, std::size_t, std::size_t) override {}
+    void hash(const world::World&, Hash&) const override {}
+    Result<void> save(Packer&) const override { return {}; }
+    bool load(world::World&, Unpacker&) override { return true; }
+    std::size_t known = 0;
+  };
+  StillSimulation still(kRobot);
+  auto owned = std::make_unique<Counter>();
+  const Counter& counter = *owned;
+  std::size_t known = 0;
+  still.simulation.post([&](world::World& world) {
+    world.deciders.push_back(std::move(owned));
+    EXPECT_TRUE(world::spawn(world, 0, {}));
+  });
+  still.simulation.add_listener([&](const world::World&, const world::Pace&) { known = counter.known; });
+  still.run(0);
+  EXPECT_EQ(known, 2u);
+}
+
+TEST(Simulation, a_paused_world_does_what_is_posted_and_single_steps_only) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1, .paused = true});
+  std::uint64_t at_first = 99, at_second = 99;
+  std::thread ticks([&] { simulation.run(); });
+  simulation.post([&](world::World& world) {
+    at_first = world.tick();
+    simulation.step_once();
+    simulation.step_once();
+  });
+  // Each listener call after a tick asks again, so the thread ends when both steps are done.
+  while (simulation.time() < 0.15) std::this_thread::yield();
+  simulation.post([&](world::World& world) {
+    at_second = world.tick();
+    simulation.stop();
+  });
+  ticks.join();
+  EXPECT_EQ(at_first, 0u);
+  EXPECT_EQ(at_second, 2u);
+  EXPECT_TRUE(simulation.pace().paused);
+}
+
+TEST(Simulation, shows_the_world_again_while_the_next_tick_is_far) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1e-6});
+  int shown = 0;
+  simulation.add_listener([&](const world::World& world, const world::Pace& pace) {
+    EXPECT_FALSE(pace.paused);
+    if (world.tick() <= 1 && ++shown == 4) simulation.stop();
+  });
+  simulation.run();
+  EXPECT_GE(shown, 4);
+}
+
+TEST(Simulation, refuses_speeds_that_make_no_sense) {
+  StillSimulation still(kRobot);
+  still.simulation.set_speed(-1);
+  still.simulation.set_speed(std::nan(""));
+  EXPECT_EQ(still.simulation.pace().speed, 0);
+  still.simulation.set_speed(2);
+  EXPECT_EQ(still.simulation.pace().speed, 2);
+}
+
+TEST(Simulation, a_tiny_speed_is_slow_and_not_fast) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1e-300, .duration = 10});
+  std::atomic<bool> ended = false;
+  std::thread ticks([&] {
+    simulation.run();
+    ended = true;
+  });
+  // A clock that overflows has ticked on, or has ended the run, long before these are through.
+  std::atomic<int> looks = 0;
+  while (looks < 100 && !ended) {
+    const int before = looks;
+    simulation.post([&](world::World&) { ++looks; });
+    while (looks == before && !ended) std::this_thread::yield();
+  }
+  simulation.stop();
+  ticks.join();
+  EXPECT_EQ(looks, 100);
+  EXPECT_LE(simulation.world().tick(), 1u) << "the first is due at once";
+}
+
+TEST(Simulation, a_flood_of_pauses_and_speeds_runs_no_tick_ahead_of_its_time) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  std::atomic<double> now = 0;
+  Simulation simulation(std::make_unique<StillEngine>(scene),
+                        {.speed = 1, .clock = [&] { return now.load(); }});
+  std::thread ticks([&] { simulation.run(); });
+  const auto carry_out = [&] {
+    // What is posted may overtake a pause or a resume that was said before, but not twice.
+    for (int time = 0; time < 2; ++time) {
+      std::atomic<bool> done = false;
+      simulation.post([&](world::World&) { done = true; });
+      while (!done) std::this_thread::yield();
+    }
+  };
+  for (int step = 0; step <= 20; ++step) {
+    now = step * 0.0505;
+    for (int i = 0; i < 5; ++i) {
+      simulation.pause();
+      carry_out();
+      simulation.set_speed(2);
+      carry_out();
+      simulation.set_speed(1);
+      simulation.resume();
+      carry_out();
+    }
+  }
+  simulation.stop();
+  ticks.join();
+  EXPECT_EQ(simulation.world().tick(), 11u) << "one at once and then ten in 1.01 s";
+}
+
+TEST(Simulation, single_steps_that_wait_are_forgotten_when_the_world_resumes) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1, .clock = [] { return 0.0; }});
+  simulation.pause();
+  std::thread ticks([&] { simulation.run(); });
+  simulation.post([&](world::World&) {
+    for (int i = 0; i < 60; ++i) simulation.step_once();
+    simulation.resume();
+  });
+  std::atomic<int> looks = 0;
+  while (looks < 10) {
+    const int before = looks;
+    simulation.post([&](world::World&) { ++looks; });
+    while (looks == before) std::this_thread::yield();
+  }
+  simulation.stop();
+  ticks.join();
+  EXPECT_LE(simulation.world().tick(), 1u) << "the first is due at once";
+}
+
+/// A paused world whose ticks wait for the test.
+class SingleSteps : public ::testing::Test {
+ protected:
+  SingleSteps() {
+    simulation_.add_listener([this](const world::World& world, const world::Pace&) {
+      while (world.tick() > allowed_) std::this_thread::yield();
+    });
+    ticks_ = std::thread([this] { simulation_.run(); });
+  }
+  ~SingleSteps() override {
+    allowed_ = kAll;
+    simulation_.stop();
+    ticks_.join();
+  }
+  /// Of a client; once answered, by the tick or why not.
+  struct Asked {
+    std::atomic<std::uint64_t> done_at = kAll;
+    std::string why_not;
+  };
+  void step(std::uint64_t ticks, Asked& asked) {
+    simulation_.step(ticks, [this, &asked](const std::optional<std::string>& why_not) {
+      asked.why_not = why_not.value_or("");
+      asked.done_at = why_not ? 0 : simulation_.world().tick();
+    });
+  }
+  /// The first tick of what was asked for is done, the rest is not.
+  void wait_for_first_tick() {
+    while (simulation_.time() == 0) std::this_thread::yield();
+  }
+  static constexpr std::uint64_t kAll = 1u << 30;
+
+  const scene::SceneDesc scene_ = testing::scene_of(kRobot);
+  Simulation simulation_{std::make_unique<StillEngine>(scene_), {.speed = 1, .paused = true}};
+  std::atomic<std::uint64_t> allowed_ = 0;
+  std::thread ticks_;
+};
+
+TEST_F(SingleSteps, that_are_acknowledged_are_done) {
+  Asked first, second, third;
+  step(limits::kSingleSteps, first);
+  wait_for_first_tick();
+  step(limits::kSingleSteps, second);
+  EXPECT_EQ(second.done_at, 0u);
+  EXPECT_EQ(second.why_not, "too many steps are waiting: 1000 at most");
+  step(1, third);
+  allowed_ = kAll;
+  while (first.done_at == kAll || third.done_at == kAll) std::this_thread::yield();
+  EXPECT_EQ(third.done_at, limits::kSingleSteps + 1);
+  EXPECT_EQ(first.why_not + third.why_not, "");
+}
+
+TEST_F(SingleSteps, of_a_running_world_are_refused_without_effect) {
+  allowed_ = kAll;
+  simulation_.resume();
+  Asked asked;
+  step(1, asked);
+  EXPECT_EQ(asked.done_at, 0u);
+  EXPECT_EQ(asked.why_not, "the world is running: pause it first, or start it with --lock-step");
+  EXPECT_FALSE(simulation_.pace().paused);
+}
+
+TEST_F(SingleSteps, that_are_too_many_leave_the_world_paused) {
+  Asked asked;
+  step(limits::kSingleSteps + 1, asked);
+  EXPECT_EQ(asked.done_at, 0u);
+  EXPECT_TRUE(simulation_.pace().paused);
+}
+
+TEST(Simulation, what_still_waits_at_the_end_is_refused) {
+  StillSimulation still(kRobot);
+  {
+    auto replier = std::make_shared<device::Replier>(still.recorder, 7);
+    still.simulation.post([replier](world::World&) { replier->ack(); });
+  }
+  EXPECT_TRUE(still.recorder.answers.empty());
+  still.simulation.discard();
+  ASSERT_TRUE(still.recorder.answers.contains(7));
+  EXPECT_FALSE(still.recorder.answers[7].ack);
+  EXPECT_FALSE(still.simulation.post([](world::World&) {})) << "nobody would carry it out";
+  still.simulation.post_always(
+      [replier = std::make_shared<device::Replier>(still.recorder, 8)](world::World&) { replier->ack(); },
+      {});
+  EXPECT_FALSE(still.recorder.answers.at(8).ack);
+}
+
+TEST(Simulation, goes_back_to_an_instant_and_another_way_from_there) {
+  StillSimulation still(kRobot);
+  using Ticks = std::vector<std::uint64_t>;
+  still.run(5);
+  EXPECT_TRUE(still.simulation.timeline()->ticks.empty()) << "nobody asked for it";
+  still.simulation.record(true);
+  still.run(30);
+  EXPECT_EQ(still.simulation.timeline()->ticks, (Ticks{5, 10, 20, 30}));
+  testing::rewind_to(still.simulation, 10);
+  EXPECT_EQ(still.world().tick(), 10u);
+  EXPECT_DOUBLE_EQ(still.simulation.time(), 1.0);
+  EXPECT_EQ(still.simulation.timeline()->ticks, (Ticks{5, 10, 20, 30, 35}))
+      << "with the moment that was left";
+  testing::rewind_to(still.simulation, 35);
+  EXPECT_EQ(still.world().tick(), 35u) << "and back again";
+  testing::rewind_to(still.simulation, 20, 3);
+  EXPECT_EQ(still.world().tick(), 23u);
+  EXPECT_EQ(still.simulation.timeline()->ticks, (Ticks{5, 10, 20})) << "what comes later is another now";
+}
+
+TEST(Simulation, does_not_go_back_where_nothing_is_kept) {
+  StillSimulation still(kRobot);
+  still.simulation.rewind(0);
+  still.run(3);
+  EXPECT_EQ(still.world().tick(), 3u);
+}
+
+TEST(Simulation, tells_followers_and_then_listeners_that_the_world_is_another) {
+  StillSimulation still(kRobot);
+  still.simulation.record(true);
+  still.run(20);
+  std::string told;
+  still.simulation.add_follower([&](const world::World& world, const world::Change& change) {
+    if (change.kind == world::Change::Kind::kReload)
+      told += "reloaded " + std::to_string(world.tick()) + ", ";
+  });
+  still.simulation.add_listener(
+      [&](const world::World& world, const world::Pace&) { told += std::to_string(world.tick()) + ", "; });
+  testing::rewind_to(still.simulation, 10);
+  EXPECT_EQ(told, "20, reloaded 10, 10, ") << "the pace is shown first";
+}
+
+TEST(Simulation, who_uses_a_model_goes_on_with_it_unless_it_came_back) {
+  StillSimulation still(kRobot);
+  still.simulation.record(true);
+  still.run(10);
+  world::Use stays, ends;
+  world::ModelId late;
+  still.simulation.post([&](world::World& world) {
+    late = *world::spawn(world, 0, {});
+    stays.begin(world, still.simulation, {0});
+  });
+  still.run(10);
+  still.simulation.post([&](world::World& world) { ends.begin(world, still.simulation, late); });
+  still.run(1);
+  const auto users = [&](world::ModelId model) {
+    return still.world().models.subscribers[still.world().row(model).index];
+  };
+  EXPECT_EQ(users(late), 1u);
+  testing::rewind_to(still.simulation, 10);
+  EXPECT_FALSE(still.world().row(late));
+  EXPECT_EQ(users({0}), 1u) << "who uses it is of now";
+  testing::rewind_to(still.simulation, 20);
+  ASSERT_TRUE(still.world().row(late));
+  EXPECT_EQ(users(late), 0u);
+  EXPECT_EQ(users({0}), 1u);
+  EXPECT_FALSE(ends.end(still.world(), still.simulation));
+  EXPECT_TRUE(stays.end(still.world(), still.simulation));
+  EXPECT_EQ(users({0}), 0u);
+}
+
+TEST(Simulation, gives_no_id_a_second_time_after_it_went_back) {
+  StillSimulation still(kRobot);
+  world::ModelId first, second;
+  still.simulation.record(true);
+  still.run(1);
+  const std::uint64_t hash = still.world().hash();
+  still.simulation.post([&](world::World& world) { first = *world::spawn(world, 0, {}); });
+  still.run(3);
+  testing::rewind_to(still.simulation, 1);
+  still.simulation.post([](world::World&) {});
+  still.run(0);
+  EXPECT_EQ(still.world().hash(), hash) << "nobody came yet";
+  still.simulation.post([&](world::World& world) { second = *world::spawn(world, 0, {}); });
+  still.run(0);
+  EXPECT_GT(second, first);
+}
+
+TEST(Simulation, is_paced_anew_after_it_went_back) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  std::atomic<double> now = 0;
+  Simulation simulation(std::make_unique<StillEngine>(scene),
+                        {.speed = 1, .clock = [&] { return now.load(); }});
+  simulation.record(true);
+  std::thread ticks([&] { simulation.run(); });
+  const auto carry_out = [&] {
+    for (int time = 0; time < 2; ++time) {
+      std::atomic<bool> done = false;
+      simulation.post([&](world::World&) { done = true; });
+      while (!done) std::this_thread::yield();
+    }
+  };
+  carry_out();  // the first instant is kept before time goes on, or its keeping looks dear
+  for (int k = 1; k <= 15; ++k) {
+    now = k * 0.101;
+    carry_out();
+  }
+  simulation.rewind(10);
+  carry_out();
+  carry_out();
+  simulation.stop();
+  ticks.join();
+  EXPECT_LE(simulation.world().tick(), 11u) << "the first is due at once, and nothing is caught up";
+}
+
+}  // namespace
+}  // namespace playhouse::run

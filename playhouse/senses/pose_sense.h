@@ -1,0 +1,32 @@
+#pragma once
+
+/// PoseSense: base of the sensors that measure only the pose of their own body and cast no rays.
+
+#include "playhouse/senses/sense_phase.h"
+
+namespace playhouse::senses {
+
+class PoseSense : public SensePhase {
+ public:
+  void populate(const world::World&, const bodies::Space&) final {}
+  std::uint64_t sense(world::World& world, const bodies::Space&, std::span<const std::uint32_t> due,
+                      std::uint64_t tick, world::Workers& workers) final {
+    workers.run(due.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) measure(world, due[i], tick);
+    });
+    return 0;
+  }
+
+ protected:
+  /// X_WB of the body of a model.
+  static geom::SpatialPose body_pose(const world::World& world, world::ModelRow model) {
+    return geom::compose({world.models.X_WM[model.index], world.models.tilt_WM[model.index]},
+                         {world.desc(model).X_MB, geom::Tilt{}});
+  }
+
+ private:
+  /// Fills row `row` of its table; calls for different rows run in parallel.
+  virtual void measure(world::World& world, std::uint32_t row, std::uint64_t tick) const = 0;
+};
+
+}  // namespace playhouse::senses

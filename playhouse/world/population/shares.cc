@@ -1,0 +1,67 @@
+#include "playhouse/world/population/shares.h"
+
+#include <fmt/format.h>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/world/population/population.h"
+
+namespace playhouse::world {
+
+Result<void> Shares::check(const World& world, const std::string& peer) {
+  if (const auto found = shares_.find(peer); found != shares_.end()) {
+    Share& share = found->second;
+    if (is_full(share.sum) && share.population != world.population()) forget_removed(world, share);
+    if (is_full(share.sum))
+      return Error{
+          {},
+          fmt::format("your share of the run is full: you brought {} models with {} sensors and {} beams",
+                      share.sum.models, share.sum.sensors, share.sum.beams)};
+  }
+  return check_budget(world);
+}
+
+void Shares::add(const World& world, const std::string& peer, ModelId root) {
+  const ModelRow row = world.row(root);
+  if (peer.empty() || !row) return;
+  if (!shares_.contains(peer)) {
+    // Peers come and go: a share of which nothing is left is forgotten.
+    for (auto& [other, share] : shares_) forget_removed(world, share);
+    std::erase_if(shares_, [](const auto& each) { return each.second.trees.empty(); });
+  }
+  Share& share = shares_[peer];
+  const Amount amount = amount_of(world, row);
+  share.trees.push_back({root, amount});
+  share.sum.models += amount.models;
+  share.sum.sensors += amount.sensors;
+  share.sum.beams += amount.beams;
+}
+
+/// Of the tree as it is described.
+Shares::Amount Shares::amount_of(const World& world, ModelRow root) {
+  const std::uint32_t top = world.models.desc[root.index];
+  Amount amount{.models = scene::tree_size(world.scene(), top)};
+  for (std::uint32_t part = 0; part < amount.models; ++part)
+    for (const scene::RangerSensorDesc& sensor : world.scene().models[top + part].sensors) {
+      ++amount.sensors;
+      amount.beams += sensor.samples;
+    }
+  return amount;
+}
+
+bool Shares::is_full(const Amount& amount) {
+  return amount.models >= limits::kBroughtByOneModels || amount.sensors >= limits::kBroughtByOneSensors ||
+         amount.beams >= limits::kBroughtByOneBeams;
+}
+
+void Shares::forget_removed(const World& world, Share& share) {
+  std::erase_if(share.trees, [&](const Tree& tree) { return !world.row(tree.root); });
+  share.sum = {};
+  for (const Tree& tree : share.trees) {
+    share.sum.models += tree.amount.models;
+    share.sum.sensors += tree.amount.sensors;
+    share.sum.beams += tree.amount.beams;
+  }
+  share.population = world.population();
+}
+
+}  // namespace playhouse::world
