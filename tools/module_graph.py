@@ -13,6 +13,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"playhouse/(\w+)/')
 MODULE = re.compile(r"playhouse_module\((\w+)([^)]*)\)")
 LINK = re.compile(r"target_link_libraries\((\w+)([^)]*)\)")
 ROW = re.compile(r"^(\| `playhouse/(\w+)` \|.*\|)\s*([^|]*?)\s*\|$")  # of the table of MAP
+FOLDER_FILES = 45  # by hand: what a reader takes in at a glance
 EVERYTHING = "everything"  # in the table, of the module that wires all others
 
 
@@ -65,6 +66,14 @@ def wrong_includes(path):
         found = INCLUDE.match(line)
         if found and found[1] not in allowed:
             yield number, module, found[1]
+
+
+def large_folders():
+    """Folders with more files than FOLDER_FILES, without generated ones."""
+    for folder in [SOURCE, *sorted(path for path in SOURCE.rglob("*") if path.is_dir() and path.name != "generated")]:
+        files = sum(path.is_file() for path in folder.iterdir())
+        if files > FOLDER_FILES:
+            yield f"{folder.relative_to(ROOT)}:1: {files} files in one folder: {FOLDER_FILES} at most (docs/adr/0024)"
 
 
 def in_table(module):

@@ -121,6 +121,7 @@ def main():
                              cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
     findings += [finding for name in scripts if (ROOT / name).is_file() for finding in check_node_script(ROOT / name)]
     findings += module_graph.table_findings()
+    findings += module_graph.large_folders()
     findings += threads.findings()
     findings += unused_limits()
     findings += [finding for folder in (ROOT / "tests", ROOT / "clients/python") for path in sorted(folder.glob("*/test_*.py")) for finding in check_test_script(path)]

@@ -75,6 +75,18 @@ class Includes(Tree):
         self.assertEqual(self.wrong("house/door_test.cc", line), [(1, "house", "chimney")])
 
 
+class Folders(Tree):
+    def test_with_too_many_files_are_found_but_not_those_of_generated_ones(self):
+        for number in range(module_graph.FOLDER_FILES):
+            self.write(f"house/generated/made{number}.h", "")
+            self.write(f"house/rooms/room{number}.h", "")
+        self.write("house/generated/one_more.h", "")
+        self.assertEqual(list(module_graph.large_folders()), [])
+        self.write("house/rooms/one_more.h", "")
+        self.assertEqual(list(module_graph.large_folders()),
+                         ["playhouse/house/rooms:1: 46 files in one folder: 45 at most (docs/adr/0024)"])
+
+
 class Table(Tree):
     def test_says_what_is_linked_and_not_what_follows_from_it(self):
         self.assertEqual(module_graph.table_findings(),
