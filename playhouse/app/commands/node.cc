@@ -21,7 +21,7 @@ namespace {
 using cluster::Seconds;
 
 constexpr std::chrono::milliseconds kRetry{100};
-constexpr Seconds kWorld{60};  // for a run that has begun to send its world
+constexpr Seconds kWorldArrives{60};  // for a run that has begun to send its world
 
 /// Connects, also if the run begins within `patience` only: jobs of a cluster start in any order.
 Result<cluster::Stream> connect(const client::Address& head, Seconds patience) {
@@ -73,7 +73,7 @@ int node(const NodeOptions& options) {
   Result<cluster::Stream> stream = connect(*head, Seconds{options.wait});
   if (!stream) return failed(stream.error());
   Replica replica(options.running);
-  cluster::Node node(std::move(*stream), options.token, Seconds{options.wait} + kWorld);
+  cluster::Node node(std::move(*stream), options.token, Seconds{options.wait} + kWorldArrives);
   const Result<cluster::Node::Summary> done =
       node.run([&](world::SavedRun run) { return replica.make(std::move(run)); });
   if (!done) return failed(done.error());
