@@ -3,8 +3,8 @@
 /// The kernels of bundles (bundle.cc). Broad phase: which rays may hit which bodies,
 /// conservatively, eight at a time in single precision. Narrow phase: the exact hits.
 ///
-/// Each is in the program once for every set of instructions (bundle_kernels.inc over eight_plain.inc,
-/// eight_avx2.inc, eight_avx512.inc), and all give the same ranges.
+/// Each is in the program once for every set of instructions (bundle_kernels.inc over float8_plain.inc,
+/// float8_avx2.inc, float8_avx512.inc), and all give the same ranges.
 
 #include <cstdint>
 #include <span>

@@ -22,7 +22,7 @@ extern bool vectors_use_avx2;
 extern WideKernels wide_kernels;
 
 /// A hand-written eight-lane version of a vector function:
-/// kAvx512 and kEmulated, where it pays (wide.h).
+/// kAvx512 and kEmulated, where it pays (rays/scan_kernels.h).
 template <auto kFunction>
 struct Wide {
   static constexpr bool kExists = false;
