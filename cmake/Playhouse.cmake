@@ -121,14 +121,15 @@ function(playhouse_fuzzer TARGET)
   add_dependencies(fuzzers ${TARGET})
 endfunction()
 
-# playhouse_module(NAME DEPS a b c COMPUTED UNSANITIZED Suite.test HOT VECTORS PRECOMPILED world OWN EXCEPT x.cc TOGETHER 8 APART y.cc ALONE z.cc)
+# playhouse_module(NAME DEPS a b c COMPUTED UNSANITIZED Suite.test HOT VECTORS PRECOMPILED world EXCEPT x.cc TOGETHER 8 APART y.cc ALONE z.cc)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
 # COMPUTED, SHARDS n, UNSANITIZED: see playhouse_gtest; UNSANITIZED * are all its tests. HOT: optimised with sanitizers,
-# too, since tests spend their time there. VECTORS: HOT, with the options of playhouse_vector_options(). PRECOMPILED (library if left out), OWN: see Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake.
+# too, since tests spend their time there. VECTORS: HOT, with the options of playhouse_vector_options(). PRECOMPILED
+# (library if left out): see Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake.
 function(playhouse_module NAME)
-  cmake_parse_arguments(ARG "OWN;HOT;VECTORS;COMPUTED" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;UNSANITIZED;EXCEPT;APART;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "HOT;VECTORS;COMPUTED" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;UNSANITIZED;EXCEPT;APART;ALONE" ${ARGN})
   if(NOT ARG_PRECOMPILED)
     set(ARG_PRECOMPILED library)
   endif()
@@ -153,16 +154,11 @@ function(playhouse_module NAME)
     if(ARG_VECTORS)
       playhouse_vector_options(${TARGET})
       playhouse_precompile(${TARGET} vectors)
+    elseif(PLAYHOUSE_SANITIZE AND ARG_HOT)
+      target_compile_options(${TARGET} PRIVATE -O1)
+      playhouse_precompile(${TARGET} ${ARG_PRECOMPILED} OWN)
     else()
-      if(PLAYHOUSE_SANITIZE AND ARG_HOT)
-        set(ARG_OWN TRUE)
-        target_compile_options(${TARGET} PRIVATE -O1)
-      endif()
-      set(OWN)
-      if(ARG_OWN)
-        set(OWN OWN)
-      endif()
-      playhouse_precompile(${TARGET} ${ARG_PRECOMPILED} ${OWN})
+      playhouse_precompile(${TARGET} ${ARG_PRECOMPILED})
     endif()
     playhouse_unity(${TARGET} TOGETHER ${ARG_TOGETHER} APART ${ARG_APART} ALONE ${ARG_ALONE})
     set(SCOPE PUBLIC)

@@ -21,7 +21,7 @@ def emit(kinds: Kinds) -> dict[str, str]:
 
 def _bodies(kinds: Kinds) -> str:
     found = [k for k in kinds.simulated() if k.body and k.body.form]
-    lines = [BANNER.rstrip(), "#pragma once", "", "/// Bodies specific to kinds, each built by playhouse/scene/body_NAME.cc.", "",
+    lines = [BANNER.rstrip(), "#pragma once", "", "/// Bodies specific to kinds, each built by playhouse/scene/forms/body_NAME.cc.", "",
              '#include "playhouse/scene/forms/body.h"', "", "namespace playhouse::scene {", ""]
     lines += [f"void make_{k.name}_body(const geom::Size& size, ModelDesc& model);" for k in found]
     lines += ["", "/// Gives a model the body of its kind, which fills `size`.",

@@ -53,7 +53,7 @@ class Body:
     size: list[float]       # m
     color: list[float]      # red, green, blue, alpha from 0 to 1
     solid: bool             # it has a body, unless blocks or a bitmap say otherwise
-    form: str               # what that is, if it is one of its own (playhouse/scene/body_NAME.cc); "" a box
+    form: str               # what that is, if it is one of its own (playhouse/scene/forms/body_NAME.cc); "" a box
 
 
 @dataclass

@@ -1,7 +1,7 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Bodies specific to kinds, each built by playhouse/scene/body_NAME.cc.
+/// Bodies specific to kinds, each built by playhouse/scene/forms/body_NAME.cc.
 
 #include "playhouse/scene/forms/body.h"
 
