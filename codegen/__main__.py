@@ -7,7 +7,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from codegen import (emit_c, emit_commands, emit_cpp, emit_cpp_fields, emit_docs, emit_engine_words, emit_java,
+from codegen import (emit_c, emit_changes, emit_commands, emit_cpp, emit_cpp_fields, emit_docs, emit_engine_words, emit_java,
                      emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_lisp, emit_python, emit_stage_words,
                      emit_tables, emit_tcl, emit_typescript, emit_views)
 from codegen.checks import SchemaError
@@ -17,7 +17,7 @@ from codegen.model import load
 
 ROOT = Path(__file__).resolve().parent.parent
 EMITTERS = [emit_c, emit_cpp, emit_cpp_fields, emit_docs, emit_java, emit_lisp, emit_python, emit_tcl, emit_typescript]  # of interfaces/
-KIND_EMITTERS = [emit_engine_words, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_tables, emit_views]
+KIND_EMITTERS = [emit_changes, emit_engine_words, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_tables, emit_views]
 # Folders owned by the emitters: other files there are left over.
 OWNED = [*(emitter.FOLDER for emitter in EMITTERS), emit_c.SOURCES, emit_kinds_cpp.FOLDER, emit_kinds_docs.FOLDER,
          emit_kind_lists.BEHAVIOUR, emit_kind_lists.BODIES, emit_kind_lists.SENSES, emit_kind_lists.DRIVERS, emit_tables.FOLDER, emit_views.FOLDER, emit_views.WEB_FOLDER]

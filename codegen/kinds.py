@@ -11,6 +11,7 @@ import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from codegen.changes import Change, changes
 from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
 from codegen.kind_old import OldType, OldWord, check_old, old_type, old_word
 from codegen.kind_state import State, state
@@ -45,7 +46,7 @@ NEEDS = {
 
 KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "not_in_stage", "index", "when", "listed_when", "form")}
 KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "silent_why": dict, "size": list, "color": list, "solid": bool, "shared": bool, "watchable": bool}
-KEY_TYPES |= {key: list for key in ("given_by", "silent", "word", "interface", "record", "column", "viewer")}
+KEY_TYPES |= {key: list for key in ("given_by", "silent", "word", "interface", "record", "column", "viewer", "change")}
 
 
 @dataclass
@@ -89,6 +90,7 @@ class Kind:
     old_types: list[OldType] = field(default_factory=list)
     interfaces: list[Served] = field(default_factory=list)
     state: State = field(default_factory=State)
+    changes: list[Change] = field(default_factory=list)
 
     @property
     def simulated(self) -> bool:
@@ -187,6 +189,7 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
     for entity in ("window", "world"):
         if sum(k.entity == entity for k in kinds) != 1:
             raise SchemaError(f"kinds/: exactly one {entity} is wanted")
+    unique("kinds/", "change", [c.name for k in kinds for c in k.changes])
     unique("kinds/", "old type", [t.name for k in kinds for t in k.old_types])
     unique("kinds/", "table", [k.table for k in kinds if k.table])
     unique("kinds/", "enum", [w.enum for k in kinds for word in k.words for w in [word, *word.choices] if w.enum])
@@ -203,7 +206,7 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
 def _check_head(source: str, table: dict) -> None:
     keys(source, table, {"name", "entity", "doc"}, {
         "kind", "number", "inside", "table", "watts", "given_by", "watchable", "not_in_stage", "body", "silent", "silent_why", "old", "old_types", "word",
-        "interface", "record", "column", "viewer"})
+        "interface", "record", "column", "viewer", "change"})
     typed(source, table, KEY_TYPES)
     if not WORD.match(table["name"]):
         raise SchemaError(f"{source}: name {table['name']!r} is not a word in lower case")
@@ -246,6 +249,9 @@ def _kind(source: str, table: dict, schema: Schema) -> Kind:
     out.interfaces = [_served(f"{source}: interface {row.get('name', '?')}", row, schema)
                       for row in table.get("interface", [])]
     unique(source, "interface", [s.name for s in out.interfaces])
+    out.changes = changes(source, table.get("change", []))
+    if out.changes and entity not in ("world", "trait") and number is None:
+        raise SchemaError(f"{source}: a change is of a model that is simulated, of a trait or of the world")
     return out
 
 

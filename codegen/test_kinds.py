@@ -172,6 +172,20 @@ class Refused(unittest.TestCase):
         self.refuse_tables("kinds/: enum 'Side' is there twice", tables(word=[word(
             type="choices", default=["left"] * 2, choices=[side, side | {"name": "other"}])]))
 
+    def test_changes(self):
+        def change(**changes):
+            return [{"name": "bend", "doc": "Bends the arm.", "fields": {"angle": "number [rad]"}} | changes]
+        self.refuse("change Bend: name is words in lower case", change=change(name="Bend"))
+        self.refuse("change bend: doc must be a sentence", change=change(doc="bends"))
+        self.refuse("change bend: angle: unknown type 'nubmer' (did you mean 'number'?)", change=change(fields={"angle": "nubmer"}))
+        self.refuse("change bend: angle: a number, and only a number, has its unit in [ ]", change=change(fields={"angle": "number"}))
+        self.refuse("change bend: unknown gives 'nothing'", change=change(gives="nothing"))
+        self.refuse("change 'bend' is there twice", change=change() * 2)
+        parsed = tables(change=change())
+        parsed[0][1]["change"] = change()
+        self.refuse_tables("kinds/: change 'bend' is there twice", parsed)
+        self.refuse("a change is of a model that is simulated", number=None, change=change())
+
     def test_a_body_of_its_own_is_solid(self):
         self.refuse("body: form is for what is solid", body=ARM["body"] | {"solid": False, "form": "a hand"})
 
@@ -362,7 +376,7 @@ class Generated(unittest.TestCase):
         parsed = [(f"kinds/{p.name}", tomllib.loads(p.read_text(encoding="utf-8"))) for p in (ROOT / "kinds").glob("*.toml")]
         camera = next(t for _, t in parsed if t["name"] == "camera")
         freed = camera["number"]
-        for key in ("number", "table", "watchable", "record", "column", "viewer"):
+        for key in ("number", "table", "watchable", "record", "column", "viewer", "change"):
             del camera[key]
         for _, t in parsed:
             t.update({"number": t["number"] - 1} if t.get("number", 0) > freed else {})

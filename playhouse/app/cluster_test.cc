@@ -113,11 +113,11 @@ class ClusterTest : public testing::Test {
     port_ = *head_->listen();
   }
   world::World& world() { return head_->world(); }
-  void change(const std::function<void(world::World&)>& change) {
-    head_->before_changes(world());
-    change(world());
-    for (const auto& decider : world().deciders) decider->follow(world());
-    head_->after_changes(world());
+  void change(const std::function<void(world::Journal&)>& change) {
+    world::Journal journal(world());
+    change(journal);
+    journal.apply(world::changes::StartControllers{});
+    head_->changed(world(), journal.entries());
   }
   static void step(world::Engine& engine, int ticks, Hashes& hashes) {
     for (int i = 0; i < ticks; ++i) {
@@ -174,25 +174,33 @@ TEST_F(ClusterTest, does_what_one_program_does_alone) {
 }
 
 TEST_F(ClusterTest, changes_between_ticks_reach_all_nodes) {
-  const auto act = [&](const std::function<void(const std::function<void(world::World&)>&)>& change,
+  const auto act = [&](const std::function<void(const std::function<void(world::Journal&)>&)>& change,
                        const std::function<void(int)>& step) {
     step(10);
-    change([](world::World& world) { world::set_pose(world, world.find("a"), {1, 1, 0, 1}); });
-    step(10);
-    change([](world::World& world) {
-      ASSERT_TRUE(world::spawn(world, world.models.desc[world.find("b").index], {4, 4, 0, 0}, "late"));
+    change([](world::Journal& journal) {
+      journal.apply(world::changes::Place{journal.world().id(journal.world().find("a")), {1, 1, 0, 1}});
     });
     step(10);
-    change([](world::World& world) { ASSERT_TRUE(world::despawn(world, world.id(world.find("c")))); });
-    change([](world::World& world) { world::subscribe(world, world.find("d")); });
+    change([](world::Journal& journal) {
+      ASSERT_TRUE(
+          journal.spawn(journal.world().models.desc[journal.world().find("b").index], {4, 4, 0, 0}, "late"));
+    });
+    step(10);
+    change([](world::Journal& journal) {
+      ASSERT_TRUE(journal.despawn(journal.world().id(journal.world().find("c"))));
+    });
+    change([](world::Journal& journal) {
+      journal.apply(world::changes::Subscribe{journal.world().id(journal.world().find("d"))});
+    });
     step(100);
   };
   Instance alone(Instance::test_world());
   Hashes wanted, hashes;
   act(
       [&](const auto& change) {
-        change(alone.engine->world());
-        for (const auto& decider : alone.engine->world().deciders) decider->follow(alone.engine->world());
+        world::Journal journal(alone.engine->world());
+        change(journal);
+        journal.apply(world::changes::StartControllers{});
       },
       [&](int ticks) { step(*alone.engine, ticks, wanted); });
   begin(2);
@@ -434,7 +442,7 @@ TEST_F(ClusterTest, strangers_are_refused) {
   EXPECT_TRUE(large.send(Type::kHello, {Bytes(100'000)}, kLong));
   EXPECT_TRUE(early.send(Type::kReady, {}, kLong));
   Bytes hello;
-  Packer(hello).text("playhouse cluster 1");
+  Packer(hello).text("playhouse cluster 2");
   Packer(hello).text("0.0.1");
   EXPECT_TRUE(other.send(Type::kHello, {hello}, kLong));
   const auto said_by = [&](Stream& stream) -> std::string {

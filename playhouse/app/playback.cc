@@ -27,7 +27,7 @@ Playback::Playback(run::Simulation& simulation, record::Rerun& rerun)
       timeline_(moments(rerun.first_tick(), rerun.last_tick(), rerun.world().scene().interval)) {}
 
 void Playback::rewind(std::uint64_t tick) {
-  simulation_.post([this, tick](world::World&) { rerun_.seek(tick); });
+  simulation_.post([this, tick](const world::Journal&) { rerun_.seek(tick); });
 }
 
 void Playback::look_for_end() {

@@ -26,7 +26,7 @@ class Playback final : public world::Control {
   void set_speed(double times_real_time) override { simulation_.set_speed(times_real_time); }
   void drive(world::ModelId, const geom::Twist&) override {}
   /// Accepts the change and drops it.
-  bool post(std::function<void(world::World&)>, world::ModelId) override { return true; }
+  bool post(std::function<void(world::Journal&)>, world::ModelId) override { return true; }
   void record(bool) override {}
   std::shared_ptr<const world::Timeline> timeline() const override { return timeline_; }
   void rewind(std::uint64_t tick) override;

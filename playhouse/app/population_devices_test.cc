@@ -58,7 +58,9 @@ class Town final : public drivers::Surroundings {
   ~Town() override { simulation().discard(); }
 
   run::Simulation& simulation() { return *site_.simulation(); }
-  void post(std::function<void(world::World&)> change) { ASSERT_TRUE(simulation().post(std::move(change))); }
+  void post(std::function<void(world::Journal&)> change) {
+    ASSERT_TRUE(simulation().post(std::move(change)));
+  }
   void tick() {
     simulation().extend(1);
     simulation().run();
@@ -166,7 +168,8 @@ TEST(PopulationDevices, of_a_thousand_robots_that_come_and_go_are_lost_to_nobody
   std::deque<ModelId> living;
   std::size_t ticks = 1;
   for (std::uint16_t robot = 1; robot <= kRobots + kLiving; ++robot) {
-    if (robot <= kRobots) town.post([&](world::World& world) { living.push_back(*spawn(world, 0, {})); });
+    if (robot <= kRobots)
+      town.post([&](world::Journal& journal) { living.push_back(*journal.spawn(0, {})); });
     town.tick();
     town.simulated.run();
     both([&](Listener& client) {
@@ -183,8 +186,8 @@ TEST(PopulationDevices, of_a_thousand_robots_that_come_and_go_are_lost_to_nobody
     ticks += 2;
     if (robot <= kLiving) continue;
     // One goes, while clients open it once more and ask it.
-    town.post([&](world::World& world) {
-      EXPECT_TRUE(despawn(world, living.front()));
+    town.post([&](world::Journal& journal) {
+      EXPECT_TRUE(journal.despawn(living.front()));
       living.pop_front();
     });
     const auto going = static_cast<std::uint16_t>(robot - kLiving);
@@ -226,12 +229,12 @@ TEST(PopulationDevices, with_the_number_of_another_say_nothing_to_who_had_that_o
   Listener pushed(town, false), pulled(town, true);
   ModelId newest;
   const auto come = [&] {
-    town.post([&](world::World& world) { newest = *spawn(world, 0, {}); });
+    town.post([&](world::Journal& journal) { newest = *journal.spawn(0, {}); });
     town.tick();
     town.simulated.run();
   };
   const auto go = [&] {
-    town.post([&](world::World& world) { EXPECT_TRUE(despawn(world, newest)); });
+    town.post([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(newest)); });
     town.tick();
     town.simulated.run();
   };
@@ -292,8 +295,8 @@ TEST(PopulationDevices, follow_over_tcp_with_every_thread_of_the_program) {
     for (std::uint16_t robot = 1; robot <= kRobots; ++robot) {
       ModelId id;
       std::promise<void> followed;
-      simulation.post([&](world::World& world) { id = *world::spawn(world, 0, {}); });
-      simulation.post([&](world::World&) { followed.set_value(); });
+      simulation.post([&](world::Journal& journal) { id = *journal.spawn(0, {}); });
+      simulation.post([&](const world::Journal&) { followed.set_value(); });
       followed.get_future().get();
       Result<client::Laser> laser = client::Laser::open(*client, robot);
       Result<client::Position2d> wheels = client::Position2d::open(*client, robot);
@@ -304,7 +307,7 @@ TEST(PopulationDevices, follow_over_tcp_with_every_thread_of_the_program) {
         if (const auto driven = wheels->drive(0.1, 0); !driven) return driven.error();
         if (const auto read = client->read(); !read) return read.error();
       }
-      simulation.post([=](world::World& world) { EXPECT_TRUE(world::despawn(world, id)); });
+      simulation.post([=](world::Journal& journal) { EXPECT_TRUE(journal.despawn(id)); });
       while (!laser->device().gone() || !wheels->device().gone()) {
         static_cast<void>(wheels->drive(0.1, 0));  // refused once it has heard
         if (const auto read = client->read(); !read) return read.error();

@@ -36,7 +36,7 @@ class Rewound {
     simulation_.extend(tick - world().tick());
     simulation_.run();
   }
-  void change(const std::function<void(world::World&)>& change) {
+  void change(const std::function<void(world::Journal&)>& change) {
     ASSERT_TRUE(simulation_.post(change));
     run_to(world().tick());
   }
@@ -77,9 +77,9 @@ TEST(Rewind, brings_back_who_went_and_does_without_who_came) {
   const world::ModelId of_start = run.world().id(run.world().positions.model[0]);
   world::ModelId late;
   run.run_to(25);
-  run.change([&](world::World& world) { late = *world::spawn(world, robot, {1, 1, 0, 0.5}); });
+  run.change([&](world::Journal& journal) { late = *journal.spawn(robot, {1, 1, 0, 0.5}); });
   run.run_to(35);
-  const auto go = [&](world::World& world) { EXPECT_TRUE(world::despawn(world, of_start)); };
+  const auto go = [&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(of_start)); };
   run.change(go);
   run.run_to(80);
   const auto first = run.hash_of_tick;
@@ -103,9 +103,9 @@ TEST(Rewind, goes_another_way_where_somebody_does_something_else) {
   run.run_to(60);
   const auto first = run.hash_of_tick;
   run.again(30, 30);
-  run.change([](world::World& world) {
-    const world::ModelRow robot = world.positions.model[0];
-    world::set_pose(world, robot, {0.5, 0.5, 0, 1});
+  run.change([](world::Journal& journal) {
+    const world::ModelRow robot = journal.world().positions.model[0];
+    journal.apply(world::changes::Place{journal.world().id(robot), {0.5, 0.5, 0, 1}});
   });
   run.run_to(60);
   EXPECT_NE(run.hash_of_tick.at(60), first.at(60));

@@ -30,7 +30,7 @@
 #include "playhouse/bodies/blocked_starts.h"
 #include "playhouse/drivers/simulated/joining.h"
 #include "playhouse/net/fair_share.h"
-#include "playhouse/record/mcap_writer.h"
+#include "playhouse/record/mcap/mcap_writer.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
@@ -168,7 +168,7 @@ Result<void> Service::record(const std::string& file, const std::string& only) {
   record_file_ = std::make_unique<record::RecordThread>(std::move(*writer));
   recorder_ = std::make_unique<record::Recorder>(*record_file_, std::move(*selection), simulation());
   simulation().add_follower(
-      [this](const world::World& world, const world::Change& change) { recorder_->follow(world, change); });
+      [this](const world::World& world, const world::Event& event) { recorder_->follow(world, event); });
   simulation().add_run_listener(*recorder_);
   return recorder_->begin(simulation().world(), sources_);
 }

@@ -13,7 +13,7 @@ void PhasedEngine::step() {
   decide();                     // controllers read the frozen state N        -> commands
   deliver();                    // their effects on models, sequentially       -> flags, texts
   acts_.act(world_, workers_);  // drive models and other actuators            -> velocities, changes
-  take_changes();               // spawns, removals, attachments, teleports    -> the engine's tables
+  take_events();                // spawns, removals, attachments, teleports    -> the engine's tables
   move();                       // trees of models                            -> poses, odometry, stall
   sense(world_.tick() + 1);     // sensors that are subscribed and due         -> ranges, fiducials
   filter();                     // controllers that filter measurements        -> measurements
@@ -32,23 +32,23 @@ void PhasedEngine::deliver() {
   for (const std::unique_ptr<world::Decider>& decider : world_.deciders) decider->deliver(world_);
 }
 
-void PhasedEngine::take_changes() {
-  // All readers have processed changes from before the previous tick.
-  world_.changes.drop_before(next_change_);
-  next_change_ = world_.changes.end();
-  ingest_changes();
+void PhasedEngine::take_events() {
+  // All readers have processed events from before the previous tick.
+  world_.events.drop_before(next_event_);
+  next_event_ = world_.events.end();
+  ingest_events();
 }
 
-void PhasedEngine::ingest_changes() {
-  const std::span<const world::Change> changes = world_.changes.since(next_ingested_);
-  if (changes.empty()) return;
-  next_ingested_ = world_.changes.end();
-  ingest(changes);
+void PhasedEngine::ingest_events() {
+  const std::span<const world::Event> events = world_.events.since(next_ingested_);
+  if (events.empty()) return;
+  next_ingested_ = world_.events.end();
+  ingest(events);
 }
 
 /// Models removed since the last tick may still be in the engine's tables.
 world::PhysicsShapes PhasedEngine::physics_shapes() {
-  ingest_changes();
+  ingest_events();
   return shapes();
 }
 

@@ -28,14 +28,14 @@ class PhasedEngine : public world::Engine {
 
  protected:
   /// Updates derived tables for models spawned, removed, attached or teleported since the last call.
-  virtual void ingest(std::span<const world::Change> changes) = 0;
+  virtual void ingest(std::span<const world::Event> events) = 0;
   /// Moves models with a velocity from their pose at the last tick to that of
   /// this one, sets stall flags and updates odometry (see positions.X_OM).
   virtual void move() = 0;
   /// Measures with the sensors that are subscribed and due at `tick`.
   virtual void sense(std::uint64_t tick) = 0;
 
-  /// See Engine::physics_shapes(); called after all changes have been ingested.
+  /// See Engine::physics_shapes(); called after all events have been ingested.
   virtual world::PhysicsShapes shapes() const { return {}; }
 
   /// Appends the models of other trees whose bodies touch or overlap that of `model`, whatever
@@ -50,8 +50,8 @@ class PhasedEngine : public world::Engine {
  private:
   void decide();
   void deliver();
-  void take_changes();
-  void ingest_changes();
+  void take_events();
+  void ingest_events();
   void filter();
   void flow();
   void freeze();
@@ -59,8 +59,8 @@ class PhasedEngine : public world::Engine {
   Acts acts_;
   Energy energy_;
   std::vector<std::uint32_t> touching_;  // models in contact with a charger: scratch
-  // Cursors into world_.changes: next for the tick, next for ingest().
-  std::uint64_t next_change_ = 0, next_ingested_ = 0;
+  // Cursors into world_.events: next for the tick, next for ingest().
+  std::uint64_t next_event_ = 0, next_ingested_ = 0;
 };
 
 }  // namespace playhouse::behaviour

@@ -16,7 +16,7 @@ class Nowhere final : public PhasedEngine {
   std::uint64_t rays() const override { return 0; }
 
  private:
-  void ingest(std::span<const world::Change>) override {}
+  void ingest(std::span<const world::Event>) override {}
   void move() override {}
   void sense(std::uint64_t) override {}
   void touching(world::ModelRow, std::span<const std::uint8_t>, std::vector<std::uint32_t>&) const override {}

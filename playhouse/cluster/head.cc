@@ -19,6 +19,7 @@
 #include "playhouse/cluster/hello.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/record/whole_state.h"
+#include "playhouse/world/changes/packed_change.h"
 #include "playhouse/world/saving/saved_run.h"
 
 namespace playhouse::cluster {
@@ -193,18 +194,9 @@ void Head::wait_for_nodes() {
   }
 }
 
-void Head::before_changes(const world::World& world) {
-  if (nodes_.empty() || before_) return;
-  before_.emplace();
-  if (const Result<void> saved = record::save_whole(world, *before_); !saved) lose_all(saved.error().line());
-}
-
-/// All changes since the last tick as one.
-Result<Bytes> Head::changes() {
-  if (!before_) return Bytes();
-  Bytes now;
-  if (const Result<void> saved = record::save_whole(engine_->world(), now); !saved) return saved.error();
-  return now == *before_ ? Bytes() : record::difference(*before_, now);
+void Head::changed(const world::World&, std::span<const world::Change> changes) {
+  if (nodes_.empty()) return;
+  for (const world::Change& change : changes) world::pack(change, changes_);
 }
 
 void Head::lose_all(const std::string& why) {
@@ -216,18 +208,13 @@ void Head::step() {
   wait_for_nodes();
   admit();
   if (!nodes_.empty() || !joining_.empty()) send_steps();
-  before_.reset();
+  changes_.clear();
   engine_->divide(nodes_.empty() ? nullptr : this);
   engine_->step();
   drop_lost();
 }
 
 void Head::send_steps() {
-  Result<Bytes> changes = this->changes();
-  if (!changes) {
-    lose_all(changes.error().line());
-    changes = Bytes();
-  }
   Bytes state;
   if (!joining_.empty())
     if (const Result<void> saved = record::save_whole(engine_->world(), state); !saved) {
@@ -244,8 +231,8 @@ void Head::send_steps() {
   }
   joining_.clear();
   state_bytes_ = state.size();
-  if (check_ || !changes->empty()) bound_shares();
-  const std::size_t bytes = nodes_.size() * (state.size() + changes->size());
+  if (check_ || !changes_.empty()) bound_shares();
+  const std::size_t bytes = nodes_.size() * (state.size() + changes_.size());
   const Until end = until(options_.patience, bytes, &stopped_);
   for (std::size_t index = 0; index < nodes_.size(); ++index) {
     Node& node = *nodes_[index];
@@ -253,7 +240,7 @@ void Head::send_steps() {
     if (node.is_new) {
       step.state = state;
     } else {
-      step.change = *changes;
+      step.changes = changes_;
     }
     Bytes body;
     encode(step, body);

@@ -53,8 +53,7 @@ class Head final : public world::Engine, public world::RunListener, private worl
   std::uint64_t rays() const override { return engine_->rays(); }
   world::PhysicsShapes physics_shapes() override { return engine_->physics_shapes(); }
 
-  void before_changes(const world::World& world) override;
-  void after_changes(const world::World&) override {}
+  void changed(const world::World& world, std::span<const world::Change> changes) override;
   void ticked(const world::World&) override {}
 
  private:
@@ -86,7 +85,6 @@ class Head final : public world::Engine, public world::RunListener, private worl
   void wait_for_nodes();
   void send_steps();
   void lose_all(const std::string& why);
-  Result<Bytes> changes();
   void gather(world::DividedWork& work);
   void receive_share(world::DividedWork& work, std::size_t index);
   void take_share(world::DividedWork& work, std::size_t index, std::span<const std::byte> body);
@@ -112,7 +110,7 @@ class Head final : public world::Engine, public world::RunListener, private worl
   std::shared_ptr<const Bytes> world_;                  // the body of a message kWorld
   std::map<std::string, std::chrono::steady_clock::time_point>
       silenced_;                 // networks of nodes that were silent
-  std::optional<Bytes> before_;  // the state before the changes since the last tick
+  Bytes changes_;                // since the last tick, packed; none are kept without nodes
   std::uint64_t ticks_ = 0;      // with nodes
   bool check_ = false;           // in this tick
   std::size_t state_bytes_ = 0;  // sent in this tick to a node that is new

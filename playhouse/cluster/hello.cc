@@ -6,7 +6,7 @@
 namespace playhouse::cluster {
 namespace {
 
-constexpr const char* kMagic = "playhouse cluster 1";
+constexpr const char* kMagic = "playhouse cluster 2";
 
 }  // namespace
 

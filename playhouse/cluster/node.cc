@@ -1,5 +1,7 @@
 #include "playhouse/cluster/node.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
@@ -7,6 +9,8 @@
 #include "playhouse/base/packing.h"
 #include "playhouse/cluster/hello.h"
 #include "playhouse/record/whole_state.h"
+#include "playhouse/world/changes/journal.h"
+#include "playhouse/world/changes/packed_change.h"
 
 namespace playhouse::cluster {
 namespace {
@@ -56,19 +60,15 @@ Result<bool> Node::join(const EngineMaker& make) {
 
 Result<void> Node::prepare(const Step& step) {
   world::World& world = engine_->world();
-  const auto load = [&](std::span<const std::byte> state) -> Result<void> {
-    const Result<void> loaded = record::load_whole(world, state);
-    if (!loaded) return Error{"", "sent a state that " + loaded.error().text};
-    return {};
-  };
+  world::Journal journal(world);
   if (!step.state.empty())
-    if (const Result<void> loaded = load(step.state); !loaded) return loaded;
-  if (!step.change.empty()) {
-    Bytes before;
-    if (const Result<void> saved = record::save_whole(world, before); !saved) return saved;
-    const Result<Bytes> after = record::patched(before, step.change);
-    if (!after) return Error{"", "sent a change that is none of this state"};
-    if (const Result<void> loaded = load(*after); !loaded) return loaded;
+    if (const Result<void> loaded = record::load_whole(world, step.state); !loaded)
+      return Error{"", "sent a state that " + loaded.error().text};
+  for (Unpacker in(step.changes); !in.at_end();) {
+    const Result<world::Change> change = world::unpack_change(in);
+    if (!change) return Error{"", "sent a step that " + change.error().text};
+    if (!journal.apply(*change))
+      return Error{"", fmt::format("sent a change \"{}\" that cannot be made here", world::name_of(*change))};
   }
   share_ = step.share;
   hashes_.reset();

@@ -24,7 +24,7 @@ void encode(const Step& step, std::vector<std::byte>& out) {
   to.varint(step.share.count);
   to.u8(step.check);
   put(to, step.state, out);
-  put(to, step.change, out);
+  put(to, step.changes, out);
 }
 
 Result<Step> decode_step(std::span<const std::byte> bytes) {
@@ -36,7 +36,7 @@ Result<Step> decode_step(std::span<const std::byte> bytes) {
   const std::uint8_t check = in.u8();
   step.check = check == 1;
   step.state = get(in);
-  step.change = get(in);
+  step.changes = get(in);
   if (!in.ok() || !in.at_end() || check > 1 || step.share.count > limits::kClusterNodes + 1 ||
       step.share.index >= step.share.count)
     return wrong;

@@ -12,10 +12,10 @@
 namespace playhouse::cluster {
 
 struct Step {
-  world::Share share;                 // of this node
-  bool check = false;                 // its Share has the hashes of its world
-  std::span<const std::byte> state;   // record::save_whole() of the world, for a node that joins; or empty
-  std::span<const std::byte> change;  // record::difference() since the last tick; empty: none
+  world::Share share;                  // of this node
+  bool check = false;                  // its Share has the hashes of its world
+  std::span<const std::byte> state;    // record::save_whole() of the world, for a node that joins; or empty
+  std::span<const std::byte> changes;  // since the last tick, in order (world/changes/packed_change.h)
 };
 
 /// Appends the body of a message kStep.

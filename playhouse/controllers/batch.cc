@@ -51,7 +51,7 @@ std::vector<Post> posts_of(const World& world, ModelRow model, std::vector<std::
 }
 
 Result<void> Batch::add(World& world, const Post& post) {
-  next_change_ = world.changes.end();
+  next_event_ = world.events.end();
   const Result<void> joined = join(world, post);
   if (joined) ids_.push_back(post.model);
   by_id_.clear();
@@ -68,21 +68,21 @@ std::span<const std::uint32_t> Batch::by_id() {
 }
 
 void Batch::follow(World& world) {
-  using Kind = world::Change::Kind;
+  using Kind = world::Event::Kind;
   bool population = false, reload = false, rebuilt = false;
-  const std::uint64_t first = next_change_;
-  next_change_ = world.changes.end();
-  for (const world::Change& change : world.changes.since(first)) {
-    reload |= change.kind == Kind::kReload;
-    population |= change.kind != Kind::kPlace && change.kind != Kind::kSet;
-    rebuilt |= change.kind != Kind::kSet && change.mobility == world::Mobility::kFixed;
+  const std::uint64_t first = next_event_;
+  next_event_ = world.events.end();
+  for (const world::Event& event : world.events.since(first)) {
+    reload |= event.kind == Kind::kReload;
+    population |= event.kind != Kind::kPlace && event.kind != Kind::kSet;
+    rebuilt |= event.kind != Kind::kSet && event.mobility == world::Mobility::kFixed;
   }
   if (population) follow_population(world, first, reload);
   prepare(world, rebuilt);
 }
 
 void Batch::follow_population(World& world, std::uint64_t first, bool reload) {
-  using Kind = world::Change::Kind;
+  using Kind = world::Event::Kind;
   for (std::size_t i = ids_.size(); i-- > 0;) {
     if (world.row(ids_[i])) {
       resolve(world, i);
@@ -106,11 +106,10 @@ void Batch::follow_population(World& world, std::uint64_t first, bool reload) {
     for (std::uint32_t row = 0; row < world.models.size(); ++row) take(world.models.id[row]);
     return;
   }
-  const std::vector<world::Change> changes(world.changes.since(first).begin(),
-                                           world.changes.since(first).end());
-  for (const world::Change& change : changes)
-    for (std::uint32_t i = 0; change.kind == Kind::kSpawn && i < change.count; ++i)
-      take({change.model.value + i});
+  const std::vector<world::Event> changes(world.events.since(first).begin(), world.events.since(first).end());
+  for (const world::Event& event : changes)
+    for (std::uint32_t i = 0; event.kind == Kind::kSpawn && i < event.count; ++i)
+      take({event.model.value + i});
 }
 
 void Batch::join_late(World& world, const Post& post) {

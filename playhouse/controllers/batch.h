@@ -75,7 +75,7 @@ class Batch : public world::Decider {
   std::string name_;
   std::vector<world::ModelId> ids_;
   std::vector<std::uint32_t> by_id_;  // indices of ids_; empty: outdated
-  std::uint64_t next_change_ = 0;     // next entry of world.changes
+  std::uint64_t next_event_ = 0;      // next entry of world.events
 };
 
 /// A batch with numeric memory: Self::memory(self) is a tuple of references

@@ -14,8 +14,8 @@ void run_in_ticks(Site& site, std::span<const device::Address> devices, device::
   for (const device::Address& device : devices) directory.add(directory.model_of(robot), device);
   thread.follow_ticks(simulation->world().tick(), kDelay);
   simulation->add_follower(
-      [reloaded = std::move(reloaded)](const world::World& world, const world::Change& change) {
-        if (change.kind == world::Change::Kind::kReload) reloaded(world);
+      [reloaded = std::move(reloaded)](const world::World& world, const world::Event& event) {
+        if (event.kind == world::Event::Kind::kReload) reloaded(world);
       });
   simulation->add_listener(
       [&thread](const world::World& world, const world::Pace&) { thread.ticked(world.tick()); });

@@ -251,8 +251,9 @@ TEST(RangerToLaser, goes_with_its_ranger_open_or_not) {
     const device::DeviceId sonars = site.id({6665, 62, 0}), scanner = site.id({6665, 62, 1});
     const device::DeviceId its_laser = site.id({6665, 6, 0});
     if (open) ASSERT_TRUE(site.hold(its_laser));
-    ASSERT_TRUE(site.site().simulation()->post(
-        [](world::World& world) { EXPECT_TRUE(world::despawn(world, world.id(world.find("r0")))); }));
+    ASSERT_TRUE(site.site().simulation()->post([](world::Journal& journal) {
+      EXPECT_TRUE(journal.despawn(journal.world().id(journal.world().find("r0"))));
+    }));
     site.run(1);
     EXPECT_THAT(site.retired, ElementsAre(sonars.row, scanner.row, its_laser.row));
     EXPECT_FALSE(site.hold(its_laser));
@@ -268,9 +269,9 @@ driver( name "stage" provides ["position2d:0"] model "r0" alwayson 1 )
 driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
             "");
   const device::DeviceId gone = site.id({6665, 4, 0});
-  ASSERT_TRUE(site.site().simulation()->post([](world::World& world) {
-    EXPECT_TRUE(world::despawn(world, world.id(world.find("r0"))));
-    EXPECT_TRUE(world::spawn(world, 3, {}));
+  ASSERT_TRUE(site.site().simulation()->post([](world::Journal& journal) {
+    EXPECT_TRUE(journal.despawn(journal.world().id(journal.world().find("r0"))));
+    EXPECT_TRUE(journal.spawn(3, {}));
   }));
   site.run(1);
   EXPECT_THAT(site.retired, ElementsAre(gone.row));

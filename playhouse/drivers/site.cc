@@ -67,22 +67,22 @@ Result<void> Site::open_world(const std::string& path) {
   simulation_ = std::move(*simulation);
   simulation_->publish_to(data_flow_);
   simulation_->add_follower(
-      [this](const world::World& world, const world::Change& change) { follow(world, change); });
+      [this](const world::World& world, const world::Event& event) { follow(world, event); });
   return {};
 }
 
-void Site::follow(const world::World& world, const world::Change& change) {
-  using Kind = world::Change::Kind;
+void Site::follow(const world::World& world, const world::Event& event) {
+  using Kind = world::Event::Kind;
   const run::Directory& directory = simulation_->directory();
   std::vector<device::Address> gone;
-  if (change.kind == Kind::kReload) {
+  if (event.kind == Kind::kReload) {
     for (const device::Address& address : directory.devices())
       if (!world.row(directory.model_of(address))) gone.push_back(address);
     return gone.empty() ? void() : retire(std::move(gone));
   }
-  if (change.kind != Kind::kDespawn) return;
-  for (std::uint32_t part = 0; part < change.count; ++part) {
-    const auto devices = directory.devices_of({change.model.value + part});
+  if (event.kind != Kind::kDespawn) return;
+  for (std::uint32_t part = 0; part < event.count; ++part) {
+    const auto devices = directory.devices_of({event.model.value + part});
     gone.insert(gone.end(), devices.begin(), devices.end());
   }
   if (!gone.empty()) retire(std::move(gone));
@@ -113,7 +113,8 @@ void Site::retire(std::vector<device::Address> devices) {
 
 void Site::retire_later(std::vector<device::Address> devices) {
   if (simulation_ == nullptr) return retire(std::move(devices));
-  simulation_->post_always([this, devices = std::move(devices)](world::World&) { retire(devices); }, {});
+  simulation_->post_always([this, devices = std::move(devices)](const world::Journal&) { retire(devices); },
+                           {});
 }
 
 /// No effect if it is gone: it may depend on two retired devices.

@@ -113,7 +113,7 @@ class Site {
   Result<void> check_provided(const User& user) const;
   Result<std::vector<const User*>> in_order_of_data() const;
   Error circle_error(std::span<const std::size_t> circle) const;
-  void follow(const world::World& world, const world::Change& change);
+  void follow(const world::World& world, const world::Event& event);
   void take_out(device::Address address);
   void add_who_requires(std::vector<device::Address>& devices) const;
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "playhouse/record/mcap.h"
+#include "playhouse/record/mcap/mcap.h"
 
 namespace playhouse::record {
 

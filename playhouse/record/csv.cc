@@ -210,7 +210,7 @@ class Export {
     const bool is_known = schema != reader.schemas().end() && schema->second.encoding == kSchemaEncoding &&
                           channel.encoding == kMessageEncoding;
     if (!is_known) return leave_out(channel, "its messages are not those of ROS 2");
-    for (const char* const bytes : {kState, kEdit, kImage, kPointCloud})
+    for (const char* const bytes : {kState, kChange, kImage, kPointCloud})
       if (schema->second.name == bytes) return nullptr;
     const Result<SharedType>& type = type_of(schema->second);
     if (!type) return leave_out(channel, type.error().text);

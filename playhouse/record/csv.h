@@ -6,7 +6,7 @@
 #include <string>
 
 #include "playhouse/base/result.h"
-#include "playhouse/record/mcap_reader.h"
+#include "playhouse/record/mcap/mcap_reader.h"
 
 namespace playhouse::record {
 

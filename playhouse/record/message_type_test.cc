@@ -84,7 +84,7 @@ TEST(MessageType, has_the_fields_behind_a_list_whatever_they_are_called) {
 }
 
 TEST(MessageType, knows_every_schema_of_a_recording) {
-  for (const char* const name : {kTransforms, kLaserScan, kRanges, kWorldChange, kState, kEdit, kCheck})
+  for (const char* const name : {kTransforms, kLaserScan, kRanges, kEvent, kState, kChange, kCheck})
     EXPECT_TRUE(MessageType::parse(schema_text(name)).ok()) << name;
   for (const TableMessages& table : table_messages())
     EXPECT_EQ(fault_of(schema_text(table.schema)), "") << table.schema;

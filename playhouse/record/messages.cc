@@ -98,11 +98,11 @@ const std::map<std::string, std::string>& fixed_schemas() {
        "uint32 step\nuint8[] data\n" +
            kHeader},
       {kRanges, "builtin_interfaces/Time stamp\nfloat32[] ranges  # m\nfloat32[] intensities\n" + kTime},
-      {kWorldChange,
-       "builtin_interfaces/Time stamp\nstring change\nstring model\nuint32 id\nstring other\n" + kTime},
+      {kEvent,
+       "builtin_interfaces/Time stamp\nstring event\nstring model\nuint32 id\nstring other\n" + kTime},
       {kSpeech, "builtin_interfaces/Time stamp\nstring model\nuint32 id\nstring text\n" + kTime},
       {kState, "uint64 tick\nuint8[] state\n"},
-      {kEdit, "uint64 tick\nuint64 before\nuint8[] difference\n"},
+      {kChange, "uint64 tick\nstring change\nstring model\nstring fields  # JSON\nuint8[] packed\n"},
       {kCheck, "uint64 tick\nuint64 hash\nuint64 sensed_hash\n"},
   };
   return kTexts;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "playhouse/record/cdr.h"
-#include "playhouse/record/mcap.h"
+#include "playhouse/record/mcap/mcap.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::record {
@@ -29,10 +29,10 @@ inline constexpr const char* kImu = "sensor_msgs/msg/Imu";
 inline constexpr const char* kFix = "sensor_msgs/msg/NavSatFix";
 inline constexpr const char* kOdometry = "nav_msgs/msg/Odometry";
 inline constexpr const char* kRanges = "playhouse/msg/Ranges";
-inline constexpr const char* kWorldChange = "playhouse/msg/Change";
+inline constexpr const char* kEvent = "playhouse/msg/Event";
 inline constexpr const char* kSpeech = "playhouse/msg/Speech";
 inline constexpr const char* kState = "playhouse/msg/State";
-inline constexpr const char* kEdit = "playhouse/msg/Edit";
+inline constexpr const char* kChange = "playhouse/msg/Change";
 inline constexpr const char* kCheck = "playhouse/msg/Check";
 
 /// The definition of one of these schemas.

@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "playhouse/base/limits.h"
-#include "playhouse/record/record_sink.h"
+#include "playhouse/record/mcap/record_sink.h"
 
 namespace playhouse::record {
 

@@ -7,10 +7,10 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
-#include "playhouse/base/packing.h"
 #include "playhouse/record/sensor_messages.h"
 #include "playhouse/record/whole_state.h"
 #include "playhouse/replicate/views.h"
+#include "playhouse/world/changes/packed_change.h"
 #include "playhouse/world/periods.h"
 #include "playhouse/world/saving/saved_run.h"
 #include "playhouse/world/saving/state.h"
@@ -19,23 +19,23 @@ namespace playhouse::record {
 namespace {
 
 constexpr const char* kWorldFrame = "world";
-constexpr const char* kEditsTopic = "/playhouse/edits";
+constexpr const char* kChangesTopic = "/playhouse/changes";
 
-const char* word_of(world::Change::Kind kind) {
+const char* word_of(world::Event::Kind kind) {
   switch (kind) {
-    case world::Change::Kind::kSpawn:
+    case world::Event::Kind::kSpawn:
       return "came";
-    case world::Change::Kind::kDespawn:
+    case world::Event::Kind::kDespawn:
       return "went";
-    case world::Change::Kind::kAttach:
+    case world::Event::Kind::kAttach:
       return "attached";
-    case world::Change::Kind::kDetach:
+    case world::Event::Kind::kDetach:
       return "detached";
-    case world::Change::Kind::kPlace:
+    case world::Event::Kind::kPlace:
       return "placed";
-    case world::Change::Kind::kSet:
+    case world::Event::Kind::kSet:
       return "set";
-    case world::Change::Kind::kReload:
+    case world::Event::Kind::kReload:
       return "taken back";
   }
   return "";
@@ -88,7 +88,8 @@ Result<void> Recorder::begin(const world::World& world, const scene::SourceFiles
   if (const Result<void> attached = file_.attach(start); !attached) return attached;
   look_around(world);
   // Reserved before other channels: replay is impossible without it.
-  if (runs_again_) channel_of(kEditsTopic, kEdit);
+  channel_of(kChangesTopic, kChange);
+  tick_ = world.tick();
   record_state(world);
   record_poses(world, true);
   record_speech(world);
@@ -164,6 +165,13 @@ std::string Recorder::label(const world::World& world, world::ModelRow model) {
   }
 }
 
+/// Also of a model that has gone since; empty for none.
+std::string Recorder::label_of(const world::World& world, world::ModelId model) {
+  if (const world::ModelRow row = world.row(model)) return label(world, row);
+  const auto gone = std::ranges::find(labels_, model, [](const auto& each) { return each.second; });
+  return model && gone != labels_.end() ? gone->first : std::string();
+}
+
 void Recorder::look_around(const world::World& world) {
   if (std::exchange(known_, true) && population_ == world.population()) return;
   population_ = world.population();
@@ -176,7 +184,7 @@ void Recorder::look_around(const world::World& world) {
     return found != watched_.end() && found->second == control_.generation(model);
   });
   // Retries at the next tick if the queue is full.
-  if (!all_watched && !control_.post([this](world::World& changing) { watch_all(changing); })) known_ = false;
+  if (!all_watched && !control_.post([this](world::Journal& journal) { watch_all(journal); })) known_ = false;
 }
 
 void Recorder::add_model(const world::World& world, world::ModelRow model) {
@@ -273,56 +281,55 @@ void Recorder::add_frame(const world::World& world, world::ModelRow model, Frame
                      .last = {}});
 }
 
-void Recorder::watch_all(world::World& world) {
+void Recorder::watch_all(world::Journal& journal) {
   for (const world::ModelId model : measuring_) {
-    const world::ModelRow row = world.row(model);
     const auto [found, is_new] = watched_.try_emplace(model, control_.generation(model));
-    if (!row || (!is_new && found->second == control_.generation(model))) continue;
+    if (!is_new && found->second == control_.generation(model)) continue;
     found->second = control_.generation(model);
-    world::watch(world, row);
+    journal.apply(world::changes::Watch{model});
   }
 }
 
 // --- events
 
-void Recorder::follow(const world::World& world, const world::Change& change) {
-  const world::ModelRow model = world.row(change.model), other = world.row(change.other);
+void Recorder::follow(const world::World& world, const world::Event& event) {
+  const world::ModelRow model = world.row(event.model), other = world.row(event.other);
   CdrWriter message;
   message.time(ns());
-  message.text(word_of(change.kind));
+  message.text(word_of(event.kind));
   message.text(model ? label(world, model) : "");
-  message.number(change.model.value);
+  message.number(event.model.value);
   message.text(other ? label(world, other) : "");
-  put_message(world, "/playhouse/changes", kWorldChange, message.message());
+  put_message(world, "/playhouse/events", kEvent, message.message());
 }
 
-void Recorder::before_changes(const world::World& world) {
-  if (!runs_again_) return;
-  before_.clear();
-  if (const Result<void> saved = save_whole(world, before_); !saved) give_up(saved.error());
-}
-
-void Recorder::after_changes(const world::World& world) {
-  if (runs_again_) {
-    state_.clear();
-    const Result<void> saved = save_whole(world, state_);
-    if (!saved) {
-      give_up(saved.error());
-    } else if (state_ != before_) {
-      CdrWriter message;
-      message.number(Unpacker(std::span(before_).subspan(16)).u64());  // the tick, after size and seed
-      message.number(hash_of(before_));
-      message.bytes(difference(before_, state_));
-      put_message(world, kEditsTopic, kEdit, message.message());
-    }
-  }
+void Recorder::changed(const world::World& world, std::span<const world::Change> changes) {
+  for (const world::Change& change : changes) record_change(world, change);
+  tick_ = world.tick();
   look_around(world);
   record_speech(world);
   hand_over();
 }
 
+/// With the tick of the world before it.
+void Recorder::record_change(const world::World& world, const world::Change& change) {
+  const world::ModelId model = world::model_of(change);
+  Bytes packed;
+  world::pack(change, packed);
+  CdrWriter message;
+  message.number(tick_);
+  message.text(world::name_of(change));
+  message.text(label_of(world, model));
+  message.text(world::fields_text(change));
+  message.bytes(packed);
+  put_message(world, kChangesTopic, kChange, message.message());
+  if (const auto* const load = std::get_if<world::changes::Load>(&change))
+    tick_ = world::tick_of(*load->state);
+}
+
 void Recorder::ticked(const world::World& world) {
   ++steps_;
+  tick_ = world.tick();
   look_around(world);
   const bool is_second = world.tick() % second_ == 0;
   record_poses(world, is_second);

@@ -35,13 +35,12 @@ class Recorder final : public world::RunListener {
 
   /// Writes the initial state of the run. Fails if that cannot be written.
   Result<void> begin(const world::World& world, const scene::SourceFiles& sources);
-  /// To be called for every entry of world.changes, in order.
-  void follow(const world::World& world, const world::Change& change);
+  /// To be called for every entry of world.events, in order.
+  void follow(const world::World& world, const world::Event& event);
   /// Ends the recording.
   void end(const world::World& world);
 
-  void before_changes(const world::World& world) override;
-  void after_changes(const world::World& world) override;
+  void changed(const world::World& world, std::span<const world::Change> changes) override;
   void ticked(const world::World& world) override;
 
  private:
@@ -81,14 +80,16 @@ class Recorder final : public world::RunListener {
   void add_channel(const world::World& world, world::ModelRow model, Told told, FrameKind frame,
                    const std::string& topic, std::uint32_t sensor = 0);
   void add_frame(const world::World& world, world::ModelRow model, FrameKind kind, std::uint32_t sensor = 0);
-  void watch_all(world::World& world);
+  void watch_all(world::Journal& journal);
   std::string label(const world::World& world, world::ModelRow model);
+  std::string label_of(const world::World& world, world::ModelId model);
   void record_poses(const world::World& world, bool all);
   void record_models(const world::World& world);
   static bool is_due(const world::World& world, world::ModelRow model, const Recorded& channel);
   static const char* schema_of(const Recorded& channel);
   /// Empty if there is nothing to tell.
   Bytes message_of(const world::World& world, world::ModelRow model, const Recorded& channel) const;
+  void record_change(const world::World& world, const world::Change& change);
   void record_speech(const world::World& world);
   void record_state(const world::World& world);
   void record_check(const world::World& world);
@@ -124,7 +125,8 @@ class Recorder final : public world::RunListener {
   std::map<world::ModelId, std::uint64_t> watched_;  // incarnation being watched
 
   bool runs_again_ = true;  // states can be saved
-  Bytes before_, state_;
+  Bytes state_;
+  std::uint64_t tick_ = 0;                      // of the world before changes
   std::uint64_t last_state_ = 0;                // in steps
   std::uint64_t state_ticks_ = 1, second_ = 1;  // ticks
   double interval_ = 0.1;                       // s

@@ -6,10 +6,11 @@
 #include <set>
 
 #include "playhouse/base/testing_folder.h"
-#include "playhouse/record/mcap_reader.h"
-#include "playhouse/record/mcap_writer.h"
+#include "playhouse/record/mcap/mcap_reader.h"
+#include "playhouse/record/mcap/mcap_writer.h"
 #include "playhouse/record/rerun.h"
 #include "playhouse/scene/world_loader.h"
+#include "playhouse/world/changes/packed_change.h"
 #include "playhouse/world/population/population.h"
 
 namespace playhouse::record {
@@ -35,7 +36,7 @@ class Later final : public world::Control {
   void step_once() override {}
   void set_speed(double) override {}
   void drive(world::ModelId, const geom::Twist&) override {}
-  bool post(std::function<void(world::World&)> change, world::ModelId) override {
+  bool post(std::function<void(world::Journal&)> change, world::ModelId) override {
     posted.push_back(std::move(change));
     return true;
   }
@@ -45,7 +46,7 @@ class Later final : public world::Control {
   }
   void rewind(std::uint64_t) override {}
   std::uint64_t generation(world::ModelId) const override { return 0; }
-  std::vector<std::function<void(world::World&)>> posted;
+  std::vector<std::function<void(world::Journal&)>> posted;
 };
 
 /// A controller that cannot say what it remembers.
@@ -71,10 +72,10 @@ class RecorderTest : public testing::Test {
     ++world_.tick_;
     recorder_->ticked(world_);
   }
-  void change(const std::function<void(world::World&)>& change) {
-    recorder_->before_changes(world_);
-    change(world_);
-    recorder_->after_changes(world_);
+  void change(const std::function<void(world::Journal&)>& change) {
+    change(journal_);
+    recorder_->changed(world_, journal_.entries());
+    journal_.clear();
   }
   void carry_out_posted() {
     for (const auto& each : std::exchange(control_.posted, {})) change(each);
@@ -99,6 +100,7 @@ class RecorderTest : public testing::Test {
   scene::MemoryFiles files_{{}};
   scene::SceneDesc scene_ = *scene::load_world_text(kWorld, "t.world", files_);
   world::World world_{scene_, 1};
+  world::Journal journal_{world_};
   Later control_;
   std::unique_ptr<RecordThread> file_;
   std::unique_ptr<Recorder> recorder_;
@@ -117,7 +119,7 @@ TEST_F(RecorderTest, has_the_channel_of_changes_before_others_take_all_there_are
   begin();
   tick();
   end();
-  EXPECT_THAT(topics(), Contains("/playhouse/edits"));
+  EXPECT_THAT(topics(), Contains("/playhouse/changes"));
 }
 
 TEST_F(RecorderTest, watches_the_sensors_that_it_records_also_of_who_comes) {
@@ -126,7 +128,7 @@ TEST_F(RecorderTest, watches_the_sensors_that_it_records_also_of_who_comes) {
   const world::ModelRow eye = world_.find("a.b.ranger:0");
   EXPECT_EQ(world_.models.watchers[eye.index], 1u);
   world::ModelId came;
-  change([&](world::World& world) { came = *world::spawn(world, 0, {}, "late"); });
+  change([&](world::Journal& journal) { came = *journal.spawn(0, {}, "late"); });
   carry_out_posted();
   EXPECT_EQ(world_.models.watchers[world_.find("late.ranger:0").index], 1u);
   EXPECT_EQ(world_.models.watchers[eye.index], 1u) << "once";
@@ -140,7 +142,9 @@ TEST_F(RecorderTest, watches_the_sensors_that_it_records_also_of_who_comes) {
 TEST_F(RecorderTest, has_what_its_models_say_when_they_begin_and_end_to_say_it) {
   begin();
   const auto say = [this](const char* name, const char* text) {
-    change([&](world::World& world) { world::set_say(world, world.find(name), text); });
+    change([&](world::Journal& journal) {
+      journal.apply(world::changes::Say{journal.world().id(journal.world().find(name)), text});
+    });
   };
   tick();
   say("c d", "hello");
@@ -165,21 +169,32 @@ TEST_F(RecorderTest, has_what_its_models_say_when_they_begin_and_end_to_say_it) 
   EXPECT_THAT(said, testing::ElementsAre("c_d: hello", "a/b: by a controller", "c_d: "));
 }
 
-TEST_F(RecorderTest, has_each_change_as_one_event_between_its_checks) {
+TEST_F(RecorderTest, has_each_change_by_name_between_its_checks) {
   begin();
   control_.posted.clear();
   tick();
-  change([](world::World& world) { world::set_pose(world, world.find("wall"), {7, 7, 0, 1}); });
-  change([](world::World&) {});  // of nothing is none
+  change([](world::Journal& journal) {
+    journal.apply(world::changes::Place{journal.world().id(journal.world().find("wall")), {7, 7, 0, 1}});
+  });
+  change([](world::Journal& journal) {
+    EXPECT_FALSE(journal.apply(world::changes::Place{{99}, {}}));  // nothing happens
+    journal.apply(world::changes::SetColor{{0}, {0, 1, 0, 1}});
+  });
   tick();
   end();
   const Result<Recording> read = recording();
   ASSERT_TRUE(read.ok()) << read.error().line();
-  ASSERT_EQ(read->events.size(), 3u);
-  EXPECT_TRUE(read->events[0].difference.empty());
-  EXPECT_FALSE(read->events[1].difference.empty());
-  EXPECT_EQ(read->events[1].tick, 1u);
-  EXPECT_EQ(read->events[2].hash, world_.hash());
+  ASSERT_EQ(read->items.size(), 4u);
+  EXPECT_TRUE(read->items[0].change.empty());
+  const auto name = [&](std::size_t item) {
+    const Bytes bytes = read->items[item].change.unpacked();
+    Unpacker in(bytes);
+    return std::string(world::name_of(*world::unpack_change(in)));
+  };
+  EXPECT_EQ(name(1), "place");
+  EXPECT_EQ(name(2), "set_color");
+  EXPECT_EQ(read->items[1].tick, 1u);
+  EXPECT_EQ(read->items[3].hash, world_.hash());
   EXPECT_EQ(read->states.size(), 1u);
   EXPECT_FALSE(read->cut);
 }

@@ -10,37 +10,45 @@
 #include "playhouse/record/messages.h"
 #include "playhouse/record/recorder.h"
 #include "playhouse/record/whole_state.h"
+#include "playhouse/world/changes/packed_change.h"
 
 namespace playhouse::record {
 namespace {
+
+/// Schema of changes until version 0.1.
+constexpr const char* kOldChange = "playhouse/msg/Edit";
 
 /// Stores a message that matters for replay, and takes what it keeps from `left` [B]. Fails if it is
 /// truncated, or nothing is left.
 Result<void> take(const std::string& schema, std::span<const std::byte> body, Recording& into,
                   std::size_t& left) {
   CdrReader in(body);
-  std::size_t kept = sizeof(Recording::Event);
+  std::size_t kept = sizeof(Recording::Item);
   if (schema == kState) {
     Recording::State state;
     state.tick = in.number<std::uint64_t>();
     state.bytes = PackedBytes(in.bytes());
     kept = sizeof state + state.bytes.packed_size();
-    state.events = into.events.size();
+    state.items = into.items.size();
     if (in.ok()) into.states.push_back(std::move(state));
-  } else if (schema == kEdit) {
-    Recording::Event event;
-    event.tick = in.number<std::uint64_t>();
-    event.before = in.number<std::uint64_t>();
-    event.difference = PackedBytes(in.bytes());
-    kept += event.difference.packed_size();
-    if (in.ok() && event.difference.empty()) return Error{{}, "a change in it is damaged"};
-    if (in.ok()) into.events.push_back(std::move(event));
+  } else if (schema == kChange) {
+    Recording::Item item;
+    item.tick = in.number<std::uint64_t>();
+    for (int text = 0; text < 3; ++text) in.text();  // for people
+    item.change = PackedBytes(in.bytes());
+    kept += item.change.packed_size();
+    if (in.ok() && item.change.empty()) return Error{{}, "a change in it is damaged"};
+    if (in.ok()) into.items.push_back(std::move(item));
   } else if (schema == kCheck) {
-    Recording::Event event;
-    event.tick = in.number<std::uint64_t>();
-    event.hash = in.number<std::uint64_t>();
-    event.sensed_hash = in.number<std::uint64_t>();
-    if (in.ok()) into.events.push_back(std::move(event));
+    Recording::Item item;
+    item.tick = in.number<std::uint64_t>();
+    item.hash = in.number<std::uint64_t>();
+    item.sensed_hash = in.number<std::uint64_t>();
+    if (in.ok()) into.items.push_back(std::move(item));
+  } else if (schema == kOldChange) {
+    return Error{
+        {},
+        "was made by an older version of Playhouse, whose changes cannot be applied: record the run again"};
   } else {
     return {};
   }
@@ -89,7 +97,7 @@ Rerun::Rerun(const Recording& recording, std::unique_ptr<world::Engine> engine)
 Result<void> Rerun::load(const Recording::State& state) {
   const Result<void> loaded = load_whole(world(), state.bytes.unpacked());
   if (!loaded) return Error{{}, "the recorded state " + loaded.error().text};
-  event_ = state.events;
+  next_ = state.items;
   return {};
 }
 
@@ -99,7 +107,7 @@ Result<void> Rerun::begin() {
 
 std::uint64_t Rerun::last_tick() const {
   const std::uint64_t last =
-      recording_->events.empty() ? recording_->states.back().tick : recording_->events.back().tick;
+      recording_->items.empty() ? recording_->states.back().tick : recording_->items.back().tick;
   return std::max(last, first_tick());
 }
 
@@ -114,35 +122,39 @@ void Rerun::fail_to_load(const std::string& what) {
   static_cast<void>(load(recording_->states.front()));
 }
 
-void Rerun::check(const Recording::Event& event) {
+void Rerun::check(const Recording::Item& item) {
   if (differs_) return;
-  if (world().hash() != event.hash)
-    fail(fmt::format("robots did something else (hash {:016x}, recorded {:016x})", world().hash(),
-                     event.hash));
-  else if (world().sensed_hash() != event.sensed_hash)
+  if (world().hash() != item.hash)
+    fail(
+        fmt::format("robots did something else (hash {:016x}, recorded {:016x})", world().hash(), item.hash));
+  else if (world().sensed_hash() != item.sensed_hash)
     fail(fmt::format("sensors measured something else (hash {:016x}, recorded {:016x})",
-                     world().sensed_hash(), event.sensed_hash));
+                     world().sensed_hash(), item.sensed_hash));
   else
     ++checks_;
 }
 
-void Rerun::change(const Recording::Event& event) {
-  Bytes before;
-  if (const Result<void> saved = save_whole(world(), before); !saved) return fail(saved.error().line());
-  if (hash_of(before) != event.before) return fail("its state is another one before a change");
-  const Result<Bytes> after = patched(before, event.difference.unpacked());
-  if (!after) return fail(after.error().line());
-  if (const Result<void> loaded = load_whole(world(), *after); !loaded)
-    fail_to_load("a change " + loaded.error().line());
+void Rerun::change(const Recording::Item& item) {
+  const Bytes bytes = item.change.unpacked();
+  Unpacker in(bytes);
+  const Result<world::Change> change = world::unpack_change(in);
+  if (!change) return fail("the recording " + change.error().text);
+  const auto apply = [this](const auto& made) {
+    return static_cast<bool>(world::changes::apply(world(), made));
+  };
+  if (std::visit(apply, *change)) return;
+  const std::string what =
+      fmt::format("the change \"{}\" of the recording cannot be made", world::name_of(*change));
+  std::holds_alternative<world::changes::Load>(*change) ? fail_to_load(what) : fail(what);
 }
 
-/// Applies the events of this tick, including rewinds that happened at it.
+/// Applies the changes of this tick, including rewinds that happened at it.
 void Rerun::happen() {
-  while (!differs_ && !at_end() && recording_->events[event_].tick == world().tick()) {
-    const Recording::Event& event = recording_->events[event_++];
-    event.difference.empty() ? check(event) : change(event);
+  while (!differs_ && !at_end() && recording_->items[next_].tick == world().tick()) {
+    const Recording::Item& item = recording_->items[next_++];
+    item.change.empty() ? check(item) : change(item);
   }
-  if (!differs_ && !at_end() && recording_->events[event_].tick < world().tick())
+  if (!differs_ && !at_end() && recording_->items[next_].tick < world().tick())
     fail("the recording has something of an earlier tick here");
 }
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/record/mcap_reader.h"
-#include "playhouse/record/packed_bytes.h"
+#include "playhouse/record/mcap/mcap_reader.h"
+#include "playhouse/record/mcap/packed_bytes.h"
 #include "playhouse/world/engine.h"
 #include "playhouse/world/saving/saved_run.h"
 
@@ -21,18 +21,18 @@ namespace playhouse::record {
 struct Recording {
   struct State {
     std::uint64_t tick = 0;
-    std::size_t events = 0;  // number of events before it
-    PackedBytes bytes;       // whole_state.h
+    std::size_t items = 0;  // number of items before it
+    PackedBytes bytes;      // whole_state.h
   };
-  struct Event {
-    std::uint64_t tick = 0;    // tick of the world at the event
-    PackedBytes difference;    // empty: a check only
-    std::uint64_t before = 0;  // hash_of() the state before the change
+  /// A change, or a check.
+  struct Item {
+    std::uint64_t tick = 0;  // of the world before it
+    PackedBytes change;      // world/changes/packed_change.h; empty: a check
     std::uint64_t hash = 0, sensed_hash = 0;
   };
   world::SavedRun start;
   std::vector<State> states;
-  std::vector<Event> events;
+  std::vector<Item> items;
   bool cut = false;  // truncated: the recording program was killed
 };
 
@@ -50,10 +50,10 @@ class Rerun final : public world::Engine {
 
   /// Loads the initial state. Fails if it does not match the world.
   Result<void> begin();
-  /// Applies the events of this tick, then steps. No effect at the end or after an error.
+  /// Applies the changes of this tick, then steps. No effect at the end or after an error.
   void step() override;
-  /// True if no events are left.
-  bool at_end() const { return event_ == recording_->events.size(); }
+  /// True if nothing is left.
+  bool at_end() const { return next_ == recording_->items.size(); }
   /// Where the replay diverged from the recording; no checks after that.
   const std::optional<std::string>& differs() const { return differs_; }
   /// Moves to a tick, from the nearest keyframe before it, clamped
@@ -72,14 +72,14 @@ class Rerun final : public world::Engine {
  private:
   Result<void> load(const Recording::State& state);
   void happen();
-  void check(const Recording::Event& event);
-  void change(const Recording::Event& event);
+  void check(const Recording::Item& item);
+  void change(const Recording::Item& item);
   void fail(const std::string& what);
   void fail_to_load(const std::string& what);
 
   const Recording* recording_;
   std::unique_ptr<world::Engine> engine_;
-  std::size_t event_ = 0;  // next event
+  std::size_t next_ = 0;  // item
   std::uint64_t checks_ = 0;
   std::optional<std::string> differs_;
 };

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "playhouse/base/packing.h"
 #include "playhouse/record/whole_state.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/world/population/population.h"
+#include "playhouse/world/changes/journal.h"
+#include "playhouse/world/changes/packed_change.h"
 
 namespace playhouse::record {
 namespace {
@@ -35,33 +35,30 @@ class RerunTest : public testing::Test {
   RerunTest() {
     keep_state();
     for (int tick = 0; tick < 20; ++tick) {
-      if (tick == 5)
-        happen([](world::World& world) { world::set_pose(world, world.find("r1"), {3, 4, 0, 1}); });
-      if (tick == 8) happen([](world::World& world) { ASSERT_TRUE(world::spawn(world, 0, {}, "late")); });
+      if (tick == 5) happen(world::changes::Place{{1}, {3, 4, 0, 1}});
+      if (tick == 8) happen(world::changes::Spawn{0, {}, "late", 0});
       if (tick == 10) keep_state();
-      if (tick == 12) happen([](world::World& world) { world::subscribe(world, world.find("r0")); });
+      if (tick == 12) happen(world::changes::Subscribe{{0}});
       engine_.step();
     }
     check();
   }
   void keep_state() {
-    Recording::State state{engine_.world().tick(), recording_.events.size(), {}};
+    Recording::State state{engine_.world().tick(), recording_.items.size(), {}};
     Bytes bytes;
     ASSERT_TRUE(save_whole(engine_.world(), bytes));
     state.bytes = PackedBytes(bytes);
     recording_.states.push_back(state);
   }
-  void happen(const std::function<void(world::World&)>& change) {
-    Bytes before, after;
-    ASSERT_TRUE(save_whole(engine_.world(), before));
-    change(engine_.world());
-    ASSERT_TRUE(save_whole(engine_.world(), after));
-    recording_.events.push_back(
-        {engine_.world().tick(), PackedBytes(difference(before, after)), hash_of(before), 0, 0});
+  void happen(const world::Change& change) {
+    ASSERT_TRUE(world::Journal(engine_.world()).apply(change));
+    Bytes packed;
+    world::pack(change, packed);
+    recording_.items.push_back({engine_.world().tick(), PackedBytes(packed), 0, 0});
   }
   void check() {
     const world::World& world = engine_.world();
-    recording_.events.push_back({world.tick(), {}, 0, world.hash(), world.sensed_hash()});
+    recording_.items.push_back({world.tick(), {}, world.hash(), world.sensed_hash()});
   }
   std::unique_ptr<Rerun> rerun() {
     auto rerun = std::make_unique<Rerun>(recording_, std::make_unique<TimeEngine>(scene_));
@@ -104,19 +101,21 @@ TEST_F(RerunTest, goes_to_any_moment_and_on_from_there) {
 }
 
 TEST_F(RerunTest, says_where_a_run_is_another_one) {
-  recording_.events.back().hash ^= 1;
+  recording_.items.back().hash ^= 1;
   const auto again = rerun();
   run(*again);
   ASSERT_TRUE(again->differs());
   EXPECT_THAT(*again->differs(), HasSubstr("at 2 s, tick 20: robots did something else"));
 }
 
-TEST_F(RerunTest, says_where_the_state_before_a_change_is_another_one) {
-  recording_.events[1].before ^= 1;
+TEST_F(RerunTest, says_where_a_change_cannot_be_made) {
+  Bytes packed;
+  world::pack(world::changes::Place{{7}, {3, 4, 0, 1}}, packed);
+  recording_.items[1].change = PackedBytes(packed);
   const auto again = rerun();
   run(*again);
   ASSERT_TRUE(again->differs());
-  EXPECT_THAT(*again->differs(), HasSubstr("tick 8: its state is another one before a change"));
+  EXPECT_THAT(*again->differs(), HasSubstr("tick 8: the change \"place\" of the recording cannot be made"));
 }
 
 TEST_F(RerunTest, of_a_damaged_change_or_state_leaves_a_world_that_can_be_looked_at) {
@@ -125,7 +124,7 @@ TEST_F(RerunTest, of_a_damaged_change_or_state_leaves_a_world_that_can_be_looked
     some.resize(size);
     bytes = PackedBytes(some);
   };
-  cut(recording_.events[1].difference, 40);
+  cut(recording_.items[1].change, 10);
   cut(recording_.states[1].bytes, 60);
   const auto again = rerun();
   run(*again);

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "playhouse/record/cdr.h"
-#include "playhouse/record/mcap.h"
+#include "playhouse/record/mcap/mcap.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::record {

@@ -30,18 +30,18 @@ void History::take(const world::World& world) {
   const auto later = std::ranges::lower_bound(instants_, world.tick(), {}, &Instant::tick);
   if (given_up_ || (later != instants_.end() && later->tick == world.tick())) return;
   const double start = clock_();
-  Instant instant{world.tick(), {}};
-  if (!instants_.empty()) instant.state.reserve(instants_.back().state.size() * 9 / 8);
-  const Result<void> saved = world::save_state(world, instant.state);
+  std::vector<std::byte> state;
+  if (!instants_.empty()) state.reserve(instants_.back().state->size() * 9 / 8);
+  const Result<void> saved = world::save_state(world, state);
   const double end = clock_();
   rest_until_ = end + kRest * (end - start);
   std::string why_none = saved ? std::string() : saved.error().line();
-  if (instant.state.size() > most_bytes_) why_none = "a state of it is too large to be kept";
+  if (state.size() > most_bytes_) why_none = "a state of it is too large to be kept";
   if (std::exchange(why_none_, std::move(why_none)) != why_none_) timeline_.reset();
   if (!why_none_.empty()) return;
-  instant.state.shrink_to_fit();
-  bytes_ += instant.state.size();
-  instants_.insert(later, std::move(instant));
+  state.shrink_to_fit();
+  bytes_ += state.size();
+  instants_.insert(later, {world.tick(), std::make_shared<const std::vector<std::byte>>(std::move(state))});
   timeline_.reset();
   make_room();
 }
@@ -65,12 +65,12 @@ void History::make_room() {
 }
 
 void History::drop(std::size_t place) {
-  bytes_ -= instants_[place].state.size();
+  bytes_ -= instants_[place].state->size();
   instants_.erase(instants_.begin() + static_cast<std::ptrdiff_t>(place));
   timeline_.reset();
 }
 
-std::span<const std::byte> History::nearest(std::uint64_t tick) const {
+std::shared_ptr<const std::vector<std::byte>> History::nearest(std::uint64_t tick) const {
   PLAYHOUSE_ASSERT(!instants_.empty());
   const auto later = std::ranges::lower_bound(instants_, tick, {}, &Instant::tick);
   if (later == instants_.begin()) return later->state;

@@ -31,8 +31,8 @@ class History {
 
   bool empty() const { return instants_.empty(); }
   /// The keyframe nearest to a tick, the earlier one of
-  /// two; valid until the next change. There must be one.
-  std::span<const std::byte> nearest(std::uint64_t tick) const;
+  /// two. There must be one.
+  std::shared_ptr<const std::vector<std::byte>> nearest(std::uint64_t tick) const;
   /// Drops keyframes after a tick, as the run continues differently from there.
   void drop_after(std::uint64_t tick);
   /// Drops all keyframes: a new run begins.
@@ -46,7 +46,7 @@ class History {
  private:
   struct Instant {
     std::uint64_t tick = 0;
-    std::vector<std::byte> state;
+    std::shared_ptr<const std::vector<std::byte>> state;
   };
   void make_room();
   void drop(std::size_t place);

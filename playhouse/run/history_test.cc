@@ -31,7 +31,7 @@ class HistoryTest : public ::testing::Test {
   }
   std::uint64_t nearest(const History& history, std::uint64_t tick) {
     world::World world(scene_, 1);
-    EXPECT_TRUE(world::load_state(world, history.nearest(tick)));
+    EXPECT_TRUE(world::load_state(world, *history.nearest(tick)));
     return world.tick();
   }
 

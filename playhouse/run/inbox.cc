@@ -8,7 +8,7 @@
 
 namespace playhouse::run {
 
-void Inbox::command(Slot slot, Change command) {
+void Inbox::command(Slot slot, world::Change command) {
   const std::lock_guard lock(mutex_);
   if (closed_) return;
   const auto [place, is_new] = slots_.try_emplace(slot, entries_.size());
@@ -19,28 +19,28 @@ void Inbox::command(Slot slot, Change command) {
   }
 }
 
-bool Inbox::post(Change change, world::ModelId model) {
+bool Inbox::post(Request request, world::ModelId model) {
   const std::lock_guard lock(mutex_);
   if (closed_ || changes_ >= limits::kRequestQueue) return false;
-  append(std::move(change), model);
+  append(std::move(request), model);
   return true;
 }
 
-bool Inbox::post_to_all(Change change) {
+bool Inbox::post_to_all(Request request) {
   const std::lock_guard lock(mutex_);
   if (closed_ || changes_ >= limits::kRequestQueue) return false;
-  append(std::move(change), {});
+  append(std::move(request), {});
   slots_.clear();
   return true;
 }
 
-void Inbox::post_always(Change change, world::ModelId model) {
+void Inbox::post_always(Request request, world::ModelId model) {
   const std::lock_guard lock(mutex_);
-  if (!closed_) append(std::move(change), model);
+  if (!closed_) append(std::move(request), model);
 }
 
-void Inbox::append(Change change, world::ModelId model) {
-  entries_.push_back(std::move(change));
+void Inbox::append(Request request, world::ModelId model) {
+  entries_.push_back(std::move(request));
   ++changes_;
   if (!model) return;
   const auto first = slots_.lower_bound({model, 0});
@@ -49,7 +49,7 @@ void Inbox::append(Change change, world::ModelId model) {
   slots_.erase(first, last);
 }
 
-void Inbox::take(std::vector<Change>& out) {
+void Inbox::take(std::vector<Entry>& out) {
   out.clear();
   const std::lock_guard lock(mutex_);
   slots_.clear();

@@ -11,16 +11,21 @@
 #include <map>
 #include <mutex>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "playhouse/world/world.h"
+#include "playhouse/world/changes/journal.h"
 
 namespace playhouse::run {
 
-using Change = std::function<void(world::World&)>;
+/// A request: looks at the world, decides, changes it by the journal, and answers.
+using Request = std::function<void(world::Journal&)>;
 
 class Inbox {
  public:
+  /// A command is a change and nothing more.
+  using Entry = std::variant<world::Change, Request>;
+
   /// Key of a command slot: one per interface of a model.
   struct Slot {
     world::ModelId model;
@@ -29,21 +34,21 @@ class Inbox {
   };
 
   /// Replaces the command in the slot, or appends it.
-  void command(Slot slot, Change command);
+  void command(Slot slot, world::Change command);
 
   /// False, without effect, if limits::kRequestQueue changes are
   /// queued, or after close(). `model`, if any, is the model concerned.
-  bool post(Change change, world::ModelId model = {});
+  bool post(Request request, world::ModelId model = {});
 
   /// As post(), for a change that concerns all models.
-  bool post_to_all(Change change);
+  bool post_to_all(Request request);
 
   /// As post(), but rejected only after close(): for changes that must
   /// not be lost and are bounded by their sender (closing a device).
-  void post_always(Change change, world::ModelId model = {});
+  void post_always(Request request, world::ModelId model = {});
 
   /// Moves all entries to `out` (cleared first), in order.
-  void take(std::vector<Change>& out);
+  void take(std::vector<Entry>& out);
 
   bool empty() const;
 
@@ -52,10 +57,10 @@ class Inbox {
   bool closed() const;
 
  private:
-  void append(Change change, world::ModelId model);
+  void append(Request request, world::ModelId model);
 
   mutable std::mutex mutex_;
-  std::vector<Change> entries_;
+  std::vector<Entry> entries_;
   std::map<Slot, std::size_t> slots_;  // replaceable commands: index in entries_
   std::size_t changes_ = 0;
   bool closed_ = false;

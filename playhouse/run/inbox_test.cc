@@ -17,19 +17,24 @@ struct Listening {
   std::vector<int> said = {};
 
   void command(world::ModelId model, int number, std::uint16_t interf = kWheels) {
-    inbox.command({model, interf}, [this, number](world::World&) { said.push_back(number); });
+    inbox.command({model, interf}, world::changes::SetFiducial{model, number});
   }
-  Change change() {
-    return [this](world::World&) { said.push_back(0); };
+  Request change() {
+    return [this](const world::Journal&) { said.push_back(0); };
   }
   /// Numbers of what is taken now, in order.
   std::vector<int> take() {
-    std::vector<Change> taken;
+    std::vector<Inbox::Entry> taken;
     inbox.take(taken);
     const scene::SceneDesc scene;
     world::World world(scene, 1);
+    world::Journal journal(world);
     said.clear();
-    for (const Change& each : taken) each(world);
+    for (const Inbox::Entry& each : taken) {
+      const auto* const command = std::get_if<world::Change>(&each);
+      command ? said.push_back(std::get<world::changes::SetFiducial>(*command).id)
+              : std::get<Request>(each)(journal);
+    }
     return said;
   }
 };

@@ -176,7 +176,7 @@ TEST(Simulation, what_was_posted_before_a_step_is_carried_out_before_its_tick) {
   };
   std::vector<std::uint64_t> seen;
   for (std::uint64_t k = 0; k < 200; ++k) {
-    simulation.post([&](const world::World& world) { seen.push_back(world.tick()); });
+    simulation.post([&](const world::Journal& journal) { seen.push_back(journal.world().tick()); });
     step();
   }
   ticks.join();
@@ -190,7 +190,7 @@ TEST(Simulation, in_lock_step_what_is_said_behind_the_last_tick_never_counts) {
                           {.speed = 0, .duration = 0.2, .lock_step = LockStep::Options{}});
     bool is_carried_out = false;
     simulation.lock_step()->step(&simulation, "test", 2, [&](const auto&) {
-      simulation.post([&](const world::World&) { is_carried_out = true; });
+      simulation.post([&](const world::Journal&) { is_carried_out = true; });
     });
     simulation.run();
     EXPECT_EQ(simulation.world().tick(), 2u);
@@ -221,13 +221,13 @@ TEST(Simulation, gives_no_id_a_second_time_after_it_started_again) {
                         {.speed = 0, .duration = 0, .lock_step = LockStep::Options{}});
   const auto come = [&] {
     world::ModelId id;
-    simulation.post([&](world::World& world) { id = *world::spawn(world, 0, {1, 2, 0, 0}); });
+    simulation.post([&](world::Journal& journal) { id = *journal.spawn(0, {1, 2, 0, 0}); });
     simulation.run();
     return id;
   };
   const auto restart = [&] {
-    simulation.post_to_all([&](world::World&) { EXPECT_TRUE(simulation.restart(7)); });
-    simulation.post([](world::World&) {});
+    simulation.post_to_all([&](const world::Journal&) { EXPECT_TRUE(simulation.restart(7)); });
+    simulation.post([](const world::Journal&) {});
     simulation.run();
     EXPECT_EQ(simulation.world().hash(), world::World(scene, 7).hash()) << "nobody came yet";
   };
@@ -247,8 +247,8 @@ TEST(Simulation, is_after_a_new_start_the_run_of_a_fresh_one_also_where_models_c
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),
                         {.speed = 0, .duration = 0, .lock_step = LockStep::Options{}});
   for (int run = 0; run < 3; ++run) {
-    simulation.post_to_all([&](world::World&) { EXPECT_TRUE(simulation.restart(7)); });
-    simulation.post([](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {1, 2, 0, 0})); });
+    simulation.post_to_all([&](const world::Journal&) { EXPECT_TRUE(simulation.restart(7)); });
+    simulation.post([](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {1, 2, 0, 0})); });
     simulation.run();
     const world::World& world = simulation.world();
     EXPECT_EQ(world.hash(), fresh.hash());

@@ -11,7 +11,6 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
-#include "playhouse/run/velocity_command.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/world/population/population.h"
 #include "playhouse/world/saving/state.h"
@@ -50,7 +49,9 @@ Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
       clock_(options.clock ? std::move(options.clock) : wall_now),
       pacer_(engine_->world().scene().interval),
       history_(engine_->world().scene().interval, clock_),
-      followed_(engine_->world().changes.end()) {
+      journal_(engine_->world()),
+      settled_(engine_->world().events.end()),
+      followed_(engine_->world().events.end()) {
   wanted_.speed = std::max(0.0, options.speed);
   wanted_.paused = options.paused;
   timeline_ = history_.timeline();
@@ -61,10 +62,13 @@ Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
 }
 
 void Simulation::keep_start() {
-  const Result<void> kept = world::save_state(engine_->world(), start_);
-  if (kept) return;
-  start_.clear();
-  why_no_start_ = kept.error().line();
+  auto start = std::make_shared<std::vector<std::byte>>();
+  const Result<void> kept = world::save_state(engine_->world(), *start);
+  if (kept) {
+    start_ = std::move(start);
+  } else {
+    why_no_start_ = kept.error().line();
+  }
 }
 
 void Simulation::run() {
@@ -177,9 +181,9 @@ void Simulation::publish() {
 
 void Simulation::follow_changes() {
   const world::World& world = engine_->world();
-  for (const world::Change& change : world.changes.since(followed_))
-    for (const Follower& follower : followers_) follower(world, change);
-  followed_ = world.changes.end();
+  for (const world::Event& event : world.events.since(followed_))
+    for (const Follower& follower : followers_) follower(world, event);
+  followed_ = world.events.end();
 }
 
 /// Passes the present world to watchers and listeners; starts the queued works.
@@ -221,35 +225,31 @@ void Simulation::take_inbox() {
   inbox_.take(taken_);
   if (taken_.empty()) return;
   finish_publishing();
-  for (world::RunListener* const listener : run_listeners_) listener->before_changes(engine_->world());
-  for (const Change& change : taken_) {
-    carry_out(change);
+  for (const Inbox::Entry& entry : taken_) {
+    carry_out(entry);
     follow_changes();
   }
   taken_.clear();
-  // Initialises controllers of spawned models, so that the state is complete when saved.
-  world::World& world = engine_->world();
-  for (const std::unique_ptr<world::Decider>& decider : world.deciders) decider->follow(world);
-  for (world::RunListener* const listener : run_listeners_) listener->after_changes(engine_->world());
+  finish_changes();
   show();
 }
 
-/// After a rewind or reset, ids continue beyond all used before, so that no id names two models. The gap is
-/// part of the state (world/population/serials.h), so it is added only when something is spawned.
-void Simulation::carry_out(const Change& change) {
-  world::Population population(engine_->world());
-  const std::uint32_t before = population.next_id();
-  if (!population.serials().add({before, ids_given_})) return change(engine_->world());
-  population.next_id() = ids_given_;
-  change(engine_->world());
-  if (population.next_id() != ids_given_) return;
-  population.next_id() = before;
-  population.serials().remove_last();
+void Simulation::carry_out(const Inbox::Entry& entry) {
+  if (const auto* const request = std::get_if<Request>(&entry)) return (*request)(journal_);
+  journal_.apply(std::get<world::Change>(entry));  // no effect: its model is gone
 }
 
-/// Before another state is loaded.
-void Simulation::keep_ids() {
-  ids_given_ = std::max(ids_given_, world::Population::next_id(engine_->world()));
+/// Starts controllers of models that came, so that the state is complete when saved, and shows the journal.
+void Simulation::finish_changes() {
+  const world::World& world = engine_->world();
+  const auto moves_rows = [](const world::Event& event) {
+    return event.kind != world::Event::Kind::kPlace && event.kind != world::Event::Kind::kSet;
+  };
+  if (!world.deciders.empty() && std::ranges::any_of(world.events.since(settled_), moves_rows))
+    journal_.apply(world::changes::StartControllers{});
+  settled_ = world.events.end();
+  for (world::RunListener* const listener : run_listeners_) listener->changed(world, journal_.entries());
+  journal_.clear();
 }
 
 /// Ends subscriptions of models that the loaded state removed or re-created;
@@ -261,13 +261,11 @@ void Simulation::end_generations(const std::vector<world::ModelId>& before) {
 }
 
 void Simulation::rewind_to(std::uint64_t tick) {
-  world::World& world = engine_->world();
+  const world::World& world = engine_->world();
   if (history_.empty()) return;
   finish_publishing();
   history_.take(world);  // so that this state can be returned to
-  for (world::RunListener* const listener : run_listeners_) listener->before_changes(world);
   const std::vector<world::ModelId> before = world.models.id;
-  keep_ids();
   load(tick);
   if (publisher_ != nullptr) publisher_->forget();
   end_generations(before);
@@ -275,18 +273,18 @@ void Simulation::rewind_to(std::uint64_t tick) {
   pacer_.start(clock_(), now_.speed, now_.paused);
   publish_timeline();
   follow_changes();
-  for (world::RunListener* const listener : run_listeners_) listener->after_changes(world);
+  finish_changes();
   show();
 }
 
 /// If a controller rejects its state, the world stays, and the controller is not called any more.
 void Simulation::load(std::uint64_t tick) {
-  world::World& world = engine_->world();
-  const std::uint64_t now = world.tick();
-  const Result<void> loaded = world::load_state(world, history_.nearest(tick));
+  const world::World& world = engine_->world();
+  const std::uint64_t now = world.tick(), seed = world.seed();
+  const Result<void> loaded = journal_.load(history_.nearest(tick), seed);
   if (loaded) return;
   log::error("the run cannot be taken back: the state {}", loaded.error().text);
-  if (!world::load_state(world, history_.nearest(now)))
+  if (!journal_.load(history_.nearest(now), seed))
     log::error("its controllers go on with what they remember");
   history_.give_up("the state " + loaded.error().text);
 }
@@ -325,12 +323,11 @@ bool Simulation::want(Edit edit) {
 }
 
 Result<void> Simulation::restart(std::uint64_t seed) {
-  if (start_.empty())
+  if (start_ == nullptr)
     return Error{{}, why_no_start_.empty() ? "only a run with --lock-step keeps its start" : why_no_start_};
-  world::World& world = engine_->world();
-  keep_ids();
+  const world::World& world = engine_->world();
   const std::vector<world::ModelId> before = world.models.id;
-  if (const Result<void> loaded = world::load_state(world, start_, seed); !loaded) return loaded;
+  if (const Result<void> loaded = journal_.load(start_, seed); !loaded) return loaded;
   if (publisher_ != nullptr) publisher_->forget();
   end_generations(before);
   history_.clear();
@@ -392,7 +389,7 @@ void Simulation::set_speed(double times_real_time) {
 }
 
 void Simulation::drive(world::ModelId robot, const geom::Twist& velocity) {
-  command({robot, wire::position2d::kCode}, velocity_command(robot, velocity));
+  command({robot, wire::position2d::kCode}, world::changes::Drive{robot, velocity});
 }
 
 void Simulation::reserve(world::ModelId model, bool on) {
@@ -409,20 +406,20 @@ bool Simulation::is_reserved(world::ModelId model) const {
   return reserved_.contains(model);
 }
 
-bool Simulation::post(Change change, world::ModelId robot) {
-  if (!inbox_.post(std::move(change), robot)) return false;
+bool Simulation::post(Request request, world::ModelId robot) {
+  if (!inbox_.post(std::move(request), robot)) return false;
   wake();
   return true;
 }
 
-bool Simulation::post_to_all(Change change) {
-  if (!inbox_.post_to_all(std::move(change))) return false;
+bool Simulation::post_to_all(Request request) {
+  if (!inbox_.post_to_all(std::move(request))) return false;
   wake();
   return true;
 }
 
-void Simulation::post_always(Change change, world::ModelId robot) {
-  inbox_.post_always(std::move(change), robot);
+void Simulation::post_always(Request request, world::ModelId robot) {
+  inbox_.post_always(std::move(request), robot);
   wake();
 }
 
@@ -444,7 +441,7 @@ std::uint64_t Simulation::generation(world::ModelId model) const {
   return found == generations_.end() ? 0 : found->second;
 }
 
-void Simulation::command(Inbox::Slot slot, Change command) {
+void Simulation::command(Inbox::Slot slot, world::Change command) {
   inbox_.command(slot, std::move(command));
   wake();
 }

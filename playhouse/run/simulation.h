@@ -55,10 +55,10 @@ class Simulation final : public world::Control {
     std::function<void(const world::World&, const world::Pace&)> look;
   };
 
-  /// Called for every entry of world.changes in order, on the tick thread:
+  /// Called for every entry of world.events in order, on the tick thread:
   /// between any two posted changes, and before the data of a tick and the
   /// listeners, so that its decisions are the same in every run.
-  using Follower = std::function<void(const world::World&, const world::Change&)>;
+  using Follower = std::function<void(const world::World&, const world::Event&)>;
 
   Simulation(std::unique_ptr<world::Engine> engine, Options options);
 
@@ -104,7 +104,7 @@ class Simulation final : public world::Control {
   void set_speed(double times_real_time) override;
   void drive(world::ModelId robot, const geom::Twist& velocity) override;
   void reserve(world::ModelId model, bool on) override;
-  bool post(Change change, world::ModelId robot = {}) override;
+  bool post(Request request, world::ModelId robot = {}) override;
   void record(bool on) override;
   std::shared_ptr<const world::Timeline> timeline() const override;
   void rewind(std::uint64_t tick) override;
@@ -112,10 +112,10 @@ class Simulation final : public world::Control {
 
   // For devices; any thread.
   /// Command to a model by an interface. Replaces one that the tick has not consumed yet.
-  void command(Inbox::Slot slot, Change command);
+  void command(Inbox::Slot slot, world::Change command);
   bool is_reserved(world::ModelId model) const;
-  bool post_to_all(Change change);
-  void post_always(Change change, world::ModelId robot);
+  bool post_to_all(Request request);
+  void post_always(Request request, world::ModelId robot);
   /// Simulated time of the latest tick. [s]
   double time() const { return time_.load(std::memory_order_relaxed); }
   world::Pace pace() const;
@@ -124,7 +124,9 @@ class Simulation final : public world::Control {
   /// Empty: clients may not save.
   const Saver& saver() const { return saver_; }
 
-  // Tick thread only (inside a Change), or while run() is not running.
+  // Tick thread only (inside a request), or while run() is not running.
+  /// Changes the world while run() is not running; followers see what it did with the next changes.
+  world::Journal& journal() { return journal_; }
   /// Restarts: loads the initial state with another seed, as in a new run, with the
   /// initial models and ids; later models get ids never used before. Fails if the initial
   /// state was not kept: without lock-step, or with a controller that cannot be saved.
@@ -158,8 +160,8 @@ class Simulation final : public world::Control {
   bool want(Edit edit);
   void take_wanted();
   void take_inbox();
-  void carry_out(const Change& change);
-  void keep_ids();
+  void carry_out(const Inbox::Entry& entry);
+  void finish_changes();
   void end_generations(const std::vector<world::ModelId>& before);
   void rewind_to(std::uint64_t tick);
   void load(std::uint64_t tick);
@@ -206,10 +208,11 @@ class Simulation final : public world::Control {
   Pacer pacer_;
   History history_;
   std::map<world::ModelId, std::uint64_t> generations_;  // of models that a rewind re-created
-  std::uint32_t ids_given_ = 0;   // ids used before a state was loaded: never assigned to other models
-  std::vector<std::byte> start_;  // the initial state, if kept
-  std::string why_no_start_;      // otherwise the reason
-  std::vector<Change> taken_;
+  std::shared_ptr<const std::vector<std::byte>> start_;  // the initial state, if kept
+  std::string why_no_start_;                             // otherwise the reason
+  world::Journal journal_;  // of the changes since the last tick or since the followers saw them
+  std::uint64_t settled_;   // number of events before the changes under way
+  std::vector<Inbox::Entry> taken_;
   std::uint64_t followed_;  // number of changes passed to the followers
   Sources sources_;
   std::vector<device::Publication> batch_;

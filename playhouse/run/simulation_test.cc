@@ -8,8 +8,8 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/run/testing/still_engine.h"
-#include "playhouse/run/velocity_command.h"
 #include "playhouse/wire/generated/position2d.h"
+#include "playhouse/world/changes/packed_change.h"
 #include "playhouse/world/population/population.h"
 
 namespace playhouse::run {
@@ -32,7 +32,8 @@ TEST(Simulation, ends_at_the_first_tick_at_or_after_the_duration) {
 TEST(Simulation, carries_out_what_was_posted_before_the_next_tick) {
   StillSimulation still(kRobot);
   std::uint64_t seen_at = 99;
-  ASSERT_TRUE(still.simulation.post([&](world::World& world) { seen_at = world.tick(); }));
+  ASSERT_TRUE(
+      still.simulation.post([&](const world::Journal& journal) { seen_at = journal.world().tick(); }));
   still.run(3);
   EXPECT_EQ(seen_at, 0u);
 }
@@ -46,7 +47,7 @@ TEST(Simulation, a_command_reaches_its_robot) {
 
 TEST(Simulation, a_viewer_who_drives_is_one_more_who_commands) {
   StillSimulation still(kRobot);
-  still.simulation.command({{0}, wire::position2d::kCode}, velocity_command({0}, {0.3, 0, 0, 0.2}));
+  still.simulation.command({{0}, wire::position2d::kCode}, world::changes::Drive{{0}, {0.3, 0, 0, 0.2}});
   still.simulation.drive({0}, {0.5, 0.1, 0, -1});
   still.run(1);
   EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.5, 0.1, 0, -1}));
@@ -98,7 +99,8 @@ struct Asking final : device::Publisher {
   explicit Asking(Simulation& simulation) : simulation(simulation) {}
   void publish(std::vector<device::Publication> batch) override {
     times.push_back(batch.size() == kManySources ? batch.back().timestamp : -1);
-    simulation.post_always([this](world::World& world) { answered.push_back(world.time()); }, {});
+    simulation.post_always(
+        [this](const world::Journal& journal) { answered.push_back(journal.world().time()); }, {});
   }
   Simulation& simulation;
   std::vector<double> times, answered;
@@ -132,22 +134,24 @@ TEST(Simulation, tells_its_listeners_when_the_data_of_many_devices_are_out) {
 TEST(Simulation, tells_its_followers_of_each_change_before_the_next_and_before_its_listeners) {
   StillSimulation still(kRobot);
   std::string told;
-  still.simulation.add_follower([&](const world::World& world, const world::Change& change) {
-    told += change.kind == world::Change::Kind::kSpawn ? "came " : "went ";
+  still.simulation.add_follower([&](const world::World& world, const world::Event& event) {
+    told += event.kind == world::Event::Kind::kSpawn ? "came " : "went ";
     told += std::to_string(world.models.size()) + ", ";
   });
   still.simulation.add_listener([&](const world::World&, const world::Pace&) { told += "shown, "; });
   world::ModelId robot;
-  still.simulation.post([&](world::World& world) { robot = *world::spawn(world, 0, {}); });
-  still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::despawn(world, robot)); });
+  still.simulation.post([&](world::Journal& journal) { robot = *journal.spawn(0, {}); });
+  still.simulation.post([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); });
   still.run(0);
   EXPECT_EQ(told, "shown, came 2, went 1, shown, ") << "the pace is shown first";
 }
 
 TEST(Simulation, shows_a_run_listener_the_world_before_and_after_what_was_posted_and_each_tick) {
   struct Notes final : world::RunListener {
-    void before_changes(const world::World& world) override { note("before", world); }
-    void after_changes(const world::World& world) override { note("after", world); }
+    void changed(const world::World& world, std::span<const world::Change> changes) override {
+      for (const world::Change& change : changes) text += std::string(world::name_of(change)) + ", ";
+      note("changed", world);
+    }
     void ticked(const world::World& world) override { note("tick", world); }
     void note(const char* what, const world::World& world) {
       text += std::string(what) + " " + std::to_string(world.models.size()) + ", ";
@@ -156,10 +160,10 @@ TEST(Simulation, shows_a_run_listener_the_world_before_and_after_what_was_posted
   } notes;
   StillSimulation still(kRobot);
   still.simulation.add_run_listener(notes);
-  still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {})); });
-  still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {})); });
+  still.simulation.post([&](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {})); });
+  still.simulation.post([&](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {})); });
   still.run(2);
-  EXPECT_EQ(notes.text, "before 1, after 3, tick 3, tick 3, ");
+  EXPECT_EQ(notes.text, "spawn, spawn, changed 3, tick 3, tick 3, ");
 }
 
 TEST(Simulation, has_controllers_know_who_came_before_anybody_saves_the_state) {
@@ -177,10 +181,8 @@ TEST(Simulation, has_controllers_know_who_came_before_anybody_saves_the_state) {
   auto owned = std::make_unique<Counter>();
   const Counter& counter = *owned;
   std::size_t known = 0;
-  still.simulation.post([&](world::World& world) {
-    world.deciders.push_back(std::move(owned));
-    EXPECT_TRUE(world::spawn(world, 0, {}));
-  });
+  still.world().deciders.push_back(std::move(owned));
+  still.simulation.post([&](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {})); });
   still.simulation.add_listener([&](const world::World&, const world::Pace&) { known = counter.known; });
   still.run(0);
   EXPECT_EQ(known, 2u);
@@ -191,15 +193,15 @@ TEST(Simulation, a_paused_world_does_what_is_posted_and_single_steps_only) {
   Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1, .paused = true});
   std::uint64_t at_first = 99, at_second = 99;
   std::thread ticks([&] { simulation.run(); });
-  simulation.post([&](world::World& world) {
-    at_first = world.tick();
+  simulation.post([&](const world::Journal& journal) {
+    at_first = journal.world().tick();
     simulation.step_once();
     simulation.step_once();
   });
   // Each listener call after a tick asks again, so the thread ends when both steps are done.
   while (simulation.time() < 0.15) std::this_thread::yield();
-  simulation.post([&](world::World& world) {
-    at_second = world.tick();
+  simulation.post([&](const world::Journal& journal) {
+    at_second = journal.world().tick();
     simulation.stop();
   });
   ticks.join();
@@ -241,7 +243,7 @@ TEST(Simulation, a_tiny_speed_is_slow_and_not_fast) {
   std::atomic<int> looks = 0;
   while (looks < 100 && !ended) {
     const int before = looks;
-    simulation.post([&](world::World&) { ++looks; });
+    simulation.post([&](const world::Journal&) { ++looks; });
     while (looks == before && !ended) std::this_thread::yield();
   }
   simulation.stop();
@@ -260,7 +262,7 @@ TEST(Simulation, a_flood_of_pauses_and_speeds_runs_no_tick_ahead_of_its_time) {
     // What is posted may overtake a pause or a resume that was said before, but not twice.
     for (int time = 0; time < 2; ++time) {
       std::atomic<bool> done = false;
-      simulation.post([&](world::World&) { done = true; });
+      simulation.post([&](const world::Journal&) { done = true; });
       while (!done) std::this_thread::yield();
     }
   };
@@ -286,14 +288,14 @@ TEST(Simulation, single_steps_that_wait_are_forgotten_when_the_world_resumes) {
   Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1, .clock = [] { return 0.0; }});
   simulation.pause();
   std::thread ticks([&] { simulation.run(); });
-  simulation.post([&](world::World&) {
+  simulation.post([&](const world::Journal&) {
     for (int i = 0; i < 60; ++i) simulation.step_once();
     simulation.resume();
   });
   std::atomic<int> looks = 0;
   while (looks < 10) {
     const int before = looks;
-    simulation.post([&](world::World&) { ++looks; });
+    simulation.post([&](const world::Journal&) { ++looks; });
     while (looks == before) std::this_thread::yield();
   }
   simulation.stop();
@@ -373,16 +375,16 @@ TEST(Simulation, what_still_waits_at_the_end_is_refused) {
   StillSimulation still(kRobot);
   {
     auto replier = std::make_shared<device::Replier>(still.recorder, 7);
-    still.simulation.post([replier](world::World&) { replier->ack(); });
+    still.simulation.post([replier](const world::Journal&) { replier->ack(); });
   }
   EXPECT_TRUE(still.recorder.answers.empty());
   still.simulation.discard();
   ASSERT_TRUE(still.recorder.answers.contains(7));
   EXPECT_FALSE(still.recorder.answers[7].ack);
-  EXPECT_FALSE(still.simulation.post([](world::World&) {})) << "nobody would carry it out";
-  still.simulation.post_always(
-      [replier = std::make_shared<device::Replier>(still.recorder, 8)](world::World&) { replier->ack(); },
-      {});
+  EXPECT_FALSE(still.simulation.post([](const world::Journal&) {})) << "nobody would carry it out";
+  still.simulation.post_always([replier = std::make_shared<device::Replier>(still.recorder, 8)](
+                                   const world::Journal&) { replier->ack(); },
+                               {});
   EXPECT_FALSE(still.recorder.answers.at(8).ack);
 }
 
@@ -418,9 +420,8 @@ TEST(Simulation, tells_followers_and_then_listeners_that_the_world_is_another) {
   still.simulation.record(true);
   still.run(20);
   std::string told;
-  still.simulation.add_follower([&](const world::World& world, const world::Change& change) {
-    if (change.kind == world::Change::Kind::kReload)
-      told += "reloaded " + std::to_string(world.tick()) + ", ";
+  still.simulation.add_follower([&](const world::World& world, const world::Event& event) {
+    if (event.kind == world::Event::Kind::kReload) told += "reloaded " + std::to_string(world.tick()) + ", ";
   });
   still.simulation.add_listener(
       [&](const world::World& world, const world::Pace&) { told += std::to_string(world.tick()) + ", "; });
@@ -434,12 +435,12 @@ TEST(Simulation, who_uses_a_model_goes_on_with_it_unless_it_came_back) {
   still.run(10);
   world::Use stays, ends;
   world::ModelId late;
-  still.simulation.post([&](world::World& world) {
-    late = *world::spawn(world, 0, {});
-    stays.begin(world, still.simulation, {0});
+  still.simulation.post([&](world::Journal& journal) {
+    late = *journal.spawn(0, {});
+    stays.begin(journal, still.simulation, {0});
   });
   still.run(10);
-  still.simulation.post([&](world::World& world) { ends.begin(world, still.simulation, late); });
+  still.simulation.post([&](world::Journal& journal) { ends.begin(journal, still.simulation, late); });
   still.run(1);
   const auto users = [&](world::ModelId model) {
     return still.world().models.subscribers[still.world().row(model).index];
@@ -452,8 +453,8 @@ TEST(Simulation, who_uses_a_model_goes_on_with_it_unless_it_came_back) {
   ASSERT_TRUE(still.world().row(late));
   EXPECT_EQ(users(late), 0u);
   EXPECT_EQ(users({0}), 1u);
-  EXPECT_FALSE(ends.end(still.world(), still.simulation));
-  EXPECT_TRUE(stays.end(still.world(), still.simulation));
+  EXPECT_FALSE(ends.end(still.simulation.journal(), still.simulation));
+  EXPECT_TRUE(stays.end(still.simulation.journal(), still.simulation));
   EXPECT_EQ(users({0}), 0u);
 }
 
@@ -463,13 +464,13 @@ TEST(Simulation, gives_no_id_a_second_time_after_it_went_back) {
   still.simulation.record(true);
   still.run(1);
   const std::uint64_t hash = still.world().hash();
-  still.simulation.post([&](world::World& world) { first = *world::spawn(world, 0, {}); });
+  still.simulation.post([&](world::Journal& journal) { first = *journal.spawn(0, {}); });
   still.run(3);
   testing::rewind_to(still.simulation, 1);
-  still.simulation.post([](world::World&) {});
+  still.simulation.post([](const world::Journal&) {});
   still.run(0);
   EXPECT_EQ(still.world().hash(), hash) << "nobody came yet";
-  still.simulation.post([&](world::World& world) { second = *world::spawn(world, 0, {}); });
+  still.simulation.post([&](world::Journal& journal) { second = *journal.spawn(0, {}); });
   still.run(0);
   EXPECT_GT(second, first);
 }
@@ -484,7 +485,7 @@ TEST(Simulation, is_paced_anew_after_it_went_back) {
   const auto carry_out = [&] {
     for (int time = 0; time < 2; ++time) {
       std::atomic<bool> done = false;
-      simulation.post([&](world::World&) { done = true; });
+      simulation.post([&](const world::Journal&) { done = true; });
       while (!done) std::this_thread::yield();
     }
   };

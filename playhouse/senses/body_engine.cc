@@ -78,7 +78,7 @@ world::PhysicsShapes BodyEngine::shapes() const {
   return shapes;
 }
 
-/// True if the static solids have to be made. Any change may be one of theirs: if a model is removed, later
+/// True if the static solids have to be made. Any event may be one of theirs: if a model is removed, later
 /// ones change rows. A state that was loaded mostly has those of before.
 bool BodyEngine::have_static_models_changed() {
   std::vector<bodies::StaticModel> now = bodies::static_models(world_);
@@ -100,35 +100,35 @@ void BodyEngine::populate() {
   senses_.populate(world_, space());
 }
 
-void BodyEngine::ingest(std::span<const world::Change> changes) {
-  using Kind = world::Change::Kind;
+void BodyEngine::ingest(std::span<const world::Event> events) {
+  using Kind = world::Event::Kind;
   bool population = false, moved = false;
-  for (const world::Change& change : changes) {
-    if (change.kind == Kind::kSet) continue;
-    const bool places = change.kind == Kind::kPlace;
-    population |= !places || change.mobility == world::Mobility::kFixed || moves_within_body(change);
+  for (const world::Event& event : events) {
+    if (event.kind == Kind::kSet) continue;
+    const bool places = event.kind == Kind::kPlace;
+    population |= !places || event.mobility == world::Mobility::kFixed || moves_within_body(event);
     moved |= places;
   }
   if (population) {
     populate();
   } else if (moved) {
-    for (const world::Change& change : changes) replace(change);
+    for (const world::Event& event : events) replace(event);
     index();
   }
 }
 
 /// True if a rigidly attached part was moved on its body: enclosure has to be recomputed.
-bool BodyEngine::moves_within_body(const world::Change& change) const {
-  const world::ModelRow model = world_.row(change.model);
-  return change.kind == world::Change::Kind::kPlace && model &&
+bool BodyEngine::moves_within_body(const world::Event& event) const {
+  const world::ModelRow model = world_.row(event.model);
+  return event.kind == world::Event::Kind::kPlace && model &&
          world_.models.parent[model.index] != world::ModelRow::kNone &&
          !world::moves(world_.models.kind[model.index]);
 }
 
 /// Updates the solids of a tree that was teleported.
-void BodyEngine::replace(const world::Change& change) {
-  const world::ModelRow model = world_.row(change.model);
-  if (change.kind != world::Change::Kind::kPlace || !model) return;
+void BodyEngine::replace(const world::Event& event) {
+  const world::ModelRow model = world_.row(event.model);
+  if (event.kind != world::Event::Kind::kPlace || !model) return;
   const std::uint32_t tree = trees_.of_root(world_.models.root[model.index]);
   turn(solids_, world_.models, trees_.models_of(tree));
   place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);

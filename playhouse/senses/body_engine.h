@@ -40,13 +40,13 @@ class BodyEngine : public behaviour::PhasedEngine {
   bodies::Walls walls_;
 
  private:
-  void ingest(std::span<const world::Change> changes) override;
+  void ingest(std::span<const world::Event> events) override;
   void sense(std::uint64_t tick) override;
   void touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
                 std::vector<std::uint32_t>& out) const override;
   bool have_static_models_changed();
-  bool moves_within_body(const world::Change& change) const;
-  void replace(const world::Change& change);
+  bool moves_within_body(const world::Event& event) const;
+  void replace(const world::Event& event);
   bodies::Space space() const { return {solids_, index_, walls_}; }
 
   std::optional<std::vector<bodies::StaticModel>> static_models_;  // that solids_ has

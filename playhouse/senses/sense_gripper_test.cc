@@ -182,8 +182,8 @@ TEST(GripperSense, robots_that_close_in_on_each_others_pucks_do_the_same_with_an
   for (int k = 0; k < 80; ++k) {
     one->step();
     three->step();
-    for (const world::Change& change : one->world().changes.since(0))
-      taken += change.kind == world::Change::Kind::kAttach ? 1 : 0;
+    for (const world::Event& event : one->world().events.since(0))
+      taken += event.kind == world::Event::Kind::kAttach ? 1 : 0;
     ASSERT_EQ(one->world().hash(), three->world().hash()) << k;
     ASSERT_EQ(one->world().sensed_hash(), three->world().sensed_hash()) << k;
   }

@@ -17,7 +17,7 @@ bool walks(const scene::ModelDesc& model) {
 
 }  // namespace
 
-Result<void> post_change(world::Control& control, std::function<void(world::World&)> change) {
+Result<void> post_change(world::Control& control, std::function<void(world::Journal&)> change) {
   if (std::string why = control.why_fixed(); !why.empty()) return Error{"", std::move(why)};
   if (control.post(std::move(change))) return {};
   return Error{"", "the program is too busy to do that"};
@@ -37,20 +37,23 @@ Result<void> Bodies::join(const replicate::Join& join, std::uint32_t viewer, con
   const auto body = bodies_[viewer] = std::make_shared<Body>();
   body->asked = now;
   body->desc = person->desc;
-  return post_change(control_, [join, viewer, name, body, desc = person->desc, tell = std::move(tell),
-                                place = place_, weak = weak_from_this(), &loop = loop_](world::World& world) {
-    const geom::Pose wanted{join.x, join.y, world.scene().models[desc].X_PM.z, join.a};
-    const Result<geom::Pose> X_WM = place ? place(world, desc, wanted) : wanted;
-    if (!X_WM) return tell(X_WM.error().text);
-    const bool is_taken = static_cast<bool>(world.find(name));
-    const std::string own = is_taken ? world::fresh_name(world, name) : name;
-    const auto spawned = world::spawn(world, desc, *X_WM, own);
-    if (!spawned) return tell(spawned.error().text);
-    if (is_taken) tell(fmt::format("somebody is called {} already: you are {}", name, own));
-    loop.post([weak, viewer, body, model = *spawned] {
-      if (const auto self = weak.lock()) self->came(viewer, *body, model);
-    });
-  });
+  return post_change(control_,
+                     [join, viewer, name, body, desc = person->desc, tell = std::move(tell), place = place_,
+                      weak = weak_from_this(), &loop = loop_](world::Journal& journal) {
+                       const world::World& world = journal.world();
+                       const geom::Pose wanted{join.x, join.y, world.scene().models[desc].X_PM.z, join.a};
+                       const Result<geom::Pose> X_WM = place ? place(world, desc, wanted) : wanted;
+                       if (!X_WM) return tell(X_WM.error().text);
+                       const bool is_taken = static_cast<bool>(world.find(name));
+                       const std::string own = is_taken ? world::fresh_name(world, name) : name;
+                       const auto spawned = journal.spawn(desc, *X_WM, own);
+                       if (!spawned) return tell(spawned.error().text);
+                       if (is_taken)
+                         tell(fmt::format("somebody is called {} already: you are {}", name, own));
+                       loop.post([weak, viewer, body, model = *spawned] {
+                         if (const auto self = weak.lock()) self->came(viewer, *body, model);
+                       });
+                     });
 }
 
 void Bodies::came(std::uint32_t viewer, Body& body, world::ModelId model) {
@@ -76,10 +79,11 @@ bool Bodies::is_of_another(world::ModelId model, std::uint32_t viewer) const {
 void Bodies::remove(const Body& body) {
   if (!body.model) return;
   control_.reserve(*body.model, false);
-  const auto change = [model = *body.model, desc = body.desc](world::World& world) {
+  const auto change = [model = *body.model, desc = body.desc](world::Journal& journal) {
+    const world::World& world = journal.world();
     const world::ModelRow row = world.row(model);
     if (!row || world.models.desc[row.index] != desc) return;  // removed already
-    const Result<void> gone = world::despawn(world, model);
+    const Result<void> gone = journal.despawn(model);
     if (!gone) log::warn("web: the body of somebody who left stays: {}", gone.error().text);
   };
   const Result<void> posted = post_change(control_, change);

@@ -21,7 +21,7 @@
 namespace playhouse::web_server {
 
 /// Queues a change of the world. Fails if changes are not allowed or the queue is full.
-Result<void> post_change(world::Control& control, std::function<void(world::World&)> change);
+Result<void> post_change(world::Control& control, std::function<void(world::Journal&)> change);
 
 /// The place for a tree of the prototype at this row of SceneDesc::models for somebody who asks for
 /// X_WM, or why there is none, as one line.

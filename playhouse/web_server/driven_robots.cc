@@ -15,8 +15,8 @@ void DrivenRobots::drive(const replicate::Drive& drive, Driver driver) {
   held.driver = driver;
   if (!held.use) {
     auto use = std::make_shared<world::Use>();
-    const auto open = [use, robot, &control = control_](world::World& world) {
-      use->begin(world, control, robot);
+    const auto open = [use, robot, &control = control_](world::Journal& journal) {
+      use->begin(journal, control, robot);
     };
     if (control_.post(open, robot)) held.use = std::move(use);
   }
@@ -40,7 +40,9 @@ void DrivenRobots::hold_until_deadline(world::ModelId robot, Held& held) {
 void DrivenRobots::let_go(world::ModelId robot) {
   Held& held = held_[robot];
   control_.drive(robot, {});
-  const auto close = [use = held.use, &control = control_](world::World& world) { use->end(world, control); };
+  const auto close = [use = held.use, &control = control_](world::Journal& journal) {
+    use->end(journal, control);
+  };
   if (held.use && !control_.post(close, robot)) return hold_until_deadline(robot, held);
   held_.erase(robot);
 }

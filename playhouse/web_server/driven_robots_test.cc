@@ -24,11 +24,12 @@ class AtOnce final : public world::Control {
   void step_once() override {}
   void set_speed(double) override {}
   void drive(world::ModelId robot, const geom::Twist& velocity) override {
-    if (const world::PositionRow row = world_.position(robot)) world::command_velocity(world_, row, velocity);
+    world::Journal(world_).apply(world::changes::Drive{robot, velocity});
   }
-  bool post(std::function<void(world::World&)> change, world::ModelId) override {
+  bool post(std::function<void(world::Journal&)> change, world::ModelId) override {
     if (full) return false;
-    change(world_);
+    world::Journal journal(world_);
+    change(journal);
     return true;
   }
   void record(bool) override {}

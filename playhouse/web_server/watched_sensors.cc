@@ -7,13 +7,14 @@
 namespace playhouse::web_server {
 namespace {
 
-void open_sensors(world::World& world, const world::Control& control, world::ModelId robot,
+void open_sensors(world::Journal& journal, const world::Control& control, world::ModelId robot,
                   std::vector<world::Use>& uses) {
+  const world::World& world = journal.world();
   const world::ModelRow top = world.row(robot);
   if (!top) return;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     if (world.models.root[row] != top.index || !replicate::may_be_watched(world.models.kind[row])) continue;
-    uses.emplace_back().watch(world, control, world.id({row}));
+    uses.emplace_back().watch(journal, control, world.id({row}));
   }
 }
 
@@ -42,8 +43,8 @@ void WatchedSensors::reconcile() {
 
 bool WatchedSensors::begin(world::ModelId robot) {
   auto uses = std::make_shared<Measuring>();  // owned by the tick thread once posted
-  const auto open = [robot, uses, &control = control_](world::World& world) {
-    open_sensors(world, control, robot, *uses);
+  const auto open = [robot, uses, &control = control_](world::Journal& journal) {
+    open_sensors(journal, control, robot, *uses);
   };
   if (!control_.post(open)) return false;
   begun_[robot] = std::move(uses);
@@ -51,8 +52,8 @@ bool WatchedSensors::begin(world::ModelId robot) {
 }
 
 bool WatchedSensors::end(const std::shared_ptr<Measuring>& uses) {
-  return control_.post([uses, &control = control_](world::World& world) {
-    for (world::Use& use : *uses) use.end(world, control);
+  return control_.post([uses, &control = control_](world::Journal& journal) {
+    for (world::Use& use : *uses) use.end(journal, control);
   });
 }
 

@@ -405,14 +405,15 @@ class WebServer::Impl final : public net::HttpService,
   Result<void> execute(const replicate::Drag& drag, WebViewer&) {
     return with_row(drag.model, [&](std::uint32_t row) -> Result<void> {
       if (!may_be_moved(row)) return Error{"", "this model may not be moved by hand"};
-      return post_change([drag](world::World& world) {
+      return post_change([drag](world::Journal& journal) {
+        const world::World& world = journal.world();
         const world::ModelRow model = world.row(drag.model);
         if (!model) return;  // removed
         geom::Pose X_PM = world.models.X_PM[model.index];
         X_PM.x = drag.x;
         X_PM.y = drag.y;
         X_PM.a = geom::normalize(drag.a);
-        world::set_pose(world, model, X_PM);
+        journal.apply(world::changes::Place{drag.model, X_PM});
       });
     });
   }
@@ -434,8 +435,8 @@ class WebServer::Impl final : public net::HttpService,
   /// Reports the tick in which the input took effect, so that the page can estimate
   /// latency for prediction. If the queue is full, a later input is reported.
   void tell_when_driven(const replicate::Drive& drive, const WebViewer& from) {
-    const auto tell = [input = drive.input, reach = reacher(from)](const world::World& world) {
-      reach([input, tick = world.tick()](WebViewer& viewer) { viewer.driven(input, tick); });
+    const auto tell = [input = drive.input, reach = reacher(from)](const world::Journal& journal) {
+      reach([input, tick = journal.world().tick()](WebViewer& viewer) { viewer.driven(input, tick); });
     };
     if (!control_.post(tell, drive.model)) log::info("web: {} is not told of a command", from.peer());
   }
@@ -445,10 +446,9 @@ class WebServer::Impl final : public net::HttpService,
   Result<void> execute(const replicate::Copy& copy, WebViewer& from) {
     return with_row(copy.model, [&](std::uint32_t row) -> Result<void> {
       if (!may_be_moved(newest_->root[row])) return Error{"", "this model may not be copied"};
-      return post_spawn(from, [copy](world::World& world) -> std::optional<Result<world::ModelId>> {
-        const world::ModelRow model = world.row(copy.model);
-        if (!model) return std::nullopt;
-        return world::spawn_like(world, model, {copy.x, copy.y, 0, copy.a});
+      return post_spawn(from, [copy](world::Journal& journal) -> std::optional<Result<world::ModelId>> {
+        if (!journal.world().row(copy.model)) return std::nullopt;
+        return journal.spawn_copy(copy.model, {copy.x, copy.y, 0, copy.a});
       });
     });
   }
@@ -456,19 +456,20 @@ class WebServer::Impl final : public net::HttpService,
   Result<void> execute(const replicate::Add& add, WebViewer& from) {
     if (add.robot >= prototypes_.addable().size()) return Error{"", "there is no such robot to add"};
     const std::uint32_t desc = prototypes_.addable()[add.robot].desc;
-    return post_spawn(from, [add, desc](world::World& world) -> std::optional<Result<world::ModelId>> {
-      const geom::Pose X_WM{add.x, add.y, world.scene().models[desc].X_PM.z, add.a};
-      return world::spawn(world, desc, X_WM);
+    return post_spawn(from, [add, desc](world::Journal& journal) -> std::optional<Result<world::ModelId>> {
+      const geom::Pose X_WM{add.x, add.y, journal.world().scene().models[desc].X_PM.z, add.a};
+      return journal.spawn(desc, X_WM);
     });
   }
 
   /// Of the viewer's share. `spawn` returns none if what it would copy was removed.
   Result<void> post_spawn(const WebViewer& from,
-                          std::function<std::optional<Result<world::ModelId>>(world::World&)> spawn) {
+                          std::function<std::optional<Result<world::ModelId>>(world::Journal&)> spawn) {
     return post_change([spawn = std::move(spawn), tell = teller(from), shares = options_.shares,
-                        holder = net::holder_of(from.guest().token, from.peer())](world::World& world) {
+                        holder = net::holder_of(from.guest().token, from.peer())](world::Journal& journal) {
+      const world::World& world = journal.world();
       if (const Result<void> room = shares->check(world, holder); !room) return tell(room.error().text);
-      const std::optional<Result<world::ModelId>> came = spawn(world);
+      const std::optional<Result<world::ModelId>> came = spawn(journal);
       if (!came) return;
       if (!*came) return tell(came->error().text);
       shares->add(world, holder, **came);
@@ -488,18 +489,19 @@ class WebServer::Impl final : public net::HttpService,
   Result<void> execute(const replicate::Say& say, WebViewer& from) {
     const std::optional<world::ModelId> body = bodies_->of(from.number(), *newest_);
     if (!body) return Error{"", "only who has joined can say something"};
-    return post_change([say, model = *body](world::World& world) {
-      if (const world::ModelRow row = world.row(model)) world::set_say(world, row, say.text);
+    return post_change([say, model = *body](world::Journal& journal) {
+      journal.apply(world::changes::Say{model, say.text});
     });
   }
 
   Result<void> execute(const replicate::Remove& remove, WebViewer&) {
     return with_row(remove.model, [&](std::uint32_t row) -> Result<void> {
       if (!may_be_moved(newest_->root[row])) return Error{"", "this model may not be removed"};
-      return post_change([remove](world::World& world) {
+      return post_change([remove](world::Journal& journal) {
+        const world::World& world = journal.world();
         const world::ModelRow model = world.row(remove.model);
         if (!model) return;
-        const Result<void> gone = world::despawn(world, world.id({world.models.root[model.index]}));
+        const Result<void> gone = journal.despawn(world.id({world.models.root[model.index]}));
         PLAYHOUSE_ASSERT(gone.ok());
       });
     });
@@ -507,7 +509,8 @@ class WebServer::Impl final : public net::HttpService,
 
   Result<void> execute(const replicate::Save&, WebViewer& from) {
     if (!from.await_text()) return Error{"", "the world is on its way already"};
-    const auto posted = post_change([reach = reacher(from)](const world::World& world) {
+    const auto posted = post_change([reach = reacher(from)](const world::Journal& journal) {
+      const world::World& world = journal.world();
       const auto standing = std::make_shared<const scene::SceneDesc>(world::as_scene(world));
       reach([standing, time = world.time()](WebViewer& viewer) { send_world(*standing, time, viewer); });
     });
@@ -520,7 +523,7 @@ class WebServer::Impl final : public net::HttpService,
       return Error{"", "a recording does not tell what its physics took bodies for"};
     if (!from.await_text()) return Error{"", "a large text is on its way already"};
     const bool posted =
-        control_.post([reach = reacher(from), shapes = options_.physics_shapes](world::World&) {
+        control_.post([reach = reacher(from), shapes = options_.physics_shapes](const world::Journal&) {
           reach([now = std::make_shared<const world::PhysicsShapes>(shapes())](WebViewer& viewer) {
             Result<std::string> text = replicate::physics_text(*now);
             if (text) return viewer.send_text(std::make_shared<const std::string>(std::move(*text)));
@@ -543,7 +546,7 @@ class WebServer::Impl final : public net::HttpService,
     viewer.send_text(std::make_shared<const std::string>(replicate::world_file_text(name, *text)));
   }
 
-  Result<void> post_change(std::function<void(world::World&)> change) {
+  Result<void> post_change(std::function<void(world::Journal&)> change) {
     return web_server::post_change(control_, std::move(change));
   }
 

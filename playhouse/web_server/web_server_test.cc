@@ -38,9 +38,7 @@ class Notes final : public world::Control {
   void step_once() override { note("step"); }
   void set_speed(double speed) override { note("speed " + std::to_string(speed).substr(0, 3)); }
   void drive(world::ModelId robot, const geom::Twist& velocity) override {
-    post([=](world::World& world) {
-      if (const world::PositionRow row = world.position(robot)) world::command_velocity(world, row, velocity);
-    });
+    post([=](world::Journal& journal) { journal.apply(world::changes::Drive{robot, velocity}); });
   }
   void record(bool on) override { recording = on; }
   void rewind(std::uint64_t tick) override { note("rewind " + std::to_string(tick)); }
@@ -61,7 +59,7 @@ class Notes final : public world::Control {
     const std::lock_guard lock(mutex_);
     return reserved_.contains(model);
   }
-  bool post(std::function<void(world::World&)> change, world::ModelId = {}) override {
+  bool post(std::function<void(world::Journal&)> change, world::ModelId = {}) override {
     const std::lock_guard lock(mutex_);
     if (full_) {
       ++refused_;
@@ -80,12 +78,13 @@ class Notes final : public world::Control {
     return refused_;
   }
   void carry_out(world::World& world) {
-    std::vector<std::function<void(world::World&)>> changes;
+    std::vector<std::function<void(world::Journal&)>> changes;
     {
       const std::lock_guard lock(mutex_);
       changes.swap(changes_);
     }
-    for (const auto& change : changes) change(world);
+    world::Journal journal(world);
+    for (const auto& change : changes) change(journal);
   }
   std::size_t posted() {
     const std::lock_guard lock(mutex_);
@@ -110,7 +109,7 @@ class Notes final : public world::Control {
   mutable std::mutex mutex_;
   std::string all_;
   std::shared_ptr<const world::Timeline> timeline_ = std::make_shared<const world::Timeline>();
-  std::vector<std::function<void(world::World&)>> changes_;
+  std::vector<std::function<void(world::Journal&)>> changes_;
   std::set<world::ModelId> reserved_;
   bool full_ = false;
   int refused_ = 0;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/world/world.h"
+#include "playhouse/world/changes/journal.h"
 
 namespace playhouse::world {
 
@@ -42,10 +42,10 @@ class Control {
   /// `on`: leaves a model to drive() alone, for it is a person's body; commands to its devices
   /// are refused until it is called without. No effect where there are no devices.
   virtual void reserve(ModelId model, bool on) { static_cast<void>(model), static_cast<void>(on); }
-  /// Executes `change` on the tick thread between two ticks. False, without
-  /// effect, if the queue is full (limits::kRequestQueue). `robot`, if any,
-  /// is the model concerned: its earlier commands are applied first.
-  virtual bool post(std::function<void(World&)> change, ModelId robot = {}) = 0;
+  /// Executes `request` on the tick thread between two ticks: it looks at the world, and changes it
+  /// by the journal alone. False, without effect, if the queue is full (limits::kRequestQueue).
+  /// `robot`, if any, is the model concerned: its earlier commands are applied first.
+  virtual bool post(std::function<void(Journal&)> request, ModelId robot = {}) = 0;
 
   /// Starts or stops retaining states; retained ones stay.
   virtual void record(bool on) = 0;
@@ -64,29 +64,28 @@ class Control {
 class Use {
  public:
   /// No effect if the model does not exist.
-  void begin(World& world, const Control& control, ModelId model) { begin(world, control, model, subscribe); }
-  void watch(World& world, const Control& control, ModelId model) {
-    begin(world, control, model, world::watch);
+  void begin(Journal& journal, const Control& control, ModelId model) {
+    if (!journal.apply(changes::Subscribe{model})) return;
+    model_ = model;
+    generation_ = control.generation(model);
+    watches_ = false;
+  }
+  void watch(Journal& journal, const Control& control, ModelId model) {
+    if (!journal.apply(changes::Watch{model})) return;
+    model_ = model;
+    generation_ = control.generation(model);
     watches_ = true;
   }
   /// Ends the subscription. Returns the model; none if it is gone or the use never began.
-  ModelRow end(World& world, const Control& control) {
-    const ModelRow row =
-        generation_ && *generation_ == control.generation(model_) ? world.row(model_) : ModelRow{};
+  ModelRow end(Journal& journal, const Control& control) {
+    const bool is_same = generation_ && *generation_ == control.generation(model_);
     generation_.reset();
-    if (row) watches_ ? unwatch(world, row) : unsubscribe(world, row);
-    return row;
+    if (!is_same) return {};
+    watches_ ? journal.apply(changes::Unwatch{model_}) : journal.apply(changes::Unsubscribe{model_});
+    return journal.world().row(model_);
   }
 
  private:
-  void begin(World& world, const Control& control, ModelId model, void (&join)(World&, ModelRow)) {
-    const ModelRow row = world.row(model);
-    if (!row) return;
-    join(world, row);
-    model_ = model;
-    generation_ = control.generation(model);
-  }
-
   ModelId model_;
   std::optional<std::uint64_t> generation_;  // at begin(); none: not in use
   bool watches_ = false;

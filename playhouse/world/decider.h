@@ -25,7 +25,7 @@ class Decider {
   /// Number of robots it controls; changed by follow() only.
   virtual std::size_t size() const = 0;
 
-  /// Processes the change log since the previous call: models spawned with this controller,
+  /// Processes the event log since the previous call: models spawned with this controller,
   /// models removed, rows that moved. Called by the engine before decide(), sequentially.
   virtual void follow(World& world) = 0;
 

@@ -10,7 +10,7 @@
 #include "playhouse/base/row.h"
 #include "playhouse/geom/orientation.h"
 #include "playhouse/scene/scene_desc.h"
-#include "playhouse/world/change.h"
+#include "playhouse/world/event.h"
 #include "playhouse/world/model_id.h"
 #include "playhouse/world/shared_column.h"
 

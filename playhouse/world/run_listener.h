@@ -1,6 +1,8 @@
 #pragma once
 
-#include "playhouse/world/world.h"
+#include <span>
+
+#include "playhouse/world/generated/changes.h"
 
 namespace playhouse::world {
 
@@ -9,10 +11,8 @@ namespace playhouse::world {
 class RunListener {
  public:
   virtual ~RunListener() = default;
-  /// Called before anything other than a tick changes the world.
-  virtual void before_changes(const World& world) = 0;
-  /// Called after it; nothing else happened in between.
-  virtual void after_changes(const World& world) = 0;
+  /// Called after changes between two ticks, with all of them in order; nothing else happened in between.
+  virtual void changed(const World& world, std::span<const Change> changes) = 0;
   /// Called after a tick.
   virtual void ticked(const World& world) = 0;
 };

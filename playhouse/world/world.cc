@@ -399,7 +399,7 @@ bool set_spatial_pose(World& world, ModelRow model, const geom::SpatialPose& X_P
   place_tree(world, model);
   world.models.V_WM.set(model.index, {});
   wake(world.models);
-  world.changes.add({Change::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model.index]});
+  world.events.add({Event::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model.index]});
   return true;
 }
 
@@ -415,7 +415,7 @@ void return_to_start(World& world) {
                     population.start_of({row}));
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     if (pose_in_parent(world.models, {row}) == pose_in_parent(start.models, {row})) continue;
-    world.changes.add({Change::Kind::kPlace, world.models.id[row], {}, 0, world.models.mobility[row]});
+    world.events.add({Event::Kind::kPlace, world.models.id[row], {}, 0, world.models.mobility[row]});
   }
   each_column(
       [](const auto& column, auto& values, const auto& first_values) {
@@ -443,12 +443,12 @@ bool command_joint_position(World& world, ActuatorRow actuator, double position)
 
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id) {
   world.models.fiducial_return[model.index] = id;
-  world.changes.add({Change::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model.index]});
+  world.events.add({Event::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model.index]});
 }
 
 void set_color(World& world, ModelRow model, const scene::Color& color) {
   world.models.color.set(model.index, color);
-  world.changes.add({Change::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model.index]});
+  world.events.add({Event::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model.index]});
 }
 
 void set_say(World& world, ModelRow model, std::string_view text) {

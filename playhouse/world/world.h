@@ -97,7 +97,7 @@ class World : public Tables {
   /// null for others. Empty: none loaded, custom models are inert.
   std::vector<std::shared_ptr<const CustomCode>> custom_codes;
 
-  ChangeList changes;
+  EventLog events;
   /// Set by the engine at construction: its name as in --engine;
   /// whether it keeps models upright, without tilts; whether its
   /// cameras render the lighting of the scene: sun, lamps, fog.

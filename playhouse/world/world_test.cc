@@ -50,9 +50,9 @@ TEST(World, children_follow_when_their_parent_is_put_elsewhere) {
   ASSERT_TRUE(set_pose(world, {0}, {-1, 0, 0, 0}));
   EXPECT_NEAR(world.models.X_WM[1].x, -0.9, 1e-12);
   EXPECT_NEAR(world.models.X_WM[1].y, 0, 1e-12);
-  ASSERT_EQ(world.changes.since(0).size(), 1u);
-  EXPECT_EQ(world.changes.since(0)[0].kind, Change::Kind::kPlace);
-  EXPECT_EQ(world.changes.since(0)[0].model, ModelId{0});
+  ASSERT_EQ(world.events.since(0).size(), 1u);
+  EXPECT_EQ(world.events.since(0)[0].kind, Event::Kind::kPlace);
+  EXPECT_EQ(world.events.since(0)[0].model, ModelId{0});
   EXPECT_NEAR(world.positions.X_OM[0].x, -1, 1e-12);
 }
 
@@ -167,9 +167,9 @@ TEST(World, returns_to_its_start_but_keeps_its_time_and_users) {
   ASSERT_TRUE(command_velocity(world, {0}, {1, 0, 0, 1}));
   ASSERT_TRUE(set_odometry(world, {0}, {9, 9, 0, 0}));
   world.positions.motor_on[0] = 0;
-  const std::uint64_t before = world.changes.end();
+  const std::uint64_t before = world.events.end();
   return_to_start(world);
-  const auto changes = world.changes.since(before);
+  const auto changes = world.events.since(before);
   ASSERT_EQ(changes.size(), 2u);
   EXPECT_EQ(changes[0].model, ModelId{0});
   EXPECT_EQ(changes[1].model, ModelId{1});

@@ -75,8 +75,7 @@ class TickTimes final : public world::RunListener {
  public:
   explicit TickTimes(const Board& board) : board_(board) {}
 
-  void before_changes(const world::World&) override {}
-  void after_changes(const world::World&) override {}
+  void changed(const world::World&, std::span<const world::Change>) override {}
   void ticked(const world::World&) override {
     const double now = cpu_time(CLOCK_THREAD_CPUTIME_ID);
     const int phase = board_.phase;

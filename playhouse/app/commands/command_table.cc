@@ -37,10 +37,11 @@ std::vector<Command> commands() {
               R"(Examples:
   playhouse replay my.mcap
   playhouse replay my.mcap --web 8081 --paused)"),
-      command("export", "export a recording as tables", export_tables, add_export,
+      command("export", "export a recording as tables, or list its changes", export_tables, add_export,
               R"(Examples:
   playhouse export my.mcap --csv
-  playhouse export my.mcap --csv -o tables)"),
+  playhouse export my.mcap --csv -o tables
+  playhouse export my.mcap --changes)"),
       command("serve", "serve the devices of a Player configuration file", serve, add_serve,
               R"(Examples:
   playhouse serve my.cfg

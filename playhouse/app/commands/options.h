@@ -96,6 +96,7 @@ struct ExportOptions {
   std::string file;    // a recording
   std::string folder;  // of the tables; empty: the file's name without its extension
   bool csv = false;
+  bool changes = false;
 };
 
 struct ServeOptions {

@@ -51,9 +51,12 @@ void add_drawn_run(CLI::App& app, Options& options) {
 
 void add_export(CLI::App& app, ExportOptions& options) {
   app.add_option("FILE", options.file, "a recording of run --record")->required();
-  app.add_flag("--csv", options.csv, "comma-separated values, one file per topic")->required();
+  CLI::Option* const csv = app.add_flag("--csv", options.csv, "comma-separated values, one file per topic");
+  app.add_flag("--changes", options.changes, "print the changes of the run, a line each (docs/changes.md)")
+      ->excludes(csv);
   app.add_option("-o,--output", options.folder, "folder of the tables (FILE without .mcap)")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->needs(csv);
 }
 
 void add_devices(CLI::App& app, DevicesOptions& options) {

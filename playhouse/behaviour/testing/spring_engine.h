@@ -89,12 +89,12 @@ class SpringEngine final : public PhasedEngine {
   }
 
   std::uint64_t rays() const override { return rays_; }
-  /// Of changes that came to its tables.
+  /// Of events that came to its tables.
   std::size_t ingested() const { return ingested_; }
 
  private:
-  void ingest(std::span<const world::Change> changes) override {
-    ingested_ += changes.size();
+  void ingest(std::span<const world::Event> events) override {
+    ingested_ += events.size();
     populate();
   }
 

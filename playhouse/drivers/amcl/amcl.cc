@@ -371,8 +371,8 @@ Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& secti
       amcl.rewound(world.time(), own ^ mix64(world.seed()));
     });
     const world::ModelId robot = simulation->directory().model_of(odometry);
-    simulation->add_follower([&amcl, robot](const world::World&, const world::Change& change) {
-      if (change.kind == world::Change::Kind::kPlace && change.model == robot) amcl.placed();
+    simulation->add_follower([&amcl, robot](const world::World&, const world::Event& event) {
+      if (event.kind == world::Event::Kind::kPlace && event.model == robot) amcl.placed();
     });
     return {};
   };

@@ -196,7 +196,7 @@ TEST_F(AmclTest, retires_with_its_robot) {
   const world::ModelId robot = simulation.world().id(simulation.world().find("r0"));
   EXPECT_EQ(simulation.directory().model_of(kLocalize), robot);
   site.run(1);
-  ASSERT_TRUE(simulation.post([&](world::World& world) { EXPECT_TRUE(world::despawn(world, robot)); }));
+  ASSERT_TRUE(simulation.post([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); }));
   site.run(3);
   site.run(0);
   EXPECT_FALSE(site.site().find(kLocalize).has_value());

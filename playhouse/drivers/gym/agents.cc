@@ -67,26 +67,25 @@ Result<void> Agents::begin() {
   for (std::size_t i = 0; i < agents_.size(); ++i)
     columns_.values<float>(kRangeMost)[i] = range_most(world, world.row(agents_[i].ranger));
   *columns_.values<double>(kInterval) = world.scene().interval;
-  // Posted as a change, so that recordings see it.
-  simulation_.post_always([this](world::World& changing) { use_all(changing); }, {});
+  simulation_.post_always([this](world::Journal& journal) { use_all(journal); }, {});
   observe();
   return {};
 }
 
-void Agents::use_all(world::World& world) {
+void Agents::use_all(world::Journal& journal) {
   for (Agent& agent : agents_) {
-    agent.wheels.begin(world, simulation_, agent.model);
-    agent.sensor.begin(world, simulation_, agent.ranger);
+    agent.wheels.begin(journal, simulation_, agent.model);
+    agent.sensor.begin(journal, simulation_, agent.ranger);
   }
 }
 
 /// Renews subscriptions: those of re-created agents have ended; those of others are unchanged.
-void Agents::use_again(world::World& world) {
+void Agents::use_again(world::Journal& journal) {
   for (Agent& agent : agents_) {
-    agent.wheels.end(world, simulation_);
-    agent.sensor.end(world, simulation_);
+    agent.wheels.end(journal, simulation_);
+    agent.sensor.end(journal, simulation_);
   }
-  use_all(world);
+  use_all(journal);
 }
 
 void Agents::find() {
@@ -117,9 +116,9 @@ std::uint32_t Agents::beams_of(const Agent& agent) const {
   return beams;
 }
 
-void Agents::reset_all() {
-  world::World& world = simulation_.engine().world();
-  use_again(world);
+void Agents::reset_all(world::Journal& journal) {
+  const world::World& world = journal.world();
+  use_again(journal);
   std::vector<std::size_t> place_of(agents_.size());
   for (std::size_t i = 0; i < place_of.size(); ++i) place_of[i] = i;
   Rng rng(world.seed(), world.tick(), {Purpose::kAgentPlace});
@@ -130,51 +129,44 @@ void Agents::reset_all() {
       std::swap(place_of[other], place_of[i - 1]);
   }
   for (std::size_t i = 0; i < agents_.size(); ++i) {
-    const world::ModelRow row = world.row(agents_[i].model);
-    if (!row) continue;
+    if (!world.row(agents_[i].model)) continue;
     agents_[i].placed = 0;
-    world::set_pose(world, row, agents_[place_of[i]].start);
-    stand(i);
+    place_at(journal, agents_[i].model, agents_[place_of[i]].start);
   }
   std::memset(columns_.values<std::uint8_t>(kReset), 0, agents_.size());
 }
 
-void Agents::act() {
-  world::World& world = simulation_.engine().world();
+void Agents::act(world::Journal& journal) {
+  const world::World& world = journal.world();
   const float* action = columns_.values<float>(kActions);
   auto* reset = columns_.values<std::uint8_t>(kReset);
   for (std::size_t i = 0; i < agents_.size(); ++i, action += 3) {
-    const world::PositionRow robot = world.position(agents_[i].model);
-    if (!robot) continue;  // removed by a client
+    if (!world.row(agents_[i].model)) continue;  // removed by a client
     if (reset[i] != 0) {
-      place(i);
+      place(journal, i);
     } else {
-      world::command_velocity(world, robot, {action[0], action[1], 0, action[2]});
+      journal.apply(world::changes::Drive{agents_[i].model, {action[0], action[1], 0, action[2]}});
     }
   }
   std::memset(reset, 0, agents_.size());
 }
 
-void Agents::place(std::size_t i) {
-  world::World& world = simulation_.engine().world();
+void Agents::place(world::Journal& journal, std::size_t i) {
+  const world::World& world = journal.world();
   Agent& agent = agents_[i];
   Rng rng(world.seed(), world.tick(), {Purpose::kAgentPlace, world.serial(agent.model), 0, ++agent.placed});
   const std::size_t first = static_cast<std::size_t>(rng.uniform() * static_cast<double>(agents_.size()));
   for (std::size_t tried = 0; tried < agents_.size(); ++tried) {
     const geom::Pose& at = agents_[(first + tried) % agents_.size()].start;
-    if (!is_free(at, i)) continue;
-    world::set_pose(world, world.row(agent.model), at);
-    break;  // if all are occupied it stays
+    if (is_free(at, i)) return place_at(journal, agent.model, at);
   }
-  stand(i);
+  journal.apply(world::changes::Stand{agent.model});  // all are occupied: it stays
 }
 
-void Agents::stand(std::size_t i) {
-  world::World& world = simulation_.engine().world();
-  const world::PositionRow robot = world.position(agents_[i].model);
-  world::command_velocity(world, robot, {});
-  world.positions.velocity[robot.index] = {};
-  world.positions.stall[robot.index] = 0;
+/// There it stands.
+void Agents::place_at(world::Journal& journal, world::ModelId model, const geom::Pose& at) {
+  journal.apply(world::changes::Place{model, at});
+  journal.apply(world::changes::Stand{model});
 }
 
 bool Agents::is_free(const geom::Pose& at, std::size_t i) const {

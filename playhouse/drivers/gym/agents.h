@@ -25,9 +25,9 @@ class Agents {
 
   /// Applies the actions. Agents whose `reset` is set are first
   /// moved to a free start pose, random by seed and tick, at rest.
-  void act();
+  void act(world::Journal& journal);
   /// Resets all agents: assigns start poses to them, a permutation by the seed, at rest.
-  void reset_all();
+  void reset_all(world::Journal& journal);
   /// Writes the observations of all agents to the columns.
   void observe();
 
@@ -40,11 +40,11 @@ class Agents {
     world::Use wheels, sensor;
   };
   void find();
-  void use_all(world::World& world);
-  void use_again(world::World& world);
+  void use_all(world::Journal& journal);
+  void use_again(world::Journal& journal);
   std::uint32_t beams_of(const Agent& agent) const;
-  void place(std::size_t agent);
-  void stand(std::size_t agent);
+  void place(world::Journal& journal, std::size_t agent);
+  static void place_at(world::Journal& journal, world::ModelId model, const geom::Pose& at);
   bool is_free(const geom::Pose& place, std::size_t agent) const;
 
   run::Simulation& simulation_;

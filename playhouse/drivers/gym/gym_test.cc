@@ -36,7 +36,7 @@ class Gym : public ::testing::Test {
   explicit Gym(double duration = 0)
       : simulation_(std::make_unique<run::testing::StillEngine>(scene_),
                     {.speed = 0, .duration = duration, .lock_step = run::LockStep::Options{}}) {}
-  void carry_out(std::function<void(world::World&)> change) {
+  void carry_out(std::function<void(world::Journal&)> change) {
     ASSERT_TRUE(simulation_.post(std::move(change)));
     simulation_.run();
   }
@@ -68,11 +68,11 @@ TEST_F(Gym, an_agent_that_comes_back_with_the_start_is_used_again) {
   ASSERT_TRUE(agents.begin());
   simulation_.run();
   EXPECT_EQ(subscribers(kB), 1u);
-  carry_out([](world::World& world) { EXPECT_TRUE(world::despawn(world, kB)); });
+  carry_out([](world::Journal& journal) { EXPECT_TRUE(journal.despawn(kB)); });
   for (int time = 0; time < 2; ++time) {
-    carry_out([&](world::World&) {
+    carry_out([&](world::Journal& journal) {
       ASSERT_TRUE(simulation_.restart(7));
-      agents.reset_all();
+      agents.reset_all(journal);
     });
     EXPECT_EQ(subscribers(kB), 1u);
     EXPECT_EQ(subscribers(kLaserOfB), 1u);
@@ -125,10 +125,10 @@ TEST_F(LinkedGym, begins_again_also_while_others_fill_the_queue) {
   step(5);
   EXPECT_EQ(answer(), "");
   std::atomic<bool> is_full = false;
-  ASSERT_TRUE(simulation_.post([&](world::World&) {
+  ASSERT_TRUE(simulation_.post([&](const world::Journal&) {
     while (!is_full) std::this_thread::yield();
   }));
-  while (simulation_.post([](world::World&) {})) {
+  while (simulation_.post([](const world::Journal&) {})) {
   }
   restart(9);
   while (!simulation_.lock_step()->is_due()) std::this_thread::yield();

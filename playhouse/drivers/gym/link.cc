@@ -91,13 +91,13 @@ void Link::carry_out(const Request& request) {
   if (!is_step && request.verb != kStartAgain) return answer("there is no such request");
   if (is_step && (request.ticks == 0 || request.ticks > limits::kStepTicks))
     return answer(fmt::format("a step has 1 to {} ticks", limits::kStepTicks));
-  const auto change = [this, is_step, seed = request.seed](world::World&) {
+  const auto change = [this, is_step, seed = request.seed](world::Journal& journal) {
     why_not_.clear();
-    if (is_step) return agents_.act();
+    if (is_step) return agents_.act(journal);
     if (const Result<void> started = simulation_.restart(seed); !started) {
       why_not_ = started.error().line();
     } else {
-      agents_.reset_all();
+      agents_.reset_all(journal);
     }
   };
   // One at a time, so it may exceed the queue's limit.

@@ -13,6 +13,7 @@ namespace playhouse::drivers {
 namespace {
 
 namespace act = wire::actarray;
+namespace changes = world::changes;
 using wire::MessageType;
 
 /// The only joint, or all.
@@ -74,45 +75,37 @@ class Actarray final : public SimulatedDevice {
   }
 
   device::Taken command(const device::Message& message) override {
-    run::Change command = meaning(message);
+    std::optional<world::Change> command = meaning(message);
     if (!command) return device::Taken::kNo;
-    simulation().command({model(), act::kCode}, std::move(command));
+    simulation().command({model(), act::kCode}, *std::move(command));
     return device::Taken::kLatest;
   }
 
   void request(const device::Message& message, device::Replier replier) override {
     switch (message.subtype) {
       case act::kReqGetGeom:
-        ask_joint(std::move(replier), [geometry = geometry_](auto& actuators, auto row) mutable {
-          geometry.actuators[0].config_speed = static_cast<float>(actuators.speed[row]);
-          return wire::encode(geometry);
-        });
+        ask_world(
+            std::move(replier),
+            [id = model(), geometry = geometry_](const world::World& world) mutable -> std::optional<Bytes> {
+              const world::ModelRow model = world.row(id);
+              if (!model) return std::nullopt;
+              const double speed = world.actuators.speed[world.models.part[model.index]];
+              geometry.actuators[0].config_speed = static_cast<float>(speed);
+              return wire::encode(geometry);
+            });
         return;
       case act::kReqPower:
-        if (const auto value = wire::decode<act::PowerConfig>(message.body)) {
-          ask_joint(std::move(replier), [on = value->value != 0](auto& actuators, auto row) {
-            actuators.motor_on[row] = on;
-            return Bytes();
-          });
-        }
+        if (const auto value = wire::decode<act::PowerConfig>(message.body))
+          change_world(std::move(replier), changes::PowerJoint{model(), value->value != 0});
         return;
       case act::kReqBrakes:
-        if (const auto value = wire::decode<act::BrakesConfig>(message.body)) {
-          ask_joint(std::move(replier), [on = value->value != 0](auto& actuators, auto row) {
-            actuators.braked[row] = on;
-            return Bytes();
-          });
-        }
+        if (const auto value = wire::decode<act::BrakesConfig>(message.body))
+          change_world(std::move(replier), changes::BrakeJoint{model(), value->value != 0});
         return;
       default:  // SPEED
         if (const auto value = wire::decode<act::SpeedConfig>(message.body);
-            value && is_joint(value->joint) && can_go_at(value->speed)) {
-          ask_joint(std::move(replier),
-                    [speed = std::min(double{value->speed}, desc_.max_speed)](auto& actuators, auto row) {
-                      actuators.speed[row] = speed;
-                      return Bytes();
-                    });
-        }
+            value && is_joint(value->joint) && can_go_at(value->speed))
+          change_world(std::move(replier), changes::SetJointSpeed{model(), value->speed});
         return;
     }
   }
@@ -131,67 +124,49 @@ class Actarray final : public SimulatedDevice {
     publish(world, act::kDataState, act::Data{{joint}, actuators.motor_on[row]}, out);
   }
 
-  void closed(world::World& world, world::ModelRow model) override {
-    const std::uint32_t row = world.models.part[model.index];
-    world.actuators.motor_on[row] = 1;
-    world.actuators.braked[row] = 0;
-    world.actuators.speed[row] = desc_.max_speed;
+  void closed(world::Journal& journal) override {
+    journal.apply(changes::PowerJoint{model(), true});
+    journal.apply(changes::BrakeJoint{model(), false});
+    journal.apply(changes::SetJointSpeed{model(), desc_.max_speed});
   }
 
  private:
   bool can_go_at(float speed) const { return speed > 0 && speed <= static_cast<float>(desc_.max_speed); }
 
-  /// Replies with `question(actuators, row)`, or NACK if the actuator was removed.
-  template <typename Question>
-  void ask_joint(device::Replier replier, Question question) const {
-    ask_world(std::move(replier),
-              [id = model(), question](world::World& world) mutable -> std::optional<Bytes> {
-                const world::ModelRow model = world.row(id);
-                if (!model) return std::nullopt;
-                return question(world.actuators, world.models.part[model.index]);
-              });
+  std::optional<world::Change> go_to(double position) const {
+    if (!std::isfinite(position)) return std::nullopt;
+    return changes::MoveJointTo{model(), position};
+  }
+  std::optional<world::Change> move_at(double velocity) const {
+    if (!std::isfinite(velocity)) return std::nullopt;
+    return changes::MoveJoint{model(), velocity};
   }
 
-  run::Change go_to(double position) const {
-    if (!std::isfinite(position)) return {};
-    return [id = model(), position](world::World& world) {
-      if (const world::ModelRow model = world.row(id))
-        world::command_joint_position(world, world::ActuatorRow{world.models.part[model.index]}, position);
-    };
-  }
-  run::Change move_at(double velocity) const {
-    if (!std::isfinite(velocity)) return {};
-    return [id = model(), velocity](world::World& world) {
-      if (const world::ModelRow model = world.row(id))
-        world::command_joint_velocity(world, world::ActuatorRow{world.models.part[model.index]}, velocity);
-    };
-  }
-
-  /// The change that a command requests; empty if invalid.
-  run::Change meaning(const device::Message& message) const {
+  /// The change that a command requests; none if invalid.
+  std::optional<world::Change> meaning(const device::Message& message) const {
     switch (message.subtype) {
       case act::kCmdPos:
         if (const auto value = wire::decode<act::PositionCmd>(message.body); value && value->joint == 0)
           return go_to(value->position);
-        return {};
+        return std::nullopt;
       case act::kCmdMultiPos:
         if (const auto value = wire::decode<act::MultiPositionCmd>(message.body);
             value && value->positions.size() == 1)
           return go_to(value->positions[0]);
-        return {};
+        return std::nullopt;
       case act::kCmdSpeed:
         if (const auto value = wire::decode<act::SpeedCmd>(message.body); value && value->joint == 0)
           return move_at(value->speed);
-        return {};
+        return std::nullopt;
       case act::kCmdMultiSpeed:
         if (const auto value = wire::decode<act::MultiSpeedCmd>(message.body);
             value && value->speeds.size() == 1)
           return move_at(value->speeds[0]);
-        return {};
+        return std::nullopt;
       default:  // HOME
         if (const auto value = wire::decode<act::HomeCmd>(message.body); value && is_joint(value->joint))
           return go_to(desc_.start_position);
-        return {};
+        return std::nullopt;
     }
   }
 

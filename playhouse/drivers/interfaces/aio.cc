@@ -30,11 +30,9 @@ class Aio final : public SimulatedDevice {
     const auto value = wire::decode<aio::Cmd>(message.body);
     if (!value || !std::isfinite(value->voltage) || value->id >= limits::kCustomNumbers)
       return device::Taken::kNo;
-    const auto change = [id = model(), output = value->id, voltage = value->voltage](world::World& world) {
-      const world::ModelRow row = world.row(id);
-      if (row) world::command_custom(world, {world.models.part[row.index]}, output, voltage);
-    };
-    return simulation().post(change, model()) ? device::Taken::kQueued : device::Taken::kNo;
+    const world::changes::CommandCustom change{model(), value->id, value->voltage};
+    const auto request = [change](world::Journal& journal) { journal.apply(change); };
+    return simulation().post(request, model()) ? device::Taken::kQueued : device::Taken::kNo;
   }
 
   void emit(const world::World& world, std::vector<device::Publication>& out) override {

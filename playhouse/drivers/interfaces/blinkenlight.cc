@@ -11,6 +11,7 @@ namespace playhouse::drivers {
 namespace {
 
 namespace bl = wire::blinkenlight;
+namespace changes = world::changes;
 using wire::MessageType;
 
 wire::Color color_of(const scene::Color& color) {
@@ -20,10 +21,13 @@ wire::Color color_of(const scene::Color& color) {
 }
 
 /// Player clients send alpha 0: keeps the model's.
-void set_color(world::World& world, world::ModelRow model, const wire::Color& color) {
-  world::set_color(world, model,
-                   {static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255,
-                    static_cast<float>(color.blue) / 255, world.models.color[model.index].a});
+void set_color(world::Journal& journal, world::ModelId model, const wire::Color& color) {
+  const world::World& world = journal.world();
+  const world::ModelRow row = world.row(model);
+  if (!row) return;
+  const scene::Color wanted{static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255,
+                            static_cast<float>(color.blue) / 255, world.models.color[row.index].a};
+  journal.apply(changes::SetColor{model, wanted});
 }
 
 /// True for valid flash parameters.
@@ -42,12 +46,9 @@ class Light : public SimulatedDevice {
 
   /// Commands set different properties, so they are queued rather than replaced.
   device::Taken command(const device::Message& message) final {
-    const Setting setting = meaning(message);
+    const run::Request setting = meaning(message);
     if (!setting) return device::Taken::kNo;
-    const auto change = [id = model(), setting](world::World& world) {
-      if (const world::ModelRow row = world.row(id)) setting(world, row);
-    };
-    return simulation().post(change, model()) ? device::Taken::kQueued : device::Taken::kNo;
+    return simulation().post(setting, model()) ? device::Taken::kQueued : device::Taken::kNo;
   }
 
   void emit(const world::World& world, std::vector<device::Publication>& out) final {
@@ -60,17 +61,15 @@ class Light : public SimulatedDevice {
   }
 
  protected:
-  using Setting = std::function<void(world::World&, world::ModelRow)>;
-
   /// The setting that a command requests; empty if invalid. The only light has number 0.
-  virtual Setting meaning(const device::Message& message) const = 0;
+  virtual run::Request meaning(const device::Message& message) const = 0;
   /// Data of row `light` of its table.
   virtual bl::Data data_of(const world::World& world, std::uint32_t light) const = 0;
 
-  static Setting color(const device::Message& message) {
+  run::Request color(const device::Message& message) const {
     const auto value = wire::decode<bl::CmdColor>(message.body);
     if (!value || value->id != 0) return {};
-    return [color = value->color](auto& world, auto row) { set_color(world, row, color); };
+    return [id = model(), color = value->color](world::Journal& journal) { set_color(journal, id, color); };
   }
 
  private:
@@ -92,36 +91,32 @@ class Blinkenlight final : public Light {
   }
 
  private:
-  static void power(world::World& world, world::ModelRow row, bool on) {
-    world.blinkenlights.enabled[world.models.part[row.index]] = on;
-  }
-  static void flash(world::World& world, world::ModelRow row, double period, double dutycycle) {
-    const std::uint32_t lamp = world.models.part[row.index];
-    world.blinkenlights.period[lamp] = period;
-    world.blinkenlights.dutycycle[lamp] = dutycycle;
+  /// Applies changes that are one setting.
+  template <typename... Each>
+  static run::Request all(const Each&... each) {
+    return [each...](world::Journal& journal) { (journal.apply(each), ...); };
   }
 
-  Setting meaning(const device::Message& message) const override {
+  run::Request meaning(const device::Message& message) const override {
     switch (message.subtype) {
       case bl::kCmdColor:
         return color(message);
       case bl::kCmdPower:
         if (const auto value = wire::decode<bl::CmdPower>(message.body); value && value->id == 0)
-          return [on = value->enable != 0](auto& world, auto row) { power(world, row, on); };
+          return all(changes::SwitchLight{model(), value->enable != 0});
         return {};
       case bl::kCmdFlash:
         if (const auto value = wire::decode<bl::CmdFlash>(message.body);
             value && value->id == 0 && is_flash(value->period, value->dutycycle))
-          return
-              [value = *value](auto& world, auto row) { flash(world, row, value.period, value.dutycycle); };
+          return all(changes::FlashLight{model(), value->period, value->dutycycle});
         return {};
       default:  // STATE
         if (const auto value = wire::decode<bl::Cmd>(message.body);
             value && value->id == 0 && is_flash(value->period, value->dutycycle))
-          return [value = *value](auto& world, auto row) {
-            power(world, row, value.enable != 0);
-            flash(world, row, value.period, value.dutycycle);
-            set_color(world, row, value.color);
+          return [id = model(), value = *value](world::Journal& journal) {
+            journal.apply(changes::SwitchLight{id, value.enable != 0});
+            journal.apply(changes::FlashLight{id, value.period, value.dutycycle});
+            set_color(journal, id, value.color);
           };
         return {};
     }
@@ -150,12 +145,12 @@ class Lightindicator final : public Light {
   }
 
  private:
-  Setting meaning(const device::Message& message) const override {
+  run::Request meaning(const device::Message& message) const override {
     if (message.subtype == bl::kCmdColor) return color(message);
     const auto value = wire::decode<bl::CmdPower>(message.body);
     if (!value || value->id != 0) return {};
-    return [on = value->enable != 0](auto& world, auto row) {
-      world.lightindicators.lit[world.models.part[row.index]] = on;
+    return [change = changes::SwitchIndicator{model(), value->enable != 0}](world::Journal& journal) {
+      journal.apply(change);
     };
   }
 

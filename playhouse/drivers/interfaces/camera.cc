@@ -25,7 +25,7 @@ class Camera final : public SimulatedDevice {
   }
 
   void request(const device::Message&, device::Replier replier) override {
-    ask_world(std::move(replier), [id = model()](world::World& world) -> std::optional<Bytes> {
+    ask_world(std::move(replier), [id = model()](const world::World& world) -> std::optional<Bytes> {
       const world::ModelRow model = world.row(id);
       if (!model || world.cameras.measured_tick[world.models.part[model.index]] == 0) return std::nullopt;
       return wire::encode(newest_image(world, model));

@@ -88,11 +88,12 @@ void FiducialDevice::exchange_id(const device::Message& message, device::Replier
     if (!value) return;
     wanted = static_cast<std::int32_t>(value->id);
   }
-  ask_world(std::move(replier), [id = model(), wanted](world::World& world) -> std::optional<Bytes> {
+  answer_by(std::move(replier), [id = model(), wanted](world::Journal& journal) -> std::optional<Bytes> {
+    const world::World& world = journal.world();
     const world::ModelRow finder = world.row(id);
     if (!finder) return std::nullopt;
     const std::uint32_t robot = world.models.root[finder.index];
-    if (wanted) world::set_fiducial_return(world, {robot}, *wanted);
+    if (wanted) journal.apply(world::changes::SetFiducial{world.id({robot}), *wanted});
     return wire::encode(fid::Id{static_cast<std::uint32_t>(world.models.fiducial_return[robot])});
   });
 }

@@ -64,10 +64,7 @@ class Gripper final : public SimulatedDevice {
     const GripperCommand command = message.subtype == grip::kCmdOpen    ? GripperCommand::kOpen
                                    : message.subtype == grip::kCmdClose ? GripperCommand::kClose
                                                                         : GripperCommand::kStop;
-    simulation().command({model(), grip::kCode}, [command, id = model()](world::World& world) {
-      if (const world::ModelRow row = world.row(id))
-        world::command_gripper(world, {world.models.part[row.index]}, command);
-    });
+    simulation().command({model(), grip::kCode}, world::changes::Grip{model(), command});
     return device::Taken::kLatest;
   }
 

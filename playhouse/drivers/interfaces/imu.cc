@@ -30,10 +30,8 @@ Quaternion told_attitude(const world::Imus& imus, std::uint32_t row) {
          attitude(imus, row);
 }
 
-void set_reference(world::Imus& imus, std::uint32_t row, const Quaternion& q) {
-  const geom::SpatialPose X = geom::spatial_pose({}, q);
-  imus.reference_heading[row] = X.X.a;
-  imus.reference_tilt[row] = X.tilt;
+geom::SpatialPose reference(const Quaternion& q) {
+  return geom::spatial_pose({}, q);
 }
 
 /// Direction in W of the field of an axial dipole (Campbell, "Introduction
@@ -63,16 +61,18 @@ class Imu final : public SimulatedDevice {
   }
   void request(const device::Message& message, device::Replier replier) override;
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
-  void closed(world::World&, world::ModelRow) override { datatype_ = imu::kDataState; }
+  void closed(world::Journal&) override { datatype_ = imu::kDataState; }
 
  private:
-  /// Applies `change` to this unit's row; NACK if it has not measured yet.
-  template <typename Change>
-  void ask_unit(device::Replier replier, const Change& change) const {
-    ask_world(std::move(replier), [id = model(), change](world::World& world) -> std::optional<Bytes> {
+  /// Makes `reference(imus, row)` the reference of this unit; NACK if it has not measured yet.
+  template <typename Reference>
+  void set_reference(device::Replier replier, const Reference& reference) const {
+    answer_by(std::move(replier), [id = model(), reference](world::Journal& journal) -> std::optional<Bytes> {
+      const world::World& world = journal.world();
       const world::ModelRow row = world.row(id);
-      if (!row || world.imus.noted_tick[world.models.part[row.index]] == 0) return std::nullopt;
-      change(world.imus, world.models.part[row.index]);
+      if (!row) return std::nullopt;
+      const geom::SpatialPose X = reference(world.imus, world.models.part[row.index]);
+      if (!journal.apply(world::changes::SetAttitudeReference{id, X.X.a, X.tilt})) return std::nullopt;
       return Bytes();
     });
   }
@@ -91,10 +91,8 @@ void Imu::request(const device::Message& message, device::Replier replier) {
   } else if (message.subtype == imu::kReqResetOrientation) {
     const auto value = wire::decode<imu::ResetOrientationConfig>(message.body);
     if (!value || value->value > 2) return;
-    ask_unit(std::move(replier), [all = value->value != 0](world::Imus& imus, std::uint32_t row) {
-      if (all) return set_reference(imus, row, attitude(imus, row));
-      imus.reference_heading[row] = imus.X_WE[row].a;
-      imus.reference_tilt[row] = {};
+    set_reference(std::move(replier), [all = value->value != 0](const world::Imus& imus, std::uint32_t row) {
+      return all ? reference(attitude(imus, row)) : geom::SpatialPose{{0, 0, 0, imus.X_WE[row].a}, {}};
     });
   } else {
     const auto value = wire::decode<imu::ResetEulerConfig>(message.body);
@@ -103,10 +101,10 @@ void Imu::request(const device::Message& message, device::Replier replier) {
     if (!std::isfinite(turns.proll) || !std::isfinite(turns.ppitch) || !std::isfinite(turns.pyaw)) return;
     const geom::SpatialPose X =
         geom::spatial_pose({}, geom::RollPitchYaw{turns.proll, turns.ppitch, turns.pyaw});
-    ask_unit(std::move(replier),
-             [q = geom::orientation(X.X.a, X.tilt)](world::Imus& imus, std::uint32_t row) {
-               set_reference(imus, row, attitude(imus, row) * inverse(q));
-             });
+    set_reference(std::move(replier),
+                  [q = geom::orientation(X.X.a, X.tilt)](const world::Imus& imus, std::uint32_t row) {
+                    return reference(attitude(imus, row) * inverse(q));
+                  });
   }
 }
 

@@ -18,21 +18,21 @@ namespace op = wire::opaque;
 using wire::MessageType;
 using Payload = std::vector<std::uint8_t>;
 
-bool send(world::World& world, world::ModelRow radio, world::ModelId to,
-          std::span<const std::uint8_t> bytes) {
-  if (world::send_message(world, {world.models.part[radio.index]}, to, bytes)) return true;
-  log::warn("{} has {} messages to send in one tick: the others are dropped", world.name(radio),
-            limits::kRadioSends);
+bool send(world::Journal& journal, world::ModelId radio, world::ModelId to, const Payload& bytes) {
+  if (journal.apply(world::changes::Send{radio, to, bytes})) return true;
+  const world::World& world = journal.world();
+  if (const world::ModelRow row = world.row(radio))
+    log::warn("{} has {} messages to send in one tick: the others are dropped", world.name(row),
+              limits::kRadioSends);
   return false;
 }
 
 /// Queues a message to the radio with this IP, or
 /// a broadcast. False: no such radio, or no room.
-bool send_to(world::World& world, world::ModelRow radio, const std::string& ip,
-             std::span<const std::uint8_t> bytes) {
-  if (ip.empty()) return send(world, radio, {}, bytes);
-  const world::ModelId to = radio_with_ip(world, ip);
-  return to.valid() && send(world, radio, to, bytes);
+bool send_to(world::Journal& journal, world::ModelId radio, const std::string& ip, const Payload& bytes) {
+  if (ip.empty()) return send(journal, radio, {}, bytes);
+  const world::ModelId to = radio_with_ip(journal.world(), ip);
+  return to.valid() && send(journal, radio, to, bytes);
 }
 
 class Opaque final : public SimulatedDevice {
@@ -50,10 +50,10 @@ class Opaque final : public SimulatedDevice {
   device::Taken command(const device::Message& message) override {
     auto value = wire::decode<op::Data>(message.body);
     if (!value || value->data.size() > limits::kRadioMessageBytes) return device::Taken::kNo;
-    const auto change = [id = model(), bytes = std::move(value->data)](world::World& world) {
-      if (const world::ModelRow row = world.row(id)) send(world, row, {}, bytes);
+    const auto request = [id = model(), bytes = std::move(value->data)](world::Journal& journal) {
+      send(journal, id, {}, bytes);
     };
-    return simulation().post(change, model()) ? device::Taken::kQueued : device::Taken::kNo;
+    return simulation().post(request, model()) ? device::Taken::kQueued : device::Taken::kNo;
   }
 
   /// Unicast: the bytes up to the first NUL are the address.
@@ -63,11 +63,10 @@ class Opaque final : public SimulatedDevice {
     const Payload& data = value->data;
     const auto end = std::ranges::find(data, std::uint8_t{0});
     if (end == data.end() || data.end() - end - 1 > std::ptrdiff_t{limits::kRadioMessageBytes}) return;
-    ask_world(std::move(replier),
+    answer_by(std::move(replier),
               [id = model(), ip = std::string(data.begin(), end),
-               bytes = Payload(end + 1, data.end())](world::World& world) -> std::optional<Bytes> {
-                const world::ModelRow row = world.row(id);
-                if (!row || !send_to(world, row, ip, bytes)) return std::nullopt;
+               bytes = Payload(end + 1, data.end())](world::Journal& journal) -> std::optional<Bytes> {
+                if (!send_to(journal, id, ip, bytes)) return std::nullopt;
                 return wire::encode(op::Data{});
               });
   }

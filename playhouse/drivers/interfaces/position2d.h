@@ -6,13 +6,6 @@
 
 namespace playhouse::drivers {
 
-/// Sets a goal pose in the frame of its odometry. [m, rad]
-run::Change goal_command(world::ModelId robot, const geom::Pose& goal_O);
-/// Sets its odometry; false if it no longer exists or the pose is invalid. [m, rad]
-bool set_odometry_of(world::World& world, world::ModelId robot, const geom::Pose& X_OM);
-/// False if it no longer exists.
-bool set_motor(world::World& world, world::ModelId robot, bool on);
-
 class Position2d final : public SimulatedDevice {
  public:
   /// `model` is of kind kPosition.
@@ -24,11 +17,11 @@ class Position2d final : public SimulatedDevice {
   void request(const device::Message& message, device::Replier replier) override;
   bool acts(std::uint8_t request) const override;
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
-  void closed(world::World& world, world::ModelRow model) override;
+  void closed(world::Journal& journal) override;
 
  private:
-  /// The change that a command requests; empty if it is invalid.
-  run::Change meaning(const device::Message& message) const;
+  /// The change that a command requests; none if it is invalid.
+  std::optional<world::Change> meaning(const device::Message& message) const;
   void set_odometry(const geom::Pose& X_OM, device::Replier replier);
 
   std::uint64_t update_ticks_;

@@ -4,15 +4,15 @@
 
 #include <cmath>
 
-#include "playhouse/drivers/interfaces/position2d.h"
+#include "playhouse/drivers/generated/device_makers.h"
 #include "playhouse/drivers/interfaces/shapes.h"
-#include "playhouse/run/velocity_command.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/world/periods.h"
 
 namespace playhouse::drivers {
 namespace {
 
+namespace changes = world::changes;
 namespace p3d = wire::position3d;
 using geom::Vec3;
 using wire::MessageType;
@@ -55,12 +55,10 @@ class Position3d final : public SimulatedDevice {
   void request(const device::Message& message, device::Replier replier) override;
   bool acts(std::uint8_t request) const override { return request == p3d::kReqMotorPower; }
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
-  void closed(world::World& world, world::ModelRow model) override {
-    world.positions.motor_on[world.models.part[model.index]] = 1;
-  }
+  void closed(world::Journal& journal) override { journal.apply(changes::PowerWheels{model(), true}); }
 
  private:
-  run::Change meaning(const device::Message& message) const;
+  std::optional<world::Change> meaning(const device::Message& message) const;
   void set_odometry(const wire::Pose3d& X_OM, device::Replier replier) const;
 
   std::uint64_t update_ticks_;
@@ -79,21 +77,21 @@ std::span<const Served> Position3d::served() const {
 
 /// Shares the command slot with position2d: the latest command applies.
 device::Taken Position3d::command(const device::Message& message) {
-  run::Change command = meaning(message);
+  std::optional<world::Change> command = meaning(message);
   if (!command) return device::Taken::kNo;
-  simulation().command({model(), wire::position2d::kCode}, std::move(command));
+  simulation().command({model(), wire::position2d::kCode}, *std::move(command));
   return device::Taken::kLatest;
 }
 
-run::Change Position3d::meaning(const device::Message& message) const {
+std::optional<world::Change> Position3d::meaning(const device::Message& message) const {
   if (message.subtype == p3d::kCmdSetVel) {
     const auto value = wire::decode<p3d::CmdVel>(message.body);
-    if (!value || !are_finite(value->vel)) return {};
-    return run::velocity_command(model(), {value->vel.px, value->vel.py, 0, value->vel.pyaw});
+    if (!value || !are_finite(value->vel)) return std::nullopt;
+    return changes::Drive{model(), {value->vel.px, value->vel.py, 0, value->vel.pyaw}};
   }
   const auto value = wire::decode<p3d::CmdPos>(message.body);
-  if (!value || !world::is_place({value->pos.px, value->pos.py, 0, value->pos.pyaw})) return {};
-  return goal_command(model(), {value->pos.px, value->pos.py, 0, value->pos.pyaw});
+  if (!value || !world::is_place({value->pos.px, value->pos.py, 0, value->pos.pyaw})) return std::nullopt;
+  return changes::DriveTo{model(), {value->pos.px, value->pos.py, 0, value->pos.pyaw}};
 }
 
 void Position3d::request(const device::Message& message, device::Replier replier) {
@@ -111,20 +109,13 @@ void Position3d::request(const device::Message& message, device::Replier replier
       return;
     default:  // MOTOR_POWER
       if (const auto value = wire::decode<p3d::PowerConfig>(message.body))
-        ask_world(std::move(replier),
-                  [id = model(), on = value->state != 0](world::World& world) -> std::optional<Bytes> {
-                    if (!set_motor(world, id, on)) return std::nullopt;
-                    return Bytes();
-                  });
+        change_world(std::move(replier), changes::PowerWheels{model(), value->state != 0});
       return;
   }
 }
 
 void Position3d::set_odometry(const wire::Pose3d& X, device::Replier replier) const {
-  ask_world(std::move(replier), [id = model(), X](world::World& world) -> std::optional<Bytes> {
-    if (!set_odometry_of(world, id, {X.px, X.py, 0, X.pyaw})) return std::nullopt;
-    return Bytes();
-  });
+  change_world(std::move(replier), changes::SetOdometry{model(), {X.px, X.py, 0, X.pyaw}});
 }
 
 void Position3d::emit(const world::World& world, std::vector<device::Publication>& out) {

@@ -38,13 +38,8 @@ class Power final : public SimulatedDevice {
   void request(const device::Message& message, device::Replier replier) override {
     const auto value = wire::decode<pow::ChargepolicyConfig>(message.body);
     if (!value) return;
-    ask_world(std::move(replier),
-              [id = model(), policy = *value](world::World& world) -> std::optional<Bytes> {
-                const world::ModelRow row = world.row(id);
-                if (!row) return std::nullopt;
-                set_policy(world, row, policy.enable_input != 0, policy.enable_output != 0);
-                return Bytes();
-              });
+    change_world(std::move(replier),
+                 world::changes::SetCharging{model(), value->enable_input != 0, value->enable_output != 0});
   }
 
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
@@ -53,17 +48,13 @@ class Power final : public SimulatedDevice {
     if (row) publish(world, pow::kDataState, state_of(world.packs, pack_of(world, row)), out);
   }
 
-  void closed(world::World& world, world::ModelRow model) override { set_policy(world, model, true, true); }
+  void closed(world::Journal& journal) override {
+    journal.apply(world::changes::SetCharging{model(), true, true});
+  }
 
  private:
   static std::uint32_t pack_of(const world::World& world, world::ModelRow model) {
     return world::trait_row(world.packs, model.index);  // traits never change
-  }
-
-  static void set_policy(world::World& world, world::ModelRow model, bool takes, bool gives) {
-    const std::uint32_t pack = pack_of(world, model);
-    world.packs.takes[pack] = takes;
-    world.packs.gives[pack] = gives;
   }
 
   pow::Data state_of(const world::Packs& packs, std::uint32_t pack) const {

@@ -6,15 +6,14 @@
 
 #include "playhouse/drivers/generated/device_makers.h"
 #include "playhouse/drivers/interfaces/shapes.h"
-#include "playhouse/world/camera.h"
 #include "playhouse/world/periods.h"
 
 namespace playhouse::drivers {
 namespace {
 
+namespace changes = world::changes;
 namespace ptz = wire::ptz;
 using wire::MessageType;
-using world::ControlMode;
 
 class Ptz final : public SimulatedDevice {
  public:
@@ -39,16 +38,9 @@ class Ptz final : public SimulatedDevice {
   device::Taken command(const device::Message& message) override {
     const auto wanted = wire::decode<ptz::Cmd>(message.body);
     if (!wanted || !are_finite(*wanted)) return device::Taken::kNo;
-    simulation().command({model(), ptz::kCode}, [id = model(), wanted = *wanted](world::World& world) {
-      const world::ModelRow model = world.row(id);
-      if (!model) return;
-      const world::CameraRow camera{world.models.part[model.index]};
-      if (world.cameras.mode[camera.index] == ControlMode::kVelocity) {
-        world::turn_camera(world, camera, wanted.panspeed, wanted.tiltspeed);
-      } else {
-        world::aim_camera(world, camera, {wanted.pan, wanted.tilt, wanted.zoom});
-      }
-    });
+    simulation().command({model(), ptz::kCode},
+                         changes::PointCamera{model(), wanted->pan, wanted->tilt, wanted->zoom,
+                                              wanted->panspeed, wanted->tiltspeed});
     return device::Taken::kLatest;
   }
 
@@ -63,8 +55,8 @@ class Ptz final : public SimulatedDevice {
       default:  // CONTROL_MODE
         if (const auto value = wire::decode<ptz::ReqControlMode>(message.body);
             value && (value->mode == ptz::kVelocityControl || value->mode == ptz::kPositionControl))
-          set_mode(std::move(replier),
-                   value->mode == ptz::kVelocityControl ? ControlMode::kVelocity : ControlMode::kPosition);
+          change_world(std::move(replier),
+                       changes::ControlCamera{model(), value->mode == ptz::kVelocityControl});
         return;
     }
   }
@@ -85,23 +77,12 @@ class Ptz final : public SimulatedDevice {
   }
 
   /// Resets to position control for the next client.
-  void closed(world::World& world, world::ModelRow model) override {
-    world::set_camera_mode(world, world::CameraRow{world.models.part[model.index]}, ControlMode::kPosition);
-  }
+  void closed(world::Journal& journal) override { journal.apply(changes::ControlCamera{model(), false}); }
 
  private:
   static bool are_finite(const ptz::Cmd& wanted) {
     return std::isfinite(wanted.pan) && std::isfinite(wanted.tilt) && std::isfinite(wanted.zoom) &&
            std::isfinite(wanted.panspeed) && std::isfinite(wanted.tiltspeed);
-  }
-
-  void set_mode(device::Replier replier, ControlMode mode) const {
-    ask_world(std::move(replier), [id = model(), mode](world::World& world) -> std::optional<Bytes> {
-      const world::ModelRow model = world.row(id);
-      if (!model) return std::nullopt;
-      world::set_camera_mode(world, world::CameraRow{world.models.part[model.index]}, mode);
-      return Bytes();
-    });
   }
 
   std::uint64_t update_ticks_;

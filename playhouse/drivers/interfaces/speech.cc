@@ -26,9 +26,8 @@ class Speech final : public SimulatedDevice {
     const auto value = wire::decode<wire::speech::Cmd>(message.body);
     if (!value) return device::Taken::kNo;
     // Truncated by set_say() anyway: limits the queue's memory.
-    const auto say = [id = model(), text = world::spoken(value->string)](world::World& world) {
-      if (const world::ModelRow row = world.row(id)) world::set_say(world, row, text);
-    };
+    const auto say = [change = world::changes::Say{model(), world::spoken(value->string)}](
+                         world::Journal& journal) { journal.apply(change); };
     return simulation().post(say, model()) ? device::Taken::kQueued : device::Taken::kNo;
   }
 };

@@ -19,11 +19,11 @@ class SpeechRecognition final : public SimulatedDevice {
   void request(const device::Message&, device::Replier) override {}
 
   /// Skips earlier utterances.
-  void opened(world::World& world) override {
-    ++world.utterances.listeners;
-    heard_ = world.utterances.count;
+  void opened(world::Journal& journal) override {
+    journal.listen();
+    heard_ = journal.world().utterances.count;
   }
-  void ended(world::World& world) override { --world.utterances.listeners; }
+  void ended(world::Journal& journal) override { journal.stop_listening(); }
 
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     const world::Utterances& said = world.utterances;

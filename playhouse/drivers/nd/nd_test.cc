@@ -255,7 +255,7 @@ TEST_F(NdTest, goes_with_its_robot_amid_a_drive) {
   device::Driver& gone = driver();
   go_to(0, 3);
   site.run(1);
-  ASSERT_TRUE(simulation.post([](world::World& world) { EXPECT_TRUE(world::despawn(world, {0})); }));
+  ASSERT_TRUE(simulation.post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
   site.run(3);
   site.run(0);  // what was said on the io thread
   EXPECT_EQ(site.retired.size(), 4u);

@@ -17,7 +17,7 @@ AutoDevices::AutoDevices(Site& site, std::uint16_t port, std::size_t indices)
       driver_(simulation_, "stage"),
       map_(indices, [this](std::size_t number) { return open_port(number); }) {
   simulation_.add_follower(
-      [this](const world::World& world, const world::Change& change) { follow(world, change); });
+      [this](const world::World& world, const world::Event& event) { follow(world, event); });
 }
 
 Result<void> AutoDevices::add_all() {
@@ -46,15 +46,15 @@ bool AutoDevices::open_port(std::size_t number) {
   return false;
 }
 
-void AutoDevices::follow(const world::World& world, const world::Change& change) {
-  using Kind = world::Change::Kind;
-  if (change.kind == Kind::kReload) return go_and_come_back(world);
-  if (change.kind == Kind::kDespawn)
-    for (std::uint32_t part = 0; part < change.count; ++part) go(world, {change.model.value + part});
-  if (change.kind != Kind::kSpawn) return;
-  const world::ModelRow top = world.row(change.model);
+void AutoDevices::follow(const world::World& world, const world::Event& event) {
+  using Kind = world::Event::Kind;
+  if (event.kind == Kind::kReload) return go_and_come_back(world);
+  if (event.kind == Kind::kDespawn)
+    for (std::uint32_t part = 0; part < event.count; ++part) go(world, {event.model.value + part});
+  if (event.kind != Kind::kSpawn) return;
+  const world::ModelRow top = world.row(event.model);
   // Otherwise it was removed again already, or spawned with its parent.
-  if (top && !knows(change.model, change.count)) come(world, {{top}});
+  if (top && !knows(event.model, event.count)) come(world, {{top}});
 }
 
 bool AutoDevices::knows(world::ModelId first, std::uint32_t count) const {

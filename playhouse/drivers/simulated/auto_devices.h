@@ -39,7 +39,7 @@ class AutoDevices {
   const SimulatedDriver& driver() const { return driver_; }
 
  private:
-  void follow(const world::World& world, const world::Change& change);
+  void follow(const world::World& world, const world::Event& event);
   void come(const world::World& world, std::span<const world::ModelRow> tops);
   /// True if some of `count` models from this one on have devices.
   bool knows(world::ModelId first, std::uint32_t count) const;

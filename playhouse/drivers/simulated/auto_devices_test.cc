@@ -43,16 +43,18 @@ class AutoDevicesTest : public ::testing::Test {
     EXPECT_TRUE(robots->add_all());
   }
   run::Simulation& simulation() { return *site.site().simulation(); }
-  void post(std::function<void(world::World&)> change) { EXPECT_TRUE(simulation().post(std::move(change))); }
+  void post(std::function<void(world::Journal&)> change) {
+    EXPECT_TRUE(simulation().post(std::move(change)));
+  }
   /// Comes before the next tick, and its devices with it.
   ModelId come(std::uint32_t prototype) {
     ModelId id;
-    post([&](world::World& world) { id = *world::spawn(world, prototype, {}); });
+    post([&](world::Journal& journal) { id = *journal.spawn(prototype, {}); });
     site.run(0);
     return id;
   }
   void go(ModelId id) {
-    post([=](world::World& world) { EXPECT_TRUE(world::despawn(world, id)); });
+    post([=](world::Journal& journal) { EXPECT_TRUE(journal.despawn(id)); });
     site.run(0);
   }
   std::vector<std::string> names(ModelId id) { return device_names(simulation().directory(), id, 6665); }
@@ -93,16 +95,16 @@ TEST_F(AutoDevicesTest, go_with_their_robot_and_leave_their_numbers_to_nobody) {
 
 TEST_F(AutoDevicesTest, are_decided_change_by_change_however_many_wait_for_a_tick) {
   ModelId gone, stays;
-  post([&](world::World& world) { gone = *world::spawn(world, kA, {}); });
-  post([&](world::World& world) { EXPECT_TRUE(world::despawn(world, gone)); });
-  post([&](world::World& world) { stays = *world::spawn(world, kA, {}); });
+  post([&](world::Journal& journal) { gone = *journal.spawn(kA, {}); });
+  post([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(gone)); });
+  post([&](world::Journal& journal) { stays = *journal.spawn(kA, {}); });
   site.run(0);
   EXPECT_THAT(names(stays), ElementsAre("position2d:5", "position3d:5", "speech:5", "speech_recognition:5"));
   EXPECT_EQ(site.retired.size(), 6u) << "those of the first, which clients may have seen";
 }
 
 TEST_F(AutoDevicesTest, are_none_of_what_goes_in_the_very_change_in_which_it_came) {
-  post([&](world::World& world) { EXPECT_TRUE(world::despawn(world, *world::spawn(world, kA, {}))); });
+  post([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(*journal.spawn(kA, {}))); });
   site.run(0);
   EXPECT_THAT(site.retired, IsEmpty());
   EXPECT_THAT(names(come(kA)),
@@ -140,7 +142,7 @@ TEST_F(AutoDevicesTest, measure_and_obey_as_others_do_until_their_robot_goes) {
   EXPECT_EQ(driver.command({wheels, kCmd, p2d::kCmdVel, go_on}), device::Taken::kLatest);
 
   // A request and a command are under way when the robot goes.
-  post([=](world::World& world) { EXPECT_TRUE(world::despawn(world, robot)); });
+  post([=](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); });
   const std::vector<std::byte> power = wire::encode(p2d::PowerConfig{0});
   driver.request({wheels, kReq, p2d::kReqMotorPower, power}, device::Replier(site.recorder, 1));
   driver.command({wheels, kCmd, p2d::kCmdVel, go_on});
@@ -160,7 +162,7 @@ TEST_F(AutoDevicesTest, measure_and_obey_as_others_do_until_their_robot_goes) {
 TEST_F(AutoDevicesTest, opened_while_their_robot_goes_end_as_all_do) {
   const ModelId robot = come(kA);
   const device::DeviceId wheels = site.id({6665, p2d::kCode, 4});
-  post([=](world::World& world) { EXPECT_TRUE(world::despawn(world, robot)); });
+  post([=](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); });
   ASSERT_TRUE(site.hold(wheels)) << "clients have not heard yet";
   site.run(1);
   EXPECT_FALSE(site.hold(wheels));
@@ -221,7 +223,7 @@ TEST_F(AutoDevicesTest, that_close_late_take_no_use_from_a_robot_that_came_back)
   const std::uint64_t instant = simulation().timeline()->ticks.back();
   ASSERT_GE(instant, 10u);
   // It goes and comes back, and only then the io thread hears of it.
-  ASSERT_TRUE(simulation().post([=](world::World& world) { EXPECT_TRUE(world::despawn(world, robot)); }));
+  ASSERT_TRUE(simulation().post([=](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); }));
   run::testing::rewind_to(simulation(), instant);
   world::World& world = simulation().engine().world();
   ASSERT_TRUE(world.row(robot));
@@ -270,16 +272,16 @@ class ManyRobots : public ::testing::Test {
   run::Simulation& simulation() { return *site.site().simulation(); }
   std::vector<ModelId> come(std::size_t count, std::uint32_t prototype = kA) {
     std::vector<ModelId> ids;
-    EXPECT_TRUE(simulation().post([&](world::World& world) {
+    EXPECT_TRUE(simulation().post([&](world::Journal& journal) {
       for (std::size_t k = 0; k < count; ++k)
-        ids.push_back(*world::spawn(world, prototype, {}, std::to_string(++named_)));
+        ids.push_back(*journal.spawn(prototype, {}, std::to_string(++named_)));
     }));
     site.run(0);
     return ids;
   }
   void go(const std::vector<ModelId>& ids) {
-    EXPECT_TRUE(simulation().post([=](world::World& world) {
-      for (const ModelId id : ids) EXPECT_TRUE(world::despawn(world, id));
+    EXPECT_TRUE(simulation().post([=](world::Journal& journal) {
+      for (const ModelId id : ids) EXPECT_TRUE(journal.despawn(id));
     }));
     site.run(0);
     site.retired.clear();

@@ -202,7 +202,7 @@ TEST_F(Position2dDevice,
        cannot_start_while_the_tick_has_too_much_to_do_but_starts_in_vain_at_the_end_of_the_run) {
   open(p2d::kCode, "r0");
   driver_.stop(kId);
-  while (still_.simulation.post([](world::World&) {})) continue;
+  while (still_.simulation.post([](const world::Journal&) {})) continue;
   ASSERT_FALSE(driver_.start(kId));
   still_.simulation.discard();
   EXPECT_TRUE(driver_.start(kId));
@@ -713,10 +713,10 @@ TEST_F(SimulationInterface, of_many_resets_before_one_tick_only_the_last_is_carr
     EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdReset, {}}),
               device::Taken::kQueued);
   }
-  const std::uint64_t before = still_.world().changes.end();
+  const std::uint64_t before = still_.world().events.end();
   still_.run(0);
   EXPECT_EQ(still_.world().models.X_WM[robot.index], start);
-  EXPECT_EQ(still_.world().changes.since(before).size(), 4u) << "three times away, once back";
+  EXPECT_EQ(still_.world().events.since(before).size(), 4u) << "three times away, once back";
 }
 
 TEST_F(SimulationInterface, pause_pauses_and_resumes) {

@@ -24,22 +24,21 @@ std::vector<std::byte> answer(wire::simulation::PropertyReq body, std::string_vi
 }  // namespace
 
 JoinedRobots::JoinedRobots(run::Simulation& simulation) : simulation_(simulation) {
-  simulation.add_follower(
-      [&simulation, brought = brought_](const world::World&, const world::Change& change) {
-        follow(simulation, *brought, change);
-      });
+  simulation.add_follower([&simulation, brought = brought_](const world::World&, const world::Event& event) {
+    follow(simulation, *brought, event);
+  });
 }
 
 /// Removes the sensors of a robot that has been removed, before the next tick.
-void JoinedRobots::follow(run::Simulation& simulation, Brought& brought, const world::Change& change) {
-  if (change.kind != world::Change::Kind::kDespawn) return;
-  const auto found = brought.find(change.model);
+void JoinedRobots::follow(run::Simulation& simulation, Brought& brought, const world::Event& event) {
+  if (event.kind != world::Event::Kind::kDespawn) return;
+  const auto found = brought.find(event.model);
   if (found == brought.end()) return;
   std::vector<Joined>& robots = found->second->robots;
-  const auto gone = std::ranges::find(robots, change.model, &Joined::robot);
+  const auto gone = std::ranges::find(robots, event.model, &Joined::robot);
   if (gone != robots.end()) {
-    simulation.post_always([joined = *gone](world::World& world) { leave(world, std::span(&joined, 1)); },
-                           {});
+    simulation.post_always(
+        [joined = *gone](world::Journal& journal) { leave(journal, std::span(&joined, 1)); }, {});
     robots.erase(gone);
   }
   brought.erase(found);
@@ -55,8 +54,8 @@ std::shared_ptr<JoinedRobots::Owned> JoinedRobots::owned_by(device::Caller& call
         owners->erase(who);
         // After the changes that spawned them.
         simulation.post_always(
-            [owned, name](world::World& world) {
-              leave(world, owned->robots);
+            [owned, name](world::Journal& journal) {
+              leave(journal, owned->robots);
               if (!owned->robots.empty())
                 log::info("{}: gone, and its {} robots with it", name, owned->robots.size());
               owned->robots.clear();
@@ -78,10 +77,11 @@ void JoinedRobots::join(const wire::simulation::PropertyReq& request, device::Ca
   auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
   const bool posted =
       simulation_.post([owned, brought = brought_, shared, request, wanted = std::move(*wanted),
-                        holder = caller->holder(), shares = simulation_.shares()](world::World& world) {
+                        holder = caller->holder(), shares = simulation_.shares()](world::Journal& journal) {
+        const world::World& world = journal.world();
         if (const Result<void> room = shares->check(world, holder); !room)
           return shared->nack(answer(request, room.error().text));
-        Result<Joined> joined = drivers::join(world, wanted);
+        Result<Joined> joined = drivers::join(journal, wanted);
         if (!joined) return shared->nack(answer(request, joined.error().text));
         shares->add(world, holder, joined->robot);
         for (const world::ModelId sensor : joined->sensors) shares->add(world, holder, sensor);

@@ -34,7 +34,7 @@ class JoinedRobots {
   std::shared_ptr<Owned> owned_by(device::Caller& caller);
   /// Tick thread; by robot.
   using Brought = std::map<world::ModelId, std::shared_ptr<Owned>>;
-  static void follow(run::Simulation& simulation, Brought& brought, const world::Change& change);
+  static void follow(run::Simulation& simulation, Brought& brought, const world::Event& event);
 
   run::Simulation& simulation_;
   using Owners = std::map<const device::Caller*, std::shared_ptr<Owned>>;

@@ -102,26 +102,30 @@ geom::Pose place_on(const World& world, const Joined& joined, const Type& type,
 }
 
 /// Spawns a sensor, not attached yet. Returns where it goes.
-Result<world::Attachment> make_sensor(World& world, Joined& joined, const JoinRequest::Sensor& sensor) {
+Result<world::Attachment> make_sensor(world::Journal& journal, Joined& joined,
+                                      const JoinRequest::Sensor& sensor) {
+  const World& world = journal.world();
   const Result<Type> type = find_type(world, sensor.type, false);
   if (!type) return type.error();
   const std::string wanted = joined.name + "-" + sensor.type;
   const Result<world::ModelId> came =
-      world::spawn(world, type->prototype, world.models.X_WM[world.row(joined.robot).index],
-                   world.find(wanted) ? world::fresh_name(world, wanted) : wanted);
+      journal.spawn(type->prototype, world.models.X_WM[world.row(joined.robot).index],
+                    world.find(wanted) ? world::fresh_name(world, wanted) : wanted);
   if (!came) return came.error();
   joined.sensors.push_back(*came);
   return world::Attachment{*came, place_on(world, joined, *type, sensor)};
 }
 
-Result<void> add_sensors(World& world, Joined& joined, std::span<const JoinRequest::Sensor> sensors) {
-  std::vector<world::Attachment> attachments;
+Result<void> add_sensors(world::Journal& journal, Joined& joined,
+                         std::span<const JoinRequest::Sensor> sensors) {
+  world::changes::Attach attach{{}, joined.robot, {}};
   for (const JoinRequest::Sensor& sensor : sensors) {
-    const Result<world::Attachment> made = make_sensor(world, joined, sensor);
+    const Result<world::Attachment> made = make_sensor(journal, joined, sensor);
     if (!made) return made.error();
-    attachments.push_back(*made);
+    attach.children.push_back(made->child);
+    attach.X_PC.push_back(made->X_PC);
   }
-  return world::attach(world, attachments, joined.robot);
+  return journal.apply(std::move(attach));
 }
 
 }  // namespace
@@ -154,7 +158,8 @@ Result<JoinRequest> parse_join_request(std::string_view type, std::string_view v
   return request;
 }
 
-Result<Joined> join(World& world, const JoinRequest& request) {
+Result<Joined> join(world::Journal& journal, const JoinRequest& request) {
+  const World& world = journal.world();
   if (const Result<void> room = world::check_budget(world); !room) return room.error();
   const Result<Type> type = find_type(world, request.type, true);
   if (!type) return type.error();
@@ -175,20 +180,21 @@ Result<Joined> join(World& world, const JoinRequest& request) {
   if (!is_free(world, type->prototype, X_WR))
     return Error{"", fmt::format("something stands at {:.2f} {:.2f} already", X_WR.x, X_WR.y)};
   const Result<world::ModelId> came =
-      world::spawn(world, type->prototype, X_WR, name_for(world, request.name, request.type));
+      journal.spawn(type->prototype, X_WR, name_for(world, request.name, request.type));
   if (!came) return came.error();
   const world::ModelRow row = world.row(*came);
-  if (color) world::set_color(world, row, *color);
+  if (color) journal.apply(world::changes::SetColor{*came, *color});
   Joined joined{*came, world.name(row), {}};
-  if (const Result<void> added = add_sensors(world, joined, request.sensors); !added) {
-    leave(world, std::span(&joined, 1));
+  if (const Result<void> added = add_sensors(journal, joined, request.sensors); !added) {
+    leave(journal, std::span(&joined, 1));
     return added.error();
   }
   return joined;
 }
 
 /// After a restart other models may have the ids.
-void leave(World& world, std::span<const Joined> joined) {
+void leave(world::Journal& journal, std::span<const Joined> joined) {
+  const World& world = journal.world();
   std::vector<world::ModelId> gone, attached;
   for (const Joined& each : joined) {
     for (const world::ModelId sensor : each.sensors) {
@@ -201,8 +207,8 @@ void leave(World& world, std::span<const Joined> joined) {
     if (robot && !world.models.parent_id[robot.index] && world.name(robot) == each.name)
       gone.push_back(each.robot);
   }
-  static_cast<void>(world::detach(world, attached));
-  static_cast<void>(world::despawn(world, gone));
+  if (!attached.empty()) static_cast<void>(journal.apply(world::changes::Detach{std::move(attached)}));
+  if (!gone.empty()) static_cast<void>(journal.apply(world::changes::Despawn{std::move(gone)}));
 }
 
 }  // namespace playhouse::drivers

@@ -41,10 +41,10 @@ struct Joined {
 
 /// Atomic. Fails with a message for the client: unknown
 /// type, name in use, place occupied, world full.
-Result<Joined> join(world::World& world, const JoinRequest& request);
+Result<Joined> join(world::Journal& journal, const JoinRequest& request);
 
 /// Removes robots and their sensors as far as they still exist, at the cost of one.
-void leave(world::World& world, std::span<const Joined> joined);
+void leave(world::Journal& journal, std::span<const Joined> joined);
 
 /// True if a tree of the prototype whose root is at this
 /// row of SceneDesc::models would hit no obstacle at X_WM.

@@ -55,12 +55,12 @@ class Joining : public ::testing::Test {
   /// The name of what came, or why nothing did.
   std::string come(const JoinRequest& wanted) {
     std::string told;
-    EXPECT_TRUE(simulation().post([&](world::World& world) {
-      const std::size_t before = world.models.size();
-      const Result<Joined> joined = join(world, wanted);
+    EXPECT_TRUE(simulation().post([&](world::Journal& journal) {
+      const std::size_t before = journal.world().models.size();
+      const Result<Joined> joined = join(journal, wanted);
       told = joined ? joined->name : joined.error().text;
       if (joined) last = *joined;
-      if (!joined) EXPECT_EQ(world.models.size(), before) << "all of it, or nothing";
+      if (!joined) EXPECT_EQ(journal.world().models.size(), before) << "all of it, or nothing";
     }));
     site.run(1);
     return told;
@@ -208,12 +208,12 @@ TEST_F(Joining, leaving_takes_the_sensors_along_and_nothing_else) {
   come(request("cart", 0, 0, {"bob", "", "scanner"}));
   const Joined bob = last;
   come(request("cart", 1, 0, {"eve", "", "scanner"}));
-  ASSERT_TRUE(simulation().post([&](world::World& world) { leave(world, std::span(&bob, 1)); }));
+  ASSERT_TRUE(simulation().post([&](world::Journal& journal) { leave(journal, std::span(&bob, 1)); }));
   site.run(1);
   EXPECT_FALSE(world().find("bob"));
   EXPECT_FALSE(world().find("bob-scanner"));
   EXPECT_TRUE(world().find("eve-scanner"));
-  ASSERT_TRUE(simulation().post([&](world::World& world) { leave(world, std::span(&bob, 1)); }));
+  ASSERT_TRUE(simulation().post([&](world::Journal& journal) { leave(journal, std::span(&bob, 1)); }));
   site.run(1);
   EXPECT_EQ(world().models.size(), 4u);
 }
@@ -258,7 +258,7 @@ TEST_F(Joining, the_sensors_of_a_robot_go_with_it_whoever_takes_it_out) {
   site.run(1);
   ASSERT_TRUE(world().find("bob-scanner~2"));
   const world::ModelId bob = world().id(world().find("bob"));
-  ASSERT_TRUE(simulation().post([bob](world::World& world) { ASSERT_TRUE(world::despawn(world, bob)); }));
+  ASSERT_TRUE(simulation().post([bob](world::Journal& journal) { ASSERT_TRUE(journal.despawn(bob)); }));
   site.run(2);
   for (const char* const name : {"bob", "bob-scanner", "bob-scanner~2"}) EXPECT_FALSE(world().find(name));
   EXPECT_TRUE(world().find("eve-scanner"));

@@ -36,10 +36,11 @@ std::optional<std::string> get_property(const world::World& world, std::string_v
   return std::nullopt;
 }
 
-bool set_property(world::World& world, std::string_view model, std::string_view property,
+bool set_property(world::Journal& journal, std::string_view model, std::string_view property,
                   std::string_view value) {
   std::array<float, 4> rgba{};
   if (property != "color" || value.size() != sizeof(rgba)) return false;
+  const world::World& world = journal.world();
   const world::ModelRow row = world.find(model);
   if (!row) return false;
   std::memcpy(rgba.data(), value.data(), sizeof(rgba));
@@ -47,8 +48,7 @@ bool set_property(world::World& world, std::string_view model, std::string_view 
     if (!std::isfinite(part)) return false;
     part = std::clamp(part, 0.0f, 1.0f);
   }
-  world::set_color(world, row, {rgba[0], rgba[1], rgba[2], rgba[3]});
-  return true;
+  return journal.apply(world::changes::SetColor{world.id(row), {rgba[0], rgba[1], rgba[2], rgba[3]}});
 }
 
 }  // namespace playhouse::drivers

@@ -19,7 +19,7 @@ std::optional<std::string> get_property(const world::World& world, std::string_v
                                         std::string_view property);
 
 /// Only "color" is writable. False if the property or model does not exist, or the size is wrong.
-bool set_property(world::World& world, std::string_view model, std::string_view property,
+bool set_property(world::Journal& journal, std::string_view model, std::string_view property,
                   std::string_view value);
 
 }  // namespace playhouse::drivers

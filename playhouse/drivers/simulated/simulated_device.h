@@ -44,16 +44,16 @@ class SimulatedDevice : public run::Source {
   virtual world::ModelId robot() const { return {}; }
   void set_id(device::DeviceId id) { id_ = id; }
   /// Tick thread: the device was opened, closed.
-  void begin(world::World& world) {
-    watch_.watch(world, simulation_, model_);
-    opened(world);
+  void begin(world::Journal& journal) {
+    watch_.watch(journal, simulation_, model_);
+    opened(journal);
   }
   /// Once after each open, at is_first_act().
-  void use(world::World& world) { use_.begin(world, simulation_, model_); }
-  void end(world::World& world) {
-    use_.end(world, simulation_);
-    if (const world::ModelRow model = watch_.end(world, simulation_)) closed(world, model);
-    ended(world);
+  void use(world::Journal& journal) { use_.begin(journal, simulation_, model_); }
+  void end(world::Journal& journal) {
+    use_.end(journal, simulation_);
+    if (watch_.end(journal, simulation_)) closed(journal);
+    ended(journal);
   }
 
   // Any thread. Only messages in served() are passed.
@@ -77,31 +77,43 @@ class SimulatedDevice : public run::Source {
     static_cast<void>(world), static_cast<void>(out);
   }
   /// Called on the tick thread after the first open.
-  virtual void opened(world::World& world) { static_cast<void>(world); }
+  virtual void opened(world::Journal& journal) { static_cast<void>(journal); }
   /// Called on the tick thread after the last close, if the model still exists.
-  virtual void closed(world::World& world, world::ModelRow model) {
-    static_cast<void>(world), static_cast<void>(model);
-  }
-
+  virtual void closed(world::Journal& journal) { static_cast<void>(journal); }
   /// Called on the tick thread after the last close, even if the model is gone.
-  virtual void ended(world::World& world) { static_cast<void>(world); }
+  virtual void ended(world::Journal& journal) { static_cast<void>(journal); }
 
  protected:
   run::Simulation& simulation() const { return simulation_; }
 
   /// Runs on the tick thread; returns the body of the ACK, or none for NACK.
-  using Question = std::function<std::optional<Bytes>(world::World&)>;
+  using Question = std::function<std::optional<Bytes>(const world::World&)>;
   void ask_world(device::Replier replier, Question question) const {
+    answer_by(std::move(replier), [question = std::move(question)](world::Journal& journal) {
+      return question(journal.world());
+    });
+  }
+
+  /// The same for a request that changes the world.
+  using Answer = std::function<std::optional<Bytes>(world::Journal&)>;
+  void answer_by(device::Replier replier, Answer answer) const {
     auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
     simulation_.post(
-        [shared, question = std::move(question)](world::World& world) {
-          if (std::optional<Bytes> body = question(world)) {
+        [shared, answer = std::move(answer)](world::Journal& journal) {
+          if (std::optional<Bytes> body = answer(journal)) {
             shared->ack(std::move(*body));
           } else {
             shared->nack();
           }
         },
         robot());
+  }
+
+  /// An empty ACK if the change can be, else NACK.
+  void change_world(device::Replier replier, world::Change change) const {
+    answer_by(std::move(replier), [change = std::move(change)](world::Journal& journal) {
+      return journal.apply(change) ? std::optional(Bytes()) : std::nullopt;
+    });
   }
 
   /// Appends one DATA message of this device, stamped with the world's time.

@@ -32,9 +32,9 @@ SimulatedDriver::Device SimulatedDriver::find(device::DeviceId id) const {
 Result<void> SimulatedDriver::start(device::DeviceId id) {
   const Device device = find(id);
   PLAYHOUSE_ASSERT(device != nullptr);
-  const auto open = [device, &simulation = simulation_](world::World& world) {
+  const auto open = [device, &simulation = simulation_](world::Journal& journal) {
     simulation.add_source(device);
-    device->begin(world);
+    device->begin(journal);
   };
   // Opening a device at the end of a run is no error: the client is notified of the end next.
   if (!simulation_.post(open, device->robot()) && !simulation_.discarded())
@@ -47,9 +47,9 @@ void SimulatedDriver::stop(device::DeviceId id) {
   PLAYHOUSE_ASSERT(device != nullptr);
   device->forget_acts();
   simulation_.post_always(
-      [device, &simulation = simulation_](world::World& world) {
+      [device, &simulation = simulation_](world::Journal& journal) {
         simulation.remove_source(*device);
-        device->end(world);
+        device->end(journal);
       },
       device->robot());
 }
@@ -65,7 +65,7 @@ device::Taken SimulatedDriver::command(const device::Message& message) {
 
 void SimulatedDriver::note_act(const Device& device) {
   if (device->is_first_act())
-    simulation_.post_always([device](world::World& world) { device->use(world); }, device->robot());
+    simulation_.post_always([device](world::Journal& journal) { device->use(journal); }, device->robot());
 }
 
 void SimulatedDriver::request(const device::Message& message, device::Replier replier) {
@@ -83,7 +83,7 @@ bool SimulatedDriver::capable(device::DeviceId id, std::uint8_t type, std::uint8
 
 void SimulatedDriver::barrier(device::Replier replier) {
   auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
-  simulation_.post_always([shared](world::World&) { shared->ack(); }, {});
+  simulation_.post_always([shared](world::Journal&) { shared->ack(); }, {});
 }
 
 }  // namespace playhouse::drivers

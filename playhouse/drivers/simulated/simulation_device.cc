@@ -41,20 +41,24 @@ world::ModelRow SimulationDevice::find_or_warn(const world::World& world, const 
 
 /// Poses in requests are in the parent's frame, with z from the top of a
 /// parent that stacks, as in world files. A 2D pose keeps height and tilt.
-bool SimulationDevice::move(world::World& world, const std::string& name, const wire::Pose2d& pose) {
+bool SimulationDevice::move(world::Journal& journal, const std::string& name, const wire::Pose2d& pose) {
+  const world::World& world = journal.world();
   const world::ModelRow row = find_or_warn(world, name);
-  const bool is_moved =
-      row && world::set_pose(world, row, {pose.px, pose.py, world.models.X_PM[row.index].z, pose.pa});
+  if (!row) return false;
+  const geom::Pose X_PM{pose.px, pose.py, world.models.X_PM[row.index].z, pose.pa};
+  const bool is_moved = journal.apply(world::changes::Place{world.id(row), X_PM});
   if (is_moved) overlaps_.placed(world, row, "moved");
   return is_moved;
 }
 
-bool SimulationDevice::move(world::World& world, const std::string& name, const wire::Pose3d& pose) {
+bool SimulationDevice::move(world::Journal& journal, const std::string& name, const wire::Pose3d& pose) {
+  const world::World& world = journal.world();
   const world::ModelRow row = find_or_warn(world, name);
   if (!row) return false;
   const geom::Vec3 p{pose.px, pose.py, pose.pz + world.desc(row).stacked};
-  const bool is_moved = world::set_spatial_pose(
-      world, row, geom::spatial_pose(p, geom::RollPitchYaw{pose.proll, pose.ppitch, pose.pyaw}));
+  const geom::SpatialPose X_PM =
+      geom::spatial_pose(p, geom::RollPitchYaw{pose.proll, pose.ppitch, pose.pyaw});
+  const bool is_moved = journal.apply(world::changes::PlaceIn3D{world.id(row), X_PM});
   if (is_moved) overlaps_.placed(world, row, "moved");
   return is_moved;
 }
@@ -86,8 +90,8 @@ device::Taken SimulationDevice::command(const device::Message& message) {
 /// Superseded resets are skipped, because a reset is expensive.
 device::Taken SimulationDevice::reset() {
   const std::uint64_t number = newest_reset_ + 1;
-  const bool posted = simulation().post_to_all([=, this](world::World& world) {
-    if (number >= newest_reset_) world::return_to_start(world);
+  const bool posted = simulation().post_to_all([=, this](world::Journal& journal) {
+    if (number >= newest_reset_) journal.apply(world::changes::ReturnToStart{});
   });
   if (!posted) return device::Taken::kNo;
   newest_reset_ = number;
@@ -101,8 +105,8 @@ device::Taken SimulationDevice::save() {
     return device::Taken::kNo;
   }
   const std::uint64_t number = newest_save_ + 1;
-  const bool posted = simulation().post_to_all([=, this](const world::World& world) {
-    if (number >= newest_save_) simulation().saver()(world);
+  const bool posted = simulation().post_to_all([=, this](const world::Journal& journal) {
+    if (number >= newest_save_) simulation().saver()(journal.world());
   });
   if (!posted) return device::Taken::kNo;
   newest_save_ = number;
@@ -134,38 +138,40 @@ void SimulationDevice::pose_2d(const device::Message& message, device::Replier r
   const auto request = wire::decode<sim::Pose2dReq>(message.body);
   if (!request) return;
   if (message.subtype == sim::kReqSetPose2d) {
-    ask_world(std::move(replier), [this, r = *request](world::World& world) -> std::optional<Bytes> {
-      if (!move(world, r.name, r.pose)) return std::nullopt;
+    answer_by(std::move(replier), [this, r = *request](world::Journal& journal) -> std::optional<Bytes> {
+      if (!move(journal, r.name, r.pose)) return std::nullopt;
       return Bytes();
     });
     return;
   }
-  ask_world(std::move(replier), [this, r = *request](world::World& world) mutable -> std::optional<Bytes> {
-    const world::ModelRow row = find_or_warn(world, r.name);
-    if (!row) return std::nullopt;
-    r.pose = pose2d(world.models.X_PM[row.index]);
-    return wire::encode(r);
-  });
+  ask_world(std::move(replier),
+            [this, r = *request](const world::World& world) mutable -> std::optional<Bytes> {
+              const world::ModelRow row = find_or_warn(world, r.name);
+              if (!row) return std::nullopt;
+              r.pose = pose2d(world.models.X_PM[row.index]);
+              return wire::encode(r);
+            });
 }
 
 void SimulationDevice::pose_3d(const device::Message& message, device::Replier replier) {
   const auto request = wire::decode<sim::Pose3dReq>(message.body);
   if (!request) return;
   if (message.subtype == sim::kReqSetPose3d) {
-    ask_world(std::move(replier), [this, r = *request](world::World& world) -> std::optional<Bytes> {
-      if (!move(world, r.name, r.pose)) return std::nullopt;
+    answer_by(std::move(replier), [this, r = *request](world::Journal& journal) -> std::optional<Bytes> {
+      if (!move(journal, r.name, r.pose)) return std::nullopt;
       return Bytes();
     });
     return;
   }
-  ask_world(std::move(replier), [this, r = *request](world::World& world) mutable -> std::optional<Bytes> {
-    const world::ModelRow row = find_or_warn(world, r.name);
-    if (!row) return std::nullopt;
-    r.pose = pose3d(world::pose_in_parent(world.models, row));
-    r.pose.pz -= world.desc(row).stacked;
-    r.simtime = world.time() * 1e6;  // microseconds, as in Stage
-    return wire::encode(r);
-  });
+  ask_world(std::move(replier),
+            [this, r = *request](const world::World& world) mutable -> std::optional<Bytes> {
+              const world::ModelRow row = find_or_warn(world, r.name);
+              if (!row) return std::nullopt;
+              r.pose = pose3d(world::pose_in_parent(world.models, row));
+              r.pose.pz -= world.desc(row).stacked;
+              r.simtime = world.time() * 1e6;  // microseconds, as in Stage
+              return wire::encode(r);
+            });
 }
 
 void SimulationDevice::property(const device::Message& message, device::Replier replier) {
@@ -180,8 +186,8 @@ void SimulationDevice::property(const device::Message& message, device::Replier 
       return replier.nack(wire::encode(why));
     }
     if (ask_for_world(simulation(), *request, message.caller, replier, overlaps_)) return;
-    ask_world(std::move(replier), [r = *request](world::World& world) -> std::optional<Bytes> {
-      if (!set_property(world, wire::text(r.name), wire::text(r.prop), r.value)) return std::nullopt;
+    answer_by(std::move(replier), [r = *request](world::Journal& journal) -> std::optional<Bytes> {
+      if (!set_property(journal, wire::text(r.name), wire::text(r.prop), r.value)) return std::nullopt;
       return Bytes();
     });
     return;
@@ -191,7 +197,7 @@ void SimulationDevice::property(const device::Message& message, device::Replier 
     return;
   }
   if (wire::text(request->prop) == "devices") return list_devices(*request, std::move(replier));
-  ask_world(std::move(replier), [r = *request](world::World& world) mutable -> std::optional<Bytes> {
+  ask_world(std::move(replier), [r = *request](const world::World& world) mutable -> std::optional<Bytes> {
     std::optional<std::string> value = get_property(world, wire::text(r.name), wire::text(r.prop));
     if (!value) return std::nullopt;
     r.value = std::move(*value);
@@ -207,16 +213,18 @@ bool SimulationDevice::is_for_members(const sim::PropertyReq& request) const {
 
 /// Devices of a model and its parts.
 void SimulationDevice::list_devices(const sim::PropertyReq& request, device::Replier replier) {
-  ask_world(std::move(replier), [this, r = request](world::World& world) mutable -> std::optional<Bytes> {
-    const world::ModelRow row = find_or_warn(world, r.name);
-    if (!row) return std::nullopt;
-    r.value = wire::c_string(devices_below(world, simulation().directory(), row, port_));
-    return wire::encode(r);
-  });
+  ask_world(std::move(replier),
+            [this, r = request](const world::World& world) mutable -> std::optional<Bytes> {
+              const world::ModelRow row = find_or_warn(world, r.name);
+              if (!row) return std::nullopt;
+              r.value = wire::c_string(devices_below(world, simulation().directory(), row, port_));
+              return wire::encode(r);
+            });
 }
 
 void SimulationDevice::list_models(std::uint32_t first, device::Replier replier) {
-  ask_world(std::move(replier), [this, first](world::World& world) { return model_page(world, first); });
+  ask_world(std::move(replier),
+            [this, first](const world::World& world) { return model_page(world, first); });
 }
 
 /// Cached pages of the model list, until the population changes.

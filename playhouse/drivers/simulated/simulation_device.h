@@ -49,8 +49,8 @@ class SimulationDevice final : public SimulatedDevice {
   std::map<std::uint32_t, Bytes> model_pages_;
   std::uint64_t pages_of_ = 0;  // the population they list
   world::ModelRow find_or_warn(const world::World& world, const std::string& raw_name);
-  bool move(world::World& world, const std::string& name, const wire::Pose2d& pose);
-  bool move(world::World& world, const std::string& name, const wire::Pose3d& pose);
+  bool move(world::Journal& journal, const std::string& name, const wire::Pose2d& pose);
+  bool move(world::Journal& journal, const std::string& name, const wire::Pose3d& pose);
   OverlapWarnings overlaps_;
   std::set<std::string> unknown_names_;  // already logged; at most kUnknownNames
 };

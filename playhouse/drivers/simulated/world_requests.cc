@@ -98,8 +98,8 @@ void reset(run::Simulation& simulation, const Asked& asked) {
   const bool same_seed = asked.request.value.empty();
   const std::optional<std::uint64_t> seed = number(asked.request.value);
   if (!same_seed && !seed) return asked.nack("a seed is wanted, in 4 or 8 bytes");
-  const bool posted = simulation.post_to_all([&simulation, asked, seed](world::World& world) {
-    const Result<void> started = simulation.restart(seed.value_or(world.seed()));
+  const bool posted = simulation.post_to_all([&simulation, asked, seed](const world::Journal& journal) {
+    const Result<void> started = simulation.restart(seed.value_or(journal.world().seed()));
     if (!started) return asked.nack(started.error().line());
     asked.ack();
   });
@@ -121,14 +121,15 @@ void spawn(run::Simulation& simulation, const Asked& asked, const device::Caller
   const geom::Pose at{place[0], place[1], 0, place[2]};
   const std::string holder = caller == nullptr ? std::string() : caller->holder();
   const bool posted = simulation.post(
-      [asked, at, name, holder, shares = simulation.shares(), &overlaps](world::World& world) {
+      [asked, at, name, holder, shares = simulation.shares(), &overlaps](world::Journal& journal) {
+        const world::World& world = journal.world();
         const std::string_view like = wire::text(asked.request.name);
         const world::ModelRow model = world.find(like);
         if (!model) return asked.nack("there is no model " + in_quotes(like));
         if (const Result<void> room = shares->check(world, holder); !room)
           return asked.nack(room.error().text);
         if (const Result<void> near = check_near(world, at); !near) return asked.nack(near.error().text);
-        const auto came = world::spawn_like(world, model, at, name);
+        const auto came = journal.spawn_copy(world.id(model), at, name);
         if (!came) return asked.nack(came.error().text);
         shares->add(world, holder, *came);
         overlaps.placed(world, world.row(*came), "spawned");
@@ -138,11 +139,12 @@ void spawn(run::Simulation& simulation, const Asked& asked, const device::Caller
 }
 
 void remove(run::Simulation& simulation, const Asked& asked) {
-  const bool posted = simulation.post([asked](world::World& world) {
+  const bool posted = simulation.post([asked](world::Journal& journal) {
+    const world::World& world = journal.world();
     const std::string_view name = wire::text(asked.request.name);
     const world::ModelRow model = world.find(name);
     if (!model) return asked.nack("there is no model " + in_quotes(name));
-    const Result<void> gone = world::despawn(world, world.id(model));
+    const Result<void> gone = journal.despawn(world.id(model));
     if (!gone) return asked.nack(gone.error().text);
     asked.ack();
   });

@@ -185,7 +185,7 @@ TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_t
   device::Driver& driver = site.driver(kVfh);
   go_to(0, 3);
   site.run(1);
-  ASSERT_TRUE(simulation.post([](world::World& world) { EXPECT_TRUE(world::despawn(world, {0})); }));
+  ASSERT_TRUE(simulation.post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
   site.run(3);
   site.run(0);  // what was said on the io thread
   EXPECT_EQ(site.retired.size(), 4u);
@@ -254,7 +254,7 @@ TEST(VfhApart, stops_its_robot_when_its_laser_goes) {
   EXPECT_EQ(site.driver(kVfh).command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kLatest);
   site.run(3);
   EXPECT_NE(world.positions.command[0], geom::Twist());
-  ASSERT_TRUE(simulation.post([](world::World& changed) { EXPECT_TRUE(world::despawn(changed, {0})); }));
+  ASSERT_TRUE(simulation.post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
   site.run(1);
   site.run(1);
   EXPECT_EQ(world.positions.command[0], geom::Twist());

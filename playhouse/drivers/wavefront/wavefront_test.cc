@@ -703,7 +703,7 @@ TEST(Wavefront, goes_with_its_robot_amid_a_drive) {
   device::Driver& driver = test.driver();
   test.go_to(kGoal);
   test.site.run(1);
-  ASSERT_TRUE(simulation.post([](world::World& world) { EXPECT_TRUE(world::despawn(world, {0})); }));
+  ASSERT_TRUE(simulation.post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
   test.site.run(3);
   test.site.run(0);  // what was said on the io thread
   EXPECT_EQ(test.site.retired.size(), 2u);

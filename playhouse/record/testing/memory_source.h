@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "playhouse/record/mcap_reader.h"
+#include "playhouse/record/mcap/mcap_reader.h"
 
 namespace playhouse::record {
 

@@ -479,7 +479,7 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
   population.append_tree(top, prototype, count, X);
   population.settle(first);
   population.add_names(first);
-  world.changes.add({Change::Kind::kSpawn, top, {}, count, world.models.mobility[first]});
+  world.events.add({Event::Kind::kSpawn, top, {}, count, world.models.mobility[first]});
   return top;
 }
 
@@ -538,7 +538,7 @@ Result<void> despawn(World& world, std::span<const ModelId> models) {
   };
   for (const ModelId model : models) {
     const std::uint32_t top = world.row(model).index;
-    world.changes.add({Change::Kind::kDespawn, model, {}, count_of(top), world.models.mobility[top]});
+    world.events.add({Event::Kind::kDespawn, model, {}, count_of(top), world.models.mobility[top]});
   }
   std::vector<Population::Rows> runs;  // trees have consecutive ids, hence consecutive rows
   for (const std::uint32_t top : *tops) runs.push_back({top, top + count_of(top)});
@@ -597,7 +597,7 @@ Result<void> attach(World& world, std::span<const Attachment> children, ModelId 
     models.tilt_PM.set(row.index, {});
     place_tree(world, row);
     models.V_WM.set(row.index, {});
-    world.changes.add({Change::Kind::kAttach, child, parent, 0, std::min(Mobility::kLoose, parents)});
+    world.events.add({Event::Kind::kAttach, child, parent, 0, std::min(Mobility::kLoose, parents)});
   }
   wake(models);
   return {};
@@ -632,7 +632,7 @@ Result<void> detach(World& world, std::span<const ModelId> children) {
     const std::uint32_t row = world.row(children[i]).index, parent = world.row(parents[i]).index;
     models.V_WM.set(row, {});
     const Mobility least = std::min({mobility[i], models.mobility[parent], models.mobility[row]});
-    world.changes.add({Change::Kind::kDetach, children[i], parents[i], 0, least});
+    world.events.add({Event::Kind::kDetach, children[i], parents[i], 0, least});
   }
   wake(models);
   return {};

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Population: spawning, removing, attaching and detaching of models between ticks. Every
-/// function validates its arguments, is atomic, and adds an entry to world.changes. Rows change;
+/// function validates its arguments, is atomic, and adds an entry to world.events. Rows change;
 /// ids do not. Thread: the tick thread, between steps, or a phase that runs sequentially.
 
 #include <cstdint>

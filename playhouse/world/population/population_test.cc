@@ -276,8 +276,8 @@ TEST_F(PopulationTest, several_are_attached_and_detached_as_they_would_be_one_by
     attachments.push_back({pucks.back(), {0.1 * i, 0.2, 0, 0.5}});
   }
   const auto kinds = [](const World& w) {
-    std::vector<std::pair<Change::Kind, Mobility>> list;
-    for (const Change& change : w.changes.since(0)) list.emplace_back(change.kind, change.mobility);
+    std::vector<std::pair<Event::Kind, Mobility>> list;
+    for (const Event& event : w.events.since(0)) list.emplace_back(event.kind, event.mobility);
     return list;
   };
   ASSERT_TRUE(attach(world, attachments, {2}).ok());
@@ -309,15 +309,15 @@ TEST_F(PopulationTest, several_go_as_they_would_one_by_one) {
     ASSERT_TRUE(attach(*each, *puck, {8}, {}).ok());
     ASSERT_TRUE(attach(*each, {4}, *puck, {}).ok());
   }
-  const std::uint64_t before = world.changes.end();
+  const std::uint64_t before = world.events.end();
   ASSERT_TRUE(despawn(world, going).ok());
   for (const ModelId each : going) ASSERT_TRUE(despawn(other, each).ok());
   expect_whole();
   EXPECT_EQ(first_difference(world, other), std::nullopt);
   EXPECT_EQ(world.hash(), other.hash());
   std::vector<ModelId> gone;
-  for (const Change& change : world.changes.since(before))
-    if (change.kind == Change::Kind::kDespawn) gone.push_back(change.model);
+  for (const Event& event : world.events.since(before))
+    if (event.kind == Event::Kind::kDespawn) gone.push_back(event.model);
   EXPECT_EQ(gone, going);
   ASSERT_TRUE(despawn(world, std::vector(world.models.id)[0]).ok()) << "the wall";
 }
@@ -328,7 +328,7 @@ TEST_F(PopulationTest, of_several_all_stay_where_one_cannot_go) {
   EXPECT_FALSE(despawn(world, std::vector<ModelId>{{1}, {99}}).ok());
   EXPECT_FALSE(despawn(world, std::vector<ModelId>{{1}, {5}, {1}}).ok()) << "twice";
   EXPECT_EQ(world.hash(), before);
-  EXPECT_EQ(world.changes.end(), 0u);
+  EXPECT_EQ(world.events.end(), 0u);
   EXPECT_TRUE(despawn(world, std::span<const ModelId>()).ok());
 }
 
@@ -349,7 +349,7 @@ TEST_F(PopulationTest, refuses_what_makes_no_world) {
   EXPECT_FALSE(detach(world, {4}).ok());
   EXPECT_FALSE(detach(world, {2}).ok()) << "part of the robot as the scene has it";
   EXPECT_EQ(world.hash(), before);
-  EXPECT_EQ(world.changes.end(), 0u);
+  EXPECT_EQ(world.events.end(), 0u);
 }
 
 TEST_F(PopulationTest, every_change_is_in_the_list) {
@@ -359,19 +359,19 @@ TEST_F(PopulationTest, every_change_is_in_the_list) {
   ASSERT_TRUE(set_pose(world, world.row(id), {2, 2, 0, 0}));
   set_color(world, world.row(id), {});
   ASSERT_TRUE(despawn(world, id).ok());
-  using Kind = Change::Kind;
+  using Kind = Event::Kind;
   std::vector<Kind> kinds;
-  for (const Change& change : world.changes.since(0)) {
-    EXPECT_EQ(change.model, id);
-    EXPECT_EQ(change.mobility, Mobility::kLoose);
-    kinds.push_back(change.kind);
+  for (const Event& event : world.events.since(0)) {
+    EXPECT_EQ(event.model, id);
+    EXPECT_EQ(event.mobility, Mobility::kLoose);
+    kinds.push_back(event.kind);
   }
   EXPECT_EQ(kinds, (std::vector<Kind>{Kind::kSpawn, Kind::kAttach, Kind::kDetach, Kind::kPlace, Kind::kSet,
                                       Kind::kDespawn}));
-  world.changes.drop_before(4);
-  EXPECT_EQ(world.changes.since(0).size(), 2u);
-  EXPECT_EQ(world.changes.since(5).size(), 1u);
-  EXPECT_EQ(world.changes.end(), 6u);
+  world.events.drop_before(4);
+  EXPECT_EQ(world.events.since(0).size(), 2u);
+  EXPECT_EQ(world.events.since(5).size(), 1u);
+  EXPECT_EQ(world.events.end(), 6u);
 }
 
 TEST_F(PopulationTest, returns_to_the_start_with_whoever_is_there) {

@@ -150,7 +150,7 @@ class Loader {
       if (world_.models.root[row] == row) place(row);
     users.give_back(world_.models);
     ++world_.said_;
-    world_.changes.add({Change::Kind::kReload, {}, {}, 0, Mobility::kFixed});
+    world_.events.add({Event::Kind::kReload, {}, {}, 0, Mobility::kFixed});
     return read_deciders();
   }
 
@@ -355,6 +355,12 @@ Result<void> save_state(const World& world, std::vector<std::byte>& bytes) {
     if (const Result<void> saved = decider->save(out); !saved) return saved;
   }
   return {};
+}
+
+std::uint64_t tick_of(std::span<const std::byte> state) {
+  Unpacker in(state);
+  in.u64();  // the seed
+  return in.u64();
 }
 
 Result<void> load_state(World& world, std::span<const std::byte> state) {

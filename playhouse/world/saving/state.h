@@ -22,13 +22,16 @@ Result<void> save_state(const World& world, std::vector<std::byte>& out);
 
 /// Replaces the world by the saved one, which must have the same scene, seed
 /// and controllers. Models in both keep their subscribers. Adds a kReload entry
-/// to the change log, which the engine processes before its next tick. Fails on
+/// to the event log, which the engine processes before its next tick. Fails on
 /// bytes that are not a state of this scene; the world is unusable then.
 Result<void> load_state(World& world, std::span<const std::byte> state);
 
 /// The same with another seed, to restart a run from a state: all
 /// that derives from the seed alone is recomputed from this one.
 Result<void> load_state(World& world, std::span<const std::byte> state, std::uint64_t seed);
+
+/// The tick of a saved state; 0 of bytes that are none.
+std::uint64_t tick_of(std::span<const std::byte> state);
 
 /// The first difference between two worlds.
 struct Difference {

@@ -1,4 +1,4 @@
-#include "playhouse/record/mcap.h"
+#include "playhouse/record/mcap/mcap.h"
 
 #include <zlib.h>
 

@@ -1,4 +1,4 @@
-#include "playhouse/record/mcap_reader.h"
+#include "playhouse/record/mcap/mcap_reader.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

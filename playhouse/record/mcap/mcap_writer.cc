@@ -1,4 +1,4 @@
-#include "playhouse/record/mcap_writer.h"
+#include "playhouse/record/mcap/mcap_writer.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -13,7 +13,7 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/packing.h"
-#include "playhouse/record/packed_bytes.h"
+#include "playhouse/record/mcap/packed_bytes.h"
 
 namespace playhouse::record {
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "playhouse/base/result.h"
-#include "playhouse/record/mcap.h"
+#include "playhouse/record/mcap/mcap.h"
 
 namespace playhouse::record {
 

@@ -13,8 +13,8 @@
 #include "playhouse/base/packing.h"
 #include "playhouse/base/testing_folder.h"
 #include "playhouse/record/csv.h"
-#include "playhouse/record/mcap_reader.h"
-#include "playhouse/record/mcap_writer.h"
+#include "playhouse/record/mcap/mcap_reader.h"
+#include "playhouse/record/mcap/mcap_writer.h"
 #include "playhouse/record/testing/memory_source.h"
 
 namespace playhouse::record {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The change log of a world: spawns, removals, attachments, placements; one list, read by engine, viewers,
+/// The event log of a world: spawns, removals, attachments, placements; one list, read by engine, viewers,
 /// device table, controllers and recordings. Written by the functions of population.h and world.h.
 
 #include <cstdint>
@@ -18,7 +18,7 @@ enum class Mobility : std::uint8_t {
   kDriven,  // a mover, or carried by one
 };
 
-struct Change {
+struct Event {
   enum class Kind : std::uint8_t {
     kSpawn,    // root `model` was added with all its parts
     kDespawn,  // root `model` was removed with all its parts: exactly `count` ids from its own on
@@ -34,19 +34,19 @@ struct Change {
   /// Mobility of `model` before the change; kFixed also if a part joined a fixed
   /// tree that thereby became movable, or left one that thereby became fixed again.
   Mobility mobility = Mobility::kFixed;
-  friend bool operator==(const Change&, const Change&) = default;
+  friend bool operator==(const Event&, const Event&) = default;
 };
 
-/// The change log. A reader keeps the number of the first entry that it has not read.
-class ChangeList {
+/// The log. A reader keeps the number of the first entry that it has not read.
+class EventLog {
  public:
-  void add(const Change& change) { entries_.push_back(change); }
+  void add(const Event& event) { entries_.push_back(event); }
 
   /// Number of the next entry; entries are numbered from 0 over the whole run.
   std::uint64_t end() const { return first_ + entries_.size(); }
   /// The retained entries from number `from` on. The engine drops entries from before its last
   /// tick, so a reader that polls after every tick and after changes between ticks misses none.
-  std::span<const Change> since(std::uint64_t from) const {
+  std::span<const Event> since(std::uint64_t from) const {
     const std::uint64_t at = from < first_ ? first_ : from;
     return std::span(entries_).subspan(static_cast<std::size_t>(at - first_));
   }
@@ -59,7 +59,7 @@ class ChangeList {
 
  private:
   std::uint64_t first_ = 0;
-  std::vector<Change> entries_;
+  std::vector<Event> entries_;
 };
 
 }  // namespace playhouse::world

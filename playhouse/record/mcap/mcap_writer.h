@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
-#include "playhouse/record/mcap.h"
-#include "playhouse/record/record_sink.h"
+#include "playhouse/record/mcap/mcap.h"
+#include "playhouse/record/mcap/record_sink.h"
 
 namespace playhouse::record {
 

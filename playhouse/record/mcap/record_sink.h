@@ -7,7 +7,7 @@
 #include <span>
 
 #include "playhouse/base/result.h"
-#include "playhouse/record/mcap.h"
+#include "playhouse/record/mcap/mcap.h"
 
 namespace playhouse::record {
 

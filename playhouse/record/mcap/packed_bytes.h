@@ -1,12 +1,12 @@
 #pragma once
 
-/// PackedBytes: bytes that are kept compressed (zstd). The states of a recording are much alike: a small file
-/// would fill the memory with them.
+/// PackedBytes: bytes that are kept compressed (zstd), unless they are few. The states of a recording are
+/// much alike: a small file would fill the memory with them.
 
 #include <cstddef>
 #include <span>
 
-#include "playhouse/record/mcap.h"
+#include "playhouse/record/mcap/mcap.h"
 
 namespace playhouse::record {
 

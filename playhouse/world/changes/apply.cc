@@ -1,0 +1,248 @@
+/// What each change does to the row of its model. In: changes of any origin, files and peers
+/// included, so that every number and every count is checked here or by the function called.
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/world/camera.h"
+#include "playhouse/world/generated/changes.h"
+#include "playhouse/world/population/population.h"
+#include "playhouse/world/radio_messages.h"
+#include "playhouse/world/saving/state.h"
+#include "playhouse/world/traits.h"
+
+namespace playhouse::world::changes {
+
+// --- any model
+
+bool carry_out(World& world, ModelRow row, const Place& change) {
+  return set_pose(world, row, change.X_PM);
+}
+
+bool carry_out(World& world, ModelRow row, const PlaceIn3D& change) {
+  return set_spatial_pose(world, row, change.X_PM);
+}
+
+bool carry_out(World& world, ModelRow row, const SetColor& change) {
+  const scene::Color& c = change.color;
+  if (!std::isfinite(c.r + c.g + c.b + c.a)) return false;
+  set_color(world, row, c);
+  return true;
+}
+
+bool carry_out(World& world, ModelRow row, const SetFiducial& change) {
+  set_fiducial_return(world, row, change.id);
+  return true;
+}
+
+bool carry_out(World& world, ModelRow row, const Say& change) {
+  set_say(world, row, change.text);
+  return true;
+}
+
+bool carry_out(World& world, ModelRow row, const Subscribe&) {
+  if (world.models.subscribers[row.index] >= limits::kSubscribers) return false;
+  subscribe(world, row);
+  return true;
+}
+
+/// Those of controllers stay, and those of watchers end as such.
+bool carry_out(World& world, ModelRow row, const Unsubscribe&) {
+  const Models& models = world.models;
+  const std::uint32_t others = models.controllers[row.index] + models.watchers[row.index];
+  if (models.subscribers[row.index] <= others) return false;
+  unsubscribe(world, row);
+  return true;
+}
+
+bool carry_out(World& world, ModelRow row, const Watch&) {
+  if (world.models.subscribers[row.index] >= limits::kSubscribers) return false;
+  watch(world, row);
+  return true;
+}
+
+bool carry_out(World& world, ModelRow row, const Unwatch&) {
+  if (world.models.watchers[row.index] == 0) return false;
+  unwatch(world, row);
+  return true;
+}
+
+// --- robots
+
+bool carry_out(World& world, PositionRow row, const Drive& change) {
+  return command_velocity(world, row, change.velocity);
+}
+
+bool carry_out(World& world, PositionRow row, const DriveTo& change) {
+  return command_position(world, row, change.goal_O);
+}
+
+bool carry_out(World& world, PositionRow row, const DriveHeading& change) {
+  return command_heading(world, row, change.speed, change.heading_O);
+}
+
+bool carry_out(World& world, PositionRow row, const Stand&) {
+  command_velocity(world, row, {});
+  world.positions.velocity[row.index] = {};
+  world.positions.stall[row.index] = 0;
+  return true;
+}
+
+bool carry_out(World& world, PositionRow row, const SetOdometry& change) {
+  return set_odometry(world, row, change.X_OM);
+}
+
+bool carry_out(World& world, PositionRow row, const PowerWheels& change) {
+  world.positions.motor_on[row.index] = change.on;
+  return true;
+}
+
+// --- other kinds
+
+bool carry_out(World& world, ActuatorRow row, const MoveJoint& change) {
+  return command_joint_velocity(world, row, change.velocity);
+}
+
+bool carry_out(World& world, ActuatorRow row, const MoveJointTo& change) {
+  return command_joint_position(world, row, change.position);
+}
+
+bool carry_out(World& world, ActuatorRow row, const PowerJoint& change) {
+  world.actuators.motor_on[row.index] = change.on;
+  return true;
+}
+
+bool carry_out(World& world, ActuatorRow row, const BrakeJoint& change) {
+  world.actuators.braked[row.index] = change.on;
+  return true;
+}
+
+bool carry_out(World& world, ActuatorRow row, const SetJointSpeed& change) {
+  if (!(change.speed > 0)) return false;
+  const scene::ActuatorDesc& desc = *world.desc(world.actuators.model[row.index]).actuator;
+  world.actuators.speed[row.index] = std::min(change.speed, desc.max_speed);
+  return true;
+}
+
+bool carry_out(World& world, CameraRow row, const PointCamera& change) {
+  if (world.cameras.mode[row.index] == ControlMode::kVelocity)
+    return turn_camera(world, row, change.pan_speed, change.tilt_speed);
+  return aim_camera(world, row, {change.pan, change.tilt, change.zoom});
+}
+
+bool carry_out(World& world, CameraRow row, const ControlCamera& change) {
+  set_camera_mode(world, row, change.by_velocity ? ControlMode::kVelocity : ControlMode::kPosition);
+  return true;
+}
+
+bool carry_out(World& world, GripperRow row, const Grip& change) {
+  command_gripper(world, row, change.command);
+  return true;
+}
+
+bool carry_out(World& world, BlinkenlightRow row, const SwitchLight& change) {
+  world.blinkenlights.enabled[row.index] = change.on;
+  return true;
+}
+
+bool carry_out(World& world, BlinkenlightRow row, const FlashLight& change) {
+  if (!std::isfinite(change.period) || change.period < 0) return false;
+  if (!(change.dutycycle >= 0 && change.dutycycle <= 1)) return false;
+  world.blinkenlights.period[row.index] = change.period;
+  world.blinkenlights.dutycycle[row.index] = change.dutycycle;
+  return true;
+}
+
+bool carry_out(World& world, LightindicatorRow row, const SwitchIndicator& change) {
+  world.lightindicators.lit[row.index] = change.on;
+  return true;
+}
+
+bool carry_out(World& world, CustomRow row, const CommandCustom& change) {
+  return command_custom(world, row, change.which, change.value);
+}
+
+bool carry_out(World& world, WifiRow row, const Send& change) {
+  return send_message(world, row, change.to, change.bytes);
+}
+
+bool carry_out(World& world, ImuRow row, const SetAttitudeReference& change) {
+  if (world.imus.noted_tick[row.index] == 0) return false;
+  if (!std::isfinite(change.heading) || !geom::is_tilt(change.tilt)) return false;
+  world.imus.reference_heading[row.index] = change.heading;
+  world.imus.reference_tilt[row.index] = change.tilt;
+  return true;
+}
+
+bool carry_out(World& world, PackRow row, const SetCharging& change) {
+  world.packs.takes[row.index] = change.takes;
+  world.packs.gives[row.index] = change.gives;
+  return true;
+}
+
+// --- the world
+
+namespace {
+
+/// Spawns with ids from `first` on, if that is above those in use: after a state was loaded, no id names two
+/// models. The gap is part of the state (world/population/serials.h), so a spawn that fails takes it back.
+template <typename Make>
+Result<ModelId> with_ids_from(World& world, std::uint32_t first, const Make& make) {
+  Population population(world);
+  const std::uint32_t before = population.next_id();
+  if (!population.serials().add({before, first})) return make();
+  population.next_id() = first;
+  Result<ModelId> made = make();
+  if (made) return made;
+  population.next_id() = before;
+  population.serials().remove_last();
+  return made;
+}
+
+}  // namespace
+
+Result<ModelId> apply(World& world, const Spawn& change) {
+  return with_ids_from(world, change.first_id,
+                       [&] { return spawn(world, change.prototype, change.X_WM, change.name); });
+}
+
+Result<ModelId> apply(World& world, const SpawnCopy& change) {
+  const ModelRow model = world.row(change.of);
+  if (!model) return Error{"", "the model to copy is gone"};
+  return with_ids_from(world, change.first_id,
+                       [&] { return spawn_like(world, model, change.X_WM, change.name); });
+}
+
+Result<void> apply(World& world, const Despawn& change) {
+  return despawn(world, change.models);
+}
+
+Result<void> apply(World& world, const Attach& change) {
+  if (change.children.size() != change.X_PC.size()) return Error{"", "a pose for each child is wanted"};
+  std::vector<Attachment> attachments;
+  for (std::size_t i = 0; i < change.children.size(); ++i)
+    attachments.push_back({change.children[i], change.X_PC[i]});
+  return attach(world, attachments, change.parent);
+}
+
+Result<void> apply(World& world, const Detach& change) {
+  return detach(world, change.models);
+}
+
+bool apply(World& world, const ReturnToStart&) {
+  return_to_start(world);
+  return true;
+}
+
+bool apply(World& world, const StartControllers&) {
+  for (const std::unique_ptr<Decider>& decider : world.deciders) decider->follow(world);
+  return true;
+}
+
+Result<void> apply(World& world, const Load& change) {
+  if (change.state == nullptr) return Error{"", "there is no state to load"};
+  return load_state(world, *change.state, change.seed);
+}
+
+}  // namespace playhouse::world::changes
