@@ -5,7 +5,7 @@
 
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/server/server.h"
 #include "playhouse/server/test_client.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -25,13 +25,13 @@ class BusyTick : public ::testing::Test {
  protected:
   BusyTick()
       : still_("interval_sim 100\nposition( name \"r0\" )\n"),
-        driver_(still_.simulation, "stage"),
+        driver_(still_.devices, "stage"),
         server_(network_) {
     EXPECT_EQ(*server_.listen(kPort), kPort);
     driver_.add(*server_.add_device({kPort, kWheels, 0}, driver_),
-                drivers::make_device(still_.simulation, kWheels, still_.world().find("r0")));
+                drivers::make_device(still_.devices, kWheels, still_.world().find("r0")));
     driver_.add(*server_.add_device({kPort, kSimulation, 0}, driver_),
-                drivers::make_device(still_.simulation, kSimulation, {}));
+                drivers::make_device(still_.devices, kSimulation, {}));
   }
   // What still waits may hold repliers.
   ~BusyTick() override { still_.simulation.discard(); }
@@ -57,7 +57,7 @@ class BusyTick : public ::testing::Test {
   }
 
   net::SimulatedNetwork network_{3};
-  run::testing::StillSimulation still_;
+  drivers::testing::StillDevices still_;
   drivers::SimulatedDriver driver_;
   server::Server server_;
 };

@@ -27,13 +27,14 @@ Playback::Playback(run::Simulation& simulation, record::Rerun& rerun)
       timeline_(moments(rerun.first_tick(), rerun.last_tick(), rerun.world().scene().interval)) {}
 
 void Playback::rewind(std::uint64_t tick) {
-  simulation_.post([this, tick](const world::Journal&) { rerun_.seek(tick); });
+  simulation_.requests().post([this, tick](const world::Journal&) { rerun_.seek(tick); });
 }
 
 void Playback::look_for_end() {
   if (rerun_.differs() && !std::exchange(told_, true))
     log::error("the run differs from its recording {}; it is shown up to there", *rerun_.differs());
-  if ((rerun_.at_end() || rerun_.differs()) && !simulation_.pace().paused) simulation_.pause();
+  if ((rerun_.at_end() || rerun_.differs()) && !simulation_.requests().pace().paused)
+    simulation_.requests().pause();
 }
 
 }  // namespace playhouse::app

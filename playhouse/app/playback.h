@@ -20,10 +20,10 @@ class Playback final : public world::Control {
   void look_for_end();
 
   std::string why_fixed() const override { return "this is a recording: nothing in it can be changed"; }
-  void pause() override { simulation_.pause(); }
-  void resume() override { simulation_.resume(); }
-  void step_once() override { simulation_.step_once(); }
-  void set_speed(double times_real_time) override { simulation_.set_speed(times_real_time); }
+  void pause() override { simulation_.requests().pause(); }
+  void resume() override { simulation_.requests().resume(); }
+  void step_once() override { simulation_.requests().step_once(); }
+  void set_speed(double times_real_time) override { simulation_.requests().set_speed(times_real_time); }
   void drive(world::ModelId, const geom::Twist&) override {}
   /// Accepts the change and drops it.
   bool post(std::function<void(world::Journal&)>, world::ModelId) override { return true; }

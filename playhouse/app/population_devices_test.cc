@@ -58,8 +58,9 @@ class Town final : public drivers::Surroundings {
   ~Town() override { simulation().discard(); }
 
   run::Simulation& simulation() { return *site_.simulation(); }
+  drivers::Directory& directory() { return site_.model_devices()->directory(); }
   void post(std::function<void(world::Journal&)> change) {
-    ASSERT_TRUE(simulation().post(std::move(change)));
+    ASSERT_TRUE(simulation().requests().post(std::move(change)));
   }
   void tick() {
     simulation().extend(1);
@@ -77,8 +78,8 @@ class Town final : public drivers::Surroundings {
             status().device_rows,
             site_.device_count(),
             robots_->driver().device_count(),
-            simulation().directory().size(),
-            simulation().source_count()};
+            site_.model_devices()->directory().size(),
+            site_.model_devices()->sources().size()};
   }
 
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
@@ -251,7 +252,7 @@ TEST(PopulationDevices, with_the_number_of_another_say_nothing_to_who_had_that_o
   }
   for (int tick = 0; tick < 600; ++tick) town.tick();
   come();
-  ASSERT_EQ(town.simulation().directory().model_of({kPort, kWheels, 1}), newest);
+  ASSERT_EQ(town.directory().model_of({kPort, kWheels, 1}), newest);
 
   const std::size_t told = (pushed.data[{kWheels, 1}]), pulled_told = (pulled.data[{kWheels, 1}]);
   pulled.drive(1);
@@ -295,8 +296,8 @@ TEST(PopulationDevices, follow_over_tcp_with_every_thread_of_the_program) {
     for (std::uint16_t robot = 1; robot <= kRobots; ++robot) {
       ModelId id;
       std::promise<void> followed;
-      simulation.post([&](world::Journal& journal) { id = *journal.spawn(0, {}); });
-      simulation.post([&](const world::Journal&) { followed.set_value(); });
+      simulation.requests().post([&](world::Journal& journal) { id = *journal.spawn(0, {}); });
+      simulation.requests().post([&](const world::Journal&) { followed.set_value(); });
       followed.get_future().get();
       Result<client::Laser> laser = client::Laser::open(*client, robot);
       Result<client::Position2d> wheels = client::Position2d::open(*client, robot);
@@ -307,7 +308,7 @@ TEST(PopulationDevices, follow_over_tcp_with_every_thread_of_the_program) {
         if (const auto driven = wheels->drive(0.1, 0); !driven) return driven.error();
         if (const auto read = client->read(); !read) return read.error();
       }
-      simulation.post([=](world::Journal& journal) { EXPECT_TRUE(journal.despawn(id)); });
+      simulation.requests().post([=](world::Journal& journal) { EXPECT_TRUE(journal.despawn(id)); });
       while (!laser->device().gone() || !wheels->device().gone()) {
         static_cast<void>(wheels->drive(0.1, 0));  // refused once it has heard
         if (const auto read = client->read(); !read) return read.error();

@@ -28,22 +28,23 @@ class Rewound {
         simulation_(*make_engine(scene_, {.workers = workers}, controllers::Libraries::Use::kLoad,
                                  [](const std::string&) {}),
                     {.speed = 0, .duration = 0, .clock = run::testing::no_time_passes}) {
-    simulation_.record(true);
-    simulation_.add_listener(
-        [this](const world::World& world, const world::Pace&) { hash_of_tick[world.tick()] = world.hash(); });
+    simulation_.requests().record(true);
+    simulation_.follow(run::on_show([this](const world::World& world, const world::Pace&) {
+      hash_of_tick[world.tick()] = world.hash();
+    }));
   }
   void run_to(std::uint64_t tick) {
     simulation_.extend(tick - world().tick());
     simulation_.run();
   }
   void change(const std::function<void(world::Journal&)>& change) {
-    ASSERT_TRUE(simulation_.post(change));
+    ASSERT_TRUE(simulation_.requests().post(change));
     run_to(world().tick());
   }
   /// Hashes of the ticks from an instant to another tick, as they are once more.
   Hashes again(std::uint64_t instant, std::uint64_t tick) {
     hash_of_tick.clear();
-    simulation_.rewind(instant);
+    simulation_.requests().rewind(instant);
     run_to(tick);
     // The world that was left is shown once more, with its new pace.
     return part(std::exchange(hash_of_tick, {}), instant, tick);

@@ -160,10 +160,10 @@ TEST(SecondEngine, serves_clients_and_viewers_as_the_first_does) {
   const std::uint16_t port = service.player_ports().front();
   Watcher watcher;
   bool has_rolled = false;  // it rolls to and fro: at the end it may be upright
-  service.simulation().add_listener([&](const world::World& world, const world::Pace& pace) {
+  service.simulation().follow(run::on_show([&](const world::World& world, const world::Pace& pace) {
     watcher.show(world, pace);
     has_rolled = has_rolled || watcher.tilt_of(world.find("puck").index) != 0;
-  });
+  }));
 
   const auto drive_towards_the_puck = [&]() -> Result<double> {
     Result<client::Client> client = client::Client::connect("127.0.0.1", port);

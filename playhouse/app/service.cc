@@ -39,6 +39,22 @@
 namespace playhouse::app {
 namespace {
 
+/// A server of viewers, which copies of the world what it sends.
+template <typename Server>
+class Viewers final : public run::Follower {
+ public:
+  explicit Viewers(Server& server) : server_(server) {}
+  std::optional<run::Work> work(const world::World& world, const world::Pace& pace) override {
+    if (!server_.wants_show()) return {};
+    pace_ = pace;
+    return run::Work{.run = [this, &world](std::size_t) { server_.show(world, pace_); }};
+  }
+
+ private:
+  Server& server_;
+  world::Pace pace_;
+};
+
 constexpr double kProgressSeconds = 0.5;
 constexpr std::uint32_t kLastPort = std::numeric_limits<std::uint16_t>::max();
 
@@ -125,7 +141,8 @@ Result<void> Service::save(const world::World& world, const std::string& file) c
 Result<void> Service::let_clients_save(const std::string& file) {
   if (access(scene::containing_folder(file).c_str(), W_OK | X_OK) != 0)
     return Error{escaped(file), "cannot be written: " + std::generic_category().message(errno)};
-  simulation().save_by([this, file](const world::World& world) { world_saver_.save(world, file); });
+  site_->model_devices()->save_by(
+      [this, file](const world::World& world) { world_saver_.save(world, file); });
   return {};
 }
 
@@ -136,7 +153,8 @@ Result<void> Service::save_at(const SaveAt& save) {
       is_world_file(save.file) ? Result<void>() : world::save_state(simulation().world(), ignored);
   if (!saved) return saved;
   if (saves_.empty())
-    simulation().add_listener([this](const world::World& world, const world::Pace&) { save_due(world); });
+    simulation().follow(
+        run::on_show([this](const world::World& world, const world::Pace&) { save_due(world); }));
   saves_.push_back(save);
   save_due(simulation().world());
   return {};
@@ -166,10 +184,9 @@ Result<void> Service::record(const std::string& file, const std::string& only) {
   Result<std::unique_ptr<record::McapWriter>> writer = record::McapWriter::create(file, "ros2");
   if (!writer) return writer.error();
   record_file_ = std::make_unique<record::RecordThread>(std::move(*writer));
-  recorder_ = std::make_unique<record::Recorder>(*record_file_, std::move(*selection), simulation());
-  simulation().add_follower(
-      [this](const world::World& world, const world::Event& event) { recorder_->follow(world, event); });
-  simulation().add_run_listener(*recorder_);
+  recorder_ =
+      std::make_unique<record::Recorder>(*record_file_, std::move(*selection), simulation().requests());
+  simulation().follow(*recorder_);
   return recorder_->begin(simulation().world(), sources_);
 }
 
@@ -256,7 +273,7 @@ Result<void> Service::make_devices() {
   site_->data_flow().pass_to(*server_);
   const Result<void> made = recording_ ? open_playback() : cfg_ ? make_drivers() : add_robots();
   if (made && site_->simulation() != nullptr)
-    if (run::LockStep* lock_step = simulation().lock_step()) server_->take_turns(*lock_step);
+    if (run::LockStep* lock_step = simulation().lock_step()) server_->take_turns(turns_.emplace(*lock_step));
   // Before ports are announced: a reader of those may send a signal at once.
   if (made) catch_signals();
   return made;
@@ -274,7 +291,8 @@ Result<void> Service::open_playback() {
   record::Rerun& rerun = *recording_->rerun;
   if (const Result<void> opened = site_->open_world(recording_->scene.path); !opened) return opened;
   playback_ = std::make_unique<Playback>(simulation(), rerun);
-  simulation().add_listener([this](const world::World&, const world::Pace&) { playback_->look_for_end(); });
+  simulation().follow(
+      run::on_show([this](const world::World&, const world::Pace&) { playback_->look_for_end(); }));
   return {};
 }
 
@@ -324,7 +342,7 @@ Result<std::unique_ptr<run::Simulation>> Service::open_world(const std::string& 
   if (!port) return port.error();
   cluster_port_ = *port;
   auto simulation = std::make_unique<run::Simulation>(std::move(head), pace);
-  simulation->add_run_listener(*head_);
+  simulation->follow(*head_);
   return simulation;
 }
 
@@ -336,7 +354,7 @@ void Service::fail_run(const Error& why) {
 
 void Service::stop() {
   if (head_ != nullptr) head_->stop();
-  simulation().stop();
+  simulation().requests().stop();
 }
 
 Result<void> Service::read_guests() {
@@ -391,17 +409,15 @@ Result<void> Service::open_page() {
                                        .shares = simulation().shares()};
   const auto device_names = [this](world::ModelId model) {
     if (playback_) return std::vector<std::string>();
-    return run::device_names(simulation().directory(), model, player_ports_.front());
+    return drivers::device_names(site_->model_devices()->directory(), model, player_ports_.front());
   };
-  world::Control& control = playback_ ? static_cast<world::Control&>(*playback_) : simulation();
+  world::Control& control = playback_ ? static_cast<world::Control&>(*playback_) : simulation().requests();
   web_ = std::make_unique<web_server::WebServer>(web_loop_, options, control, simulation().world(),
                                                  device_names);
   const Result<std::uint16_t> port = web_->listen();
   if (!port) return Error{port.error().where, port.error().text + "; --web takes another port, or off"};
   web_port_ = *port;
-  simulation().add_watcher(
-      {[this] { return web_->wants_show(); },
-       [this](const world::World& world, const world::Pace& pace) { web_->show(world, pace); }});
+  simulation().follow(std::make_shared<Viewers<web_server::WebServer>>(*web_));
   return {};
 }
 
@@ -417,9 +433,7 @@ Result<void> Service::open_observers() {
   const Result<std::uint16_t> port = observers_->listen();
   if (!port) return Error{port.error().where, port.error().text + "; --observers takes another port"};
   observer_port_ = *port;
-  simulation().add_watcher(
-      {[this] { return observers_->wants_show(); },
-       [this](const world::World& world, const world::Pace& pace) { observers_->show(world, pace); }});
+  simulation().follow(std::make_shared<Viewers<observers::ObserverServer>>(*observers_));
   return {};
 }
 
@@ -464,7 +478,7 @@ void Service::catch_signals() {
 }
 
 void Service::show_progress() {
-  const world::Pace pace = simulation().pace();
+  const world::Pace pace = simulation().requests().pace();
   // The factor is measured over a second: unavailable at first.
   const bool measured = pace.paused || pace.real_time_factor > 0;
   const std::string factor = measured ? fmt::format("{:.2f}x real time, ", pace.real_time_factor) : "";

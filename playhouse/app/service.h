@@ -22,6 +22,7 @@
 #include "playhouse/cluster/head.h"
 #include "playhouse/drivers/registry.h"
 #include "playhouse/drivers/simulated/auto_devices.h"
+#include "playhouse/drivers/simulated/lock_step_turns.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/observers/observer_server.h"
@@ -170,8 +171,9 @@ class Service final : private ServerSurroundings {
   net::IoLoop loop_;
   net::IoLoop
       web_loop_;  // separate, so that encoding a large world for many viewers does not delay Player clients
-  net::IoLoop signal_loop_;                               // separate: signals are handled at once
-  std::unique_ptr<drivers::Site> site_;                   // owns the simulation
+  net::IoLoop signal_loop_;              // separate: signals are handled at once
+  std::unique_ptr<drivers::Site> site_;  // owns the simulation
+  std::optional<drivers::LockStepTurns> turns_;
   cluster::Head* head_ = nullptr;                         // of a cluster; owned by the simulation
   std::unique_ptr<Playback> playback_;                    // of a recording
   std::vector<std::unique_ptr<device::Driver>> drivers_;  // of the configuration file

@@ -17,13 +17,13 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/cluster/step.h"
 #include "playhouse/cluster/stream.h"
+#include "playhouse/run/follower.h"
 #include "playhouse/scene/text/source_text.h"
 #include "playhouse/world/engine.h"
-#include "playhouse/world/run_listener.h"
 
 namespace playhouse::cluster {
 
-class Head final : public world::Engine, public world::RunListener, private world::Division {
+class Head final : public world::Engine, public run::Follower, private world::Division {
  public:
   struct Options {
     std::string bind = "127.0.0.1";

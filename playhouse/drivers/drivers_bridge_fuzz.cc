@@ -134,21 +134,22 @@ struct Bridge {
   scene::SceneDesc scene;
   Clients clients;
   run::Simulation simulation;
+  ModelDevices devices;
   SimulatedDriver driver;
   std::set<std::uint32_t> open;
 
   explicit Bridge(scene::SceneDesc loaded)
       : scene(std::move(loaded)),
         simulation(*stage::make_engine(scene, {}), {.speed = 0, .paused = false, .duration = 0}),
-        driver(simulation, "stage") {
-    simulation.publish_to(clients);
+        devices(simulation, clients),
+        driver(devices, "stage") {
     for (std::uint32_t row = 0; row < kDeviceCount; ++row) {
       const auto [interf, name] = kDevices[row];
       const world::ModelRow model = *name == '\0' ? world::ModelRow{} : simulation.world().find(name);
-      driver.add({row}, make_device(simulation, interf, model));
+      driver.add({row}, make_device(devices, interf, model));
       if (model)
-        simulation.directory().add(simulation.world().id(model),
-                                   {6665, interf, static_cast<std::uint16_t>(row)});
+        devices.directory().add(simulation.world().id(model),
+                                {6665, interf, static_cast<std::uint16_t>(row)});
     }
   }
 
@@ -173,7 +174,7 @@ struct Bridge {
   }
 
   void run(unsigned ticks) {
-    simulation.resume();  // whoever paused it
+    simulation.requests().resume();  // whoever paused it
     simulation.extend(ticks);
     simulation.run();
     PLAYHOUSE_ASSERT(clients.all_answered());

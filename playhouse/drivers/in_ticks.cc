@@ -1,6 +1,7 @@
 #include "playhouse/drivers/in_ticks.h"
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 namespace playhouse::drivers {
@@ -10,15 +11,15 @@ void run_in_ticks(Site& site, std::span<const device::Address> devices, device::
   constexpr std::uint64_t kDelay = 1;  // ticks from a step to its result
   run::Simulation* const simulation = site.simulation();
   if (simulation == nullptr) return;
-  run::Directory& directory = simulation->directory();
+  Directory& directory = site.model_devices()->directory();
   for (const device::Address& device : devices) directory.add(directory.model_of(robot), device);
   thread.follow_ticks(simulation->world().tick(), kDelay);
-  simulation->add_follower(
-      [reloaded = std::move(reloaded)](const world::World& world, const world::Event& event) {
+  simulation->follow(
+      run::on_event([reloaded = std::move(reloaded)](const world::World& world, const world::Event& event) {
         if (event.kind == world::Event::Kind::kReload) reloaded(world);
-      });
-  simulation->add_listener(
-      [&thread](const world::World& world, const world::Pace&) { thread.ticked(world.tick()); });
+      }));
+  simulation->follow(run::on_show(
+      [&thread](const world::World& world, const world::Pace&) { thread.ticked(world.tick()); }));
 }
 
 }  // namespace playhouse::drivers

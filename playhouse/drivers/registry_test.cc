@@ -71,7 +71,7 @@ position( name "r0" ranger( sensor( samples 181 ) ) ranger( sensor( ) sensor( ) 
                        "driver( name \"stage\" provides [\"sonar:0\" \"sonar:1\"] model \"r0\" )"),
             "");
   run::Simulation& simulation = *site.site().simulation();
-  EXPECT_EQ(list_models(simulation.world(), simulation.directory(), 0).text,
+  EXPECT_EQ(list_models(simulation.world(), site.site().model_devices()->directory(), 0).text,
             "0\tr0\tposition\t\t\n"
             "1\tr0.ranger:0\tranger\tr0\t6665:sonar:1\n"
             "2\tr0.ranger:1\tranger\tr0\t6665:sonar:0\n");
@@ -84,7 +84,7 @@ driver( name "stage" provides ["speech:0" "speech:1"] model "r0.ranger:0" )
 driver( name "stage" provides ["speech:2"] model "r0" ))"),
             "");
   run::Simulation& simulation = *site.site().simulation();
-  EXPECT_EQ(list_models(simulation.world(), simulation.directory(), 0).text,
+  EXPECT_EQ(list_models(simulation.world(), site.site().model_devices()->directory(), 0).text,
             "0\tr0\tposition\t\t6665:speech:2\n"
             "1\tr0.ranger:0\tranger\tr0\t6665:speech:0 6665:speech:1\n"
             "2\tr0.ranger:1\tranger\tr0\t\n"
@@ -101,13 +101,15 @@ driver( name "stage" provides ["position2d:0" "ranger:0" "ranger:1"] model "r0" 
 driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
             "");
   run::Simulation& simulation = *site.site().simulation();
-  EXPECT_EQ(list_models(simulation.world(), simulation.directory(), 0).text,
+  EXPECT_EQ(list_models(simulation.world(), site.site().model_devices()->directory(), 0).text,
             "0\tr0\tposition\t\t6665:position2d:0\n"
             "1\tr0.ranger:0\tranger\tr0\t6665:ranger:0\n"
             "2\tr0.ranger:1\tranger\tr0\t6665:ranger:1 7000:laser:3\n"
             "3\tr1\tposition\t\t6666:position2d:0\n"
             "4\tr1.ranger:0\tranger\tr1\t\n");
-  const auto names = [&](std::uint32_t id) { return device_names(simulation.directory(), {id}, 6665); };
+  const auto names = [&](std::uint32_t id) {
+    return device_names(site.site().model_devices()->directory(), {id}, 6665);
+  };
   EXPECT_THAT(names(0), ElementsAre("position2d:0"));
   EXPECT_THAT(names(2), ElementsAre("ranger:1", "7000:laser:3"));
   EXPECT_THAT(names(3), ElementsAre("6666:position2d:0"));
@@ -251,13 +253,13 @@ TEST(RangerToLaser, goes_with_its_ranger_open_or_not) {
     const device::DeviceId sonars = site.id({6665, 62, 0}), scanner = site.id({6665, 62, 1});
     const device::DeviceId its_laser = site.id({6665, 6, 0});
     if (open) ASSERT_TRUE(site.hold(its_laser));
-    ASSERT_TRUE(site.site().simulation()->post([](world::Journal& journal) {
+    ASSERT_TRUE(site.site().simulation()->requests().post([](world::Journal& journal) {
       EXPECT_TRUE(journal.despawn(journal.world().id(journal.world().find("r0"))));
     }));
     site.run(1);
     EXPECT_THAT(site.retired, ElementsAre(sonars.row, scanner.row, its_laser.row));
     EXPECT_FALSE(site.hold(its_laser));
-    EXPECT_EQ(site.site().simulation()->directory().size(), 0u);
+    EXPECT_EQ(site.site().model_devices()->directory().size(), 0u);
     EXPECT_EQ(site.site().device_count(), 1u) << "the simulation";
   }
 }
@@ -269,16 +271,16 @@ driver( name "stage" provides ["position2d:0"] model "r0" alwayson 1 )
 driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
             "");
   const device::DeviceId gone = site.id({6665, 4, 0});
-  ASSERT_TRUE(site.site().simulation()->post([](world::Journal& journal) {
+  ASSERT_TRUE(site.site().simulation()->requests().post([](world::Journal& journal) {
     EXPECT_TRUE(journal.despawn(journal.world().id(journal.world().find("r0"))));
     EXPECT_TRUE(journal.spawn(3, {}));
   }));
   site.run(1);
   EXPECT_THAT(site.retired, ElementsAre(gone.row));
   EXPECT_EQ(site.site().device_count(), 2u);
-  EXPECT_EQ(site.site().simulation()->source_count(), 1u);
+  EXPECT_EQ(site.site().model_devices()->sources().size(), 1u);
   site.run(1);
-  EXPECT_EQ(site.site().simulation()->source_count(), 0u);
+  EXPECT_EQ(site.site().model_devices()->sources().size(), 0u);
 }
 
 TEST(Registry, leaves_out_drivers_that_it_lacks_and_those_that_require_them) {

@@ -65,15 +65,15 @@ Result<void> Site::open_world(const std::string& path) {
   Result<std::unique_ptr<run::Simulation>> simulation = surroundings_.open_world(path);
   if (!simulation) return simulation.error();
   simulation_ = std::move(*simulation);
-  simulation_->publish_to(data_flow_);
-  simulation_->add_follower(
-      [this](const world::World& world, const world::Event& event) { follow(world, event); });
+  model_devices_ = std::make_unique<ModelDevices>(*simulation_, data_flow_);
+  simulation_->follow(run::on_event(
+      [this](const world::World& world, const world::Event& event) { happened(world, event); }));
   return {};
 }
 
-void Site::follow(const world::World& world, const world::Event& event) {
+void Site::happened(const world::World& world, const world::Event& event) {
   using Kind = world::Event::Kind;
-  const run::Directory& directory = simulation_->directory();
+  const Directory& directory = model_devices_->directory();
   std::vector<device::Address> gone;
   if (event.kind == Kind::kReload) {
     for (const device::Address& address : directory.devices())
@@ -105,7 +105,7 @@ void Site::add_who_requires(std::vector<device::Address>& devices) const {
 void Site::retire(std::vector<device::Address> devices) {
   add_who_requires(devices);
   if (simulation_ != nullptr)
-    for (const device::Address& address : devices) simulation_->directory().remove(address);
+    for (const device::Address& address : devices) model_devices_->directory().remove(address);
   surroundings_.post([this, devices = std::move(devices)] {
     for (const device::Address& address : devices) take_out(address);
   });
@@ -113,8 +113,8 @@ void Site::retire(std::vector<device::Address> devices) {
 
 void Site::retire_later(std::vector<device::Address> devices) {
   if (simulation_ == nullptr) return retire(std::move(devices));
-  simulation_->post_always([this, devices = std::move(devices)](const world::Journal&) { retire(devices); },
-                           {});
+  simulation_->requests().post_always(
+      [this, devices = std::move(devices)](const world::Journal&) { retire(devices); }, {});
 }
 
 /// No effect if it is gone: it may depend on two retired devices.

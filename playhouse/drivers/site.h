@@ -20,6 +20,7 @@
 #include "playhouse/device/client.h"
 #include "playhouse/device/data_flow.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/simulated/model_devices.h"
 #include "playhouse/net/network.h"
 #include "playhouse/run/simulation.h"
 #include "playhouse/scene/device_address.h"
@@ -75,6 +76,8 @@ class Site {
   /// The world, once a driver has opened it.
   run::Simulation* simulation() const { return simulation_.get(); }
   Result<void> open_world(const std::string& path);
+  /// The devices of its models; null before.
+  ModelDevices* model_devices() const { return model_devices_.get(); }
 
   /// Retires devices, and recursively those of drivers that require them, since
   /// they have lost their input. Removed from the directory on return, from clients
@@ -113,7 +116,7 @@ class Site {
   Result<void> check_provided(const User& user) const;
   Result<std::vector<const User*>> in_order_of_data() const;
   Error circle_error(std::span<const std::size_t> circle) const;
-  void follow(const world::World& world, const world::Event& event);
+  void happened(const world::World& world, const world::Event& event);
   void take_out(device::Address address);
   void add_who_requires(std::vector<device::Address>& devices) const;
 
@@ -121,6 +124,7 @@ class Site {
   std::uint16_t default_port_;
   std::unique_ptr<run::Simulation> simulation_;
   device::DataFlow data_flow_;
+  std::unique_ptr<ModelDevices> model_devices_;
   struct Provided {
     device::DeviceId id;
     device::Driver* driver = nullptr;

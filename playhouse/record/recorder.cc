@@ -292,7 +292,7 @@ void Recorder::watch_all(world::Journal& journal) {
 
 // --- events
 
-void Recorder::follow(const world::World& world, const world::Event& event) {
+void Recorder::happened(const world::World& world, const world::Event& event) {
   const world::ModelRow model = world.row(event.model), other = world.row(event.other);
   CdrWriter message;
   message.time(ns());

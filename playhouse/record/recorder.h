@@ -15,9 +15,9 @@
 #include "playhouse/record/messages.h"
 #include "playhouse/record/record_thread.h"
 #include "playhouse/record/selection.h"
+#include "playhouse/run/follower.h"
 #include "playhouse/scene/text/source_text.h"
 #include "playhouse/world/control.h"
-#include "playhouse/world/run_listener.h"
 
 namespace playhouse::record {
 
@@ -27,7 +27,7 @@ inline constexpr const char* kStartName = "start.run";
 /// Simulated time between two keyframes of a recording. [s]
 inline constexpr double kStatePeriod = 10;
 
-class Recorder final : public world::RunListener {
+class Recorder final : public run::Follower {
  public:
   /// Both must outlive the recorder. Selected sensors are subscribed as a
   /// watcher from the first tick on, without side effects (world::watch).
@@ -35,11 +35,10 @@ class Recorder final : public world::RunListener {
 
   /// Writes the initial state of the run. Fails if that cannot be written.
   Result<void> begin(const world::World& world, const scene::SourceFiles& sources);
-  /// To be called for every entry of world.events, in order.
-  void follow(const world::World& world, const world::Event& event);
   /// Ends the recording.
   void end(const world::World& world);
 
+  void happened(const world::World& world, const world::Event& event) override;
   void changed(const world::World& world, std::span<const world::Change> changes) override;
   void ticked(const world::World& world) override;
 

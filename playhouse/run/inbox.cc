@@ -5,13 +5,14 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/world/changes/packed_change.h"
 
 namespace playhouse::run {
 
-void Inbox::command(Slot slot, world::Change command) {
+void Inbox::command(world::Change command) {
   const std::lock_guard lock(mutex_);
   if (closed_) return;
-  const auto [place, is_new] = slots_.try_emplace(slot, entries_.size());
+  const auto [place, is_new] = slots_.try_emplace(world::model_of(command), entries_.size());
   if (is_new) {
     entries_.push_back(std::move(command));
   } else {
@@ -42,11 +43,7 @@ void Inbox::post_always(Request request, world::ModelId model) {
 void Inbox::append(Request request, world::ModelId model) {
   entries_.push_back(std::move(request));
   ++changes_;
-  if (!model) return;
-  const auto first = slots_.lower_bound({model, 0});
-  auto last = first;
-  while (last != slots_.end() && last->first.model == model) ++last;
-  slots_.erase(first, last);
+  slots_.erase(model);
 }
 
 void Inbox::take(std::vector<Entry>& out) {

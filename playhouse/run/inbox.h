@@ -1,8 +1,8 @@
 #pragma once
 
 /// Inbox: hand-over from the io thread to the tick thread. Commands are
-/// latest-value slots, one per model and interface; everything else is a bounded
-/// queue of changes. Per model the order is kept: a change seals the model's
+/// latest-value slots, one per model; everything else is a bounded
+/// queue of requests. Per model the order is kept: a change seals the model's
 /// slots, so earlier commands are executed before it and later ones after it.
 
 #include <cstddef>
@@ -26,15 +26,8 @@ class Inbox {
   /// A command is a change and nothing more.
   using Entry = std::variant<world::Change, Request>;
 
-  /// Key of a command slot: one per interface of a model.
-  struct Slot {
-    world::ModelId model;
-    std::uint16_t interf = 0;
-    auto operator<=>(const Slot&) const = default;
-  };
-
-  /// Replaces the command in the slot, or appends it.
-  void command(Slot slot, world::Change command);
+  /// Replaces the command of its model that waits, or appends it.
+  void command(world::Change command);
 
   /// False, without effect, if limits::kRequestQueue changes are
   /// queued, or after close(). `model`, if any, is the model concerned.
@@ -61,7 +54,7 @@ class Inbox {
 
   mutable std::mutex mutex_;
   std::vector<Entry> entries_;
-  std::map<Slot, std::size_t> slots_;  // replaceable commands: index in entries_
+  std::map<world::ModelId, std::size_t> slots_;  // replaceable commands: index in entries_
   std::size_t changes_ = 0;
   bool closed_ = false;
 };

@@ -9,15 +9,13 @@ namespace {
 
 constexpr world::ModelId kFirst{0}, kSecond{1};
 
-constexpr std::uint16_t kWheels = 4, kVoice = 12;
-
 /// An inbox whose commands say their numbers when they are carried out, and changes 0.
 struct Listening {
   Inbox inbox;
   std::vector<int> said = {};
 
-  void command(world::ModelId model, int number, std::uint16_t interf = kWheels) {
-    inbox.command({model, interf}, world::changes::SetFiducial{model, number});
+  void command(world::ModelId model, int number) {
+    inbox.command(world::changes::SetFiducial{model, number});
   }
   Request change() {
     return [this](const world::Journal&) { said.push_back(0); };
@@ -47,22 +45,14 @@ TEST(Inbox, a_newer_command_replaces_the_one_that_waits) {
   EXPECT_EQ(in.take(), (std::vector{3, 2}));
 }
 
-TEST(Inbox, commands_of_two_interfaces_of_a_model_do_not_replace_each_other) {
-  Listening in;
-  in.command(kFirst, 1);
-  in.command(kFirst, 2, kVoice);
-  in.command(kFirst, 3);
-  EXPECT_EQ(in.take(), (std::vector{3, 2}));
-}
-
 TEST(Inbox, a_command_before_a_close_is_carried_out_before_it_and_one_after_it_after_it) {
   Listening in;
   in.command(kFirst, 1);
-  in.command(kFirst, 2, kVoice);
+  in.command(kSecond, 2);
   in.inbox.post_always(in.change(), kFirst);
   in.command(kFirst, 3);
-  in.command(kFirst, 4, kVoice);
-  EXPECT_EQ(in.take(), (std::vector{1, 2, 0, 3, 4}));
+  in.command(kSecond, 4);
+  EXPECT_EQ(in.take(), (std::vector{1, 4, 0, 3}));
 }
 
 TEST(Inbox, a_change_of_another_robot_does_not_hold_a_command_up) {

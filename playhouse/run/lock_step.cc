@@ -107,9 +107,9 @@ bool LockStep::has(Who who) const {
   return find(who) != nullptr;
 }
 
-bool LockStep::may_act(const device::Caller& caller) const {
+bool LockStep::may_act(Who who) const {
   const std::lock_guard lock(mutex_);
-  const Member* member = find(&caller);
+  const Member* member = find(who);
   if (member == nullptr || !closed_.empty()) return true;
   if (!complete_ || member->done) return false;
   return std::all_of(members_.data(), member, [](const Member& before) { return bool{before.done}; });

@@ -6,6 +6,7 @@
 /// those before it have requested their step, so that the order of changes does not depend
 /// on network timing. All functions are thread-safe; callbacks run without a lock held.
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -14,11 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/device/turns.h"
-
 namespace playhouse::run {
 
-class LockStep final : public device::Turns {
+class LockStep final {
  public:
   struct Options {
     std::size_t members = 1;      // required for the first tick
@@ -41,9 +40,10 @@ class LockStep final : public device::Turns {
   void leave(Who who);
   bool has(Who who) const;
 
-  bool may_act(const device::Caller& caller) const override;
+  /// True if a member may change the world now, or if it is none.
+  bool may_act(Who who) const;
   /// Callbacks on every change of turns; add them before the run.
-  void when_changed(std::function<void()> changed) override { changed_.push_back(std::move(changed)); }
+  void when_changed(std::function<void()> changed) { changed_.push_back(std::move(changed)); }
 
   // Tick thread.
 

@@ -15,15 +15,20 @@ namespace {
 
 constexpr const char* kRobot = "interval_sim 100\nposition( name \"r0\" )\n";
 
+/// A member, told from others by its address.
+struct Who {
+  std::string name;
+};
+
 /// Two members by the names of "b" and "a", and what they were told.
 class TwoMembers : public ::testing::Test {
  protected:
   LockStep lock_step{{.members = 2, .names = {"a", "b"}}};
-  device::Caller a{"first"}, b{"second"};
+  Who a{"first"}, b{"second"};
   std::string told;
 
-  void step(const device::Caller& who, std::uint64_t ticks = 1) {
-    lock_step.step(&who, who.name(), ticks, [this, name = who.name()](const std::optional<std::string>& why) {
+  void step(const Who& who, std::uint64_t ticks = 1) {
+    lock_step.step(&who, who.name, ticks, [this, name = who.name](const std::optional<std::string>& why) {
       told += name + (why ? ": " + *why : " done") + "; ";
     });
   }
@@ -32,16 +37,16 @@ class TwoMembers : public ::testing::Test {
     for (const LockStep::Done& done : lock_step.ticked()) done({});
   }
   void join() {
-    EXPECT_EQ(lock_step.join(&b, "b", b.name()), "");
-    EXPECT_EQ(lock_step.join(&a, "a", a.name()), "");
+    EXPECT_EQ(lock_step.join(&b, "b", b.name), "");
+    EXPECT_EQ(lock_step.join(&a, "a", a.name), "");
   }
 };
 
 TEST_F(TwoMembers, the_first_tick_waits_until_all_have_joined_and_asked) {
-  EXPECT_EQ(lock_step.join(&b, "b", b.name()), "");
+  EXPECT_EQ(lock_step.join(&b, "b", b.name), "");
   step(b);
   EXPECT_FALSE(lock_step.is_due());
-  EXPECT_EQ(lock_step.join(&a, "a", a.name()), "");
+  EXPECT_EQ(lock_step.join(&a, "a", a.name), "");
   EXPECT_FALSE(lock_step.is_due());
   step(a);
   tick();
@@ -61,24 +66,24 @@ TEST_F(TwoMembers, who_asked_for_more_ticks_waits_for_all_of_them) {
 
 TEST_F(TwoMembers, act_in_the_order_of_their_names_between_two_ticks) {
   join();
-  EXPECT_TRUE(lock_step.may_act(a));
-  EXPECT_FALSE(lock_step.may_act(b)) << "a has not finished";
+  EXPECT_TRUE(lock_step.may_act(&a));
+  EXPECT_FALSE(lock_step.may_act(&b)) << "a has not finished";
   step(a);
-  EXPECT_FALSE(lock_step.may_act(a)) << "what it says now is for the next tick";
-  EXPECT_TRUE(lock_step.may_act(b));
+  EXPECT_FALSE(lock_step.may_act(&a)) << "what it says now is for the next tick";
+  EXPECT_TRUE(lock_step.may_act(&b));
   step(b);
   tick();
-  EXPECT_TRUE(lock_step.may_act(a));
-  EXPECT_FALSE(lock_step.may_act(b));
+  EXPECT_TRUE(lock_step.may_act(&a));
+  EXPECT_FALSE(lock_step.may_act(&b));
 }
 
 TEST_F(TwoMembers, a_client_that_is_no_member_may_act_at_any_time) {
-  const device::Caller viewer{"viewer"};
-  EXPECT_TRUE(lock_step.may_act(viewer));
+  const Who viewer{"viewer"};
+  EXPECT_TRUE(lock_step.may_act(&viewer));
 }
 
 TEST_F(TwoMembers, refuses_names_that_are_not_awaited_or_taken_and_steps_without_one) {
-  const device::Caller other{"other"};
+  const Who other{"other"};
   EXPECT_NE(lock_step.join(&other, "c", "other"), "");
   join();
   EXPECT_NE(lock_step.join(&other, "a", "other"), "");
@@ -101,7 +106,7 @@ TEST_F(TwoMembers, the_other_goes_on_when_one_leaves_and_both_are_awaited_again_
   lock_step.leave(&b);
   tick();
   lock_step.leave(&a);
-  EXPECT_EQ(lock_step.join(&a, "a", a.name()), "");
+  EXPECT_EQ(lock_step.join(&a, "a", a.name), "");
   step(a);
   EXPECT_FALSE(lock_step.is_due());
 }
@@ -112,15 +117,15 @@ TEST_F(TwoMembers, steps_are_refused_once_the_run_is_over) {
   lock_step.close("it is over");
   step(b);
   EXPECT_EQ(told, "first: it is over; second: it is over; ");
-  EXPECT_TRUE(lock_step.may_act(b)) << "so that nothing waits for ever";
+  EXPECT_TRUE(lock_step.may_act(&b)) << "so that nothing waits for ever";
 }
 
 TEST(LockStep, drops_who_is_silent_for_too_long_but_not_while_the_world_is_paused) {
   LockStep lock_step({.members = 2, .names = {}, .timeout = 10});
-  device::Caller a{"first"}, b{"second"};
-  ASSERT_EQ(lock_step.join(&a, "a", a.name()), "");
-  ASSERT_EQ(lock_step.join(&b, "b", b.name()), "");
-  lock_step.step(&b, b.name(), 1, [](const auto&) {});
+  Who a{"first"}, b{"second"};
+  ASSERT_EQ(lock_step.join(&a, "a", a.name), "");
+  ASSERT_EQ(lock_step.join(&b, "b", b.name), "");
+  lock_step.step(&b, b.name, 1, [](const auto&) {});
   for (const double now : {0.0, 9.0}) lock_step.look_for_silence(now, false);
   EXPECT_TRUE(lock_step.has(&a));
   lock_step.look_for_silence(100, true);
@@ -133,11 +138,11 @@ TEST(LockStep, drops_who_is_silent_for_too_long_but_not_while_the_world_is_pause
 
 TEST(LockStep, clients_without_names_join_with_their_first_step) {
   LockStep lock_step({.members = 2, .names = {}});
-  const device::Caller clients[3]{device::Caller("0"), device::Caller("1"), device::Caller("2")};
+  const Who clients[3]{{"0"}, {"1"}, {"2"}};
   std::string told;
-  for (const device::Caller& client : clients)
-    lock_step.step(&client, client.name(), 1,
-                   [&](const std::optional<std::string>& why) { told += client.name() + why.value_or(""); });
+  for (const Who& client : clients)
+    lock_step.step(&client, client.name, 1,
+                   [&](const std::optional<std::string>& why) { told += client.name + why.value_or(""); });
   EXPECT_EQ(told, "2all that this world waits for have joined");
   EXPECT_TRUE(lock_step.is_due());
 }
@@ -147,9 +152,9 @@ TEST(Simulation, in_lock_step_ticks_only_as_far_as_it_was_asked_to_and_tells_whe
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),
                         {.speed = 0, .duration = 0.5, .lock_step = LockStep::Options{}});
   std::atomic<int> shown = 0;
-  simulation.add_listener([&](const world::World& world, const world::Pace&) {
+  simulation.follow(on_show([&](const world::World& world, const world::Pace&) {
     if (world.tick() == 3) ++shown;
-  });
+  }));
   std::thread ticks([&] { simulation.run(); });
   std::atomic<bool> done = false;
   simulation.lock_step()->step(&done, "test", 3, [&](const std::optional<std::string>& why) {
@@ -159,7 +164,7 @@ TEST(Simulation, in_lock_step_ticks_only_as_far_as_it_was_asked_to_and_tells_whe
     done = true;
   });
   while (!done) std::this_thread::yield();
-  simulation.stop();
+  simulation.requests().stop();
   ticks.join();
   EXPECT_EQ(simulation.world().tick(), 3u);
 }
@@ -176,7 +181,8 @@ TEST(Simulation, what_was_posted_before_a_step_is_carried_out_before_its_tick) {
   };
   std::vector<std::uint64_t> seen;
   for (std::uint64_t k = 0; k < 200; ++k) {
-    simulation.post([&](const world::Journal& journal) { seen.push_back(journal.world().tick()); });
+    simulation.requests().post(
+        [&](const world::Journal& journal) { seen.push_back(journal.world().tick()); });
     step();
   }
   ticks.join();
@@ -190,7 +196,7 @@ TEST(Simulation, in_lock_step_what_is_said_behind_the_last_tick_never_counts) {
                           {.speed = 0, .duration = 0.2, .lock_step = LockStep::Options{}});
     bool is_carried_out = false;
     simulation.lock_step()->step(&simulation, "test", 2, [&](const auto&) {
-      simulation.post([&](const world::Journal&) { is_carried_out = true; });
+      simulation.requests().post([&](const world::Journal&) { is_carried_out = true; });
     });
     simulation.run();
     EXPECT_EQ(simulation.world().tick(), 2u);
@@ -221,13 +227,13 @@ TEST(Simulation, gives_no_id_a_second_time_after_it_started_again) {
                         {.speed = 0, .duration = 0, .lock_step = LockStep::Options{}});
   const auto come = [&] {
     world::ModelId id;
-    simulation.post([&](world::Journal& journal) { id = *journal.spawn(0, {1, 2, 0, 0}); });
+    simulation.requests().post([&](world::Journal& journal) { id = *journal.spawn(0, {1, 2, 0, 0}); });
     simulation.run();
     return id;
   };
   const auto restart = [&] {
-    simulation.post_to_all([&](const world::Journal&) { EXPECT_TRUE(simulation.restart(7)); });
-    simulation.post([](const world::Journal&) {});
+    simulation.requests().post_to_all([&](const world::Journal&) { EXPECT_TRUE(simulation.restart(7)); });
+    simulation.requests().post([](const world::Journal&) {});
     simulation.run();
     EXPECT_EQ(simulation.world().hash(), world::World(scene, 7).hash()) << "nobody came yet";
   };
@@ -247,8 +253,8 @@ TEST(Simulation, is_after_a_new_start_the_run_of_a_fresh_one_also_where_models_c
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),
                         {.speed = 0, .duration = 0, .lock_step = LockStep::Options{}});
   for (int run = 0; run < 3; ++run) {
-    simulation.post_to_all([&](const world::Journal&) { EXPECT_TRUE(simulation.restart(7)); });
-    simulation.post([](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {1, 2, 0, 0})); });
+    simulation.requests().post_to_all([&](const world::Journal&) { EXPECT_TRUE(simulation.restart(7)); });
+    simulation.requests().post([](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {1, 2, 0, 0})); });
     simulation.run();
     const world::World& world = simulation.world();
     EXPECT_EQ(world.hash(), fresh.hash());
@@ -261,28 +267,33 @@ TEST(Simulation, without_lock_step_keeps_no_start) {
   EXPECT_FALSE(still.simulation.restart(1).ok());
 }
 
-TEST(Simulation, in_lock_step_tells_when_the_data_of_many_devices_are_out) {
-  struct Many final : Source {
-    void emit(const world::World& world, std::vector<device::Publication>& out) override {
-      out.push_back({{0}, 0, world.time(), {}});
-    }
-  };
-  constexpr std::size_t kDevices = 200;
+/// Work of many parts after each tick.
+struct ManyParts final : Follower {
+  void ticked(const world::World&) override { is_due = true; }
+  std::optional<Work> work(const world::World&, const world::Pace&) override {
+    if (!std::exchange(is_due, false)) return {};
+    return Work{kParts, [this](std::size_t) { ++done; }};
+  }
+  static constexpr std::size_t kParts = 200;
+  bool is_due = false;
+  std::atomic<std::size_t> done = 0;
+};
+
+TEST(Simulation, in_lock_step_tells_when_the_works_of_followers_are_done) {
   const scene::SceneDesc scene = testing::scene_of(kRobot);
-  testing::Recorder recorder;
+  ManyParts parts;
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),
                         {.speed = 0, .duration = 0.5, .lock_step = LockStep::Options{}});
-  simulation.publish_to(recorder);
-  for (std::size_t k = 0; k < kDevices; ++k) simulation.add_source(std::make_shared<Many>());
+  simulation.follow(parts);
   std::thread ticks([&] { simulation.run(); });
   std::atomic<bool> done = false;
   simulation.lock_step()->step(&done, "test", 3, [&](const std::optional<std::string>& why) {
     EXPECT_FALSE(why);
-    EXPECT_EQ(recorder.published.size(), 3 * kDevices);
+    EXPECT_EQ(parts.done, 3 * ManyParts::kParts);
     done = true;
   });
   while (!done) std::this_thread::yield();
-  simulation.stop();
+  simulation.requests().stop();
   ticks.join();
 }
 

@@ -20,16 +20,16 @@
 
 namespace playhouse::run {
 
+/// Parts 0 to parts - 1, each run once, on any thread, in parallel. After the
+/// last one `end`, if set, is called once, on the thread that finished it.
+struct Work {
+  std::size_t parts = 1;
+  std::function<void(std::size_t part)> run;
+  std::function<void()> end = {};
+};
+
 class PublisherThread {
  public:
-  /// Parts 0 to parts - 1, each run once, on any thread, in parallel. After the
-  /// last one `end`, if set, is called once, on the thread that finished it.
-  struct Work {
-    std::size_t parts = 1;
-    std::function<void(std::size_t part)> run;
-    std::function<void()> end = {};
-  };
-
   PublisherThread() = default;
   /// Needs that nothing is in progress.
   ~PublisherThread();

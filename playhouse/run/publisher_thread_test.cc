@@ -13,7 +13,7 @@ namespace {
 /// Notes how often each part was done.
 struct Counted {
   explicit Counted(std::size_t parts) : times(parts) {}
-  PublisherThread::Work work() {
+  Work work() {
     return {.parts = times.size(),
             .run = [this](std::size_t part) { ++times[part]; },
             .end =
@@ -32,7 +32,7 @@ TEST(PublisherThread, does_each_part_once_and_the_end_behind_all_for_any_number_
     PublisherThread thread;
     for (int tick = 0; tick < 200; ++tick) {
       Counted many(50), one(1);
-      const std::vector<PublisherThread::Work> works{many.work(), one.work()};
+      const std::vector<Work> works{many.work(), one.work()};
       thread.begin(works);
       EXPECT_TRUE(thread.under_way());
       thread.finish(workers);
@@ -50,7 +50,7 @@ TEST(PublisherThread, does_what_was_begun_while_nobody_asks_for_the_end) {
   world::Workers workers(1);
   PublisherThread thread;
   std::atomic<bool> done = false;
-  const std::vector<PublisherThread::Work> works{{.run = [&](std::size_t) { done = true; }}};
+  const std::vector<Work> works{{.run = [&](std::size_t) { done = true; }}};
   thread.begin(works);
   thread.go_on();
   while (!done) std::this_thread::yield();

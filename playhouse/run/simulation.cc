@@ -1,18 +1,12 @@
 #include "playhouse/run/simulation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iterator>
-#include <type_traits>
 #include <utility>
 
-#include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
-#include "playhouse/wire/generated/position2d.h"
-#include "playhouse/world/population/population.h"
 #include "playhouse/world/saving/state.h"
 
 namespace playhouse::run {
@@ -45,19 +39,18 @@ std::uint64_t ticks_in(double duration, double interval) {
 Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
     : engine_(std::move(engine)),
       end_tick_(ticks_in(options.duration, engine_->world().scene().interval)),
+      requests_(options.speed, options.paused),
       time_(engine_->world().time()),
       clock_(options.clock ? std::move(options.clock) : wall_now),
       pacer_(engine_->world().scene().interval),
       history_(engine_->world().scene().interval, clock_),
       journal_(engine_->world()),
       settled_(engine_->world().events.end()),
-      followed_(engine_->world().events.end()) {
-  wanted_.speed = std::max(0.0, options.speed);
-  wanted_.paused = options.paused;
-  timeline_ = history_.timeline();
+      followed_(settled_) {
+  publish_timeline();
   if (!options.lock_step) return;
   lock_step_ = std::make_unique<LockStep>(*options.lock_step);
-  lock_step_->when_changed([this] { wake(); });
+  lock_step_->when_changed([this] { requests_.wake(); });
   keep_start();
 }
 
@@ -73,26 +66,24 @@ void Simulation::keep_start() {
 
 void Simulation::run() {
   const world::World& world = engine_->world();
-  {
-    const std::lock_guard lock(mutex_);
-    pacer_.start(clock_(), wanted_.speed, wanted_.paused);
-  }
+  const world::Pace pace = requests_.pace();
+  pacer_.start(clock_(), pace.speed, pace.paused);
   bool has_ticked = false;
   for (;;) {
     // Checked first: what members sent before requesting the tick is then in the inbox.
     const bool asked_for = lock_step_ == nullptr || lock_step_->is_due();
     // Requests after the last tick arrive before the end or after it: they never apply.
     const bool is_over = lock_step_ != nullptr && has_ticked && world.tick() >= end_tick_;
-    if (!is_over && woken_.exchange(false)) {
-      finish_publishing();
-      take_wanted();
-      take_inbox();
+    if (!is_over && requests_.any()) {
+      finish_works();
+      take_pace();
+      take_requests();
       if (now_.instant) rewind_to(*std::exchange(now_.instant, std::nullopt));
     }
     const bool ends = is_over || now_.stop || world.tick() >= end_tick_;
     if (!ends && !wait_for_tick(asked_for)) continue;
     if (publisher_thread_.under_way()) {
-      finish_publishing();
+      finish_works();
       continue;  // drivers may have posted in reaction to this tick's data
     }
     if (ends) return;
@@ -109,13 +100,9 @@ bool Simulation::wait_for_tick(bool asked_for) {
   if (due <= now) return true;
   const double until = std::min(due, now + kWaitingShow);
   publisher_thread_.go_on();
-  bool woken = false;
-  {
-    std::unique_lock lock(mutex_);
-    woken = changed_.wait_until(lock, wall_time(until), [this] { return woken_.load(); });
-  }
+  const bool woken = requests_.wait_until(wall_time(until));
   if (!woken && (stands || until < due)) {
-    finish_publishing();
+    finish_works();
     show();
   }
   if (lock_step_) lock_step_->look_for_silence(clock_(), now_.paused && now_.steps == 0);
@@ -128,106 +115,72 @@ void Simulation::tick() {
   std::vector<LockStep::Done> done;
   if (lock_step_) done = lock_step_->ticked();
   const bool last_step = now_.steps == 1;
-  if (now_.steps > 0) count_step();
+  if (now_.steps > 0) {
+    --now_.steps;
+    requests_.count_step();
+  }
   pacer_.ticked(clock_());
-  factor_.store(pacer_.real_time_factor(), std::memory_order_relaxed);
+  requests_.set_real_time_factor(pacer_.real_time_factor());
 
   const world::World& world = engine_->world();
   time_.store(world.time(), std::memory_order_relaxed);
-  follow_changes();
-  for (world::RunListener* const listener : run_listeners_) listener->ticked(world);
+  follow_events();
+  settled_ = world.events.end();
+  for (std::size_t i = 0; i < followers_.size(); ++i) followers_[i]->ticked(world);
   if (now_.recording) history_.record(world);
   publish_timeline();
-  encode();
   show();
-  if (!done.empty() || last_step) finish_publishing();
+  if (!done.empty() || last_step) finish_works();
   for (const LockStep::Done& each : done) each({});
-  if (last_step) answer_steps();
+  if (last_step) requests_.answer_steps();
 }
 
-/// Also in wanted_, which includes later requests.
-void Simulation::count_step() {
-  --now_.steps;
-  const std::lock_guard lock(mutex_);
-  --wanted_.steps;
-}
-
-void Simulation::answer_steps() {
-  std::vector<LockStep::Done> done;
-  {
-    const std::lock_guard lock(mutex_);
-    if (wanted_.steps == 0) done.swap(steppers_);  // else more came meanwhile, and all wait for the last
-  }
-  for (const LockStep::Done& each : done) each({});
-}
-
-/// A few messages are encoded at once; many are queued for the publisher thread.
-void Simulation::encode() {
-  const std::size_t ranges = sources_.ranges();
-  const auto encode_range = [this](std::size_t range) { sources_.emit_range(engine_->world(), range); };
-  if (ranges > 1) {
-    works_.push_back({ranges, encode_range, [this] { publish(); }});
-    return;
-  }
-  if (ranges == 1) encode_range(0);
-  publish();
-}
-
-void Simulation::publish() {
-  batch_.clear();
-  sources_.join(batch_);
-  if (!batch_.empty() && publisher_) publisher_->publish(std::exchange(batch_, {}));
-}
-
-void Simulation::follow_changes() {
+void Simulation::follow_events() {
   const world::World& world = engine_->world();
   for (const world::Event& event : world.events.since(followed_))
-    for (const Follower& follower : followers_) follower(world, event);
+    for (std::size_t i = 0; i < followers_.size(); ++i) followers_[i]->happened(world, event);
   followed_ = world.events.end();
 }
 
-/// Passes the present world to watchers and listeners; starts the queued works.
+/// Starts the works of followers on the present world, and shows it to those who watch.
 void Simulation::show() {
-  shown_pace_ = {now_.paused, now_.speed, now_.paused ? 0 : pacer_.real_time_factor()};
-  for (const Watcher& watcher : watchers_) {
-    if (!watcher.wants()) continue;
-    works_.push_back({.run = [this, &watcher](std::size_t) { watcher.look(engine_->world(), shown_pace_); }});
+  const world::World& world = engine_->world();
+  const world::Pace pace{now_.paused, now_.speed, now_.paused ? 0 : pacer_.real_time_factor()};
+  bool is_watched = false;
+  for (const std::shared_ptr<Follower>& follower : followers_) {
+    if (std::optional<Work> work = follower->work(world, pace)) works_.push_back(*std::move(work));
+    is_watched |= follower->watches();
   }
   if (!works_.empty()) publisher_thread_.begin(works_);
-  if (listeners_.empty()) return;
-  finish_publishing();
-  for (const Listener& listener : listeners_) listener(engine_->world(), shown_pace_);
+  if (!is_watched) return;
+  finish_works();
+  for (const std::shared_ptr<Follower>& follower : followers_)
+    if (follower->watches()) follower->shown(world, pace);
 }
 
 /// Before anything changes the world, or is sent other than a tick's data.
-void Simulation::finish_publishing() {
+void Simulation::finish_works() {
   publisher_thread_.finish(engine_->workers());
   works_.clear();
 }
 
-void Simulation::take_wanted() {
-  {
-    const std::lock_guard lock(mutex_);
-    if (!wanted_.paused) wanted_.steps = 0;  // a running world does not need them
-    now_ = wanted_;
-    wanted_.pace_changed = false;
-    wanted_.instant.reset();
-  }
+void Simulation::take_pace() {
+  now_ = requests_.take();
   if (now_.recording && history_.empty()) history_.record(engine_->world());
   publish_timeline();
-  if (now_.steps == 0) answer_steps();  // the world was resumed
+  if (now_.steps == 0) requests_.answer_steps();  // the world was resumed
   if (!now_.pace_changed) return;
   pacer_.change(clock_(), now_.speed, now_.paused);
   show();
 }
 
-void Simulation::take_inbox() {
-  inbox_.take(taken_);
+void Simulation::take_requests() {
+  requests_.take(taken_);
   if (taken_.empty()) return;
-  finish_publishing();
+  finish_works();
   for (const Inbox::Entry& entry : taken_) {
     carry_out(entry);
-    follow_changes();
+    follow_events();
   }
   taken_.clear();
   finish_changes();
@@ -248,7 +201,7 @@ void Simulation::finish_changes() {
   if (!world.deciders.empty() && std::ranges::any_of(world.events.since(settled_), moves_rows))
     journal_.apply(world::changes::StartControllers{});
   settled_ = world.events.end();
-  for (world::RunListener* const listener : run_listeners_) listener->changed(world, journal_.entries());
+  for (const std::shared_ptr<Follower>& follower : followers_) follower->changed(world, journal_.entries());
   journal_.clear();
 }
 
@@ -257,24 +210,28 @@ void Simulation::finish_changes() {
 void Simulation::end_generations(const std::vector<world::ModelId>& before) {
   std::vector<world::ModelId> others;
   std::ranges::set_symmetric_difference(before, engine_->world().models.id, std::back_inserter(others));
-  for (const world::ModelId model : others) ++generations_[model];
+  for (const world::ModelId model : others) requests_.begin_generation(model);
 }
 
 void Simulation::rewind_to(std::uint64_t tick) {
   const world::World& world = engine_->world();
   if (history_.empty()) return;
-  finish_publishing();
+  finish_works();
   history_.take(world);  // so that this state can be returned to
   const std::vector<world::ModelId> before = world.models.id;
   load(tick);
-  if (publisher_ != nullptr) publisher_->forget();
   end_generations(before);
-  time_.store(world.time(), std::memory_order_relaxed);
-  pacer_.start(clock_(), now_.speed, now_.paused);
-  publish_timeline();
-  follow_changes();
+  start_again_from_here();
+  follow_events();
   finish_changes();
   show();
+}
+
+/// The time is another one.
+void Simulation::start_again_from_here() {
+  time_.store(engine_->world().time(), std::memory_order_relaxed);
+  pacer_.start(clock_(), now_.speed, now_.paused);
+  publish_timeline();
 }
 
 /// If a controller rejects its state, the world stays, and the controller is not called any more.
@@ -292,163 +249,25 @@ void Simulation::load(std::uint64_t tick) {
 /// Publishes the list of keyframes to other threads.
 void Simulation::publish_timeline() {
   std::shared_ptr<const world::Timeline> timeline = history_.timeline();
-  if (timeline == timeline_) return;  // written by this thread only
-  const std::lock_guard lock(mutex_);
-  timeline_ = std::move(timeline);
-}
-
-void Simulation::wake() {
-  {
-    const std::lock_guard lock(mutex_);
-    woken_.store(true);
-  }
-  changed_.notify_one();
-}
-
-/// False: rejected by `edit`, without effect.
-template <typename Edit>
-bool Simulation::want(Edit edit) {
-  {
-    const std::lock_guard lock(mutex_);
-    if constexpr (std::is_void_v<std::invoke_result_t<Edit, Wanted&>>) {
-      edit(wanted_);
-    } else if (!edit(wanted_)) {
-      return false;
-    }
-    wanted_.pace_changed = true;
-    woken_.store(true);
-  }
-  changed_.notify_one();
-  return true;
+  if (timeline == timeline_) return;
+  timeline_ = timeline;
+  requests_.set_timeline(std::move(timeline));
 }
 
 Result<void> Simulation::restart(std::uint64_t seed) {
   if (start_ == nullptr)
     return Error{{}, why_no_start_.empty() ? "only a run with --lock-step keeps its start" : why_no_start_};
-  const world::World& world = engine_->world();
-  const std::vector<world::ModelId> before = world.models.id;
+  const std::vector<world::ModelId> before = engine_->world().models.id;
   if (const Result<void> loaded = journal_.load(start_, seed); !loaded) return loaded;
-  if (publisher_ != nullptr) publisher_->forget();
   end_generations(before);
   history_.clear();
-  time_.store(world.time(), std::memory_order_relaxed);
-  pacer_.start(clock_(), now_.speed, now_.paused);
-  publish_timeline();
+  start_again_from_here();
   return {};
 }
 
 void Simulation::discard() {
-  if (lock_step_) lock_step_->close(kEnded);
-  std::vector<LockStep::Done> steppers;
-  {
-    const std::lock_guard lock(mutex_);
-    steppers.swap(steppers_);
-  }
-  for (const LockStep::Done& each : steppers) each(kEnded);
-  inbox_.close();
-  inbox_.take(taken_);
-  taken_.clear();
-}
-
-void Simulation::stop() {
-  want([](Wanted& wanted) { wanted.stop = true; });
-}
-
-void Simulation::pause() {
-  want([](Wanted& wanted) { wanted.paused = true; });
-}
-
-void Simulation::resume() {
-  want([](Wanted& wanted) { wanted.paused = false; });
-}
-
-void Simulation::step_once() {
-  pause();
-  step(1, {});
-}
-
-void Simulation::step(std::uint64_t ticks, LockStep::Done done) {
-  std::string why_not;
-  const bool taken = want([&](Wanted& wanted) {
-    if (!wanted.paused) {
-      why_not = "the world is running: pause it first, or start it with --lock-step";
-    } else if (ticks > limits::kSingleSteps - wanted.steps) {
-      why_not = fmt::format("too many steps are waiting: {} at most", limits::kSingleSteps);
-    } else {
-      wanted.steps += ticks;
-      if (done) steppers_.push_back(std::move(done));
-    }
-    return why_not.empty();
-  });
-  if (!taken && done) done(why_not);
-}
-
-void Simulation::set_speed(double times_real_time) {
-  if (!std::isfinite(times_real_time) || times_real_time < 0) return;
-  want([=](Wanted& wanted) { wanted.speed = times_real_time; });
-}
-
-void Simulation::drive(world::ModelId robot, const geom::Twist& velocity) {
-  command({robot, wire::position2d::kCode}, world::changes::Drive{robot, velocity});
-}
-
-void Simulation::reserve(world::ModelId model, bool on) {
-  const std::lock_guard lock(mutex_);
-  if (on) {
-    reserved_.insert(model);
-  } else {
-    reserved_.erase(model);
-  }
-}
-
-bool Simulation::is_reserved(world::ModelId model) const {
-  const std::lock_guard lock(mutex_);
-  return reserved_.contains(model);
-}
-
-bool Simulation::post(Request request, world::ModelId robot) {
-  if (!inbox_.post(std::move(request), robot)) return false;
-  wake();
-  return true;
-}
-
-bool Simulation::post_to_all(Request request) {
-  if (!inbox_.post_to_all(std::move(request))) return false;
-  wake();
-  return true;
-}
-
-void Simulation::post_always(Request request, world::ModelId robot) {
-  inbox_.post_always(std::move(request), robot);
-  wake();
-}
-
-void Simulation::record(bool on) {
-  want([=](Wanted& wanted) { wanted.recording = on; });
-}
-
-std::shared_ptr<const world::Timeline> Simulation::timeline() const {
-  const std::lock_guard lock(mutex_);
-  return timeline_;
-}
-
-void Simulation::rewind(std::uint64_t tick) {
-  want([=](Wanted& wanted) { wanted.instant = tick; });
-}
-
-std::uint64_t Simulation::generation(world::ModelId model) const {
-  const auto found = generations_.find(model);
-  return found == generations_.end() ? 0 : found->second;
-}
-
-void Simulation::command(Inbox::Slot slot, world::Change command) {
-  inbox_.command(slot, std::move(command));
-  wake();
-}
-
-world::Pace Simulation::pace() const {
-  const std::lock_guard lock(mutex_);
-  return {wanted_.paused, wanted_.speed, wanted_.paused ? 0 : factor_.load(std::memory_order_relaxed)};
+  if (lock_step_) lock_step_->close(Requests::kEnded);
+  requests_.close();
 }
 
 }  // namespace playhouse::run

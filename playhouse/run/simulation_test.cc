@@ -8,7 +8,6 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/run/testing/still_engine.h"
-#include "playhouse/wire/generated/position2d.h"
 #include "playhouse/world/changes/packed_change.h"
 #include "playhouse/world/population/population.h"
 
@@ -32,23 +31,23 @@ TEST(Simulation, ends_at_the_first_tick_at_or_after_the_duration) {
 TEST(Simulation, carries_out_what_was_posted_before_the_next_tick) {
   StillSimulation still(kRobot);
   std::uint64_t seen_at = 99;
-  ASSERT_TRUE(
-      still.simulation.post([&](const world::Journal& journal) { seen_at = journal.world().tick(); }));
+  ASSERT_TRUE(still.simulation.requests().post(
+      [&](const world::Journal& journal) { seen_at = journal.world().tick(); }));
   still.run(3);
   EXPECT_EQ(seen_at, 0u);
 }
 
 TEST(Simulation, a_command_reaches_its_robot) {
   StillSimulation still(kRobot);
-  still.simulation.drive({0}, {0.3, 0, 0, 0.2});
+  still.simulation.requests().drive({0}, {0.3, 0, 0, 0.2});
   still.run(1);
   EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.3, 0, 0, 0.2}));
 }
 
 TEST(Simulation, a_viewer_who_drives_is_one_more_who_commands) {
   StillSimulation still(kRobot);
-  still.simulation.command({{0}, wire::position2d::kCode}, world::changes::Drive{{0}, {0.3, 0, 0, 0.2}});
-  still.simulation.drive({0}, {0.5, 0.1, 0, -1});
+  still.simulation.requests().command(world::changes::Drive{{0}, {0.3, 0, 0, 0.2}});
+  still.simulation.requests().drive({0}, {0.5, 0.1, 0, -1});
   still.run(1);
   EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.5, 0.1, 0, -1}));
 }
@@ -56,62 +55,60 @@ TEST(Simulation, a_viewer_who_drives_is_one_more_who_commands) {
 TEST(Simulation, shows_every_tick_to_its_listeners_with_the_time) {
   StillSimulation still(kRobot);
   std::vector<std::uint64_t> seen;
-  still.simulation.add_listener(
-      [&](const world::World& world, const world::Pace&) { seen.push_back(world.tick()); });
+  still.simulation.follow(
+      on_show([&](const world::World& world, const world::Pace&) { seen.push_back(world.tick()); }));
   still.run(2);
   EXPECT_EQ(seen, (std::vector<std::uint64_t>{0, 1, 2}));
   EXPECT_DOUBLE_EQ(still.simulation.time(), 0.2);
 }
 
-TEST(Simulation, shows_every_tick_to_watchers_who_want_it_while_the_world_stands) {
+TEST(Simulation, shows_every_tick_to_works_while_the_world_stands) {
+  struct Watcher final : Follower {
+    std::optional<Work> work(const world::World& world, const world::Pace&) override {
+      if (world.tick() % 2 == 0) return {};
+      return Work{.run = [&world, this](std::size_t) {
+        const std::uint64_t tick = world.tick();
+        std::this_thread::yield();
+        EXPECT_EQ(world.tick(), tick);
+        seen.push_back(tick);
+      }};
+    }
+    std::vector<std::uint64_t> seen;
+  } watcher;
   StillSimulation still(kRobot);
-  std::vector<std::uint64_t> seen;
-  still.simulation.add_watcher({[&] { return still.world().tick() % 2 == 1; },
-                                [&](const world::World& world, const world::Pace&) {
-                                  const std::uint64_t tick = world.tick();
-                                  std::this_thread::yield();
-                                  EXPECT_EQ(world.tick(), tick);
-                                  seen.push_back(tick);
-                                }});
+  still.simulation.follow(watcher);
   still.run(6);
-  EXPECT_EQ(seen, (std::vector<std::uint64_t>{1, 3, 5}));
+  EXPECT_EQ(watcher.seen, (std::vector<std::uint64_t>{1, 3, 5}));
 }
 
-/// So many that the publisher thread encodes for them.
-constexpr std::uint32_t kManySources = 200;
+/// So many that the publisher thread is woken for them.
+constexpr std::size_t kManyParts = 200;
 
-/// Publishes its number in each tick.
-struct Numbered final : Source {
-  explicit Numbered(std::uint32_t number) : number(number) {}
-  void emit(const world::World& world, std::vector<device::Publication>& out) override {
-    out.push_back({{number}, 0, world.time(), {}});
-  }
-  std::uint32_t number;
-};
-
-void add_many_sources(Simulation& simulation) {
-  for (std::uint32_t number = 0; number < kManySources; ++number)
-    simulation.add_source(std::make_shared<Numbered>(number));
-}
-
-/// Asks for something whenever it gets data, as drivers do that read others.
-struct Asking final : device::Publisher {
+/// Work of many parts after each tick, after which it asks for something, as drivers do that read others.
+struct Asking final : Follower {
   explicit Asking(Simulation& simulation) : simulation(simulation) {}
-  void publish(std::vector<device::Publication> batch) override {
-    times.push_back(batch.size() == kManySources ? batch.back().timestamp : -1);
-    simulation.post_always(
-        [this](const world::Journal& journal) { answered.push_back(journal.world().time()); }, {});
+  void ticked(const world::World&) override { is_due = true; }
+  std::optional<Work> work(const world::World&, const world::Pace&) override {
+    if (!std::exchange(is_due, false)) return {};
+    return Work{kManyParts, [this](std::size_t) { ++parts; },
+                [this] {
+                  times.push_back(parts == kManyParts * (times.size() + 1) ? simulation.world().time() : -1);
+                  simulation.requests().post_always(
+                      [this](const world::Journal& journal) { answered.push_back(journal.world().time()); },
+                      {});
+                }};
   }
   Simulation& simulation;
+  bool is_due = false;
+  std::atomic<std::size_t> parts = 0;
   std::vector<double> times, answered;
 };
 
-TEST(Simulation, what_drivers_ask_for_at_the_data_of_many_devices_happens_before_the_next_tick) {
+TEST(Simulation, what_works_ask_for_in_the_end_happens_before_the_next_tick) {
   for (const unsigned workers : {1u, 3u}) {
     StillSimulation still(kRobot, workers);
     Asking asking(still.simulation);
-    still.simulation.publish_to(asking);
-    add_many_sources(still.simulation);
+    still.simulation.follow(asking);
     std::vector<double> ticks;
     for (int tick = 1; tick <= 50; ++tick) ticks.push_back(tick * 0.1);
     still.run(50);
@@ -121,33 +118,36 @@ TEST(Simulation, what_drivers_ask_for_at_the_data_of_many_devices_happens_before
   }
 }
 
-TEST(Simulation, tells_its_listeners_when_the_data_of_many_devices_are_out) {
+TEST(Simulation, is_shown_when_the_works_of_all_are_done) {
   StillSimulation still(kRobot);
-  add_many_sources(still.simulation);
-  std::vector<std::size_t> published;
-  still.simulation.add_listener(
-      [&](const world::World&, const world::Pace&) { published.push_back(still.recorder.published.size()); });
-  still.run(2);
-  EXPECT_EQ(published, (std::vector<std::size_t>{0, kManySources, 2 * kManySources}));
+  std::vector<std::size_t> done;
+  Asking asking(still.simulation);
+  still.simulation.follow(
+      on_show([&](const world::World&, const world::Pace&) { done.push_back(asking.parts); }));
+  still.simulation.follow(asking);
+  still.run(1);
+  ASSERT_GE(done.size(), 2u);
+  EXPECT_EQ(done[0], 0u);
+  EXPECT_EQ(done[1], kManyParts);
 }
 
 TEST(Simulation, tells_its_followers_of_each_change_before_the_next_and_before_its_listeners) {
   StillSimulation still(kRobot);
   std::string told;
-  still.simulation.add_follower([&](const world::World& world, const world::Event& event) {
+  still.simulation.follow(on_event([&](const world::World& world, const world::Event& event) {
     told += event.kind == world::Event::Kind::kSpawn ? "came " : "went ";
     told += std::to_string(world.models.size()) + ", ";
-  });
-  still.simulation.add_listener([&](const world::World&, const world::Pace&) { told += "shown, "; });
+  }));
+  still.simulation.follow(on_show([&](const world::World&, const world::Pace&) { told += "shown, "; }));
   world::ModelId robot;
-  still.simulation.post([&](world::Journal& journal) { robot = *journal.spawn(0, {}); });
-  still.simulation.post([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); });
+  still.simulation.requests().post([&](world::Journal& journal) { robot = *journal.spawn(0, {}); });
+  still.simulation.requests().post([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); });
   still.run(0);
   EXPECT_EQ(told, "shown, came 2, went 1, shown, ") << "the pace is shown first";
 }
 
 TEST(Simulation, shows_a_run_listener_the_world_before_and_after_what_was_posted_and_each_tick) {
-  struct Notes final : world::RunListener {
+  struct Notes final : run::Follower {
     void changed(const world::World& world, std::span<const world::Change> changes) override {
       for (const world::Change& change : changes) text += std::string(world::name_of(change)) + ", ";
       note("changed", world);
@@ -159,9 +159,9 @@ TEST(Simulation, shows_a_run_listener_the_world_before_and_after_what_was_posted
     std::string text;
   } notes;
   StillSimulation still(kRobot);
-  still.simulation.add_run_listener(notes);
-  still.simulation.post([&](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {})); });
-  still.simulation.post([&](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {})); });
+  still.simulation.follow(notes);
+  still.simulation.requests().post([&](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {})); });
+  still.simulation.requests().post([&](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {})); });
   still.run(2);
   EXPECT_EQ(notes.text, "spawn, spawn, changed 3, tick 3, tick 3, ");
 }
@@ -182,8 +182,8 @@ TEST(Simulation, has_controllers_know_who_came_before_anybody_saves_the_state) {
   const Counter& counter = *owned;
   std::size_t known = 0;
   still.world().deciders.push_back(std::move(owned));
-  still.simulation.post([&](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {})); });
-  still.simulation.add_listener([&](const world::World&, const world::Pace&) { known = counter.known; });
+  still.simulation.requests().post([&](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {})); });
+  still.simulation.follow(on_show([&](const world::World&, const world::Pace&) { known = counter.known; }));
   still.run(0);
   EXPECT_EQ(known, 2u);
 }
@@ -193,42 +193,42 @@ TEST(Simulation, a_paused_world_does_what_is_posted_and_single_steps_only) {
   Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1, .paused = true});
   std::uint64_t at_first = 99, at_second = 99;
   std::thread ticks([&] { simulation.run(); });
-  simulation.post([&](const world::Journal& journal) {
+  simulation.requests().post([&](const world::Journal& journal) {
     at_first = journal.world().tick();
-    simulation.step_once();
-    simulation.step_once();
+    simulation.requests().step_once();
+    simulation.requests().step_once();
   });
   // Each listener call after a tick asks again, so the thread ends when both steps are done.
   while (simulation.time() < 0.15) std::this_thread::yield();
-  simulation.post([&](const world::Journal& journal) {
+  simulation.requests().post([&](const world::Journal& journal) {
     at_second = journal.world().tick();
-    simulation.stop();
+    simulation.requests().stop();
   });
   ticks.join();
   EXPECT_EQ(at_first, 0u);
   EXPECT_EQ(at_second, 2u);
-  EXPECT_TRUE(simulation.pace().paused);
+  EXPECT_TRUE(simulation.requests().pace().paused);
 }
 
 TEST(Simulation, shows_the_world_again_while_the_next_tick_is_far) {
   const scene::SceneDesc scene = testing::scene_of(kRobot);
   Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1e-6});
   int shown = 0;
-  simulation.add_listener([&](const world::World& world, const world::Pace& pace) {
+  simulation.follow(on_show([&](const world::World& world, const world::Pace& pace) {
     EXPECT_FALSE(pace.paused);
-    if (world.tick() <= 1 && ++shown == 4) simulation.stop();
-  });
+    if (world.tick() <= 1 && ++shown == 4) simulation.requests().stop();
+  }));
   simulation.run();
   EXPECT_GE(shown, 4);
 }
 
 TEST(Simulation, refuses_speeds_that_make_no_sense) {
   StillSimulation still(kRobot);
-  still.simulation.set_speed(-1);
-  still.simulation.set_speed(std::nan(""));
-  EXPECT_EQ(still.simulation.pace().speed, 0);
-  still.simulation.set_speed(2);
-  EXPECT_EQ(still.simulation.pace().speed, 2);
+  still.simulation.requests().set_speed(-1);
+  still.simulation.requests().set_speed(std::nan(""));
+  EXPECT_EQ(still.simulation.requests().pace().speed, 0);
+  still.simulation.requests().set_speed(2);
+  EXPECT_EQ(still.simulation.requests().pace().speed, 2);
 }
 
 TEST(Simulation, a_tiny_speed_is_slow_and_not_fast) {
@@ -243,10 +243,10 @@ TEST(Simulation, a_tiny_speed_is_slow_and_not_fast) {
   std::atomic<int> looks = 0;
   while (looks < 100 && !ended) {
     const int before = looks;
-    simulation.post([&](const world::Journal&) { ++looks; });
+    simulation.requests().post([&](const world::Journal&) { ++looks; });
     while (looks == before && !ended) std::this_thread::yield();
   }
-  simulation.stop();
+  simulation.requests().stop();
   ticks.join();
   EXPECT_EQ(looks, 100);
   EXPECT_LE(simulation.world().tick(), 1u) << "the first is due at once";
@@ -262,23 +262,23 @@ TEST(Simulation, a_flood_of_pauses_and_speeds_runs_no_tick_ahead_of_its_time) {
     // What is posted may overtake a pause or a resume that was said before, but not twice.
     for (int time = 0; time < 2; ++time) {
       std::atomic<bool> done = false;
-      simulation.post([&](const world::Journal&) { done = true; });
+      simulation.requests().post([&](const world::Journal&) { done = true; });
       while (!done) std::this_thread::yield();
     }
   };
   for (int step = 0; step <= 20; ++step) {
     now = step * 0.0505;
     for (int i = 0; i < 5; ++i) {
-      simulation.pause();
+      simulation.requests().pause();
       carry_out();
-      simulation.set_speed(2);
+      simulation.requests().set_speed(2);
       carry_out();
-      simulation.set_speed(1);
-      simulation.resume();
+      simulation.requests().set_speed(1);
+      simulation.requests().resume();
       carry_out();
     }
   }
-  simulation.stop();
+  simulation.requests().stop();
   ticks.join();
   EXPECT_EQ(simulation.world().tick(), 11u) << "one at once and then ten in 1.01 s";
 }
@@ -286,19 +286,19 @@ TEST(Simulation, a_flood_of_pauses_and_speeds_runs_no_tick_ahead_of_its_time) {
 TEST(Simulation, single_steps_that_wait_are_forgotten_when_the_world_resumes) {
   const scene::SceneDesc scene = testing::scene_of(kRobot);
   Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1, .clock = [] { return 0.0; }});
-  simulation.pause();
+  simulation.requests().pause();
   std::thread ticks([&] { simulation.run(); });
-  simulation.post([&](const world::Journal&) {
-    for (int i = 0; i < 60; ++i) simulation.step_once();
-    simulation.resume();
+  simulation.requests().post([&](const world::Journal&) {
+    for (int i = 0; i < 60; ++i) simulation.requests().step_once();
+    simulation.requests().resume();
   });
   std::atomic<int> looks = 0;
   while (looks < 10) {
     const int before = looks;
-    simulation.post([&](const world::Journal&) { ++looks; });
+    simulation.requests().post([&](const world::Journal&) { ++looks; });
     while (looks == before) std::this_thread::yield();
   }
-  simulation.stop();
+  simulation.requests().stop();
   ticks.join();
   EXPECT_LE(simulation.world().tick(), 1u) << "the first is due at once";
 }
@@ -307,14 +307,14 @@ TEST(Simulation, single_steps_that_wait_are_forgotten_when_the_world_resumes) {
 class SingleSteps : public ::testing::Test {
  protected:
   SingleSteps() {
-    simulation_.add_listener([this](const world::World& world, const world::Pace&) {
+    simulation_.follow(on_show([this](const world::World& world, const world::Pace&) {
       while (world.tick() > allowed_) std::this_thread::yield();
-    });
+    }));
     ticks_ = std::thread([this] { simulation_.run(); });
   }
   ~SingleSteps() override {
     allowed_ = kAll;
-    simulation_.stop();
+    simulation_.requests().stop();
     ticks_.join();
   }
   /// Of a client; once answered, by the tick or why not.
@@ -323,7 +323,7 @@ class SingleSteps : public ::testing::Test {
     std::string why_not;
   };
   void step(std::uint64_t ticks, Asked& asked) {
-    simulation_.step(ticks, [this, &asked](const std::optional<std::string>& why_not) {
+    simulation_.requests().step(ticks, [this, &asked](const std::optional<std::string>& why_not) {
       asked.why_not = why_not.value_or("");
       asked.done_at = why_not ? 0 : simulation_.world().tick();
     });
@@ -356,91 +356,97 @@ TEST_F(SingleSteps, that_are_acknowledged_are_done) {
 
 TEST_F(SingleSteps, of_a_running_world_are_refused_without_effect) {
   allowed_ = kAll;
-  simulation_.resume();
+  simulation_.requests().resume();
   Asked asked;
   step(1, asked);
   EXPECT_EQ(asked.done_at, 0u);
   EXPECT_EQ(asked.why_not, "the world is running: pause it first, or start it with --lock-step");
-  EXPECT_FALSE(simulation_.pace().paused);
+  EXPECT_FALSE(simulation_.requests().pace().paused);
 }
 
 TEST_F(SingleSteps, that_are_too_many_leave_the_world_paused) {
   Asked asked;
   step(limits::kSingleSteps + 1, asked);
   EXPECT_EQ(asked.done_at, 0u);
-  EXPECT_TRUE(simulation_.pace().paused);
+  EXPECT_TRUE(simulation_.requests().pace().paused);
 }
 
 TEST(Simulation, what_still_waits_at_the_end_is_refused) {
+  /// Counts requests that end, carried out or not.
+  struct Ends {
+    explicit Ends(int& count) : count(count) {}
+    ~Ends() { ++count; }
+    int& count;
+  };
+  int carried_out = 0, ended = 0;
   StillSimulation still(kRobot);
-  {
-    auto replier = std::make_shared<device::Replier>(still.recorder, 7);
-    still.simulation.post([replier](const world::Journal&) { replier->ack(); });
-  }
-  EXPECT_TRUE(still.recorder.answers.empty());
+  still.simulation.requests().post(
+      [&, ends = std::make_shared<Ends>(ended)](const world::Journal&) { ++carried_out; });
+  EXPECT_EQ(ended, 0);
   still.simulation.discard();
-  ASSERT_TRUE(still.recorder.answers.contains(7));
-  EXPECT_FALSE(still.recorder.answers[7].ack);
-  EXPECT_FALSE(still.simulation.post([](const world::Journal&) {})) << "nobody would carry it out";
-  still.simulation.post_always([replier = std::make_shared<device::Replier>(still.recorder, 8)](
-                                   const world::Journal&) { replier->ack(); },
-                               {});
-  EXPECT_FALSE(still.recorder.answers.at(8).ack);
+  EXPECT_EQ(ended, 1);
+  EXPECT_FALSE(still.simulation.requests().post([](const world::Journal&) {})) << "nobody would carry it out";
+  still.simulation.requests().post_always(
+      [&, ends = std::make_shared<Ends>(ended)](const world::Journal&) { ++carried_out; }, {});
+  EXPECT_EQ(ended, 2);
+  EXPECT_EQ(carried_out, 0);
 }
 
 TEST(Simulation, goes_back_to_an_instant_and_another_way_from_there) {
   StillSimulation still(kRobot);
   using Ticks = std::vector<std::uint64_t>;
   still.run(5);
-  EXPECT_TRUE(still.simulation.timeline()->ticks.empty()) << "nobody asked for it";
-  still.simulation.record(true);
+  EXPECT_TRUE(still.simulation.requests().timeline()->ticks.empty()) << "nobody asked for it";
+  still.simulation.requests().record(true);
   still.run(30);
-  EXPECT_EQ(still.simulation.timeline()->ticks, (Ticks{5, 10, 20, 30}));
+  EXPECT_EQ(still.simulation.requests().timeline()->ticks, (Ticks{5, 10, 20, 30}));
   testing::rewind_to(still.simulation, 10);
   EXPECT_EQ(still.world().tick(), 10u);
   EXPECT_DOUBLE_EQ(still.simulation.time(), 1.0);
-  EXPECT_EQ(still.simulation.timeline()->ticks, (Ticks{5, 10, 20, 30, 35}))
+  EXPECT_EQ(still.simulation.requests().timeline()->ticks, (Ticks{5, 10, 20, 30, 35}))
       << "with the moment that was left";
   testing::rewind_to(still.simulation, 35);
   EXPECT_EQ(still.world().tick(), 35u) << "and back again";
   testing::rewind_to(still.simulation, 20, 3);
   EXPECT_EQ(still.world().tick(), 23u);
-  EXPECT_EQ(still.simulation.timeline()->ticks, (Ticks{5, 10, 20})) << "what comes later is another now";
+  EXPECT_EQ(still.simulation.requests().timeline()->ticks, (Ticks{5, 10, 20}))
+      << "what comes later is another now";
 }
 
 TEST(Simulation, does_not_go_back_where_nothing_is_kept) {
   StillSimulation still(kRobot);
-  still.simulation.rewind(0);
+  still.simulation.requests().rewind(0);
   still.run(3);
   EXPECT_EQ(still.world().tick(), 3u);
 }
 
 TEST(Simulation, tells_followers_and_then_listeners_that_the_world_is_another) {
   StillSimulation still(kRobot);
-  still.simulation.record(true);
+  still.simulation.requests().record(true);
   still.run(20);
   std::string told;
-  still.simulation.add_follower([&](const world::World& world, const world::Event& event) {
+  still.simulation.follow(on_event([&](const world::World& world, const world::Event& event) {
     if (event.kind == world::Event::Kind::kReload) told += "reloaded " + std::to_string(world.tick()) + ", ";
-  });
-  still.simulation.add_listener(
-      [&](const world::World& world, const world::Pace&) { told += std::to_string(world.tick()) + ", "; });
+  }));
+  still.simulation.follow(on_show(
+      [&](const world::World& world, const world::Pace&) { told += std::to_string(world.tick()) + ", "; }));
   testing::rewind_to(still.simulation, 10);
   EXPECT_EQ(told, "20, reloaded 10, 10, ") << "the pace is shown first";
 }
 
 TEST(Simulation, who_uses_a_model_goes_on_with_it_unless_it_came_back) {
   StillSimulation still(kRobot);
-  still.simulation.record(true);
+  still.simulation.requests().record(true);
   still.run(10);
   world::Use stays, ends;
   world::ModelId late;
-  still.simulation.post([&](world::Journal& journal) {
+  still.simulation.requests().post([&](world::Journal& journal) {
     late = *journal.spawn(0, {});
-    stays.begin(journal, still.simulation, {0});
+    stays.begin(journal, still.simulation.requests(), {0});
   });
   still.run(10);
-  still.simulation.post([&](world::Journal& journal) { ends.begin(journal, still.simulation, late); });
+  still.simulation.requests().post(
+      [&](world::Journal& journal) { ends.begin(journal, still.simulation.requests(), late); });
   still.run(1);
   const auto users = [&](world::ModelId model) {
     return still.world().models.subscribers[still.world().row(model).index];
@@ -453,24 +459,24 @@ TEST(Simulation, who_uses_a_model_goes_on_with_it_unless_it_came_back) {
   ASSERT_TRUE(still.world().row(late));
   EXPECT_EQ(users(late), 0u);
   EXPECT_EQ(users({0}), 1u);
-  EXPECT_FALSE(ends.end(still.simulation.journal(), still.simulation));
-  EXPECT_TRUE(stays.end(still.simulation.journal(), still.simulation));
+  EXPECT_FALSE(ends.end(still.simulation.journal(), still.simulation.requests()));
+  EXPECT_TRUE(stays.end(still.simulation.journal(), still.simulation.requests()));
   EXPECT_EQ(users({0}), 0u);
 }
 
 TEST(Simulation, gives_no_id_a_second_time_after_it_went_back) {
   StillSimulation still(kRobot);
   world::ModelId first, second;
-  still.simulation.record(true);
+  still.simulation.requests().record(true);
   still.run(1);
   const std::uint64_t hash = still.world().hash();
-  still.simulation.post([&](world::Journal& journal) { first = *journal.spawn(0, {}); });
+  still.simulation.requests().post([&](world::Journal& journal) { first = *journal.spawn(0, {}); });
   still.run(3);
   testing::rewind_to(still.simulation, 1);
-  still.simulation.post([](const world::Journal&) {});
+  still.simulation.requests().post([](const world::Journal&) {});
   still.run(0);
   EXPECT_EQ(still.world().hash(), hash) << "nobody came yet";
-  still.simulation.post([&](world::Journal& journal) { second = *journal.spawn(0, {}); });
+  still.simulation.requests().post([&](world::Journal& journal) { second = *journal.spawn(0, {}); });
   still.run(0);
   EXPECT_GT(second, first);
 }
@@ -480,12 +486,12 @@ TEST(Simulation, is_paced_anew_after_it_went_back) {
   std::atomic<double> now = 0;
   Simulation simulation(std::make_unique<StillEngine>(scene),
                         {.speed = 1, .clock = [&] { return now.load(); }});
-  simulation.record(true);
+  simulation.requests().record(true);
   std::thread ticks([&] { simulation.run(); });
   const auto carry_out = [&] {
     for (int time = 0; time < 2; ++time) {
       std::atomic<bool> done = false;
-      simulation.post([&](const world::Journal&) { done = true; });
+      simulation.requests().post([&](const world::Journal&) { done = true; });
       while (!done) std::this_thread::yield();
     }
   };
@@ -494,10 +500,10 @@ TEST(Simulation, is_paced_anew_after_it_went_back) {
     now = k * 0.101;
     carry_out();
   }
-  simulation.rewind(10);
+  simulation.requests().rewind(10);
   carry_out();
   carry_out();
-  simulation.stop();
+  simulation.requests().stop();
   ticks.join();
   EXPECT_LE(simulation.world().tick(), 11u) << "the first is due at once, and nothing is caught up";
 }

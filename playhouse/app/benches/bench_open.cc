@@ -50,19 +50,20 @@ class Sink final : public device::Publisher {
 class OpenRun {
  public:
   explicit OpenRun(std::unique_ptr<world::Engine> engine)
-      : simulation_(std::move(engine), {.speed = 0, .duration = 0}), driver_(simulation_, "stage") {
-    simulation_.publish_to(sink_);
+      : simulation_(std::move(engine), {.speed = 0, .duration = 0}),
+        devices_(simulation_, sink_),
+        driver_(devices_, "stage") {
     std::uint32_t row = 0;
     for (const drivers::MappedDevice& mapped : drivers::AutoMap().of_world(simulation_.world())) {
       const device::DeviceId id{row++};
-      driver_.add(id, drivers::make_device(simulation_, mapped.interf, mapped.model));
+      driver_.add(id, drivers::make_device(devices_, mapped.interf, mapped.model));
       const bool opened = driver_.start(id).ok();
       PLAYHOUSE_ASSERT(opened);
       if (row % kOpensAtOnce == 0) simulation_.run();
     }
     simulation_.run();
   }
-  std::size_t devices() const { return simulation_.source_count(); }
+  std::size_t devices() const { return devices_.sources().size(); }
   const world::World& world() const { return simulation_.world(); }
 
   /// Wall time of a tick. [s]
@@ -78,6 +79,7 @@ class OpenRun {
  private:
   Sink sink_;
   run::Simulation simulation_;
+  drivers::ModelDevices devices_;
   drivers::SimulatedDriver driver_;
 };
 

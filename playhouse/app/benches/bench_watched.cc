@@ -18,8 +18,8 @@
 #include "playhouse/app/benches/bench_clients.h"
 #include "playhouse/app/benches/bench_figures.h"
 #include "playhouse/app/fail.h"
+#include "playhouse/run/follower.h"
 #include "playhouse/scenarios/scenario.h"
-#include "playhouse/world/run_listener.h"
 
 namespace playhouse::app {
 namespace {
@@ -71,11 +71,10 @@ Result<void> watch_in_turn(const Ports& ports, std::size_t robots, double second
 }
 
 /// CPU times of whole ticks, by phase. [s]
-class TickTimes final : public world::RunListener {
+class TickTimes final : public run::Follower {
  public:
   explicit TickTimes(const Board& board) : board_(board) {}
 
-  void changed(const world::World&, std::span<const world::Change>) override {}
   void ticked(const world::World&) override {
     const double now = cpu_time(CLOCK_THREAD_CPUTIME_ID);
     const int phase = board_.phase;
@@ -124,7 +123,7 @@ int bench_watched(const BenchOptions& options) {
             watch_in_turn(ports, robots, options.duration > 0 ? options.duration : kSeconds, *board);
         return done ? kDone : fail(done.error());
       },
-      [&](Service& service) { service.simulation().add_run_listener(times); });
+      [&](Service& service) { service.simulation().follow(times); });
   if (code != kDone) return code;
   if (!times.in_all_phases())
     return fail({"--duration", "too short: not one whole tick of each of the three"});

@@ -370,10 +370,10 @@ Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& secti
     run_in_ticks(site, shown, odometry, amcl.thread(), [&amcl, own](const world::World& world) {
       amcl.rewound(world.time(), own ^ mix64(world.seed()));
     });
-    const world::ModelId robot = simulation->directory().model_of(odometry);
-    simulation->add_follower([&amcl, robot](const world::World&, const world::Event& event) {
+    const world::ModelId robot = site.model_devices()->directory().model_of(odometry);
+    simulation->follow(run::on_event([&amcl, robot](const world::World&, const world::Event& event) {
       if (event.kind == world::Event::Kind::kPlace && event.model == robot) amcl.placed();
-    });
+    }));
     return {};
   };
   site.add_user({driver.get(), &driver->client(), *provided, *required, section.at("requires"), connected});

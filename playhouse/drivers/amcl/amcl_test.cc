@@ -71,8 +71,8 @@ class AmclTest : public ::testing::Test {
     EXPECT_NE(found, site.recorder.published.rend());
     return *wire::decode<T>(found->body);
   }
-  run::testing::Recorder::Answer ask(device::Address address, std::uint8_t subtype,
-                                     const std::vector<std::byte>& body) {
+  testing::Recorder::Answer ask(device::Address address, std::uint8_t subtype,
+                                const std::vector<std::byte>& body) {
     driver().request({site.id(address), kReq, subtype, body}, device::Replier(site.recorder, 1));
     site.run(0);
     return site.recorder.answers.at(1);
@@ -194,9 +194,10 @@ TEST_F(AmclTest, has_its_devices_open_while_one_of_its_own_is) {
 TEST_F(AmclTest, retires_with_its_robot) {
   run::Simulation& simulation = *site.site().simulation();
   const world::ModelId robot = simulation.world().id(simulation.world().find("r0"));
-  EXPECT_EQ(simulation.directory().model_of(kLocalize), robot);
+  EXPECT_EQ(site.site().model_devices()->directory().model_of(kLocalize), robot);
   site.run(1);
-  ASSERT_TRUE(simulation.post([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); }));
+  ASSERT_TRUE(
+      simulation.requests().post([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); }));
   site.run(3);
   site.run(0);
   EXPECT_FALSE(site.site().find(kLocalize).has_value());

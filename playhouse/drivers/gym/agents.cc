@@ -67,23 +67,23 @@ Result<void> Agents::begin() {
   for (std::size_t i = 0; i < agents_.size(); ++i)
     columns_.values<float>(kRangeMost)[i] = range_most(world, world.row(agents_[i].ranger));
   *columns_.values<double>(kInterval) = world.scene().interval;
-  simulation_.post_always([this](world::Journal& journal) { use_all(journal); }, {});
+  simulation_.requests().post_always([this](world::Journal& journal) { use_all(journal); }, {});
   observe();
   return {};
 }
 
 void Agents::use_all(world::Journal& journal) {
   for (Agent& agent : agents_) {
-    agent.wheels.begin(journal, simulation_, agent.model);
-    agent.sensor.begin(journal, simulation_, agent.ranger);
+    agent.wheels.begin(journal, simulation_.requests(), agent.model);
+    agent.sensor.begin(journal, simulation_.requests(), agent.ranger);
   }
 }
 
 /// Renews subscriptions: those of re-created agents have ended; those of others are unchanged.
 void Agents::use_again(world::Journal& journal) {
   for (Agent& agent : agents_) {
-    agent.wheels.end(journal, simulation_);
-    agent.sensor.end(journal, simulation_);
+    agent.wheels.end(journal, simulation_.requests());
+    agent.sensor.end(journal, simulation_.requests());
   }
   use_all(journal);
 }

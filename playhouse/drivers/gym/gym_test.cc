@@ -37,7 +37,7 @@ class Gym : public ::testing::Test {
       : simulation_(std::make_unique<run::testing::StillEngine>(scene_),
                     {.speed = 0, .duration = duration, .lock_step = run::LockStep::Options{}}) {}
   void carry_out(std::function<void(world::Journal&)> change) {
-    ASSERT_TRUE(simulation_.post(std::move(change)));
+    ASSERT_TRUE(simulation_.requests().post(std::move(change)));
     simulation_.run();
   }
   world::World& world() { return simulation_.engine().world(); }
@@ -125,10 +125,10 @@ TEST_F(LinkedGym, begins_again_also_while_others_fill_the_queue) {
   step(5);
   EXPECT_EQ(answer(), "");
   std::atomic<bool> is_full = false;
-  ASSERT_TRUE(simulation_.post([&](const world::Journal&) {
+  ASSERT_TRUE(simulation_.requests().post([&](const world::Journal&) {
     while (!is_full) std::this_thread::yield();
   }));
-  while (simulation_.post([](const world::Journal&) {})) {
+  while (simulation_.requests().post([](const world::Journal&) {})) {
   }
   restart(9);
   while (!simulation_.lock_step()->is_due()) std::this_thread::yield();

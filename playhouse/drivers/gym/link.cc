@@ -82,7 +82,7 @@ bool Link::receive(Request& request) const {
 
 void Link::listen() {
   for (Request request; receive(request);) carry_out(request);
-  simulation_.stop();
+  simulation_.requests().stop();
 }
 
 /// Posts the change, then the step that it precedes.
@@ -101,7 +101,7 @@ void Link::carry_out(const Request& request) {
     }
   };
   // One at a time, so it may exceed the queue's limit.
-  simulation_.post_always(change, {});
+  simulation_.requests().post_always(change, {});
   simulation_.lock_step()->step(this, "the learning program", is_step ? request.ticks : 1,
                                 [this](const std::optional<std::string>& why_not) {
                                   if (why_not) return answer(*why_not);

@@ -77,7 +77,7 @@ class Actarray final : public SimulatedDevice {
   device::Taken command(const device::Message& message) override {
     std::optional<world::Change> command = meaning(message);
     if (!command) return device::Taken::kNo;
-    simulation().command({model(), act::kCode}, *std::move(command));
+    simulation().requests().command(*std::move(command));
     return device::Taken::kLatest;
   }
 

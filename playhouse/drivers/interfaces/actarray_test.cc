@@ -7,7 +7,7 @@
 
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/wire/generated/actarray.h"
 
 namespace playhouse::drivers {
@@ -28,8 +28,8 @@ position( size [0.4 0.4 0.2]
 /// The lift of kWorld, open.
 class ActarrayDevice : public ::testing::Test {
  protected:
-  ActarrayDevice() : still_(kWorld), driver_(still_.simulation, "stage") {
-    driver_.add(kId, make_device(still_.simulation, act::kCode, {2}));
+  ActarrayDevice() : still_(kWorld), driver_(still_.devices, "stage") {
+    driver_.add(kId, make_device(still_.devices, act::kCode, {2}));
     EXPECT_TRUE(driver_.start(kId));
     still_.run(0);
   }
@@ -55,7 +55,7 @@ class ActarrayDevice : public ::testing::Test {
   }
 
   static constexpr device::DeviceId kId{3};
-  run::testing::StillSimulation still_;
+  testing::StillDevices still_;
   SimulatedDriver driver_;
   std::uint64_t ticket_ = 0;
 };

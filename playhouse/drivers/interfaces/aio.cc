@@ -32,7 +32,7 @@ class Aio final : public SimulatedDevice {
       return device::Taken::kNo;
     const world::changes::CommandCustom change{model(), value->id, value->voltage};
     const auto request = [change](world::Journal& journal) { journal.apply(change); };
-    return simulation().post(request, model()) ? device::Taken::kQueued : device::Taken::kNo;
+    return simulation().requests().post(request, model()) ? device::Taken::kQueued : device::Taken::kNo;
   }
 
   void emit(const world::World& world, std::vector<device::Publication>& out) override {

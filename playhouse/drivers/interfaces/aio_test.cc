@@ -7,7 +7,7 @@
 
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/wire/generated/aio.h"
 #include "playhouse/world/custom_library.h"
 
@@ -26,13 +26,13 @@ struct TwoCommands : world::CustomKind {
 /// The custom model of a scene, open.
 class AioDevice : public ::testing::Test {
  protected:
-  AioDevice() : still_("custom( library \"none\" )"), driver_(still_.simulation, "stage") {
+  AioDevice() : still_("custom( library \"none\" )"), driver_(still_.devices, "stage") {
     auto code = std::make_shared<world::CustomCode>();
     auto kind = std::make_shared<TwoCommands>();
     code->sizes = kind->configure({});
     code->kind = kind;
     still_.world().custom_codes.push_back(code);
-    driver_.add(kId, make_device(still_.simulation, aio::kCode, {0}));
+    driver_.add(kId, make_device(still_.devices, aio::kCode, {0}));
     EXPECT_TRUE(driver_.start(kId));
     still_.run(0);
   }
@@ -46,7 +46,7 @@ class AioDevice : public ::testing::Test {
   }
 
   static constexpr device::DeviceId kId{3};
-  run::testing::StillSimulation still_;
+  testing::StillDevices still_;
   SimulatedDriver driver_;
 };
 

@@ -48,7 +48,7 @@ class Light : public SimulatedDevice {
   device::Taken command(const device::Message& message) final {
     const run::Request setting = meaning(message);
     if (!setting) return device::Taken::kNo;
-    return simulation().post(setting, model()) ? device::Taken::kQueued : device::Taken::kNo;
+    return simulation().requests().post(setting, model()) ? device::Taken::kQueued : device::Taken::kNo;
   }
 
   void emit(const world::World& world, std::vector<device::Publication>& out) final {

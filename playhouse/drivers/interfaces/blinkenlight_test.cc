@@ -6,7 +6,7 @@
 
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/wire/generated/blinkenlight.h"
 
 namespace playhouse::drivers {
@@ -24,8 +24,8 @@ position(
 /// A light of kWorld, open.
 class LightDevice : public ::testing::Test {
  protected:
-  explicit LightDevice(std::uint32_t row) : row_(row), still_(kWorld), driver_(still_.simulation, "stage") {
-    driver_.add(kId, make_device(still_.simulation, bl::kCode, {row}));
+  explicit LightDevice(std::uint32_t row) : row_(row), still_(kWorld), driver_(still_.devices, "stage") {
+    driver_.add(kId, make_device(still_.devices, bl::kCode, {row}));
     EXPECT_TRUE(driver_.start(kId));
     still_.run(0);
   }
@@ -44,7 +44,7 @@ class LightDevice : public ::testing::Test {
 
   static constexpr device::DeviceId kId{3};
   std::uint32_t row_;
-  run::testing::StillSimulation still_;
+  testing::StillDevices still_;
   SimulatedDriver driver_;
 };
 

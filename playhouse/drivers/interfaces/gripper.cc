@@ -64,7 +64,7 @@ class Gripper final : public SimulatedDevice {
     const GripperCommand command = message.subtype == grip::kCmdOpen    ? GripperCommand::kOpen
                                    : message.subtype == grip::kCmdClose ? GripperCommand::kClose
                                                                         : GripperCommand::kStop;
-    simulation().command({model(), grip::kCode}, world::changes::Grip{model(), command});
+    simulation().requests().command(world::changes::Grip{model(), command});
     return device::Taken::kLatest;
   }
 

@@ -16,9 +16,9 @@ namespace playhouse::drivers {
 namespace {
 
 namespace map = wire::map;
-using run::testing::Recorder;
 using ::testing::ElementsAreArray;
 using testing::MemorySite;
+using testing::Recorder;
 
 constexpr device::Address kMap{6665, map::kCode, 0};
 constexpr std::uint8_t kReq = 3;
@@ -43,7 +43,7 @@ class MapOfModelTest : public ::testing::Test {
               "");
     ASSERT_TRUE(site->hold(site->id(kMap)));
   }
-  run::testing::Recorder::Answer ask(std::uint8_t subtype, const std::vector<std::byte>& body) {
+  testing::Recorder::Answer ask(std::uint8_t subtype, const std::vector<std::byte>& body) {
     site->driver(kMap).request({site->id(kMap), kReq, subtype, body}, device::Replier(site->recorder, 1));
     site->run(0);
     return site->recorder.answers.at(1);

@@ -53,7 +53,7 @@ class Opaque final : public SimulatedDevice {
     const auto request = [id = model(), bytes = std::move(value->data)](world::Journal& journal) {
       send(journal, id, {}, bytes);
     };
-    return simulation().post(request, model()) ? device::Taken::kQueued : device::Taken::kNo;
+    return simulation().requests().post(request, model()) ? device::Taken::kQueued : device::Taken::kNo;
   }
 
   /// Unicast: the bytes up to the first NUL are the address.

@@ -10,7 +10,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/world/radio_messages.h"
 
 namespace playhouse::drivers {
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> bytes_of(std::string_view text) {
 class OpaqueDevice : public ::testing::Test {
  protected:
   OpaqueDevice() {
-    driver_.add(kId, make_device(still_.simulation, op::kCode, world().find("r0.radio")));
+    driver_.add(kId, make_device(still_.devices, op::kCode, world().find("r0.radio")));
     EXPECT_TRUE(driver_.start(kId));
     still_.run(0);
   }
@@ -64,8 +64,8 @@ class OpaqueDevice : public ::testing::Test {
   }
 
   static constexpr device::DeviceId kId{3};
-  run::testing::StillSimulation still_{kWorld};
-  SimulatedDriver driver_{still_.simulation, "stage"};
+  testing::StillDevices still_{kWorld};
+  SimulatedDriver driver_{still_.devices, "stage"};
   std::uint64_t ticket_ = 0;
 };
 

@@ -48,7 +48,7 @@ bool Position2d::acts(std::uint8_t request) const {
 device::Taken Position2d::command(const device::Message& message) {
   std::optional<world::Change> command = meaning(message);
   if (!command) return device::Taken::kNo;
-  simulation().command({model(), p2d::kCode}, *std::move(command));
+  simulation().requests().command(*std::move(command));
   return device::Taken::kLatest;
 }
 

@@ -79,7 +79,7 @@ std::span<const Served> Position3d::served() const {
 device::Taken Position3d::command(const device::Message& message) {
   std::optional<world::Change> command = meaning(message);
   if (!command) return device::Taken::kNo;
-  simulation().command({model(), wire::position2d::kCode}, *std::move(command));
+  simulation().requests().command(*std::move(command));
   return device::Taken::kLatest;
 }
 

@@ -7,7 +7,7 @@
 #include "playhouse/drivers/simulated/model_interfaces.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
 #include "playhouse/drivers/testing/memory_site.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/wire/generated/power.h"
 
 namespace playhouse::drivers {
@@ -28,7 +28,7 @@ position( name "bare" )
 class PowerDevice : public ::testing::Test {
  protected:
   void open(const char* model) {
-    driver_.add(kId, make_device(still_.simulation, pow::kCode, still_.world().find(model)));
+    driver_.add(kId, make_device(still_.devices, pow::kCode, still_.world().find(model)));
     ASSERT_TRUE(driver_.start(kId));
     still_.run(0);
   }
@@ -45,8 +45,8 @@ class PowerDevice : public ::testing::Test {
 
   static constexpr device::DeviceId kId{3};
   static constexpr std::uint32_t kKnown = pow::kMaskWatts | pow::kMaskPercent | pow::kMaskCharging;
-  run::testing::StillSimulation still_{kWorld};
-  SimulatedDriver driver_{still_.simulation, "stage"};
+  testing::StillDevices still_{kWorld};
+  SimulatedDriver driver_{still_.devices, "stage"};
   std::uint64_t ticket_ = 0;
 };
 
@@ -102,7 +102,7 @@ TEST(PowerDevices, of_a_configuration_are_those_of_the_models_that_it_names) {
   testing::MemorySite site(kWorld);
   ASSERT_EQ(site.build(stage + "driver( name \"stage\" provides [\"power:3\"] model \"r1\" )"), "");
   const world::World& world = site.site().simulation()->world();
-  EXPECT_THAT(device_names(site.site().simulation()->directory(), world.id(world.find("r1")), 6665),
+  EXPECT_THAT(device_names(site.site().model_devices()->directory(), world.id(world.find("r1")), 6665),
               ::testing::ElementsAre("power:3"));
   testing::MemorySite other(kWorld);
   EXPECT_THAT(other.build(stage + "driver( name \"stage\" provides [\"power:0\"] model \"bare\" )"),

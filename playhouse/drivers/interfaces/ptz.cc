@@ -38,9 +38,8 @@ class Ptz final : public SimulatedDevice {
   device::Taken command(const device::Message& message) override {
     const auto wanted = wire::decode<ptz::Cmd>(message.body);
     if (!wanted || !are_finite(*wanted)) return device::Taken::kNo;
-    simulation().command({model(), ptz::kCode},
-                         changes::PointCamera{model(), wanted->pan, wanted->tilt, wanted->zoom,
-                                              wanted->panspeed, wanted->tiltspeed});
+    simulation().requests().command(changes::PointCamera{model(), wanted->pan, wanted->tilt, wanted->zoom,
+                                                         wanted->panspeed, wanted->tiltspeed});
     return device::Taken::kLatest;
   }
 

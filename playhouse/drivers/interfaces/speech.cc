@@ -28,7 +28,7 @@ class Speech final : public SimulatedDevice {
     // Truncated by set_say() anyway: limits the queue's memory.
     const auto say = [change = world::changes::Say{model(), world::spoken(value->string)}](
                          world::Journal& journal) { journal.apply(change); };
-    return simulation().post(say, model()) ? device::Taken::kQueued : device::Taken::kNo;
+    return simulation().requests().post(say, model()) ? device::Taken::kQueued : device::Taken::kNo;
   }
 };
 

@@ -8,7 +8,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
@@ -27,7 +27,7 @@ model( name "box" )
 class SpeechRecognitionDevice : public ::testing::Test {
  protected:
   SpeechRecognitionDevice() {
-    driver_.add(kId, make_device(still_.simulation, heard::kCode, still_.world().find("r0")));
+    driver_.add(kId, make_device(still_.devices, heard::kCode, still_.world().find("r0")));
   }
   void open() {
     ASSERT_TRUE(driver_.start(kId));
@@ -51,8 +51,8 @@ class SpeechRecognitionDevice : public ::testing::Test {
   static std::string c(std::string_view text) { return wire::c_string(text); }
 
   static constexpr device::DeviceId kId{3};
-  run::testing::StillSimulation still_{kWorld};
-  SimulatedDriver driver_{still_.simulation, "stage"};
+  testing::StillDevices still_{kWorld};
+  SimulatedDriver driver_{still_.devices, "stage"};
 };
 
 TEST_F(SpeechRecognitionDevice, hears_each_text_once_in_the_order_of_saying) {
@@ -114,7 +114,7 @@ TEST_F(SpeechRecognitionDevice, hears_the_newest_of_too_many) {
 }
 
 TEST_F(SpeechRecognitionDevice, hears_again_what_is_said_again_after_the_run_was_taken_back) {
-  still_.simulation.record(true);
+  still_.simulation.requests().record(true);
   open();
   still_.run(1);
   const std::uint64_t instant = still_.world().tick();

@@ -4,7 +4,7 @@
 
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/wire/generated/speech.h"
 #include "playhouse/world/population/population.h"
 
@@ -21,7 +21,7 @@ model( name "box" )
 class SpeechDevice : public ::testing::Test {
  protected:
   void open(device::DeviceId id, const char* model) {
-    driver_.add(id, make_device(still_.simulation, speech::kCode, still_.world().find(model)));
+    driver_.add(id, make_device(still_.devices, speech::kCode, still_.world().find(model)));
     ASSERT_TRUE(driver_.start(id));
   }
   device::Taken say(device::DeviceId id, std::string_view text) {
@@ -34,8 +34,8 @@ class SpeechDevice : public ::testing::Test {
   }
 
   static constexpr device::DeviceId kFirst{3}, kSecond{4};
-  run::testing::StillSimulation still_{kWorld};
-  SimulatedDriver driver_{still_.simulation, "stage"};
+  testing::StillDevices still_{kWorld};
+  SimulatedDriver driver_{still_.devices, "stage"};
 };
 
 TEST_F(SpeechDevice, has_a_model_of_any_kind_say_the_newest_text) {

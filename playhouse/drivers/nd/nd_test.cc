@@ -208,9 +208,9 @@ TEST_F(NdTest, keeps_its_goal_when_the_run_is_taken_back) {
 
 TEST_F(NdTest, has_no_goal_after_a_restart) {
   run::Simulation& simulation = *site.site().simulation();
-  simulation.record(true);
+  simulation.requests().record(true);
   site.run(1);
-  const std::uint64_t start = simulation.timeline()->ticks.front();
+  const std::uint64_t start = simulation.requests().timeline()->ticks.front();
   go_to(0, 3);
   site.run(3);
   EXPECT_NE(told().a, 0);
@@ -245,8 +245,8 @@ TEST_F(NdTest, requests_are_its_robot_s) {
 }
 
 TEST_F(NdTest, the_directory_shows_it_at_its_robot) {
-  run::Simulation& simulation = *site.site().simulation();
-  EXPECT_EQ(simulation.directory().model_of(kNd), simulation.directory().model_of(kWheels));
+  EXPECT_EQ(site.site().model_devices()->directory().model_of(kNd),
+            site.site().model_devices()->directory().model_of(kWheels));
 }
 
 TEST_F(NdTest, goes_with_its_robot_amid_a_drive) {
@@ -255,7 +255,7 @@ TEST_F(NdTest, goes_with_its_robot_amid_a_drive) {
   device::Driver& gone = driver();
   go_to(0, 3);
   site.run(1);
-  ASSERT_TRUE(simulation.post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
+  ASSERT_TRUE(simulation.requests().post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
   site.run(3);
   site.run(0);  // what was said on the io thread
   EXPECT_EQ(site.retired.size(), 4u);

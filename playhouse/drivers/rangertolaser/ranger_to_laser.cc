@@ -57,7 +57,7 @@ void convert_answer(device::Replier& replier, const std::optional<std::vector<st
 /// A laser exposes one sensor. Rangers outside the simulated world are not checked.
 Result<void> check_sensors(const Site& site, const std::string& where, device::Address ranger) {
   const world::World& world = site.simulation()->world();
-  const world::ModelRow model = world.row(site.simulation()->directory().model_of(ranger));
+  const world::ModelRow model = world.row(site.model_devices()->directory().model_of(ranger));
   const std::size_t sensors = model ? world.desc(model).sensors.size() : 1;
   if (sensors == 1) return {};
   return Error{where, fmt::format("{} has {} sensors, and a laser shows the scan of one",
@@ -161,7 +161,7 @@ Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSec
   const auto connected = [&site, where = section.at("requires"), laser, ranger]() -> Result<void> {
     if (site.simulation() == nullptr) return {};
     if (const Result<void> checked = check_sensors(site, where, ranger); !checked) return checked;
-    run::Directory& directory = site.simulation()->directory();
+    Directory& directory = site.model_devices()->directory();
     directory.add(directory.model_of(ranger), laser);
     return {};
   };

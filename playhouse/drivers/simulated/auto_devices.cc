@@ -14,10 +14,9 @@ AutoDevices::AutoDevices(Site& site, std::uint16_t port, std::size_t indices)
     : site_(site),
       simulation_(*site.simulation()),
       port_(port),
-      driver_(simulation_, "stage"),
+      driver_(*site.model_devices(), "stage"),
       map_(indices, [this](std::size_t number) { return open_port(number); }) {
-  simulation_.add_follower(
-      [this](const world::World& world, const world::Event& event) { follow(world, event); });
+  simulation_.follow(*this);
 }
 
 Result<void> AutoDevices::add_all() {
@@ -46,7 +45,7 @@ bool AutoDevices::open_port(std::size_t number) {
   return false;
 }
 
-void AutoDevices::follow(const world::World& world, const world::Event& event) {
+void AutoDevices::happened(const world::World& world, const world::Event& event) {
   using Kind = world::Event::Kind;
   if (event.kind == Kind::kReload) return go_and_come_back(world);
   if (event.kind == Kind::kDespawn)
@@ -106,8 +105,9 @@ void AutoDevices::make(const world::World& world, std::span<const MappedDevice> 
   std::vector<Made> made;
   for (const MappedDevice& mapped : devices) {
     const device::Address address = address_of(mapped);
-    if (mapped.model) simulation_.directory().add(world.id(mapped.model), address);
-    made.push_back({address, make_device(simulation_, mapped.interf, mapped.model, address.robot)});
+    if (mapped.model) site_.model_devices()->directory().add(world.id(mapped.model), address);
+    made.push_back(
+        {address, make_device(*site_.model_devices(), mapped.interf, mapped.model, address.robot)});
   }
   if (made.empty()) return;
   site_.surroundings().post([this, made = std::move(made)] {
@@ -131,7 +131,7 @@ void AutoDevices::remember(const world::World& world, std::span<const MappedDevi
 void AutoDevices::forget_who_cannot_come_back() {
   constexpr std::size_t kLeast = 1024;
   if (given_.size() < std::max(kLeast, forget_at_)) return;
-  const std::vector<std::uint64_t>& instants = simulation_.timeline()->ticks;
+  const std::vector<std::uint64_t>& instants = simulation_.requests().timeline()->ticks;
   std::erase_if(given_, [&](const auto& each) {
     const std::optional<std::uint64_t>& gone = each.second.gone;
     return gone && (instants.empty() || *gone < instants.front());

@@ -20,7 +20,7 @@
 
 namespace playhouse::drivers {
 
-class AutoDevices {
+class AutoDevices : private run::Follower {
  public:
   /// Devices on `port` and those behind it, for the site's open world. Must
   /// outlive the run. `indices`: per interface and port; smaller in tests.
@@ -39,7 +39,7 @@ class AutoDevices {
   const SimulatedDriver& driver() const { return driver_; }
 
  private:
-  void follow(const world::World& world, const world::Event& event);
+  void happened(const world::World& world, const world::Event& event) override;
   void come(const world::World& world, std::span<const world::ModelRow> tops);
   /// True if some of `count` models from this one on have devices.
   bool knows(world::ModelId first, std::uint32_t count) const;

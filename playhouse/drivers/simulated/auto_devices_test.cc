@@ -44,7 +44,7 @@ class AutoDevicesTest : public ::testing::Test {
   }
   run::Simulation& simulation() { return *site.site().simulation(); }
   void post(std::function<void(world::Journal&)> change) {
-    EXPECT_TRUE(simulation().post(std::move(change)));
+    EXPECT_TRUE(simulation().requests().post(std::move(change)));
   }
   /// Comes before the next tick, and its devices with it.
   ModelId come(std::uint32_t prototype) {
@@ -57,7 +57,9 @@ class AutoDevicesTest : public ::testing::Test {
     post([=](world::Journal& journal) { EXPECT_TRUE(journal.despawn(id)); });
     site.run(0);
   }
-  std::vector<std::string> names(ModelId id) { return device_names(simulation().directory(), id, 6665); }
+  std::vector<std::string> names(ModelId id) {
+    return device_names(site.site().model_devices()->directory(), id, 6665);
+  }
   std::size_t devices() { return site.site().device_count(); }
 
   MemorySite site;
@@ -113,10 +115,10 @@ TEST_F(AutoDevicesTest, are_none_of_what_goes_in_the_very_change_in_which_it_cam
 
 TEST_F(AutoDevicesTest, are_known_to_listeners_with_the_world_that_they_are_in) {
   std::vector<std::size_t> seen;
-  simulation().add_listener([&](const world::World& world, const world::Pace&) {
+  simulation().follow(run::on_show([&](const world::World& world, const world::Pace&) {
     const ModelId newest = world.models.id.back();
     if (newest.value > kGate) seen.push_back(names(newest).size());
-  });
+  }));
   come(kA);
   go({6});
   EXPECT_THAT(seen, ElementsAre(2u));
@@ -136,7 +138,7 @@ TEST_F(AutoDevicesTest, measure_and_obey_as_others_do_until_their_robot_goes) {
   ASSERT_TRUE(site.hold(laser));
   site.run(1);
   EXPECT_EQ(site.recorder.published.size(), 2u);
-  EXPECT_EQ(simulation().source_count(), 2u);
+  EXPECT_EQ(site.site().model_devices()->sources().size(), 2u);
   device::Driver& driver = site.driver({6665, p2d::kCode, 4});
   const std::vector<std::byte> go_on = wire::encode(p2d::CmdVel{{0.3, 0, 0}, 1});
   EXPECT_EQ(driver.command({wheels, kCmd, p2d::kCmdVel, go_on}), device::Taken::kLatest);
@@ -150,7 +152,7 @@ TEST_F(AutoDevicesTest, measure_and_obey_as_others_do_until_their_robot_goes) {
   EXPECT_FALSE(site.recorder.answers.at(1).ack);
   EXPECT_EQ(site.recorder.published.size(), 2u);
   site.run(0);  // the stops have reached the tick
-  EXPECT_EQ(simulation().source_count(), 0u);
+  EXPECT_EQ(site.site().model_devices()->sources().size(), 0u);
   EXPECT_EQ(robots->driver().device_count(), devices());
   // A driver that has not heard yet.
   EXPECT_EQ(driver.command({wheels, kCmd, p2d::kCmdVel, go_on}), device::Taken::kNo);
@@ -167,14 +169,14 @@ TEST_F(AutoDevicesTest, opened_while_their_robot_goes_end_as_all_do) {
   site.run(1);
   EXPECT_FALSE(site.hold(wheels));
   site.run(0);
-  EXPECT_EQ(simulation().source_count(), 0u);
+  EXPECT_EQ(site.site().model_devices()->sources().size(), 0u);
 }
 
 TEST_F(AutoDevicesTest, stay_when_the_run_is_taken_back_and_those_of_whom_came_since_retire) {
   const std::size_t before = devices();
-  simulation().record(true);
+  simulation().requests().record(true);
   site.run(1);
-  const std::uint64_t instant = simulation().timeline()->ticks.front();
+  const std::uint64_t instant = simulation().requests().timeline()->ticks.front();
   const world::ModelId robot = come(kA);
   ASSERT_TRUE(site.hold(site.id({6665, p2d::kCode, 0})));
   ASSERT_TRUE(site.hold(site.id({6665, p2d::kCode, 4})));
@@ -187,7 +189,7 @@ TEST_F(AutoDevicesTest, stay_when_the_run_is_taken_back_and_those_of_whom_came_s
   EXPECT_THAT(names({kA}), ElementsAre("position2d:0", "position3d:0", "speech:0", "speech_recognition:0"));
   EXPECT_EQ(site.held[site.id({6665, p2d::kCode, 0}).row].size(), 1u) << "who has it open goes on";
   site.run(0);
-  EXPECT_EQ(simulation().source_count(), 1u);
+  EXPECT_EQ(site.site().model_devices()->sources().size(), 1u);
   EXPECT_THAT(names(come(kA)),
               ElementsAre("position2d:5", "position3d:5", "speech:5", "speech_recognition:5"))
       << "and numbers are used once";
@@ -195,9 +197,9 @@ TEST_F(AutoDevicesTest, stay_when_the_run_is_taken_back_and_those_of_whom_came_s
 
 TEST_F(AutoDevicesTest, of_robots_that_come_back_have_their_addresses_again) {
   const world::ModelId robot = come(kA);
-  simulation().record(true);
+  simulation().requests().record(true);
   site.run(1);
-  const std::uint64_t instant = simulation().timeline()->ticks.front();
+  const std::uint64_t instant = simulation().requests().timeline()->ticks.front();
   ASSERT_TRUE(site.hold(site.id({6665, p2d::kCode, 4})));
   ASSERT_TRUE(site.hold(site.id({6665, p2d::kCode, 0})));
   go(robot);
@@ -216,14 +218,15 @@ TEST_F(AutoDevicesTest, of_robots_that_come_back_have_their_addresses_again) {
 TEST_F(AutoDevicesTest, that_close_late_take_no_use_from_a_robot_that_came_back) {
   const world::ModelId robot = come(kA);
   const device::DeviceId wheels = site.id({6665, p2d::kCode, 4});
-  simulation().record(true);
+  simulation().requests().record(true);
   site.run(1);
   ASSERT_TRUE(site.hold(wheels));
   site.run(10);
-  const std::uint64_t instant = simulation().timeline()->ticks.back();
+  const std::uint64_t instant = simulation().requests().timeline()->ticks.back();
   ASSERT_GE(instant, 10u);
   // It goes and comes back, and only then the io thread hears of it.
-  ASSERT_TRUE(simulation().post([=](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); }));
+  ASSERT_TRUE(
+      simulation().requests().post([=](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); }));
   run::testing::rewind_to(simulation(), instant);
   world::World& world = simulation().engine().world();
   ASSERT_TRUE(world.row(robot));
@@ -239,16 +242,16 @@ TEST_F(AutoDevicesTest, are_those_of_the_newest_that_has_an_id_which_a_tick_gave
     site.run(1);
     return id;
   };
-  simulation().record(true);
+  simulation().requests().record(true);
   site.run(1);
-  const std::uint64_t instant = simulation().timeline()->ticks.front();
+  const std::uint64_t instant = simulation().requests().timeline()->ticks.front();
   const ModelId first = comes_in_a_tick();
   run::testing::rewind_to(simulation(), instant);
   site.hear();
   ASSERT_EQ(comes_in_a_tick(), first);
   EXPECT_EQ(names(first).front(), "position2d:5");
   site.run(10);
-  const std::uint64_t later = simulation().timeline()->ticks.back();
+  const std::uint64_t later = simulation().requests().timeline()->ticks.back();
   go(first);
   run::testing::rewind_to(simulation(), later);
   site.hear();
@@ -272,7 +275,7 @@ class ManyRobots : public ::testing::Test {
   run::Simulation& simulation() { return *site.site().simulation(); }
   std::vector<ModelId> come(std::size_t count, std::uint32_t prototype = kA) {
     std::vector<ModelId> ids;
-    EXPECT_TRUE(simulation().post([&](world::Journal& journal) {
+    EXPECT_TRUE(simulation().requests().post([&](world::Journal& journal) {
       for (std::size_t k = 0; k < count; ++k)
         ids.push_back(*journal.spawn(prototype, {}, std::to_string(++named_)));
     }));
@@ -280,7 +283,7 @@ class ManyRobots : public ::testing::Test {
     return ids;
   }
   void go(const std::vector<ModelId>& ids) {
-    EXPECT_TRUE(simulation().post([=](world::Journal& journal) {
+    EXPECT_TRUE(simulation().requests().post([=](world::Journal& journal) {
       for (const ModelId id : ids) EXPECT_TRUE(journal.despawn(id));
     }));
     site.run(0);
@@ -294,7 +297,9 @@ class ManyRobots : public ::testing::Test {
     }
   }
   void rest() { site.run(static_cast<int>(RetiredIndices::kRest)); }
-  std::vector<std::string> names(ModelId id) { return device_names(simulation().directory(), id, 6665); }
+  std::vector<std::string> names(ModelId id) {
+    return device_names(site.site().model_devices()->directory(), id, 6665);
+  }
   std::string wheels(ModelId id) { return names(id).empty() ? "" : names(id).front(); }
 
   const std::size_t indices_;
@@ -343,17 +348,18 @@ TEST_F(ManyRobots, have_a_number_once_nobody_has_it_in_any_interface) {
 }
 
 TEST_F(ManyRobots, that_come_back_have_numbers_that_others_had_in_their_place) {
-  simulation().record(true);
+  simulation().requests().record(true);
   const ModelId first = come(1).front();
   ASSERT_EQ(wheels(first), "position2d:3");
   site.run(1);
-  const std::uint64_t instant = simulation().timeline()->ticks.back();
+  const std::uint64_t instant = simulation().requests().timeline()->ticks.back();
   go({first});
   use_up(1);
   rest();
   const ModelId heir = come(1).front();
   ASSERT_EQ(wheels(heir), "position2d:3");
-  ASSERT_LE(simulation().timeline()->ticks.front(), instant) << "the history is too short for this test";
+  ASSERT_LE(simulation().requests().timeline()->ticks.front(), instant)
+      << "the history is too short for this test";
   run::testing::rewind_to(simulation(), instant);
   site.hear();
   EXPECT_EQ(wheels(first), "position2d:3");
@@ -457,9 +463,9 @@ TEST_F(RobotsOfSeveralPorts, open_no_third_port_if_few_come_and_go_without_a_res
 TEST_F(RobotsOfSeveralPorts, come_back_on_their_port) {
   const std::vector<ModelId> ids = come(3);
   ASSERT_EQ(wheels(ids[2]), "6666:position2d:1");
-  simulation().record(true);
+  simulation().requests().record(true);
   site.run(1);
-  const std::uint64_t instant = simulation().timeline()->ticks.back();
+  const std::uint64_t instant = simulation().requests().timeline()->ticks.back();
   go({ids[2]});
   const ModelId later = come(1).front();
   ASSERT_EQ(wheels(later), "6666:position2d:2");

@@ -7,7 +7,7 @@
 
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/model_interfaces.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/wire/messages.h"
 
@@ -206,16 +206,16 @@ TEST(AutoMap, every_interface_of_what_is_simulated_has_a_device) {
       std::string(kMacros) + "position( joules 1 laser( ) sonars( ) ranger( sensor( rings 2 ) ) )";
   for (const scene::Kind& kind : scene::kinds())
     if (kind.entity == scene::EntityForm::kModel && kind.simulated) text += fmt::format(" {}( )", kind.name);
-  run::testing::StillSimulation still(text);
+  testing::StillDevices still(text);
   AutoMap map;
   std::set<std::uint16_t> made, simulated;
   for (const MappedDevice& device : map.of_world(still.world())) {
-    EXPECT_NE(make_device(still.simulation, device.interf, device.model), nullptr);
+    EXPECT_NE(make_device(still.devices, device.interf, device.model), nullptr);
     made.insert(device.interf);
   }
   for (const scene::KindInterface& each : interfaces_of_every_kind()) {
     if (each.listed != scene::Need::kNever) continue;
-    EXPECT_NE(make_device(still.simulation, each.code, {0}), nullptr);
+    EXPECT_NE(make_device(still.devices, each.code, {0}), nullptr);
     EXPECT_TRUE(made.insert(each.code).second) << "devices of configuration files alone";
   }
   for (const wire::InterfaceDef& interf : wire::interfaces())

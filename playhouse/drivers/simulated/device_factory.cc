@@ -11,12 +11,13 @@
 
 namespace playhouse::drivers {
 
-std::unique_ptr<SimulatedDevice> make_device(run::Simulation& simulation, std::uint16_t interf,
+std::unique_ptr<SimulatedDevice> make_device(ModelDevices& devices, std::uint16_t interf,
                                              world::ModelRow model, std::uint32_t port) {
   if (!model) {
     PLAYHOUSE_ASSERT(interf == wire::simulation::kCode);
-    return std::make_unique<SimulationDevice>(simulation, port);
+    return std::make_unique<SimulationDevice>(devices, port);
   }
+  run::Simulation& simulation = devices.simulation();
   PLAYHOUSE_ASSERT(fits(simulation.world(), model, interf));
   const scene::ModelKind kind = simulation.world().models.kind[model.index];
   const auto found = std::ranges::find_if(kDeviceMakers, [&](const DeviceMaker& maker) {
@@ -30,8 +31,8 @@ Result<void> add_simulated_device(Site& site, SimulatedDriver& driver, device::A
                                   world::ModelRow model) {
   const Result<device::DeviceId> id = site.add_device(address, driver);
   if (!id) return id.error();
-  driver.add(*id, make_device(*site.simulation(), address.interf, model, address.robot));
-  if (model) site.simulation()->directory().add(site.simulation()->world().id(model), address);
+  driver.add(*id, make_device(*site.model_devices(), address.interf, model, address.robot));
+  if (model) site.model_devices()->directory().add(site.simulation()->world().id(model), address);
   return {};
 }
 

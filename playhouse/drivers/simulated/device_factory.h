@@ -15,7 +15,7 @@ namespace playhouse::drivers {
 
 /// `model` must fit the interface (asserted), or be none for the interface simulation,
 /// whose clients get the addresses of devices on other ports than `port` with their ports.
-std::unique_ptr<SimulatedDevice> make_device(run::Simulation& simulation, std::uint16_t interf,
+std::unique_ptr<SimulatedDevice> make_device(ModelDevices& devices, std::uint16_t interf,
                                              world::ModelRow model, std::uint32_t port = 0);
 
 /// Registers the device of a model, or of the world, at an address: with

@@ -11,7 +11,7 @@
 #include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/wire/generated/blobfinder.h"
 #include "playhouse/wire/generated/bumper.h"
 #include "playhouse/wire/generated/camera.h"
@@ -57,12 +57,12 @@ wifi( name "post" pose [5 0 0 0] essid "lab" ip "192.168.0.9" )
 /// One device of kWorld, open, with a driver in front of it.
 class Device : public ::testing::Test {
  protected:
-  Device() : still_(kWorld), driver_(still_.simulation, "stage") {}
+  Device() : still_(kWorld), driver_(still_.devices, "stage") {}
 
   void open(std::uint16_t interf, const char* model) {
     const world::ModelRow row =
         interf == wire::simulation::kCode ? world::ModelRow{} : still_.world().find(model);
-    driver_.add(kId, make_device(still_.simulation, interf, row));
+    driver_.add(kId, make_device(still_.devices, interf, row));
     ASSERT_TRUE(driver_.start(kId));
     still_.run(0);
   }
@@ -74,7 +74,7 @@ class Device : public ::testing::Test {
     still_.run(0);
   }
   /// The answer to a request, which must have come by the next moment between ticks.
-  run::testing::Recorder::Answer ask(std::uint8_t subtype, std::span<const std::byte> body = {}) {
+  testing::Recorder::Answer ask(std::uint8_t subtype, std::span<const std::byte> body = {}) {
     driver_.request({kId, static_cast<std::uint8_t>(MessageType::kReq), subtype, body},
                     device::Replier(still_.recorder, ++ticket_));
     still_.run(0);
@@ -82,11 +82,11 @@ class Device : public ::testing::Test {
     return still_.recorder.answers[ticket_];
   }
   template <typename Payload>
-  run::testing::Recorder::Answer ask_with(std::uint8_t subtype, const Payload& payload) {
+  testing::Recorder::Answer ask_with(std::uint8_t subtype, const Payload& payload) {
     return ask(subtype, wire::encode(payload));
   }
   template <typename Reply>
-  Reply reply(const run::testing::Recorder::Answer& answer) {
+  Reply reply(const testing::Recorder::Answer& answer) {
     EXPECT_TRUE(answer.ack);
     const Result<Reply> value = wire::decode<Reply>(answer.body);
     EXPECT_TRUE(value);
@@ -115,7 +115,7 @@ class Device : public ::testing::Test {
   }
 
   static constexpr device::DeviceId kId{3};
-  run::testing::StillSimulation still_;
+  testing::StillDevices still_;
   SimulatedDriver driver_;
   std::uint64_t ticket_ = 0;
 };
@@ -202,7 +202,7 @@ TEST_F(Position2dDevice,
        cannot_start_while_the_tick_has_too_much_to_do_but_starts_in_vain_at_the_end_of_the_run) {
   open(p2d::kCode, "r0");
   driver_.stop(kId);
-  while (still_.simulation.post([](const world::Journal&) {})) continue;
+  while (still_.simulation.requests().post([](const world::Journal&) {})) continue;
   ASSERT_FALSE(driver_.start(kId));
   still_.simulation.discard();
   EXPECT_TRUE(driver_.start(kId));
@@ -645,9 +645,9 @@ TEST_F(SimulationInterface, properties_are_colour_time_name_and_model) {
 TEST_F(SimulationInterface, lists_models_with_the_devices_that_show_them) {
   open(sim::kCode, "");
   world::World& world = still_.world();
-  still_.simulation.directory().add(world.id(world.find("r0")), {6665, p2d::kCode, 12});
-  still_.simulation.directory().add(world.id(world.find("r0.scanner")), {6666, wire::ranger::kCode, 0});
-  still_.simulation.directory().add(world.id(world.find("r0.scanner")), {6666, wire::laser::kCode, 0});
+  still_.devices.directory().add(world.id(world.find("r0")), {6665, p2d::kCode, 12});
+  still_.devices.directory().add(world.id(world.find("r0.scanner")), {6666, wire::ranger::kCode, 0});
+  still_.devices.directory().add(world.id(world.find("r0.scanner")), {6666, wire::laser::kCode, 0});
   const auto list = [&](std::uint32_t first) {
     return reply<sim::PropertyReq>(ask_with(
         sim::kReqGetProperty, sim::PropertyReq{wire::c_string(""), wire::c_string("models"), first, ""}));
@@ -682,7 +682,7 @@ TEST_F(SimulationInterface, reset_puts_everything_back_to_the_start) {
 
 TEST_F(SimulationInterface, save_hands_the_world_to_whoever_saves_it) {
   std::vector<std::uint64_t> saved;
-  still_.simulation.save_by([&](const world::World& world) { saved.push_back(world.tick()); });
+  still_.devices.save_by([&](const world::World& world) { saved.push_back(world.tick()); });
   open(sim::kCode, "");
   still_.run(3);
   const auto save = [this] {
@@ -722,9 +722,9 @@ TEST_F(SimulationInterface, of_many_resets_before_one_tick_only_the_last_is_carr
 TEST_F(SimulationInterface, pause_pauses_and_resumes) {
   open(sim::kCode, "");
   driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdPause, {}});
-  EXPECT_TRUE(still_.simulation.pace().paused);
+  EXPECT_TRUE(still_.simulation.requests().pace().paused);
   driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdPause, {}});
-  EXPECT_FALSE(still_.simulation.pace().paused);
+  EXPECT_FALSE(still_.simulation.requests().pace().paused);
 }
 
 }  // namespace

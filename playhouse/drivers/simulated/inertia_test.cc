@@ -9,7 +9,7 @@
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/model_interfaces.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/wire/generated/gps.h"
 #include "playhouse/wire/generated/imu.h"
 #include "playhouse/wire/generated/pointcloud3d.h"
@@ -39,10 +39,10 @@ position( name "r" size [0.4 0.5 0.3] update_interval 100
 
 class SpatialDevice : public ::testing::Test {
  protected:
-  SpatialDevice() : still_(kWorld), driver_(still_.simulation, "stage") {}
+  SpatialDevice() : still_(kWorld), driver_(still_.devices, "stage") {}
   world::World& world() { return still_.world(); }
   void open(std::uint16_t interf, const char* model) {
-    driver_.add(kId, make_device(still_.simulation, interf, world().find(model)));
+    driver_.add(kId, make_device(still_.devices, interf, world().find(model)));
     ASSERT_TRUE(driver_.start(kId));
     still_.run(0);
   }
@@ -74,7 +74,7 @@ class SpatialDevice : public ::testing::Test {
   }
 
   static constexpr device::DeviceId kId{3};
-  run::testing::StillSimulation still_;
+  testing::StillDevices still_;
   SimulatedDriver driver_;
   std::uint64_t ticket_ = 0;
 };

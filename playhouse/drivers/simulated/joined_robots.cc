@@ -24,9 +24,11 @@ std::vector<std::byte> answer(wire::simulation::PropertyReq body, std::string_vi
 }  // namespace
 
 JoinedRobots::JoinedRobots(run::Simulation& simulation) : simulation_(simulation) {
-  simulation.add_follower([&simulation, brought = brought_](const world::World&, const world::Event& event) {
-    follow(simulation, *brought, event);
-  });
+  // May outlive the device.
+  simulation.follow(
+      run::on_event([&simulation, brought = brought_](const world::World&, const world::Event& event) {
+        follow(simulation, *brought, event);
+      }));
 }
 
 /// Removes the sensors of a robot that has been removed, before the next tick.
@@ -37,7 +39,7 @@ void JoinedRobots::follow(run::Simulation& simulation, Brought& brought, const w
   std::vector<Joined>& robots = found->second->robots;
   const auto gone = std::ranges::find(robots, event.model, &Joined::robot);
   if (gone != robots.end()) {
-    simulation.post_always(
+    simulation.requests().post_always(
         [joined = *gone](world::Journal& journal) { leave(journal, std::span(&joined, 1)); }, {});
     robots.erase(gone);
   }
@@ -53,7 +55,7 @@ std::shared_ptr<JoinedRobots::Owned> JoinedRobots::owned_by(device::Caller& call
       [&simulation = simulation_, owners = owners_, who = &caller, owned = owned, name = caller.name()] {
         owners->erase(who);
         // After the changes that spawned them.
-        simulation.post_always(
+        simulation.requests().post_always(
             [owned, name](world::Journal& journal) {
               leave(journal, owned->robots);
               if (!owned->robots.empty())
@@ -75,21 +77,21 @@ void JoinedRobots::join(const wire::simulation::PropertyReq& request, device::Ca
     return replier.nack(answer(request, fmt::format("a client brings {} robots at most", kRobotsOfClient)));
   ++owned->asked_for;
   auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
-  const bool posted =
-      simulation_.post([owned, brought = brought_, shared, request, wanted = std::move(*wanted),
-                        holder = caller->holder(), shares = simulation_.shares()](world::Journal& journal) {
-        const world::World& world = journal.world();
-        if (const Result<void> room = shares->check(world, holder); !room)
-          return shared->nack(answer(request, room.error().text));
-        Result<Joined> joined = drivers::join(journal, wanted);
-        if (!joined) return shared->nack(answer(request, joined.error().text));
-        shares->add(world, holder, joined->robot);
-        for (const world::ModelId sensor : joined->sensors) shares->add(world, holder, sensor);
-        shared->ack(answer(request, joined->name));
-        (*brought)[joined->robot] = owned;
-        owned->robots.push_back(std::move(*joined));
-      });
-  if (!posted) shared->nack(answer(request, simulation_.why_not_posted()));
+  const bool posted = simulation_.requests().post([owned, brought = brought_, shared, request,
+                                                   wanted = std::move(*wanted), holder = caller->holder(),
+                                                   shares = simulation_.shares()](world::Journal& journal) {
+    const world::World& world = journal.world();
+    if (const Result<void> room = shares->check(world, holder); !room)
+      return shared->nack(answer(request, room.error().text));
+    Result<Joined> joined = drivers::join(journal, wanted);
+    if (!joined) return shared->nack(answer(request, joined.error().text));
+    shares->add(world, holder, joined->robot);
+    for (const world::ModelId sensor : joined->sensors) shares->add(world, holder, sensor);
+    shared->ack(answer(request, joined->name));
+    (*brought)[joined->robot] = owned;
+    owned->robots.push_back(std::move(*joined));
+  });
+  if (!posted) shared->nack(answer(request, simulation_.requests().why_not_posted()));
 }
 
 }  // namespace playhouse::drivers

@@ -55,7 +55,7 @@ class Joining : public ::testing::Test {
   /// The name of what came, or why nothing did.
   std::string come(const JoinRequest& wanted) {
     std::string told;
-    EXPECT_TRUE(simulation().post([&](world::Journal& journal) {
+    EXPECT_TRUE(simulation().requests().post([&](world::Journal& journal) {
       const std::size_t before = journal.world().models.size();
       const Result<Joined> joined = join(journal, wanted);
       told = joined ? joined->name : joined.error().text;
@@ -66,7 +66,7 @@ class Joining : public ::testing::Test {
     return told;
   }
   std::string devices(const std::string& model) {
-    return devices_below(world(), simulation().directory(), world().find(model), 6665);
+    return devices_below(world(), site.site().model_devices()->directory(), world().find(model), 6665);
   }
 
   MemorySite site;
@@ -166,7 +166,7 @@ TEST_F(Joining, sensors_are_parts_of_the_robot_and_of_its_devices) {
   EXPECT_EQ(world().models.X_PM[first.index].z, 0.2);
   EXPECT_EQ(world().models.X_PM[second.index].x, 0.2);
   EXPECT_EQ(world().models.X_PM[second.index].a, 3);
-  EXPECT_EQ(simulation().directory().size(), 12u) << "each device once";
+  EXPECT_EQ(site.site().model_devices()->directory().size(), 12u) << "each device once";
 }
 
 TEST_F(Joining, a_model_that_is_there_can_be_the_type) {
@@ -208,12 +208,14 @@ TEST_F(Joining, leaving_takes_the_sensors_along_and_nothing_else) {
   come(request("cart", 0, 0, {"bob", "", "scanner"}));
   const Joined bob = last;
   come(request("cart", 1, 0, {"eve", "", "scanner"}));
-  ASSERT_TRUE(simulation().post([&](world::Journal& journal) { leave(journal, std::span(&bob, 1)); }));
+  ASSERT_TRUE(
+      simulation().requests().post([&](world::Journal& journal) { leave(journal, std::span(&bob, 1)); }));
   site.run(1);
   EXPECT_FALSE(world().find("bob"));
   EXPECT_FALSE(world().find("bob-scanner"));
   EXPECT_TRUE(world().find("eve-scanner"));
-  ASSERT_TRUE(simulation().post([&](world::Journal& journal) { leave(journal, std::span(&bob, 1)); }));
+  ASSERT_TRUE(
+      simulation().requests().post([&](world::Journal& journal) { leave(journal, std::span(&bob, 1)); }));
   site.run(1);
   EXPECT_EQ(world().models.size(), 4u);
 }
@@ -224,7 +226,7 @@ wire::simulation::PropertyReq property(const std::string& type, std::string valu
 
 TEST_F(Joining, robots_leave_with_the_client_that_brought_them) {
   JoinedRobots joined(simulation());
-  run::testing::Recorder answers;
+  testing::Recorder answers;
   {
     device::Caller student("10.0.0.1:1"), other("10.0.0.2:1");
     int expected = 0;
@@ -250,7 +252,7 @@ TEST_F(Joining, robots_leave_with_the_client_that_brought_them) {
 
 TEST_F(Joining, the_sensors_of_a_robot_go_with_it_whoever_takes_it_out) {
   JoinedRobots joined(simulation());
-  run::testing::Recorder answers;
+  testing::Recorder answers;
   device::Caller student("10.0.0.1:1");
   joined.join(property("cart", wire_value(0, 0, {"bob", "", "scanner", "scanner 0.2 0 3"})), &student,
               {answers, 1});
@@ -258,7 +260,8 @@ TEST_F(Joining, the_sensors_of_a_robot_go_with_it_whoever_takes_it_out) {
   site.run(1);
   ASSERT_TRUE(world().find("bob-scanner~2"));
   const world::ModelId bob = world().id(world().find("bob"));
-  ASSERT_TRUE(simulation().post([bob](world::Journal& journal) { ASSERT_TRUE(journal.despawn(bob)); }));
+  ASSERT_TRUE(
+      simulation().requests().post([bob](world::Journal& journal) { ASSERT_TRUE(journal.despawn(bob)); }));
   site.run(2);
   for (const char* const name : {"bob", "bob-scanner", "bob-scanner~2"}) EXPECT_FALSE(world().find(name));
   EXPECT_TRUE(world().find("eve-scanner"));
@@ -266,7 +269,7 @@ TEST_F(Joining, the_sensors_of_a_robot_go_with_it_whoever_takes_it_out) {
 
 TEST_F(Joining, robots_and_their_sensors_are_of_the_share_of_the_client) {
   JoinedRobots joined(simulation());
-  run::testing::Recorder answers;
+  testing::Recorder answers;
   device::Caller student("10.0.0.1:1"), same("10.0.0.1:2"), other("10.0.0.2:1");
   for (device::Caller* each : {&student, &same}) each->set_holder("blue-chair-7");
   // As if it had brought what is here already so often that two models are left of its share.
@@ -290,7 +293,7 @@ TEST_F(Joining, robots_and_their_sensors_are_of_the_share_of_the_client) {
 
 TEST_F(Joining, who_is_no_client_and_who_asks_for_what_is_not_gets_a_reason) {
   JoinedRobots joined(simulation());
-  run::testing::Recorder answers;
+  testing::Recorder answers;
   const auto reason = [&](std::uint64_t ticket) {
     EXPECT_FALSE(answers.answers[ticket].ack);
     const auto body = wire::decode<wire::simulation::PropertyReq>(answers.answers[ticket].body);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/simulated/sources.h"
 #include "playhouse/run/simulation.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/header.h"
@@ -30,7 +31,7 @@ struct Served {
   std::uint8_t subtype;
 };
 
-class SimulatedDevice : public run::Source {
+class SimulatedDevice : public Source {
  public:
   /// `model` is watched while the device is open, and used from a client's first command on: whoever reads
   /// draws no power and changes nothing. None for a device of the whole world.
@@ -45,14 +46,14 @@ class SimulatedDevice : public run::Source {
   void set_id(device::DeviceId id) { id_ = id; }
   /// Tick thread: the device was opened, closed.
   void begin(world::Journal& journal) {
-    watch_.watch(journal, simulation_, model_);
+    watch_.watch(journal, simulation_.requests(), model_);
     opened(journal);
   }
   /// Once after each open, at is_first_act().
-  void use(world::Journal& journal) { use_.begin(journal, simulation_, model_); }
+  void use(world::Journal& journal) { use_.begin(journal, simulation_.requests(), model_); }
   void end(world::Journal& journal) {
-    use_.end(journal, simulation_);
-    if (watch_.end(journal, simulation_)) closed(journal);
+    use_.end(journal, simulation_.requests());
+    if (watch_.end(journal, simulation_.requests())) closed(journal);
     ended(journal);
   }
 
@@ -98,7 +99,7 @@ class SimulatedDevice : public run::Source {
   using Answer = std::function<std::optional<Bytes>(world::Journal&)>;
   void answer_by(device::Replier replier, Answer answer) const {
     auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
-    simulation_.post(
+    simulation_.requests().post(
         [shared, answer = std::move(answer)](world::Journal& journal) {
           if (std::optional<Bytes> body = answer(journal)) {
             shared->ack(std::move(*body));

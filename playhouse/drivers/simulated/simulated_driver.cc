@@ -32,12 +32,12 @@ SimulatedDriver::Device SimulatedDriver::find(device::DeviceId id) const {
 Result<void> SimulatedDriver::start(device::DeviceId id) {
   const Device device = find(id);
   PLAYHOUSE_ASSERT(device != nullptr);
-  const auto open = [device, &simulation = simulation_](world::Journal& journal) {
-    simulation.add_source(device);
+  const auto begin = [device, &open = open_](world::Journal& journal) {
+    open.add(device);
     device->begin(journal);
   };
   // Opening a device at the end of a run is no error: the client is notified of the end next.
-  if (!simulation_.post(open, device->robot()) && !simulation_.discarded())
+  if (!requests_.post(begin, device->robot()) && !requests_.closed())
     return Error{"", "too many requests are waiting for the tick"};
   return {};
 }
@@ -46,9 +46,9 @@ void SimulatedDriver::stop(device::DeviceId id) {
   const Device device = find(id);
   PLAYHOUSE_ASSERT(device != nullptr);
   device->forget_acts();
-  simulation_.post_always(
-      [device, &simulation = simulation_](world::Journal& journal) {
-        simulation.remove_source(*device);
+  requests_.post_always(
+      [device, &open = open_](world::Journal& journal) {
+        open.remove(*device);
         device->end(journal);
       },
       device->robot());
@@ -57,7 +57,7 @@ void SimulatedDriver::stop(device::DeviceId id) {
 device::Taken SimulatedDriver::command(const device::Message& message) {
   const Device device = find(message.device);
   if (device == nullptr || !device->serves(message.type, message.subtype)) return device::Taken::kNo;
-  if (simulation_.is_reserved(device->model())) return device::Taken::kRefused;
+  if (requests_.is_reserved(device->model())) return device::Taken::kRefused;
   const device::Taken taken = device->command(message);
   if (taken != device::Taken::kNo) note_act(device);
   return taken;
@@ -65,13 +65,13 @@ device::Taken SimulatedDriver::command(const device::Message& message) {
 
 void SimulatedDriver::note_act(const Device& device) {
   if (device->is_first_act())
-    simulation_.post_always([device](world::Journal& journal) { device->use(journal); }, device->robot());
+    requests_.post_always([device](world::Journal& journal) { device->use(journal); }, device->robot());
 }
 
 void SimulatedDriver::request(const device::Message& message, device::Replier replier) {
   const Device device = find(message.device);
   if (device == nullptr || !device->serves(message.type, message.subtype)) return;
-  if (device->acts(message.subtype) && simulation_.is_reserved(device->model())) return;
+  if (device->acts(message.subtype) && requests_.is_reserved(device->model())) return;
   if (device->acts(message.subtype)) note_act(device);
   device->request(message, std::move(replier));
 }
@@ -83,7 +83,7 @@ bool SimulatedDriver::capable(device::DeviceId id, std::uint8_t type, std::uint8
 
 void SimulatedDriver::barrier(device::Replier replier) {
   auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
-  simulation_.post_always([shared](world::Journal&) { shared->ack(); }, {});
+  requests_.post_always([shared](world::Journal&) { shared->ack(); }, {});
 }
 
 }  // namespace playhouse::drivers

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/simulated/model_devices.h"
 #include "playhouse/drivers/simulated/simulated_device.h"
 
 namespace playhouse::drivers {
@@ -17,8 +18,8 @@ namespace playhouse::drivers {
 class SimulatedDriver final : public device::Driver {
  public:
   /// `name` is reported to clients.
-  SimulatedDriver(run::Simulation& simulation, std::string name)
-      : simulation_(simulation), name_(std::move(name)) {}
+  SimulatedDriver(ModelDevices& devices, std::string name)
+      : open_(devices.sources()), requests_(devices.simulation().requests()), name_(std::move(name)) {}
 
   /// Registers a device at `id`, until forget(). Io thread too.
   void add(device::DeviceId id, std::shared_ptr<SimulatedDevice> device);
@@ -38,7 +39,8 @@ class SimulatedDriver final : public device::Driver {
   Device find(device::DeviceId id) const;
   void note_act(const Device& device);
 
-  run::Simulation& simulation_;
+  Sources& open_;  // tick thread
+  run::Requests& requests_;
   std::string name_;
   mutable std::mutex mutex_;  // guards what follows
   std::map<device::DeviceId, Device> devices_;

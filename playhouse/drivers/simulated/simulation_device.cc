@@ -6,9 +6,9 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/interfaces/shapes.h"
+#include "playhouse/drivers/simulated/directory.h"
 #include "playhouse/drivers/simulated/properties.h"
 #include "playhouse/drivers/simulated/world_requests.h"
-#include "playhouse/run/directory.h"
 #include "playhouse/wire/generated/simulation.h"
 
 namespace playhouse::drivers {
@@ -79,10 +79,10 @@ device::Taken SimulationDevice::command(const device::Message& message) {
   if (!manages(message)) return device::Taken::kRefused;
   if (message.subtype == sim::kCmdReset) return reset();
   if (message.subtype == sim::kCmdSave) return save();
-  if (simulation().pace().paused) {
-    simulation().resume();
+  if (simulation().requests().pace().paused) {
+    simulation().requests().resume();
   } else {
-    simulation().pause();
+    simulation().requests().pause();
   }
   return device::Taken::kLatest;
 }
@@ -90,7 +90,7 @@ device::Taken SimulationDevice::command(const device::Message& message) {
 /// Superseded resets are skipped, because a reset is expensive.
 device::Taken SimulationDevice::reset() {
   const std::uint64_t number = newest_reset_ + 1;
-  const bool posted = simulation().post_to_all([=, this](world::Journal& journal) {
+  const bool posted = simulation().requests().post_to_all([=, this](world::Journal& journal) {
     if (number >= newest_reset_) journal.apply(world::changes::ReturnToStart{});
   });
   if (!posted) return device::Taken::kNo;
@@ -100,13 +100,13 @@ device::Taken SimulationDevice::reset() {
 
 /// As with resets, superseded saves are skipped.
 device::Taken SimulationDevice::save() {
-  if (!simulation().saver()) {
+  if (!devices_.saver()) {
     log::warn("simulation: a client asked to save the world, which --save-world FILE allows");
     return device::Taken::kNo;
   }
   const std::uint64_t number = newest_save_ + 1;
-  const bool posted = simulation().post_to_all([=, this](const world::Journal& journal) {
-    if (number >= newest_save_) simulation().saver()(journal.world());
+  const bool posted = simulation().requests().post_to_all([=, this](const world::Journal& journal) {
+    if (number >= newest_save_) devices_.saver()(journal.world());
   });
   if (!posted) return device::Taken::kNo;
   newest_save_ = number;
@@ -217,7 +217,7 @@ void SimulationDevice::list_devices(const sim::PropertyReq& request, device::Rep
             [this, r = request](const world::World& world) mutable -> std::optional<Bytes> {
               const world::ModelRow row = find_or_warn(world, r.name);
               if (!row) return std::nullopt;
-              r.value = wire::c_string(devices_below(world, simulation().directory(), row, port_));
+              r.value = wire::c_string(devices_below(world, devices_.directory(), row, port_));
               return wire::encode(r);
             });
 }
@@ -233,7 +233,7 @@ std::optional<Bytes> SimulationDevice::model_page(const world::World& world, std
   pages_of_ = world.population();
   const auto kept = model_pages_.find(first);
   if (kept != model_pages_.end() && !kept->second.empty()) return kept->second;
-  run::ModelList list = run::list_models(world, simulation().directory(), first);
+  ModelList list = drivers::list_models(world, devices_.directory(), first);
   if (list.text.size() > kLongestList) return std::nullopt;  // a single name is as long as a message
   Bytes page = wire::encode(
       sim::PropertyReq{wire::c_string(""), wire::c_string("models"), list.next, std::move(list.text)});

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "playhouse/drivers/simulated/joined_robots.h"
+#include "playhouse/drivers/simulated/model_devices.h"
 #include "playhouse/drivers/simulated/overlap_warnings.h"
 #include "playhouse/drivers/simulated/simulated_device.h"
 #include "playhouse/wire/generated/common.h"
@@ -22,8 +23,11 @@ namespace playhouse::drivers {
 class SimulationDevice final : public SimulatedDevice {
  public:
   /// `port`: its own.
-  SimulationDevice(run::Simulation& simulation, std::uint32_t port)
-      : SimulatedDevice(simulation, {}), port_(port), joined_(simulation) {}
+  SimulationDevice(ModelDevices& devices, std::uint32_t port)
+      : SimulatedDevice(devices.simulation(), {}),
+        devices_(devices),
+        port_(port),
+        joined_(devices.simulation()) {}
 
   std::span<const Served> served() const override;
   device::Taken command(const device::Message& message) override;
@@ -39,6 +43,7 @@ class SimulationDevice final : public SimulatedDevice {
   void list_models(std::uint32_t first, device::Replier replier);
   void list_devices(const wire::simulation::PropertyReq& request, device::Replier replier);
 
+  ModelDevices& devices_;
   const std::uint32_t port_;
   JoinedRobots joined_;
   std::atomic<std::uint64_t> newest_reset_ = 0, newest_save_ = 0;  // sequence numbers of the latest requests

@@ -1,7 +1,7 @@
 // What many open devices publish, for any number of workers. Out of scope here: what each message says
 // (devices_test.cc).
 
-#include "playhouse/run/sources.h"
+#include "playhouse/drivers/simulated/sources.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@
 #include "playhouse/drivers/simulated/auto_map.h"
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -38,7 +38,7 @@ using Message = std::tuple<std::uint32_t, std::uint8_t, double, std::vector<std:
 class AllOpen {
  public:
   AllOpen(const std::string& world, unsigned workers)
-      : still_(world, workers), driver_(still_.simulation, "stage") {
+      : still_(world, workers), driver_(still_.devices, "stage") {
     world::Sensors& sensors = still_.world().sensors;
     for (std::size_t beam = 0; beam < sensors.ranges.size(); ++beam)
       sensors.ranges[beam] = static_cast<float>(beam % 977) / 128;
@@ -47,14 +47,14 @@ class AllOpen {
     for (std::size_t i = 0; i < devices.size(); ++i) {
       const device::DeviceId id{static_cast<std::uint32_t>(i * 7 % devices.size())};
       const MappedDevice& mapped = devices[id.row];
-      driver_.add(id, make_device(still_.simulation, mapped.interf, mapped.model));
+      driver_.add(id, make_device(still_.devices, mapped.interf, mapped.model));
       EXPECT_TRUE(driver_.start(id));
       if (i % 500 == 0) still_.run(0);  // before the inbox is full
     }
     still_.run(0);
     count_ = devices.size();
   }
-  std::size_t open() { return still_.simulation.source_count(); }
+  std::size_t open() { return still_.devices.sources().size(); }
   void close_every_third() {
     for (std::uint32_t row = 0; row < count_; row += 3) driver_.stop({row});
   }
@@ -68,7 +68,7 @@ class AllOpen {
   }
 
  private:
-  run::testing::StillSimulation still_;
+  testing::StillDevices still_;
   SimulatedDriver driver_;
   std::size_t count_ = 0;
 };
@@ -90,7 +90,7 @@ TEST(Sources, of_many_devices_give_the_same_batch_for_any_number_of_workers) {
 }
 
 /// Says its number, in ticks that it divides.
-struct Number final : run::Source {
+struct Number final : Source {
   explicit Number(std::uint32_t number) : number(number) {}
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     if (world.tick() % number == 0) out.push_back({{number}, 0, world.time(), {}});
@@ -101,7 +101,7 @@ struct Number final : run::Source {
 TEST(Sources, come_in_the_order_in_which_they_were_added_behind_what_is_there) {
   const scene::SceneDesc scene = run::testing::scene_of("interval_sim 100\n");
   run::testing::StillEngine engine(scene, 3);
-  run::Sources sources;
+  Sources sources;
   std::vector<std::shared_ptr<Number>> numbers;
   for (std::uint32_t number = 1000; number > 0; --number) {
     numbers.push_back(std::make_shared<Number>(number));

@@ -88,7 +88,7 @@ void step(run::Simulation& simulation, const Asked& asked, device::Caller* calle
   const std::uint32_t most = lock_step == nullptr ? limits::kSingleSteps : limits::kStepTicks;
   if (!ticks || *ticks == 0 || *ticks > most)
     return asked.nack(fmt::format("a number of ticks is wanted, 1 to {}, in 4 or 8 bytes", most));
-  if (lock_step == nullptr) return simulation.step(*ticks, asked.when_done());
+  if (lock_step == nullptr) return simulation.requests().step(*ticks, asked.when_done());
   if (caller == nullptr) return asked.nack("clients alone step");
   lock_step->step(caller, caller->name(), *ticks, asked.when_done());
   watch(*lock_step, *caller);
@@ -98,12 +98,13 @@ void reset(run::Simulation& simulation, const Asked& asked) {
   const bool same_seed = asked.request.value.empty();
   const std::optional<std::uint64_t> seed = number(asked.request.value);
   if (!same_seed && !seed) return asked.nack("a seed is wanted, in 4 or 8 bytes");
-  const bool posted = simulation.post_to_all([&simulation, asked, seed](const world::Journal& journal) {
-    const Result<void> started = simulation.restart(seed.value_or(journal.world().seed()));
-    if (!started) return asked.nack(started.error().line());
-    asked.ack();
-  });
-  if (!posted) asked.nack(simulation.why_not_posted());
+  const bool posted =
+      simulation.requests().post_to_all([&simulation, asked, seed](const world::Journal& journal) {
+        const Result<void> started = simulation.restart(seed.value_or(journal.world().seed()));
+        if (!started) return asked.nack(started.error().line());
+        asked.ack();
+      });
+  if (!posted) asked.nack(simulation.requests().why_not_posted());
 }
 
 /// Payload: x, y [m], heading [rad] as float64, then an optional name.
@@ -120,7 +121,7 @@ void spawn(run::Simulation& simulation, const Asked& asked, const device::Caller
   if (!name.empty() && !world::can_be_said(name)) return asked.nack("the name is no line of text");
   const geom::Pose at{place[0], place[1], 0, place[2]};
   const std::string holder = caller == nullptr ? std::string() : caller->holder();
-  const bool posted = simulation.post(
+  const bool posted = simulation.requests().post(
       [asked, at, name, holder, shares = simulation.shares(), &overlaps](world::Journal& journal) {
         const world::World& world = journal.world();
         const std::string_view like = wire::text(asked.request.name);
@@ -135,11 +136,11 @@ void spawn(run::Simulation& simulation, const Asked& asked, const device::Caller
         overlaps.placed(world, world.row(*came), "spawned");
         asked.ack(wire::c_string(world.name(world.row(*came))));
       });
-  if (!posted) asked.nack(simulation.why_not_posted());
+  if (!posted) asked.nack(simulation.requests().why_not_posted());
 }
 
 void remove(run::Simulation& simulation, const Asked& asked) {
-  const bool posted = simulation.post([asked](world::Journal& journal) {
+  const bool posted = simulation.requests().post([asked](world::Journal& journal) {
     const world::World& world = journal.world();
     const std::string_view name = wire::text(asked.request.name);
     const world::ModelRow model = world.find(name);
@@ -148,7 +149,7 @@ void remove(run::Simulation& simulation, const Asked& asked) {
     if (!gone) return asked.nack(gone.error().text);
     asked.ack();
   });
-  if (!posted) asked.nack(simulation.why_not_posted());
+  if (!posted) asked.nack(simulation.requests().why_not_posted());
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "playhouse/base/limits.h"
-#include "playhouse/run/testing/still_engine.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/world/population/population.h"
 
@@ -42,7 +42,7 @@ class WorldRequests : public ::testing::Test {
   }
 
   const scene::SceneDesc scene_ = run::testing::scene_of("interval_sim 100\nposition( name \"r0\" )\n");
-  run::testing::Recorder recorder_;
+  testing::Recorder recorder_;
   device::Caller client_{"somebody"};
   OverlapWarnings overlaps_;
   std::unique_ptr<run::Simulation> simulation_;
@@ -52,7 +52,7 @@ class WorldRequests : public ::testing::Test {
 TEST_F(WorldRequests, for_steps_tell_how_many_there_may_be) {
   open({});
   EXPECT_EQ(step(1001), "a number of ticks is wanted, 1 to 1000, in 4 or 8 bytes");
-  EXPECT_FALSE(simulation_->pace().paused) << "it was refused";
+  EXPECT_FALSE(simulation_->requests().pace().paused) << "it was refused";
   open(run::LockStep::Options{});
   EXPECT_EQ(step((1u << 20) + 1), "a number of ticks is wanted, 1 to 1048576, in 4 or 8 bytes");
 }
@@ -60,15 +60,15 @@ TEST_F(WorldRequests, for_steps_tell_how_many_there_may_be) {
 TEST_F(WorldRequests, for_steps_of_a_running_world_are_refused_and_a_paused_one_stays_paused) {
   open({});
   EXPECT_EQ(step(5), "the world is running: pause it first, or start it with --lock-step");
-  EXPECT_FALSE(simulation_->pace().paused);
-  simulation_->pause();
+  EXPECT_FALSE(simulation_->requests().pace().paused);
+  simulation_->requests().pause();
   EXPECT_EQ(step(5), "");
   EXPECT_FALSE(recorder_.answers.contains(ticket_)) << "the steps are not done yet";
   simulation_->extend(5);
   simulation_->run();
   EXPECT_TRUE(recorder_.answers.at(ticket_).ack);
   EXPECT_EQ(simulation_->world().tick(), 5u);
-  EXPECT_TRUE(simulation_->pace().paused);
+  EXPECT_TRUE(simulation_->requests().pace().paused);
 }
 
 TEST_F(WorldRequests, for_spawns_far_from_everything_are_refused) {

@@ -120,7 +120,7 @@ Result<std::unique_ptr<device::Driver>> make_stage_driver(const scene::CfgSectio
   if (const Result<void> opened = open_world(section, site); !opened) return opened.error();
   const Result<world::ModelRow> top = section_model(section, site.simulation()->world());
   if (!top) return top.error();
-  auto driver = std::make_unique<SimulatedDriver>(*site.simulation(), "stage");
+  auto driver = std::make_unique<SimulatedDriver>(*site.model_devices(), "stage");
   for (const scene::DeviceAddress& provided : section.addresses("provides")) {
     if (const Result<void> added = add_device(section, provided, *top, *driver, site); !added)
       return added.error();

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "playhouse/drivers/registry.h"
+#include "playhouse/drivers/testing/still_devices.h"
 #include "playhouse/net/simulated.h"
-#include "playhouse/run/testing/still_engine.h"
 
 namespace playhouse::drivers::testing {
 
@@ -107,7 +107,7 @@ class MemorySite final : public Surroundings {
             .speed = 0, .paused = false, .duration = 0, .clock = run::testing::no_time_passes});
   }
 
-  run::testing::Recorder recorder;
+  Recorder recorder;
   std::map<std::uint32_t, std::vector<device::Driver*>> held;  // once per hold; null: nobody hears of its end
   std::vector<std::uint32_t> retired;                          // in this order
   std::vector<std::string> opened;

@@ -175,8 +175,8 @@ TEST_F(VfhTest, requests_are_its_robot_s) {
 }
 
 TEST_F(VfhTest, the_directory_shows_it_at_its_robot) {
-  run::Simulation& simulation = *site.site().simulation();
-  EXPECT_EQ(simulation.directory().model_of(kVfh), simulation.directory().model_of(kWheels));
+  EXPECT_EQ(site.site().model_devices()->directory().model_of(kVfh),
+            site.site().model_devices()->directory().model_of(kWheels));
 }
 
 TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_them) {
@@ -185,13 +185,13 @@ TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_t
   device::Driver& driver = site.driver(kVfh);
   go_to(0, 3);
   site.run(1);
-  ASSERT_TRUE(simulation.post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
+  ASSERT_TRUE(simulation.requests().post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
   site.run(3);
   site.run(0);  // what was said on the io thread
   EXPECT_EQ(site.retired.size(), 4u);
   EXPECT_EQ(site.site().device_count(), 1u) << "the simulation";
-  EXPECT_EQ(simulation.directory().size(), 0u);
-  EXPECT_EQ(simulation.source_count(), 0u);
+  EXPECT_EQ(site.site().model_devices()->directory().size(), 0u);
+  EXPECT_EQ(site.site().model_devices()->sources().size(), 0u);
   EXPECT_EQ(site.hold(vfh).error().text, "the device has retired");
   const std::vector<std::byte> goal = wire::encode(p2d::CmdPos{{0, 3, 0}, {}, 1});
   EXPECT_EQ(driver.command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kNo);
@@ -254,7 +254,7 @@ TEST(VfhApart, stops_its_robot_when_its_laser_goes) {
   EXPECT_EQ(site.driver(kVfh).command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kLatest);
   site.run(3);
   EXPECT_NE(world.positions.command[0], geom::Twist());
-  ASSERT_TRUE(simulation.post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
+  ASSERT_TRUE(simulation.requests().post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
   site.run(1);
   site.run(1);
   EXPECT_EQ(world.positions.command[0], geom::Twist());

@@ -692,8 +692,8 @@ TEST(Wavefront, supports_these_messages) {
   EXPECT_FALSE(test.driver().capable(id, kCmd, 3));
   test.driver().request({id, kReq, 3, {}}, device::Replier(test.site.recorder, 5));
   EXPECT_FALSE(test.site.recorder.answers.at(5).ack);
-  run::Simulation& simulation = *test.site.site().simulation();
-  EXPECT_EQ(simulation.directory().model_of(kPlanner), simulation.directory().model_of(kRobot));
+  EXPECT_EQ(test.site.site().model_devices()->directory().model_of(kPlanner),
+            test.site.site().model_devices()->directory().model_of(kRobot));
 }
 
 TEST(Wavefront, goes_with_its_robot_amid_a_drive) {
@@ -703,7 +703,7 @@ TEST(Wavefront, goes_with_its_robot_amid_a_drive) {
   device::Driver& driver = test.driver();
   test.go_to(kGoal);
   test.site.run(1);
-  ASSERT_TRUE(simulation.post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
+  ASSERT_TRUE(simulation.requests().post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
   test.site.run(3);
   test.site.run(0);  // what was said on the io thread
   EXPECT_EQ(test.site.retired.size(), 2u);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A world for driver tests, written as a world file, with an engine that only counts ticks and fills in what
+/// A world for tests, written as a world file, with an engine that only counts ticks and fills in what
 /// a test puts into the columns. No threads: the test calls what the tick thread would.
 
 #include <gtest/gtest.h>
@@ -45,25 +45,6 @@ class StillEngine final : public world::Engine {
   world::Workers workers_;
 };
 
-/// Remembers what drivers answer and publish.
-class Recorder final : public device::Outlet, public device::Publisher {
- public:
-  struct Answer {
-    bool ack = false;
-    std::vector<std::byte> body;
-  };
-  void answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) override {
-    answers[ticket] = {ack, std::move(body)};
-  }
-  void publish(std::vector<device::Publication> batch) override {
-    ++batches;
-    for (device::Publication& publication : batch) published.push_back(std::move(publication));
-  }
-  std::map<std::uint64_t, Answer> answers;
-  std::vector<device::Publication> published;
-  int batches = 0;
-};
-
 /// A wall clock for runs that wait for nothing.
 inline double no_time_passes() {
   return 0;
@@ -71,7 +52,7 @@ inline double no_time_passes() {
 
 /// Takes the run to the instant of a tick, earlier or later than now, and so many ticks on from there.
 inline void rewind_to(Simulation& simulation, std::uint64_t instant, std::uint64_t ticks = 0) {
-  simulation.rewind(instant);
+  simulation.requests().rewind(instant);
   simulation.extend(instant + ticks - simulation.world().tick());  // counts from now, so it wraps round
   simulation.run();
 }
@@ -81,9 +62,7 @@ struct StillSimulation {
   explicit StillSimulation(const std::string& text, unsigned workers = 1)
       : scene(scene_of(text)),
         simulation(std::make_unique<StillEngine>(scene, workers),
-                   {.speed = 0, .duration = 0, .clock = no_time_passes}) {
-    simulation.publish_to(recorder);
-  }
+                   {.speed = 0, .duration = 0, .clock = no_time_passes}) {}
   /// Does what was posted, then so many ticks.
   void run(int ticks) {
     simulation.extend(static_cast<std::uint64_t>(ticks));
@@ -92,7 +71,6 @@ struct StillSimulation {
   world::World& world() { return simulation.engine().world(); }
 
   scene::SceneDesc scene;
-  Recorder recorder;
   Simulation simulation;
 };
 

@@ -1,10 +1,10 @@
-#include "playhouse/run/sources.h"
+#include "playhouse/drivers/simulated/sources.h"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
-namespace playhouse::run {
+namespace playhouse::drivers {
 namespace {
 
 /// Sources per range: enough work to hand to another thread.
@@ -36,4 +36,4 @@ void Sources::join(Batch& out) {
   }
 }
 
-}  // namespace playhouse::run
+}  // namespace playhouse::drivers

@@ -13,7 +13,7 @@
 #include "playhouse/device/address.h"
 #include "playhouse/world/world.h"
 
-namespace playhouse::run {
+namespace playhouse::drivers {
 
 class Directory {
  public:
@@ -53,4 +53,4 @@ struct ModelList {
 /// beyond the first one at most limits::kModelListBytes of text.
 ModelList list_models(const world::World& world, const Directory& directory, std::uint32_t first);
 
-}  // namespace playhouse::run
+}  // namespace playhouse::drivers

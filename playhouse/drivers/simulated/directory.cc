@@ -1,4 +1,4 @@
-#include "playhouse/run/directory.h"
+#include "playhouse/drivers/simulated/directory.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/wire/messages.h"
 
-namespace playhouse::run {
+namespace playhouse::drivers {
 namespace {
 
 /// "position2d:0".
@@ -126,4 +126,4 @@ ModelList list_models(const world::World& world, const Directory& directory, std
   return list;
 }
 
-}  // namespace playhouse::run
+}  // namespace playhouse::drivers

@@ -1,4 +1,4 @@
-#include "playhouse/run/directory.h"
+#include "playhouse/drivers/simulated/directory.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/run/testing/still_engine.h"
 
-namespace playhouse::run {
+namespace playhouse::drivers {
 namespace {
 
 using ::testing::ElementsAre;
@@ -79,4 +79,4 @@ TEST(Directory, forgets_a_device_that_goes_and_keeps_nothing_of_its_model) {
 }
 
 }  // namespace
-}  // namespace playhouse::run
+}  // namespace playhouse::drivers

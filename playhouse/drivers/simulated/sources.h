@@ -12,7 +12,7 @@
 #include "playhouse/device/driver.h"
 #include "playhouse/world/world.h"
 
-namespace playhouse::run {
+namespace playhouse::drivers {
 
 /// Publishes data after a tick: an open simulated device.
 class Source {
@@ -47,4 +47,4 @@ class Sources {
   std::vector<Batch> parts_;  // of each range, reused
 };
 
-}  // namespace playhouse::run
+}  // namespace playhouse::drivers
