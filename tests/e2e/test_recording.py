@@ -147,6 +147,36 @@ robot( name "r0" pose [0 0 0 0] )
         self.assertEqual(house.wait(), 0, house.log())
         self.assert_same(json.loads(house.output()), self.again())
 
+    def test_changes_are_listed_by_name_as_they_were_asked_for(self):
+        house = House("run", self.world(), "--port", 0, "--headless", "--lock-step", "--record", self.file, "--record-only", "poses")
+        self.addCleanup(house.__exit__)
+        with connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
+            world, base = client.simulation(0), client.position2d(0)
+            world.join("only")
+            for tick in range(4):
+                base.drive(0.25 * tick, 0.5)
+                if tick == 2:
+                    name = world.spawn("r1", -4.0, -4.0, 0.25, 'a "b", c')
+                    world.set_pose(name, -3.0, -4.0, 1.0)
+                world.step()
+            world.reset(7)
+            world.remove("r1")
+            world.step()
+        house.end()
+        ended = finish("export", self.file, "--changes")
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        rows = [(int(row["tick"]), row["change"], row["model"], json.loads(row["fields"])) for row in csv.DictReader(ended.stdout.splitlines())]
+        self.assertEqual([row for row in rows if row[1] == "drive"],
+                         [(tick, "drive", "r0", {"velocity": [0.25 * tick, 0, 0, 0.5]}) for tick in range(4)]
+                         + [(1, "drive", "r0", {"velocity": [0, 0, 0, 0]})])   # the client lets it stand, and leaves
+        done = [row for row in rows if row[1] not in ("drive", "subscribe", "unsubscribe", "watch", "unwatch", "power_wheels")]
+        self.assertEqual([row[:3] for row in done], [(2, "spawn_copy", ""), (2, "place", "a_b_c"), (4, "load", ""), (0, "despawn", "")])
+        self.assertEqual(done[0][3] | {"of": 0}, {"of": 0, "X_WM": [-4, -4, 0, 0.25], "name": 'a "b", c', "first_id": 0})
+        self.assertEqual(done[1][3], {"X_PM": [-3, -4, 0, 1]})
+        self.assertEqual(done[2][3]["seed"], 7)
+        for command in (("export", self.file, "--changes", "--csv"), ("export", self.file, "--changes", "-o", self.folder / "t")):
+            self.assertEqual(finish(*command).returncode, 2)
+
     def test_what_a_configuration_file_serves_is_recorded_too(self):
         self.world()
         cfg = self.write("test.cfg", 'driver( name "stage" provides ["simulation:0"] worldfile "test.world" )\n'
