@@ -87,7 +87,7 @@ def _page(kinds: Kinds) -> str:
     for kind in kinds.all:
         if not kind.changes:
             continue
-        of = {"world": "Of the world", "trait": f"Of models with a {kind.name}"}.get(kind.entity, "Of any model" if kind.name == BASE else f"Of a {kind.name}")
+        of = {"world": "Of the world", "trait": f"Of models with a {kind.name}"}.get(kind.entity, "Of any model" if kind.name == BASE else f"Of {'an' if kind.name[0] in 'aeiou' else 'a'} {kind.name}")
         rows = [[f"`{c.name}`", ", ".join(f"`{f.name}`" + (f" [{f.unit}]" if f.unit else "") for f in c.fields), c.doc] for c in kind.changes]
         lines += [f"## {of}", "", *_table(["change", "fields", "effect"], rows)]
     return "\n".join(lines).rstrip("\n") + "\n"

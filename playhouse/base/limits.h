@@ -18,18 +18,18 @@ inline constexpr std::size_t kDriverNameBytes = 64;  // with the final NUL
 
 // Server.
 inline constexpr std::size_t kSessions = 4096;
-inline constexpr std::size_t kSessionsOfHost =
-    1024;  // of one address that is not this machine's: nobody shuts out all others alone
+// Of one address that is not this machine's: nobody shuts out all others alone.
+inline constexpr std::size_t kSessionsOfHost = 1024;
 inline constexpr int kSilentSeconds = 60;  // a client that has not said anything yet is closed then
-inline constexpr std::size_t kLingering =
-    kSessions;  // connections that wait for their peers to end: over it the first is closed
+// Connections that wait for their peers to end: over it the first is closed.
+inline constexpr std::size_t kLingering = kSessions;
 inline constexpr std::size_t kSessionQueueMessages = 1024;    // data waiting for one client
 inline constexpr std::size_t kSessionQueueBytes = 64u << 20;  // the same in bytes, headers included
 inline constexpr std::size_t kSessionRules = 256;             // replace rules of one client
-inline constexpr std::size_t kSessionAnswers =
-    1024;  // answers one client is owed (docs/server.md); what it says next waits
-inline constexpr std::size_t kSessionAnswerBytes =
-    1u << 20;  // the same in bytes, of requests that drivers have and of answers
+// Answers one client is owed (docs/server.md); what it says next waits.
+inline constexpr std::size_t kSessionAnswers = 1024;
+// The same in bytes, of requests that drivers have and of answers.
+inline constexpr std::size_t kSessionAnswerBytes = 1u << 20;
 inline constexpr std::size_t kTurnMessages = 32;  // of one client, before it is the next one's turn
 inline constexpr std::size_t kTurnWork = 256;  // messages and clients, before the sockets are looked at again
 inline constexpr std::size_t kTurnDeliveries = 1024;    // messages queued for clients, the same
@@ -37,25 +37,25 @@ inline constexpr std::size_t kRequestQueue = 16384;     // requests of all clien
 inline constexpr std::uint32_t kStepTicks = 1u << 20;   // of one step of a world in lock-step
 inline constexpr std::uint32_t kSingleSteps = 1000;     // of one that is not: all that wait
 inline constexpr std::size_t kInputBytes = 128u << 20;  // of messages of all clients that have not come whole
-inline constexpr std::size_t kOutputBytes =
-    128u << 20;  // of answers and data of all clients that have not been sent
-inline constexpr std::size_t kSessionInputBytes = 128u
-                                                  << 10;  // of these, what each client may have uncounted
-inline constexpr std::size_t kSubscriptions =
-    8192;  // devices one client may hold open; those that retired unread count
+// Of answers and data of all clients that have not been sent.
+inline constexpr std::size_t kOutputBytes = 128u << 20;
+// Of these, what each client may have uncounted.
+inline constexpr std::size_t kSessionInputBytes = 128u << 10;
+// Devices one client may hold open; those that retired unread count.
+inline constexpr std::size_t kSubscriptions = 8192;
 inline constexpr std::size_t kListedModels = 4096;          // of one answer to "which models are there"
 inline constexpr std::size_t kModelListBytes = 256u << 10;  // of its text; one model is always told
 inline constexpr std::size_t kOutboxBytes = 64u << 20;      // data the io thread has not taken yet
 inline constexpr std::size_t kOutboxMessages = 65536;       // the same in messages
 
 // Viewers: the browser page.
-inline constexpr std::size_t kHttpConnections =
-    256;  // viewers included; over it the one that waited longest is closed
-inline constexpr std::size_t kHttpConnectionsPerAddress =
-    128;                                                // the same of one address; viewers are not counted
+// Viewers included; over it the one that waited longest is closed.
+inline constexpr std::size_t kHttpConnections = 256;
+// The same of one address; viewers are not counted.
+inline constexpr std::size_t kHttpConnectionsPerAddress = 128;
 inline constexpr std::size_t kHttpHeaderBytes = 16384;  // of one request
-inline constexpr int kHttpIdleSeconds =
-    30;  // without a request; a viewer that answers no ping is closed then
+// Without a request; a viewer that answers no ping is closed then.
+inline constexpr int kHttpIdleSeconds = 30;
 inline constexpr int kHttpHeadSeconds = 10;    // from the first byte of a request's head to its last
 inline constexpr int kHttpAnswerSeconds = 30;  // until a whole answer is taken
 inline constexpr std::size_t kViewers = 64;
@@ -66,8 +66,8 @@ inline constexpr std::size_t kViewerFaults = 16;           // messages refused b
 inline constexpr std::size_t kViewerTextMessages = 32;     // notices waiting for a page
 inline constexpr std::size_t kViewerFrameBytes = 65536;    // the rest of the changes waits for the next frame
 inline constexpr std::uint32_t kViewerFramesInFlight = 4;  // sent and not acknowledged
-inline constexpr std::uint32_t kPageBytesPerSecond =
-    4000000;  // to one page, unless the program says otherwise
+// To one page, unless the program says otherwise.
+inline constexpr std::uint32_t kPageBytesPerSecond = 4000000;
 inline constexpr std::uint32_t kPageBytesLeast = 4000, kPageBytesMost = 1000000000;  // a second
 inline constexpr double kViewerDriveSeconds = 0.5;  // a velocity from a page holds so long unless renewed
 inline constexpr std::size_t kSnapshotBeams = 1u << 18;  // of all sensors shown to all viewers
@@ -75,17 +75,17 @@ inline constexpr std::size_t kSnapshotBeams = 1u << 18;  // of all sensors shown
 // Observers: clients by datagrams (playhouse/observers).
 inline constexpr std::size_t kObservers = 64;        // at once
 inline constexpr std::size_t kDatagramBytes = 1200;  // of one, which goes through every network in one piece
-inline constexpr std::size_t kDatagramHeadBytes =
-    28;  // of IPv4 and UDP in front of it, which the budget counts too
-inline constexpr std::uint32_t kObserverBytesPerSecond =
-    64000;  // to one observer, unless it or the program says otherwise
+// Of IPv4 and UDP in front of it, which the budget counts too.
+inline constexpr std::size_t kDatagramHeadBytes = 28;
+// To one observer, unless it or the program says otherwise.
+inline constexpr std::uint32_t kObserverBytesPerSecond = 64000;
 inline constexpr std::uint32_t kObserverBytesLeast = 4000;     // a second; less is not asked for
 inline constexpr std::uint32_t kObserverBytesMost = 10000000;  // a second
 inline constexpr std::uint32_t kObserverFrames = 30;           // a second, at most
-inline constexpr int kObserverQuietSeconds =
-    10;  // an observer, or a program, that is not heard of for so long is gone
-inline constexpr std::size_t kStreamWindowBytes =
-    65536;  // of texts sent to one observer and not acknowledged
+// An observer, or a program, that is not heard of for so long is gone.
+inline constexpr int kObserverQuietSeconds = 10;
+// Of texts sent to one observer and not acknowledged.
+inline constexpr std::size_t kStreamWindowBytes = 65536;
 inline constexpr std::size_t kStreamTextBytes = 256u << 20;  // of one text to an observer, unpacked
 inline constexpr std::size_t kObserverCommandBytes = 4096;   // of one text from an observer
 inline constexpr std::size_t kTokenBytes = 128;              // of a guest's token
@@ -97,8 +97,8 @@ inline constexpr double kHistoryPeriodSeconds = 1;        // simulated, from one
 inline constexpr std::size_t kHistoryBytes = 128u << 20;  // of all states
 
 // Recordings (playhouse/record).
-inline constexpr std::size_t kRecordChunkBytes =
-    1u << 20;  // a chunk that has so many is written, else twice a second
+// A chunk that has so many is written, else twice a second.
+inline constexpr std::size_t kRecordChunkBytes = 1u << 20;
 inline constexpr std::size_t kRecordQueueBytes = 64u << 20;  // waiting for the disk; the run waits then
 inline constexpr std::size_t kRecordChannels = 65535;        // of a file; the rest is left out
 inline constexpr std::size_t kReadChunkBytes = 256u << 20;   // of a chunk that is read, unpacked
@@ -125,8 +125,8 @@ inline constexpr int kIncludeDepth = 32;
 inline constexpr std::size_t kIncludes = 1u << 16;   // of all include statements, each as often as it is met
 inline constexpr std::size_t kWarningsOfAKind = 20;  // of one file; the others are counted
 inline constexpr int kEntityDepth = 64;
-inline constexpr std::size_t kEntities =
-    1u << 20;  // after macro expansion; of a world, those that are like no other
+// After macro expansion; of a world, those that are like no other.
+inline constexpr std::size_t kEntities = 1u << 20;
 inline constexpr std::size_t kSceneModels = 1u << 21;  // of a world file, however many are alike
 inline constexpr std::size_t kModels = 1u << 22;       // alive at a time, with those that came during the run
 inline constexpr int kTreeDepth = 128;                 // models inside and attached to each other
@@ -142,8 +142,8 @@ inline constexpr std::size_t kBroughtByOneModels = 1u << 12;   // of those, that
 inline constexpr std::size_t kBroughtByOneSensors = 1u << 14;  // of those
 inline constexpr std::size_t kBroughtByOneBeams = 1u << 20;    // of those
 inline constexpr std::size_t kSensors = 1u << 24;              // of all rangers of a world
-inline constexpr std::size_t kOldParts =
-    1u << 18;  // of rangers and bodies, that worlds of Stage 2 tell of by numbered words
+// Of rangers and bodies, that worlds of Stage 2 tell of by numbered words.
+inline constexpr std::size_t kOldParts = 1u << 18;
 inline constexpr std::size_t kOldPartsOfOne = 1024;       // the same of one model
 inline constexpr std::size_t kGlbBytes = 1u << 30;        // of a world as glTF
 inline constexpr std::size_t kPicturePixels = 1u << 26;   // of a world from above

@@ -12,19 +12,18 @@
 ///   it is 0, never wrong (Kahan); counting 0 as one of the sides is simulation of simplicity (Edelsbrunner
 ///   and Mücke 1990).
 ///
-/// Degenerate cases: - A corner on the line of the ray counts as on
-/// its right, so a ray cannot leak through the corner of an outline.
-/// An edge collinear with the ray is missed; the edge that ends
-/// where a collinear one begins is hit if it comes from the left. -
-/// A ray whose origin is on an edge hits it at 0, whatever its
-/// direction. - An edge whose extent across the ray is less than
-/// kEdgeOn is hit at its nearer end: the quotient would be rounding
-/// noise. - A convex movable body is hit where the ray enters it, if
-/// that is ahead. All others are hit at the nearest edge, from
-/// either side: a static outline may be a room. - What is enclosed
-/// by another body of its tree (enclosure.h) is not hit, not even by
-/// a ray that starts inside it. - Ties in distance go to the solid
-/// with the lower row. A hit at exactly the ray's range is a miss.
+/// Degenerate cases:
+/// - A corner on the line of the ray counts as on its right, so a ray cannot leak through the corner of an
+///   outline. An edge collinear with the ray is missed; the edge that ends where a collinear one begins is hit
+///   if it comes from the left.
+/// - A ray whose origin is on an edge hits it at 0, whatever its direction.
+/// - An edge whose extent across the ray is less than kEdgeOn is hit at its nearer end: the quotient would be
+///   rounding noise.
+/// - A convex movable body is hit where the ray enters it, if that is ahead. All others are hit at the nearest
+///   edge, from either side: a static outline may be a room.
+/// - What is enclosed by another body of its tree (enclosure.h) is not hit, not even by a ray that starts inside
+///   it.
+/// - Ties in distance go to the solid with the lower row. A hit at exactly the ray's range is a miss.
 
 #include <algorithm>
 
