@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<std::byte> again;
     cluster::encode(*step, again);
     const Result<cluster::Step> same = cluster::decode_step(again);
-    PLAYHOUSE_ASSERT(same.ok() && same->change.size() == step->change.size());
+    PLAYHOUSE_ASSERT(same.ok() && same->changes.size() == step->changes.size());
   }
   static_cast<void>(cluster::why_not_joined(bytes));
   static scene::MemoryFiles files({}, {});

@@ -19,12 +19,15 @@ using wire::MessageType;
 using Payload = std::vector<std::uint8_t>;
 
 bool send(world::Journal& journal, world::ModelId radio, world::ModelId to, const Payload& bytes) {
-  if (journal.apply(world::changes::Send{radio, to, bytes})) return true;
   const world::World& world = journal.world();
-  if (const world::ModelRow row = world.row(radio))
+  const world::ModelRow row = world.row(radio);
+  if (!row) return false;
+  const bool is_full = world.wifis.outgoing[world.models.part[row.index]].size() >= limits::kRadioSends;
+  journal.apply(world::changes::Send{radio, to, bytes});
+  if (is_full)
     log::warn("{} has {} messages to send in one tick: the others are dropped", world.name(row),
               limits::kRadioSends);
-  return false;
+  return !is_full;
 }
 
 /// Queues a message to the radio with this IP, or

@@ -159,12 +159,18 @@ bool carry_out(World& world, LightindicatorRow row, const SwitchIndicator& chang
   return true;
 }
 
+/// A number that is not there begins the model as well (custom_hooks.h), so it is a change.
 bool carry_out(World& world, CustomRow row, const CommandCustom& change) {
-  return command_custom(world, row, change.which, change.value);
+  if (!std::isfinite(change.value)) return false;
+  command_custom(world, row, change.which, change.value);
+  return true;
 }
 
+/// What is dropped is counted, so it is a change as well.
 bool carry_out(World& world, WifiRow row, const Send& change) {
-  return send_message(world, row, change.to, change.bytes);
+  if (change.bytes.size() > limits::kRadioMessageBytes) return false;
+  send_message(world, row, change.to, change.bytes);
+  return true;
 }
 
 bool carry_out(World& world, ImuRow row, const SetAttitudeReference& change) {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "playhouse/base/limits.h"
+#include "playhouse/scene/world_loader.h"
 #include "playhouse/world/saving/state.h"
 #include "playhouse/world/testing_scene.h"
 
@@ -64,6 +66,32 @@ TEST_F(JournalTest, ends_only_the_uses_that_were_begun) {
   EXPECT_TRUE(journal_.apply(changes::Unwatch{kRanger}));
   EXPECT_FALSE(journal_.apply(changes::Unwatch{kRanger}));
   EXPECT_EQ(world_.models.subscribers[1], 1u);
+}
+
+TEST_F(JournalTest, refuses_what_is_named_twice_without_effect) {
+  const ModelId puck = *journal_.spawn(2, {5, 5, 0, 0}, "puck");
+  EXPECT_FALSE(journal_.apply(changes::Attach{{puck, puck}, kRobot, {{}, {}}}));
+  ASSERT_TRUE(journal_.apply(changes::Attach{{puck}, kRobot, {{}}}));
+  const std::uint64_t hash = world_.hash();
+  EXPECT_FALSE(journal_.apply(changes::Detach{{puck, puck}}));
+  EXPECT_EQ(world_.hash(), hash);
+  EXPECT_TRUE(journal_.apply(changes::Detach{{puck}}));
+  EXPECT_FALSE(journal_.apply(changes::Despawn{{puck, puck}}));
+}
+
+TEST(Journal, has_what_a_radio_drops_for_that_is_counted) {
+  scene::MemoryFiles files({}, {});
+  const scene::SceneDesc scene = *scene::load_world_text("model( wifi() )", "t.world", files);
+  World world(scene, 1), again(scene, 1);
+  Journal journal(world), other(again);
+  const ModelId radio = world.id(world.wifis.model[0]);
+  for (std::size_t n = 0; n < limits::kRadioSends + 3; ++n)
+    journal.apply(changes::Send{radio, {}, {1, 2, 3}});
+  EXPECT_EQ(world.wifis.dropped[0], 3u);
+  EXPECT_FALSE(
+      journal.apply(changes::Send{radio, {}, std::vector<std::uint8_t>(limits::kRadioMessageBytes + 1)}));
+  for (const Change& change : journal.entries()) EXPECT_TRUE(other.apply(change));
+  EXPECT_EQ(first_difference(world, again), std::nullopt);
 }
 
 /// The truth is what the same changes did the first time.

@@ -304,8 +304,8 @@ struct SetJointSpeed {
   }
 };
 
-/// Queues a message for the next tick: to one radio, or to all in reach if to is no model. Fails if it is too
-/// long or the queue is full.
+/// Queues a message for the next tick: to one radio, or to all in reach if to is no model. It is dropped and
+/// counted if the queue is full. Fails if it is too long.
 struct Send {
   static constexpr std::string_view kName = "send";
   ModelId model;
@@ -352,7 +352,7 @@ struct ControlCamera {
   }
 };
 
-/// Sets a number of the command of a custom model. Fails if there is no such number.
+/// Sets a number of the command of a custom model, if it has so many.
 struct CommandCustom {
   static constexpr std::string_view kName = "command_custom";
   ModelId model;

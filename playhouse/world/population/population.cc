@@ -498,6 +498,15 @@ Result<ModelId> spawn_like(World& world, ModelRow model, geom::Pose X_WM, std::s
 
 namespace {
 
+Error named_twice() {
+  return {{}, "it is named twice"};
+}
+
+bool is_any_named_twice(std::vector<ModelId> models) {
+  std::ranges::sort(models);
+  return std::ranges::adjacent_find(models) != models.end();
+}
+
 /// Rows of the roots to remove, ascending.
 Result<std::vector<std::uint32_t>> tops_to_go(const World& world, std::span<const ModelId> models) {
   std::vector<std::uint32_t> tops;
@@ -508,7 +517,7 @@ Result<std::vector<std::uint32_t>> tops_to_go(const World& world, std::span<cons
     tops.push_back(row.index);
   }
   std::ranges::sort(tops);
-  if (std::ranges::adjacent_find(tops) != tops.end()) return Error{{}, "it is named twice"};
+  if (std::ranges::adjacent_find(tops) != tops.end()) return named_twice();
   return tops;
 }
 
@@ -576,6 +585,9 @@ Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pos
 Result<void> attach(World& world, std::span<const Attachment> children, ModelId parent) {
   const ModelRow parent_row = world.row(parent);
   if (!parent_row) return no_model();
+  std::vector<ModelId> named;
+  for (const Attachment& each : children) named.push_back(each.child);
+  if (is_any_named_twice(std::move(named))) return named_twice();
   for (const Attachment& each : children)
     if (const Result<void> checked = check_attachment(world, each, parent_row); !checked) return checked;
   if (children.empty()) return {};
@@ -608,6 +620,7 @@ Result<void> detach(World& world, ModelId child) {
 }
 
 Result<void> detach(World& world, std::span<const ModelId> children) {
+  if (is_any_named_twice({children.begin(), children.end()})) return named_twice();
   for (const ModelId child : children) {
     const ModelRow row = world.row(child);
     if (!row) return no_model();

@@ -53,7 +53,8 @@ void tilt_as_described(World& world);
 /// in the child's tree, if the child is fixed or has a driven part, or if either does not exist.
 Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pose& X_PC);
 
-/// Attaches several to one parent, at their poses in it, at the cost of one. Atomic. Fails as attach().
+/// Attaches several to one parent, at their poses in it, at the cost of one. Atomic. Fails as attach(), and
+/// if one is named twice.
 struct Attachment {
   ModelId child;
   geom::Pose X_PC;
@@ -62,7 +63,7 @@ Result<void> attach(World& world, std::span<const Attachment> children, ModelId 
 
 /// Detaches an attached model: it becomes a root at its present pose. Fails for any other model.
 Result<void> detach(World& world, ModelId child);
-/// Detaches several, each named once, at the cost of one. Atomic. Fails as detach().
+/// Detaches several at the cost of one. Atomic. Fails as detach(), and if one is named twice.
 Result<void> detach(World& world, std::span<const ModelId> children);
 
 /// All attached models, ascending.
