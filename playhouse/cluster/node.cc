@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <variant>
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/packing.h"
 #include "playhouse/cluster/hello.h"
 #include "playhouse/record/whole_state.h"
-#include "playhouse/world/changes/journal.h"
 #include "playhouse/world/changes/packed_change.h"
 
 namespace playhouse::cluster {
@@ -60,14 +60,14 @@ Result<bool> Node::join(const EngineMaker& make) {
 
 Result<void> Node::prepare(const Step& step) {
   world::World& world = engine_->world();
-  world::Journal journal(world);
   if (!step.state.empty())
     if (const Result<void> loaded = record::load_whole(world, step.state); !loaded)
       return Error{"", "sent a state that " + loaded.error().text};
+  const auto apply = [&](const auto& made) { return static_cast<bool>(world::changes::apply(world, made)); };
   for (Unpacker in(step.changes); !in.at_end();) {
     const Result<world::Change> change = world::unpack_change(in);
     if (!change) return Error{"", "sent a step that " + change.error().text};
-    if (!journal.apply(*change))
+    if (!std::visit(apply, *change))
       return Error{"", fmt::format("sent a change \"{}\" that cannot be made here", world::name_of(*change))};
   }
   share_ = step.share;

@@ -32,7 +32,7 @@ inline constexpr const char* kRanges = "playhouse/msg/Ranges";
 inline constexpr const char* kEvent = "playhouse/msg/Event";
 inline constexpr const char* kSpeech = "playhouse/msg/Speech";
 inline constexpr const char* kState = "playhouse/msg/State";
-inline constexpr const char* kChange = "playhouse/msg/Change";
+inline constexpr const char* kChange = "playhouse/msg/JournalEntry";
 inline constexpr const char* kCheck = "playhouse/msg/Check";
 
 /// The definition of one of these schemas.
