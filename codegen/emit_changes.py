@@ -54,6 +54,7 @@ def _header(kinds: Kinds) -> str:
     lines += ["", *_comment("What those do with the row of the model, by hand in world/changes/.")]
     lines += [f"{GIVES[c.gives]} carry_out(World& world, {_row(k)} row, const {c.struct}& change);" for k, c in owned if k.entity != "world"]
     lines += ["", "}  // namespace changes", "", "using Change = std::variant<", ",\n".join(f"    changes::{c.struct}" for _, c in owned) + ">;", "",
+              *_comment("Applies any change; false if it cannot be."), "bool apply(World& world, const Change& change);", "",
               "}  // namespace playhouse::world", ""]
     return "\n".join(lines)
 

@@ -199,11 +199,6 @@ void Head::changed(const world::World&, std::span<const world::Change> changes) 
   for (const world::Change& change : changes) world::pack(change, changes_);
 }
 
-void Head::lose_all(const std::string& why) {
-  for (const auto& node : nodes_) lose(*node, why);
-  drop_lost();
-}
-
 void Head::step() {
   wait_for_nodes();
   admit();

@@ -54,7 +54,6 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   world::PhysicsShapes physics_shapes() override { return engine_->physics_shapes(); }
 
   void changed(const world::World& world, std::span<const world::Change> changes) override;
-  void ticked(const world::World&) override {}
 
  private:
   /// A connection that does not take part yet.
@@ -84,7 +83,6 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   void join(Pending& pending);
   void wait_for_nodes();
   void send_steps();
-  void lose_all(const std::string& why);
   void gather(world::DividedWork& work);
   void receive_share(world::DividedWork& work, std::size_t index);
   void take_share(world::DividedWork& work, std::size_t index, std::span<const std::byte> body);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <utility>
-#include <variant>
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
@@ -63,11 +62,10 @@ Result<void> Node::prepare(const Step& step) {
   if (!step.state.empty())
     if (const Result<void> loaded = record::load_whole(world, step.state); !loaded)
       return Error{"", "sent a state that " + loaded.error().text};
-  const auto apply = [&](const auto& made) { return static_cast<bool>(world::changes::apply(world, made)); };
   for (Unpacker in(step.changes); !in.at_end();) {
     const Result<world::Change> change = world::unpack_change(in);
     if (!change) return Error{"", "sent a step that " + change.error().text};
-    if (!std::visit(apply, *change))
+    if (!world::apply(world, *change))
       return Error{"", fmt::format("sent a change \"{}\" that cannot be made here", world::name_of(*change))};
   }
   share_ = step.share;

@@ -106,8 +106,8 @@ void Batch::follow_population(World& world, std::uint64_t first, bool reload) {
     for (std::uint32_t row = 0; row < world.models.size(); ++row) take(world.models.id[row]);
     return;
   }
-  const std::vector<world::Event> changes(world.events.since(first).begin(), world.events.since(first).end());
-  for (const world::Event& event : changes)
+  const std::vector<world::Event> events(world.events.since(first).begin(), world.events.since(first).end());
+  for (const world::Event& event : events)
     for (std::uint32_t i = 0; event.kind == Kind::kSpawn && i < event.count; ++i)
       take({event.model.value + i});
 }

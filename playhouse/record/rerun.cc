@@ -139,10 +139,7 @@ void Rerun::change(const Recording::Item& item) {
   Unpacker in(bytes);
   const Result<world::Change> change = world::unpack_change(in);
   if (!change) return fail("the recording " + change.error().text);
-  const auto apply = [this](const auto& made) {
-    return static_cast<bool>(world::changes::apply(world(), made));
-  };
-  if (std::visit(apply, *change)) return;
+  if (world::apply(world(), *change)) return;
   const std::string what =
       fmt::format("the change \"{}\" of the recording cannot be made", world::name_of(*change));
   std::holds_alternative<world::changes::Load>(*change) ? fail_to_load(what) : fail(what);

@@ -252,3 +252,11 @@ Result<void> apply(World& world, const Load& change) {
 }
 
 }  // namespace playhouse::world::changes
+
+namespace playhouse::world {
+
+bool apply(World& world, const Change& change) {
+  return std::visit([&](const auto& made) { return static_cast<bool>(changes::apply(world, made)); }, change);
+}
+
+}  // namespace playhouse::world

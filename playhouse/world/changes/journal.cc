@@ -5,7 +5,9 @@
 namespace playhouse::world {
 
 bool Journal::apply(const Change& change) {
-  return std::visit([this](const auto& made) { return static_cast<bool>(apply(made)); }, change);
+  const bool done = world::apply(world_, change);
+  if (done) entries_.push_back(change);
+  return done;
 }
 
 Result<ModelId> Journal::spawn(std::uint32_t prototype, const geom::Pose& X_WM, std::string name) {

@@ -605,4 +605,7 @@ using Change = std::variant<
     changes::StartControllers,
     changes::Load>;
 
+/// Applies any change; false if it cannot be.
+bool apply(World& world, const Change& change);
+
 }  // namespace playhouse::world
