@@ -20,6 +20,7 @@
 #include "playhouse/cluster/node.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/world/population/population.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::app {
 namespace {
@@ -208,6 +209,53 @@ TEST_F(ClusterTest, changes_between_ticks_reach_all_nodes) {
   act([&](const auto& change) { this->change(change); }, [&](int ticks) { step(*head_, ticks, hashes); });
   EXPECT_EQ(hashes, wanted);
   EXPECT_EQ(head_->nodes(), 2u);
+  const std::uint64_t hash = world().hash();
+  head_.reset();
+  ASSERT_TRUE(first.join()) << first.join().error().line();
+  EXPECT_EQ(first.world().hash(), hash);
+}
+
+/// Loads of a state while nobody ticks, and more changes than are sent one by one.
+TEST_F(ClusterTest, a_run_taken_back_is_so_on_all_nodes) {
+  std::shared_ptr<const Bytes> state;
+  const auto keep = [&](world::Journal& journal) {
+    Bytes bytes;
+    ASSERT_TRUE(world::save_state(journal.world(), bytes));
+    state = std::make_shared<const Bytes>(std::move(bytes));
+  };
+  const auto take_back = [&](world::Journal& journal) {
+    for (int time = 0; time < 20; ++time) ASSERT_TRUE(journal.load(state, journal.world().seed()));
+    journal.apply(world::changes::Place{journal.world().id(journal.world().find("a")), {1, 1, 0, 1}});
+  };
+  const auto change_much = [](world::Journal& journal) {
+    const world::ModelId b = journal.world().id(journal.world().find("b"));
+    for (int time = 0; time < 40000; ++time)
+      journal.apply(world::changes::Place{b, {4, 4 - 0.0001 * time, 0, 0}});
+  };
+  const auto act = [&](const auto& change, const auto& step) {
+    step(10);
+    change(keep);
+    step(30);
+    change(take_back);
+    step(30);
+    change(change_much);
+    step(120);
+  };
+  Instance alone(Instance::test_world());
+  Hashes wanted, hashes;
+  act(
+      [&](const auto& made) {
+        world::Journal journal(alone.engine->world());
+        made(journal);
+        journal.apply(world::changes::StartControllers{});
+      },
+      [&](int ticks) { step(*alone.engine, ticks, wanted); });
+  begin(2);
+  NodeThread first(head_, port_), second(head_, port_);
+  act([&](const auto& made) { this->change(made); }, [&](int ticks) { step(*head_, ticks, hashes); });
+  EXPECT_EQ(hashes, wanted);
+  EXPECT_EQ(head_->nodes(), 2u);
+  EXPECT_EQ(failure_, "");
   const std::uint64_t hash = world().hash();
   head_.reset();
   ASSERT_TRUE(first.join()) << first.join().error().line();

@@ -99,6 +99,39 @@ TEST(Rewind, brings_back_who_went_and_does_without_who_came) {
   EXPECT_EQ(part(run.hash_of_tick, 36, 80), part(first, 36, 80)) << "who does the same again gets the same";
 }
 
+/// Between two keyframes, with changes and clients that come and go: the truth is the first time.
+TEST(Rewind, goes_to_any_tick_with_what_was_done_until_then) {
+  Rewound run(2);
+  run.run_to(42);
+  const std::uint32_t prototype = run.world().models.desc[run.world().positions.model[0].index];
+  const world::ModelId robot = run.world().id(run.world().positions.model[0]);
+  const world::ModelId laser = run.world().id(run.world().rangers.model[0]);
+  run.change([&](world::Journal& journal) {
+    ASSERT_TRUE(journal.spawn(prototype, {1, 1, 0, 0.5}, "late"));
+    ASSERT_TRUE(journal.apply(world::changes::Subscribe{laser}));
+  });
+  run.run_to(45);
+  run.change([&](world::Journal& journal) {
+    ASSERT_TRUE(journal.apply(world::changes::Place{robot, {-1, 1, 0, 2}}));
+    ASSERT_TRUE(journal.apply(world::changes::Unsubscribe{laser}));
+  });
+  run.run_to(47);
+  run.change([&](world::Journal& journal) { ASSERT_TRUE(journal.despawn(robot)); });
+  run.run_to(83);
+  run.change([&](world::Journal& journal) {
+    ASSERT_TRUE(journal.apply(
+        world::changes::Say{journal.world().id(journal.world().find("late")), "left at this moment"}));
+  });
+  const auto first = run.hash_of_tick;
+  for (const std::uint64_t tick : {44, 41, 46, 43, 79, 48, 83, 44, 83})
+    EXPECT_EQ(run.again(tick, tick).at(tick), first.at(tick)) << tick;
+  EXPECT_EQ(run.world().models.say[run.world().find("late").index], "left at this moment");
+  run.run_to(90);
+  const auto on = run.hash_of_tick;
+  EXPECT_EQ(run.again(86, 90), part(on, 86, 90)) << "the moment that was left is a part of the run";
+  EXPECT_NE(run.again(44, 46).at(46), first.at(46)) << "from there nobody did anything";
+}
+
 TEST(Rewind, goes_another_way_where_somebody_does_something_else) {
   Rewound run(1);
   run.run_to(60);

@@ -32,11 +32,12 @@ class Packer {
   }
   void f32(float value) { u32(std::bit_cast<std::uint32_t>(value)); }
   void f64(double value) { u64(std::bit_cast<std::uint64_t>(value)); }
-  /// Length-prefixed text or bytes.
-  void text(std::string_view value) {
+  /// Length-prefixed.
+  void text(std::string_view value) { bytes(std::as_bytes(std::span(value))); }
+  /// Length-prefixed.
+  void bytes(std::span<const std::byte> value) {
     varint(value.size());
-    const auto bytes = std::as_bytes(std::span(value));
-    out_.insert(out_.end(), bytes.begin(), bytes.end());
+    out_.insert(out_.end(), value.begin(), value.end());
   }
   void varint(std::uint64_t value) {
     for (; value >= 0x80; value >>= 7) u8(static_cast<std::uint8_t>(value | 0x80));

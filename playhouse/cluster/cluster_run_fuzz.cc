@@ -23,10 +23,10 @@
 #include "playhouse/cluster/head.h"
 #include "playhouse/cluster/hello.h"
 #include "playhouse/cluster/node.h"
-#include "playhouse/record/whole_state.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/world/saving/saved_run.h"
 #include "playhouse/world/saving/sensed_rows.h"
+#include "playhouse/world/saving/whole_state.h"
 
 namespace {
 
@@ -88,7 +88,7 @@ void add(Bytes& stream, Type type, std::span<const std::byte> body) {
 Bytes step_of(bool with_state) {
   Bytes state, body;
   SharingEngine engine;
-  if (with_state) PLAYHOUSE_ASSERT(record::save_whole(engine.world(), state));
+  if (with_state) PLAYHOUSE_ASSERT(world::save_whole(engine.world(), state));
   cluster::encode(cluster::Step{{1, 2}, with_state, state, {}}, body);
   return body;
 }

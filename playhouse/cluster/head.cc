@@ -18,9 +18,9 @@
 #include "playhouse/base/packing.h"
 #include "playhouse/cluster/hello.h"
 #include "playhouse/net/fair_share.h"
-#include "playhouse/record/whole_state.h"
 #include "playhouse/world/changes/packed_change.h"
 #include "playhouse/world/saving/saved_run.h"
+#include "playhouse/world/saving/whole_state.h"
 
 namespace playhouse::cluster {
 namespace {
@@ -30,11 +30,12 @@ using Clock = std::chrono::steady_clock;
 /// Ticks between two checks. One costs the hashes of the world, and a share that is computed twice.
 constexpr std::uint64_t kCheckTicks = 100;
 
-constexpr int kPollMilliseconds = 50;          // between looks at stop()
-constexpr std::chrono::minutes kMaking{10};    // for a node to make its engine
-constexpr Seconds kLastMessages{1};            // for the last messages to all
-constexpr std::size_t kShareBytes = 16 << 20;  // of a share of any world
-constexpr double kSlowerNode = 10;             // times the head's own share: of a node that computes slower
+constexpr int kPollMilliseconds = 50;           // between looks at stop()
+constexpr std::chrono::minutes kMaking{10};     // for a node to make its engine
+constexpr Seconds kLastMessages{1};             // for the last messages to all
+constexpr std::size_t kShareBytes = 16 << 20;   // of a share of any world
+constexpr std::size_t kChangesBytes = 1 << 20;  // of changes between two ticks; above: a state
+constexpr double kSlowerNode = 10;              // times the head's own share: of a node that computes slower
 
 Seconds since(Clock::time_point start) {
   return Clock::now() - start;
@@ -196,7 +197,11 @@ void Head::wait_for_nodes() {
 
 void Head::changed(const world::World&, std::span<const world::Change> changes) {
   if (nodes_.empty()) return;
-  for (const world::Change& change : changes) world::pack(change, changes_);
+  for (const world::Change& change : changes) {
+    if (sends_state_) return;
+    sends_state_ = std::holds_alternative<world::changes::Load>(change) || changes_.size() > kChangesBytes;
+    if (!sends_state_) world::pack(change, changes_);
+  }
 }
 
 void Head::step() {
@@ -204,17 +209,29 @@ void Head::step() {
   admit();
   if (!nodes_.empty() || !joining_.empty()) send_steps();
   changes_.clear();
+  sends_state_ = false;
   engine_->divide(nodes_.empty() ? nullptr : this);
   engine_->step();
   drop_lost();
 }
 
+void Head::step_alone() {
+  engine_->divide(nullptr);
+  engine_->step();
+}
+
+bool Head::needs_state() const {
+  return !joining_.empty() || (sends_state_ && !nodes_.empty());
+}
+
 void Head::send_steps() {
   Bytes state;
-  if (!joining_.empty())
-    if (const Result<void> saved = record::save_whole(engine_->world(), state); !saved) {
+  if (needs_state())
+    if (const Result<void> saved = world::save_whole(engine_->world(), state); !saved) {
       for (const auto& node : joining_) lose(*node, saved.error().line());
       joining_.clear();
+      if (sends_state_)
+        for (const auto& node : nodes_) lose(*node, saved.error().line());
     }
   check_ = !failed_ && (!joining_.empty() || ticks_ % kCheckTicks == 0);
   ++ticks_;
@@ -225,14 +242,14 @@ void Head::send_steps() {
     nodes_.push_back(std::move(node));
   }
   joining_.clear();
-  state_bytes_ = state.size();
-  if (check_ || !changes_.empty()) bound_shares();
-  const std::size_t bytes = nodes_.size() * (state.size() + changes_.size());
-  const Until end = until(options_.patience, bytes, &stopped_);
+  step_bytes_ = std::max(state.size(), changes_.size());
+  if (check_ || step_bytes_ > 0) bound_shares();
+  const Until end = until(options_.patience, nodes_.size() * step_bytes_, &stopped_);
   for (std::size_t index = 0; index < nodes_.size(); ++index) {
     Node& node = *nodes_[index];
+    if (node.lost) continue;
     Step step{share_of(index), check_, {}, {}};
-    if (node.is_new) {
+    if (node.is_new || sends_state_) {
       step.state = state;
     } else {
       step.changes = changes_;
@@ -268,10 +285,10 @@ void Head::run(world::DividedWork& work) {
 }
 
 /// One end for the exchange with all nodes, whatever they send meanwhile: a node holds no tick for longer.
-/// The head's own share took `own` and has so many bytes; a node that is new loads the state first.
+/// The head's own share took `own` and has so many bytes; what a node reads before is counted as well.
 void Head::expect_shares(Seconds own, std::size_t bytes) {
   const std::size_t exchanged = bytes * nodes_.size() * nodes_.size();
-  end_ = until(options_.patience + own * kSlowerNode, exchanged + state_bytes_, &stopped_);
+  end_ = until(options_.patience + own * kSlowerNode, exchanged + step_bytes_, &stopped_);
 }
 
 /// Waits until each node has shared its results or is lost.

@@ -48,6 +48,7 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   std::size_t nodes() const { return nodes_.size(); }
 
   void step() override;
+  void step_alone() override;
   world::World& world() override { return engine_->world(); }
   world::Workers& workers() override { return engine_->workers(); }
   std::uint64_t rays() const override { return engine_->rays(); }
@@ -82,6 +83,7 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   int quarantine_of(const std::string& network) const;
   void join(Pending& pending);
   void wait_for_nodes();
+  bool needs_state() const;
   void send_steps();
   void gather(world::DividedWork& work);
   void receive_share(world::DividedWork& work, std::size_t index);
@@ -107,13 +109,14 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   std::vector<std::unique_ptr<Node>> nodes_, joining_;  // joining_ take part from the next tick on
   std::shared_ptr<const Bytes> world_;                  // the body of a message kWorld
   std::map<std::string, std::chrono::steady_clock::time_point>
-      silenced_;                 // networks of nodes that were silent
-  Bytes changes_;                // since the last tick, packed; none are kept without nodes
-  std::uint64_t ticks_ = 0;      // with nodes
-  bool check_ = false;           // in this tick
-  std::size_t state_bytes_ = 0;  // sent in this tick to a node that is new
-  Until end_{};                  // of the exchange of results in this tick
-  Hashes hashes_;                // at the check
+      silenced_;                // networks of nodes that were silent
+  Bytes changes_;               // since the last tick, packed; none are kept without nodes
+  bool sends_state_ = false;    // instead of the changes since the last tick
+  std::uint64_t ticks_ = 0;     // with nodes
+  bool check_ = false;          // in this tick
+  std::size_t step_bytes_ = 0;  // most that a node has to read before it computes this tick
+  Until end_{};                 // of the exchange of results in this tick
+  Hashes hashes_;               // at the check
 };
 
 }  // namespace playhouse::cluster

@@ -8,8 +8,8 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/packing.h"
 #include "playhouse/cluster/hello.h"
-#include "playhouse/record/whole_state.h"
 #include "playhouse/world/changes/packed_change.h"
+#include "playhouse/world/saving/whole_state.h"
 
 namespace playhouse::cluster {
 namespace {
@@ -60,7 +60,7 @@ Result<bool> Node::join(const EngineMaker& make) {
 Result<void> Node::prepare(const Step& step) {
   world::World& world = engine_->world();
   if (!step.state.empty())
-    if (const Result<void> loaded = record::load_whole(world, step.state); !loaded)
+    if (const Result<void> loaded = world::load_whole(world, step.state); !loaded)
       return Error{"", "sent a state that " + loaded.error().text};
   for (Unpacker in(step.changes); !in.at_end();) {
     const Result<world::Change> change = world::unpack_change(in);

@@ -12,9 +12,10 @@
 namespace playhouse::cluster {
 
 struct Step {
-  world::Share share;                  // of this node
-  bool check = false;                  // its Share has the hashes of its world
-  std::span<const std::byte> state;    // record::save_whole() of the world, for a node that joins; or empty
+  world::Share share;  // of this node
+  bool check = false;  // its Share has the hashes of its world
+  /// The world (world/saving/whole_state.h), for a node that joins, after a load, and in place of many changes.
+  std::span<const std::byte> state;
   std::span<const std::byte> changes;  // since the last tick, in order (world/changes/packed_change.h)
 };
 

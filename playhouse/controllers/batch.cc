@@ -131,22 +131,28 @@ void Batch::hash(const World& world, Hash& hash) const {
 }
 
 Result<void> Batch::save(Packer& out) const {
+  std::vector<std::byte> memory;  // of one robot
   out.varint(ids_.size());
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     out.u32(ids_[i].value);
-    if (const Result<void> saved = save_of(i, out); !saved) return saved;
+    memory.clear();
+    Packer packer(memory);
+    if (const Result<void> saved = save_of(i, packer); !saved) return saved;
+    out.bytes(memory);
   }
   return {};
 }
 
-bool Batch::load(World&, Unpacker& in) {
+/// Skips the memory of a robot whose controller could not be started again: it runs without one.
+bool Batch::load(World& world, Unpacker& in) {
   std::map<ModelId, std::size_t> places;
   for (std::size_t i = 0; i < ids_.size(); ++i) places[ids_[i]] = i;
-  if (in.varint() != ids_.size()) return false;
-  for (std::size_t n = 0; n < ids_.size(); ++n) {
+  for (std::uint64_t left = in.varint(); left > 0; --left) {
     const auto place = places.find({in.u32()});
-    if (!in.ok() || place == places.end()) return false;
-    if (!load_of(place->second, in)) return false;
+    Unpacker memory(in.bytes(in.varint()));
+    if (!in.ok()) return false;
+    if (place == places.end()) continue;
+    if (!load_of(world, place->second, memory) || !memory.at_end()) return false;
     places.erase(place);
   }
   return true;

@@ -65,7 +65,7 @@ class Batch : public world::Decider {
   /// Memory of robot i.
   virtual void hash_of(std::size_t i, Hash& hash) const = 0;
   virtual Result<void> save_of(std::size_t i, Packer& out) const = 0;
-  virtual bool load_of(std::size_t i, Unpacker& in) = 0;
+  virtual bool load_of(world::World& world, std::size_t i, Unpacker& in) = 0;
 
  private:
   void follow_population(world::World& world, std::uint64_t first, bool reload);
@@ -105,7 +105,7 @@ class BatchOf : public Batch {
     });
     return {};
   }
-  bool load_of(std::size_t i, Unpacker& in) final {
+  bool load_of(world::World&, std::size_t i, Unpacker& in) final {
     bool good = true;
     each_column([&](auto& column) {
       using Number = std::remove_cvref_t<decltype(column[i])>;

@@ -85,7 +85,8 @@ class Controller {
   /// makes runs with this controller impossible to save, which is reported with its name.
   virtual bool save(std::string& memory) const { return static_cast<void>(memory), false; }
   /// Restores what save() wrote, after start(), maybe in
-  /// another process. Throw a std::exception on invalid data.
+  /// another process. Throw a std::exception on invalid data: the controller is then
+  /// ended, as one that throws elsewhere, and the state is loaded.
   virtual void load(std::string_view memory) { static_cast<void>(memory); }
 };
 

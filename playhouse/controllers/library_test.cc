@@ -13,6 +13,7 @@
 #include "playhouse/base/testing_folder.h"
 #include "playhouse/controllers/attach.h"
 #include "playhouse/controllers/testing/scenes.h"
+#include "playhouse/world/saving/state.h"
 
 namespace playhouse::controllers {
 namespace {
@@ -159,6 +160,19 @@ TEST(Loaded, tells_what_was_thrown_in_one_line) {
   EXPECT_EQ(std::ranges::count(log, '\n'), 2) << "one line for each of the two robots:\n" << log;
   EXPECT_THAT(log, HasSubstr("controller \"probe\" of \"r1\" ended: lost\\x0a[error] a forged line\n"));
   EXPECT_THAT(Fixture("probe refuse_forging").error, EndsWith(": wants\\x0a[error] a forged line"));
+}
+
+TEST(Loaded, that_cannot_remember_is_ended_with_one_line_and_the_state_is_loaded) {
+  Fixture f("probe forget");
+  f.tick();
+  EXPECT_EQ(f.world.positions.command[1].x, 0.5);
+  std::vector<std::byte> state;
+  ASSERT_TRUE(world::save_state(f.world, state).ok());
+  const std::string log = logged([&] { EXPECT_TRUE(world::load_state(f.world, state).ok()); });
+  EXPECT_EQ(std::ranges::count(log, '\n'), 2) << "one line for each of the two robots:\n" << log;
+  EXPECT_THAT(log, HasSubstr("controller \"probe\" of \"r1\" ended: remembers nothing\n"));
+  f.tick();
+  EXPECT_EQ(f.world.positions.command[1], geom::Twist{}) << "it is not called again";
 }
 
 TEST(Library, of_another_version_is_refused) {

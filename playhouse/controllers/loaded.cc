@@ -211,14 +211,17 @@ Result<void> Loaded::save_of(std::size_t i, Packer& out) const {
   return {};
 }
 
-bool Loaded::load_of(std::size_t i, Unpacker& in) {
+bool Loaded::load_of(World& world, std::size_t i, Unpacker& in) {
   Seat& seat = *seats_[i];
   seat.ended = in.u8() != 0;
   if (in.varint() != seat.seen.size()) return false;
   for (std::uint64_t& tick : seat.seen) tick = in.u64();
   const std::string memory = in.text();
-  std::string why;
-  return in.ok() && !thrown_by(why, [&] { seat.controller->load(memory); });
+  if (!in.ok()) return false;
+  std::string text;
+  const char* const why = thrown_by(text, [&] { seat.controller->load(memory); });
+  if (why != nullptr && !seat.ended) end(world, seat, why);
+  return true;
 }
 
 }  // namespace playhouse::controllers

@@ -50,7 +50,8 @@ class Loaded final : public Batch {
   /// A controller's memory is part of the hash if it implements save().
   void hash_of(std::size_t i, Hash& hash) const override;
   Result<void> save_of(std::size_t i, Packer& out) const override;
-  bool load_of(std::size_t i, Unpacker& in) override;
+  /// A controller that throws at its own memory is ended as one that throws in decide().
+  bool load_of(world::World& world, std::size_t i, Unpacker& in) override;
 
   bool remember(const Seat& seat, std::string& memory, std::string& why) const;
   static void find_rows(const world::World& world, Seat& seat);

@@ -8,12 +8,12 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/record/sensor_messages.h"
-#include "playhouse/record/whole_state.h"
 #include "playhouse/replicate/views.h"
 #include "playhouse/world/changes/packed_change.h"
 #include "playhouse/world/periods.h"
 #include "playhouse/world/saving/saved_run.h"
 #include "playhouse/world/saving/state.h"
+#include "playhouse/world/saving/whole_state.h"
 
 namespace playhouse::record {
 namespace {
@@ -128,9 +128,13 @@ std::optional<std::uint16_t> Recorder::channel_of(const std::string& topic, cons
 
 void Recorder::put_message(const world::World& world, const std::string& topic, const std::string& schema,
                            const Bytes& body, std::uint64_t ago) {
+  put_message_at(world.time_of(world.tick() - ago), topic, schema, body, ago);
+}
+
+void Recorder::put_message_at(double time, const std::string& topic, const std::string& schema,
+                              const Bytes& body, std::uint64_t ago) {
   const std::optional<std::uint16_t> channel = channel_of(topic, schema);
   if (!channel) return;
-  const double time = world.time_of(world.tick() - ago);
   const auto published = static_cast<std::uint64_t>(std::llround(time * 1e9));
   put(out_, Message{*channel, sequence_[*channel]++, ns(ago), published, body});
 }
@@ -322,7 +326,7 @@ void Recorder::record_change(const world::World& world, const world::Change& cha
   message.text(label_of(world, model));
   message.text(world::fields_text(change));
   message.bytes(packed);
-  put_message(world, kChangesTopic, kChange, message.message());
+  put_message_at(world.time_of(tick_), kChangesTopic, kChange, message.message());
   if (const auto* const load = std::get_if<world::changes::Load>(&change))
     tick_ = world::tick_of(*load->state);
 }
@@ -357,7 +361,7 @@ void Recorder::record_state(const world::World& world) {
   last_state_ = steps_;
   if (!runs_again_) return;
   state_.clear();
-  if (const Result<void> saved = save_whole(world, state_); !saved) return give_up(saved.error());
+  if (const Result<void> saved = world::save_whole(world, state_); !saved) return give_up(saved.error());
   CdrWriter message;
   message.number(world.tick());
   message.bytes(state_);

@@ -96,6 +96,9 @@ class Recorder final : public run::Follower {
   std::optional<std::uint16_t> channel_of(const std::string& topic, const std::string& schema);
   void put_message(const world::World& world, const std::string& topic, const std::string& schema,
                    const Bytes& body, std::uint64_t ago = 0);
+  /// The same with a time of the world. [s]
+  void put_message_at(double time, const std::string& topic, const std::string& schema, const Bytes& body,
+                      std::uint64_t ago = 0);
   /// Time of the file, so many ticks ago. [ns]
   std::uint64_t ns(std::uint64_t ago = 0) const;
   void give_up(const Error& why);

@@ -9,8 +9,8 @@
 #include "playhouse/record/cdr.h"
 #include "playhouse/record/messages.h"
 #include "playhouse/record/recorder.h"
-#include "playhouse/record/whole_state.h"
 #include "playhouse/world/changes/packed_change.h"
+#include "playhouse/world/saving/whole_state.h"
 
 namespace playhouse::record {
 namespace {
@@ -95,7 +95,7 @@ Rerun::Rerun(const Recording& recording, std::unique_ptr<world::Engine> engine)
     : recording_(&recording), engine_(std::move(engine)) {}
 
 Result<void> Rerun::load(const Recording::State& state) {
-  const Result<void> loaded = load_whole(world(), state.bytes.unpacked());
+  const Result<void> loaded = world::load_whole(world(), state.bytes.unpacked());
   if (!loaded) return Error{{}, "the recorded state " + loaded.error().text};
   next_ = state.items;
   return {};

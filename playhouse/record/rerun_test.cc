@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "playhouse/record/whole_state.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/world/changes/journal.h"
 #include "playhouse/world/changes/packed_change.h"
+#include "playhouse/world/saving/whole_state.h"
 
 namespace playhouse::record {
 namespace {
@@ -46,15 +46,16 @@ class RerunTest : public testing::Test {
   void keep_state() {
     Recording::State state{engine_.world().tick(), recording_.items.size(), {}};
     Bytes bytes;
-    ASSERT_TRUE(save_whole(engine_.world(), bytes));
+    ASSERT_TRUE(world::save_whole(engine_.world(), bytes));
     state.bytes = PackedBytes(bytes);
     recording_.states.push_back(state);
   }
   void happen(const world::Change& change) {
+    const std::uint64_t tick = engine_.world().tick();
     ASSERT_TRUE(world::Journal(engine_.world()).apply(change));
     Bytes packed;
     world::pack(change, packed);
-    recording_.items.push_back({engine_.world().tick(), PackedBytes(packed), 0, 0});
+    recording_.items.push_back({tick, PackedBytes(packed), 0, 0});
   }
   void check() {
     const world::World& world = engine_.world();
@@ -83,6 +84,23 @@ TEST_F(RerunTest, does_what_was_recorded) {
   EXPECT_EQ(again->world().hash(), engine_.world().hash());
   EXPECT_EQ(again->world().models.subscribers, engine_.world().models.subscribers);
   EXPECT_EQ(again->checks(), 1u);
+}
+
+/// The truth is the world that was loaded and went on.
+TEST_F(RerunTest, goes_back_where_the_run_was_taken_back) {
+  Bytes whole = recording_.states[1].bytes.unpacked();
+  const std::span<const std::byte> state = world::state_of(whole);
+  happen(world::changes::Load{1, std::make_shared<const std::vector<std::byte>>(state.begin(), state.end())});
+  EXPECT_EQ(engine_.world().tick(), 10u);
+  happen(world::changes::Spawn{0, {5, 5, 0, 0}, "again", 77});
+  for (int tick = 0; tick < 5; ++tick) engine_.step();
+  check();
+  const auto again = rerun();
+  run(*again);
+  EXPECT_FALSE(again->differs()) << *again->differs();
+  EXPECT_EQ(again->checks(), 2u);
+  EXPECT_EQ(again->world().tick(), 15u);
+  EXPECT_EQ(again->world().id(again->world().find("again")), world::ModelId{77});
 }
 
 TEST_F(RerunTest, goes_to_any_moment_and_on_from_there) {

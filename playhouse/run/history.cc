@@ -1,11 +1,13 @@
 #include "playhouse/run/history.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "playhouse/base/assert.h"
+#include "playhouse/world/changes/packed_change.h"
 #include "playhouse/world/periods.h"
-#include "playhouse/world/saving/state.h"
+#include "playhouse/world/saving/whole_state.h"
 
 namespace playhouse::run {
 namespace {
@@ -22,83 +24,137 @@ History::History(double interval, std::function<double()> clock, std::size_t mos
       most_bytes_(most_bytes) {}
 
 void History::record(const world::World& world) {
-  if (!instants_.empty() && world.tick() % period_ != 0) return;
-  if (clock_() >= rest_until_) take(world);
-}
-
-void History::take(const world::World& world) {
-  const auto later = std::ranges::lower_bound(instants_, world.tick(), {}, &Instant::tick);
-  if (given_up_ || (later != instants_.end() && later->tick == world.tick())) return;
-  const double start = clock_();
-  std::vector<std::byte> state;
-  if (!instants_.empty()) state.reserve(instants_.back().state->size() * 9 / 8);
-  const Result<void> saved = world::save_state(world, state);
-  const double end = clock_();
-  rest_until_ = end + kRest * (end - start);
-  std::string why_none = saved ? std::string() : saved.error().line();
-  if (state.size() > most_bytes_) why_none = "a state of it is too large to be kept";
-  if (std::exchange(why_none_, std::move(why_none)) != why_none_) timeline_.reset();
-  if (!why_none_.empty()) return;
-  state.shrink_to_fit();
-  bytes_ += state.size();
-  instants_.insert(later, {world.tick(), std::make_shared<const std::vector<std::byte>>(std::move(state))});
+  if (!keyframes_.empty() && world.tick() % period_ != 0) return;
+  if (clock_() < rest_until_) return;
+  std::optional<Moment> moment = save(world);
+  if (!moment) return;
+  bytes_ += moment->whole->size();
+  keyframes_.push_back(*std::move(moment));
   timeline_.reset();
   make_room();
 }
 
+/// None: `why_none_` is set.
+std::optional<History::Moment> History::save(const world::World& world) {
+  const double start = clock_();
+  std::vector<std::byte> whole;
+  if (!keyframes_.empty()) whole.reserve(keyframes_.back().whole->size() * 9 / 8);
+  const Result<void> saved = world::save_whole(world, whole);
+  const double end = clock_();
+  rest_until_ = end + kRest * (end - start);
+  std::string why_none = saved ? std::string() : saved.error().line();
+  if (whole.size() > most_bytes_) why_none = "a state of it is too large to be kept";
+  if (std::exchange(why_none_, std::move(why_none)) != why_none_) timeline_.reset();
+  if (!why_none_.empty()) return std::nullopt;
+  whole.shrink_to_fit();
+  return Moment{world.tick(), std::make_shared<const std::vector<std::byte>>(std::move(whole))};
+}
+
+void History::changed(std::span<const world::Change> changes) {
+  for (const world::Change& change : changes) {
+    if (std::holds_alternative<world::changes::Load>(change)) {
+      new_changes_.clear();
+    } else if (!keyframes_.empty()) {
+      world::pack(change, new_changes_);
+    }
+  }
+  if (changed_ + new_changes_.size() > most_bytes_ / 2) make_room();
+}
+
+void History::continue_from(std::uint64_t tick) {
+  if (present_) bytes_ -= present_->whole->size();
+  if (std::exchange(present_, std::nullopt)) timeline_.reset();
+  while (!keyframes_.empty() && keyframes_.back().tick > tick) drop(keyframes_.size() - 1);
+  for (; !changes_.empty() && changes_.back().tick >= tick; changes_.pop_back())
+    changed_ -= changes_.back().packed.size();
+  if (new_changes_.empty()) return;
+  changed_ += new_changes_.size();
+  changes_.push_back({tick, std::exchange(new_changes_, {})});
+}
+
+void History::leave(const world::World& world) {
+  if (present_ || keyframes_.empty()) return;
+  present_ = save(world);
+  if (!present_) return;
+  bytes_ += present_->whole->size();
+  present_changes_ = std::exchange(new_changes_, {});
+  timeline_.reset();
+}
+
+void History::arrive(std::uint64_t tick) {
+  new_changes_.clear();
+  if (present_ && present_->tick == tick) new_changes_ = present_changes_;
+}
+
+std::uint64_t History::nearest(std::uint64_t tick) const {
+  const std::uint64_t last = present_ ? present_->tick : keyframes_.back().tick;
+  return std::clamp(tick, keyframes_.front().tick, last);
+}
+
+const History::Moment& History::before(std::uint64_t tick) const {
+  if (present_ && tick >= present_->tick) return *present_;
+  const auto later = std::ranges::upper_bound(keyframes_, tick, {}, &Moment::tick);
+  return later == keyframes_.begin() ? keyframes_.front() : *std::prev(later);
+}
+
+std::span<const std::byte> History::changes_at(std::uint64_t tick) const {
+  const auto found = std::ranges::lower_bound(changes_, tick, {}, &Changes::tick);
+  if (found == changes_.end() || found->tick != tick) return {};
+  return found->packed;
+}
+
 void History::make_room() {
-  const std::uint64_t newest = instants_.back().tick;
-  while (instants_.front().tick + span_ < newest) drop(0);
-  while (bytes_ > most_bytes_) {
+  const std::uint64_t newest = keyframes_.back().tick;
+  while (keyframes_.front().tick + span_ < newest) drop_first();
+  // Changes have half of the room at most: keyframes between them do not make them fewer.
+  while (changed_ + new_changes_.size() > most_bytes_ / 2) {
+    if (keyframes_.size() == 1) return clear();
+    drop_first();
+  }
+  while (bytes_ + changed_ > most_bytes_ && keyframes_.size() > 1) {
     // Drops the keyframe that leaves the smallest gap relative to its age; keeps the first and the last.
     std::size_t least_missed = 0;
     double least = INFINITY;
-    for (std::size_t i = 1; i + 1 < instants_.size(); ++i) {
-      const auto gap = static_cast<double>(instants_[i + 1].tick - instants_[i - 1].tick);
-      const auto age = static_cast<double>(newest - instants_[i].tick);
+    for (std::size_t i = 1; i + 1 < keyframes_.size(); ++i) {
+      const auto gap = static_cast<double>(keyframes_[i + 1].tick - keyframes_[i - 1].tick);
+      const auto age = static_cast<double>(newest - keyframes_[i].tick);
       if (gap / age >= least) continue;
       least = gap / age;
       least_missed = i;
     }
-    drop(least_missed);
+    least_missed == 0 ? drop_first() : drop(least_missed);
   }
 }
 
 void History::drop(std::size_t place) {
-  bytes_ -= instants_[place].state->size();
-  instants_.erase(instants_.begin() + static_cast<std::ptrdiff_t>(place));
+  bytes_ -= keyframes_[place].whole->size();
+  keyframes_.erase(keyframes_.begin() + static_cast<std::ptrdiff_t>(place));
   timeline_.reset();
 }
 
-std::shared_ptr<const std::vector<std::byte>> History::nearest(std::uint64_t tick) const {
-  PLAYHOUSE_ASSERT(!instants_.empty());
-  const auto later = std::ranges::lower_bound(instants_, tick, {}, &Instant::tick);
-  if (later == instants_.begin()) return later->state;
-  const auto earlier = later - 1;
-  const bool is_later = later != instants_.end() && later->tick - tick < tick - earlier->tick;
-  return is_later ? later->state : earlier->state;
-}
-
-void History::drop_after(std::uint64_t tick) {
-  while (!instants_.empty() && instants_.back().tick > tick) drop(instants_.size() - 1);
+/// With the changes up to the next one.
+void History::drop_first() {
+  drop(0);
+  while (!changes_.empty() && (keyframes_.empty() || changes_.front().tick < keyframes_.front().tick)) {
+    changed_ -= changes_.front().packed.size();
+    changes_.pop_front();
+  }
 }
 
 void History::clear() {
-  instants_.clear();
-  bytes_ = 0;
+  keyframes_.clear();
+  changes_.clear();
+  present_.reset();
+  new_changes_.clear();
+  bytes_ = changed_ = 0;
   timeline_.reset();
-}
-
-void History::give_up(std::string why) {
-  given_up_ = true;
-  why_none_ = std::move(why);
-  clear();
 }
 
 std::shared_ptr<const world::Timeline> History::timeline() {
   if (timeline_) return timeline_;
   auto timeline = std::make_shared<world::Timeline>();
-  for (const Instant& instant : instants_) timeline->ticks.push_back(instant.tick);
+  for (const Moment& moment : keyframes_) timeline->ticks.push_back(moment.tick);
+  if (present_ && present_->tick > timeline->ticks.back()) timeline->ticks.push_back(present_->tick);
   timeline->why_none = why_none_;
   return timeline_ = std::move(timeline);
 }

@@ -1,64 +1,87 @@
 #pragma once
 
-/// History: keyframes of the last minutes of a run, for Simulation::rewind(). One
-/// every kHistoryPeriodSeconds, of the last kHistorySeconds, within kHistoryBytes
-/// (base/limits.h): when full, old keyframes are thinned out, so that spacing
-/// grows with age. Recording takes at most a hundredth of wall time. Thread: tick.
+/// History: what the last minutes of a run can be repeated from, for Simulation::rewind_to(): keyframes, and
+/// the changes between the ticks. A keyframe every kHistoryPeriodSeconds, of the last kHistorySeconds; all
+/// together within kHistoryBytes (base/limits.h): when full, old keyframes are thinned out, so that spacing
+/// grows with age. Taking them costs at most a hundredth of wall time. Thread: tick.
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "playhouse/base/limits.h"
 #include "playhouse/world/control.h"
+#include "playhouse/world/generated/changes.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::run {
 
 class History {
  public:
-  /// `interval` is one tick [s], `clock` is monotonic [s], `most_bytes` the limit on all states.
+  /// A state of the run (world/saving/whole_state.h).
+  struct Moment {
+    std::uint64_t tick = 0;
+    std::shared_ptr<const std::vector<std::byte>> whole;
+  };
+
+  /// `interval` is one tick [s], `clock` is monotonic [s], `most_bytes` the limit on all that is kept.
   History(double interval, std::function<double()> clock, std::size_t most_bytes = limits::kHistoryBytes);
 
   /// Takes a keyframe if one is due. Call it after each tick.
   void record(const world::World& world);
-  /// Takes a keyframe, unless there is one of this tick.
-  void take(const world::World& world);
+  /// Keeps the changes that were made after the present tick, if there are keyframes. After a `Load` those
+  /// before it are not of this run.
+  void changed(std::span<const world::Change> changes);
+  /// The run goes on from this tick: what lies after it is of another run, and dropped. Call it before each
+  /// tick.
+  void continue_from(std::uint64_t tick);
 
-  bool empty() const { return instants_.empty(); }
-  /// The keyframe nearest to a tick, the earlier one of
-  /// two. There must be one.
-  std::shared_ptr<const std::vector<std::byte>> nearest(std::uint64_t tick) const;
-  /// Drops keyframes after a tick, as the run continues differently from there.
-  void drop_after(std::uint64_t tick);
-  /// Drops all keyframes: a new run begins.
+  /// Before the run is taken back: keeps its present state as the last one, until it goes on.
+  void leave(const world::World& world);
+  /// The run was taken back or forth to this tick.
+  void arrive(std::uint64_t tick);
+
+  bool empty() const { return keyframes_.empty(); }
+  /// The tick nearest to this one that the run can be taken to. There must be keyframes.
+  std::uint64_t nearest(std::uint64_t tick) const;
+  /// The last state at or before such a tick.
+  const Moment& before(std::uint64_t tick) const;
+  /// The changes made between this tick and the next, packed (world/changes/packed_change.h).
+  std::span<const std::byte> changes_at(std::uint64_t tick) const;
+
+  /// Drops all: a new run begins.
   void clear();
-  /// Drops all keyframes and takes no more.
-  void give_up(std::string why);
 
   /// The list of keyframes for viewers; a new object after each change. Never null.
   std::shared_ptr<const world::Timeline> timeline();
 
  private:
-  struct Instant {
+  struct Changes {
     std::uint64_t tick = 0;
-    std::shared_ptr<const std::vector<std::byte>> state;
+    std::vector<std::byte> packed;
   };
+  std::optional<Moment> save(const world::World& world);
   void make_room();
   void drop(std::size_t place);
+  void drop_first();
 
   const std::uint64_t period_, span_;  // ticks
   const std::function<double()> clock_;
   const std::size_t most_bytes_;
-  std::vector<Instant> instants_;  // by tick
-  std::size_t bytes_ = 0;
+  std::vector<Moment> keyframes_;           // by tick, each without the changes of its tick
+  std::deque<Changes> changes_;             // by tick, from the first keyframe on
+  std::optional<Moment> present_;           // with the changes of its tick; none: the run was not taken back
+  std::vector<std::byte> new_changes_;      // since the last tick
+  std::vector<std::byte> present_changes_;  // those in present_
+  std::size_t bytes_ = 0, changed_ = 0;     // of keyframes and present_, of changes_ [B]
   double rest_until_ = 0;  // wall clock: a hundred times the cost of the last keyframe has passed
   std::string why_none_;   // empty: keyframes can be taken
-  bool given_up_ = false;
   std::shared_ptr<const world::Timeline> timeline_;  // null: outdated
 };
 

@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "playhouse/run/testing/still_engine.h"
+#include "playhouse/world/changes/packed_change.h"
 #include "playhouse/world/decider.h"
-#include "playhouse/world/saving/state.h"
+#include "playhouse/world/saving/whole_state.h"
 
 namespace playhouse::run {
 namespace {
@@ -15,24 +18,36 @@ using Ticks = std::vector<std::uint64_t>;
 
 constexpr std::uint64_t kSecond = 10;  // ticks
 
-/// A world whose states all have one size, its history, and a clock that stands.
+/// A world whose states all have one size, its history, and a clock that is stopped.
 class HistoryTest : public ::testing::Test {
  protected:
   void run_to(History& history, std::uint64_t tick) {
     while (world_.tick() < tick) {
+      history.continue_from(world_.tick());
       ++world_.tick_;
       history.record(world_);
     }
   }
   std::size_t state_bytes() const {
     std::vector<std::byte> state;
-    EXPECT_TRUE(world::save_state(world_, state));
+    EXPECT_TRUE(world::save_whole(world_, state));
     return state.size();
   }
-  std::uint64_t nearest(const History& history, std::uint64_t tick) {
+  std::uint64_t before(const History& history, std::uint64_t tick) {
     world::World world(scene_, 1);
-    EXPECT_TRUE(world::load_state(world, *history.nearest(tick)));
+    EXPECT_TRUE(world::load_whole(world, *history.before(tick).whole));
+    EXPECT_EQ(world.tick(), history.before(tick).tick);
     return world.tick();
+  }
+  static std::vector<std::string> said_at(const History& history, std::uint64_t tick) {
+    std::vector<std::string> said;
+    for (Unpacker in(history.changes_at(tick)); !in.at_end();)
+      said.push_back(std::get<world::changes::Say>(*world::unpack_change(in)).text);
+    return said;
+  }
+  static void say(History& history, const std::string& text) {
+    const world::Change change = world::changes::Say{{0}, text};
+    history.changed({&change, 1});
   }
 
   scene::SceneDesc scene_ = testing::scene_of("interval_sim 100\nposition( name \"r0\" )\n");
@@ -50,15 +65,64 @@ TEST_F(HistoryTest, has_an_instant_at_once_and_then_every_whole_second) {
   EXPECT_EQ(history.timeline()->why_none, "");
 }
 
-TEST_F(HistoryTest, gives_the_state_of_the_nearest_instant) {
+TEST_F(HistoryTest, has_the_last_keyframe_before_each_tick) {
   History history(scene_.interval, clock_);
-  run_to(history, 30);
+  run_to(history, 33);
   EXPECT_EQ(history.timeline()->ticks, (Ticks{1, 10, 20, 30}));
-  EXPECT_EQ(nearest(history, 0), 1u);
-  EXPECT_EQ(nearest(history, 10), 10u);
-  EXPECT_EQ(nearest(history, 15), 10u);
-  EXPECT_EQ(nearest(history, 16), 20u);
-  EXPECT_EQ(nearest(history, 4000), 30u);
+  history.leave(world_);
+  EXPECT_EQ(history.timeline()->ticks, (Ticks{1, 10, 20, 30, 33}));
+  for (const auto& [tick, nearest, keyframe] : std::vector<std::array<std::uint64_t, 3>>{
+           {0, 1, 1}, {10, 10, 10}, {19, 19, 10}, {20, 20, 20}, {32, 32, 30}, {33, 33, 33}, {4000, 33, 33}}) {
+    EXPECT_EQ(history.nearest(tick), nearest) << tick;
+    EXPECT_EQ(before(history, nearest), keyframe) << tick;
+  }
+}
+
+TEST_F(HistoryTest, has_the_changes_between_ticks_of_the_run_that_went_on) {
+  History history(scene_.interval, clock_);
+  say(history, "before there is anything to repeat");
+  run_to(history, 5);
+  EXPECT_THAT(said_at(history, 0), ElementsAre());
+  say(history, "a");
+  say(history, "b");
+  run_to(history, 12);
+  say(history, "c");
+  EXPECT_THAT(said_at(history, 5), ElementsAre("a", "b"));
+  EXPECT_THAT(said_at(history, 12), ElementsAre()) << "the run has not gone on";
+
+  history.leave(world_);
+  world_.tick_ = 7;
+  history.arrive(7);
+  say(history, "dropped, for the run goes forth again");
+  world_.tick_ = 12;
+  history.arrive(12);
+  run_to(history, 13);
+  EXPECT_THAT(said_at(history, 7), ElementsAre());
+  EXPECT_THAT(said_at(history, 12), ElementsAre("c")) << "which the state that was left has had";
+
+  history.leave(world_);
+  world_.tick_ = 5;
+  history.arrive(5);
+  say(history, "d");
+  run_to(history, 6);
+  EXPECT_THAT(said_at(history, 5), ElementsAre("d"));
+  EXPECT_THAT(said_at(history, 12), ElementsAre());
+}
+
+TEST_F(HistoryTest, keeps_changes_within_half_of_its_room) {
+  constexpr std::size_t kRoom = 20;
+  const std::string line(state_bytes() / 2, 'x');
+  History history(scene_.interval, clock_, kRoom * state_bytes());
+  for (std::uint64_t tick = 1; tick < 100; ++tick) {
+    run_to(history, tick);
+    say(history, line);
+    ASSERT_FALSE(history.empty());
+    ASSERT_GE(history.timeline()->ticks.front() + 20, tick);
+  }
+  for (int line_of_one_tick = 0; line_of_one_tick < 22; ++line_of_one_tick) say(history, line);
+  EXPECT_TRUE(history.empty()) << "there is nothing to go back to from a tick with more";
+  run_to(history, 101);
+  EXPECT_EQ(history.timeline()->ticks, (Ticks{100}));
 }
 
 TEST_F(HistoryTest, of_any_length_has_the_last_minutes_alone) {
@@ -92,22 +156,13 @@ TEST_F(HistoryTest, without_room_is_sparser_the_longer_ago) {
 TEST_F(HistoryTest, forgets_what_lies_after_a_tick) {
   History history(scene_.interval, clock_);
   run_to(history, 30);
-  history.drop_after(20);
+  history.continue_from(20);
   EXPECT_EQ(history.timeline()->ticks, (Ticks{1, 10, 20}));
-  history.drop_after(19);
+  history.continue_from(19);
   EXPECT_EQ(history.timeline()->ticks, (Ticks{1, 10}));
   world_.tick_ = 10;
   run_to(history, 20);
   EXPECT_EQ(history.timeline()->ticks, (Ticks{1, 10, 20}));
-}
-
-TEST_F(HistoryTest, takes_a_moment_out_of_turn_in_its_place_and_once) {
-  History history(scene_.interval, clock_);
-  run_to(history, 20);
-  world_.tick_ = 13;
-  history.take(world_);
-  history.take(world_);
-  EXPECT_EQ(history.timeline()->ticks, (Ticks{1, 10, 13, 20}));
 }
 
 TEST_F(HistoryTest, is_the_same_list_until_it_changes) {
@@ -166,13 +221,6 @@ TEST_F(HistoryTest, says_why_there_is_none) {
   run_to(small, 50);
   EXPECT_TRUE(small.empty());
   EXPECT_NE(small.timeline()->why_none, "");
-
-  History ended(scene_.interval, clock_);
-  run_to(ended, 60);
-  ended.give_up("for a reason");
-  run_to(ended, 80);
-  EXPECT_TRUE(ended.timeline()->ticks.empty());
-  EXPECT_EQ(ended.timeline()->why_none, "for a reason");
 }
 
 }  // namespace

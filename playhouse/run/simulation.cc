@@ -6,8 +6,12 @@
 #include <iterator>
 #include <utility>
 
+#include "playhouse/base/assert.h"
 #include "playhouse/base/log.h"
+#include "playhouse/base/packing.h"
+#include "playhouse/world/changes/packed_change.h"
 #include "playhouse/world/saving/state.h"
+#include "playhouse/world/saving/whole_state.h"
 
 namespace playhouse::run {
 namespace {
@@ -26,6 +30,9 @@ Clock::time_point wall_time(double seconds) {
 /// Period of show() while paused, and while the next tick is
 /// far: viewers are promised a sign of life a second. [s]
 constexpr double kPausedShow = 0.1, kWaitingShow = 0.25;
+
+/// Longest time to compute ticks once more for a rewind, while everybody waits. [s]
+constexpr double kMostRepeat = 2;
 
 /// Ticks until `duration` has been simulated: the first tick at or after it.
 std::uint64_t ticks_in(double duration, double interval) {
@@ -110,7 +117,8 @@ bool Simulation::wait_for_tick(bool asked_for) {
 }
 
 void Simulation::tick() {
-  history_.drop_after(engine_->world().tick());
+  if (!journal_.entries().empty()) finish_changes();  // by nobody's request
+  history_.continue_from(engine_->world().tick());
   engine_->step();
   std::vector<LockStep::Done> done;
   if (lock_step_) done = lock_step_->ticked();
@@ -202,6 +210,7 @@ void Simulation::finish_changes() {
     journal_.apply(world::changes::StartControllers{});
   settled_ = world.events.end();
   for (const std::shared_ptr<Follower>& follower : followers_) follower->changed(world, journal_.entries());
+  history_.changed(journal_.entries());
   journal_.clear();
 }
 
@@ -217,14 +226,53 @@ void Simulation::rewind_to(std::uint64_t tick) {
   const world::World& world = engine_->world();
   if (history_.empty()) return;
   finish_works();
-  history_.take(world);  // so that this state can be returned to
+  history_.leave(world);
+  const std::vector<std::byte> whole = whole_at(history_.nearest(tick));
+  const std::span<const std::byte> state = world::state_of(whole);
   const std::vector<world::ModelId> before = world.models.id;
-  load(tick);
+  const Result<void> loaded =
+      journal_.load(std::make_shared<const std::vector<std::byte>>(state.begin(), state.end()), world.seed());
+  PLAYHOUSE_ASSERT(loaded.ok());
   end_generations(before);
   start_again_from_here();
   follow_events();
   finish_changes();
+  history_.arrive(world.tick());
   show();
+}
+
+/// The state at a tick of the run (world/saving/whole_state.h): a keyframe, or what the changes of the run
+/// make of the one before, which nobody sees, and after which the world is as before.
+std::vector<std::byte> Simulation::whole_at(std::uint64_t tick) {
+  const History::Moment from = history_.before(tick);
+  std::vector<std::byte> present;
+  world::World& world = engine_->world();
+  if (from.tick == tick || !world::save_whole(world, present)) return *from.whole;
+  const std::uint64_t listeners = std::exchange(world.utterances.listeners, 0);  // who have heard it before
+  repeat(from, tick);
+  std::vector<std::byte> whole;
+  if (world.tick() != tick || !world::save_whole(world, whole)) whole = *from.whole;
+  PLAYHOUSE_ASSERT(world::load_whole(world, present).ok());
+  world.utterances.listeners = listeners;
+  followed_ = settled_ = world.events.end();
+  return whole;
+}
+
+/// Ends before the tick if that takes too long, or a change is not possible as it was.
+void Simulation::repeat(const History::Moment& from, std::uint64_t tick) {
+  world::World& world = engine_->world();
+  PLAYHOUSE_ASSERT(world::load_whole(world, *from.whole).ok());
+  const double end = clock_() + kMostRepeat;
+  for (; world.tick() < tick && clock_() < end; engine_->step_alone()) {
+    for (Unpacker in(history_.changes_at(world.tick())); !in.at_end();) {
+      const Result<world::Change> change = world::unpack_change(in);
+      if (!change || !world::apply(world, *change))
+        return log::error("the ticks after {} cannot be repeated: a change is not possible now", from.tick);
+    }
+  }
+  if (world.tick() < tick)
+    log::warn("the run goes back to tick {}: from there to tick {} takes more than {} s", from.tick, tick,
+              kMostRepeat);
 }
 
 /// The time is another one.
@@ -232,18 +280,6 @@ void Simulation::start_again_from_here() {
   time_.store(engine_->world().time(), std::memory_order_relaxed);
   pacer_.start(clock_(), now_.speed, now_.paused);
   publish_timeline();
-}
-
-/// If a controller rejects its state, the world stays, and the controller is not called any more.
-void Simulation::load(std::uint64_t tick) {
-  const world::World& world = engine_->world();
-  const std::uint64_t now = world.tick(), seed = world.seed();
-  const Result<void> loaded = journal_.load(history_.nearest(tick), seed);
-  if (loaded) return;
-  log::error("the run cannot be taken back: the state {}", loaded.error().text);
-  if (!journal_.load(history_.nearest(now), seed))
-    log::error("its controllers go on with what they remember");
-  history_.give_up("the state " + loaded.error().text);
 }
 
 /// Publishes the list of keyframes to other threads.

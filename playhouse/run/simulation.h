@@ -82,7 +82,8 @@ class Simulation final {
   void finish_changes();
   void end_generations(const std::vector<world::ModelId>& before);
   void rewind_to(std::uint64_t tick);
-  void load(std::uint64_t tick);
+  std::vector<std::byte> whole_at(std::uint64_t tick);
+  void repeat(const History::Moment& from, std::uint64_t tick);
   void start_again_from_here();
   void publish_timeline();
   void keep_start();

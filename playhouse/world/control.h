@@ -51,8 +51,8 @@ class Control {
   virtual void record(bool on) = 0;
   /// The retained states. Never null.
   virtual std::shared_ptr<const Timeline> timeline() const = 0;
-  /// Loads the retained state nearest to the tick, past or future, and continues
-  /// from there; logged as kReload. No effect without retained states.
+  /// Takes the run to a tick, past or future, to the bit, or to the one nearest to it that what is retained
+  /// reaches; it continues from there. Logged as kReload. No effect without retained states.
   virtual void rewind(std::uint64_t tick) = 0;
   /// Generation count, incremented when rewind() re-creates the
   /// model: earlier subscriptions have ended then. Tick thread.

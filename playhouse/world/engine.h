@@ -17,6 +17,10 @@ class Engine {
   /// One tick of scene().interval: decide .. freeze (behaviour/phased_engine.h).
   virtual void step() = 0;
 
+  /// The same without the other machines that take part in a run: for ticks that did happen, computed once
+  /// more.
+  virtual void step_alone() { step(); }
+
   /// The state; change it only between steps, with the functions of world.h.
   virtual World& world() = 0;
 

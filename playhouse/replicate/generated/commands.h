@@ -76,8 +76,8 @@ struct SetSpeed {
   double times_real_time = 1;
 };
 
-/// Rewinds the run, for everyone, to the recorded state nearest to this tick, and continues from there;
-/// refused if there is none.
+/// Rewinds the run, for everyone, to this tick, or the nearest one that is kept, and continues from there;
+/// refused if nothing is kept.
 struct Rewind {
   std::uint64_t tick = 0;
 };

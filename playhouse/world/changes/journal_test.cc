@@ -46,6 +46,7 @@ TEST_F(JournalTest, does_nothing_to_who_is_gone_or_of_another_kind) {
 }
 
 TEST_F(JournalTest, refuses_what_no_device_would_ask_for) {
+  const std::uint64_t hash = world_.hash(), sensed = world_.sensed_hash();
   EXPECT_FALSE(journal_.apply(changes::Drive{kRobot, {NAN, 0, 0, 0}}));
   EXPECT_FALSE(journal_.apply(changes::Place{kBox, {INFINITY, 0, 0, 0}}));
   EXPECT_FALSE(journal_.apply(changes::PlaceIn3D{kBox, {{}, {10, 0}}}));
@@ -55,6 +56,8 @@ TEST_F(JournalTest, refuses_what_no_device_would_ask_for) {
   EXPECT_FALSE(journal_.apply(changes::Attach{{kBox}, kRobot, {}})) << "without its pose";
   EXPECT_FALSE(journal_.apply(changes::Load{}));
   EXPECT_FALSE(journal_.spawn(99, {}));
+  EXPECT_EQ(world_.hash(), hash);
+  EXPECT_EQ(world_.sensed_hash(), sensed);
   EXPECT_TRUE(journal_.entries().empty());
 }
 

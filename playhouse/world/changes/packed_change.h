@@ -19,7 +19,8 @@ std::string_view name_of(const Change& change);
 ModelId model_of(const Change& change);
 
 void pack(const Change& change, std::vector<std::byte>& out);
-/// Fails on bytes that are no change. Allocates no more than they have.
+/// Fails on bytes that are not a change. Allocates a small multiple of their size
+/// at most.
 Result<Change> unpack_change(Unpacker& in);
 
 /// Its fields without the model, as a JSON object: {"velocity": [0.5, 0, 0, 0.1]}. Models are

@@ -16,22 +16,68 @@ std::vector<std::byte> packed(const Change& change) {
   return bytes;
 }
 
-/// One of each, with values in every field.
+/// Values that are another in each field.
+class Filler {
+ public:
+  void operator()(const char*, bool& value) { value = true; }
+  void operator()(const char*, double& value) { value = 0.5 + ++count_; }
+  void operator()(const char*, GripperCommand& value) { value = GripperCommand::kLower; }
+  void operator()(const char*, ModelId& value) { value.value = ++count_; }
+  void operator()(const char*, std::string& value) { value = std::to_string(++count_) + " \n\""; }
+  template <typename Number>
+  requires std::is_integral_v<Number>
+  void operator()(const char*, Number& value) { value = static_cast<Number>(200 + ++count_); }
+  void operator()(const char*, geom::Pose& value) { value = {next(), next(), next(), next()}; }
+  void operator()(const char*, geom::Twist& value) { value = {next(), next(), next(), next()}; }
+  void operator()(const char*, geom::Tilt& value) { value = {next(), next()}; }
+  void operator()(const char*, geom::SpatialPose& value) {
+    (*this)("", value.X);
+    (*this)("", value.tilt);
+  }
+  void operator()(const char*, scene::Color& value) {
+    for (float* part : {&value.r, &value.g, &value.b, &value.a}) *part = static_cast<float>(next());
+  }
+  void operator()(const char*, std::shared_ptr<const std::vector<std::byte>>& value) {
+    value = std::make_shared<const std::vector<std::byte>>(300, std::byte{7});
+  }
+  template <typename Value>
+  void operator()(const char* name, std::vector<Value>& values) {
+    values.resize(3);
+    for (Value& value : values) (*this)(name, value);
+  }
+
+ private:
+  double next() { return -0.25 * ++count_; }
+  int count_ = 0;
+};
+
+/// One of each, with values in every field, or without.
 template <std::size_t... kIndex>
-std::vector<Change> all(std::index_sequence<kIndex...>) {
+std::vector<Change> all(bool filled, std::index_sequence<kIndex...>) {
   std::vector<Change> changes;
   (changes.emplace_back(std::in_place_index<kIndex>), ...);
+  Filler filler;
+  const auto fill = [&](auto& made) {
+    made.each_field(made, [&](const char* name, auto& value) { filler(name, value); });
+  };
+  for (Change& change : changes)
+    if (filled) std::visit(fill, change);
   return changes;
 }
 
+constexpr auto kAll = std::make_index_sequence<std::variant_size_v<Change>>();
 const std::vector<Change>& empty_changes() {
-  static const std::vector<Change> changes = all(std::make_index_sequence<std::variant_size_v<Change>>());
+  static const std::vector<Change> changes = all(false, kAll);
+  return changes;
+}
+const std::vector<Change>& filled_changes() {
+  static const std::vector<Change> changes = all(true, kAll);
   return changes;
 }
 
 TEST(PackedChange, each_has_a_name_of_its_own_and_comes_back) {
   std::set<std::string_view> names;
-  for (const Change& change : empty_changes()) {
+  for (const Change& change : filled_changes()) {
     EXPECT_TRUE(names.insert(name_of(change)).second) << name_of(change);
     const std::vector<std::byte> bytes = packed(change);
     Unpacker in(bytes);
@@ -40,6 +86,8 @@ TEST(PackedChange, each_has_a_name_of_its_own_and_comes_back) {
     EXPECT_TRUE(in.at_end()) << name_of(change);
     EXPECT_EQ(again->index(), change.index());
     EXPECT_EQ(packed(*again), bytes);
+    EXPECT_EQ(fields_text(*again), fields_text(change)) << "no field is lost in bytes";
+    EXPECT_EQ(model_of(*again), model_of(change));
   }
 }
 
@@ -75,7 +123,7 @@ TEST(PackedChange, several_follow_each_other) {
 }
 
 TEST(PackedChange, that_is_cut_or_unknown_is_refused_with_its_name) {
-  for (const Change& change : empty_changes()) {
+  for (const Change& change : filled_changes()) {
     std::vector<std::byte> bytes = packed(change);
     const std::size_t name = name_of(change).size() + 1;
     for (std::size_t size = 0; size < bytes.size(); ++size) {
@@ -91,7 +139,7 @@ TEST(PackedChange, that_is_cut_or_unknown_is_refused_with_its_name) {
   EXPECT_THAT(unpack_change(in).error().text, HasSubstr("unknown change \"fly\""));
 }
 
-TEST(PackedChange, with_a_list_that_is_longer_than_its_bytes_allocates_no_more_than_those) {
+TEST(PackedChange, with_a_list_that_is_longer_than_its_bytes_is_refused) {
   std::vector<std::byte> bytes;
   Packer to(bytes);
   to.text("despawn");

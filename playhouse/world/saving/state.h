@@ -23,7 +23,9 @@ Result<void> save_state(const World& world, std::vector<std::byte>& out);
 /// Replaces the world by the saved one, which must have the same scene, seed
 /// and controllers. Models in both keep their subscribers. Adds a kReload entry
 /// to the event log, which the engine processes before its next tick. Fails on
-/// bytes that are not a state of this scene; the world is unusable then.
+/// bytes that are not a state of this scene; the world is unusable then. Never
+/// on what save_state() made of this run: a controller that rejects what it
+/// remembered is ended, as one that throws elsewhere.
 Result<void> load_state(World& world, std::span<const std::byte> state);
 
 /// The same with another seed, to restart a run from a state: all

@@ -21,11 +21,17 @@ class Probe : public pc::Controller {
     if (what_ == "deaf") robot.say = std::to_string(robot.rangers[0].ranges.size());
     if (what_ == "carry") ++robot.flags;
     if (what_ == "random") robot.drive(robot.random.uniform(), 0);
+    if (what_ == "forget") robot.drive(0.5, 0);
     if (what_ == "nan") robot.drive(0.0 / zero_, 0);
     if (what_ == "throw") throw std::runtime_error("lost its way");
     if (what_ == "throw_forging") throw std::runtime_error("lost\n[error] a forged line");
     if (what_ == "throw_int") throw 42;
   }
+  bool save(std::string& memory) const override {
+    memory = what_;
+    return what_ == "forget";
+  }
+  void load(std::string_view) override { throw std::runtime_error("remembers nothing"); }
   std::string what_;
   double zero_ = 0;
 };
