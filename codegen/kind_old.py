@@ -52,7 +52,7 @@ def old_word(where: str, name: str, entry: Any) -> OldWord:
     _check(where, entry, {"part", "to", "values", "counts", "nested", "by_hand", "part_words"})
     ways = [key for key in ("to", "counts", "nested", "by_hand") if entry.get(key)]
     if len(ways) != 1:
-        raise SchemaError(f"{where}: exactly one of to, counts, nested and by_hand is wanted")
+        raise SchemaError(f"{where}: exactly one of to, counts, nested and by_hand is expected")
     if ways[0] in ("counts", "nested") and "part" not in entry:
         raise SchemaError(f"{where}: {ways[0]} is about parts, and there is no part")
     how = {"to": "words", "counts": "count", "nested": "nested", "by_hand": "by hand"}[ways[0]]
@@ -88,7 +88,7 @@ def check_old(kinds: Any, kind: Any) -> None:
 
 def _check(where: str, entry: Any, optional: set[str]) -> None:
     if not isinstance(entry, dict):
-        raise SchemaError(f"{where}: a text or a table is wanted")
+        raise SchemaError(f"{where}: a text or a table is expected")
     keys(where, entry, {"instead"}, optional)
     typed(where, entry, KEY_TYPES)
 

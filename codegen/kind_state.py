@@ -18,7 +18,7 @@ TYPES = {
 }
 # Type of a column -> types of the words that may say what it begins with.
 WORDED = {"flag": ("flag",), "float64": ("number", "length", "angle")}
-# A number of these has a unit, "1" where it is none.
+# A number of these has a unit, "1" where there is none.
 MEASURED = {"float32", "float64", "size", "vector3", "pose", "twist", "tilt", "velocity6"}
 
 # What a column is to a run (playhouse/world/columns.h).

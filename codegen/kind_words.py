@@ -144,7 +144,7 @@ def word(where: str, row: dict, simulated: bool) -> Word:
     one_of(where, "use", row.get("use", "read"), USES)
     one_of(where, "stage", row.get("stage", "same"), STAGES)
     if (row.get("stage", "same") == "same") != ("stage_why" not in row):
-        raise SchemaError(f"{where}: stage_why is for what is not the same as in Stage, and wanted there")
+        raise SchemaError(f"{where}: stage_why is for what is not the same as in Stage, and needed there")
     if "stage_why" in row:
         documented(where, row["stage_why"])
     if "engine" in row:
@@ -250,7 +250,7 @@ def _default(where: str, out: Word, simulated: bool) -> None:
     if value is None:
         told = out.default_text or out.optional or out.type in ("texts", "colors")
         if simulated and out.has_member and not told:
-            raise SchemaError(f"{where}: default is missing (default_text, where it is no value)")
+            raise SchemaError(f"{where}: default is missing (default_text, where it is not a value)")
         return
     if out.type in ("text", "choice"):
         good = isinstance(value, str)

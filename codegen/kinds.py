@@ -178,7 +178,7 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
         _check_head(source, table)
     base = next((table for _, table in parsed if table["name"] == BASE), None)
     if base is None or base["entity"] != "model" or base.get("number") != 0:
-        raise SchemaError(f'kinds/: a model named "{BASE}" with number 0 is wanted, whose words all models have')
+        raise SchemaError(f'kinds/: a model named "{BASE}" with number 0 is expected, whose words all models have')
     kinds = [_kind(source, table, schema) for source, table in parsed]
     kinds.sort(key=lambda k: (list(ENTITIES).index(k.entity), k.number is None, k.number, k.name))
     out = Kinds(kinds)
@@ -188,7 +188,7 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
         raise SchemaError("kinds/: the numbers of models count from 0 without a gap")
     for entity in ("window", "world"):
         if sum(k.entity == entity for k in kinds) != 1:
-            raise SchemaError(f"kinds/: exactly one {entity} is wanted")
+            raise SchemaError(f"kinds/: exactly one {entity} is expected")
     unique("kinds/", "change", [c.name for k in kinds for c in k.changes])
     unique("kinds/", "old type", [t.name for k in kinds for t in k.old_types])
     unique("kinds/", "table", [k.table for k in kinds if k.table])

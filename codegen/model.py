@@ -292,7 +292,7 @@ def build(parsed: list[tuple[str, dict]]) -> Schema:
     interfaces = [_interface(source, table) for source, table in parsed]
     shared = [i for i in interfaces if i.code is None]
     if len(shared) != 1 or shared[0].name != COMMON:
-        raise SchemaError(f'interfaces/: exactly one file without a code is wanted, named "{COMMON}"')
+        raise SchemaError(f'interfaces/: exactly one file without a code is expected, named "{COMMON}"')
     numbered = sorted((i for i in interfaces if i.code is not None), key=lambda i: i.code)
     unique("interfaces/", "interface name", [i.name for i in interfaces])
     unique("interfaces/", "interface code", [i.code for i in numbered])
@@ -337,7 +337,7 @@ def _message(source: str, code: int | None, row: dict) -> Message:
     keys(where, row, {"kind", "subtype", "name", "doc"}, {"payload", "policy"})
     kind, subtype = row["kind"], row["subtype"]
     if kind not in KINDS:
-        raise SchemaError(f"{where}: kind {kind!r} is none of {', '.join(KINDS)}")
+        raise SchemaError(f"{where}: invalid kind {kind!r}: {', '.join(KINDS)} are valid")
     if not MESSAGE_NAME.match(row["name"]):
         raise SchemaError(f"{where}: not a name in upper case")
     if not isinstance(subtype, int) or not 0 < subtype < 256:

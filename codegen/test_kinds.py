@@ -228,8 +228,8 @@ class Refused(unittest.TestCase):
         self.refuse("kind names a number of ModelKind", number=None, kind="arm")
 
     def test_the_kinds_that_must_be_there(self):
-        self.refuse_tables('a model named "model" with number 0 is wanted', tables()[1:])
-        self.refuse_tables("exactly one window is wanted", [t for t in tables() if t[1]["name"] != "window"])
+        self.refuse_tables('a model named "model" with number 0 is expected', tables()[1:])
+        self.refuse_tables("exactly one window is expected", [t for t in tables() if t[1]["name"] != "window"])
 
     def test_a_part_of_a_type_that_nobody_knows(self):
         parsed = tables()
@@ -251,13 +251,13 @@ class Refused(unittest.TestCase):
         def refuse(text, **entry):
             self.refuse(text, old={"grasp": {"instead": "write reach", **entry}})
 
-        refuse("old grasp: exactly one of to, counts, nested and by_hand is wanted")
-        refuse("old grasp: exactly one of to, counts, nested and by_hand is wanted", to=["reach"], counts=True)
+        refuse("old grasp: exactly one of to, counts, nested and by_hand is expected")
+        refuse("old grasp: exactly one of to, counts, nested and by_hand is expected", to=["reach"], counts=True)
         refuse("old grasp: counts is about parts, and there is no part", counts=True)
         refuse("old grasp: unknown word 'raech' (did you mean 'reach'?)", to=["raech"])
         refuse("old grasp: unknown part 'jiont' (did you mean 'joint'?)", part="jiont", counts=True)
         refuse("old grasp: unknown word 'reach'", part="joint", to=["reach"])
-        self.refuse("old grasp: a text or a table is wanted", old={"grasp": 1})
+        self.refuse("old grasp: a text or a table is expected", old={"grasp": 1})
         self.refuse("old_types claw: unknown type 'amr' (did you mean 'arm'?)", old_types={"claw": {"instead": "x", "type": "amr"}})
         self.refuse("old_types claw: type is missing", old_types={"claw": {"instead": "x"}})
         self.refuse("old_types claw: unknown word 'size'", old_types={"claw": {"instead": "x", "type": "arm", "words": {"size": 1}}})
@@ -269,8 +269,8 @@ class Refused(unittest.TestCase):
 
     def test_what_differs_from_stage_says_why(self):
         self.refuse_word("unknown stage 'beter' (did you mean 'better'?)", stage="beter", stage_why="It is.")
-        self.refuse_word("stage_why is for what is not the same as in Stage, and wanted there", stage="better")
-        self.refuse_word("stage_why is for what is not the same as in Stage, and wanted there", stage_why="It is.")
+        self.refuse_word("stage_why is for what is not the same as in Stage, and needed there", stage="better")
+        self.refuse_word("stage_why is for what is not the same as in Stage, and needed there", stage_why="It is.")
         self.refuse("silent_why: nothing is said of debug", silent=["debug"])
         self.refuse("silent_why: unknown word 'debgu' (did you mean 'debug'?)", silent=["debug"], silent_why={"debgu": "Idle."})
 

@@ -91,7 +91,7 @@ def main() -> None:
     except OSError as fault:
         sys.exit(f"{fault.filename}: {fault.strerror}")
     except (ValueError, KeyError, TypeError):
-        sys.exit(f"{arguments.lines}: has lines that are none of playhouse bench")
+        sys.exit(f"{arguments.lines}: has lines that playhouse bench did not write")
     print(table(lines))
 
 

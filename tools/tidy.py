@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks rules that a compiler does not: module dependencies, missing includes, meaningless names, calls that break
-reproducibility, test scripts that do not run all of their tests. Prints file:line: what; exit 1.
+reproducibility, messages that do not say what is invalid, test scripts that do not run all of their tests. Prints file:line: what; exit 1.
 Without arguments only files that differ from main are checked, and their headers are compiled alone."""
 
 import argparse
@@ -12,6 +12,7 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 import includes
+import messages
 import module_graph
 import threads
 
@@ -42,6 +43,7 @@ def check_file(path):
     is_test = path.stem.endswith(("_test", "_bench", "_fuzz"))
     for number, includer, included in module_graph.wrong_includes(path):
         yield f"{path.relative_to(ROOT)}:{number}: {includer} may not include {included}: it does not link it (DEPS)"
+    yield from messages.odd_phrases(path)
     if path.suffix == ".inc":
         return
     for number, line in enumerate(path.read_text().splitlines(), 1):

@@ -80,7 +80,7 @@ oo::class create ::playhouse::Client {
         try {
             $session request 1 0 player.req.auth [dict create auth_key $key]
         } trap {PLAYHOUSE REFUSED} {} {
-            fail REFUSED "[$session peer]: the token is refused; a run without --guests wants none"
+            fail REFUSED "[$session peer]: the token is refused; a run without --guests needs none"
         }
     }
 

@@ -103,7 +103,7 @@ oo::class create ::playhouse::Connection {
         my Wait readable $deadline
     }
 
-    # Whether a complete message is here, or a header that is none.
+    # Whether a complete message is here, or an invalid header.
     method buffered {} {
         set left [expr {[string length $buffer] - $at}]
         if {$left < 40} {return 0}

@@ -295,7 +295,7 @@ oo::class create ::playhouse::Device {
 
     method PropertyMessages {kind} {
         if {![dict exists $::playhouse::properties $kind]} {
-            fail INVALID "a property is a bool, an int, a double or a string, and no $kind"
+            fail INVALID "a property is a bool, an int, a double or a string, not $kind"
         }
         return [dict get $::playhouse::properties $kind]
     }

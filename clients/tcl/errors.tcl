@@ -7,7 +7,7 @@
 #     PLAYHOUSE NODATA         a value was read before the first data of the device; nextData waits for them
 #     PLAYHOUSE CLOSED         a device was used after it or its client was closed, or was waited for while one was destroyed
 #     PLAYHOUSE GONE           a device was used that the server has retired: its model was removed
-#     PLAYHOUSE INVALID        an argument that means nothing, as a speed that is no finite number; nothing was sent
+#     PLAYHOUSE INVALID        an argument that means nothing, as a speed that is not a finite number; nothing was sent
 #     PLAYHOUSE WIRE           bytes that do not decode as the message of their header, or a value that its field cannot hold
 #     PLAYHOUSE READING        read was called by a callback or an event handler while data are being read
 
@@ -19,14 +19,14 @@ proc ::playhouse::fail {kind message} {
 # A time-out in seconds: 0 or more, Inf included.
 proc ::playhouse::checkedSeconds {seconds} {
     if {![string is double -strict $seconds] || [isNan $seconds] || $seconds < 0} {
-        fail INVALID "a time-out of $seconds s"
+        fail INVALID "invalid time-out of $seconds s: 0 or more is valid"
     }
     return $seconds
 }
 
 # 1 or 0 for a boolean of any spelling.
 proc ::playhouse::truth {value} {
-    if {![string is boolean -strict $value]} {fail INVALID "$value is no boolean"}
+    if {![string is boolean -strict $value]} {fail INVALID "invalid boolean $value"}
     return [expr {bool($value)}]
 }
 

@@ -51,7 +51,7 @@ proc ::playhouse::models::ParseLine {line} {
         fail WIRE "a line of the list of models has [llength $fields] fields instead of 5: '[Printable $line]'"
     }
     lassign $fields id name type parent devices
-    if {![IsNumber $id]} {fail WIRE "'[Printable $id]' in the list of models is no id"}
+    if {![IsNumber $id]} {fail WIRE "'[Printable $id]' in the list of models is not an id"}
     lassign [lmap field [list $name $type $parent] {string map {\\\\ \\ \\t \t \\n \n} $field}] name type parent
     set addresses [lmap word [regexp -all -inline {\S+} $devices] {ParseDevice $word $name}]
     scan $id %lld id

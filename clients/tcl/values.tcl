@@ -52,10 +52,10 @@ proc ::playhouse::ofDeviations {x y a} {
 }
 
 # The smallest range of a scan between two directions (rad), NaN aside; maxRange if no beam is there. An
-# error of kind INVALID if the limits are no numbers, or the first is above the second.
+# error of kind INVALID if the limits are not numbers, or the first is above the second.
 proc ::playhouse::nearest {scan {low -3.141592653589793} {high 3.141592653589793}} {
     foreach limit [list $low $high] {
-        if {![string is double -strict $limit] || [isNan $limit]} {fail INVALID "a direction of $limit rad"}
+        if {![string is double -strict $limit] || [isNan $limit]} {fail INVALID "invalid direction of $limit rad"}
     }
     if {$low > $high} {fail INVALID "no direction is from $low to $high rad"}
     set least ""

@@ -88,7 +88,7 @@ proc ::playhouse::wire::record {struct {given {}}} {
     variable zeros
     if {![info exists zeros($struct)]} {set zeros($struct) [Zeros $struct]}
     if {[catch {dict merge $zeros($struct) $given} value]} {
-        fail WIRE "$struct: \"[string range $given 0 60]\" is no dictionary"
+        fail WIRE "$struct: \"[string range $given 0 60]\" is not a dictionary"
     }
     if {[dict size $value] != [dict size $zeros($struct)]} {
         set known [dict keys $zeros($struct)]
@@ -336,7 +336,7 @@ proc ::playhouse::wire::exactly {name count wanted} {
 
 # Raw bytes, filled with zeros to a multiple of four, or to `size` bytes first.
 proc ::playhouse::wire::pad {name bytes {size ""}} {
-    if {[regexp {[^\u0000-\u00ff]} $bytes]} {fail WIRE "$name has characters that are no bytes"}
+    if {[regexp {[^\u0000-\u00ff]} $bytes]} {fail WIRE "$name has characters that are not bytes"}
     set count [string length $bytes]
     if {$size eq ""} {
         set size $count

@@ -24,7 +24,7 @@ constexpr double kEnough = 1e-6;  // rad
 
 class Barrier : public pw::CustomKind {
   Sizes configure(std::span<const std::string> arguments) override {
-    if (arguments.size() != 1) throw std::invalid_argument("wants one argument: NEAR");
+    if (arguments.size() != 1) throw std::invalid_argument("needs one argument: NEAR");
     near_ = std::stod(arguments[0]);
     return {.commands = 1, .state = 1, .readings = 2};
   }

@@ -43,7 +43,7 @@ double poisson(double mean, playhouse::Rng& random) {
 
 class Geiger : public pw::CustomKind {
   Sizes configure(std::span<const std::string> arguments) override {
-    if (arguments.size() != 2) throw std::invalid_argument("wants two arguments: BACKGROUND SOURCE");
+    if (arguments.size() != 2) throw std::invalid_argument("needs two arguments: BACKGROUND SOURCE");
     background_ = std::stod(arguments[0]);
     source_ = std::stoi(arguments[1]);
     if (background_ < 0 || source_ == 0)

@@ -12,7 +12,7 @@ def whole(least: int, most: float = math.inf) -> Callable[[str], int]:
         digits = text.removeprefix("-")
         if not (digits.isascii() and digits.isdigit() and least <= int(text) <= most):
             limit = "on" if most == math.inf else f"to {most}"
-            raise argparse.ArgumentTypeError(f'a whole number from {least} {limit} is wanted, not "{text}"')
+            raise argparse.ArgumentTypeError(f'a whole number from {least} {limit} is expected, not "{text}"')
         return int(text)
 
     return value

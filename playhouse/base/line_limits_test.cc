@@ -51,7 +51,7 @@ TEST(LineLimits, tells_how_many_it_held_back_with_the_next_line_of_any_kind) {
   const double later = 1 + LineLimits::kSecondsUntilTold;
   EXPECT_EQ(texts(limits.pass("other", {kWarning, "other"}, later)),
             (std::vector<std::string>{"70 more lines in the last 10 s like: 1.2.3.4: refused", "other"}));
-  EXPECT_TRUE(limits.summaries(later).empty()) << "told once";
+  EXPECT_TRUE(limits.summaries(later).empty()) << "logged once";
 }
 
 TEST(LineLimits, tells_at_the_end_what_was_not_told) {

@@ -53,10 +53,11 @@ Result<void> check_model(const scene::SceneDesc& scene, const scene::ModelDesc& 
   };
   if (!finite(model)) return fault(" has a pose or a point that is not a finite number");
   for (const double value : {model.mass, model.watts, model.give_watts, model.take_watts})
-    if (!(value >= 0) || !std::isfinite(value)) return fault(" has a mass or a power that makes no sense");
+    if (!(value >= 0) || !std::isfinite(value))
+      return fault(" has an invalid mass or power: finite numbers from 0 are valid");
   const scene::Charge charge = scene::charge_of(model);
   if (!std::isfinite(charge.stored) || !std::isfinite(charge.capacity) || charge.capacity < charge.stored)
-    return fault(" has a battery that makes no sense");
+    return fault(" has an invalid battery: its charge must be at most its capacity");
   if (!scene::is_described(model.kind, model)) return fault(" lacks the description of its kind");
   for (const scene::RangerSensorDesc& sensor : model.sensors) {
     if (sensor.samples == 0) return fault(" has a sensor without samples");
@@ -69,7 +70,7 @@ Result<void> check_model(const scene::SceneDesc& scene, const scene::ModelDesc& 
           fmt::format(" has a sensor with a fov of {} rad; it must be from 0 to {}", sensor.fov, kWidestFov));
   }
   if (model.actuator && !is_sound(*model.actuator))
-    return fault(" has an axis, ends or a start that make no sense");
+    return fault(" has an invalid axis, speed, ends or start: the start must be between the ends");
   if (!model.position) return {};
   for (int axis = 0; axis < 4; ++axis)
     if (!(model.position->velocity_bounds[axis].min <= model.position->velocity_bounds[axis].max) ||

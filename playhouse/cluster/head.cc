@@ -328,14 +328,14 @@ void Head::take_share(world::DividedWork& work, std::size_t index, std::span<con
   std::optional<Hashes> hashes;
   if (check_) hashes = Hashes{in.u64(), in.u64()};
   const std::span<const std::byte> results = in.bytes(in.left());
-  if (!in.ok()) return fail(node, "its measurements are none");
-  if (hashes && *hashes != hashes_) return fail(node, "its world is another one");
+  if (!in.ok()) return fail(node, "it sent invalid measurements");
+  if (hashes && *hashes != hashes_) return fail(node, "its world differs");
   if (is_verified(index)) {
     Bytes own;
     work.compute(share_of(index), own);
-    if (!std::ranges::equal(own, results)) return fail(node, "its measurements are others");
+    if (!std::ranges::equal(own, results)) return fail(node, "its measurements differ");
   } else if (!work.take(share_of(index), results)) {
-    return fail(node, "its measurements are none");
+    return fail(node, "it sent invalid measurements");
   }
   node.has_shared = true;
   pass_on(index + 1, results);

@@ -115,7 +115,7 @@ Result<void> Node::share(world::DividedWork& work) {
     const auto index = static_cast<std::size_t>(in.varint());
     if (!in.ok() || index >= share_.count || index == share_.index ||
         !work.take({index, share_.count}, in.bytes(in.left())))
-      return Error{"", "sent results that are none"};
+      return Error{"", "sent invalid results"};
   }
   return {};
 }

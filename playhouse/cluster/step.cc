@@ -28,7 +28,7 @@ void encode(const Step& step, std::vector<std::byte>& out) {
 }
 
 Result<Step> decode_step(std::span<const std::byte> bytes) {
-  const Error wrong{"", "sent a step that is none"};
+  const Error wrong{"", "sent an invalid step"};
   Unpacker in(bytes);
   Step step;
   step.share.index = static_cast<std::size_t>(in.varint());

@@ -442,8 +442,8 @@ TEST(Patrol, stays_at_its_only_waypoint) {
 
 TEST(Patrol, says_what_is_wrong_with_its_arguments) {
   const auto error = [](const std::string& ctrl) { return Fixture(testing::robots(1, {}, ctrl)).error; };
-  EXPECT_THAT(error("patrol"), HasSubstr("controller \"patrol\" of \"r0\": wants [SPEED] X Y"));
-  EXPECT_THAT(error("patrol 1"), HasSubstr("wants [SPEED] X Y"));
+  EXPECT_THAT(error("patrol"), HasSubstr("controller \"patrol\" of \"r0\": needs [SPEED] X Y"));
+  EXPECT_THAT(error("patrol 1"), HasSubstr("needs [SPEED] X Y"));
   EXPECT_THAT(error("patrol 1 1 two 2"), HasSubstr("not \"two\""));
   EXPECT_THAT(error("patrol 1 nan"), HasSubstr("not \"nan\""));
   EXPECT_THAT(error("patrol -1 2 2"), HasSubstr("a speed is more than 0"));

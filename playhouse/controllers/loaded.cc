@@ -25,7 +25,7 @@ const char* thrown_by(std::string& text, const Call& what) {
   } catch (const std::exception& error) {
     text = escaped(error.what());
   } catch (...) {
-    text = "threw something that is no std::exception";
+    text = "threw something that is not a std::exception";
   }
   return text.c_str();
 }

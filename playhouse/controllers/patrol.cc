@@ -16,7 +16,7 @@ constexpr double kReached = 0.1;              // m, at least
 constexpr double kGain = 3;                   // rad/s per rad of bearing to the waypoint
 constexpr double kMostTurn = 1.5;             // rad/s
 constexpr double kAhead = geom::radians(60);  // drives only while the waypoint is within this bearing
-constexpr const char* kUsage = "wants [SPEED] X Y [X Y ...], in m/s and metres of the world";
+constexpr const char* kUsage = "needs [SPEED] X Y [X Y ...], in m/s and metres of the world";
 
 /// A finite number of the whole word.
 std::optional<double> number(const std::string& word) {

@@ -13,7 +13,7 @@ Result<void> Source::join(world::World& world, const Post& post) {
     const std::string& word = post.arguments[0];
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), capacity);
     if (error != std::errc() || end != word.data() + word.size() || capacity < 0) {
-      return Error{{}, "wants its capacity as a whole number, not " + in_quotes(word)};
+      return Error{{}, "needs its capacity as a whole number, not " + in_quotes(word)};
     }
   }
   model_.push_back(world.row(post.model));

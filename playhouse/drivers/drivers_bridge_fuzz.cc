@@ -95,7 +95,7 @@ void append(std::vector<std::byte>& body, std::uint64_t value, int bytes) {
   for (int i = bytes - 1; i >= 0; --i) body.push_back(static_cast<std::byte>(value >> 8 * i & 0xFF));
 }
 
-/// Fields, each of a kind, until a kind that is none.
+/// Fields, each of a kind, until an invalid kind.
 std::vector<std::byte> any_body(FuzzScript& script) {
   std::vector<std::byte> body;
   while (!script.done()) {

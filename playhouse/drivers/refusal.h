@@ -17,7 +17,7 @@
 namespace playhouse::drivers {
 
 /// Of a goal that drivers cannot compute with (is_usable() of decoded.h).
-inline constexpr std::string_view kUnusableGoal = "the goal is no pose within 1e9 m and 1e9 rad";
+inline constexpr std::string_view kUnusableGoal = "invalid goal: a pose within 1e9 m and 1e9 rad is valid";
 
 /// "(1.5, -2)".
 std::string goal_text(const geom::Pose& X_WT);

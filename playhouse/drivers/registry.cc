@@ -40,7 +40,7 @@ constexpr std::pair<std::string_view, Factory> kDrivers[] = {
     {"wavefront", make_wavefront},
 };
 
-/// What does instead of a driver of Player that is none of ours.
+/// What does instead of a driver of Player that this program does not have.
 constexpr std::pair<std::string_view, std::string_view> kInstead[] = {
     {"readlog", "; \"playhouse replay\" shows a recording"},
     {"writelog", "; the option --record records a run"},

@@ -43,11 +43,11 @@ Result<CustomKind::Sizes> configure(CustomKind& kind, const std::vector<std::str
   try {
     const CustomKind::Sizes sizes = kind.configure(arguments);
     if (sizes.commands <= kMost && sizes.state <= kMost && sizes.readings <= kMost) return sizes;
-    return Error{{}, "wants more than " + std::to_string(kMost) + " commands, state or readings"};
+    return Error{{}, "needs more than " + std::to_string(kMost) + " commands, state or readings"};
   } catch (const std::exception& error) {
     return Error{{}, escaped(error.what())};
   } catch (...) {
-    return Error{{}, "threw something that is no std::exception"};
+    return Error{{}, "threw something that is not a std::exception"};
   }
 }
 

@@ -58,7 +58,7 @@ TEST(CustomKinds, get_the_words_behind_the_name) {
 TEST(CustomKinds, that_refuse_their_arguments_are_told_in_one_line) {
   EXPECT_EQ(Fixture("probe refuse").error,
             "test.world:2: custom model \"probe\": wants another world\\x0a[error] a forged line");
-  EXPECT_THAT(Fixture("probe refuse_int").error, EndsWith("threw something that is no std::exception"));
+  EXPECT_THAT(Fixture("probe refuse_int").error, EndsWith("threw something that is not a std::exception"));
 }
 
 /// The loader maps what a file that was cut off does not have; looking at it would end the program.
@@ -77,7 +77,7 @@ TEST(CustomKinds, of_a_library_that_is_cut_off_are_refused) {
 
 TEST(CustomKinds, have_no_more_numbers_than_there_is_room_for) {
   EXPECT_EQ(Fixture("probe many").error,
-            "test.world:2: custom model \"probe\": wants more than 4096 commands, state or readings");
+            "test.world:2: custom model \"probe\": needs more than 4096 commands, state or readings");
 }
 
 TEST(CustomKinds, without_a_library_are_refused) {
@@ -94,7 +94,7 @@ TEST(CustomKinds, whose_library_is_misspelt_or_nowhere_are_told_with_the_nearest
 TEST(CustomKinds, whose_library_is_none_of_them_are_refused) {
   EXPECT_THAT(Fixture("stranger").error,
               AllOf(StartsWith("test.world:2: custom model \"stranger\": "),
-                    EndsWith("is no custom model: it lacks PLAYHOUSE_CUSTOM_KIND")));
+                    EndsWith("is not a custom model: it lacks PLAYHOUSE_CUSTOM_KIND")));
   const TestFolder folder;
   std::ofstream(folder / "text.so") << "this is no shared library\n";
   EXPECT_THAT(Fixture("text", {.folders = {folder.path()}}).error, HasSubstr("can't be loaded"));

@@ -23,7 +23,7 @@ std::string why_not(const SharedLibrary& library, const Provided& provided) {
   const std::string macro(provided.macro);
   if (library.symbol("Init"))
     return "is a controller built for Stage's library; write " + macro + " in its source and build it again";
-  return "is no " + std::string(provided.what) + ": it lacks " + macro;
+  return "is not a " + std::string(provided.what) + ": it lacks " + macro;
 }
 
 /// Reads a part of a file. False if it is not there.

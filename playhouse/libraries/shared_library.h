@@ -50,7 +50,7 @@ class SharedLibrary {
     } catch (const std::exception& error) {
       return Error{escaped(file_), escaped(error.what())};
     } catch (...) {
-      return Error{escaped(file_), "threw something that is no std::exception"};
+      return Error{escaped(file_), "threw something that is not a std::exception"};
     }
   }
 

@@ -44,9 +44,9 @@ Result<void> check_surface(const Surface& surface, const Mesh& mesh) {
   for (const auto& p : surface.p)
     if (!is_near({p[0], p[1], p[2]}))
       return Error{
-          {}, fmt::format("is broken: a corner is no number, or farther than {:g} m", limits::kMeshReach)};
+          {}, fmt::format("is broken: a corner is not a number, or farther than {:g} m", limits::kMeshReach)};
   if (!all_finite(surface.normal) || !all_finite(surface.uv))
-    return Error{{}, "is broken: a normal or a place on a texture is no number"};
+    return Error{{}, "is broken: a normal or a place on a texture is not a number"};
   return {};
 }
 
@@ -54,7 +54,7 @@ Result<void> check_look(const Mesh& mesh) {
   std::size_t pixels = 0;
   for (const Image& image : mesh.images) {
     if (image.rgba.size() != std::size_t{4} * image.width * image.height)
-      return Error{{}, "is broken: an image has not the pixels that it should have"};
+      return Error{{}, "is broken: an image has the wrong number of pixels"};
     pixels += image.rgba.size() / 4;
   }
   if (mesh.images.size() > limits::kMeshImages) return too_many("textures", limits::kMeshImages);
@@ -67,12 +67,12 @@ Result<void> check_look(const Mesh& mesh) {
     if (!all_finite(std::span(&material.base, 1)) || !all_finite(std::span(&material.emission, 1)) ||
         !std::isfinite(material.metallic) || !std::isfinite(material.roughness) ||
         !std::isfinite(material.least_opacity))
-      return Error{{}, "is broken: a color is no number"};
+      return Error{{}, "is broken: a color is not a number"};
   }
   for (const Light& light : mesh.lights)
     if (!is_near(light.p) || !is_near(light.d) || !all_finite(std::span(&light.color, 1)) ||
         !std::isfinite(light.inner) || !std::isfinite(light.outer))
-      return Error{{}, "is broken: a light is no number"};
+      return Error{{}, "is broken: a light is not a number"};
   return {};
 }
 
@@ -85,11 +85,12 @@ Result<void> check_physics(const Physics& physics) {
   if (physics.shapes.size() > limits::kMeshShapes) return too_many("shapes for physics", limits::kMeshShapes);
   if (!is_within(physics.mass, limits::kMeshMass))
     return Error{
-        {}, fmt::format("is broken: its mass for physics is no number from 0 to {:g} kg", limits::kMeshMass)};
+        {},
+        fmt::format("is broken: its mass for physics is not a number from 0 to {:g} kg", limits::kMeshMass)};
   if (!is_within(physics.friction, limits::kMeshCoefficient) ||
       !is_within(physics.restitution, limits::kMeshCoefficient))
     return Error{
-        {}, fmt::format("is broken: a coefficient is no number from 0 to {:g}", limits::kMeshCoefficient)};
+        {}, fmt::format("is broken: a coefficient is not a number from 0 to {:g}", limits::kMeshCoefficient)};
   std::size_t points = 0, triangles = 0;
   for (const Shape& shape : physics.shapes) {
     points += shape.points.size();
@@ -101,7 +102,7 @@ Result<void> check_physics(const Physics& physics) {
         !(std::fabs(norm - 1) < 1e-6) || half.x < 0 || half.y < 0 || half.z < 0)
       return Error{
           {},
-          fmt::format("is broken: a shape for physics is no number, or larger or farther than {:g} m",
+          fmt::format("is broken: a shape for physics is not a number, or larger or farther than {:g} m",
                       limits::kMeshReach)};
     if (!are_rows(shape.corners, shape.points.size()))
       return Error{{}, "is broken: a shape for physics has a corner that is not there"};

@@ -25,13 +25,13 @@ Result<Image> decode_png(std::string_view bytes, std::size_t most_pixels) {
   png.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, void (*)(png_image*)> owner(&png, png_image_free);
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
-    return Error{{}, std::string("is no good PNG: ") + png.message};
+    return Error{{}, std::string("is not a valid PNG: ") + png.message};
   if (const auto size = check_size(png.width, png.height, most_pixels); !size) return size.error();
   png.format = PNG_FORMAT_RGBA;
   Image image{png.width, png.height, {}};
   image.rgba.resize(PNG_IMAGE_SIZE(png));
   if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0)
-    return Error{{}, std::string("is no good PNG: ") + png.message};
+    return Error{{}, std::string("is not a valid PNG: ") + png.message};
   return image;
 }
 
@@ -41,7 +41,7 @@ Result<Image> decode_jpeg(std::string_view bytes, std::size_t most_pixels) {
   int width = 0, height = 0, sampling = 0, colors = 0;
   if (!library ||
       tjDecompressHeader3(library.get(), data, bytes.size(), &width, &height, &sampling, &colors) != 0)
-    return Error{{}, std::string("is no good JPEG: ") + tjGetErrorStr2(library.get())};
+    return Error{{}, std::string("is not a valid JPEG: ") + tjGetErrorStr2(library.get())};
   const auto size =
       check_size(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), most_pixels);
   if (!size) return size.error();
@@ -50,7 +50,7 @@ Result<Image> decode_jpeg(std::string_view bytes, std::size_t most_pixels) {
   if (tjDecompress2(library.get(), data, bytes.size(), image.rgba.data(), width, 0, height, TJPF_RGBA,
                     TJFLAG_ACCURATEDCT) != 0 &&
       tjGetErrorCode(library.get()) == TJERR_FATAL)
-    return Error{{}, std::string("is no good JPEG: ") + tjGetErrorStr2(library.get())};
+    return Error{{}, std::string("is not a valid JPEG: ") + tjGetErrorStr2(library.get())};
   return image;
 }
 

@@ -137,7 +137,7 @@ Result<MeshFile> read_mesh_here(const std::string& path, const ReadFile& read) {
 
 Result<MeshFile> read_mesh(const std::string& path, const ReadFile& read) {
   if (!is_mesh_name(path))
-    return error_of(path, "is no mesh: its name ends in none of .dae, .gltf, .glb, .obj and .stl");
+    return error_of(path, "is not a mesh: its name ends in none of .dae, .gltf, .glb, .obj and .stl");
   OwnProcess process([&](Pipe& pipe, Allowance& allowance) { take_apart(pipe, allowance, path); });
   if (process.pipe() == nullptr) return error_of(path, "cannot be read: no process can be made for it");
   return serve(process, path, read);

@@ -302,7 +302,7 @@ TEST(ReadMesh, opens_no_file_outside_of_its_folder) {
 }
 
 TEST(ReadMesh, tells_in_one_line_what_is_wrong) {
-  EXPECT_THAT(error_of("a.ply", "ply"), HasSubstr("a.ply: is no mesh: its name ends in none of"));
+  EXPECT_THAT(error_of("a.ply", "ply"), HasSubstr("a.ply: is not a mesh: its name ends in none of"));
   EXPECT_THAT(error_of("a.dae", "no xml"), HasSubstr("a.dae: cannot be read: "));
   EXPECT_THAT(error_of("a.obj", "v 1 2 3\n"), HasSubstr("a.obj: "));
   EXPECT_THAT(error_of("a.glb", "glTF\2"), HasSubstr("a.glb: cannot be read: "));
@@ -314,7 +314,7 @@ TEST(ReadMesh, tells_in_one_line_what_is_wrong) {
   EXPECT_THAT(error_of("a.dae", test_collada(broken)), HasSubstr("a.dae: "));
   EXPECT_THAT(error_of("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("a.obj: "));
   EXPECT_THAT(error_of("a.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n"),
-              HasSubstr("a.obj: is broken: a corner is no number, or farther than 100000 m"));
+              HasSubstr("a.obj: is broken: a corner is not a number, or farther than 100000 m"));
   for (const char* name : {"a.stl", "a.dae", "a.obj", "a.glb"})
     EXPECT_THAT(error_of(name, "x"), testing::Not(HasSubstr("\n")));
 }
@@ -645,10 +645,11 @@ TEST(ColladaPhysics, refuses_masses_and_shapes_that_no_world_has) {
   };
   EXPECT_EQ(error("1 1 1", "1e9"), "read");
   for (const char* mass : {"1e30", "-1", "nan"})
-    EXPECT_EQ(error("1 1 1", mass), "a.dae: is broken: its mass for physics is no number from 0 to 1e+09 kg")
+    EXPECT_EQ(error("1 1 1", mass),
+              "a.dae: is broken: its mass for physics is not a number from 0 to 1e+09 kg")
         << mass;
   EXPECT_EQ(error("1e6 1 1", "1"),
-            "a.dae: is broken: a shape for physics is no number, or larger or farther than 100000 m");
+            "a.dae: is broken: a shape for physics is not a number, or larger or farther than 100000 m");
 }
 
 TEST(ColladaPhysics, turns_what_has_y_up) {
@@ -688,7 +689,7 @@ TEST(ColladaPhysics, tells_what_is_broken) {
   EXPECT_THAT(error(with_physics("<shape><instance_geometry url=\"#none\"/></shape>")),
               HasSubstr("has no geometry \"#none\""));
   EXPECT_THAT(error(with_physics("<shape><sphere><radius>1</radius></sphere></shape>", "<mass>nan</mass>")),
-              HasSubstr("its mass for physics is no number from 0"));
+              HasSubstr("its mass for physics is not a number from 0"));
   TestCollada elsewhere = with_physics("<shape><sphere><radius>1</radius></sphere></shape>");
   elsewhere.libraries.replace(elsewhere.libraries.find("target=\"#n\""), 11, "target=\"#x\"");
   EXPECT_THAT(error(elsewhere), HasSubstr("has no node \"#x\""));
@@ -713,12 +714,13 @@ TEST(ReadMesh, believes_no_number_of_an_stl) {
   std::string many = test_binary_stl();
   many.replace(80, 4, "\xff\xff\xff\xff");
   EXPECT_EQ(error_of("a.stl", many),
-            "a.stl: is broken: it is no ASCII STL, and a binary one of 4294967295 "
+            "a.stl: is broken: it is not an ASCII STL, and a binary one of 4294967295 "
             "triangles has 214748364834 bytes, found 684");
   const std::string whole = test_binary_stl("solid");
   EXPECT_THAT(error_of("a.stl", whole.substr(0, 600)),
               HasSubstr("a binary one of 12 triangles has 684 bytes"));
-  EXPECT_THAT(error_of("a.stl", "P5"), HasSubstr("is no STL: it is no ASCII one, and too short"));
+  EXPECT_THAT(error_of("a.stl", "P5"),
+              HasSubstr("is not a valid STL: it is not an ASCII one, and too short"));
   std::string none = test_binary_stl();
   none.replace(80, 4, std::string(4, '\0'));
   EXPECT_EQ(error_of("a.stl", none), "a.stl: has no triangles");
@@ -730,11 +732,11 @@ TEST(ReadMesh, tells_the_line_of_a_broken_stl) {
   const auto with = [&whole](const std::string& from, const std::string& to) {
     return error_of("a.stl", std::string(whole).replace(whole.find(from), from.size(), to));
   };
-  EXPECT_EQ(with("vertex -1", "vertex one"), "a.stl: is broken in line 4: a vertex wants three numbers");
+  EXPECT_EQ(with("vertex -1", "vertex one"), "a.stl: is broken in line 4: a vertex needs three numbers");
   EXPECT_EQ(with("endloop", "vertex 0 0 0 endloop"),
-            "a.stl: is broken in line 7: a triangle wants three vertices");
-  EXPECT_THAT(with("vertex -1", "vertex nan"), HasSubstr("a corner is no number, or farther than"));
-  EXPECT_THAT(with("vertex -1", "vertex 1e300"), HasSubstr("a corner is no number, or farther than"));
+            "a.stl: is broken in line 7: a triangle needs three vertices");
+  EXPECT_THAT(with("vertex -1", "vertex nan"), HasSubstr("a corner is not a number, or farther than"));
+  EXPECT_THAT(with("vertex -1", "vertex 1e300"), HasSubstr("a corner is not a number, or farther than"));
   EXPECT_THAT(error_of("a.stl", whole.substr(0, whole.size() / 2)), HasSubstr("it ends before its endsolid"));
 }
 

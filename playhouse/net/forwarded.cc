@@ -57,12 +57,12 @@ Result<TrustedProxies> TrustedProxies::parse(const std::string& list) {
     const std::size_t comma = std::min(list.find(',', begin), list.size());
     const std::string_view text = trimmed(std::string_view(list).substr(begin, comma - begin));
     std::optional<std::string> address = numeric_address(text);
-    if (!address) return Error{"", "numeric addresses of proxies are wanted, not " + in_quotes(text)};
+    if (!address) return Error{"", "invalid proxy " + in_quotes(text) + ": a numeric address is valid"};
     proxies.addresses_.insert(std::move(*address));
     begin = comma + 1;
   }
   if (proxies.addresses_.size() > kMost)
-    return Error{"", fmt::format("{} proxies at most are wanted", kMost)};
+    return Error{"", fmt::format("too many proxies: up to {} are possible", kMost)};
   return proxies;
 }
 
@@ -76,7 +76,7 @@ Result<std::string> TrustedProxies::client_of(const std::string& peer, std::stri
     const bool is_first = comma == std::string_view::npos;
     const std::string_view text = trimmed(is_first ? forwarded : forwarded.substr(comma + 1));
     const std::optional<std::string> address = address_with_port(text);
-    if (!address) return Error{"", "X-Forwarded-For has " + in_quotes(text) + ", which is no address"};
+    if (!address) return Error{"", "invalid address " + in_quotes(text) + " in X-Forwarded-For"};
     if (is_first || !addresses_.contains(*address)) {
       const bool is_v6 = address->find(':') != std::string::npos;
       return (is_v6 ? "[" + *address + "]" : *address) + peer.substr(colon);

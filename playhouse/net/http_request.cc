@@ -88,7 +88,7 @@ std::variant<HttpRequest, HttpRefusal> read_request(const Message& message, cons
     target.erase(0, end);
     if (!target.starts_with('/')) target.insert(0, "/");
   }
-  if (!target.starts_with('/')) return HttpRefusal{400, "the target is no path"};
+  if (!target.starts_with('/')) return HttpRefusal{400, "invalid target: a path is valid"};
   const std::size_t question = std::min(target.find('?'), target.size());
   request.path = target.substr(0, question);
   if (question < target.size()) request.query = target.substr(question + 1);

@@ -135,13 +135,12 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
       return refuse(from, join.nonce,
                     options_.guests.is_sent_out(token, net::to_text(from))
                         ? web_server::kSentOut
-                        : "--token with the token that you were given is wanted");
+                        : "--token with the token that you were given is needed");
     if (observers_.size() >= options_.observers)
-      return refuse(from, join.nonce, fmt::format("{} observers are all that may come", observers_.size()));
+      return refuse(from, join.nonce, fmt::format("limit reached: {} observers", observers_.size()));
     if (!net::is_local(net::to_text(from)) && observers_from(from) >= most_of_one_network())
-      return refuse(
-          from, join.nonce,
-          fmt::format("{} observers are all that may come from one address", most_of_one_network()));
+      return refuse(from, join.nonce,
+                    fmt::format("limit reached: {} observers from one address", most_of_one_network()));
     welcome(from, join, *guest);
   }
 
@@ -224,7 +223,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
   }
 
   void refuse(const net::Endpoint& to, std::uint64_t nonce, const std::string& why) {
-    if (status_.refused++ == 0) log::warn("observers: {} refused: {} (told once)", net::to_text(to), why);
+    if (status_.refused++ == 0) log::warn("observers: {} refused: {} (logged once)", net::to_text(to), why);
     send(to, replicate::encode(replicate::Refusal{nonce, why}));
   }
 

@@ -115,7 +115,7 @@ TEST_F(Observers, need_the_token_of_a_guest_and_who_was_sent_out_of_the_page_is_
   const auto nobody = join("10.0.0.2"), wrong = join("10.0.0.3", "red-chair-9");
   const auto bob = join("10.0.0.4", "blue-chair-7");
   run_for(1);
-  EXPECT_EQ(nobody->observer().ended(), "--token with the token that you were given is wanted");
+  EXPECT_EQ(nobody->observer().ended(), "--token with the token that you were given is needed");
   EXPECT_TRUE(wrong->observer().ended());
   EXPECT_TRUE(bob->observer().has_joined());
   EXPECT_EQ(server_->status().refused, 2u);
@@ -157,7 +157,7 @@ TEST_F(Observers, of_one_address_take_half_of_the_places_at_most) {
   const auto other = join("10.0.0.3");
   run_for(1);
   EXPECT_TRUE(other->observer().has_joined());
-  EXPECT_EQ(same.back()->observer().ended(), "2 observers are all that may come from one address");
+  EXPECT_EQ(same.back()->observer().ended(), "limit reached: 2 observers from one address");
 }
 
 TEST_F(Observers, are_no_more_than_their_limit_and_get_no_more_than_the_program_gives) {
@@ -167,7 +167,7 @@ TEST_F(Observers, are_no_more_than_their_limit_and_get_no_more_than_the_program_
   const auto two = join("10.0.0.3");
   run_for(1);
   EXPECT_EQ(one->observer().terms().bytes_per_second, 5000u);
-  EXPECT_EQ(two->observer().ended(), "1 observers are all that may come");
+  EXPECT_EQ(two->observer().ended(), "limit reached: 1 observers");
 }
 
 TEST_F(Observers, who_does_not_prove_its_address_gets_no_more_than_it_sends) {

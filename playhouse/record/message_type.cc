@@ -93,7 +93,7 @@ Result<void> MessageType::add_line(std::string_view line, Fields& into) {
   if (line.empty()) return {};
   const std::size_t space = line.find_first_of(" \t");
   if (space == std::string_view::npos)
-    return Error{{}, "has a schema with a line that is none: " + in_quotes(line)};
+    return Error{{}, "has a schema with an invalid line: " + in_quotes(line)};
   std::string_view type = line.substr(0, space);
   std::string_view name = trimmed(line.substr(space));
   if (name.find('=') != std::string_view::npos) return {};  // a constant
@@ -106,7 +106,9 @@ Result<void> MessageType::add_line(std::string_view line, Fields& into) {
     const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), field.count);
     if (!field.list &&
         (error != std::errc() || end != count.data() + count.size() || field.count > kFixedCount))
-      return Error{{}, "has a schema with an array of no size: " + in_quotes(line)};
+      return Error{{},
+                   fmt::format("has a schema with an invalid array size: {}; up to {} is valid",
+                               in_quotes(line), kFixedCount)};
     type = type.substr(0, bracket);
   }
   type = type.substr(0, type.find("<="));
@@ -227,7 +229,7 @@ Result<MessageType::Rows> MessageType::rows(std::span<const std::byte> message) 
     walk.is_too_large = repeated > 0 && walk.rows.size() > kMessageValues / repeated;
   }
   if (walk.is_too_large) return Error{{}, "has a message of too many values"};
-  if (!good) return Error{{}, "has a message that is none of its schema"};
+  if (!good) return Error{{}, "has a message that does not match its schema"};
   if (!walk.has_list) return Rows{std::move(walk.outside)};
   for (auto& row : walk.rows)
     for (std::size_t field = 0; field < fields_.size(); ++field)

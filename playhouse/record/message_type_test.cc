@@ -183,9 +183,9 @@ TEST(MessageType, refuses_a_long_list_that_every_row_would_repeat) {
 }
 
 TEST(MessageType, refuses_schemas_that_are_none) {
-  EXPECT_THAT(fault_of("float64"), HasSubstr("a line that is none"));
+  EXPECT_THAT(fault_of("float64"), HasSubstr("an invalid line"));
   EXPECT_THAT(fault_of("some/Thing thing"), HasSubstr("lacks type \"some/Thing\""));
-  EXPECT_THAT(fault_of("float64[99999999] big"), HasSubstr("an array of no size"));
+  EXPECT_THAT(fault_of("float64[99999999] big"), HasSubstr("an invalid array size"));
   EXPECT_THAT(fault_of("a/A x\nMSG: a/A\na/A x\n"), HasSubstr("too deep"));
   std::string wide = "a/A x\n";
   for (char type = 'A'; type < 'K'; ++type) {

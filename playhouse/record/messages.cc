@@ -315,7 +315,7 @@ void add_trait(std::vector<TableMessages>& all) {
   all.push_back(messages_of<Table, kTable>(name.substr(0, name.size() - 1)));  // "packs": pack
 }
 
-/// REP 117: a range at one of its limits is none, but an infinity.
+/// REP 117: a range at one of its limits is not a range, but an infinity.
 std::vector<float> with_infinity(std::span<const float> ranges, const scene::RangerSensorDesc& sensor) {
   constexpr float kNone = std::numeric_limits<float>::infinity();
   const auto least = static_cast<float>(sensor.range_min), most = static_cast<float>(sensor.range_max);

@@ -85,7 +85,8 @@ Result<Recording> read_recording(const Source& source, std::size_t most) {
   if (recording.cut && !has_message)
     return Error{{}, "was not finished and ends before its first whole chunk: there is nothing to run again"};
   if (!has_start)
-    return Error{{}, "is no recording of Playhouse: the attachment " + in_quotes(kStartName) + " is missing"};
+    return Error{{},
+                 "is not a recording of Playhouse: the attachment " + in_quotes(kStartName) + " is missing"};
   if (recording.states.empty())
     return Error{{}, "has data alone: its states could not be saved, so it cannot be run again"};
   return recording;

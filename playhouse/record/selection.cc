@@ -29,12 +29,13 @@ Result<Selection> Selection::parse(std::string_view text) {
     const std::size_t at = entry.find('@');
     const std::string_view kind = entry.substr(0, at);
     const std::string_view name = at == std::string_view::npos ? "" : entry.substr(at + 1);
-    if (kind.empty() && name.empty()) return Error{{}, "a kind or @NAME is wanted, not " + in_quotes(entry)};
+    if (kind.empty() && name.empty())
+      return Error{{}, "invalid entry " + in_quotes(entry) + ": a kind or @NAME is valid"};
     if (!kind.empty() && std::ranges::find(known, kind) == known.end())
       return Error{{},
                    "no kind that can be recorded is called " + in_quotes(kind) + did_you_mean(kind, known)};
     if (at != std::string_view::npos && name.empty())
-      return Error{{}, "a name is wanted behind @ in " + in_quotes(entry)};
+      return Error{{}, "a name is missing behind @ in " + in_quotes(entry)};
     if (kind != kPoses) selection.entries_.push_back({std::string(kind), std::string(name)});
   }
   return selection;

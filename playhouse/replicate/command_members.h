@@ -71,7 +71,7 @@ class Members {
   }
 
   Result<Command> finish(Command command) {
-    if (fault_.empty() && read_ != object_.size()) fault("a key that \"do\" has no use for");
+    if (fault_.empty() && read_ != object_.size()) fault("\"do\" has an unknown key");
     if (!fault_.empty()) return Error{"", fault_};
     return command;
   }

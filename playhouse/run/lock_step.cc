@@ -35,7 +35,7 @@ std::string LockStep::why_not(const std::string& name) const {
   const bool by_name = !options_.names.empty();
   if (by_name && name.empty()) return "clients of this world join by name first";
   if (by_name && !options_.names.contains(name))
-    return fmt::format("{} is none of those that this world waits for", in_quotes(name));
+    return fmt::format("this world does not wait for {}", in_quotes(name));
   if (!name.empty() && std::ranges::find(members_, name, &Member::name) != members_.end())
     return fmt::format("{} has joined already", in_quotes(name));
   if (members_.size() >= options_.members) return "all that this world waits for have joined";

@@ -40,7 +40,7 @@ class LockStep final {
   void leave(Who who);
   bool has(Who who) const;
 
-  /// True if a member may change the world now, or if it is none.
+  /// True if a member may change the world now, or if it is not a member.
   bool may_act(Who who) const;
   /// Callbacks on every change of turns; add them before the run.
   void when_changed(std::function<void()> changed) { changed_.push_back(std::move(changed)); }

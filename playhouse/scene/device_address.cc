@@ -49,7 +49,7 @@ Result<DeviceAddress> parse_device_address(std::string_view text) {
   const std::string_view port = take_last(rest);
   if (!port.empty()) {
     address.port = parse_u16(port);
-    if (!address.port) return bad("has a port that is no number from 0 to 65535");
+    if (!address.port) return bad("has an invalid port " + in_quotes(port) + ": 0 to 65535 is valid");
   }
   address.host = take_last(rest);
   address.key = rest;

@@ -46,7 +46,7 @@ class Reader {
     }
     for (const auto& [key, node] : file)
       if (key.str() != "robot")
-        fail(key.source(), in_quotes(key.str()) + " stands outside of the [[robot]] tables");
+        fail(key.source(), in_quotes(key.str()) + " is outside of the [[robot]] tables");
     const toml::array* const tables = several->as_array();
     if (tables == nullptr) {
       fail(several->source(), "robots are written as [[robot]] tables");

@@ -65,7 +65,7 @@ TEST(RobotFile, what_is_wrong_is_told_with_its_line_and_the_nearest_word) {
   EXPECT_EQ(fault("type = \"a\"\npose = [0, 0, 0]\n[, 0]\n").substr(0, 11), "my.toml:3: ");
   EXPECT_EQ(fault("robot = 3\n"), "my.toml:1: robots are written as [[robot]] tables");
   EXPECT_EQ(fault("type = \"a\"\n[[robot]]\ntype = \"b\"\npose = [0, 0, 0]\n"),
-            "my.toml:1: \"type\" stands outside of the [[robot]] tables");
+            "my.toml:1: \"type\" is outside of the [[robot]] tables");
   EXPECT_EQ(fault("type = \"a\"\npose = [0, 0, 0]\nsensors = [\"two words\"]\n").substr(0, 21),
             "my.toml:3: a sensor i");
   EXPECT_EQ(fault("type = \"a\"\npose = [0, 0, 0]\nsensors = [{typ = \"b\"}]\n"),

@@ -124,10 +124,10 @@ TEST(WorldText, faults_are_one_line_with_the_place) {
   EXPECT_EQ(error_of("model( ))"), "w/t.world:1: \")\" without its \"(\"");
   EXPECT_EQ(error_of("model( player\n)"), "w/t.world:1: \"player\" needs a value or \"(\"");
   EXPECT_EQ(error_of("\xef\xbb\xbf<?xml version=\"1.0\"?>\n<sdf version=\"1.6\">"),
-            "w/t.world:1: this is a world of Gazebo (SDF), and no world file of Player/Stage");
+            "w/t.world:1: this is a world of Gazebo (SDF), not a world file of Player/Stage");
   EXPECT_EQ(error_of("#VRML_SIM R2021b utf8\nWorldInfo {\n}"),
-            "w/t.world:1: this is a world of Webots, and no world file of Player/Stage");
-  EXPECT_EQ(error_of("<html>"), "w/t.world:1: this is XML, and no world file of Player/Stage");
+            "w/t.world:1: this is a world of Webots, not a world file of Player/Stage");
+  EXPECT_EQ(error_of("<html>"), "w/t.world:1: this is XML, not a world file of Player/Stage");
   EXPECT_THAT(error_of("version https://git-lfs.github.com/spec/v1\noid"), HasSubstr("`git lfs pull`"));
   EXPECT_EQ(error_of("model( ( ) )"), "w/t.world:1: expected a name or \")\", found \"(\"");
   EXPECT_EQ(error_of("model( name \"x )\n"), "w/t.world:1: string without its closing quote on this line");
@@ -194,13 +194,14 @@ TEST(WorldText, what_does_nothing_is_told) {
 
 TEST(WorldText, a_ground_is_a_known_material_and_a_misspelt_material_is_told) {
   EXPECT_EQ(error_of("\nground \"icy\""),
-            "w/t.world:2: \"ground\" \"icy\" is no known material (did you mean \"ice\"?)");
-  EXPECT_THAT(error_of("ground \"\""), HasSubstr("\"ground\" \"\" is no known material"));
+            "w/t.world:2: \"ground\" \"icy\" is not a known material (did you mean \"ice\"?)");
+  EXPECT_THAT(error_of("ground \"\""), HasSubstr("\"ground\" \"\" is not a known material"));
   EXPECT_THAT(loaded("ground \"carpet\" model( material \"velvet\" ) model( material \"smoke\" )").warnings,
               ElementsAre());
-  EXPECT_THAT(loaded("model( material \"concret\" )").warnings,
-              ElementsAre("w/t.world:1: \"material\" \"concret\" is a property for detectors only, no known "
-                          "material (did you mean \"concrete\"?)"));
+  EXPECT_THAT(
+      loaded("model( material \"concret\" )").warnings,
+      ElementsAre("w/t.world:1: \"material\" \"concret\" is a property for detectors only, not a known "
+                  "material (did you mean \"concrete\"?)"));
   EXPECT_EQ(error_of("model( restitution 1.5 )"),
             "w/t.world:1: \"restitution\" must be from 0 to 1, found \"1.5\"");
 }
@@ -656,7 +657,7 @@ TEST(WorldBodies, a_bitmap_and_blocks_share_one_bounding_box) {
 TEST(WorldBodies, wrong_shapes_are_errors_with_the_place) {
   EXPECT_THAT(error_of("model( bitmap \"gone.png\" )"),
               HasSubstr("w/t.world:1: bitmap \"w/gone.png\" cannot be opened: no such file"));
-  EXPECT_THAT(error_of("model( bitmap \"b\" )", {{"w/b", "text"}}), HasSubstr("bitmap \"w/b\" is no PNG"));
+  EXPECT_THAT(error_of("model( bitmap \"b\" )", {{"w/b", "text"}}), HasSubstr("bitmap \"w/b\" is not a PNG"));
   EXPECT_THAT(error_of("model(\nblock( points 1 ) )"), HasSubstr("w/t.world:2: a block needs \"points\""));
   EXPECT_THAT(error_of("model( block( points 1000000000 ) )"), HasSubstr("corners of bodies"));
   EXPECT_THAT(error_of("model( block( z [2 1] points 3 point[0] [0 0] point[1] [1 0] point[2] [2 1] ) )"),
@@ -1036,8 +1037,9 @@ TEST(WorldGlobals, the_first_window_counts) {
 }
 
 TEST(WorldGlobals, following_a_model_that_does_not_exist_is_a_warning) {
-  EXPECT_THAT(loaded("window(\nfollow_model \"r\" ) model( name \"r0\" )").warnings,
-              ElementsAre("w/t.world:2: the window follows \"r\", which is no model (did you mean \"r0\"?)"));
+  EXPECT_THAT(
+      loaded("window(\nfollow_model \"r\" ) model( name \"r0\" )").warnings,
+      ElementsAre("w/t.world:2: the window follows \"r\", which is not a model (did you mean \"r0\"?)"));
 }
 
 TEST(WorldWarnings, an_unknown_property_is_told_once_per_line_with_the_nearest_word) {

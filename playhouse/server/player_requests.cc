@@ -77,7 +77,7 @@ void Session::authenticate(const wire::Header& header, Body body) {
   const std::string_view key(reinterpret_cast<const char*>(asked->auth_key.data()), asked->auth_key.size());
   std::string token(wire::text(key));
   const std::optional<device::Rights> rights = board_.admit(token, peer_);
-  if (!rights) return refuse(header, Fault::kRights, "no guest of this run");
+  if (!rights) return refuse(header, Fault::kRights, "not a guest of this run");
   token_ = std::move(token);
   caller_.set_rights(*rights);
   caller_.set_holder(net::holder_of(token_, peer_));

@@ -44,19 +44,20 @@ std::vector<std::string_view> words_of(std::string_view line) {
 /// Error in a line; empty if it is valid.
 std::string fault_of(const std::vector<std::string_view>& words) {
   if (std::ranges::find(kRoles, words[0]) == kRoles.end())
-    return in_quotes(words[0]) + " is no role: observer, driver, human or admin" +
+    return "invalid role " + in_quotes(words[0]) + ": observer, driver, human and admin are valid" +
            did_you_mean(words[0], kRoles);
   if (words.size() < 2)
-    return "a token is missing: role token [name]; ? makes one, * is for whoever has none";
+    return "a token is missing: role token [name]; ? makes one, * is for whoever has no token";
   if (words.size() > 3) return "more than role, token and name";
   const std::string_view token = words[1];
   if (token != "*" && token != "?" &&
       (token.size() < limits::kTokenBytesLeast || token.size() > limits::kTokenBytes || !is_word(token)))
-    return fmt::format("a token has {} to {} letters, digits, - and _", limits::kTokenBytesLeast,
+    return fmt::format("invalid token: {} to {} letters, digits, - and _ are valid", limits::kTokenBytesLeast,
                        limits::kTokenBytes);
   if (words.size() < 3) return {};
   if (token == "*") return "* is for everybody without a token, who cannot all have one name";
-  if (!replicate::is_person_name(words[2])) return fmt::format("a name is {}", replicate::kPersonNameRule);
+  if (!replicate::is_person_name(words[2]))
+    return fmt::format("invalid name {}: valid are {}", in_quotes(words[2]), replicate::kPersonNameRule);
   return {};
 }
 
@@ -88,7 +89,7 @@ Result<std::vector<Guest>> parse_guests(std::string_view text, const std::string
     if (!tokens.insert(guest.token).second) return Error{where, "another line has this token"};
     guests.push_back(std::move(guest));
   }
-  if (guests.empty()) return Error{escaped(path), "no line says who may come: role token [name]"};
+  if (guests.empty()) return Error{escaped(path), "no guest is listed: a line is role token [name]"};
   return guests;
 }
 

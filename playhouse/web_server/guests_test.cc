@@ -27,18 +27,20 @@ TEST(Guests, a_line_is_a_role_a_token_and_a_name) {
 
 TEST(Guests, faults_name_the_line_and_the_nearest_role) {
   EXPECT_EQ(fault("observer *\nhumam secret-12"),
-            "g.txt:2: \"humam\" is no role: observer, driver, human or admin (did you mean \"human\"?)");
+            "g.txt:2: invalid role \"humam\": observer, driver, human and admin are valid (did you mean "
+            "\"human\"?)");
   EXPECT_EQ(fault("admin"),
-            "g.txt:1: a token is missing: role token [name]; ? makes one, * is for whoever has none");
-  EXPECT_EQ(fault("admin short"), "g.txt:1: a token has 8 to 128 letters, digits, - and _");
-  EXPECT_EQ(fault("admin with/slash"), "g.txt:1: a token has 8 to 128 letters, digits, - and _");
-  EXPECT_EQ(fault("human abcdefgh 7up"),
-            "g.txt:1: a name is 1 to 24 letters, digits, - and _, the first one a letter");
+            "g.txt:1: a token is missing: role token [name]; ? makes one, * is for whoever has no token");
+  EXPECT_EQ(fault("admin short"), "g.txt:1: invalid token: 8 to 128 letters, digits, - and _ are valid");
+  EXPECT_EQ(fault("admin with/slash"), "g.txt:1: invalid token: 8 to 128 letters, digits, - and _ are valid");
+  EXPECT_EQ(
+      fault("human abcdefgh 7up"),
+      "g.txt:1: invalid name \"7up\": valid are 1 to 24 letters, digits, - and _, the first one a letter");
   EXPECT_EQ(fault("human abcdefgh Bob Smith"), "g.txt:1: more than role, token and name");
   EXPECT_EQ(fault("observer * Bob"),
             "g.txt:1: * is for everybody without a token, who cannot all have one name");
   EXPECT_EQ(fault("human abcdefgh\nadmin abcdefgh"), "g.txt:2: another line has this token");
-  EXPECT_EQ(fault("# nobody\n"), "g.txt: no line says who may come: role token [name]");
+  EXPECT_EQ(fault("# nobody\n"), "g.txt: no guest is listed: a line is role token [name]");
 }
 
 TEST(Guests, who_guesses_waits_for_a_second_and_others_do_not) {

@@ -142,9 +142,10 @@ class WebServer::Impl final : public net::HttpService,
 
   Result<void> serves(const std::string& host) override {
     if (host.empty() || names_.has(host)) return {};
-    const std::string text = in_quotes(host) + " is no name of this program; open it by its address or as " +
+    const std::string text = in_quotes(host) +
+                             " is not a name of this program; open it by its address or as " +
                              names_.machine() + " (--web-host gives it another name)";
-    if (hosts_refused_++ == 0) log::warn("web: a request refused: {} (told once)", text);
+    if (hosts_refused_++ == 0) log::warn("web: a request refused: {} (logged once)", text);
     return Error{"", text};
   }
 
@@ -167,7 +168,7 @@ class WebServer::Impl final : public net::HttpService,
     if (!request.origin.empty() && !names_.may_control(request.origin, request.host)) {
       const std::string text = "a page from " + in_quotes(request.origin) + " may not control this program";
       if (origins_refused_++ == 0)
-        log::warn("web: {} refused: {}; its own page may, at http://{}/ (told once)", request.peer, text,
+        log::warn("web: {} refused: {}; its own page may, at http://{}/ (logged once)", request.peer, text,
                   request.host);
       return Error{"", text};
     }
@@ -234,7 +235,7 @@ class WebServer::Impl final : public net::HttpService,
 
   void turn_away(net::WebSocket& socket, const std::string& token) {
     if (turned_away_++ == 0)
-      log::warn("web: {} turned away: no guest of this run, or sent out (told once)", socket.peer());
+      log::warn("web: {} turned away: not a guest of this run, or sent out (logged once)", socket.peer());
     socket.close(options_.guests.is_sent_out(token, socket.peer())
                      ? kSentOut
                      : "open the page by the link that you were given");
@@ -381,7 +382,7 @@ class WebServer::Impl final : public net::HttpService,
 
   void refuse(net::WebSocket& socket) {
     if (status_.viewers_refused++ == 0)
-      log::warn("web: {} refused: {} viewers is the limit (told once)", socket.peer(), options_.viewers);
+      log::warn("web: {} refused: {} viewers is the limit (logged once)", socket.peer(), options_.viewers);
     socket.close("there are as many viewers as this program serves");
   }
 
@@ -572,7 +573,7 @@ class WebServer::Impl final : public net::HttpService,
 
   void refused(const WebViewer& from, const std::string& why) override {
     if (status_.commands_refused++ == 0)
-      log::warn("web: {} sent a command that cannot be: {} (told once)", from.peer(), why);
+      log::warn("web: {} sent an invalid command: {} (logged once)", from.peer(), why);
   }
 
   void sent_frame(std::size_t bytes) override {

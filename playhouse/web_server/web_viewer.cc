@@ -69,8 +69,8 @@ void WebViewer::received(std::string_view text) {
   if (done) return;
   owner_.refused(*this, done.error().text);
   if (++faults_ < limits::kViewerFaults) return notice(done.error().text);
-  socket_->close("too many commands that cannot be: " + done.error().text);
-  owner_.left(*this, "too many commands that cannot be");
+  socket_->close("too many invalid commands: " + done.error().text);
+  owner_.left(*this, "too many invalid commands");
 }
 
 Result<void> WebViewer::execute(const replicate::Command& command) {

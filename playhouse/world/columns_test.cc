@@ -235,7 +235,7 @@ class SavedColumn : public EveryColumn {
     w.tick_ = 5;
   }
 
-  /// The world as it is now, saved and loaded; nothing if a value is refused: a mode that is none, a
+  /// The world as it is now, saved and loaded; nothing if a value is refused: an invalid mode, a
   /// sensor of the future.
   std::unique_ptr<World> loaded_again() const {
     std::vector<std::byte> bytes;

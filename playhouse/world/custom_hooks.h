@@ -33,7 +33,7 @@ bool call_hook(const CustomModel& self, const CustomCode& code, const Hook& hook
   } catch (const std::exception& error) {
     complain(self.world, self.model, code, escaped(error.what()).c_str());
   } catch (...) {
-    complain(self.world, self.model, code, "threw something that is no std::exception");
+    complain(self.world, self.model, code, "threw something that is not a std::exception");
   }
   return false;
 }

@@ -11,7 +11,7 @@ namespace {
 
 using std::string_literals::operator""s;
 
-/// Two boxes, of which one says something that is no line.
+/// Two boxes, of which one says something that is not a line.
 scene::SceneDesc scene_with(const std::string& text) {
   scene::SceneDesc scene;
   scene.models.resize(2);
@@ -70,7 +70,7 @@ TEST(Spoken, is_all_that_a_saved_run_can_hold) {
     const std::uint64_t before = loaded.said();
     const Result<void> read = load_state(loaded, bytes);
     EXPECT_EQ(read.ok(), text == "fine");
-    if (!read.ok()) EXPECT_EQ(read.error().text, "is damaged: a model says what is no line of text");
+    if (!read.ok()) EXPECT_EQ(read.error().text, "is damaged: a model says what is not a line of text");
     if (read.ok()) EXPECT_NE(loaded.said(), before);
   }
 }

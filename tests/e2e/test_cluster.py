@@ -143,7 +143,7 @@ class Cluster(HouseTest):
             with socket.create_connection(("127.0.0.1", port), timeout=PATIENCE) as stranger:
                 stranger.sendall(struct.pack("<IB", len(hello), 1) + hello + struct.pack("<IB", 0, 3))
                 stranger.sendall(struct.pack("<IB", 16, 6) + bytes(16))
-                head.wait_for_line(r"warning: cluster: 127\.0\.0\.1:\d+ is lost: at [\d.]+ s its world is another one")
+                head.wait_for_line(r"warning: cluster: 127\.0\.0\.1:\d+ is lost: at [\d.]+ s its world differs")
             shared = self.result_of(head)
         self.assertEqual(shared, self.alone(world, "--fast", "--duration", 3))
 

@@ -84,12 +84,12 @@ class Convert(HouseTest):
         (self.folder / "plan.jpg").write_bytes(b"GIF89a\x01\0\x01\0\0\0\0;")
         done = finish("convert", self.folder / "plan.jpg", "--scale", "0.05")
         self.assertEqual(done.returncode, 2)
-        self.assertRegex(done.stderr, r"plan\.jpg: error: is no PNG, JPEG, .* or BMP image\n$")
+        self.assertRegex(done.stderr, r"plan\.jpg: error: is not a PNG, JPEG, .* or BMP image\n$")
 
     def test_what_is_no_world_is_told_with_what_reads_it(self):
         """Whatever wants a world says in one line what it got."""
         image = (ROOT / "worlds" / "bitmaps" / "cave.png").read_bytes()
-        files = {"plan.png": (image, "is an image and no world: playhouse convert"), "plan.jpg": (b"\xff\xd8\xff\xe0 and so on", "is an image"),
+        files = {"plan.png": (image, "is an image, not a world: playhouse convert"), "plan.jpg": (b"\xff\xd8\xff\xe0 and so on", "is an image"),
                  "plan": (image, "is an image"), "room.pbm": (b"P1 2 2 0 1 1 0", "is an image"), "map.yaml": (b"image: m.pgm\n", "is a map of ROS"),
                  "table.stl": (b"solid table\n", "is a mesh"), "run.world": (b"\x89MCAP0\r\n", "is a recording"),
                  "cave.run": (b"playhouse saved run 1", "is a saved run")}

@@ -166,7 +166,7 @@ class Libraries(HouseTest):
 
     def test_what_is_wrong_is_told_with_its_line(self):
         for library, told in (
-                ("geiger", '"geiger": wants two arguments: BACKGROUND SOURCE'),
+                ("geiger", '"geiger": needs two arguments: BACKGROUND SOURCE'),
                 ("geiger -1 2", '"geiger": BACKGROUND is at least 0, SOURCE not 0'),
                 ("geigre 1 2", 'no custom model "geigre" (did you mean "geiger"?)')):
             world = self.write("bad.world", f'model( )\ncustom( library "{library}" )\n')

@@ -162,7 +162,7 @@ class Observe(HouseTest):
         house.wait_for_line(r"^  Bob \(observer\): --token blue-chair-7$")
         stranger = self.observe("--seconds", 1)
         self.assertEqual(stranger.wait(), 1)
-        self.assertIn("--token with the token that you were given is wanted", stranger.log())
+        self.assertIn("--token with the token that you were given is needed", stranger.log())
         self.assertEqual(len(self.lines(self.observe("--token", "blue-chair-7", "--seconds", 0.2))), 3)
         house.wait_for_line("observes as observer Bob")
 
@@ -180,8 +180,8 @@ class Observe(HouseTest):
         self.addCleanup(second.__exit__)
         self.assertEqual(second.wait(), 1)
         self.assertIn("cannot listen for datagrams: Address already in use; --observers takes another port", second.log())
-        for arguments, told in {("--view", "1,2"): "X,Y,RADIUS in metres is wanted",
-                                ("--rate", "0"): "a number above 0 is wanted",
+        for arguments, told in {("--view", "1,2"): "X,Y,RADIUS in metres is valid",
+                                ("--rate", "0"): "a number above 0 is valid",
                                 ("--bytes-per-second", "10"): "a whole number from 4000 to"}.items():
             observer = self.observe(*arguments)
             self.assertEqual(observer.wait(), 2)

@@ -163,7 +163,7 @@ class Views(HouseTest):
 
     def test_words_that_do_not_fit_are_told_in_a_line(self):
         world = self.write("w.world", CUBES)
-        for words, told in ((("--look-at", "0,0,0"), "--from"), (("--from", "0,0"), "X,Y,Z in metres is wanted"),
+        for words, told in ((("--look-at", "0,0,0"), "--from"), (("--from", "0,0"), "X,Y,Z in metres is valid"),
                             (("--follow", "q"), 'there is no model "q"'), (("--first-person", "bleu"), 'did you mean "blue"?'),
                             (("--first-person", "r", "--follow", "r"), "excludes"), (("--from", "nan,0,0"), "X,Y,Z")):
             with self.subTest(words):

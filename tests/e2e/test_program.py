@@ -326,7 +326,7 @@ class Examples(HouseTest):
         picture = self.folder / "cost.svg"
         for lines, fault in ((self.folder / "nope", "No such file or directory"), (self.folder, "Is a directory"),
                              (self.write("none.jsonl", ""), "has no line of playhouse bench"),
-                             (self.write("other.jsonl", '{"a": 1}\n'), "has lines that are none of playhouse bench")):
+                             (self.write("other.jsonl", '{"a": 1}\n'), "has lines that playhouse bench did not write")):
             done = subprocess.run(["python3", ROOT / "tools" / "plot_bench.py", lines, picture], capture_output=True, text=True,
                                   timeout=PATIENCE)
             self.assertEqual((done.returncode, done.stderr), (1, f"{lines}: {fault}\n"))
@@ -695,7 +695,7 @@ class Check(HouseTest):
         self.assertFalse(mark.exists())
         done = finish(*run, "--allow-library", library)
         self.assertIn(f"loads {library}", done.stderr)
-        self.assertIn("is no controller", done.stderr)
+        self.assertIn("is not a controller", done.stderr)
         self.assertTrue(mark.exists())
 
     def test_a_pipe_is_read_once(self):
@@ -745,7 +745,7 @@ class Kinds(HouseTest):
                          ("drive", '"diff" | "omni" | "walk" | "car"', '"diff"', None))
 
     def test_an_unknown_name_is_one_line_with_what_to_write(self):
-        for name, expected in (("positoin", '"positoin" is no kind (did you mean "position"?); playhouse kinds lists all'),
+        for name, expected in (("positoin", 'unknown kind "positoin" (did you mean "position"?); playhouse kinds lists all'),
                                ("laser", "Stage 4 has none: write ranger( sensor("), ("wrold", 'did you mean "world"?')):
             done = finish("kinds", name)
             self.assertEqual((done.returncode, done.stdout, len(done.stderr.splitlines())), (2, "", 1), done.stderr)

@@ -263,7 +263,7 @@ robot( name "r0" pose [0 0 0 0] )
         finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", 5, "--record", self.file)
         whole = self.file.read_bytes()
         middle = len(whole) // 3
-        for content, line in ((b"playhouse saved run 2\n", "is no MCAP file"), (b"", "is no MCAP file"),
+        for content, line in ((b"playhouse saved run 2\n", "is not an MCAP file"), (b"", "is not an MCAP file"),
                               (whole[:middle] + b"\0\1\2\3" + whole[middle + 4:], "is damaged")):
             self.file.write_bytes(content)
             export = [("export", self.file, "--csv")] if "MCAP" in line else []

@@ -181,8 +181,8 @@ class RobotClient(HouseTest):
                 (BOB, ':1: error: there is a model "bob" already'),
                 (BOB.replace("cart", "carrt"), 'no type of robot "carrt" (did you mean "cart"?)'),
                 (BOB.replace("scanner", "scaner").replace("bob", "x"), 'no type of sensor "scaner" (did you mean "scanner"?)'),
-                ('type = "cart"\npose = [0.1, 0.1, 0]\n', "something stands at 0.10 0.10 already"),
-                ('type = "cart"\npose = [2.9, 3, 0]\n', "something stands at 2.90 3.00 already"),
+                ('type = "cart"\npose = [0.1, 0.1, 0]\n', "the place at 0.10 0.10 is occupied"),
+                ('type = "cart"\npose = [2.9, 3, 0]\n', "the place at 2.90 3.00 is occupied"),
                 (TWO.replace("eve", "bob"), ':7: error: there is a model "bob" already'),
                 ('type = "cart"\nposs = [0, 0, 0]\n', ':2: error: "poss" is unknown (did you mean "pose"?)')):
             robot = self.robot(lab, content.replace("[0, 0, 0]", "[0, 3, 0]") if "already" in line and "stands" not in line else content)

@@ -7,6 +7,7 @@ import unittest
 from unittest import mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+import messages  # noqa: E402
 import module_graph  # noqa: E402
 import threads  # noqa: E402
 
@@ -37,6 +38,7 @@ class Tree(unittest.TestCase):
             self.replace(module, "SOURCE", self.root / "playhouse")
             self.replace(module, "MAP", self.root / "ARCHITECTURE.md")
         self.replace(threads, "PAGE", self.root / "docs/locks.md")
+        self.replace(messages, "ROOT", self.root)
         for cached in (module_graph.links, module_graph.reachable):
             cached.cache_clear()
             self.addCleanup(cached.cache_clear)
@@ -73,6 +75,25 @@ class Includes(Tree):
         self.assertEqual(self.wrong("roof/testing_tiles.h", line), [])
         self.assertEqual(self.wrong("roof/tile.cc", line), [(1, "roof", "chimney")])
         self.assertEqual(self.wrong("house/door_test.cc", line), [(1, "house", "chimney")])
+
+
+class Messages(Tree):
+    def odd(self, name, *lines):
+        return list(messages.odd_phrases(self.write(name, "\n".join(lines))))
+
+    def test_that_do_not_say_what_is_invalid_are_found_in_every_kind_of_file(self):
+        for suffix in ("h", "cc", "inc"):
+            with self.subTest(suffix):
+                self.assertEqual(self.odd(f"house/door.{suffix}", "", 'return "the key is none";', 'log("\\"", "its hinges are none (told once)");'),
+                                 [f'playhouse/house/door.{suffix}:2: "is none" in a message: say "invalid", and what is valid',
+                                  f'playhouse/house/door.{suffix}:3: "are none" in a message: say "invalid", and what is valid',
+                                  f'playhouse/house/door.{suffix}:3: "told once" in a message: say "logged once"'])
+
+    def test_are_string_literals_of_the_program(self):
+        self.assertEqual(self.odd("house/door.cc", "// the key is none", 'open("http://a", \'"\');  // "is none" and \'"\'',
+                                  'return "there is none";', 'return "this none";', 'is none ("key")'), [])
+        self.assertEqual(self.odd("house/door_test.cc", '"the key is none"'), [])
+        self.assertEqual(self.odd("house/testing_doors.h", '"the key is none"'), [])
 
 
 class Folders(Tree):

@@ -307,7 +307,7 @@ test('a page under a name that only points here is told what to do', async () =>
   const other = await openPage(browser);
   const answer = await other.goto(program.page.replace('127.0.0.1', 'elsewhere.localhost'));
   assert.equal(answer.status(), 421);
-  assert.match(await other.locator('body').textContent(), /"elsewhere.localhost:\d+" is no name of this program.*--web-host/);
+  assert.match(await other.locator('body').textContent(), /"elsewhere.localhost:\d+" is not a name of this program.*--web-host/);
   await other.close();
 });
 

@@ -57,7 +57,7 @@ double clamp(double value, double low, double high) {
   return fmax(low, fmin(high, value));
 }
 
-/** A number from 0 on; false if the word is none. */
+/** A number from 0 on; false if the word is not one. */
 static bool parse_number(const char *word, double *number) {
   char *end = NULL;
   *number = strtod(word, &end);

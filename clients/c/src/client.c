@@ -33,7 +33,7 @@ static void split(const char *address, char *host, const char **port) {
   }
 }
 
-/** The number of a port, 0 if the word is none. */
+/** The number of a port, 0 if the word is not one. */
 static uint16_t port_of(const char *word) {
   unsigned long port = 0;
   if (*word == '\0') return 0;
@@ -234,7 +234,7 @@ static ph_status authenticate(ph_client *client, const char *token, ph_error *er
   const ph_player_device_auth_req key = {(const uint8_t *)token, (uint32_t)letters};
   const ph_status status = ask_server(client, PH_PLAYER_REQ_AUTH, &key, NULL, error);
   if (status != PH_REQUEST_REFUSED) return status;
-  return ph_fail(error, status, "%s: the token is refused; a run without --guests wants none",
+  return ph_fail(error, status, "%s: the token is refused; a run without --guests needs none",
                  ph_client_peer(client));
 }
 

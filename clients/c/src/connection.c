@@ -32,7 +32,8 @@ double ph_now(void) {
 ph_status ph_check_seconds(double timeout, ph_error *error) {
   if (timeout >= 0.0) return PH_OK;  // nan is not
   char text[PH_NUMBER_BYTES];
-  return ph_fail(error, PH_INVALID_VALUE, "a time-out of %s s", ph_number_text(timeout, text));
+  return ph_fail(error, PH_INVALID_VALUE, "invalid time-out of %s s: 0 or more is valid",
+                 ph_number_text(timeout, text));
 }
 
 /** Whether the socket is ready before the deadline; one in the past still looks once. */

@@ -153,7 +153,7 @@ void ph_device_release(ph_device *device) {
 
 ph_device *ph_device_as(ph_device *device, const ph_class *class_of, ph_error *error) {
   if (device->class_of == class_of) return device;
-  ph_fail(error, PH_INVALID_VALUE, "%s is no %s", device->name, class_of->interface_name);
+  ph_fail(error, PH_INVALID_VALUE, "%s is not of interface %s", device->name, class_of->interface_name);
   return NULL;
 }
 

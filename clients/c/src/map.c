@@ -47,9 +47,9 @@ ph_status ph_map_grid(ph_map *map, ph_grid *grid, ph_error *error) {
     return PH_OK;
   }
   char size[PH_NUMBER_BYTES], x[PH_NUMBER_BYTES], y[PH_NUMBER_BYTES], a[PH_NUMBER_BYTES];
-  return ph_fail(error, PH_WIRE_ERROR, "%s: cells of %s m from (%s, %s, %s) on are no map", map->device.name,
-                 ph_number_text(told.cell_size, size), ph_number_text(at->x, x), ph_number_text(at->y, y),
-                 ph_number_text(at->a, a));
+  return ph_fail(error, PH_WIRE_ERROR, "%s: invalid map: cells of %s m from (%s, %s, %s) on",
+                 map->device.name, ph_number_text(told.cell_size, size), ph_number_text(at->x, x),
+                 ph_number_text(at->y, y), ph_number_text(at->a, a));
 }
 
 /** The bytes of a tile, which are to be `count`: a stream of zlib, or the cells themselves as of a server

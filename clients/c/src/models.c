@@ -26,7 +26,7 @@ static char *cut(char *text, char at) {
   return found + 1;
 }
 
-/** A whole number in digits alone, at most `most`; false if the word is none. */
+/** A whole number in digits alone, at most `most`; false if the word is not one. */
 static bool number_of(const char *word, uint64_t most, uint64_t *number) {
   if (*word == '\0') return false;
   for (*number = 0; *word != '\0'; ++word) {
@@ -168,7 +168,7 @@ static ph_status parse_line(ph_models *models, char *line, ph_error *error) {
   }
   ph_model model = {.id = 0};
   if (!number_of(fields[0], UINT64_MAX, &model.id)) {
-    return ph_fail(error, PH_WIRE_ERROR, "'%s' in the list of models is no id", fields[0]);
+    return ph_fail(error, PH_WIRE_ERROR, "'%s' in the list of models is not an id", fields[0]);
   }
   model.name = unescape(fields[1]);
   model.type = unescape(fields[2]);

@@ -565,7 +565,7 @@ TEST(Maps, ThoseThatMakeNoSenseAreAnError) {
   ph_map *plan = OPEN(map, client);
   ph_cells map{};
   for (const char *fault :
-       {"are no map", "are no map", "are no map", "16384 x 4097 cells are over the limit of 67108864",
+       {"invalid map", "invalid map", "invalid map", "16384 x 4097 cells are over the limit of 67108864",
         "a tile of 2 x 2 cells is damaged", "a tile of 2 x 2 cells is damaged",
         "a tile of 2 x 2 cells is damaged"}) {
     EXPECT_FAILS(ph_map_cells(plan, &map, &error), PH_WIRE_ERROR, fault);

@@ -244,7 +244,7 @@ static void check_way(ph_planner *planner, ph_localize *place, ph_simulation *si
   must_be(distance(pose, true_pose(simulation)) < 0.3, "it knows where it is");
   must(ph_localize_particles(place, &particles, &count, &error));
   must_be(count >= 100, "there are particles");
-  must_refuse(ph_localize_set_estimate(place, start, none, &error), "a covariance that is none");
+  must_refuse(ph_localize_set_estimate(place, start, none, &error), "an invalid covariance");
 }
 
 static const char *why_refused(ph_planner *planner) {

@@ -107,7 +107,8 @@ TEST(Connecting, AddressesAreHostsAndPorts) {
     EXPECT_REFUSES(ph_connect(address, nullptr, &error), PH_CONNECTION_LOST, "is not HOST or HOST:PORT");
   }
   const ph_options options = {PH_MODE_PULL, kNan, nullptr};
-  EXPECT_REFUSES(ph_connect(":1", &options, &error), PH_INVALID_VALUE, "a time-out of nan s");
+  EXPECT_REFUSES(ph_connect(":1", &options, &error), PH_INVALID_VALUE,
+                 "invalid time-out of nan s: 0 or more is valid");
 }
 
 // --- reading
@@ -516,7 +517,8 @@ TEST(Asking, ValuesThatMeanNothingAreNotSent) {
                    "there is no position2d:" + std::to_string(index) + ": indices are 0 to 65535");
   }
   for (const double timeout : {-2.0, kNan}) {
-    EXPECT_FAILS(ph_client_read(client.get(), timeout, nullptr, &error), PH_INVALID_VALUE, "a time-out of");
+    EXPECT_FAILS(ph_client_read(client.get(), timeout, nullptr, &error), PH_INVALID_VALUE,
+                 "invalid time-out of");
   }
   EXPECT_REFUSES(ph_device_open(client.get(), "lazer", 0, PH_ACCESS_ALL, &error), PH_INVALID_VALUE,
                  "there is no interface \"lazer\" (did you mean \"laser\"?)");
@@ -578,7 +580,7 @@ TEST(Asking, ADeviceIsTheProxyOfItsInterface) {
   const Client client = connected(server.address());
   ph_device *laser = any(client, "laser");
   EXPECT_NE(ph_laser_of(laser, nullptr), nullptr);
-  EXPECT_REFUSES(ph_position2d_of(laser, &error), PH_INVALID_VALUE, "laser:0 is no position2d");
+  EXPECT_REFUSES(ph_position2d_of(laser, &error), PH_INVALID_VALUE, "laser:0 is not of interface position2d");
 }
 
 // --- the end: a server that ends has often just said the last things; they are delivered before the error

@@ -104,7 +104,7 @@ Result<void> Client::authenticate(std::string_view token) {
   const auto answer = session_->request(player::kCode, 0, player::kReqAuth, wire::encode(key));
   if (answer) return {};
   if (!connected()) return answer.error();
-  return Error{peer(), "the token is refused; a run without --guests wants none"};
+  return Error{peer(), "the token is refused; a run without --guests needs none"};
 }
 
 Result<Client> Client::connect(std::string_view address, const Options& options) {

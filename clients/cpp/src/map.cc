@@ -29,7 +29,7 @@ std::int8_t occupancy(std::int8_t value, std::int8_t range) {
   return twice > limit ? std::int8_t{1} : twice < -limit ? std::int8_t{-1} : std::int8_t{0};
 }
 
-/// The bytes of a tile; those that came if they are no stream of zlib, as of a server without it.
+/// The bytes of a tile; those that came if they are not a zlib stream, as of a server without it.
 std::vector<std::int8_t> uncompressed(std::vector<std::int8_t> data, std::size_t count) {
   auto bytes = inflate(std::as_bytes(std::span(data)), count);
   if (!bytes) return data;

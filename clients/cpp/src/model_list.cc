@@ -59,7 +59,7 @@ std::optional<DeviceAddress> parse_device(std::string_view text) {
 }
 
 Error malformed(std::string_view line) {
-  return Error{"", "the list of models has a line that is none: " + in_quotes(line)};
+  return Error{"", "the list of models has an invalid line: " + in_quotes(line)};
 }
 
 }  // namespace

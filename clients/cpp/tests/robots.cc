@@ -159,7 +159,7 @@ void use_drivers_on_a_map(const std::string& address) {
   must_be(planner.state()->valid && !planner.arrived(), "it is on its way");
   must_be(distance(*place.pose(), must(simulation.pose("r0"))) < 0.3, "it knows where it is");
   must_be(must(place.particles()).size() >= 100, "there are particles");
-  must_refuse(place.set_pose(start, {.xx = -1}), "a covariance that is none");
+  must_refuse(place.set_pose(start, {.xx = -1}), "an invalid covariance");
   must(planner.resume());
   while (!planner.arrived()) must(client.read());
   must_be(distance(must(simulation.pose("r0")), goal) < 0.6, "it is at the goal");

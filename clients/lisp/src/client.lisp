@@ -77,7 +77,7 @@ token."
     (handler-case (request-answer (session-of client) playhouse.player:+code+ 0 playhouse.player:+req-auth+
                                   (playhouse.player:make-device-auth-req :auth-key key))
       (request-refused ()
-        (fail 'request-refused "~a: the token is refused; a run without --guests wants none" (peer client))))))
+        (fail 'request-refused "~a: the token is refused; a run without --guests needs none" (peer client))))))
 
 (defun split-address (address)
   "Host and port of an address; an IPv6 host is in brackets."

@@ -38,7 +38,7 @@
   name reader writer fields)
 
 (defun codec-of (name)
-  (or (get name 'codec) (error "~s is no structure of an interface" name)))
+  (or (get name 'codec) (error "~s is not a structure of an interface" name)))
 
 (defun encode (value)
   "The bytes of a structure. Signals wire-error if a value is outside the range of its field."

@@ -150,7 +150,7 @@ value to the wire and back.")
 
 (defun property-row (kind)
   (or (rest (assoc kind *property-kinds*))
-      (fail 'invalid-value "a property is a :bool, an :int, a :float or a :string, and no ~s" kind)))
+      (fail 'invalid-value "a property is a :bool, an :int, a :float or a :string, not ~s" kind)))
 
 (defun kind-of-property (value)
   (typecase value
@@ -158,7 +158,7 @@ value to the wire and back.")
     (integer :int)
     (float :float)
     (string :string)
-    (t (fail 'invalid-value "a property is a bool, an int, a float or a string, and not ~s" value))))
+    (t (fail 'invalid-value "a property is a bool, an int, a float or a string, not ~s" value))))
 
 (defun get-property (device key kind)
   "A property by its key and type: :bool, :int, :float or :string. Signals request-refused if there is none."

@@ -21,7 +21,7 @@ cell (0, 0) in the world."
          (origin (pose-of (playhouse.map:info-origin info))))
     (unless (and (finitep size) (> size 0)
                  (every #'finitep (list (pose-x origin) (pose-y origin) (pose-a origin))))
-      (fail 'wire-error "~a: cells of ~a m from (~{~a~^, ~}) on are no map" (device-name map) (number-text size)
+      (fail 'wire-error "~a: invalid map: cells of ~a m from (~{~a~^, ~}) on" (device-name map) (number-text size)
             (mapcar #'number-text (list (pose-x origin) (pose-y origin) (pose-a origin)))))
     (make-grid :cell-size size :width (playhouse.map:info-width info) :height (playhouse.map:info-height info)
                :origin origin)))
@@ -66,7 +66,7 @@ is free, 0 if that is unknown. Signals wire-error for a map of more than 2^26 ce
         (setf (aref cells (+ row i) (+ column j)) (aref table (aref values (+ j (* i width)))))))))
 
 (defun uncompressed (data count)
-  "At most one byte more than COUNT; the data themselves if they are no stream of zlib, as of a server without it."
+  "At most one byte more than COUNT; the data themselves if they are not a zlib stream, as of a server without it."
   (let ((output (make-array (1+ count) :element-type '(unsigned-byte 8))))
     (handler-case
         (multiple-value-bind (consumed produced) (chipz:decompress output (chipz:make-dstate 'chipz:zlib) data)

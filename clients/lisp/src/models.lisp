@@ -58,7 +58,7 @@ top-level model), own devices, and id, which is unique in the run."
       (fail 'wire-error "a line of the list of models has ~d fields instead of 5: ~s" (length fields) line))
     (destructuring-bind (id name type parent devices) fields
       (unless (digits-p id)
-        (fail 'wire-error "~s in the list of models is no id" id))
+        (fail 'wire-error "~s in the list of models is not an id" id))
       (let ((name (unescaped name)))
         (make-model :name name :type (unescaped type) :parent (unescaped parent) :id (parse-integer id)
                     :devices (loop for word in (split devices #\Space)

@@ -30,7 +30,8 @@
 (defun checked-seconds (seconds)
   "Checks a timeout: 0 or more, infinity included, or :forever."
   (unless (or (eq seconds :forever) (and (realp seconds) (without-float-traps (>= seconds 0))))
-    (fail 'invalid-value "a time-out of ~a s" (if (realp seconds) (number-text seconds) seconds)))
+    (fail 'invalid-value "invalid time-out of ~a s: 0 or more is valid"
+          (if (realp seconds) (number-text seconds) seconds)))
   seconds)
 
 (defun deadline-after (seconds)

@@ -61,7 +61,7 @@ axes), and whether it is blocked. `time' is the server's, in s."
 
 (defun insist-on-type (device value type)
   (unless (typep value type)
-    (fail 'invalid-value "~a: ~s is no ~(~a~)" (device-name device) value type)))
+    (fail 'invalid-value "~a: ~s is not a ~(~a~)" (device-name device) value type)))
 
 (defun insist-on-pose (device pose)
   (insist-on-type device pose 'pose)

@@ -145,7 +145,7 @@
             (and made
                  (or (null (float-kind made)) (and (floatp value) (float-kind value)))
                  made)))
-      (fail 'wire-error "~a is no number of a ~(~a~)" value type)))
+      (fail 'wire-error "~a is not a number of a ~(~a~)" value type)))
 
 (defun write-float32 (writer value)
   (write-word writer (bits-of-single (converted value 'single-float))))

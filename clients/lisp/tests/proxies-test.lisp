@@ -388,7 +388,7 @@
                                              tile))
                                :mode :push)
         (let ((plan (open-device client :map)))
-          (dolist (text '("map:0: cells of 0.0 m from (0.0, 0.0, 0.0) on are no map" "cells of nan m"
+          (dolist (text '("map:0: invalid map: cells of 0.0 m from (0.0, 0.0, 0.0) on" "cells of nan m"
                           "from (inf, 0.0, 0.0)"
                           "16384 x 4097 cells are over the limit of 67108864"
                           "a tile of 2 x 2 cells is damaged" "a tile of 2 x 2 cells is damaged"))

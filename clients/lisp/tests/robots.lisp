@@ -144,7 +144,7 @@
       (must-be (and (planner-state-valid-p (state planner)) (not (arrivedp planner))) "it is on its way")
       (must-be (< (distance-of (pose place) (model-pose simulator "r0")) 0.3) "it knows where it is")
       (must-be (>= (length (particles place)) 100) "there are particles")
-      (must-refuse (set-pose place start (make-covariance :xx -1)) "a covariance that is none")
+      (must-refuse (set-pose place start (make-covariance :xx -1)) "an invalid covariance")
       (resume planner)
       (read-while client (not (arrivedp planner)))
       (must-be (< (distance-of (model-pose simulator "r0") goal) 0.6) "it is at the goal")

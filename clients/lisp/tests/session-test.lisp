@@ -350,7 +350,7 @@
           (check-error invalid-value (format nil "there is no position2d:~d: indices are 0 to 65535" index)
             (open-device client :position2d index)))
         (dolist (timeout (list -1 *nan* "5"))
-          (check-error invalid-value "a time-out of" (read-data client :timeout timeout)))
+          (check-error invalid-value "invalid time-out of" (read-data client :timeout timeout)))
         (macrolet ((refused-each (&rest texts-and-forms)
                      `(progn ,@(loop for (text form) on texts-and-forms by #'cddr
                                      collect `(check-error invalid-value ,text ,form)))))
@@ -373,7 +373,7 @@
            (command robot playhouse.gripper:+cmd-close+)
            "position2d:0: a message is that of a constant such as" (request robot 3)
            "a message is that of a constant such as" (latest robot nil)
-           "position2d:0: 3 is no pose" (go-to robot 3)
+           "position2d:0: 3 is not a pose" (go-to robot 3)
            "opaque:0: a message is a sequence of bytes, not 3" (send (open-device client :opaque) 3)
            "a message is a sequence of bytes, not \"hi\"" (send-to (open-device client :opaque) "a" "hi")
            "imu:0: a message is that of a constant" (send (open-device client :imu) 3)

@@ -78,9 +78,9 @@
   (check-error wire-error "outside" (encode (playhouse.common:make-intprop-req :key #(120 0) :value (ash 1 31))))
   (check-error wire-error "driver_name has 65 elements"
     (encode (playhouse.player:make-device-req :driver-name (make-array 65 :initial-element 120))))
-  (check-error wire-error "1.0d300 is no number of a single-float"
+  (check-error wire-error "1.0d300 is not a number of a single-float"
     (encode (playhouse.map:make-info :scale 1d300)))
-  (check-error wire-error "is no number of a double-float"
+  (check-error wire-error "is not a number of a double-float"
     (encode (playhouse.position2d:make-cmd-car :velocity (expt 10 400)))))
 
 (deftest numbers-that-are-not-finite-travel-without-traps

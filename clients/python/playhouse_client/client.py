@@ -104,7 +104,7 @@ class Client:
         try:
             self._session.request(player.CODE, 0, player.REQ_AUTH, player.DeviceAuthReq(key))
         except RequestRefused:
-            raise RequestRefused(f"{self._session.peer}: the token is refused; a run without --guests wants none") from None
+            raise RequestRefused(f"{self._session.peer}: the token is refused; a run without --guests needs none") from None
 
     @property
     def banner(self) -> str:

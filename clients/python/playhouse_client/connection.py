@@ -22,7 +22,7 @@ class Message(NamedTuple):
 def checked_seconds(timeout: float) -> float:
     """Checks a timeout: 0 or more, infinity included."""
     if not timeout >= 0.0:  # also rejects nan
-        raise InvalidValue(f"a time-out of {timeout} s")
+        raise InvalidValue(f"invalid time-out of {timeout} s: 0 or more is valid")
     return timeout
 
 
@@ -45,7 +45,7 @@ class Connection:
             self._socket = socket.create_connection((host, port), self._timeout)
             self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             self.banner = self._read_banner(time.monotonic() + self._timeout)
-        except (OSError, ValueError, OverflowError, RequestTimeout) as error:  # ValueError: of a host that is no name
+        except (OSError, ValueError, OverflowError, RequestTimeout) as error:  # ValueError: of an invalid host name
             reason = "no banner in time" if isinstance(error, RequestTimeout) else error
             raise self._drop(f"cannot connect: {reason}") from error
 

@@ -81,7 +81,7 @@ def code_of(interface: str) -> int:
 
 def _property_kind(kind: type) -> "_PropertyKind":
     if kind not in _PROPERTIES:
-        raise InvalidValue(f"a property is a bool, an int, a float or a str, and no {kind.__name__}")
+        raise InvalidValue(f"a property is a bool, an int, a float or a str, not {kind.__name__}")
     return _PROPERTIES[kind]
 
 

@@ -76,7 +76,7 @@ def _parse_line(line: str) -> Model:
     if len(fields) != 5:
         raise WireError(f"a line of the list of models has {len(fields)} fields instead of 5: {line!r}")
     if not _is_number(fields[0]):
-        raise WireError(f"{fields[0]!r} in the list of models is no id")
+        raise WireError(f"{fields[0]!r} in the list of models is not an id")
     name, kind, parent = map(_unescaped, fields[1:4])
     return Model(name, kind, parent, [_parse_device(word, name) for word in fields[4].split()], int(fields[0]))
 

@@ -931,7 +931,7 @@ class Map(Device):
         info = cast(grid_map.Info, _answer(self.request(grid_map.REQ_GET_INFO)))
         made = Grid(info.scale, info.width, info.height, _pose(info.origin))
         if not (made.cell_size > 0.0 and all(map(math.isfinite, (made.cell_size, *made.origin)))):
-            raise WireError(f"{self.name}: cells of {made.cell_size} m from {tuple(made.origin)} on are no map")
+            raise WireError(f"{self.name}: invalid map: cells of {made.cell_size} m from {tuple(made.origin)} on")
         return made
 
     def cells(self) -> List[Sequence[int]]:
@@ -1074,7 +1074,7 @@ def _same(one: Pose, other: Pose) -> bool:
 
 
 def _uncompressed(data: bytes, count: int) -> bytes:
-    """At most one byte more than `count`; the data themselves if they are no stream of zlib, as of a server without it."""
+    """At most one byte more than `count`; the data themselves if they are not a zlib stream, as of a server without it."""
     try:
         return zlib.decompressobj().decompress(data, count + 1)
     except zlib.error:

@@ -46,7 +46,7 @@ def find_program() -> str:
 def whole_number(what: str, value: int, most: int) -> int:
     """`value`, if it is a whole number from 1 to `most`; else a ValueError that begins with `what`."""
     if not isinstance(value, numbers.Integral) or not 1 <= value <= most:
-        raise ValueError(f"{what}: a whole number from 1 to {most} is wanted, not {value!r}")
+        raise ValueError(f"{what}: a whole number from 1 to {most} is expected, not {value!r}")
     return int(value)
 
 

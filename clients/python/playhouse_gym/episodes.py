@@ -41,7 +41,7 @@ def real_numbers(what: str, values: Any, shape: Tuple[int, ...]) -> np.ndarray:
         if array.shape == shape and np.can_cast(array.dtype, np.float32, "same_kind"):
             return array
         given = f"{array.dtype} of shape {array.shape}"
-    raise ValueError(f"{what}: real numbers of shape {shape} are wanted, not {given}")
+    raise ValueError(f"{what}: real numbers of shape {shape} are expected, not {given}")
 
 
 class Episodes:
@@ -111,7 +111,7 @@ class Episodes:
     def _space(self) -> Box:
         first = np.asarray(self._observe(self.arena))
         if first.shape[:1] != (self.arena.agents,):
-            raise ValueError(f"observe: an array with {self.arena.agents} rows is wanted, not one of shape {first.shape}")
+            raise ValueError(f"observe: an array with {self.arena.agents} rows is expected, not one of shape {first.shape}")
         if self._observe is ranges:
             return Box(0.0, float(self.arena.range_max.max()), first.shape[1:], first.dtype)
         return unbounded(first.shape[1:], first.dtype)
@@ -120,13 +120,13 @@ class Episodes:
         values = np.asarray(self._observe(self.arena))
         shape = (self.arena.agents, *self.observation_space.shape)
         if values.shape != shape:
-            raise ValueError(f"observe: an array of shape {shape} is wanted, as the first, not one of shape {values.shape}")
+            raise ValueError(f"observe: an array of shape {shape} is expected, as the first, not one of shape {values.shape}")
         return values
 
 
 def _action_space(max_action: Tuple[float, float, float]) -> Box:
     high = real_numbers("max_action", max_action, (3,))
     if not ((high >= 0) & (high <= np.finfo(np.float32).max)).all():
-        raise ValueError(f"max_action: finite numbers from 0 on are wanted, not {max_action}")
+        raise ValueError(f"max_action: finite numbers from 0 on are expected, not {max_action}")
     high = high.astype(np.float32)
     return Box(-high, high, dtype=np.float32)

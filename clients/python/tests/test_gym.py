@@ -104,7 +104,7 @@ class TheArena(WithWorld):
     def test_ticks_and_seeds_are_whole_numbers(self) -> None:
         with Arena(self.world, program=PROGRAM) as arena:
             for ticks in (0, -1, 2.5, 2**20 + 1, "1", None):
-                with self.assertRaisesRegex(ValueError, "ticks: a whole number from 1 to 1048576 is wanted, not "):
+                with self.assertRaisesRegex(ValueError, "ticks: a whole number from 1 to 1048576 is expected, not "):
                     arena.step(ticks)  # type: ignore[arg-type]
             with self.assertRaisesRegex(TypeError, "'float' object cannot be interpreted as an integer"):
                 arena.start_again(1.5)  # type: ignore[arg-type]
@@ -339,16 +339,16 @@ class OfGymnasium(WithWorld):
 
     def test_arguments_that_cannot_be_are_told_by_their_names(self) -> None:
         for wrong, why in (
-            ({"max_action": (1, 1)}, r"max_action: real numbers of shape \(3,\) are wanted, not int64 of shape \(2,\)"),
+            ({"max_action": (1, 1)}, r"max_action: real numbers of shape \(3,\) are expected, not int64 of shape \(2,\)"),
             ({"max_action": 1}, r"max_action: real numbers of shape \(3,\)"),
-            ({"max_action": (-1, 0, 1)}, r"max_action: finite numbers from 0 on are wanted, not \(-1, 0, 1\)"),
+            ({"max_action": (-1, 0, 1)}, r"max_action: finite numbers from 0 on are expected, not \(-1, 0, 1\)"),
             ({"max_action": (1, 0, np.inf)}, "max_action: finite numbers"),
             ({"max_action": (1, 0, np.nan)}, "max_action: finite numbers"),
             ({"max_action": (1, 0, 1e39)}, "max_action: finite numbers"),  # float32 has none such
-            ({"ticks": -1}, "ticks: a whole number from 1 to 1048576 is wanted, not -1"),
-            ({"ticks": 2.5}, "ticks: a whole number from 1 to 1048576 is wanted, not 2.5"),
-            ({"max_steps": 0}, "max_steps: a whole number from 1 to .* is wanted, not 0"),
-            ({"max_steps": 2.5}, "max_steps: a whole number from 1 to .* is wanted, not 2.5"),
+            ({"ticks": -1}, "ticks: a whole number from 1 to 1048576 is expected, not -1"),
+            ({"ticks": 2.5}, "ticks: a whole number from 1 to 1048576 is expected, not 2.5"),
+            ({"max_steps": 0}, "max_steps: a whole number from 1 to .* is expected, not 0"),
+            ({"max_steps": 2.5}, "max_steps: a whole number from 1 to .* is expected, not 2.5"),
         ):
             for make in (VectorEnv, ParallelEnv):
                 with self.assertRaisesRegex(ValueError, why):
@@ -376,7 +376,7 @@ class OfGymnasium(WithWorld):
             return lambda arena, *_: np.zeros((rows, 2))
 
         for observe in (of(ROBOTS - 1), lambda arena: 1.0):
-            with self.assertRaisesRegex(ValueError, f"observe: an array with {ROBOTS} rows is wanted, not one of shape "):
+            with self.assertRaisesRegex(ValueError, f"observe: an array with {ROBOTS} rows is expected, not one of shape "):
                 self.vector_env(observe=observe)
         env = self.vector_env(observe=lambda arena: np.zeros((ROBOTS, 3 if arena.tick == 2 else 4)))
         env.reset(seed=1)
@@ -386,13 +386,13 @@ class OfGymnasium(WithWorld):
             for function in (of(ROBOTS), lambda *_: 0.0, lambda *_: np.zeros(1), lambda *_: ["?"] * ROBOTS):
                 env = self.vector_env(**{name: function})
                 env.reset(seed=1)
-                with self.assertRaisesRegex(ValueError, rf"{name}: real numbers of shape \({ROBOTS},\) are wanted, not "):
+                with self.assertRaisesRegex(ValueError, rf"{name}: real numbers of shape \({ROBOTS},\) are expected, not "):
                     env.step(np.zeros((ROBOTS, 3)))
 
     def test_actions_are_a_row_of_three_real_numbers_for_each_robot(self) -> None:
         env = self.vector_env()
         env.reset(seed=1)
-        wanted = re.escape(f"actions: real numbers of shape ({ROBOTS}, 3) are wanted, not ")
+        wanted = re.escape(f"actions: real numbers of shape ({ROBOTS}, 3) are expected, not ")
         for actions, given in (
             (np.zeros(3), "float64 of shape (3,)"), (np.zeros((1, 3)), "float64 of shape (1, 3)"),
             (np.zeros((ROBOTS, 1)), f"float64 of shape ({ROBOTS}, 1)"), (1.0, "float64 of shape ()"),
@@ -480,7 +480,7 @@ class OfPettingZoo(WithWorld):
         env.reset(seed=1)
         fine = np.float32((1, 0, 0))
         for action in ([1, 0], 1.0, [[1, 0, 0]], [1, 0, 0j], ["1", "0", "0"], None):
-            with self.assertRaisesRegex(ValueError, r"the action of robot_1: real numbers of shape \(3,\) are wanted"):
+            with self.assertRaisesRegex(ValueError, r"the action of robot_1: real numbers of shape \(3,\) are expected"):
                 env.step({"robot_0": fine, "robot_1": action})
         with self.assertRaisesRegex(ValueError, f"there is no agent 'nobody': .*robot_0 to robot_{ROBOTS - 1}"):
             env.step({"robot_0": fine, "nobody": fine})
@@ -529,22 +529,22 @@ class Examples(WithWorld):
     def test_what_is_wrong_is_told_in_a_line_before_it_learns(self) -> None:
         folder = str(pathlib.Path(self.world).parent)
         for arguments, why in (
-            (("--robots", "1"), 'argument --robots: a whole number from 2 on is wanted, not "1"'),
-            (("--robots=-3",), 'argument --robots: a whole number from 2 on is wanted, not "-3"'),
-            (("--robots", "2.5"), 'argument --robots: a whole number from 2 on is wanted, not "2.5"'),
-            (("--generations", "0"), 'argument --generations: a whole number from 1 on is wanted, not "0"'),
-            (("--steps", "0"), 'argument --steps: a whole number from 1 on is wanted, not "0"'),
-            (("--seed=-1",), 'argument --seed: a whole number from 0 on is wanted, not "-1"'),
-            (("--workers", "0"), 'argument --workers: a whole number from 1 to 1024 is wanted, not "0"'),
-            (("--web", "65536"), 'argument --web: a whole number from 0 to 65535 is wanted, not "65536"'),
+            (("--robots", "1"), 'argument --robots: a whole number from 2 on is expected, not "1"'),
+            (("--robots=-3",), 'argument --robots: a whole number from 2 on is expected, not "-3"'),
+            (("--robots", "2.5"), 'argument --robots: a whole number from 2 on is expected, not "2.5"'),
+            (("--generations", "0"), 'argument --generations: a whole number from 1 on is expected, not "0"'),
+            (("--steps", "0"), 'argument --steps: a whole number from 1 on is expected, not "0"'),
+            (("--seed=-1",), 'argument --seed: a whole number from 0 on is expected, not "-1"'),
+            (("--workers", "0"), 'argument --workers: a whole number from 1 to 1024 is expected, not "0"'),
+            (("--web", "65536"), 'argument --web: a whole number from 0 to 65535 is expected, not "65536"'),
             (("--svg", folder), f"argument --svg: {folder} cannot be written: Is a directory"),
             (("--svg", f"{folder}/no/x.svg"), f"argument --svg: {folder}/no/x.svg cannot be written: No such file or"),
         ):
             self.assert_refused("learn.py", arguments, why)
 
     def test_one_measures_the_rate_of_what_can_be_measured(self) -> None:
-        self.assert_refused("rate.py", ("--robots", "0"), 'argument --robots: a whole number from 1 on is wanted, not "0"')
-        self.assert_refused("rate.py", ("--beams", "2"), 'argument --beams: a whole number from 3 on is wanted, not "2"')
+        self.assert_refused("rate.py", ("--robots", "0"), 'argument --robots: a whole number from 1 on is expected, not "0"')
+        self.assert_refused("rate.py", ("--beams", "2"), 'argument --beams: a whole number from 3 on is expected, not "2"')
         done = self.run_example("rate.py", "--robots", "1", "--beams", "3", "--seconds", "1")
         self.assertRegex(done.stdout, r"^1 robots, 3 beams, 1 workers: [0-9.]+ steps/s, \d+ agent-steps/s\n$")
 

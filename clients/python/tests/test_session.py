@@ -509,7 +509,7 @@ class Reading(unittest.TestCase):
 
         with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
             plan = client.map(0)
-            for fault in ["are no map"] * 3 + ["16384 x 4097 cells are over the limit"] + ["a tile of 2 x 2 cells is damaged"] * 2:
+            for fault in ["invalid map"] * 3 + ["16384 x 4097 cells are over the limit"] + ["a tile of 2 x 2 cells is damaged"] * 2:
                 with self.assertRaisesRegex(WireError, f"map:0: .*{fault}"):
                     plan.cells()
             self.assertEqual(plan.cells(), [])
@@ -736,7 +736,7 @@ class Asking(unittest.TestCase):
                 with self.assertRaisesRegex(InvalidValue, f"there is no position2d:{index}"):
                     client.position2d(index)
             for timeout in (-1.0, nan):
-                with self.assertRaisesRegex(InvalidValue, "a time-out of"):
+                with self.assertRaisesRegex(InvalidValue, "invalid time-out of"):
                     client.read(timeout)
             for value in (None, [1]):
                 with self.assertRaisesRegex(InvalidValue, "a property is a bool"):

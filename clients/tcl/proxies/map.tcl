@@ -14,7 +14,7 @@ oo::class create ::playhouse::Map {
         set origin [from::pose [dict get $info origin]]
         foreach number [list $size {*}[dict values $origin]] {
             if {![isFinite $number] || $size <= 0} {
-                fail WIRE "[my name]: cells of $size m from ([join [dict values $origin] {, }]) on are no map"
+                fail WIRE "[my name]: invalid map: cells of $size m from ([join [dict values $origin] {, }]) on"
             }
         }
         return [dict create cellSize $size width [dict get $info width] height [dict get $info height] origin $origin]
@@ -65,7 +65,7 @@ oo::class create ::playhouse::Map {
         return [lmap value $values {set occupancy($value)}]
     }
 
-    # At most one byte more than `count`; the data themselves if they are no stream of zlib, as of a server without it.
+    # At most one byte more than `count`; the data themselves if they are not a zlib stream, as of a server without it.
     method Inflated {data count} {
         set stream [zlib stream decompress]
         try {

@@ -178,7 +178,7 @@ export class Client {
       await this.ask(player.REQ_AUTH, { authKey });
     } catch (error) {
       if (!(error instanceof RequestRefused)) throw error;
-      throw new RequestRefused(`${this.session.peer}: the token is refused; a run without --guests wants none`);
+      throw new RequestRefused(`${this.session.peer}: the token is refused; a run without --guests needs none`);
     }
   }
 

@@ -19,7 +19,7 @@ export interface Message {
 
 /** Checks a time-out: 0 or more, infinity included. Throws InvalidValue. */
 export function checkedSeconds(timeout: number): number {
-  if (!(typeof timeout === 'number' && timeout >= 0)) throw new InvalidValue(`a time-out of ${shown(timeout)} s`);
+  if (!(typeof timeout === 'number' && timeout >= 0)) throw new InvalidValue(`invalid time-out of ${shown(timeout)} s: 0 or more is valid`);
   return timeout;
 }
 
@@ -139,7 +139,7 @@ export class Connection {
         connected = true;
         this.news.ring();
       });
-    } catch (error) { // the port or the host is none
+    } catch (error) { // the port or the host is invalid
       throw this.drop(`cannot connect: ${(error as Error).message}`);
     }
     this.socket.on('data', (chunk) => this.append(chunk));

@@ -63,7 +63,7 @@ function parseLine(line: string): Model {
     throw new WireError(`a line of the list of models has ${fields.length} fields instead of 5: ${shown(line)}`);
   }
   const [id, name, type, parent, devices] = fields as [string, string, string, string, string];
-  if (!isNumber(id)) throw new WireError(`${shown(id)} in the list of models is no id`);
+  if (!isNumber(id)) throw new WireError(`${shown(id)} in the list of models is not an id`);
   const model = unescaped(name);
   return {
     name: model,

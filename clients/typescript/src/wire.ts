@@ -20,7 +20,7 @@ export interface Header {
   /** Code of the interface. */
   interface: number;
   index: number;
-  /** One of Kind, or a number that is none. */
+  /** One of Kind, or another number. */
   kind: number;
   subtype: number;
   /** In s. */

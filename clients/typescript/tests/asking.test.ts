@@ -172,7 +172,7 @@ test('values that mean nothing are not sent', async () => {
     for (const index of [-1, 65536, 0.5]) {
       await fails(() => client.position2d(index), InvalidValue, /^there is no position2d:\S+: indices are 0 to 65535$/);
     }
-    for (const timeout of [-1, NaN]) await fails(() => client.read(timeout), InvalidValue, /^a time-out of/);
+    for (const timeout of [-1, NaN]) await fails(() => client.read(timeout), InvalidValue, /^invalid time-out of/);
     await fails(() => robot.setInt('key', 1.5), InvalidValue, /value is 1\.5, not a whole number/);
     await fails(() => simulator.pose('r0\0'), WireError, /has a NUL in it/);
     await fails(() => simulator.pose('r\udcff'), WireError, /cannot be sent as UTF-8/);

@@ -52,22 +52,22 @@ test('an address without a host is this machine without a name to resolve', asyn
   await fails(() => connect(':1'), ConnectionLost, /^127\.0\.0\.1:1: cannot connect: Connection refused$/);
 });
 
-test('a host that is no name', async () => {
+test('an invalid host name', async () => {
   for (const host of ['a..b', 'x'.repeat(70), 'nul\0', 'no such host']) {
     await fails(() => connect(host), ConnectionLost, /cannot connect: \S/);
   }
   await fails(() => Client.open('127.0.0.1', 70000), ConnectionLost, /^127\.0\.0\.1:70000: cannot connect: \S/);
 });
 
-test('an address that is none', async () => {
+test('an invalid address', async () => {
   for (const address of ['localhost:port', 'localhost:0', 'localhost:65536']) {
     await fails(() => connect(address), ConnectionLost, /^"localhost:\w+" is not HOST or HOST:PORT$/);
   }
 });
 
-test('a time-out that is none', async () => {
+test('an invalid time-out', async () => {
   for (const timeout of [-1, NaN, '5' as never]) {
-    await fails(() => connect('127.0.0.1', { timeout }), InvalidValue, /^a time-out of (-1|nan|"5") s$/);
+    await fails(() => connect('127.0.0.1', { timeout }), InvalidValue, /^invalid time-out of (-1|nan|"5") s: 0 or more is valid$/);
   }
 });
 

@@ -426,7 +426,7 @@ test('maps that make no sense are an error', async () => {
   await withClient(rounds, async (client) => {
     const plan = await client.map(0);
     const damaged = 'a tile of 2 x 2 cells is damaged';
-    const faults = ['are no map', 'are no map', 'are no map', '16384 x 4097 cells are over the limit', damaged, damaged, damaged];
+    const faults = ['invalid map', 'invalid map', 'invalid map', '16384 x 4097 cells are over the limit', damaged, damaged, damaged];
     for (const fault of faults) await fails(() => plan.cells(), WireError, new RegExp(`^map:0: .*${fault}`));
     assert.deepEqual(await plan.cells(), []);
   }, { mode: Mode.PUSH });

@@ -137,7 +137,7 @@ async function useDriversOnAMap(client: Client): Promise<void> {
   mustBe(planner.state.valid && !planner.arrived, 'it is on its way');
   mustBe(distance(place.pose, await simulator.pose('r0')) < 0.3, 'it knows where it is');
   mustBe((await place.particles()).length >= 100, 'there are particles');
-  await mustRefuse(place.setPose(start, { xx: -1, yy: 0, aa: 0, xy: 0, ya: 0, xa: 0 }), 'a covariance that is none');
+  await mustRefuse(place.setPose(start, { xx: -1, yy: 0, aa: 0, xy: 0, ya: 0, xa: 0 }), 'an invalid covariance');
   await planner.resume();
   await readUntil(client, () => planner.arrived);
   mustBe(distance(await simulator.pose('r0'), goal) < 0.6, 'it is at the goal');

@@ -83,7 +83,7 @@ Result<void> check_words(const CLI::App& app, std::span<const char* const> words
     const std::vector<std::string_view> commands = command_names(app);
     const std::string_view command = words[0];
     if (std::ranges::find(commands, command) == commands.end()) {
-      return Error{"", fmt::format("{} is no command{}; see playhouse --help", in_quotes(command),
+      return Error{"", fmt::format("unknown command {}{}; see playhouse --help", in_quotes(command),
                                    did_you_mean(command, commands))};
     }
     scope = app.get_subcommand(words[0]);
@@ -110,7 +110,7 @@ Result<void> check_values(const CLI::App& app) {
     for (const CLI::Option* option : command->parse_order()) {
       if (option->get_expected_min() == 0) continue;  // --lock-step alone: CLI11 adds an empty value
       if (std::ranges::find(option->results(), "") != option->results().end())
-        return Error{"", option->get_name() + " wants a value, found \"\""};
+        return Error{"", option->get_name() + " needs a value, found \"\""};
     }
   }
   return {};
@@ -146,7 +146,7 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
     const std::string_view text = error.what();
     const bool twice = text.find("At Most") != std::string_view::npos;
     return Error{"", fmt::format("{} {}", text.substr(0, text.find(':')),
-                                 twice ? "is given more than once" : "wants a value")};
+                                 twice ? "is given more than once" : "needs a value")};
   } catch (const CLI::ParseError& error) {
     return Error{"", error.what()};
   }

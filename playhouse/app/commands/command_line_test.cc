@@ -42,7 +42,7 @@ TEST(CommandLine, who_draws_is_left_open_or_named) {
   EXPECT_EQ(parsed<PictureOptions>({"picture", "w.world", "-o", "a.png", "--renderer=chromium"}).renderer,
             kChromium);
   EXPECT_THAT(fault({"picture", "w.world", "-o", "a.png", "--renderer", "firefox"}),
-              HasSubstr(R"(chromium or playhouse is wanted, not "firefox")"));
+              HasSubstr(R"(invalid renderer "firefox": chromium and playhouse are valid)"));
 }
 
 TEST(CommandLine, run_has_the_defaults_of_a_players_server) {
@@ -201,18 +201,18 @@ TEST(CommandLine, wrong_values_are_refused_and_named) {
   EXPECT_THAT(fault({"run", "w", "--duration", "nan"}), HasSubstr("--duration"));
   EXPECT_THAT(fault({"run", "w", "--workers", "0"}), HasSubstr("--workers"));
   EXPECT_THAT(fault({"run"}), HasSubstr("WORLD"));
-  EXPECT_EQ(fault({"run", "w", "--port", "-1"}), "--port: a port from 0 to 65535 is wanted, not \"-1\"");
-  EXPECT_EQ(fault({"run", "w", "--duration"}), "--duration wants a value");
+  EXPECT_EQ(fault({"run", "w", "--port", "-1"}), "--port: invalid port \"-1\": 0 to 65535 is valid");
+  EXPECT_EQ(fault({"run", "w", "--duration"}), "--duration needs a value");
 }
 
 TEST(CommandLine, an_empty_value_is_refused) {
   for (const char* option : {"--record", "--save-world", "--guests"})
-    EXPECT_EQ(fault({"run", "w", option, ""}), std::string(option) + " wants a value, found \"\"");
-  EXPECT_EQ(fault({"run", "w", "--save-at", "1", ""}), "--save-at wants a value, found \"\"");
-  EXPECT_EQ(fault({"convert", "w", "-o", ""}), "--output wants a value, found \"\"");
-  EXPECT_EQ(fault({"export", "a.mcap", "--csv", "-o", ""}), "--output wants a value, found \"\"");
-  EXPECT_EQ(fault({"check", ""}), "FILE wants a value, found \"\"");
-  EXPECT_EQ(fault({"kinds", ""}), "NAME wants a value, found \"\"");
+    EXPECT_EQ(fault({"run", "w", option, ""}), std::string(option) + " needs a value, found \"\"");
+  EXPECT_EQ(fault({"run", "w", "--save-at", "1", ""}), "--save-at needs a value, found \"\"");
+  EXPECT_EQ(fault({"convert", "w", "-o", ""}), "--output needs a value, found \"\"");
+  EXPECT_EQ(fault({"export", "a.mcap", "--csv", "-o", ""}), "--output needs a value, found \"\"");
+  EXPECT_EQ(fault({"check", ""}), "FILE needs a value, found \"\"");
+  EXPECT_EQ(fault({"kinds", ""}), "NAME needs a value, found \"\"");
   EXPECT_EQ(parsed<RunOptions>({"run", "w", "--lock-step"}).running.lock_step->clients, 1u);
 }
 
@@ -220,8 +220,9 @@ TEST(CommandLine, a_whole_number_that_does_not_fit_is_refused) {
   for (const char* text : {"-1", "99999999999999999999999", "1.5", "1e3", ""}) {
     EXPECT_THAT(fault({"run", "w", "--seed", text}), HasSubstr("--seed: a whole number")) << text;
     EXPECT_THAT(fault({"watch", "localhost", "laser:0", "--count", text}), HasSubstr("--count")) << text;
-    EXPECT_EQ(fault({"bench", "laser", "--robots", text}),
-              fmt::format("--robots: a whole number from 1 to 1000000 is wanted, not \"{}\"", text));
+    EXPECT_EQ(
+        fault({"bench", "laser", "--robots", text}),
+        fmt::format("--robots: invalid number \"{}\": a whole number from 1 to 1000000 is valid", text));
   }
   EXPECT_EQ(parsed<RunOptions>({"run", "w", "--seed", "18446744073709551615"}).running.seed,
             18446744073709551615u);
@@ -258,7 +259,7 @@ TEST(CommandLine, proxies_in_front_of_the_page_are_named_by_address) {
   const auto proxies = parsed<RunOptions>({"run", "--trusted-proxy", "10.0.0.2,::1", "w"}).serving.proxies;
   EXPECT_EQ(*proxies.client_of("10.0.0.2:1", "10.0.0.9"), "10.0.0.9:1");
   EXPECT_THAT(fault({"run", "w", "--trusted-proxy", "nginx"}),
-              HasSubstr("--trusted-proxy: numeric addresses of proxies are wanted, not \"nginx\""));
+              HasSubstr("--trusted-proxy: invalid proxy \"nginx\": a numeric address is valid"));
 }
 
 TEST(CommandLine, a_letter_has_no_nearest_option_and_two_dashes_end_the_options) {
@@ -288,7 +289,7 @@ TEST(CommandLine, observers_have_a_port_where_one_is_given_and_a_budget) {
   EXPECT_EQ(run.serving.observers, 6670);
   EXPECT_EQ(run.serving.observer_bytes, 8000u);
   EXPECT_EQ(parsed<ReplayOptions>({"replay", "a.mcap", "--observers", "0"}).serving.observers, 0);
-  EXPECT_THAT(fault({"run", "w", "--observers", "65536"}), HasSubstr("a port from 0 to 65535"));
+  EXPECT_THAT(fault({"run", "w", "--observers", "65536"}), HasSubstr(": 0 to 65535 is valid"));
   EXPECT_THAT(fault({"run", "w", "--observers", "1", "--observer-bytes", "1"}), HasSubstr("from 4000 to"));
   EXPECT_THAT(fault({"run", "w", "--observer-bytes", "8000"}), HasSubstr("--observers"));
 }

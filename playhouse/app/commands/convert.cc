@@ -139,8 +139,8 @@ Result<scene::Plan> plan_of_world(const scene::SceneDesc& scene, double resoluti
   const Result<scene::Plan> plan = bodies::plan_of_solids(solids, resolution, is_cut);
   if (!plan) return Error{"", plan.error().text + ": choose a larger --scale"};
   if (plan->solid.width > 0) return plan;
-  return Error{"", fmt::format("nothing stands still {} m above the floor (--height says where else to look)",
-                               height)};
+  return Error{"",
+               fmt::format("nothing is fixed {} m above the floor (--height sets another height)", height)};
 }
 
 int write_map(const ConvertOptions& options, const scene::SceneDesc& scene) {

@@ -49,7 +49,8 @@ Result<DeviceName> parse_device_name(std::string_view text) {
   const std::string_view digits = text.substr(colon + 1);
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), device.index);
   if (error != std::errc() || end != digits.data() + digits.size()) {
-    return Error{"", fmt::format("{} is no index; a device is named like {}:0", in_quotes(digits), name)};
+    return Error{"",
+                 fmt::format("invalid index {}: 0 to 65535 is valid, as in {}:0", in_quotes(digits), name)};
   }
   return device;
 }

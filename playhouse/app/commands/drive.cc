@@ -110,7 +110,7 @@ int drive(const DriveOptions& options) {
   const Result<WantedDevice> wanted = parse_wanted_device(options.device);
   if (!wanted) return fail(wanted.error(), kUsage);
   if (wanted->address && !drives(wanted->address->interf))
-    return fail({"", "drive wants a position2d device or a robot's name"}, kUsage);
+    return fail({"", "drive needs a position2d device or a robot's name"}, kUsage);
   const Result<client::Address> server = parse_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client = client::Client::connect(

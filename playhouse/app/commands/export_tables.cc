@@ -27,7 +27,7 @@ int print_changes(const record::Source& source, const std::string& file) {
 }  // namespace
 
 int export_tables(const ExportOptions& options) {
-  if (!options.csv && !options.changes) return fail({"export", "--csv or --changes is wanted"}, kUsage);
+  if (!options.csv && !options.changes) return fail({"export", "needs --csv or --changes"}, kUsage);
   const Result<std::unique_ptr<record::Source>> source = record::open_source(options.file);
   if (!source) return fail_in_file(source.error());
   if (options.changes) return print_changes(**source, options.file);

@@ -125,7 +125,7 @@ int kinds(const KindsOptions& options) {
   const Kind* kind = scene::find_kind(options.name);
   if (kind == nullptr) {
     const std::string_view others[] = {scene::world_kind().name};
-    return fail({"", fmt::format("{} is no kind{}; playhouse kinds lists all", in_quotes(options.name),
+    return fail({"", fmt::format("unknown kind {}{}; playhouse kinds lists all", in_quotes(options.name),
                                  scene::what_instead(options.name, others))},
                 kUsage);
   }

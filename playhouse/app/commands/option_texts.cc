@@ -55,44 +55,46 @@ std::optional<geom::Vec3> three_in(const std::string& text) {
 }  // namespace
 
 std::string check_port(const std::string& text) {
-  return is_whole<std::uint16_t>(text) ? "" : "a port from 0 to 65535 is wanted, not " + in_quotes(text);
+  return is_whole<std::uint16_t>(text) ? "" : "invalid port " + in_quotes(text) + ": 0 to 65535 is valid";
 }
 
 std::string check_bind(const std::string& text) {
   in6_addr address;
   const bool good = text == "localhost" || inet_pton(AF_INET, text.c_str(), &address) == 1 ||
                     inet_pton(AF_INET6, text.substr(0, text.find('%')).c_str(), &address) == 1;
-  return good ? "" : "an IPv4 or IPv6 address is wanted, without a port, not " + in_quotes(text);
+  return good ? ""
+              : "invalid address " + in_quotes(text) + ": an IPv4 or IPv6 address without a port is valid";
 }
 
 std::string check_web_host(const std::string& text) {
   const bool good = !text.empty() && std::ranges::all_of(text, [](unsigned char letter) {
     return std::isalnum(letter) || letter == '-' || letter == '.' || letter == '_';
   });
-  return good ? "" : "the name of a host is wanted, without http:// and port, not " + in_quotes(text);
+  return good ? "" : "invalid host " + in_quotes(text) + ": a name without http:// and port is valid";
 }
 
 std::string check_workers(const std::string& text) {
-  return is_whole<unsigned>(text, 1, 1024) ? "" : "a number from 1 to 1024 is wanted, not " + in_quotes(text);
+  return is_whole<unsigned>(text, 1, 1024) ? ""
+                                           : "invalid number " + in_quotes(text) + ": 1 to 1024 is valid";
 }
 
 std::string check_not_negative(const std::string& text) {
   const std::optional<double> value = number_in(text);
   if (value && *value >= 0) return {};
-  return "a number that is not negative is wanted, not " + in_quotes(text);
+  return "invalid number " + in_quotes(text) + ": a number from 0 is valid";
 }
 
 std::string check_positive(const std::string& text) {
   const std::optional<double> value = number_in(text);
   if (value && *value > 0) return {};
-  return "a number above 0 is wanted, not " + in_quotes(text);
+  return "invalid number " + in_quotes(text) + ": a number above 0 is valid";
 }
 
 namespace {
 
 std::string check_token_of(const std::string& text, std::size_t most) {
   const bool good = !text.empty() && text.size() <= most;
-  return good ? "" : fmt::format("a token of 1 to {} letters is wanted", most);
+  return good ? "" : fmt::format("invalid token: 1 to {} letters are valid", most);
 }
 
 }  // namespace
@@ -118,32 +120,33 @@ std::string check_show(const std::string& text) {
 std::string check_renderer(const std::string& text) {
   constexpr std::string_view kNames[] = {kChromium, kPlayhouse};
   if (std::ranges::find(kNames, text) != std::end(kNames)) return "";
-  return fmt::format("{} or {} is wanted, not {}{}", kChromium, kPlayhouse, in_quotes(text),
+  return fmt::format("invalid renderer {}: {} and {} are valid{}", in_quotes(text), kChromium, kPlayhouse,
                      did_you_mean(text, kNames));
 }
 
 std::string check_engine(const std::string& text) {
   if (std::ranges::find(kEngines, text) != std::end(kEngines)) return "";
-  return fmt::format("{} is wanted, not {}{}", fmt::join(kEngines, " or "), in_quotes(text),
+  return fmt::format("invalid engine {}: {} are valid{}", in_quotes(text), fmt::join(kEngines, " and "),
                      did_you_mean(text, kEngines));
 }
 
 Result<std::optional<std::uint16_t>> parse_web(const std::string& text) {
   if (text == "off") return std::optional<std::uint16_t>();
   if (is_whole<std::uint16_t>(text)) return std::optional(static_cast<std::uint16_t>(std::stoi(text)));
-  return Error{"", "a port or \"off\" is wanted, not " + in_quotes(text)};
+  return Error{"", "invalid value " + in_quotes(text) + ": a port or \"off\" is valid"};
 }
 
 Result<ViewSquare> parse_view(const std::string& text) {
   const std::optional<geom::Vec3> view = three_in(text);
   if (view && view->z > 0) return ViewSquare{view->x, view->y, view->z};
-  return Error{"", "X,Y,RADIUS in metres is wanted, the radius above 0, not " + in_quotes(text)};
+  return Error{"",
+               "invalid view " + in_quotes(text) + ": X,Y,RADIUS in metres is valid, with a radius above 0"};
 }
 
 Result<geom::Vec3> parse_point(const std::string& text) {
   const std::optional<geom::Vec3> point = three_in(text);
   if (point) return *point;
-  return Error{"", "X,Y,Z in metres is wanted, not " + in_quotes(text)};
+  return Error{"", "invalid point " + in_quotes(text) + ": X,Y,Z in metres is valid"};
 }
 
 Result<LockStepping> parse_lock_step(const std::string& text) {
@@ -152,9 +155,9 @@ Result<LockStepping> parse_lock_step(const std::string& text) {
   const bool begins_as_number = std::isdigit(static_cast<unsigned char>(text[0])) != 0;
   if (std::optional<std::set<std::string>> names = names_in(text); names && !begins_as_number)
     return LockStepping{names->size(), std::move(*names)};
-  return Error{"", fmt::format("a number of clients from 1 to {}, or names of letters and digits between "
-                               "commas, is wanted, not {}",
-                               limits::kSessions, in_quotes(text))};
+  return Error{"", fmt::format("invalid clients {}: a number from 1 to {}, or names of letters and digits "
+                               "between commas, are valid",
+                               in_quotes(text), limits::kSessions)};
 }
 
 }  // namespace playhouse::app

@@ -30,7 +30,8 @@ bool is_whole(const std::string& text, Number least = 0, Number most = std::nume
 template <typename Number, Number least = 0, Number most = std::numeric_limits<Number>::max()>
 std::string check_count(const std::string& text) {
   if (is_whole<Number>(text, least, most)) return {};
-  return fmt::format("a whole number from {} to {} is wanted, not {}", least, most, in_quotes(text));
+  return fmt::format("invalid number {}: a whole number from {} to {} is valid", in_quotes(text), least,
+                     most);
 }
 
 std::string check_port(const std::string& text);

@@ -21,7 +21,7 @@ constexpr auto check_robots = check_count<std::uint32_t, 1, scenarios::kMostRobo
 void keep_saves(const std::vector<std::pair<double, std::string>>& saves, RunOptions& options) {
   for (const auto& [seconds, file] : saves) {
     if (!std::isfinite(seconds) || seconds < 0)
-      throw CLI::ValidationError("--save-at wants a number of seconds that is not negative, and a file");
+      throw CLI::ValidationError("--save-at needs a number of seconds that is not negative, and a file");
     options.saves.push_back({seconds, file});
   }
 }
@@ -35,7 +35,7 @@ std::string why_no_bench(const BenchOptions& options) {
   if (options.duration > 0 && scenario == "server")
     return "--duration: bench server measures for a time of its own";
   if (options.duration > 0 && scenario == "load") return "--duration: bench load ends before the first tick";
-  if (scenario == "world" && options.world.empty()) return "bench world wants the name of a .world file";
+  if (scenario == "world" && options.world.empty()) return "bench world needs the name of a .world file";
   if (scenario == "world" && options.robots > 0) return "--robots: bench world has the robots of its file";
   if (scenario != "world" && !options.world.empty())
     return fmt::format("a file belongs to bench world, not to bench {}", scenario);

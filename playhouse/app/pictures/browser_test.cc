@@ -173,12 +173,12 @@ TEST_F(ABrowser, whose_page_crashes_is_not_waited_for) {
 
 TEST_F(ABrowser, that_sends_what_is_no_message_is_told_with_that) {
   start(R"(printf '{"id":1,\0' >&4; sleep 600)");
-  EXPECT_EQ(call_fault(), R"(sends what is no message: "{"id":1,")");
+  EXPECT_EQ(call_fault(), R"(sent an invalid message: "{"id":1,")");
 }
 
 TEST_F(ABrowser, that_sends_another_kind_of_json_is_told_too) {
   start(R"(printf '[1]\0' >&4; sleep 600)");
-  EXPECT_EQ(call_fault(), R"(sends what is no message: "[1]")");
+  EXPECT_EQ(call_fault(), R"(sent an invalid message: "[1]")");
 }
 
 TEST_F(ABrowser, that_never_answers_a_call_is_given_up) {

@@ -81,7 +81,7 @@ Result<std::optional<json::object>> DevTools::take_message(Browser::Deadline dea
   boost::system::error_code failed;
   json::value message = json::parse(*bytes, failed);
   if (failed || !message.is_object())
-    return Error{"", "sends what is no message: " + in_quotes(std::string_view(*bytes).substr(0, 80))};
+    return Error{"", "sent an invalid message: " + in_quotes(std::string_view(*bytes).substr(0, 80))};
   json::object& content = message.get_object();
   const std::string_view event = text_of(content, "method");
   if (event.empty()) return std::optional(std::move(content));

@@ -159,8 +159,8 @@ Result<SensorShapes> SensorShapes::parse(std::string_view text) {
   SensorShapes shown;
   for (const std::string_view name : split(text, ',')) {
     if (std::ranges::find(names, name) == names.end())
-      return Error{"", fmt::format("of {} one or more are wanted, not {}{}", SensorShapes::names(),
-                                   in_quotes(name), did_you_mean(name, names))};
+      return Error{"", fmt::format("invalid name {}: {} are valid{}", in_quotes(name), SensorShapes::names(),
+                                   did_you_mean(name, names))};
     for (std::size_t i = 0; i < std::size(kDrawn); ++i)
       if (name == "all" || name == kDrawn[i].name) shown.drawn_.push_back(i);
   }

@@ -94,7 +94,7 @@ TEST(ReadMap, tells_what_is_wrong_with_a_map) {
     const Result<GridMap> read = MapDevice({info, {}}).read();
     return read ? std::string() : read.error().text;
   };
-  EXPECT_THAT(fault({0, 1, 1, {}}), HasSubstr("no positive number"));
+  EXPECT_THAT(fault({0, 1, 1, {}}), HasSubstr("cell size of 0 m is invalid"));
   EXPECT_THAT(fault({1, 0, 1, {}}), HasSubstr("it has no cells"));
   EXPECT_THAT(fault({1, 0xffffffff, 0xffffffff, {}}), HasSubstr("at most"));
   EXPECT_THAT(fault({1, 1, 1, {0, std::numeric_limits<double>::infinity(), 0}}), HasSubstr("not finite"));

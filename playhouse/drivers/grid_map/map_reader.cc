@@ -36,7 +36,8 @@ std::int8_t occupancy(std::int8_t value, std::int8_t range) {
 
 /// Error text; empty if the map can be read.
 std::string fault_of(const wire::map::Info& info) {
-  if (!(info.scale > 0 && std::isfinite(info.scale))) return "the size of its cells is no positive number";
+  if (!(info.scale > 0 && std::isfinite(info.scale)))
+    return fmt::format("its cell size of {} m is invalid: a finite number above 0 is valid", info.scale);
   if (!std::isfinite(info.origin.px) || !std::isfinite(info.origin.py) || !std::isfinite(info.origin.pa))
     return "its origin is not finite";
   if (info.width == 0 || info.height == 0) return "it has no cells";

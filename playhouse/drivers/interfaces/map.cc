@@ -45,8 +45,7 @@ Result<GridMap> map_of(const world::World& world, world::ModelRow model) {
   });
   if (!plan) return Error{"", "it " + plan.error().text + ": give it a larger map_resolution"};
   if (plan->solid.width == 0)
-    return Error{"",
-                 fmt::format("it has no walls that stand still {} m above the floor (map_height)", height)};
+    return Error{"", fmt::format("it has no fixed walls {} m above the floor (map_height)", height)};
   return grid_of(*plan);
 }
 

@@ -78,7 +78,7 @@ TEST_F(PowerDevice, decides_until_it_is_closed_what_may_flow) {
   EXPECT_EQ(still_.world().packs.gives[0], 0);
   still_.run(2);
   EXPECT_EQ(newest().charging, -1);
-  EXPECT_FALSE(ask({})) << "a body that is none";
+  EXPECT_FALSE(ask({})) << "an invalid body";
   ASSERT_TRUE(ask(wire::encode(pow::ChargepolicyConfig{1, 0})));
   EXPECT_EQ(still_.world().packs.takes[0], 1);
   driver_.stop(kId);

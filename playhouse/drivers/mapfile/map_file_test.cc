@@ -91,7 +91,7 @@ TEST(MapFile, reads_a_map_of_ros_with_its_thresholds_and_its_place) {
   std::ofstream(folder / "map.yaml") << "image: m.pgm\nresolution: none\n";
   EXPECT_THAT(testing::MemorySite("").build("driver( name \"mapfile\" provides [\"map:0\"] filename \"" +
                                             (folder / "map.yaml").string() + "\" )"),
-              HasSubstr("map.yaml\", line 2: \"resolution\" wants a number"));
+              HasSubstr("map.yaml\", line 2: \"resolution\" needs a number"));
 }
 
 TEST(MapFile, tells_what_is_wrong_with_a_section) {

@@ -190,7 +190,7 @@ TEST_F(NdTest, gives_up_a_goal_to_which_it_does_not_get_and_says_so_until_the_ne
 
 TEST_F(NdTest, a_goal_beyond_its_numbers_is_refused_in_words) {
   EXPECT_EQ(go_to(1e300, 0), device::Taken::kNo);
-  EXPECT_EQ(refusal(), "the goal is no pose within 1e9 m and 1e9 rad");
+  EXPECT_EQ(refusal(), "invalid goal: a pose within 1e9 m and 1e9 rad is valid");
   go_to(0, 3);
   EXPECT_EQ(refusal(), "");
 }

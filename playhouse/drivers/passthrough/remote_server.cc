@@ -1,5 +1,7 @@
 #include "playhouse/drivers/passthrough/remote_server.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -46,8 +48,8 @@ void RemoteServer::made(Result<std::unique_ptr<net::Connection>> connection) {
   reached_ = true;
   connection_ = std::move(*connection);
   connection_->expect_alive();
-  patience_ =
-      network_.after(net::kConnectSeconds, [this] { fail("says nothing, as no Player server does"); });
+  patience_ = network_.after(net::kConnectSeconds,
+                             [this] { fail("sent no greeting, so it is not a Player server"); });
   connection_->start(*this);
 }
 
@@ -83,7 +85,7 @@ void RemoteServer::closed(const std::string& why) {
 
 void RemoteServer::received(std::span<const std::byte> bytes) {
   input_.insert(input_.end(), bytes.begin(), bytes.end());
-  if (!greeted_ && !greet()) return fail("is no Player server");
+  if (!greeted_ && !greet()) return fail("is not a Player server");
   if (greeted_) take_messages();
 }
 
@@ -115,7 +117,9 @@ void RemoteServer::take_messages() {
   while (greeted_ && input_.size() - at >= limits::kHeaderBytes) {
     const auto rest = std::span(std::as_const(input_)).subspan(at);
     const wire::Header header = wire::decode_header(rest.first<limits::kHeaderBytes>());
-    if (header.size > limits::kBodyBytes) return fail("sends frames that cannot be");
+    if (header.size > limits::kBodyBytes)
+      return fail(fmt::format("sent an invalid frame of {} bytes: up to {} are valid", header.size,
+                              limits::kBodyBytes));
     if (rest.size() - limits::kHeaderBytes < header.size) break;
     const std::vector<std::byte> body(rest.begin() + limits::kHeaderBytes,
                                       rest.begin() + limits::kHeaderBytes + header.size);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/drivers/simulated/model_interfaces.h"
 #include "playhouse/scene/forms/colors.h"
@@ -76,7 +77,7 @@ Result<Type> find_type(const World& world, const std::string& word, bool robot) 
                                  nearest_types(world, word, robot))};
   if ((models[found->prototype].kind == scene::ModelKind::kPosition) != robot)
     return Error{
-        "", fmt::format("{} is no {}: it is a {}", in_quotes(word), what, models[found->prototype].type)};
+        "", fmt::format("{} is not a {}: it is a {}", in_quotes(word), what, models[found->prototype].type)};
   return *found;
 }
 
@@ -132,12 +133,12 @@ Result<void> add_sensors(world::Journal& journal, Joined& joined,
 
 Result<JoinRequest> parse_join_request(std::string_view type, std::string_view value) {
   double place[3];
-  if (value.size() < sizeof place) return Error{"", "x, y and heading are wanted, as three float64"};
+  if (value.size() < sizeof place) return Error{"", "x, y and heading are needed, as three float64"};
   std::memcpy(place, value.data(), sizeof place);
   JoinRequest request;
   request.type = type;
   request.X_WR = {place[0], place[1], 0, place[2]};
-  if (!world::is_place(request.X_WR)) return Error{"", "the pose is not finite, or too far away"};
+  if (!world::is_place(request.X_WR)) return Error{"", "invalid pose: not finite, or too far away"};
   std::vector<std::string> texts;
   for (std::string_view rest = value.substr(sizeof place); !rest.empty();) {
     const std::size_t end = std::min(rest.find('\0'), rest.size());
@@ -147,7 +148,7 @@ Result<JoinRequest> parse_join_request(std::string_view type, std::string_view v
   if (!texts.empty()) request.name = texts[0];
   if (texts.size() > 1) request.color = texts[1];
   if (!request.name.empty() && !world::can_be_said(request.name))
-    return Error{"", "the name is no line of text"};
+    return Error{"", fmt::format("invalid name: a line of up to {} bytes is valid", limits::kSayBytes)};
   if (texts.size() > 2 + kMostSensors)
     return Error{"", fmt::format("a robot brings {} sensors at most", kMostSensors)};
   for (std::size_t i = 2; i < texts.size(); ++i) {
@@ -178,7 +179,7 @@ Result<Joined> join(world::Journal& journal, const JoinRequest& request) {
   X_WR.z = world.scene().models[type->prototype].X_PM.z;
   if (const Result<void> near = check_near(world, X_WR); !near) return near.error();
   if (!is_free(world, type->prototype, X_WR))
-    return Error{"", fmt::format("something stands at {:.2f} {:.2f} already", X_WR.x, X_WR.y)};
+    return Error{"", fmt::format("the place at {:.2f} {:.2f} is occupied", X_WR.x, X_WR.y)};
   const Result<world::ModelId> came =
       journal.spawn(type->prototype, X_WR, name_for(world, request.name, request.type));
   if (!came) return came.error();

@@ -12,6 +12,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/scene/text/values.h"
+#include "playhouse/world/changes/journal.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::drivers {

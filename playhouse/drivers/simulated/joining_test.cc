@@ -178,14 +178,14 @@ TEST_F(Joining, what_cannot_be_is_told_and_nothing_comes) {
   EXPECT_EQ(come(request("carrt", 0, 0)),
             "the world has no type of robot \"carrt\" (did you mean \"cart\"?)");
   EXPECT_EQ(come(request("lamp", 0, 0)), "the world has no type of robot \"lamp\"; there are cart, own");
-  EXPECT_EQ(come(request("scanner", 0, 0)), "\"scanner\" is no robot: it is a ranger");
-  EXPECT_EQ(come(request("cart", 0, 0, {"", "", "cart"})), "\"cart\" is no sensor: it is a position");
+  EXPECT_EQ(come(request("scanner", 0, 0)), "\"scanner\" is not a robot: it is a ranger");
+  EXPECT_EQ(come(request("cart", 0, 0, {"", "", "cart"})), "\"cart\" is not a sensor: it is a position");
   EXPECT_EQ(come(request("cart", 0, 0, {"", "", "scaner"})),
             "the world has no type of sensor \"scaner\" (did you mean \"scanner\"?)");
   EXPECT_EQ(come(request("cart", 0, 0, {"own"})), "there is a model \"own\" already");
   EXPECT_EQ(come(request("cart", 0, 0, {"", "rred"})), "there is no color \"rred\" (did you mean \"red\"?)");
-  EXPECT_EQ(come(request("cart", 0.1, -3.1)), "something stands at 0.10 -3.10 already");
-  EXPECT_EQ(come(request("cart", 2.8, 4)), "something stands at 2.80 4.00 already");
+  EXPECT_EQ(come(request("cart", 0.1, -3.1)), "the place at 0.10 -3.10 is occupied");
+  EXPECT_EQ(come(request("cart", 2.8, 4)), "the place at 2.80 4.00 is occupied");
 }
 
 TEST(JoinRequests, are_read_with_care) {
@@ -193,9 +193,9 @@ TEST(JoinRequests, are_read_with_care) {
     const Result<JoinRequest> read = parse_join_request("cart", value);
     return read ? "" : read.error().text;
   };
-  EXPECT_EQ(fault("short"), "x, y and heading are wanted, as three float64");
-  EXPECT_EQ(fault(wire_value(1e300, 0, {})), "the pose is not finite, or too far away");
-  EXPECT_EQ(fault(wire_value(0, 0, {"two\nlines"})), "the name is no line of text");
+  EXPECT_EQ(fault("short"), "x, y and heading are needed, as three float64");
+  EXPECT_EQ(fault(wire_value(1e300, 0, {})), "invalid pose: not finite, or too far away");
+  EXPECT_EQ(fault(wire_value(0, 0, {"two\nlines"})), "invalid name: a line of up to 1024 bytes is valid");
   EXPECT_EQ(fault(wire_value(0, 0, {"", "", "scanner 1 2"})),
             "\"scanner 1 2\": a sensor is a type, or a type with x, y and heading");
   EXPECT_EQ(fault(wire_value(0, 0, {"", "", ""})),
@@ -305,7 +305,7 @@ TEST_F(Joining, who_is_no_client_and_who_asks_for_what_is_not_gets_a_reason) {
   joined.join(property("crt", wire_value(0, 0, {})), &student, {answers, 3});
   site.run(1);
   EXPECT_EQ(reason(1), "clients alone bring robots");
-  EXPECT_EQ(reason(2), "x, y and heading are wanted, as three float64");
+  EXPECT_EQ(reason(2), "x, y and heading are needed, as three float64");
   EXPECT_EQ(reason(3), "the world has no type of robot \"crt\" (did you mean \"cart\"?)");
 }
 

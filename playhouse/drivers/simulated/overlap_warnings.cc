@@ -15,7 +15,7 @@ void OverlapWarnings::placed(const world::World& world, world::ModelRow model, s
   if (other.empty()) return;
   ++told_;
   log::warn("simulation: a client {} {} into {}{}", done, in_quotes(world.name(model)), other,
-            told_ == limits::kWarningsOfAKind ? " (further ones are not told)" : "");
+            told_ == limits::kWarningsOfAKind ? " (further ones are not logged)" : "");
 }
 
 }  // namespace playhouse::drivers

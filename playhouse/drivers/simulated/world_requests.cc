@@ -74,7 +74,7 @@ void join(run::Simulation& simulation, const Asked& asked, device::Caller* calle
     return asked.nack("this world goes on by itself: it was not started with --lock-step");
   if (caller == nullptr) return asked.nack("clients alone join");
   const std::string name(wire::text(asked.request.value));
-  if (name.empty()) return asked.nack("a name is wanted");
+  if (name.empty()) return asked.nack("a name is missing");
   const std::string why_not = lock_step->join(caller, name, caller->name());
   watch(*lock_step, *caller);
   if (!why_not.empty()) return asked.nack(why_not);
@@ -87,7 +87,7 @@ void step(run::Simulation& simulation, const Asked& asked, device::Caller* calle
   run::LockStep* lock_step = simulation.lock_step();
   const std::uint32_t most = lock_step == nullptr ? limits::kSingleSteps : limits::kStepTicks;
   if (!ticks || *ticks == 0 || *ticks > most)
-    return asked.nack(fmt::format("a number of ticks is wanted, 1 to {}, in 4 or 8 bytes", most));
+    return asked.nack(fmt::format("invalid number of ticks: 1 to {} is valid, in 4 or 8 bytes", most));
   if (lock_step == nullptr) return simulation.requests().step(*ticks, asked.when_done());
   if (caller == nullptr) return asked.nack("clients alone step");
   lock_step->step(caller, caller->name(), *ticks, asked.when_done());
@@ -97,7 +97,7 @@ void step(run::Simulation& simulation, const Asked& asked, device::Caller* calle
 void reset(run::Simulation& simulation, const Asked& asked) {
   const bool same_seed = asked.request.value.empty();
   const std::optional<std::uint64_t> seed = number(asked.request.value);
-  if (!same_seed && !seed) return asked.nack("a seed is wanted, in 4 or 8 bytes");
+  if (!same_seed && !seed) return asked.nack("invalid seed: a whole number in 4 or 8 bytes is valid");
   const bool posted =
       simulation.requests().post_to_all([&simulation, asked, seed](const world::Journal& journal) {
         const Result<void> started = simulation.restart(seed.value_or(journal.world().seed()));
@@ -113,12 +113,13 @@ void spawn(run::Simulation& simulation, const Asked& asked, const device::Caller
   double place[3];
   const std::string& value = asked.request.value;
   if (value.size() < sizeof place)
-    return asked.nack("x, y and heading are wanted, as three float64, and a name");
+    return asked.nack("x, y and heading are needed, as three float64, and a name");
   std::memcpy(place, value.data(), sizeof place);
   const std::string name(wire::text(std::string_view(value).substr(sizeof place)));
   if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
-    return asked.nack("the pose is none");
-  if (!name.empty() && !world::can_be_said(name)) return asked.nack("the name is no line of text");
+    return asked.nack("invalid pose: finite numbers are valid");
+  if (!name.empty() && !world::can_be_said(name))
+    return asked.nack(fmt::format("invalid name: a line of up to {} bytes is valid", limits::kSayBytes));
   const geom::Pose at{place[0], place[1], 0, place[2]};
   const std::string holder = caller == nullptr ? std::string() : caller->holder();
   const bool posted = simulation.requests().post(

@@ -51,10 +51,10 @@ class WorldRequests : public ::testing::Test {
 
 TEST_F(WorldRequests, for_steps_tell_how_many_there_may_be) {
   open({});
-  EXPECT_EQ(step(1001), "a number of ticks is wanted, 1 to 1000, in 4 or 8 bytes");
+  EXPECT_EQ(step(1001), "invalid number of ticks: 1 to 1000 is valid, in 4 or 8 bytes");
   EXPECT_FALSE(simulation_->requests().pace().paused) << "it was refused";
   open(run::LockStep::Options{});
-  EXPECT_EQ(step((1u << 20) + 1), "a number of ticks is wanted, 1 to 1048576, in 4 or 8 bytes");
+  EXPECT_EQ(step((1u << 20) + 1), "invalid number of ticks: 1 to 1048576 is valid, in 4 or 8 bytes");
 }
 
 TEST_F(WorldRequests, for_steps_of_a_running_world_are_refused_and_a_paused_one_stays_paused) {

@@ -499,7 +499,7 @@ TEST(Wavefront, a_goal_beyond_its_numbers_is_refused_in_words) {
   Planned test;
   test.begin();
   EXPECT_EQ(test.go_to({1e300, 0, 0, 0}), device::Taken::kNo);
-  EXPECT_EQ(test.refusal(), "the goal is no pose within 1e9 m and 1e9 rad");
+  EXPECT_EQ(test.refusal(), "invalid goal: a pose within 1e9 m and 1e9 rad is valid");
   test.go_to(kGoal);
   EXPECT_EQ(test.refusal(), "");
 }

@@ -34,7 +34,8 @@ Result<double> unit_of(const pugi::xml_attribute& meter) {
   const double unit = std::strtod(text.data(), &end);
   if (text.empty() || end != text.data() + text.size() || !(unit > 0) || !std::isfinite(unit))
     return Error{
-        {}, fmt::format("has a unit of {} metres, which is no number above 0", in_quotes(meter.value()))};
+        {},
+        fmt::format("has an invalid unit of {} metres: a number above 0 is valid", in_quotes(meter.value()))};
   return unit;
 }
 
@@ -105,10 +106,9 @@ Result<ColladaDocument> ColladaDocument::parse(std::string_view bytes) {
   const pugi::xml_parse_result parsed = made.document_->load_buffer(bytes.data(), bytes.size());
   if (!parsed)
     return Error{
-        {},
-        fmt::format("cannot be read: it is no good XML: {} at byte {}", parsed.description(), parsed.offset)};
+        {}, fmt::format("cannot be read: invalid XML: {} at byte {}", parsed.description(), parsed.offset)};
   made.root_ = made.document_->child("COLLADA");
-  if (!made.root_) return Error{{}, "cannot be read: it is no COLLADA file"};
+  if (!made.root_) return Error{{}, "cannot be read: it is not a COLLADA file"};
   Depth depth;
   if (!made.document_->traverse(depth))
     return Error{{}, fmt::format("has elements more than {} deep", limits::kMeshDepth)};

@@ -179,7 +179,7 @@ void PhysicsReader::add_geometry(const pugi::xml_node& instance, const Affine& X
   if (X_FS.volume() < 0)
     for (auto& corner : read.corners) std::swap(corner[1], corner[2]);
   if (read.points.size() < 4 || (!is_hull && read.corners.empty()))
-    return fail(fmt::format("has a geometry {} for physics that is no solid", in_quotes(address)));
+    return fail(fmt::format("has a geometry {} for physics that is not a solid", in_quotes(address)));
   physics_.shapes.push_back({is_hull ? ShapeKind::kHull : ShapeKind::kTriangles,
                              {},
                              {},

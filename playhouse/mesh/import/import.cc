@@ -97,7 +97,7 @@ void keep_formats(Assimp::Importer& importer) {
 std::string reason(std::string text) {
   if (text == "std::bad_alloc") return "it takes too much memory";
   if (const std::size_t at = text.find(kFolder); at != text.npos) text.erase(at, kFolder.size());
-  return escaped(text.empty() ? "it is of no kind that is known" : text);
+  return escaped(text.empty() ? "its format is unknown" : text);
 }
 
 Colors colors_of(std::string_view path) {

@@ -107,11 +107,11 @@ Result<std::string> from_text(std::string_view bytes) {
     } else if (word == "vertex") {
       for (int i = 0; i < 3; ++i) {
         const std::optional<float> value = text.number();
-        if (!value) return text.broken("a vertex wants three numbers");
+        if (!value) return text.broken("a vertex needs three numbers");
         points.append(reinterpret_cast<const char*>(&*value), sizeof *value);
       }
     } else if (word == "endloop") {
-      if (points.size() != 3 * kPoint) return text.broken("a triangle wants three vertices");
+      if (points.size() != 3 * kPoint) return text.broken("a triangle needs three vertices");
       if (plain.count() == limits::kMeshTriangles) return too_many();
       plain.add(points);
       points.clear();
@@ -134,11 +134,12 @@ Result<std::string> plain_stl(std::string_view bytes) {
   if (constexpr std::string_view kMark = "\xEF\xBB\xBF"; bytes.starts_with(kMark))
     bytes.remove_prefix(kMark.size());
   if (Text(bytes).word() == "solid" && bytes.find('\0') == std::string_view::npos) return from_text(bytes);
-  if (!count) return Error{{}, "is no STL: it is no ASCII one, and too short for a binary one"};
+  if (!count) return Error{{}, "is not a valid STL: it is not an ASCII one, and too short for a binary one"};
   return Error{
       {},
-      fmt::format("is broken: it is no ASCII STL, and a binary one of {} triangles has {} bytes, found {}",
-                  *count, kStart + std::uint64_t{kTriangle} * *count, bytes.size())};
+      fmt::format(
+          "is broken: it is not an ASCII STL, and a binary one of {} triangles has {} bytes, found {}",
+          *count, kStart + std::uint64_t{kTriangle} * *count, bytes.size())};
 }
 
 }  // namespace playhouse::mesh

@@ -95,7 +95,7 @@ Result<McapReader::End> McapReader::read(const Listener& listener) {
   std::array<std::byte, kMagic.size()> magic{};
   if (source_->size() < magic.size() || !source_->read_at(0, magic) ||
       !std::ranges::equal(magic, std::as_bytes(std::span(kMagic))))
-    return Error{{}, "is no MCAP file"};
+    return Error{{}, "is not an MCAP file"};
   Bytes content;
   for (at_ = magic.size();;) {
     const std::uint64_t left = source_->size() - at_;
@@ -171,7 +171,7 @@ Result<void> McapReader::take_chunk(std::span<const std::byte> content, const Li
     const std::uint64_t length = head.u64();
     if (!head.ok() || length > head.left()) return damaged("has a record that ends too late");
     if (op != Op::kSchema && op != Op::kChannel && op != Op::kMessage)
-      return damaged("has a record that belongs into no chunk");
+      return damaged("has a record that does not belong in a chunk");
     const Result<void> taken =
         take(op, records.subspan(kRecordHeadBytes, static_cast<std::size_t>(length)), listener);
     if (!taken) return taken;

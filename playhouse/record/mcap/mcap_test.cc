@@ -132,8 +132,8 @@ TEST_F(Mcap, with_a_changed_byte_in_a_chunk_is_refused) {
 }
 
 TEST_F(Mcap, refuses_what_is_none) {
-  EXPECT_THAT(read(bytes_of("playhouse saved run 2\n")).error().text, HasSubstr("is no MCAP file"));
-  EXPECT_THAT(read({}).error().text, HasSubstr("is no MCAP file"));
+  EXPECT_THAT(read(bytes_of("playhouse saved run 2\n")).error().text, HasSubstr("is not an MCAP file"));
+  EXPECT_THAT(read({}).error().text, HasSubstr("is not an MCAP file"));
 }
 
 TEST_F(Mcap, refuses_lengths_that_pass_a_limit_before_it_takes_memory) {
@@ -318,7 +318,7 @@ TEST(McapWriter, writes_over_recordings_and_over_nothing_else) {
   std::ofstream(world) << "interval_sim 100\n";
   const auto refused = McapWriter::create(world, "");
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().line(), world + ": is there already, and no recording: give another name");
+  EXPECT_EQ(refused.error().line(), world + ": is there already, and is not a recording: give another name");
   std::ifstream kept(world);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(kept), {}), "interval_sim 100\n");
   for (int k = 0; k < 2; ++k) {

@@ -65,7 +65,7 @@ Result<void> McapWriter::empty() {
   const ssize_t size = pread(file_, begin.data(), begin.size(), 0);
   if (size < 0) return fault(errno);
   if (!std::equal(begin.begin(), begin.begin() + size, kMagic.begin()))
-    return Error{escaped(path_), "is there already, and no recording: give another name"};
+    return Error{escaped(path_), "is there already, and is not a recording: give another name"};
   if (ftruncate(file_, 0) != 0) return fault(errno);
   return {};
 }

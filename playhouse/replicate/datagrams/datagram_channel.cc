@@ -45,7 +45,7 @@ Result<Heard> DatagramChannel::receive(std::span<const std::byte> rest, double n
   const std::uint64_t size = in.varint();
   const std::uint64_t at = size > 0 ? in.varint() : 0;
   if (!in.ok() || seq == 0 || seq > kSeqMost || ack > sent_ || size > in.left())
-    return Error{"", "a packet is none"};
+    return Error{"", "invalid packet"};
   if (!note(seq)) return Heard{};
   const auto body = rest.last(in.left());
   acknowledge(ack, before, now);

@@ -62,7 +62,7 @@ Result<void> DatagramViewer::receive(std::span<const std::byte> rest, double now
     const Result<void> done = execute((*text)->text);
     if (done) continue;
     notice(done.error().text);
-    if (++faults_ >= limits::kViewerFaults) return Error{"", "too many commands that cannot be"};
+    if (++faults_ >= limits::kViewerFaults) return Error{"", "too many invalid commands"};
   }
 }
 

@@ -78,7 +78,7 @@ double angle_of(std::uint16_t turn) {
 Result<void> ObservedWorld::take_text(std::string_view text, Seq after) {
   boost::system::error_code failed;
   const json::value value = json::parse(text, failed);
-  if (failed || !value.is_object()) return Error{"", "the program sent a text that is no JSON object"};
+  if (failed || !value.is_object()) return Error{"", "the program sent a text that is not a JSON object"};
   const json::object& object = value.as_object();
   Reader read;
   if (object.contains("protocol")) {
@@ -90,7 +90,7 @@ Result<void> ObservedWorld::take_text(std::string_view text, Seq after) {
     for (const json::value& id : read.list(gone)) models_.erase(read.whole<std::uint32_t>(&id));
   if (const json::value* const models = object.if_contains("models")) {
     for (const json::value& each : read.list(models)) {
-      if (!each.is_object()) return Error{"", "the program sent a model that is none"};
+      if (!each.is_object()) return Error{"", "the program sent an invalid model"};
       ObservedModel model;
       model.name = read.text(each.as_object().if_contains("name"));
       if (const json::value* const parent = each.as_object().if_contains("parent"))
@@ -110,7 +110,7 @@ Result<void> ObservedWorld::take_text(std::string_view text, Seq after) {
   }
   if (const json::value* const notice = object.if_contains("notice"))
     if (notices_.size() < kMostNotices) notices_.push_back(read.text(notice));
-  if (!read.ok()) return Error{"", "the program sent a text that lacks something"};
+  if (!read.ok()) return Error{"", "the program sent an incomplete text"};
   return {};
 }
 
@@ -142,7 +142,7 @@ Result<void> ObservedWorld::take_state(Seq seq, std::span<const std::byte> bytes
         if (baseline == history.end()) return Error{"", "a state refers to one that never came"};
         state = baseline->second;
       }
-      if (!read_fields(mask, in, state) || !in.ok()) return Error{"", "a state is none"};
+      if (!read_fields(mask, in, state) || !in.ok()) return Error{"", "invalid state"};
       if (is_known) keep(found->second, seq, state, tick);
     }
   }

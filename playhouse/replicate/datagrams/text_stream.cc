@@ -154,7 +154,7 @@ Result<std::optional<ReceivedText>> StreamReceiver::next() {
     if (rest.size() >= kTextHeadBytes + 8) return bad("a text has no head");
     return std::optional<ReceivedText>();
   }
-  if (packed > 1 || after > kSeqMost || size > most_) return bad("a text is too long, or none");
+  if (packed > 1 || after > kSeqMost || size > most_) return bad("a text is invalid, or too long");
   if (in.left() < size) return std::optional<ReceivedText>();
   const auto bytes = rest.subspan(rest.size() - in.left(), static_cast<std::size_t>(size));
   Result<std::string> text = packed == 1

@@ -118,7 +118,7 @@ void fit_shape(const Shape& shape, const geom::Size& size, LoadState& state, Mod
     if (stretch.flat() || block.points.size() == 2) {
       block.points = thin_wall(block.points);
       state.warnings.add(Warning::kShape, prism.where,
-                         block.points.empty() ? "all points of the block are one point, so it is no body"
+                         block.points.empty() ? "all points of the block are one point, so it has no body"
                                               : "the block is a line; it is a wall 0.01 m thick");
       if (block.points.empty()) continue;
     }

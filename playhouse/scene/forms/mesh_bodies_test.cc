@@ -191,7 +191,8 @@ TEST(MeshWord, tells_what_is_wrong_with_a_placement) {
         << scale;
   EXPECT_THAT(
       told("mesh_scale 1e6 mesh_fit 0"),
-      HasSubstr("mesh \"w/box.dae\", with its mesh_scale and mesh_pose, is broken: a corner is no number"));
+      HasSubstr(
+          "mesh \"w/box.dae\", with its mesh_scale and mesh_pose, is broken: a corner is not a number"));
   EXPECT_THAT(told("mesh_pose [1 0 0 0 0 0]"),
               HasSubstr("w/a.world:2: the place in \"mesh_pose\" has no effect on a fitted mesh"));
   EXPECT_THAT(scene_of("model( mesh_fit 0 )").warnings,
@@ -234,7 +235,7 @@ TEST(MeshWord, tells_file_and_line_of_what_is_wrong) {
   EXPECT_THAT(error("model( mesh \"a.dae\" )", {{"w/a.dae", "<x/>"}}),
               HasSubstr("w/a.world:1: mesh \"w/a.dae\" cannot be read: "));
   EXPECT_THAT(error("model( mesh \"a.png\" )", {{"w/a.png", mesh::test_png()}}),
-              HasSubstr("mesh \"w/a.png\" is no mesh"));
+              HasSubstr("mesh \"w/a.png\" is not a mesh"));
   EXPECT_THAT(error("gripper( mesh \"box.dae\" )"), HasSubstr("a gripper has paddles and no mesh"));
 }
 

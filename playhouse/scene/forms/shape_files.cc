@@ -85,7 +85,7 @@ const ShapeFiles::TracedBitmap* ShapeFiles::trace(const std::string& path, std::
   if (state_.over) return nullptr;
   if (loops->empty())
     state_.warnings.add(Warning::kShape, where,
-                        "bitmap " + in_quotes(path) + " has no dark pixel, so it is no body");
+                        "bitmap " + in_quotes(path) + " has no dark pixel, so it has no body");
   else
     warn_of_margin(path, *bitmap, *loops, size, where);
   return &*bitmaps_.emplace(path, std::move(*loops)).first;

@@ -85,13 +85,13 @@ TEST(Bitmap, a_jpeg_that_ends_before_its_last_pixel_is_no_image) {
   for (const std::size_t bytes : {whole.size() / 4, whole.size() - 20}) {
     const Result<Bitmap> bitmap = decode_bitmap(whole.substr(0, bytes));
     ASSERT_FALSE(bitmap) << bytes;
-    EXPECT_THAT(bitmap.error().text, HasSubstr("is no readable JPEG: ")) << bytes;
+    EXPECT_THAT(bitmap.error().text, HasSubstr("is not a valid JPEG: ")) << bytes;
   }
   std::string wide = whole;  // whose header promises 16384 x 16384
   const std::size_t frame = wide.find(std::string("\xFF\xC0", 2));
   ASSERT_NE(frame, std::string::npos);
   wide.replace(frame + 5, 4, std::string("\x40\0\x40\0", 4));
-  EXPECT_EQ(decode_bitmap(wide).error().text, "is no readable JPEG: the file ends too early");
+  EXPECT_EQ(decode_bitmap(wide).error().text, "is not a valid JPEG: the file ends too early");
   const Result<Bitmap> large = decode_bitmap(whole, 1000);
   ASSERT_FALSE(large);
   EXPECT_THAT(large.error().text, HasSubstr("64 x 64 pixels; up to 1000"));
@@ -145,7 +145,7 @@ TEST(Bitmap, a_bmp_that_ends_before_its_last_pixel_is_no_image) {
   for (const std::size_t bytes : {whole.size() - 2, whole.size() - 16, whole.size() / 2, std::size_t{54}}) {
     const Result<Bitmap> bitmap = decode_bitmap(whole.substr(0, bytes));
     ASSERT_FALSE(bitmap) << bytes;
-    EXPECT_EQ(bitmap.error().text, "is no readable BMP: the file ends too early") << bytes;
+    EXPECT_EQ(bitmap.error().text, "is not a valid BMP: the file ends too early") << bytes;
   }
 }
 
@@ -158,16 +158,16 @@ TEST(Bitmap, what_is_no_image_says_so) {
     const Result<Bitmap> bitmap = decode_bitmap(bytes, 1000);
     return bitmap ? "no error" : bitmap.error().line();
   };
-  EXPECT_THAT(error(""), HasSubstr("is no PNG, JPEG, PNM"));
-  EXPECT_THAT(error("GIF89a"), HasSubstr("is no PNG, JPEG, PNM (.pgm, .ppm, .pbm) or BMP image"));
-  EXPECT_THAT(error("hello"), HasSubstr("is no PNG, JPEG, PNM"));
+  EXPECT_THAT(error(""), HasSubstr("is not a PNG, JPEG, PNM"));
+  EXPECT_THAT(error("GIF89a"), HasSubstr("is not a PNG, JPEG, PNM (.pgm, .ppm, .pbm) or BMP image"));
+  EXPECT_THAT(error("hello"), HasSubstr("is not a PNG, JPEG, PNM"));
   EXPECT_THAT(error("P1 3 3 1 1"), HasSubstr("end too early"));
-  EXPECT_THAT(error("P2 1 1 255 256"), HasSubstr("no readable PNM"));
+  EXPECT_THAT(error("P2 1 1 255 256"), HasSubstr("not a valid PNM"));
   EXPECT_THAT(error("P5 2 2 255 \x01\x02"), HasSubstr("end too early"));
   EXPECT_THAT(error("P5 88888888888888888 1 255 1"), HasSubstr("pixels; up to 1000"));
   EXPECT_THAT(error("P4 99999 99999 "), HasSubstr("99999 x 99999 pixels; up to 1000"));
   const std::string png = png_of(4, 4, PNG_FORMAT_GRAY, std::string(16, '\0'));
-  EXPECT_THAT(error(png.substr(0, png.size() / 2)), HasSubstr("is no readable PNG"));
+  EXPECT_THAT(error(png.substr(0, png.size() / 2)), HasSubstr("is not a valid PNG"));
   EXPECT_THAT(error(png_of(40, 40, PNG_FORMAT_GRAY, std::string(1600, '\0'))), HasSubstr("40 x 40 pixels"));
 }
 

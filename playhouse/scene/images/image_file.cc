@@ -134,7 +134,7 @@ Result<Image> read_png(std::string_view bytes, std::size_t most_pixels) {
     png_read_rows(png, about, *reading, *image);
   }
   png_destroy_read_struct(&png, &about, nullptr);
-  if (!reading->failure.empty()) return Error{{}, "is no readable PNG: " + reading->failure};
+  if (!reading->failure.empty()) return Error{{}, "is not a valid PNG: " + reading->failure};
   return std::move(*image);
 }
 
@@ -237,7 +237,7 @@ bool read_binary_pixels(std::string_view bytes, PnmKind kind, std::uint32_t top,
 
 template <typename Image>
 Result<Image> read_pnm(std::string_view bytes, std::size_t most_pixels) {
-  const Error bad{{}, "is no readable PNM: the header is wrong or the pixels end too early"};
+  const Error bad{{}, "is not a valid PNM: the header is wrong or the pixels end too early"};
   const PnmKind kind = kind_of_pnm(bytes[1]);
   PnmText text(bytes, 2);
   const auto width = text.number(), height = text.number();
@@ -296,7 +296,7 @@ std::uint64_t bmp_bytes(std::string_view bytes, std::uint64_t width, std::uint64
 }
 
 Error bmp_ends_early() {
-  return {{}, "is no readable BMP: the file ends too early"};
+  return {{}, "is not a valid BMP: the file ends too early"};
 }
 
 template <typename Image>
@@ -305,7 +305,7 @@ Result<Image> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
-    return Error{{}, "is no PNG, JPEG, PNM (.pgm, .ppm, .pbm) or BMP image"};
+    return Error{{}, "is not a PNG, JPEG, PNM (.pgm, .ppm, .pbm) or BMP image"};
   }
   // Negative heights mean rows from top to bottom.
   const auto pixels_of = [](int side) { return static_cast<std::uint64_t>(std::llabs(side)); };
@@ -330,7 +330,7 @@ Result<Image> read_bmp(std::string_view bytes, std::size_t most_pixels) {
 }
 
 Error no_jpeg(std::string_view why) {
-  return {{}, "is no readable JPEG: " + std::string(why)};
+  return {{}, "is not a valid JPEG: " + std::string(why)};
 }
 
 /// The library fills what is missing at the end with gray, and reports other faults with readable images.

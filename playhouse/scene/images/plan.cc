@@ -155,7 +155,7 @@ double rounded(double value) {
   return whole == 0 ? 0 : whole;
 }
 
-/// NaN is none.
+/// False for NaN.
 bool is_of_a_world_file(double value) {
   return std::abs(value) <= kLargestNumber;
 }

@@ -201,21 +201,21 @@ std::string fault(const std::string& text) {
 }
 
 TEST(RosMap, with_a_fault_is_told_with_its_line) {
-  EXPECT_EQ(fault("image: a.pgm\nresolution: fine\n"), "2: \"resolution\" wants a number");
+  EXPECT_EQ(fault("image: a.pgm\nresolution: fine\n"), "2: \"resolution\" needs a number");
   EXPECT_EQ(fault("image: a.pgm\nresolution: 0\norigin: [0, 0, 0]\n"),
-            "2: \"resolution\" wants a number above 0");
-  EXPECT_EQ(fault("image: a.pgm\nresolution: .nan\n"), "2: \"resolution\" wants a number");
+            "2: \"resolution\" needs a number above 0");
+  EXPECT_EQ(fault("image: a.pgm\nresolution: .nan\n"), "2: \"resolution\" needs a number");
   EXPECT_EQ(fault("image: a.pgm\nresoluton: 1\n"),
             "2: there is no key \"resoluton\" (did you mean \"resolution\"?)");
   EXPECT_EQ(fault("resolution: 1\n"), "lacks \"image\"");
-  EXPECT_EQ(fault("image: a.pgm\nresolution: 1\norigin: [1]\n"), "3: \"origin\" wants [x, y, yaw]");
-  EXPECT_EQ(fault("image: a.pgm\nresolution: 1\norigin: [1, 2]\n"), "3: \"origin\" wants [x, y, yaw]");
+  EXPECT_EQ(fault("image: a.pgm\nresolution: 1\norigin: [1]\n"), "3: \"origin\" needs [x, y, yaw]");
+  EXPECT_EQ(fault("image: a.pgm\nresolution: 1\norigin: [1, 2]\n"), "3: \"origin\" needs [x, y, yaw]");
   EXPECT_EQ(fault("image: a.pgm\nresolution: 1\n"), "lacks \"origin\"");
   EXPECT_EQ(fault("image: a.pgm\nresolution: 1\nmode: rawe\n"),
             "3: there is no mode \"rawe\" (did you mean \"raw\"?)");
   EXPECT_THAT(fault("image: a.pgm\nresolution: 1\norigin: [0, 0, 0]\nfree_thresh: 0.9\n"),
               HasSubstr("might be both"));
-  EXPECT_THAT(fault("just a line"), HasSubstr("no map of ROS"));
+  EXPECT_THAT(fault("just a line"), HasSubstr("not a map of ROS"));
   EXPECT_THAT(fault("image: ["), HasSubstr("1: "));
 }
 

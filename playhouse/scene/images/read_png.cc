@@ -10,7 +10,7 @@ Result<RgbImage> read_rgb(std::string_view png, std::size_t most_pixels) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&image, png.data(), png.size()) == 0)
-    return Error{{}, std::string("is no readable PNG: ") + image.message};
+    return Error{{}, std::string("is not a valid PNG: ") + image.message};
   image.format = PNG_FORMAT_RGB;
   if (std::size_t{image.width} * image.height > most_pixels) {
     png_image_free(&image);
@@ -20,7 +20,7 @@ Result<RgbImage> read_rgb(std::string_view png, std::size_t most_pixels) {
   read.rgb.resize(PNG_IMAGE_SIZE(image));
   constexpr png_color kBlack{0, 0, 0};
   if (png_image_finish_read(&image, &kBlack, read.rgb.data(), 0, nullptr) == 0)
-    return Error{{}, std::string("is no readable PNG: ") + image.message};
+    return Error{{}, std::string("is not a valid PNG: ") + image.message};
   return read;
 }
 

@@ -29,9 +29,9 @@ TEST(ReadRgb, refuses_what_is_too_large_or_ends_early_or_is_no_png) {
   const Result<std::string> png = png_of(3, 2, kColors);
   ASSERT_TRUE(png);
   EXPECT_THAT(read_rgb(*png, 5).error().text, HasSubstr("has more than 5 pixels"));
-  EXPECT_THAT(read_rgb(png->substr(0, png->size() - 20), 6).error().text, HasSubstr("is no readable PNG"));
-  EXPECT_THAT(read_rgb("GIF89a", 6).error().text, HasSubstr("is no readable PNG"));
-  EXPECT_THAT(read_rgb("", 6).error().text, HasSubstr("is no readable PNG"));
+  EXPECT_THAT(read_rgb(png->substr(0, png->size() - 20), 6).error().text, HasSubstr("is not a valid PNG"));
+  EXPECT_THAT(read_rgb("GIF89a", 6).error().text, HasSubstr("is not a valid PNG"));
+  EXPECT_THAT(read_rgb("", 6).error().text, HasSubstr("is not a valid PNG"));
 }
 
 }  // namespace

@@ -29,12 +29,12 @@ Error at(const YAML::Mark& mark, const std::string& text) {
 Result<double> number(const YAML::Node& node, std::string_view key) {
   double value = 0;
   if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
-    return at(node.Mark(), fmt::format("{} wants a number", in_quotes(key)));
+    return at(node.Mark(), fmt::format("{} needs a number", in_quotes(key)));
   return value;
 }
 
 Result<void> read_origin(const YAML::Node& node, geom::Pose& to) {
-  if (!node.IsSequence() || node.size() != 3) return at(node.Mark(), "\"origin\" wants [x, y, yaw]");
+  if (!node.IsSequence() || node.size() != 3) return at(node.Mark(), "\"origin\" needs [x, y, yaw]");
   double values[3] = {};
   for (std::size_t i = 0; i < node.size(); ++i) {
     const Result<double> value = number(node[i], "origin");
@@ -48,7 +48,7 @@ Result<void> read_origin(const YAML::Node& node, geom::Pose& to) {
 Result<void> read_key(const std::string& key, const YAML::Node& node, RosMap& map) {
   if (key == "origin") return read_origin(node, map.origin);
   if (key == "image" || key == "mode") {
-    if (!node.IsScalar()) return at(node.Mark(), fmt::format("{} wants a text", in_quotes(key)));
+    if (!node.IsScalar()) return at(node.Mark(), fmt::format("{} needs a text", in_quotes(key)));
     (key == "image" ? map.image : map.mode) = node.Scalar();
     if (key == "mode" && std::ranges::find(kModes, map.mode) == kModes.end())
       return at(node.Mark(),
@@ -57,9 +57,9 @@ Result<void> read_key(const std::string& key, const YAML::Node& node, RosMap& ma
   }
   if (key == "negate") {
     bool negate = false;  // usually 0 or 1, sometimes a word
-    if (!node.IsScalar()) return at(node.Mark(), "\"negate\" wants 0 or 1");
+    if (!node.IsScalar()) return at(node.Mark(), "\"negate\" needs 0 or 1");
     if (node.Scalar() != "0" && node.Scalar() != "1" && !YAML::convert<bool>::decode(node, negate))
-      return at(node.Mark(), "\"negate\" wants 0 or 1");
+      return at(node.Mark(), "\"negate\" needs 0 or 1");
     map.negate = negate || node.Scalar() == "1";
     return {};
   }
@@ -70,7 +70,7 @@ Result<void> read_key(const std::string& key, const YAML::Node& node, RosMap& ma
 }
 
 Result<RosMap> map_of(const YAML::Node& root) {
-  if (!root.IsMap()) return at(root.Mark(), "is no map of ROS: it wants lines as \"resolution: 0.05\"");
+  if (!root.IsMap()) return at(root.Mark(), "is not a map of ROS: it needs lines like \"resolution: 0.05\"");
   RosMap map;
   std::set<std::string> given;
   for (const auto& entry : root) {
@@ -87,7 +87,7 @@ Result<RosMap> map_of(const YAML::Node& root) {
   for (const std::string key : {"image", "resolution", "origin"})
     if (!given.contains(key))
       return map.warnings.empty() ? Error{"", fmt::format("lacks {}", in_quotes(key))} : map.warnings.front();
-  if (!(map.resolution > 0)) return at(root["resolution"].Mark(), "\"resolution\" wants a number above 0");
+  if (!(map.resolution > 0)) return at(root["resolution"].Mark(), "\"resolution\" needs a number above 0");
   if (map.free > map.occupied)
     return at(root.Mark(), "\"free_thresh\" is above \"occupied_thresh\", so a pixel might be both");
   return map;

@@ -126,7 +126,7 @@ Result<Term> read_term(std::string_view text) {
   if (text[sign] == '<') term.compare = Compare::kBelow;
   if (text[sign] == '>') term.compare = Compare::kAbove;
   if ((text[sign] == '<' || text[sign] == '>') && row->form != Form::kNumber)
-    return Error{{}, in_quotes(name) + " is no number: it has = and != only"};
+    return Error{{}, in_quotes(name) + " is not a number: it has = and != only"};
   if (const Result<void> read = read_value(*row, value, term); !read) return read.error();
   return term;
 }

@@ -54,7 +54,7 @@ TEST(Condition, that_says_nothing_known_is_refused_with_the_nearest_word) {
   EXPECT_EQ(fault("mass>heavy"), "needs a number behind \"mass\", found \"heavy\"");
   EXPECT_EQ(fault("mass"), "needs =, !=, < or > behind \"mass\"");
   EXPECT_EQ(fault("mass!3"), "needs =, !=, < or > behind \"mass\"");
-  EXPECT_EQ(fault("material<glass"), "\"material\" is no number: it has = and != only");
+  EXPECT_EQ(fault("material<glass"), "\"material\" is not a number: it has = and != only");
   EXPECT_EQ(fault("light=green"), "needs light=on or =off, found \"green\"");
   EXPECT_EQ(fault("says='hello"), "lacks a closing ' in \"says='hello\"");
   EXPECT_EQ(fault("  "), "has a condition without a term");

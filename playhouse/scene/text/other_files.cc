@@ -33,14 +33,14 @@ bool is_image(const std::string& path, std::string_view bytes) {
 std::optional<std::string> what_else(const std::string& path, std::string_view bytes) {
   const std::string name = escaped(path);
   if (is_image(path, bytes))
-    return "is an image and no world: playhouse convert " + name +
+    return "is an image, not a world: playhouse convert " + name +
            " --scale METRES makes one of it, METRES of a pixel";
   if (is_map_name(path))
-    return "is a map of ROS and no world: playhouse convert " + name + " makes one of it";
-  if (mesh::is_mesh_name(path)) return "is a mesh and no world: a model of a world has it by the word mesh";
+    return "is a map of ROS, not a world: playhouse convert " + name + " makes one of it";
+  if (mesh::is_mesh_name(path)) return "is a mesh, not a world: a model of a world has it by the word mesh";
   if (bytes.starts_with(kRecording))
-    return "is a recording and no world: playhouse replay, run --again, picture, film and export read it";
-  if (bytes.starts_with(kSavedRun)) return "is a saved run and no world: playhouse run --from " + name;
+    return "is a recording, not a world: playhouse replay, run --again, picture, film and export read it";
+  if (bytes.starts_with(kSavedRun)) return "is a saved run, not a world: playhouse run --from " + name;
   return std::nullopt;
 }
 

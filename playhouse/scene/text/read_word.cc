@@ -108,7 +108,7 @@ std::vector<Color> read_colors(const Properties& properties, std::string_view ke
 void known_material(const Properties& properties, std::string_view key, std::string_view name) {
   if (is_material(name)) return;
   properties.state().fail(properties.where(key), in_quotes(key) + " " + in_quotes(name) +
-                                                     " is no known material" +
+                                                     " is not a known material" +
                                                      did_you_mean(name, material_names()));
 }
 
@@ -116,9 +116,9 @@ void not_misspelt_material(const Properties& properties, std::string_view key, s
   if (name.empty() || is_material(name) || name == kSmoke) return;
   const std::string hint = did_you_mean(name, material_names());
   if (hint.empty()) return;
-  properties.state().warnings.add(
-      Warning::kValue, properties.where(key),
-      in_quotes(key) + " " + in_quotes(name) + " is a property for detectors only, no known material" + hint);
+  properties.state().warnings.add(Warning::kValue, properties.where(key),
+                                  in_quotes(key) + " " + in_quotes(name) +
+                                      " is a property for detectors only, not a known material" + hint);
 }
 
 geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::Vec2 otherwise) {

@@ -54,7 +54,7 @@ std::vector<Color> read_colors(const Properties& properties, std::string_view ke
 /// An error, with the nearest known one, unless `name` is a material of materials.h.
 void known_material(const Properties& properties, std::string_view key, std::string_view name);
 
-/// A warning if `name` is none but similar to one: other names are properties for detectors.
+/// A warning if `name` is not a material but similar to one: other names are properties for detectors.
 void not_misspelt_material(const Properties& properties, std::string_view key, std::string_view name);
 
 /// [x y], unscaled.

@@ -224,7 +224,7 @@ std::string_view foreign_format(std::string_view text) {
 Result<Document> parse_document(Format format, const std::string& path, std::string text, FileReader& files) {
   if (const std::string_view other = foreign_format(text); !other.empty())
     return Error{escaped(path) + ":1",
-                 fmt::format("this is {}, and no {} of Player/Stage", other,
+                 fmt::format("this is {}, not a {} of Player/Stage", other,
                              format == Format::kWorld ? "world file" : "configuration file")};
   Document document;
   const Result<std::uint32_t> row = document.sources.add(path, std::move(text));

@@ -192,7 +192,7 @@ void TokenNames::check_follow_model(SourceLine follow_where) {
   const std::vector<std::string_view> known(names.begin(), names.end());
   state_.warnings.add(
       Warning::kNoEffect, follow_where,
-      "the window follows " + in_quotes(wanted) + ", which is no model" + did_you_mean(wanted, known));
+      "the window follows " + in_quotes(wanted) + ", which is not a model" + did_you_mean(wanted, known));
 }
 
 }  // namespace playhouse::scene

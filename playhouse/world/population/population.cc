@@ -460,7 +460,7 @@ std::string fresh_name(const World& world, std::string_view like) {
 Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X_WM, std::string name) {
   const std::uint32_t count = scene::tree_size(world.scene(), prototype);
   if (count == 0) return Error{{}, "there is no such prototype"};
-  if (!is_place(X_WM)) return Error{{}, "the pose is not finite, or too far away"};
+  if (!is_place(X_WM)) return Error{{}, "invalid pose: not finite, or too far away"};
   Population population(world);
   std::vector<std::uint32_t> descs(count);
   std::iota(descs.begin(), descs.end(), prototype);
@@ -567,7 +567,7 @@ Result<void> check_attachment(const World& world, const Attachment& attachment, 
   const ModelRow child = world.row(attachment.child);
   if (!child) return no_model();
   const Models& models = world.models;
-  if (!is_place(attachment.X_PC)) return Error{{}, "the pose is not finite, or too far away"};
+  if (!is_place(attachment.X_PC)) return Error{{}, "invalid pose: not finite, or too far away"};
   if (models.parent_id[child.index]) return Error{{}, "it is a part of another model"};
   if (models.root[parent.index] == child.index) return Error{{}, "it cannot be a part of itself"};
   if (models.mobility[child.index] != Mobility::kLoose || holds_driven(world, child.index))

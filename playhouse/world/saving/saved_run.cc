@@ -67,7 +67,7 @@ std::vector<std::byte> with_head(std::span<const std::byte> body) {
 
 Result<SavedRun> decode_saved_run(std::span<const std::byte> bytes) {
   const std::string_view text = text_of(bytes);
-  if (!text.starts_with(kMagic)) return Error{{}, "is no saved run"};
+  if (!text.starts_with(kMagic)) return Error{{}, "is not a saved run"};
   const std::string_view rest = text.substr(kMagic.size());
   if (!rest.starts_with(kVersion)) {
     const std::string_view version = rest.substr(0, std::min(rest.find('\n'), std::size_t{8}));

@@ -26,7 +26,7 @@ PLAYHOUSE_PER_TYPE Result<void> put_column(Packer& out, const char* name, const 
   bool good = true;
   for (std::size_t row = 0; row < values.size(); ++row) good = put_value(out, values[row]) && good;
   if (good) return {};
-  return Error{{}, fmt::format("{} has a value that is none, or a place too far away", name)};
+  return Error{{}, fmt::format("{} has an invalid value, or a place too far away", name)};
 }
 
 Error damaged(std::string_view what) {
@@ -59,7 +59,7 @@ template <typename Values>
 PLAYHOUSE_PER_TYPE Result<void> get_values(Unpacker& in, const char* name, Values& values) {
   for (std::size_t row = 0; row < values.size(); ++row) {
     typename Values::value_type value{};
-    if (!get_value(in, value)) return damaged(fmt::format("{} has a value that is none", name));
+    if (!get_value(in, value)) return damaged(fmt::format("{} has an invalid value", name));
     if constexpr (kIsShared<Values>) {
       values.set(row, value);
     } else {
@@ -107,7 +107,7 @@ Result<void> check(const Census& census, std::uint32_t next_id, const Serials& s
     if (row > 0 && census.id[row] <= census.id[row - 1]) return damaged("its models are out of order");
     if (census.id[row].value >= next_id || serials.is_in_gap(census.id[row]))
       return damaged("a model has an id that was never given");
-    if (census.desc[row] >= scene.models.size()) return damaged("a model is none of its scene");
+    if (census.desc[row] >= scene.models.size()) return damaged("a model is not in its scene");
   }
   for (std::size_t top = 0, size = 0; top < count; top += size)
     if (!is_tree(census, top, scene, size)) return damaged("a model lacks a part");
@@ -164,7 +164,7 @@ class Loader {
     }
     tick_ = in_.u64();
     next_id_ = in_.u32();
-    if (!read_gaps()) return damaged("a gap of its ids is none");
+    if (!read_gaps()) return damaged("its ids have an invalid gap");
     const std::uint64_t given = in_.varint();
     if (!in_.ok() || given > in_.left()) return damaged("it ends too early");
     if (tick_ > kTicksMost) return damaged("its time is out of range");
@@ -172,7 +172,8 @@ class Loader {
       Population::Given entry;
       ModelId id;
       const bool good = get_value(in_, id) && get_value(in_, entry.name) && get_value(in_, entry.X_WM);
-      if (!good || (!given_.empty() && id <= given_.rbegin()->first)) return damaged("a name is none");
+      if (!good || (!given_.empty() && id <= given_.rbegin()->first))
+        return damaged("it has an invalid name");
       given_.emplace(id, std::move(entry));
     }
     return {};
@@ -204,7 +205,7 @@ class Loader {
     population_.next_id() = next_id_;
     population_.given() = std::move(given_);
     world_.tick_ = tick_;
-    return population_.derive() ? Result<void>() : damaged("its models make no trees");
+    return population_.derive() ? Result<void>() : damaged("its models do not form trees");
   }
 
   Result<void> read_columns() {
@@ -250,7 +251,7 @@ class Loader {
   Result<void> check_says() const {
     bool good = true;
     world_.models.say.each_kept([&](const std::string& text) { good = good && can_be_said(text); });
-    return good ? Result<void>{} : damaged("a model says what is no line of text");
+    return good ? Result<void>{} : damaged("a model says what is not a line of text");
   }
 
   void place(std::uint32_t row) {
@@ -265,7 +266,7 @@ class Loader {
     for (const std::unique_ptr<Decider>& decider : world_.deciders) {
       if (in_.text() != decider->name()) return damaged("it has other controllers");
       if (!decider->load(world_, in_))
-        return damaged(fmt::format("what controller {} remembers is none", in_quotes(decider->name())));
+        return damaged(fmt::format("the state of controller {} is invalid", in_quotes(decider->name())));
     }
     return in_.ok() && in_.at_end() ? Result<void>() : damaged("something follows its end");
   }

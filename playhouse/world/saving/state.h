@@ -32,7 +32,7 @@ Result<void> load_state(World& world, std::span<const std::byte> state);
 /// that derives from the seed alone is recomputed from this one.
 Result<void> load_state(World& world, std::span<const std::byte> state, std::uint64_t seed);
 
-/// The tick of a saved state; 0 of bytes that are none.
+/// The tick of a saved state; 0 if the bytes are invalid.
 std::uint64_t tick_of(std::span<const std::byte> state);
 
 /// The first difference between two worlds.

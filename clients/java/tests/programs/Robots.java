@@ -187,7 +187,7 @@ final class Robots {
       mustBe(planner.state().valid() && !planner.hasArrived(), "it is on its way");
       mustBe(distance(place.pose(), simulation.pose("r0")) < 0.3, "it knows where it is");
       mustBe(place.particles().size() >= 100, "there are particles");
-      mustRefuse(() -> place.setPose(start, new Covariance(-1, 0, 0, 0, 0, 0)), "a covariance that is none");
+      mustRefuse(() -> place.setPose(start, new Covariance(-1, 0, 0, 0, 0, 0)), "an invalid covariance");
       planner.resume();
       readUntil(client, planner::hasArrived);
       mustBe(distance(simulation.pose("r0"), goal) < 0.6, "it is at the goal");

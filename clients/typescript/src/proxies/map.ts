@@ -15,7 +15,7 @@ export class Map extends Device {
     const { scale, width, height, origin } = await contents(this.request(map.REQ_GET_INFO));
     const { x, y, a } = poseOf(origin);
     if (!(scale > 0 && [scale, x, y, a].every(Number.isFinite))) {
-      throw new WireError(`${this.name}: cells of ${scale} m from (${x}, ${y}, ${a}) on are no map`);
+      throw new WireError(`${this.name}: invalid map: cells of ${scale} m from (${x}, ${y}, ${a}) on`);
     }
     return new Grid(scale, width, height, { x, y, a });
   }
@@ -58,7 +58,7 @@ export class Map extends Device {
   }
 }
 
-/** At most `count` bytes, else undefined; the data themselves if they are no stream of zlib, as of a server without it. */
+/** At most `count` bytes, else undefined; the data themselves if they are not a zlib stream, as of a server without it. */
 function uncompressed(data: Uint8Array, count: number): Uint8Array | undefined {
   try {
     return inflateSync(data, { maxOutputLength: count, finishFlush: constants.Z_SYNC_FLUSH });

@@ -207,7 +207,7 @@ public final class Client implements AutoCloseable {
   /**
    * Opens a device of any interface, as the proxy of that interface if there is one. This and the functions
    * below throw RequestRefusedException if there is no such device, and InvalidValueException for an unknown
-   * interface or an index that is none.
+   * interface or an invalid index.
    */
   public Device device(String interfaceName, int index, Access access) {
     return open(PROXIES.getOrDefault(interfaceName, Device::new), interfaceName, index, access);
@@ -475,7 +475,7 @@ public final class Client implements AutoCloseable {
     try {
       request(PlayerMessages.REQ_AUTH, new PlayerMessages.DeviceAuthReq(key));
     } catch (RequestRefusedException error) {
-      throw new RequestRefusedException(session.peer() + ": the token is refused; a run without --guests wants none");
+      throw new RequestRefusedException(session.peer() + ": the token is refused; a run without --guests needs none");
     }
   }
 

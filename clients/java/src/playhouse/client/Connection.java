@@ -53,7 +53,7 @@ final class Connection {
       banner = readBanner(Deadline.after(timeout));
     } catch (RequestTimeoutException error) {
       throw drop("cannot connect: no banner in time");
-    } catch (IOException | IllegalArgumentException error) {  // the latter of a port or host that is none
+    } catch (IOException | IllegalArgumentException error) {  // the latter of an invalid port or host
       ConnectionLostException lost = drop("cannot connect: " + reason(error));
       if (Thread.interrupted()) {
         throw interrupted();

@@ -9,7 +9,7 @@ record Deadline(long nanos) {
   /** Checks a time-out: 0 or more. */
   static Duration checked(Duration timeout) {
     if (timeout.isNegative()) {
-      throw new InvalidValueException("a time-out of " + Words.seconds(timeout) + " s");
+      throw new InvalidValueException("invalid time-out of " + Words.seconds(timeout) + " s: 0 or more is valid");
     }
     return timeout;
   }

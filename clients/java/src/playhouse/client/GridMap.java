@@ -23,8 +23,8 @@ public final class GridMap extends Device {
     double size = info.scale();
     if (!(size > 0 && Double.isFinite(size) && Double.isFinite(origin.x()) && Double.isFinite(origin.y())
         && Double.isFinite(origin.a()))) {
-      throw new WireException(name() + ": cells of " + Words.of(size) + " m from (" + Words.of(origin.x()) + ", "
-          + Words.of(origin.y()) + ", " + Words.of(origin.a()) + ") on are no map");
+      throw new WireException(name() + ": invalid map: cells of " + Words.of(size) + " m from ("
+          + Words.of(origin.x()) + ", " + Words.of(origin.y()) + ", " + Words.of(origin.a()) + ") on");
     }
     return new Grid(size, info.width(), info.height(), origin);
   }
@@ -73,7 +73,7 @@ public final class GridMap extends Device {
   }
 
   /**
-   * At most one byte more than {@code count}; the data themselves if they are no stream of zlib, as of a
+   * At most one byte more than {@code count}; the data themselves if they are not a zlib stream, as of a
    * server without it.
    */
   private static byte[] uncompressed(byte[] data, int count) {

@@ -66,7 +66,7 @@ final class ModelList {
           "a line of the list of models has " + fields.length + " fields instead of 5: '" + line + "'");
     }
     if (!ID.matcher(fields[0]).matches()) {
-      throw new WireException("'" + fields[0] + "' in the list of models is no id");
+      throw new WireException("'" + fields[0] + "' in the list of models is not an id");
     }
     String name = unescaped(fields[1]);
     List<DeviceAddress> devices = SPACES.splitAsStream(fields[4])

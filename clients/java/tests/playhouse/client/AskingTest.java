@@ -153,7 +153,8 @@ public final class AskingTest {
         Expect.error(InvalidValueException.class, "^there is no position2d:" + index + ": indices are 0 to 65535$",
             () -> client.position2d(index));
       }
-      Expect.error(InvalidValueException.class, "^a time-out of -1.5 s$", () -> client.read(Duration.ofMillis(-1500)));
+      Expect.error(InvalidValueException.class, "^invalid time-out of -1.5 s: 0 or more is valid$",
+          () -> client.read(Duration.ofMillis(-1500)));
       Expect.error(WireException.class, "has a NUL in it", () -> simulator.pose("r0\0"));
     }
   }

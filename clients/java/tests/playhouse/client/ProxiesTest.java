@@ -472,7 +472,7 @@ public final class ProxiesTest {
       peer.answer(message, answer);
     }); Client client = Client.connect(server.address(), Expect.PUSH); GridMap plan = client.map(0)) {
       String damaged = "a tile of 2 x 2 cells is damaged";
-      for (String fault : List.of("cells of 0.0 m from", "cells of nan m from", "\\(inf, 0.0, 0.0\\) on are no map",
+      for (String fault : List.of("cells of 0.0 m from", "cells of nan m from", "\\(inf, 0.0, 0.0\\) on",
           "16384 x 4097 cells are over the limit of 67108864", damaged, damaged)) {
         Expect.error(WireException.class, "^map:0: .*" + fault, plan::cells);
       }
