@@ -16,7 +16,7 @@ install(TARGETS playhouse_client playhouse_wire playhouse_base EXPORT playhouse_
 install(DIRECTORY ${PLAYHOUSE_ROOT}/clients/cpp/include/playhouse_client DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PLAYHOUSE_ROOT}/playhouse/base ${PLAYHOUSE_ROOT}/playhouse/wire
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse FILES_MATCHING PATTERN "*.h"
-  PATTERN "log*.h" EXCLUDE PATTERN "line_*.h" EXCLUDE  # of the program
+  PATTERN "log*.h" EXCLUDE PATTERN "line_*.h" EXCLUDE PATTERN "version.h" EXCLUDE  # of the program
   PATTERN "testing*" EXCLUDE PATTERN "fuzz_*.h" EXCLUDE PATTERN "samples.h" EXCLUDE PATTERN "test_bytes.h" EXCLUDE)
 
 set(CLIENT_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/playhouse_client)

@@ -46,7 +46,6 @@ target_include_directories(playhouse_flags INTERFACE ${PLAYHOUSE_ROOT})
 target_compile_features(playhouse_flags INTERFACE cxx_std_20)  # for projects that take this one in as a part
 # Results must not depend on the optimiser: no fused multiply-add, no fast-math. Our headers compute as well.
 target_compile_options(playhouse_flags INTERFACE -ffp-contract=off)
-target_compile_definitions(playhouse_flags INTERFACE PLAYHOUSE_VERSION="${PROJECT_VERSION}")
 if(PLAYHOUSE_SANITIZE)
   target_compile_options(playhouse_flags INTERFACE -fsanitize=${PLAYHOUSE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(playhouse_flags INTERFACE -fsanitize=${PLAYHOUSE_SANITIZE})

@@ -18,8 +18,8 @@ EVERYTHING = "everything"  # in the table, of the module that wires all others
 
 
 def _named(words):
-    """Modules among words of CMake. The log is a library of its own in base/."""
-    return {"base" if word == "playhouse_log" else word.removeprefix("playhouse_")
+    """Modules among words of CMake. The log and the version are libraries of their own in base/."""
+    return {"base" if word in ("playhouse_log", "playhouse_version") else word.removeprefix("playhouse_")
             for word in words.split() if word.startswith("playhouse_")}
 
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Checks rules that a compiler does not: module dependencies, missing includes, meaningless names, calls that break
-reproducibility, messages that do not say what is invalid, test scripts that do not run all of their tests. Prints file:line: what; exit 1.
+reproducibility, messages that do not say what is invalid, test scripts that do not run all of their tests, version
+numbers that differ. Prints file:line: what; exit 1.
 Without arguments only files that differ from main are checked, and their headers are compiled alone."""
 
 import argparse
@@ -15,6 +16,7 @@ import includes
 import messages
 import module_graph
 import threads
+import versions
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "playhouse"
@@ -25,7 +27,7 @@ UNREPRODUCIBLE = re.compile(
     r"system_clock|steady_clock|\btime\(nullptr")
 EMPTY_NAME = re.compile(r"\b(?:class|struct|enum class)\s+(\w*(?:Manager|Handler|Helper|Util|Utils|Data|Info))\b")
 # What the build defines for tests and the program.
-BUILD = [f'-D{name}=""' for name in ("PLAYHOUSE_VERSION", "PLAYHOUSE_SOURCE_DIR", "EXAMPLE_CONTROLLERS")]
+BUILD = [f'-D{name}=""' for name in ("PLAYHOUSE_SOURCE_DIR", "EXAMPLE_CONTROLLERS")]
 # Of libraries whose headers are in a folder of their own.
 BUILD += subprocess.run(["pkg-config", "--cflags", "bullet"], capture_output=True, text=True, check=True).stdout.split()
 # What Debian 12's node, 18, lacks, though the machine may have a newer one.
@@ -125,6 +127,7 @@ def main():
     findings += module_graph.table_findings()
     findings += module_graph.large_folders()
     findings += threads.findings()
+    findings += versions.findings()
     findings += unused_limits()
     findings += [finding for folder in (ROOT / "tests", ROOT / "clients/python") for path in sorted(folder.glob("*/test_*.py")) for finding in check_test_script(path)]
     headers = [path for path in checked if path.suffix == ".h" and not check_all]

@@ -2,7 +2,7 @@
 
 (defsystem "playhouse-client"
   :description "Client library of Playhouse and of every server of the Player 3 protocol."
-  :version "0.1.0"
+  :version "0.2.0"
   :license "Apache-2.0"
   :depends-on ("sb-bsd-sockets" "chipz")
   :components

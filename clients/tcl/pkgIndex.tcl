@@ -1,1 +1,1 @@
-package ifneeded playhouse 0.1.0 [list source [file join $dir playhouse.tcl]]
+package ifneeded playhouse 0.2.0 [list source [file join $dir playhouse.tcl]]

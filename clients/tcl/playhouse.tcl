@@ -10,7 +10,7 @@ package require Tcl 8.6-
 package require TclOO
 
 namespace eval ::playhouse {
-    variable version 0.1.0
+    variable version 0.2.0
 }
 
 apply {{folder} {

@@ -10,6 +10,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/base/version.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::app {
@@ -39,6 +40,16 @@ Result<std::unique_ptr<OpenedRecording>> open_recording(const std::string& file,
   return opened;
 }
 
+namespace {
+
+/// What a difference may come from.
+std::string other_build(const std::string& recorded) {
+  if (recorded == build()) return "";
+  return fmt::format("; Playhouse {} recorded it, this is {}", escaped(recorded), build());
+}
+
+}  // namespace
+
 int run_again(const RunOptions& options) {
   std::vector<Error> others;
   const Result<std::unique_ptr<OpenedRecording>> opened =
@@ -49,7 +60,8 @@ int run_again(const RunOptions& options) {
   while (!rerun.at_end() && !rerun.differs()) rerun.step();
   const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (rerun.differs())
-    return fail_at({escaped(options.again), "the run differs from its recording " + *rerun.differs()});
+    return fail_at({escaped(options.again), "the run differs from its recording " + *rerun.differs() +
+                                                other_build((*opened)->recording.start.build)});
   const Outcome outcome = outcome_of(rerun, wall_time);
   log::info("the same run to the bit: {:.1f} s simulated in {:.2f} s, {} hashes compared", outcome.sim_time,
             wall_time, rerun.checks());

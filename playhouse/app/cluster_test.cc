@@ -11,10 +11,13 @@
 #include <atomic>
 #include <fstream>
 #include <map>
+#include <string>
 #include <thread>
 
 #include "playhouse/app/world_opener.h"
+#include "playhouse/base/formats.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/base/version.h"
 #include "playhouse/cluster/head.h"
 #include "playhouse/cluster/hello.h"
 #include "playhouse/cluster/node.h"
@@ -31,6 +34,7 @@ using cluster::Seconds;
 using cluster::Stream;
 using cluster::Type;
 using testing::HasSubstr;
+using testing::MatchesRegex;
 
 constexpr Seconds kLong{60};
 
@@ -485,14 +489,20 @@ TEST_F(ClusterTest, strangers_are_refused) {
   Stream garbage = *Stream::connect("127.0.0.1", port_, kLong),
          large = *Stream::connect("127.0.0.1", port_, kLong),
          early = *Stream::connect("127.0.0.1", port_, kLong),
-         other = *Stream::connect("127.0.0.1", port_, kLong);
+         other_format = *Stream::connect("127.0.0.1", port_, kLong),
+         other_build = *Stream::connect("127.0.0.1", port_, kLong);
   EXPECT_TRUE(garbage.send(static_cast<Type>(99), {Bytes(8)}, kLong));
   EXPECT_TRUE(large.send(Type::kHello, {Bytes(100'000)}, kLong));
   EXPECT_TRUE(early.send(Type::kReady, {}, kLong));
-  Bytes hello;
-  Packer(hello).text("playhouse cluster 2");
-  Packer(hello).text("0.0.1");
-  EXPECT_TRUE(other.send(Type::kHello, {hello}, kLong));
+  const auto hello = [](const std::string& format, const std::string& build) {
+    Bytes body;
+    for (const std::string& text : {"playhouse cluster " + format, build, std::string()})
+      Packer(body).text(text);
+    return body;
+  };
+  const std::string format = std::to_string(formats::kCluster);
+  EXPECT_TRUE(other_format.send(Type::kHello, {hello("2", "0.1.0")}, kLong));
+  EXPECT_TRUE(other_build.send(Type::kHello, {hello(format, std::string(build()) + "x")}, kLong));
   const auto said_by = [&](Stream& stream) -> std::string {
     for (;;) {
       head_->step();
@@ -505,7 +515,8 @@ TEST_F(ClusterTest, strangers_are_refused) {
   };
   for (Stream* const stream : {&garbage, &large, &early})
     EXPECT_THAT(said_by(*stream), HasSubstr("onnection"));
-  EXPECT_THAT(said_by(other), HasSubstr("it is version \"0.0.1\" of Playhouse, the run \""));
+  EXPECT_EQ(said_by(other_format), "it speaks format \"2\" of clusters, the run format " + format);
+  EXPECT_THAT(said_by(other_build), MatchesRegex("it is Playhouse \".*x\", the run \".*\""));
   EXPECT_EQ(head_->nodes(), 0u);
 }
 

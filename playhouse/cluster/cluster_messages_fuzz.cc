@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/cluster/hello.h"
@@ -48,6 +49,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     PLAYHOUSE_ASSERT(same.ok() && same->changes.size() == step->changes.size());
   }
   static_cast<void>(cluster::why_not_joined(bytes));
+  const std::string_view token(reinterpret_cast<const char*>(data), size);
+  PLAYHOUSE_ASSERT(cluster::why_not_joined(cluster::hello(token), token).empty());
   static scene::MemoryFiles files({}, {});
   static const Result<scene::SceneDesc> scene = scene::load_world_text(kWorld, "fuzz.world", files);
   PLAYHOUSE_ASSERT(scene.ok());

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Hello: the first message of a node.
+/// Hello: the first message of a node: the format that it speaks, its build, and the token of the run.
 
 #include <cstddef>
 #include <span>

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "playhouse/base/formats.h"
 #include "playhouse/base/log.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/observers/cookie.h"
@@ -109,13 +110,14 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
 
   /// Stateless, and the answer is shorter than the hello.
   void greet(const net::Endpoint& from, const replicate::Hello& hello) {
-    if (hello.version != replicate::kDatagramVersion) return refuse(from, hello.nonce, version_text());
+    if (hello.format != formats::kObserver) return refuse(from, hello.nonce, format_text(hello.format));
     send(from, replicate::encode(
                    replicate::Challenge{hello.nonce, cookies_.make(from, hello.nonce, network_.now())}));
   }
 
-  static std::string version_text() {
-    return fmt::format("version {} is spoken here", replicate::kDatagramVersion);
+  /// Short, as the answer must not be longer than the hello.
+  static std::string format_text(std::uint8_t format) {
+    return fmt::format("this observer speaks format {}, the run format {}", format, formats::kObserver);
   }
 
   void let_in(const net::Endpoint& from, const replicate::JoinRequest& join) {
@@ -128,7 +130,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
       if (known->second.nonce == join.nonce) return send(from, known->second.welcome);
       end(known, "came again");
     }
-    if (join.version != replicate::kDatagramVersion) return refuse(from, join.nonce, version_text());
+    if (join.format != formats::kObserver) return refuse(from, join.nonce, format_text(join.format));
     const std::string token = join.token.empty() ? "*" : join.token;
     const auto guest = options_.guests.admit(token, net::to_text(from));
     if (!guest)

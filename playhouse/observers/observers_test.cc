@@ -181,7 +181,7 @@ TEST_F(Observers, who_does_not_prove_its_address_gets_no_more_than_it_sends) {
   };
   for (std::uint64_t k = 0; k < 50; ++k) {
     send(replicate::Hello{1, k});
-    send(replicate::Hello{9, k});  // of another version
+    send(replicate::Hello{9, k});  // of another format
     send(replicate::JoinRequest{1, k, k, {64000, 30}, ""});
     send(replicate::PacketOf{k, {}});
     send(replicate::Bye{k, "bye"});
@@ -189,6 +189,9 @@ TEST_F(Observers, who_does_not_prove_its_address_gets_no_more_than_it_sends) {
   run_for(1);
   std::size_t got = 0;
   for (const auto& datagram : heard_) got += datagram.size();
+  const auto refusal = replicate::parse_datagram(heard_[1]);
+  ASSERT_TRUE(refusal && std::holds_alternative<replicate::Refusal>(*refusal));
+  EXPECT_EQ(std::get<replicate::Refusal>(*refusal).why, "this observer speaks format 9, the run format 1");
   EXPECT_EQ(heard_.size(), 100u);  // one answer for each hello
   EXPECT_LE(got, sent);
   EXPECT_EQ(server_->status().observers, 0u);

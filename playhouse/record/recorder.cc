@@ -5,8 +5,10 @@
 #include <cmath>
 #include <string_view>
 
+#include "playhouse/base/formats.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
+#include "playhouse/base/version.h"
 #include "playhouse/record/sensor_messages.h"
 #include "playhouse/replicate/views.h"
 #include "playhouse/world/changes/packed_change.h"
@@ -39,6 +41,11 @@ const char* word_of(world::Event::Kind kind) {
       return "taken back";
   }
   return "";
+}
+
+Bytes bytes_of(std::string_view text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
 }
 
 /// One level of a topic as ROS 2 accepts it: letters and digits, one _ for others between them, no digit
@@ -84,6 +91,9 @@ Result<void> Recorder::begin(const world::World& world, const scene::SourceFiles
     give_up(saved.error());
     run.state.clear();
   }
+  const Attachment format{ns(), std::string(kFormatName) + std::to_string(formats::kRecording), "text/plain",
+                          bytes_of(build())};
+  if (const Result<void> attached = file_.attach(format); !attached) return attached;
   const Attachment start{ns(), kStartName, "application/octet-stream", world::encode(run)};
   if (const Result<void> attached = file_.attach(start); !attached) return attached;
   look_around(world);

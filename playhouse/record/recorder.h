@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,9 @@ namespace playhouse::record {
 
 /// Name of the attachment with the initial state, a file of world/saving/saved_run.h.
 inline constexpr const char* kStartName = "start.run";
+/// The attachment before that, with the number of the format behind it (base/formats.h): its content is the
+/// build that recorded.
+inline constexpr std::string_view kFormatName = "playhouse recording ";
 
 /// Simulated time between two keyframes of a recording. [s]
 inline constexpr double kStatePeriod = 10;

@@ -1,10 +1,16 @@
 #include "playhouse/record/recorder.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <set>
+#include <string>
+#include <utility>
 
+#include "playhouse/base/formats.h"
 #include "playhouse/base/testing_folder.h"
 #include "playhouse/record/mcap/mcap_reader.h"
 #include "playhouse/record/mcap/mcap_writer.h"
@@ -197,6 +203,37 @@ TEST_F(RecorderTest, has_each_change_by_name_between_its_checks) {
   EXPECT_EQ(read->items[3].hash, world_.hash());
   EXPECT_EQ(read->states.size(), 1u);
   EXPECT_FALSE(read->cut);
+}
+
+TEST_F(RecorderTest, of_another_format_is_told_as_such) {
+  for (const auto& [attachment, format] :
+       {std::pair("playhouse recording 9", "9"), {"playhouse recording ", ""}, {kStartName, "1"}}) {
+    const auto writer = *McapWriter::create(path_, "ros2");
+    ASSERT_TRUE(writer->attach({0, attachment, "text/plain", {}}).ok());
+    ASSERT_TRUE(writer->finish().ok());
+    EXPECT_EQ(recording().error().text,
+              fmt::format("is a recording of format \"{}\"; this program reads format {}", format,
+                          formats::kRecording));
+  }
+}
+
+// What the fuzzers of recordings start from must be one, or they never come by its head. UPDATE_CORPUS=1 writes
+// it anew.
+TEST_F(RecorderTest, that_fuzzers_start_from_is_read) {
+  begin();
+  tick();
+  change([](world::Journal& journal) { journal.apply(world::changes::SetColor{{0}, {0, 1, 0, 1}}); });
+  tick();
+  end();
+  for (const char* fuzzer : {"record_mcap", "record_export"}) {
+    const std::string corpus = std::string(PLAYHOUSE_SOURCE_DIR "/tests/fuzz/") + fuzzer + "/run";
+    if (std::getenv("UPDATE_CORPUS") != nullptr)
+      std::filesystem::copy_file(path_, corpus, std::filesystem::copy_options::overwrite_existing);
+    const Result<Recording> read = read_recording(**open_source(corpus));
+    ASSERT_TRUE(read.ok()) << corpus << ": " << read.error().text;
+    EXPECT_FALSE(read->cut);
+    EXPECT_EQ(read->items.size(), recording()->items.size());
+  }
 }
 
 TEST_F(RecorderTest, is_kept_packed_up_to_a_limit) {

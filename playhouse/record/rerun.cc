@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <utility>
 
+#include "playhouse/base/formats.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/record/cdr.h"
 #include "playhouse/record/messages.h"
@@ -14,9 +17,6 @@
 
 namespace playhouse::record {
 namespace {
-
-/// Schema of changes until version 0.1.
-constexpr const char* kOldChange = "playhouse/msg/Edit";
 
 /// Stores a message that matters for replay, and takes what it keeps from `left` [B]. Fails if it is
 /// truncated, or nothing is left.
@@ -45,10 +45,6 @@ Result<void> take(const std::string& schema, std::span<const std::byte> body, Re
     item.hash = in.number<std::uint64_t>();
     item.sensed_hash = in.number<std::uint64_t>();
     if (in.ok()) into.items.push_back(std::move(item));
-  } else if (schema == kOldChange) {
-    return Error{
-        {},
-        "was made by an older version of Playhouse, whose changes cannot be applied: record the run again"};
   } else {
     return {};
   }
@@ -57,12 +53,18 @@ Result<void> take(const std::string& schema, std::span<const std::byte> body, Re
   return in.ok() ? Result<void>() : Error{{}, "a message in it is damaged"};
 }
 
+Error other_format(std::string_view format) {
+  return {{},
+          fmt::format("is a recording of format {}; this program reads format {}", in_quotes(format),
+                      formats::kRecording)};
+}
+
 }  // namespace
 
 Result<Recording> read_recording(const Source& source, std::size_t most) {
   Recording recording;
   std::size_t left = most;
-  bool has_start = false, has_message = false;
+  bool has_format = false, has_start = false, has_message = false;
   McapReader reader(source);
   const auto end = reader.read(
       {.message = [&](const Channel& channel, const Message& message) -> Result<void> {
@@ -73,7 +75,13 @@ Result<Recording> read_recording(const Source& source, std::size_t most) {
          return take(schema->second.name, message.body, recording, left);
        },
        .attachment = [&](const Attachment& attachment) -> Result<void> {
+         if (attachment.name.starts_with(kFormatName)) {
+           const std::string format = attachment.name.substr(kFormatName.size());
+           if (format != std::to_string(formats::kRecording)) return other_format(format);
+           has_format = true;
+         }
          if (attachment.name != kStartName) return {};
+         if (!has_format) return other_format("1");  // had no number
          Result<world::SavedRun> run = world::decode_saved_run(attachment.body);
          if (!run) return Error{{}, "its start " + run.error().text};
          recording.start = std::move(*run);

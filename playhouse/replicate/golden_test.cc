@@ -9,6 +9,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "playhouse/base/formats.h"
+#include "playhouse/base/version.h"
 #include "playhouse/replicate/delta.h"
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/scene_text.h"
@@ -71,8 +73,8 @@ std::string make_golden() {
   SmallWorld small(3);
   small.world.upright = false;
   auto layout = small.layout(small_devices);
-  const std::string scene =
-      scene_text(small.world.scene(), light_text(small.world), small.prototypes, *layout);
+  std::string scene = scene_text(small.world.scene(), light_text(small.world), small.prototypes, *layout);
+  scene.replace(scene.find(build()), build().size(), "1.2.3 (abc1234)");  // the file follows no commit
   for (std::uint32_t row = 0; row < small.world.models.size(); ++row) world::subscribe(small.world, {row});
   DeltaWriter writer;
   Replica replica(layout);
@@ -136,7 +138,8 @@ boost::json::value parsed_scene(const SmallWorld& small, const DeviceNames& devi
 TEST(SceneText, is_json_with_equal_shapes_and_prototypes_written_once) {
   SmallWorld small(5);
   const boost::json::value scene = parsed_scene(small);
-  EXPECT_EQ(scene.at("protocol").as_int64(), 3);
+  EXPECT_EQ(scene.at("protocol").as_int64(), formats::kPage);
+  EXPECT_EQ(scene.at("build").as_string(), build());
   EXPECT_EQ(scene.at("models").as_array().size(), 22u);
   EXPECT_EQ(scene.at("shapes").as_array().size(), 3u);
   EXPECT_EQ(scene.at("prototypes").as_array().size(), 6u);

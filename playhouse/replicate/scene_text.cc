@@ -3,6 +3,8 @@
 #include <iterator>
 #include <utility>
 
+#include "playhouse/base/formats.h"
+#include "playhouse/base/version.h"
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/scene/forms/daylight.h"
 
@@ -47,11 +49,12 @@ std::string scene_text(const scene::SceneDesc& scene, std::string_view light, co
   std::string models;
   for (std::uint32_t row = 0; row < layout.id.size(); ++row) add_model(layout, row, models);
   return fmt::format(
-      "{{\"protocol\":3,\"name\":{},\"interval\":{:.9g},\"window\":{},\"light\":{},\n\"shapes\":[{}],\n"
+      "{{\"protocol\":{},\"build\":{},\"name\":{},\"interval\":{:.9g},\"window\":{},\"light\":{},"
+      "\n\"shapes\":[{}],\n"
       "\"prototypes\":[\n{}],\n\"addable\":{},\n\"models\":[\n{}]}}\n",
-      quoted(scene.name), scene.interval, window(scene.window), light, prototypes.shapes(),
-      prototypes.texts(), list(prototypes.addable(), [](const Addable& robot) { return quoted(robot.name); }),
-      models);
+      formats::kPage, quoted(build()), quoted(scene.name), scene.interval, window(scene.window), light,
+      prototypes.shapes(), prototypes.texts(),
+      list(prototypes.addable(), [](const Addable& robot) { return quoted(robot.name); }), models);
 }
 
 std::string history_text(const world::Timeline& timeline) {

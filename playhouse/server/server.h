@@ -16,6 +16,7 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
+#include "playhouse/base/version.h"
 #include "playhouse/device/address.h"
 #include "playhouse/device/caller.h"
 #include "playhouse/device/driver.h"
@@ -26,8 +27,8 @@ namespace playhouse::server {
 
 struct ServerOptions {
   std::string bind = "127.0.0.1";  // numeric address; "0.0.0.0" and "::" mean every interface
-  std::string version =
-      "3.1.1 Playhouse " PLAYHOUSE_VERSION;       // clients see "Player v." and this, 31 bytes at most
+  // Clients see "Player v." and this, 31 bytes at most: no room for the commit.
+  std::string version = "3.1.1 Playhouse " + std::string(playhouse::version());
   std::size_t input_bytes = limits::kInputBytes;  // smaller in tests
   std::size_t output_bytes = limits::kOutputBytes;
   std::size_t sessions = limits::kSessions;  // fewer where descriptors are few

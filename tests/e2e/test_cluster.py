@@ -138,8 +138,8 @@ class Cluster(HouseTest):
         world = self.world(SWARM)
         with self.head(world, "--speed", 1, "--duration", 3) as head:
             port = int(head.wait_for_line(r"^cluster nodes: 127\.0\.0\.1:(\d+)$").group(1))
-            version = finish("--version").stdout.split()[1]
-            hello = b"".join(bytes([len(text)]) + text for text in (b"playhouse cluster 2", version.encode(), b""))
+            build = "{} ({})".format(*re.match(r"playhouse (\S+) \(commit ([^,]+),", finish("--version").stdout).groups())
+            hello = b"".join(bytes([len(text)]) + text for text in (b"playhouse cluster 3", build.encode(), b""))
             with socket.create_connection(("127.0.0.1", port), timeout=PATIENCE) as stranger:
                 stranger.sendall(struct.pack("<IB", len(hello), 1) + hello + struct.pack("<IB", 0, 3))
                 stranger.sendall(struct.pack("<IB", 16, 6) + bytes(16))

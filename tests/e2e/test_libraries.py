@@ -21,7 +21,7 @@ BUILD = os.environ.get("PLAYHOUSE_BUILD", str(ROOT / "build" / "release"))
 PROJECT = """
 cmake_minimum_required(VERSION 3.25)
 project(outside LANGUAGES CXX)
-find_package({package} 0.1 REQUIRED)
+find_package({package} 0.2 REQUIRED)
 add_executable(listen listen.cc)
 target_link_libraries(listen PRIVATE playhouse::client)
 """

@@ -112,6 +112,7 @@ class Observe(HouseTest):
                          [("wall", [3, 0, 0, 0]), ("r0", [0, 0, 0, 0]), ("r1", [0, -3, 0, 1.5708])])
         self.assertEqual(set(models[0]), {"time", "id", "name", "pose", "says"})
         self.assertEqual(figures["budget"], 64000)
+        self.assertRegex(figures["build"], r"^\d+\.\d+\.\d+ \(.+\)$")
         self.assertGreater(figures["packets"], 0)
         self.assertLess(figures["bytes_per_second"], 64000)
 

@@ -20,7 +20,7 @@ target_link_libraries(my_robot PRIVATE playhouse::client)
 INSTALLED = """
 cmake_minimum_required(VERSION 3.25)
 project(outside LANGUAGES CXX)
-find_package(playhouse_client 0.1 REQUIRED)
+find_package(playhouse_client 0.2 REQUIRED)
 add_executable(my_robot my_robot.cc)
 target_link_libraries(my_robot PRIVATE playhouse::client)
 """

@@ -215,7 +215,7 @@ class Texts(unittest.TestCase):
         done = finish("--version")
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stdout,
-                         r"^playhouse \d+\.\d+\.\d+ \(commit ([0-9a-f]{7,}|unknown), Player protocol 3\.1\)\n$")
+                         r"^playhouse \d+\.\d+\.\d+ \(commit ([0-9a-f]{7,}(-dirty)?|unknown), Player protocol 3\.1\)\n$")
         self.assertEqual(finish("-V").stdout, done.stdout)
 
 

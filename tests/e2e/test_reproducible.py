@@ -203,7 +203,7 @@ class Saved(HouseTest):
         other = self.saved.with_name("other.run")
         for content, why in ((b"", "no saved run"), (b"name \"x\"", "no saved run"), (whole[:15], "no saved run"),
                              (whole[:40], "cut"), (whole[:-1], "cut"), (whole + b"x", "damaged"),
-                             (whole.replace(b"saved run 4\n", b"saved run 1\n", 1), "version \"1\""),
+                             (whole.replace(b"saved run 5\n", b"saved run 4\n", 1), 'format "4"; this program reads format 5'),
                              (whole[:200] + bytes([whole[200] ^ 1]) + whole[201:], "damaged")):
             other.write_bytes(content)
             line = self.refused("--from", other)

@@ -9,7 +9,7 @@ import threading
 import unittest
 
 from house import (ACK, DATA, LASER, NACK, PLAYER, POSITION2D, REFERENCE, REQ, ROOT, SIMULATION, Client, House,
-                   HouseTest, finish, ranges_of, text)
+                   HouseTest, Message, finish, frame, ranges_of, text)
 
 sys.path.insert(0, str(ROOT / "clients/python"))
 from playhouse_client import connect  # noqa: E402
@@ -207,6 +207,30 @@ class RobotClient(HouseTest):
         nobody = finish("robot", self.write("bob.toml", BOB), "--server", "127.0.0.1:1", "--port", 0)
         self.assertEqual(nobody.returncode, 1)
         self.assertEqual(nobody.stderr, "127.0.0.1:1: error: cannot connect: Connection refused\n")
+
+    def test_a_server_that_takes_robots_in_another_way_or_none_is_left_with_a_line(self):
+        other = struct.pack("<I", 9)
+        for answer, kind, line in ((text("") + text("robot_format") + struct.pack(">III", 0, 4, 4) + other, ACK,
+                                    "robots join by format 9 there; this program brings them by format 1"),
+                                   (b"", NACK, "takes no robots, or is older than Playhouse 0.2")):
+            with self.subTest(line), socket.create_server(("127.0.0.1", 0)) as server:
+                host, port = server.getsockname()
+
+                def serve(answer=answer, kind=kind, server=server) -> None:
+                    peer, _ = server.accept()
+                    with peer, peer.makefile("rb") as asked:
+                        peer.sendall(b"Player v.3.1.1 Playhouse 0.9.0".ljust(32, b"\0"))
+                        while len(header := asked.read(40)) == 40:
+                            message = Message(header, asked.read(struct.unpack(">I", header[36:])[0]))
+                            if message.type == REQ and message.interf == SIMULATION:
+                                peer.sendall(frame(*message.key()[:2], kind, message.subtype, answer, message.seq))
+                            elif message.type == REQ:
+                                peer.sendall(frame(*message.key()[:2], ACK, message.subtype, message.body, message.seq))
+
+                threading.Thread(target=serve, daemon=True).start()
+                ended = finish("robot", self.write("bob.toml", BOB), "--server", f"{host}:{port}", "--port", 0, "--wait", 10)
+                self.assertEqual(ended.returncode, 1, ended.stderr)
+                self.assertEqual(ended.stderr.splitlines()[-1], f"{host}:{port}: error: {line}")
 
     def test_the_recorded_run_runs_again_to_the_bit(self):
         for engine in ("stage", "arena"):

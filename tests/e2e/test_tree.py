@@ -10,6 +10,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import messages  # noqa: E402
 import module_graph  # noqa: E402
 import threads  # noqa: E402
+import versions  # noqa: E402
 
 MAP = """
 | folder | contents | links |
@@ -171,6 +172,28 @@ class Threads(Tree):
         self.write("house/wall.cc", "std::thread::id id = std::this_thread::get_id();  std::thread thread_;")
         self.assertEqual(list(threads.thread_findings()),
                          ["playhouse/house/door.cc:2: house/door.h is not in the table of threads in ARCHITECTURE.md"])
+
+
+class Versions(Tree):
+    def found(self, package, page, changes="## [Unreleased]\n\n## [2.1.0] - 2030-01-01\n"):
+        (self.root / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(playhouse VERSION 2.1.0 LANGUAGES CXX)\n")
+        self.write("base/formats.h", "inline constexpr std::uint32_t kLetter = 7;\n")
+        (self.root / "package.json").write_text(package)
+        (self.root / "page.ts").write_text(page)
+        (self.root / "CHANGELOG.md").write_text(changes)
+        self.replace(versions, "ROOT", self.root)
+        self.replace(versions, "VERSIONS", [("package.json", '^  "version": "')])
+        self.replace(versions, "MINORS", [("page.ts", "since ")])
+        self.replace(versions, "FORMATS", [("kLetter", "page.ts", "letter: ")])
+        return [each.partition(" should")[0] for each in versions.findings()]
+
+    def test_that_are_those_of_the_definitions_are_right(self):
+        self.assertEqual(self.found('{\n  "version": "2.1.0"', "since 2.1\nletter: 7;"), [])
+
+    def test_that_differ_or_are_missing_are_found(self):
+        self.assertEqual(self.found('{\n  "version": "2.1.01"', "since 2.0\nletter: 71;", "## [Unreleased]\n"),
+                         ["package.json:2: 2.1.0", "page.ts:1: 2.1", "page.ts:2: 7", "CHANGELOG.md:1: 2.1.0"])
+        self.assertEqual(self.found("{}", "since 2.1.0\n"), ["package.json:1: 2.1.0", "page.ts:1: 2.1", "page.ts:1: 7"])
 
 
 if __name__ == "__main__":

@@ -92,7 +92,7 @@ from .proxies import (
 )
 from .robot import Robot
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "Access", "ActArray", "ActArrayGeometry", "ActArrayState", "Aio", "BlinkenLight", "Blob", "Blobfinder",

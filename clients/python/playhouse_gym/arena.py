@@ -18,11 +18,11 @@ from typing import Any, Dict, Optional, Union
 
 import numpy as np
 
-_HEAD = struct.Struct("<8sIIQ40x")
+_HEAD = struct.Struct("<8sIIQ40s")
 _ENTRY = struct.Struct("<32s8sIIQ8x")
 _REQUEST = struct.Struct("<IIQ")
 _ANSWER = struct.Struct("<II")
-_MAGIC, _VERSION = b"plhsgym\0", 1
+_MAGIC, _FORMAT = b"plhsgym\0", 1  # formats::kGym of playhouse/base/formats.h
 _STEP, _START_AGAIN = 1, 2
 _SEEDS = 1 << 64
 MOST_TICKS = 1 << 20  # of a step
@@ -276,9 +276,12 @@ def _receive_with_descriptor(source: socket.socket, size: int) -> Any:
 
 
 def _columns_in(memory: mmap.mmap) -> Dict[str, np.ndarray]:
-    magic, version, count, size = _HEAD.unpack_from(memory, 0)
-    if magic != _MAGIC or version != _VERSION or size != len(memory):
-        raise ArenaError(f"the program shares memory of version {version}, and this package knows {_VERSION}")
+    magic, format_, count, size, build = _HEAD.unpack_from(memory, 0)
+    if magic != _MAGIC or format_ != _FORMAT or size != len(memory):
+        raise ArenaError(
+            f"the program, {build.rstrip(bytes(1)).decode('utf-8', 'replace') or 'older than 0.2'}, shares memory of format {format_}; "
+            f"this package reads format {_FORMAT}"
+        )
     columns = {}
     for row in range(count):
         name, dtype, rows, width, offset = _ENTRY.unpack_from(memory, _HEAD.size + row * _ENTRY.size)

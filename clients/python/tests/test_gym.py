@@ -6,6 +6,7 @@ import pathlib
 import re
 import shlex
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,7 @@ try:
 except ImportError:  # ctest runs this file once more with a Python that has it
     raise unittest.SkipTest("there is no numpy") from None
 from playhouse_gym import Arena, ArenaError, Box, Discrete, ParallelEnv, VectorEnv  # noqa: E402
+from playhouse_gym.arena import _columns_in  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "examples" / "gym"))
 from swarm import swarm  # noqa: E402
@@ -120,6 +122,11 @@ class TheArena(WithWorld):
             Arena("nowhere.world", program=PROGRAM)
         with self.assertRaisesRegex(ArenaError, "cannot start"):
             Arena(self.world, program="/no/such/program")
+
+    def test_memory_of_another_format_is_refused(self) -> None:
+        head = struct.pack("<8sIIQ40s", b"plhsgym\0", 9, 0, 64, b"0.9.0 (abc1234)")
+        with self.assertRaisesRegex(ArenaError, r"the program, 0\.9\.0 \(abc1234\), shares memory of format 9; this package reads format 1"):
+            _columns_in(head)
 
     def test_the_end_of_the_program_is_noticed(self) -> None:
         arena = Arena(self.world, program=PROGRAM)

@@ -11,6 +11,7 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/base/version.h"
 
 namespace playhouse::app {
 namespace {
@@ -43,13 +44,6 @@ constexpr const char* kExamples = R"(Examples:
   playhouse kinds ranger                             list the words of a ranger
   playhouse bench laser --robots 1000                print one line of figures
 `playhouse COMMAND --help` lists all options. Documentation: docs/cli.md)";
-
-// Defined by CMakeLists.txt; without git history it is unknown.
-#ifndef PLAYHOUSE_COMMIT
-#define PLAYHOUSE_COMMIT "unknown"
-#endif
-constexpr const char* kVersion =
-    "playhouse " PLAYHOUSE_VERSION " (commit " PLAYHOUSE_COMMIT ", Player protocol 3.1)";
 
 int print(const Answer& answer) {
   fmt::print("{}", answer.text);
@@ -120,7 +114,8 @@ Result<void> check_values(const CLI::App& app) {
 
 Result<CommandLine> parse_command_line(std::span<const char* const> words) {
   CLI::App app("A robot device server and simulator: Player clients and Stage worlds.", "playhouse");
-  app.set_version_flag("-V,--version", kVersion);
+  app.set_version_flag("-V,--version",
+                       fmt::format("playhouse {} (commit {}, Player protocol 3.1)", version(), commit()));
   app.footer(kExamples);
   app.require_subcommand(1);
   std::vector<std::pair<CLI::App*, std::function<CommandLine()>>> added;

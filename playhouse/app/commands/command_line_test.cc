@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "playhouse/app/commands/options.h"
+#include "playhouse/base/version.h"
 
 namespace playhouse::app {
 namespace {
@@ -271,7 +272,7 @@ TEST(CommandLine, help_has_examples_and_version_has_the_number) {
   EXPECT_THAT(parsed<Answer>({"--help"}).text, HasSubstr("playhouse run worlds/cave.world"));
   EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("--duration"));
   EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("playhouse run [OPTIONS] [WORLD]"));
-  EXPECT_THAT(parsed<Answer>({"--version"}).text, HasSubstr(PLAYHOUSE_VERSION));
+  EXPECT_THAT(parsed<Answer>({"--version"}).text, HasSubstr(std::string(version())));
   EXPECT_EQ(parsed<Answer>({"-V"}).text, parsed<Answer>({"--version"}).text);
 }
 

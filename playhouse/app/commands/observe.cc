@@ -154,11 +154,11 @@ class Observing {
     const double all = static_cast<double>(observer.packets() + observer.packets_missing());
     put(fmt::format(
         "{{\"seconds\":{:.3f},\"datagrams\":{},\"bytes\":{},\"bytes_per_second\":{:.0f},"
-        "\"budget\":{},\"packets\":{},\"lost\":{:.4f},\"round_trip\":{:.4f}}}\n",
+        "\"budget\":{},\"packets\":{},\"lost\":{:.4f},\"round_trip\":{:.4f},\"build\":{}}}\n",
         span, observer.datagrams(), observer.bytes(),
         span > 0 ? static_cast<double>(observer.bytes()) / span : 0, observer.terms().bytes_per_second,
         observer.packets(), all > 0 ? static_cast<double>(observer.packets_missing()) / all : 0,
-        observer.round_trip()));
+        observer.round_trip(), quoted(observer.world().build())));
     std::fflush(stdout);
   }
 

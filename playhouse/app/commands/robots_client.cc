@@ -11,7 +11,9 @@
 
 #include "playhouse/app/commands/options.h"
 #include "playhouse/app/fail.h"
+#include "playhouse/base/formats.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
 #include "playhouse/device/device_table.h"
 #include "playhouse/wire/codec.h"
@@ -56,6 +58,15 @@ std::string text_of(std::span<const std::byte> body) {
   return told ? std::string(wire::text(told->value)) : std::string();
 }
 
+/// Number of a reply.
+std::optional<std::uint32_t> number_of(std::span<const std::byte> body) {
+  const Result<sim::PropertyReq> told = wire::decode<sim::PropertyReq>(body);
+  std::uint32_t number = 0;
+  if (!told || told->value.size() != sizeof number) return std::nullopt;
+  std::memcpy(&number, told->value.data(), sizeof number);
+  return number;
+}
+
 /// Parses "laser:7".
 std::optional<drivers::RemoteDevice> parse_device(const std::string& text) {
   const Result<scene::DeviceAddress> address = scene::parse_device_address(text);
@@ -81,7 +92,7 @@ RobotsClient::RobotsClient(DeviceService& service, Options options, std::vector<
   relay_ = relay.get();
   relay_->remote().set_token(options_.token);
   service.take(std::move(relay));
-  relay_->watch({.connected = [this] { bring_next(); },
+  relay_->watch({.connected = [this] { greet(); },
                  .lost =
                      [this](const std::string& why) {
                        fail_with({relay_->remote().name(), why});
@@ -104,6 +115,29 @@ void RobotsClient::expect_answer() {
   answer_ = service_.loop().after(options_.patience, [this] {
     fail_with({relay_->remote().name(), fmt::format("has not answered for {:g} s", options_.patience)});
   });
+}
+
+/// The log names the build at the other end, for reports of bugs.
+void RobotsClient::greet() {
+  relay_->remote().ask(kWorld, sim::kReqGetProperty, property("", "build", {}),
+                       [this](bool ack, std::span<const std::byte> body) {
+                         if (ack)
+                           log::info("{} is Playhouse {}", relay_->remote().name(), escaped(text_of(body)));
+                       });
+  expect_answer();
+  relay_->remote().ask(
+      kWorld, sim::kReqGetProperty, property("", "robot_format", {}),
+      [this](bool ack, std::span<const std::byte> body) {
+        answer_.reset();
+        if (!relay_->remote().is_connected()) return;  // reported already
+        const std::optional<std::uint32_t> format = ack ? number_of(body) : std::nullopt;
+        if (format == formats::kRobots) return bring_next();
+        fail_with({relay_->remote().name(),
+                   format
+                       ? fmt::format("robots join by format {} there; this program brings them by format {}",
+                                     *format, formats::kRobots)
+                       : "takes no robots, or is older than Playhouse 0.2"});
+      });
 }
 
 void RobotsClient::bring_next() {

@@ -41,6 +41,7 @@ class RobotsClient {
     unsigned missed = 0;  // consecutive polls in which the server did not list it
   };
 
+  void greet();
   void bring_next();
   void expect_answer();
   void came(Robot& robot, std::string name);

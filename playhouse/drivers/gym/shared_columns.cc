@@ -9,6 +9,9 @@
 #include <cstring>
 #include <system_error>
 
+#include "playhouse/base/formats.h"
+#include "playhouse/base/version.h"
+
 namespace playhouse::drivers::gym {
 namespace {
 
@@ -17,9 +20,9 @@ constexpr char kMagic[8] = {'p', 'l', 'h', 's', 'g', 'y', 'm', '\0'};
 
 struct Head {
   char magic[8];
-  std::uint32_t version, columns;
+  std::uint32_t format, columns;
   std::uint64_t bytes;  // total size
-  std::uint64_t unused[5];
+  char build[40];       // base/version.h
 };
 struct Entry {
   char name[32];
@@ -64,8 +67,9 @@ Result<void> SharedColumns::make(std::span<const Column> columns) {
   if (memory == MAP_FAILED) return system_error();
   memory_ = static_cast<std::byte*>(memory);
 
-  Head head{{}, kLayoutVersion, static_cast<std::uint32_t>(columns.size()), bytes_, {}};
+  Head head{{}, formats::kGym, static_cast<std::uint32_t>(columns.size()), bytes_, {}};
   std::memcpy(head.magic, kMagic, sizeof kMagic);
+  put(head.build, build());
   std::memcpy(memory_, &head, sizeof head);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     Entry entry{{}, {}, columns[i].rows, columns[i].columns, offsets_[i], 0};

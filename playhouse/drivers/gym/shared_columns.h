@@ -14,8 +14,6 @@
 
 namespace playhouse::drivers::gym {
 
-inline constexpr std::uint32_t kLayoutVersion = 1;
-
 class SharedColumns {
  public:
   /// Description of a column; `dtype` is numpy's code ("<f4").

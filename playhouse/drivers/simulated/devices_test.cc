@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "playhouse/base/formats.h"
+#include "playhouse/base/version.h"
 #include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
@@ -640,6 +642,22 @@ TEST_F(SimulationInterface, properties_are_colour_time_name_and_model) {
   EXPECT_FALSE(
       ask_with(sim::kReqGetProperty, sim::PropertyReq{wire::c_string("r0"), wire::c_string("weight"), 0, ""})
           .ack);
+}
+
+TEST_F(SimulationInterface, says_what_it_adds_to_the_protocol_and_which_build_it_is) {
+  open(sim::kCode, "");
+  const auto get = [&](const char* property) {
+    return reply<sim::PropertyReq>(
+               ask_with(sim::kReqGetProperty,
+                        sim::PropertyReq{wire::c_string(""), wire::c_string(property), 0, ""}))
+        .value;
+  };
+  const auto bytes_of = [](std::uint32_t number) {
+    return std::string(reinterpret_cast<const char*>(&number), sizeof number);
+  };
+  EXPECT_EQ(get("build"), wire::c_string(build()));
+  EXPECT_EQ(get("wire_format"), bytes_of(formats::kWireExtensions));
+  EXPECT_EQ(get("robot_format"), bytes_of(formats::kRobots));
 }
 
 TEST_F(SimulationInterface, lists_models_with_the_devices_that_show_them) {

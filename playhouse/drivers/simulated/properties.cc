@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "playhouse/base/formats.h"
+#include "playhouse/base/version.h"
 #include "playhouse/wire/codec.h"
 
 namespace playhouse::drivers {
@@ -24,6 +26,9 @@ std::string raw(const T& value) {
 
 std::optional<std::string> get_property(const world::World& world, std::string_view model,
                                         std::string_view property) {
+  if (model.empty() && property == "build") return wire::c_string(build());
+  if (model.empty() && property == "wire_format") return raw(formats::kWireExtensions);
+  if (model.empty() && property == "robot_format") return raw(formats::kRobots);
   if (property == "time") return raw(static_cast<std::uint64_t>(std::llround(world.time() * 1e6)));
   const world::ModelRow row = world.find(model);
   if (!row) return std::nullopt;

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "playhouse/world/changes/journal.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::drivers {
@@ -14,6 +15,8 @@ namespace playhouse::drivers {
 /// The value of a property, as bytes; none if the property or model does not exist.
 ///   "color"          four float32: red, green, blue, alpha in 0..1
 ///   "time"           uint64: simulated time [us]; `model` is ignored
+///   without a model: "build", NUL-terminated text: version and commit of the program (base/version.h);
+///   "wire_format", "robot_format", uint32: formats::kWireExtensions and kRobots
 ///   "name", "model"  NUL-terminated text: the model's name; its type as in the world file
 std::optional<std::string> get_property(const world::World& world, std::string_view model,
                                         std::string_view property);

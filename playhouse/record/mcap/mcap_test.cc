@@ -12,6 +12,7 @@
 
 #include "playhouse/base/packing.h"
 #include "playhouse/base/testing_folder.h"
+#include "playhouse/base/version.h"
 #include "playhouse/record/csv.h"
 #include "playhouse/record/mcap/mcap_reader.h"
 #include "playhouse/record/mcap/mcap_writer.h"
@@ -119,7 +120,7 @@ TEST_F(Mcap, with_a_changed_byte_in_a_chunk_is_refused) {
   Bytes bytes = file();
   std::size_t refused = 0;
   const std::size_t chunk =
-      kMagic.size() + kRecordHeadBytes + 4 + 4 + 4 + std::string("playhouse " PLAYHOUSE_VERSION).size();
+      kMagic.size() + kRecordHeadBytes + 4 + 4 + 4 + std::string("playhouse ").size() + build().size();
   for (std::size_t at = chunk + 30; at < chunk + 80; ++at) {
     Bytes changed = bytes;
     changed[at] ^= std::byte{0x10};

@@ -13,6 +13,7 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/base/version.h"
 #include "playhouse/record/mcap/packed_bytes.h"
 
 namespace playhouse::record {
@@ -43,7 +44,7 @@ Result<std::unique_ptr<McapWriter>> McapWriter::create(const std::string& path, 
   Bytes head, content;
   put_bytes(head, std::as_bytes(std::span(kMagic)));
   put_text(content, profile);
-  put_text(content, "playhouse " PLAYHOUSE_VERSION);
+  put_text(content, "playhouse " + std::string(build()));
   put_record(head, Op::kHeader, content);
   if (const Result<void> written = writer->write(head); !written) return written.error();
   return writer;

@@ -20,7 +20,7 @@ struct Encoder {
   }
   void operator()(const Hello& hello) {
     begin(kHello);
-    pack.u8(hello.version);
+    pack.u8(hello.format);
     pack.u64(hello.nonce);
     while (pack.size() < kHelloBytes) pack.u8(0);
   }
@@ -31,7 +31,7 @@ struct Encoder {
   }
   void operator()(const JoinRequest& join) {
     begin(kJoin);
-    pack.u8(join.version);
+    pack.u8(join.format);
     pack.u64(join.nonce);
     pack.u64(join.cookie);
     terms(join.wanted);

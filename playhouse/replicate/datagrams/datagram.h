@@ -8,9 +8,9 @@
 ///   +--------+---------+---------------------------------------------------------------------+
 /// | u8 'P' | u8 kind | payload of the kind                                                 |
 ///   +--------+---------+---------------------------------------------------------------------+
-///   client  1 hello     : u8 version, u64 nonce, zeros up to 64 bytes
+///   client  1 hello     : u8 format (formats::kObserver), u64 nonce, zeros up to 64 bytes
 ///   server  2 challenge : u64 nonce, u64 cookie
-///   client  3 join      : u8 version, u64 nonce, u64 cookie, varint bytes/s, varint frames/s, text token
+///   client  3 join      : u8 format, u64 nonce, u64 cookie, varint bytes/s, varint frames/s, text token
 ///   server  4 welcome   : u64 nonce, u64 session, varint bytes/s, varint frames/s
 ///   server  5 refusal   : u64 nonce, text why
 /// both    6 packet    : u64 session, then the packet below
@@ -49,12 +49,12 @@
 #include <variant>
 #include <vector>
 
+#include "playhouse/base/formats.h"
 #include "playhouse/base/packing.h"
 #include "playhouse/base/result.h"
 
 namespace playhouse::replicate {
 
-inline constexpr std::uint8_t kDatagramVersion = 1;
 inline constexpr std::size_t kHelloBytes = 64;  // answers are never longer: no amplification
 inline constexpr std::uint8_t kStatePaused = 1, kStateWhole = 2;
 /// An observer keeps rows of this many packets, so no baseline may be older.
@@ -63,7 +63,7 @@ inline constexpr std::uint32_t kOldestBaseline = 200;
 inline constexpr std::uint32_t kAcknowledged = 33;
 
 struct Hello {
-  std::uint8_t version = kDatagramVersion;
+  std::uint8_t format = formats::kObserver;
   std::uint64_t nonce = 0;
 };
 struct Challenge {
@@ -75,7 +75,7 @@ struct Terms {
   std::uint32_t frames_per_second = 0;
 };
 struct JoinRequest {
-  std::uint8_t version = kDatagramVersion;
+  std::uint8_t format = formats::kObserver;
   std::uint64_t nonce = 0, cookie = 0;
   Terms wanted;
   std::string token;

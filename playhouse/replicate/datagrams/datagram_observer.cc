@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "playhouse/base/formats.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 
@@ -86,8 +87,8 @@ std::optional<std::vector<std::byte>> DatagramObserver::next(double now) {
     // Cookies expire within seconds: after a long wait start over.
     if (cookie_ && asked_for_ >= kLongestAsk) cookie_.reset();
     asked_ = now;
-    if (!cookie_) return encode(Hello{kDatagramVersion, nonce_});
-    return encode(JoinRequest{kDatagramVersion, nonce_, *cookie_, wanted_, token_});
+    if (!cookie_) return encode(Hello{formats::kObserver, nonce_});
+    return encode(JoinRequest{formats::kObserver, nonce_, *cookie_, wanted_, token_});
   }
   static_cast<void>(channel_->settle(now));
   const bool due = unacknowledged_ >= kAckAtOnce ||

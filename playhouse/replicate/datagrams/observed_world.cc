@@ -83,6 +83,7 @@ Result<void> ObservedWorld::take_text(std::string_view text, Seq after) {
   Reader read;
   if (object.contains("protocol")) {
     name_ = read.text(object.if_contains("name"));
+    if (const json::value* const build = object.if_contains("build")) build_ = read.text(build);
     interval_ = read.whole<double>(object.if_contains("interval"));
     if (!(interval_ > 0)) return Error{"", "the program sent a scene without an interval"};
   }

@@ -44,6 +44,8 @@ class ObservedWorld {
   /// before that some models are in their initial state.
   bool is_whole() const { return has_scene() && is_whole_; }
   const std::string& name() const { return name_; }
+  /// Of the program (base/version.h).
+  const std::string& build() const { return build_; }
   double interval() const { return interval_; }  // s per tick
   std::uint64_t tick() const { return tick_; }   // newest received
   bool paused() const { return paused_; }
@@ -57,7 +59,7 @@ class ObservedWorld {
  private:
   void keep(ObservedModel& model, Seq seq, const ModelState& state, std::uint64_t tick);
 
-  std::string name_;
+  std::string name_, build_;
   double interval_ = 0;
   std::uint64_t tick_ = 0;
   Seq newest_ = 0;  // packet that tick_ came in

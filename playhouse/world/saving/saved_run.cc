@@ -2,19 +2,21 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "playhouse/base/formats.h"
 #include "playhouse/base/hash.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/base/version.h"
 
 namespace playhouse::world {
 namespace {
 
 constexpr std::string_view kMagic = "playhouse saved run ";
-constexpr std::string_view kVersion = "4\n";
-constexpr std::size_t kHeadBytes = kMagic.size() + kVersion.size() + 8;  // plus the hash of the body
+constexpr std::size_t kLongestLine = 100;  // of the head, so that no error shows a whole file
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {
   Hash hash;
@@ -34,6 +36,15 @@ void append(std::vector<std::byte>& out, std::string_view text) {
 
 std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Takes a line from the front of `text`, without its end; none: it is not there, or too long.
+std::optional<std::string_view> take_line(std::string_view& text) {
+  const std::size_t end = text.substr(0, kLongestLine).find('\n');
+  if (end == std::string_view::npos) return std::nullopt;
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end + 1);
+  return line;
 }
 
 }  // namespace
@@ -59,30 +70,34 @@ std::vector<std::byte> encode(const SavedRun& run) {
 std::vector<std::byte> with_head(std::span<const std::byte> body) {
   std::vector<std::byte> bytes;
   append(bytes, kMagic);
-  append(bytes, kVersion);
+  append(bytes, std::to_string(formats::kSavedRun) + "\n");
+  append(bytes, build());
+  append(bytes, "\n");
   Packer(bytes).u64(hash_of(body));
   bytes.insert(bytes.end(), body.begin(), body.end());
   return bytes;
 }
 
 Result<SavedRun> decode_saved_run(std::span<const std::byte> bytes) {
-  const std::string_view text = text_of(bytes);
-  if (!text.starts_with(kMagic)) return Error{{}, "is not a saved run"};
-  const std::string_view rest = text.substr(kMagic.size());
-  if (!rest.starts_with(kVersion)) {
-    const std::string_view version = rest.substr(0, std::min(rest.find('\n'), std::size_t{8}));
+  std::string_view rest = text_of(bytes);
+  if (!rest.starts_with(kMagic)) return Error{{}, "is not a saved run"};
+  rest.remove_prefix(kMagic.size());
+  const std::optional<std::string_view> format = take_line(rest);
+  if (format && *format != std::to_string(formats::kSavedRun))
     return Error{{},
-                 "is a saved run of version " + in_quotes(version) + "; this program reads version " +
-                     std::string(kVersion.substr(0, 1))};
-  }
-  if (bytes.size() < kHeadBytes) return Error{{}, "is cut: it ends in its head"};
-  const std::uint64_t expected = Unpacker(bytes.subspan(kHeadBytes - 8)).u64();
-  const std::span<const std::byte> body = bytes.subspan(kHeadBytes);
+                 "is a saved run of format " + in_quotes(*format) + "; this program reads format " +
+                     std::to_string(formats::kSavedRun)};
+  const std::optional<std::string_view> writer = format ? take_line(rest) : std::nullopt;
+  if (!writer || rest.size() < sizeof(std::uint64_t)) return Error{{}, "is cut: it ends in its head"};
+  Unpacker head(bytes.last(rest.size()));
+  const std::uint64_t expected = head.u64();
+  const std::span<const std::byte> body = bytes.last(head.left());
   if (hash_of(body) != expected)
     return Error{{}, "is cut or damaged: its bytes are not those that were written"};
 
   Unpacker in(body);
   SavedRun run;
+  run.build = *writer;
   run.seed = in.u64();
   run.engine = in.text();
   run.sources.path = in.text();

@@ -20,13 +20,14 @@ struct SavedRun {
   std::string engine;  // World::engine
   std::uint64_t seed = 1;
   std::vector<std::byte> state;  // state.h
+  std::string build = {};        // that wrote it (base/version.h); of this program in encode()
 };
 
 std::vector<std::byte> encode(const SavedRun& run);
-/// The complete file: a header with the hash of the body, then the body.
+/// The complete file: a header with the number of the format, the build and the hash of the body, then the body.
 std::vector<std::byte> with_head(std::span<const std::byte> body);
 
-/// Fails on bytes that are no saved run, of another version, truncated or corrupt; errors name no file.
+/// Fails on bytes that are no saved run, of another format, truncated or corrupt; errors name no file.
 Result<SavedRun> decode_saved_run(std::span<const std::byte> bytes);
 
 }  // namespace playhouse::world

@@ -78,7 +78,8 @@ export interface Light {
 }
 
 export interface Scene {
-  protocol: 3;
+  protocol: 3; // formats::kPage
+  build: string; // version and commit of the program
   name: string;
   interval: number; // s, one tick
   window: {
