@@ -522,7 +522,7 @@ TEST(ReadMesh, refuses_a_collada_unit_that_is_none) {
     std::string file = test_collada();
     file.replace(file.find("meter=\"1\""), 9, std::string("meter=\"") + unit + "\"");
     EXPECT_THAT(error_of("a.dae", file),
-                HasSubstr(std::string("a.dae: has a unit of \"") + unit + "\" metres"))
+                HasSubstr(std::string("a.dae: has an invalid unit of \"") + unit + "\" metres"))
         << unit;
   }
   std::string file = test_collada();
