@@ -368,9 +368,9 @@ wifi( name "post" pose [-3 -3 1 0] )
                 (("picture", self.folder / "gone.world", "-o", self.folder / "a.png"), 2, "gone.world"),
                 (("picture", world), 2, "--output is required"),
                 (("picture", world, "-o", "a.png", "--width", 0), 2, "--width"),
-                (("picture", world, "-o", "a.png", "--show", "rangr"), 2, 'not "rangr" (did you mean "ranger"?)'),
-                (("film", world, "-o", "a.png", "--show", "ranger,"), 2, 'not ""'),
-                (("picture", world, "-o", "a.png", "--renderer", "chromum"), 2, 'not "chromum" (did you mean "chromium"?)'),
+                (("picture", world, "-o", "a.png", "--show", "rangr"), 2, 'invalid name "rangr": all,'),
+                (("film", world, "-o", "a.png", "--show", "ranger,"), 2, 'invalid name ""'),
+                (("picture", world, "-o", "a.png", "--renderer", "chromum"), 2, 'invalid renderer "chromum": chromium and playhouse are valid (did you mean "chromium"?)'),
                 (("film", world, "-o", "a.png", "--duration", "1e300"), 2, "a billion pictures"),
                 (("film", world, "-o", "a.png", "--rate", 0), 2, "--rate")):
             with self.subTest(words):

@@ -201,7 +201,7 @@ class Saved(HouseTest):
         self.run_of(self.world(swarm()), "--duration", 1, "--save-at", 1, self.saved)
         whole = self.saved.read_bytes()
         other = self.saved.with_name("other.run")
-        for content, why in ((b"", "no saved run"), (b"name \"x\"", "no saved run"), (whole[:15], "no saved run"),
+        for content, why in ((b"", "not a saved run"), (b"name \"x\"", "not a saved run"), (whole[:15], "not a saved run"),
                              (whole[:40], "cut"), (whole[:-1], "cut"), (whole + b"x", "damaged"),
                              (whole.replace(b"saved run 5\n", b"saved run 4\n", 1), 'format "4"; this program reads format 5'),
                              (whole[:200] + bytes([whole[200] ^ 1]) + whole[201:], "damaged")):
