@@ -3,13 +3,15 @@
 
 PROGRAM := build/playhouse
 WEB_SOURCES := $(shell find web -path web/node_modules -prune -o -path web/dist -prune -o -type f -print 2>/dev/null)
+# Of what codegen makes, the page's. It keeps its time where it does not change.
+WEB_GENERATED := web/src/protocol/generated/commands.ts web/src/protocol/generated/views.ts
 PLAYER_PORT ?= 6665
 WEB_PORT ?= 8080
 WORLD ?= worlds/cave.world
 # The robot that a visitor drives: the cave's guest has no mind of its own; other worlds have a first one.
 GUEST = $(if $(filter %cave.world,$(WORLD)),12,0)
 
-.PHONY: help setup setup-test build demo test tsan fuzzers fuzz bench clean web
+.PHONY: help setup setup-test build demo test tsan fuzzers fuzz bench source clean web generated
 
 help:
 	@echo "make build   the release program, build/playhouse"
@@ -18,6 +20,7 @@ help:
 	@echo "make tsan    the tests again with the thread sanitizer: races"
 	@echo "make bench   the benchmarks, one JSON line each"
 	@echo "make fuzz    one minute of each fuzzer (FUZZ_SECONDS=60)"
+	@echo "make source  an archive of the sources with what is generated, for machines without git and Python 3.11"
 	@echo "make clean   remove build/ and web/dist"
 
 setup:
@@ -31,7 +34,12 @@ web/node_modules/.installed: web/package-lock.json | setup
 	cd web && npm ci --no-audit --no-fund --loglevel=error
 	@touch $@
 
-web/dist/index.html: web/node_modules/.installed $(WEB_SOURCES)
+generated: setup
+	@python3 -m codegen > /dev/null
+
+$(WEB_GENERATED): generated ;
+
+web/dist/index.html: web/node_modules/.installed $(WEB_SOURCES) $(WEB_GENERATED)
 	@echo "== building the web page"
 	cd web && npm run --silent build
 	@touch $@
@@ -72,6 +80,9 @@ fuzz: fuzzers
 
 bench: build
 	@tools/bench.sh
+
+source: generated
+	@tools/source.sh
 
 clean:
 	rm -rf build web/dist

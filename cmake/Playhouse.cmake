@@ -1,7 +1,8 @@
 # The build's own vocabulary: flags for every target and playhouse_module(), which declares one module. Needs nothing
-# but a compiler, so that the client library can be built alone (clients/cpp/CMakeLists.txt).
+# but a compiler and Python, so that the client library can be built alone (clients/cpp/CMakeLists.txt).
 
 get_filename_component(PLAYHOUSE_ROOT ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
+include(${CMAKE_CURRENT_LIST_DIR}/Codegen.cmake)
 
 find_program(CCACHE ccache)
 if(CCACHE)

@@ -1,9 +1,13 @@
 """python3 -m codegen            writes all files generated from interfaces/, kinds/ and viewer/
-python3 -m codegen --check    writes nothing; fails if a checked-in file is out of date
+python3 -m codegen --check    writes nothing; fails if one is missing, edited or left over
+python3 -m codegen --list     prints their paths
+
+Every build writes them (cmake/Codegen.cmake, web/package.json), since git has none (docs/adr/0026).
 """
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 
@@ -18,9 +22,9 @@ from codegen.model import load
 ROOT = Path(__file__).resolve().parent.parent
 EMITTERS = [emit_c, emit_cpp, emit_cpp_fields, emit_docs, emit_java, emit_lisp, emit_python, emit_tcl, emit_typescript]  # of interfaces/
 KIND_EMITTERS = [emit_changes, emit_engine_words, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_tables, emit_views]
-# Folders owned by the emitters: other files there are left over.
-OWNED = [*(emitter.FOLDER for emitter in EMITTERS), emit_c.SOURCES, emit_kinds_cpp.FOLDER, emit_kinds_docs.FOLDER,
-         emit_kind_lists.BEHAVIOUR, emit_kind_lists.BODIES, emit_kind_lists.SENSES, emit_kind_lists.DRIVERS, emit_tables.FOLDER, emit_views.FOLDER, emit_views.WEB_FOLDER]
+# Folders owned by the emitters: other files there are left over, also of emitters that are no more.
+OWNED = ["playhouse/*/generated", emit_c.FOLDER, emit_c.SOURCES, emit_docs.FOLDER, emit_java.FOLDER, emit_kinds_docs.FOLDER, emit_lisp.FOLDER,
+         emit_python.FOLDER, emit_tcl.FOLDER, emit_typescript.FOLDER, emit_views.WEB_FOLDER]
 
 
 def wanted() -> dict[str, str]:
@@ -35,7 +39,8 @@ def wanted() -> dict[str, str]:
 
 
 def left_over(files: dict[str, str]) -> list[str]:
-    found = [p.relative_to(ROOT).as_posix() for folder in OWNED for p in (ROOT / folder).rglob("*") if p.is_file()]
+    found = [p.relative_to(ROOT).as_posix() for pattern in OWNED for folder in ROOT.glob(pattern)
+             for p in folder.rglob("*") if p.is_file()]
     return sorted(p for p in found if p not in files and not p.startswith(".") and "/." not in p
                   and "__pycache__" not in p)
 
@@ -51,23 +56,31 @@ def stale(files: dict[str, str]) -> list[str]:
     return out + [f"{path}: is left over" for path in left_over(files)]
 
 
+def replace(target: Path, content: str) -> None:
+    """In one step: other builds of this tree may write it, too, or read it."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    new = target.with_name(f".{target.name}.{os.getpid()}")
+    new.write_text(content, encoding="utf-8")
+    os.replace(new, target)
+
+
 def write(files: dict[str, str]) -> int:
+    """How many files changed; the others keep their time, so that nothing is built anew for them."""
     changed = 0
     for path, content in files.items():
         target = ROOT / path
         if target.exists() and target.read_text(encoding="utf-8") == content:
             continue
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(content, encoding="utf-8")
+        replace(target, content)
         changed += 1
     for path in left_over(files):
-        (ROOT / path).unlink()
+        (ROOT / path).unlink(missing_ok=True)
         changed += 1
     return changed
 
 
 def main(arguments: list[str]) -> int:
-    if arguments not in ([], ["--check"]):
+    if arguments not in ([], ["--check"], ["--list"]):
         print(__doc__, end="", file=sys.stderr)
         return 2
     try:
@@ -75,6 +88,9 @@ def main(arguments: list[str]) -> int:
     except SchemaError as error:
         print(error, file=sys.stderr)
         return 1
+    if arguments == ["--list"]:
+        print("\n".join(sorted(files)))
+        return 0
     if not arguments:
         print(f"codegen: {len(files)} files, {write(files)} changed")
         return 0
@@ -82,7 +98,7 @@ def main(arguments: list[str]) -> int:
     for problem in problems:
         print(problem, file=sys.stderr)
     if problems:
-        print("generated files are out of date: run python3 -m codegen and commit the result", file=sys.stderr)
+        print("generated files are out of date: run python3 -m codegen", file=sys.stderr)
     return 1 if problems else 0
 
 

@@ -1,4 +1,4 @@
-"""What the definitions of kinds may not say, and what the checked-in ones do say."""
+"""What the definitions of kinds may not say, and what those of the tree do say."""
 
 import copy
 import tempfile

@@ -1,4 +1,4 @@
-"""What the definitions may not say, and what the checked-in ones do say."""
+"""What the definitions may not say, and what those of the tree do say."""
 
 import tempfile
 import unittest

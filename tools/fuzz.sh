@@ -1,6 +1,6 @@
 #!/bin/sh
-# fuzz.sh SECONDS [TARGET]: runs each libFuzzer program (or one) for SECONDS from its checked-in corpus. New inputs go
-# under build/, so the checked-in corpus stays as it is; a crash leaves its input there and fails.
+# fuzz.sh SECONDS [TARGET]: runs each libFuzzer program (or one) for SECONDS from its corpus in tests/fuzz. New inputs go
+# under build/, so the corpus stays as it is; a crash leaves its input there and fails.
 set -eu
 cd "$(dirname "$0")/.."
 # Freed memory is kept back for 8 MB, not 256, and stacks of allocations are short: 1.5 times the runs.
@@ -13,11 +13,16 @@ for target in $targets; do
   program=$(find build/ci/playhouse build/ci/clients -name "$target" -type f -perm -u+x | head -1)
   [ -n "$program" ] || { echo "fuzz.sh: no fuzzer $target under build/ci (make fuzzers)" >&2; exit 2; }
   name=${target%_fuzz}
-  corpus=tests/fuzz/$name
   found=build/ci/found/$name
   mkdir -p "$found"
-  words=$corpus.dict
-  case "$name" in *_engine) words=tests/fuzz/scene_world.dict ;; esac  # their inputs are worlds, too
+  words=tests/fuzz/$name.dict
+  inputs=$name
+  case "$name" in *_engine) words=tests/fuzz/scene_world.dict inputs=stage_engine ;; esac  # both engines run the same worlds
+  corpus=tests/fuzz/$inputs
+  if [ ! -d "$corpus" ]; then  # those that a test makes or reads are files, the others packed
+    corpus=build/ci/corpus/$name
+    tools/corpus.py unpack "$inputs" "$corpus"
+  fi
   dictionary=
   [ -f "$words" ] && dictionary="-dict=$words"
   echo "== $target: $seconds s from $(find "$corpus/" -type f | wc -l) inputs"

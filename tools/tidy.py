@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks rules that a compiler does not: module dependencies, missing includes, meaningless names, calls that break
 reproducibility, messages that do not say what is invalid, test scripts that do not run all of their tests, version
-numbers that differ. Prints file:line: what; exit 1.
+numbers that differ, links to nothing, generated files in git. Prints file:line: what; exit 1.
 Without arguments only files that differ from main are checked, and their headers are compiled alone."""
 
 import argparse
@@ -13,6 +13,7 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 import includes
+import links
 import messages
 import module_graph
 import threads
@@ -101,12 +102,31 @@ def check_test_script(path):
         yield f"{path.relative_to(ROOT)}:{calls[0] if calls else 1}: a test script ends with unittest.main()"
 
 
+def git(*words, **more):
+    """The lines that a command of git prints."""
+    done = subprocess.run(["git", *words], cwd=ROOT, capture_output=True, text=True, **more)
+    if done.returncode > 1:
+        sys.exit(done.stderr)
+    return done.stdout.splitlines()
+
+
+def generated():
+    """What codegen makes, which it does first: a fresh clone has none of it, and headers and documents name it."""
+    subprocess.run([sys.executable, "-m", "codegen"], cwd=ROOT, stdout=subprocess.DEVNULL, check=True)
+    return subprocess.run([sys.executable, "-m", "codegen", "--list"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
+
+
+def kept_by_git(names):
+    """Generated files that git has, or would take (docs/adr/0026)."""
+    yield from (f"{name}:1: git has it though .gitignore names it: git rm --cached" for name in git("ls-files", "-ci", "--exclude-standard"))
+    ignored = git("check-ignore", "--no-index", "--stdin", input="\n".join(names))
+    yield from (f"{name}:1: codegen makes it, and .gitignore does not name it" for name in sorted({*names} - {*ignored}))
+
+
 def changed():
     """Files that differ from main, committed on a branch or not committed yet."""
-    lists = [["git", "diff", "--name-only", "main..."], ["git", "diff", "--name-only", "HEAD"],
-             ["git", "ls-files", "--others", "--exclude-standard"]]
-    names = {name for command in lists
-             for name in subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()}
+    lists = [["diff", "--name-only", "main..."], ["diff", "--name-only", "HEAD"], ["ls-files", "--others", "--exclude-standard"]]
+    names = {name for command in lists for name in git(*command)}
     return [path for path in sources() if str(path.relative_to(ROOT)) in names]
 
 
@@ -118,12 +138,16 @@ def main():
     if options.write_table:
         print("\n".join(module_graph.table_findings(write=True)) or "tidy: the table is in order")
         return 0
+    made = generated()
     check_all = options.all
     checked = sources() if check_all else changed()
     findings = [finding for path in checked for finding in check_file(path)]
-    scripts = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.mjs", "web/*.test.ts", "web/*.config.ts", "clients/typescript/*.ts"],
-                             cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
+    ours = ["ls-files", "--cached", "--others", "--exclude-standard"]
+    scripts = git(*ours, "*.mjs", "web/*.test.ts", "web/*.config.ts", "clients/typescript/*.ts")
     findings += [finding for name in scripts if (ROOT / name).is_file() for finding in check_node_script(ROOT / name)]
+    documents = {*git(*ours, "*.md"), *(name for name in made if name.endswith(".md"))}
+    findings += [finding for name in sorted(documents) if (ROOT / name).is_file() for finding in links.dead(ROOT / name)]
+    findings += kept_by_git(made)
     findings += module_graph.table_findings()
     findings += module_graph.large_folders()
     findings += threads.findings()

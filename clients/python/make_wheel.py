@@ -8,6 +8,8 @@ import base64
 import hashlib
 import pathlib
 import re
+import subprocess
+import sys
 import zipfile
 from typing import Dict
 
@@ -16,16 +18,25 @@ PACKAGE = "playhouse_client"
 PACKAGES = (PACKAGE, "playhouse_gym")  # the second needs numpy, which the first does without
 
 
+def generate() -> None:
+    """Makes generated/ in a clone; this folder of a release, or installed with the program, has it."""
+    root = HERE.parent.parent
+    if (root / "codegen").is_dir() and not ((HERE / PACKAGE / "generated").is_dir() and sys.version_info < (3, 11)):
+        subprocess.run([sys.executable, "-m", "codegen"], cwd=root, stdout=subprocess.DEVNULL, check=True)
+
+
 def version() -> str:
     return re.findall(r'^__version__ = "(.+)"$', (HERE / PACKAGE / "__init__.py").read_text(), re.M)[0]
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    generate()
     sources = sorted(path for each in PACKAGES for path in (HERE / each).rglob("*.py")) + [HERE / PACKAGE / "py.typed"]
     return _write(wheel_directory, {path.relative_to(HERE).as_posix(): path.read_bytes() for path in sources})
 
 
 def build_editable(wheel_directory, config_settings=None, metadata_directory=None):
+    generate()
     return _write(wheel_directory, {f"{PACKAGE}.pth": f"{HERE}\n".encode()})
 
 

@@ -14,6 +14,9 @@ namespace eval ::playhouse {
 }
 
 apply {{folder} {
+    if {![file exists [file join $folder generated]]} {
+        error "$folder/generated is missing: python3 -m codegen, in the source tree, makes it"
+    }
     foreach name {errors wire values connection session device models robot client} {
         source -encoding utf-8 [file join $folder $name.tcl]
     }

@@ -7,6 +7,8 @@ import unittest
 from unittest import mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+import corpus  # noqa: E402
+import links  # noqa: E402
 import messages  # noqa: E402
 import module_graph  # noqa: E402
 import threads  # noqa: E402
@@ -34,8 +36,9 @@ class Tree(unittest.TestCase):
         self.write("chimney/CMakeLists.txt", "playhouse_module(chimney)")
         (self.root / "ARCHITECTURE.md").write_text(MAP)
         (self.root / "docs").mkdir()
-        for module in (module_graph, threads):
+        for module in (links, module_graph, threads):
             self.replace(module, "ROOT", self.root)
+        for module in (module_graph, threads):
             self.replace(module, "SOURCE", self.root / "playhouse")
             self.replace(module, "MAP", self.root / "ARCHITECTURE.md")
         self.replace(threads, "PAGE", self.root / "docs/locks.md")
@@ -127,6 +130,34 @@ class Table(Tree):
         module_graph.table_findings(write=True)
         self.assertIn("| `playhouse/roof` | tiles | house |\n", (self.root / "ARCHITECTURE.md").read_text())
         self.assertEqual(module_graph.table_findings(), ["ARCHITECTURE.md:1: no row for playhouse/chimney"])
+
+
+class Links(Tree):
+    def test_to_files_that_are_not_there_are_found(self):
+        page = self.root / "docs/page.md"
+        page.write_text("[map](../ARCHITECTURE.md#tree) [here](#here) [far](https://example.org/a)\n"
+                        "| [gone](gone.md), ![gone](images/gone.png#left) |\n")
+        self.assertEqual(list(links.dead(page)), ["docs/page.md:2: there is no gone.md", "docs/page.md:2: there is no images/gone.png"])
+
+
+class Corpora(Tree):
+    INPUTS = {"every byte": bytes(range(256)), "lines": b"one\r\ntwo\n\n'\"\\", "nothing": b"", "zero": b"\0"}
+
+    def test_come_back_as_they_were(self):
+        self.replace(corpus, "FOLDER", self.root)
+        (self.root / "made").mkdir()
+        for name, content in self.INPUTS.items():
+            (self.root / "made" / name).write_bytes(content)
+            corpus.add("house", self.root / "made" / name)
+        corpus.unpack("house", self.root / "docs")
+        self.assertEqual({path.name: path.read_bytes() for path in (self.root / "docs").iterdir()}, self.INPUTS)
+
+    def test_are_written_as_the_tool_writes_them(self):
+        for path in corpus.FOLDER.glob("*.txt"):
+            with self.subTest(path.name):
+                text = path.read_text()
+                self.assertEqual(corpus.to_text(corpus.from_text(text)), text)
+                self.assertNotEqual(text, "")
 
 
 class Locks(Tree):
