@@ -51,33 +51,27 @@ class Filler {
   int count_ = 0;
 };
 
-/// One of each, with values in every field, or without.
+/// One of each, with values in every field.
 template <std::size_t... kIndex>
-std::vector<Change> all(bool filled, std::index_sequence<kIndex...>) {
+std::vector<Change> all(std::index_sequence<kIndex...>) {
   std::vector<Change> changes;
   (changes.emplace_back(std::in_place_index<kIndex>), ...);
   Filler filler;
   const auto fill = [&](auto& made) {
     made.each_field(made, [&](const char* name, auto& value) { filler(name, value); });
   };
-  for (Change& change : changes)
-    if (filled) std::visit(fill, change);
+  for (Change& change : changes) std::visit(fill, change);
   return changes;
 }
 
-constexpr auto kAll = std::make_index_sequence<std::variant_size_v<Change>>();
-const std::vector<Change>& empty_changes() {
-  static const std::vector<Change> changes = all(false, kAll);
-  return changes;
-}
-const std::vector<Change>& filled_changes() {
-  static const std::vector<Change> changes = all(true, kAll);
+const std::vector<Change>& all_changes() {
+  static const std::vector<Change> changes = all(std::make_index_sequence<std::variant_size_v<Change>>());
   return changes;
 }
 
 TEST(PackedChange, each_has_a_name_of_its_own_and_comes_back) {
   std::set<std::string_view> names;
-  for (const Change& change : filled_changes()) {
+  for (const Change& change : all_changes()) {
     EXPECT_TRUE(names.insert(name_of(change)).second) << name_of(change);
     const std::vector<std::byte> bytes = packed(change);
     Unpacker in(bytes);
@@ -123,7 +117,7 @@ TEST(PackedChange, several_follow_each_other) {
 }
 
 TEST(PackedChange, that_is_cut_or_unknown_is_refused_with_its_name) {
-  for (const Change& change : filled_changes()) {
+  for (const Change& change : all_changes()) {
     std::vector<std::byte> bytes = packed(change);
     const std::size_t name = name_of(change).size() + 1;
     for (std::size_t size = 0; size < bytes.size(); ++size) {
