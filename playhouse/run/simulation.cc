@@ -248,7 +248,7 @@ std::vector<std::byte> Simulation::whole_at(std::uint64_t tick) {
   std::vector<std::byte> present;
   world::World& world = engine_->world();
   if (from.tick == tick || !world::save_whole(world, present)) return *from.whole;
-  const std::uint64_t listeners = std::exchange(world.utterances.listeners, 0);  // who have heard it before
+  const std::uint32_t listeners = std::exchange(world.utterances.listeners, 0);  // who have heard it before
   repeat(from, tick);
   std::vector<std::byte> whole;
   if (world.tick() != tick || !world::save_whole(world, whole)) whole = *from.whole;
