@@ -77,6 +77,7 @@ class Requests final : public world::Control {
 
   /// True once after anything was asked for.
   bool any() { return woken_.exchange(false); }
+  bool is_woken() const { return woken_.load(); }
   Wanted take();
   void take(std::vector<Inbox::Entry>& out) { inbox_.take(out); }
   /// Wakes the tick thread; any thread.

@@ -49,6 +49,8 @@ Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
       requests_(options.speed, options.paused),
       time_(engine_->world().time()),
       clock_(options.clock ? std::move(options.clock) : wall_now),
+      wait_(options.wait ? std::move(options.wait)
+                         : [this](double until) { return requests_.wait_until(wall_time(until)); }),
       pacer_(engine_->world().scene().interval),
       history_(engine_->world().scene().interval, clock_),
       journal_(engine_->world()),
@@ -107,7 +109,7 @@ bool Simulation::wait_for_tick(bool asked_for) {
   if (due <= now) return true;
   const double until = std::min(due, now + kWaitingShow);
   publisher_thread_.go_on();
-  const bool woken = requests_.wait_until(wall_time(until));
+  const bool woken = wait_(until);
   if (!woken && (stands || until < due)) {
     finish_works();
     show();

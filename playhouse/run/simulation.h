@@ -33,6 +33,9 @@ class Simulation final {
     bool paused = false;
     double duration = std::numeric_limits<double>::infinity();  // simulated seconds until run() returns
     std::function<double()> clock = {};  // s; monotonic, called on the tick thread; default: the system's
+    /// Sleeps until this time of `clock`; true: something was asked of the run meanwhile
+    /// (Requests::is_woken). Default: the system's.
+    std::function<bool(double until)> wait = {};
     std::optional<LockStep::Options> lock_step = {};  // none: free-running
   };
 
@@ -106,6 +109,7 @@ class Simulation final {
   // Tick thread.
   Requests::Wanted now_;
   std::function<double()> clock_;
+  std::function<bool(double until)> wait_;
   Pacer pacer_;
   History history_;
   std::shared_ptr<const world::Timeline> timeline_;      // as published

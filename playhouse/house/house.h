@@ -1,0 +1,39 @@
+#pragma once
+
+/// House: the whole program on a simulated network and clock: server, simulated world, its devices, a
+/// recording on a disk that may fail, observers, clients that behave and others, robots that come and go, and
+/// rewinds. One thread and one seed decide everything, so that a run that breaks an invariant of
+/// ARCHITECTURE.md can be repeated. Truth: the invariants, which no part of the program knows of.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace playhouse::house {
+
+/// What is broken on purpose, for tests of what is found.
+enum class Sabotage : std::uint8_t {
+  kNone,
+  kLosesAnswer,  // one answer does not reach its client
+  kLosesChange,  // one change is missing in the recording
+};
+
+struct Options {
+  std::uint64_t seed = 1;
+  double seconds = 200;  // simulated, until all clients leave
+  Sabotage sabotage = Sabotage::kNone;
+};
+
+struct Report {
+  std::optional<std::string> fault;  // the first invariant that was broken
+  double simulated = 0;              // s
+  std::size_t answers = 0, clients = 0, spawned = 0, rewinds = 0, checks = 0;
+  bool disk_failed = false;
+  std::uint64_t digest = 0;  // of the world, and of what clients heard: the same for the same seed
+};
+
+/// Runs a house. `folder` is for its recording, and must exist.
+Report run_house(const Options& options, const std::string& folder);
+
+}  // namespace playhouse::house
