@@ -129,8 +129,8 @@ Result<Image> read_png(std::string_view bytes, std::size_t most_pixels) {
   if (setjmp(png_jmpbuf(png)) == 0) {
     png_set_read_fn(png, reading.get(), png_read_bytes);
     png_set_user_limits(png, 0x7FFFFFFF, 0x7FFFFFFF);
-    // A chunk's length is allocated before its bytes are read; none is longer than the file.
-    png_set_chunk_malloc_max(png, bytes.size());
+    // Texts and profiles are skipped unread: libpng allocates their length before it knows that it lies.
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_read_rows(png, about, *reading, *image);
   }
   png_destroy_read_struct(&png, &about, nullptr);
