@@ -67,6 +67,13 @@ void History::continue_from(std::uint64_t tick) {
   while (!keyframes_.empty() && keyframes_.back().tick > tick) drop(keyframes_.size() - 1);
   for (; !changes_.empty() && changes_.back().tick >= tick; changes_.pop_back())
     changed_ -= changes_.back().packed.size();
+  if (arrived_) {
+    if (!keyframes_.empty() && keyframes_.back().tick == tick) drop(keyframes_.size() - 1);
+    bytes_ += arrived_->whole->size();
+    keyframes_.push_back(*std::exchange(arrived_, std::nullopt));
+    timeline_.reset();
+    make_room();
+  }
   if (new_changes_.empty()) return;
   changed_ += new_changes_.size();
   changes_.push_back({tick, std::exchange(new_changes_, {})});
@@ -77,13 +84,16 @@ void History::leave(const world::World& world) {
   present_ = save(world);
   if (!present_) return;
   bytes_ += present_->whole->size();
-  present_changes_ = std::exchange(new_changes_, {});
   timeline_.reset();
 }
 
-void History::arrive(std::uint64_t tick) {
+/// Subscriptions are those of now, whatever the tick: what follows cannot be repeated from an earlier state.
+void History::arrive(const world::World& world) {
   new_changes_.clear();
-  if (present_ && present_->tick == tick) new_changes_ = present_changes_;
+  if (keyframes_.empty()) return;
+  arrived_ = save(world);
+  if (!arrived_) return clear();
+  arrived_->is_branch = true;
 }
 
 std::uint64_t History::nearest(std::uint64_t tick) const {
@@ -112,10 +122,12 @@ void History::make_room() {
     drop_first();
   }
   while (bytes_ + changed_ > most_bytes_ && keyframes_.size() > 1) {
-    // Drops the keyframe that leaves the smallest gap relative to its age; keeps the first and the last.
+    // Drops the keyframe that leaves the smallest gap relative to its age; keeps the first and the last,
+    // and those that nothing before them leads to.
     std::size_t least_missed = 0;
     double least = INFINITY;
     for (std::size_t i = 1; i + 1 < keyframes_.size(); ++i) {
+      if (keyframes_[i].is_branch) continue;
       const auto gap = static_cast<double>(keyframes_[i + 1].tick - keyframes_[i - 1].tick);
       const auto age = static_cast<double>(newest - keyframes_[i].tick);
       if (gap / age >= least) continue;
@@ -145,6 +157,7 @@ void History::clear() {
   keyframes_.clear();
   changes_.clear();
   present_.reset();
+  arrived_.reset();
   new_changes_.clear();
   bytes_ = changed_ = 0;
   timeline_.reset();

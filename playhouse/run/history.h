@@ -28,6 +28,7 @@ class History {
   struct Moment {
     std::uint64_t tick = 0;
     std::shared_ptr<const std::vector<std::byte>> whole;
+    bool is_branch = false;  // the run went on from here after a rewind, with the users of another time
   };
 
   /// `interval` is one tick [s], `clock` is monotonic [s], `most_bytes` the limit on all that is kept.
@@ -44,8 +45,8 @@ class History {
 
   /// Before the run is taken back: keeps its present state as the last one, until it goes on.
   void leave(const world::World& world);
-  /// The run was taken back or forth to this tick.
-  void arrive(std::uint64_t tick);
+  /// The run was taken back or forth to this world. If it goes on from here, that is a keyframe.
+  void arrive(const world::World& world);
 
   bool empty() const { return keyframes_.empty(); }
   /// The tick nearest to this one that the run can be taken to. There must be keyframes.
@@ -74,12 +75,12 @@ class History {
   const std::uint64_t period_, span_;  // ticks
   const std::function<double()> clock_;
   const std::size_t most_bytes_;
-  std::vector<Moment> keyframes_;           // by tick, each without the changes of its tick
-  std::deque<Changes> changes_;             // by tick, from the first keyframe on
-  std::optional<Moment> present_;           // with the changes of its tick; none: the run was not taken back
-  std::vector<std::byte> new_changes_;      // since the last tick
-  std::vector<std::byte> present_changes_;  // those in present_
-  std::size_t bytes_ = 0, changed_ = 0;     // of keyframes and present_, of changes_ [B]
+  std::vector<Moment> keyframes_;        // by tick, each without the changes of its tick
+  std::deque<Changes> changes_;          // by tick, from the first keyframe on
+  std::optional<Moment> present_;        // with the changes of its tick; none: the run was not taken back
+  std::vector<std::byte> new_changes_;   // since the last tick
+  std::optional<Moment> arrived_;        // where the run was taken to, and has not gone on
+  std::size_t bytes_ = 0, changed_ = 0;  // of keyframes and present_, of changes_ [B]
   double rest_until_ = 0;  // wall clock: a hundred times the cost of the last keyframe has passed
   std::string why_none_;   // empty: keyframes can be taken
   std::shared_ptr<const world::Timeline> timeline_;  // null: outdated

@@ -239,7 +239,7 @@ void Simulation::rewind_to(std::uint64_t tick) {
   start_again_from_here();
   follow_events();
   finish_changes();
-  history_.arrive(world.tick());
+  history_.arrive(world);
   show();
 }
 
