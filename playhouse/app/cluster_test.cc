@@ -130,6 +130,29 @@ class ClusterTest : public testing::Test {
       hashes.emplace_back(engine.world().hash(), engine.world().sensed_hash());
     }
   }
+  /// `act(change, step)` on a head with two nodes: the truth is what it does alone.
+  template <typename Act>
+  void expect_same_on_two_nodes(const Act& act) {
+    Instance alone(Instance::test_world());
+    Hashes wanted, hashes;
+    act(
+        [&](const auto& made) {
+          world::Journal journal(alone.engine->world());
+          made(journal);
+          journal.apply(world::changes::StartControllers{});
+        },
+        [&](int ticks) { step(*alone.engine, ticks, wanted); });
+    begin(2);
+    NodeThread first(head_, port_), second(head_, port_);
+    act([&](const auto& made) { change(made); }, [&](int ticks) { step(*head_, ticks, hashes); });
+    EXPECT_EQ(hashes, wanted);
+    EXPECT_EQ(head_->nodes(), 2u);
+    EXPECT_EQ(failure_, "");
+    const std::uint64_t hash = world().hash();
+    head_.reset();
+    ASSERT_TRUE(first.join()) << first.join().error().line();
+    EXPECT_EQ(first.world().hash(), hash);
+  }
   static Hashes alone(int ticks) {
     Instance run(Instance::test_world());
     Hashes hashes;
@@ -179,8 +202,7 @@ TEST_F(ClusterTest, does_what_one_program_does_alone) {
 }
 
 TEST_F(ClusterTest, changes_between_ticks_reach_all_nodes) {
-  const auto act = [&](const std::function<void(const std::function<void(world::Journal&)>&)>& change,
-                       const std::function<void(int)>& step) {
+  const auto act = [&](const auto& change, const auto& step) {
     step(10);
     change([](world::Journal& journal) {
       journal.apply(world::changes::Place{journal.world().id(journal.world().find("a")), {1, 1, 0, 1}});
@@ -199,24 +221,7 @@ TEST_F(ClusterTest, changes_between_ticks_reach_all_nodes) {
     });
     step(100);
   };
-  Instance alone(Instance::test_world());
-  Hashes wanted, hashes;
-  act(
-      [&](const auto& change) {
-        world::Journal journal(alone.engine->world());
-        change(journal);
-        journal.apply(world::changes::StartControllers{});
-      },
-      [&](int ticks) { step(*alone.engine, ticks, wanted); });
-  begin(2);
-  NodeThread first(head_, port_), second(head_, port_);
-  act([&](const auto& change) { this->change(change); }, [&](int ticks) { step(*head_, ticks, hashes); });
-  EXPECT_EQ(hashes, wanted);
-  EXPECT_EQ(head_->nodes(), 2u);
-  const std::uint64_t hash = world().hash();
-  head_.reset();
-  ASSERT_TRUE(first.join()) << first.join().error().line();
-  EXPECT_EQ(first.world().hash(), hash);
+  expect_same_on_two_nodes(act);
 }
 
 /// Loads of a state while nobody ticks, and more changes than are sent one by one.
@@ -245,25 +250,7 @@ TEST_F(ClusterTest, a_run_taken_back_is_so_on_all_nodes) {
     change(change_much);
     step(120);
   };
-  Instance alone(Instance::test_world());
-  Hashes wanted, hashes;
-  act(
-      [&](const auto& made) {
-        world::Journal journal(alone.engine->world());
-        made(journal);
-        journal.apply(world::changes::StartControllers{});
-      },
-      [&](int ticks) { step(*alone.engine, ticks, wanted); });
-  begin(2);
-  NodeThread first(head_, port_), second(head_, port_);
-  act([&](const auto& made) { this->change(made); }, [&](int ticks) { step(*head_, ticks, hashes); });
-  EXPECT_EQ(hashes, wanted);
-  EXPECT_EQ(head_->nodes(), 2u);
-  EXPECT_EQ(failure_, "");
-  const std::uint64_t hash = world().hash();
-  head_.reset();
-  ASSERT_TRUE(first.join()) << first.join().error().line();
-  EXPECT_EQ(first.world().hash(), hash);
+  expect_same_on_two_nodes(act);
 }
 
 TEST_F(ClusterTest, nodes_join_a_run_and_leave_it) {

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "playhouse/base/limits.h"
+#include "playhouse/server/test_client.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/fiducial.h"
 #include "playhouse/wire/generated/laser.h"
@@ -18,7 +18,7 @@
 namespace playhouse::house {
 namespace {
 
-using Bytes = std::vector<std::byte>;
+using server::Bytes;
 using wire::MessageType;
 
 constexpr std::size_t kBannerBytes = 32;
@@ -28,14 +28,6 @@ constexpr std::uint8_t kPull = 2;    // data mode
 constexpr std::uint8_t kGone = 'e';  // access in a notice of a device that has retired
 constexpr std::uint16_t kInterfaces[] = {wire::position2d::kCode, wire::laser::kCode, wire::ranger::kCode,
                                          wire::fiducial::kCode, wire::simulation::kCode};
-
-Bytes message(wire::Header header, const Bytes& body) {
-  header.size = static_cast<std::uint32_t>(body.size());
-  Bytes bytes(limits::kHeaderBytes);
-  wire::encode_header(header, std::span<std::byte, limits::kHeaderBytes>(bytes.data(), limits::kHeaderBytes));
-  bytes.insert(bytes.end(), body.begin(), body.end());
-  return bytes;
-}
 
 }  // namespace
 
@@ -55,14 +47,9 @@ Bytes SimulatedClient::any_bytes(std::size_t most) {
 
 Bytes SimulatedClient::request(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
                                const Bytes& body) {
-  wire::Header header;
-  header.interf = interf;
-  header.index = index;
-  header.type = MessageType::kReq;
-  header.subtype = subtype;
-  header.seq = next_++;
-  if (behaves()) asked_.insert({header.seq, interf, index, subtype});
-  return message(header, body);
+  const std::uint32_t seq = next_++;
+  if (behaves()) asked_.insert({seq, interf, index, subtype});
+  return server::message(MessageType::kReq, interf, index, subtype, body, seq);
 }
 
 /// Opens and closes of devices, commands, and requests that make sense or none.
@@ -78,20 +65,12 @@ Bytes SimulatedClient::any_message() {
     }
     case 2: {
       const double speed = draw(100) / 100.0, turn = draw(100) / 50.0 - 1;
-      wire::Header header;
-      header.interf = wire::position2d::kCode;
-      header.index = index;
-      header.type = MessageType::kCmd;
-      header.subtype = wire::position2d::kCmdVel;
-      return message(header, wire::encode(wire::position2d::CmdVel{{speed, 0, turn}, 1}));
+      return server::message(MessageType::kCmd, wire::position2d::kCode, index, wire::position2d::kCmdVel,
+                             wire::encode(wire::position2d::CmdVel{{speed, 0, turn}, 1}));
     }
     case 3: {
-      wire::Header header;
-      header.interf = interf;
-      header.index = index;
-      header.type = MessageType::kCmd;
-      header.subtype = static_cast<std::uint8_t>(draw(8));
-      return message(header, any_bytes(kBodyBytes));
+      const auto subtype = static_cast<std::uint8_t>(draw(8));
+      return server::message(MessageType::kCmd, interf, index, subtype, any_bytes(kBodyBytes));
     }
     case 4: {
       const wire::simulation::Pose2dReq body{wire::c_string("r" + std::to_string(draw(4))),
@@ -102,8 +81,10 @@ Bytes SimulatedClient::any_message() {
     }
     case 5:
       return request(wire::player::kCode, 0, wire::player::kReqDevlist, {});
-    default:
-      return request(interf, index, static_cast<std::uint8_t>(draw(16)), any_bytes(kBodyBytes));
+    default: {  // compilers differ in the order of arguments, and random numbers must not
+      const auto subtype = static_cast<std::uint8_t>(draw(16));
+      return request(interf, index, subtype, any_bytes(kBodyBytes));
+    }
   }
 }
 
@@ -154,15 +135,7 @@ void SimulatedClient::hear() {
     heard_.erase(heard_.begin(), heard_.begin() + kBannerBytes);
     greeted_ = true;
   }
-  std::size_t at = 0;
-  while (heard_.size() - at >= limits::kHeaderBytes) {
-    const auto rest = std::span(std::as_const(heard_)).subspan(at);
-    const wire::Header header = wire::decode_header(rest.first<limits::kHeaderBytes>());
-    if (rest.size() - limits::kHeaderBytes < header.size) break;
-    take(header, rest.subspan(limits::kHeaderBytes, header.size));
-    at += limits::kHeaderBytes + header.size;
-  }
-  heard_.erase(heard_.begin(), heard_.begin() + static_cast<std::ptrdiff_t>(at));
+  for (const server::Received& received : server::cut_messages(heard_)) take(received.header, received.body);
   if (!peer_.closed()) return;
   wrong("the server has closed the connection of a client that behaves");
   over_ = true;

@@ -76,11 +76,11 @@ class RecorderLink final : public run::Follower {
     recorder_.happened(world, event);
   }
   void changed(const world::World& world, std::span<const world::Change> changes) override {
-    const auto moves = [](const world::Change& change) {
+    const auto spawns = [](const world::Change& change) {
       return std::holds_alternative<world::changes::SpawnCopy>(change);
     };
     std::vector<world::Change> kept(changes.begin(), changes.end());
-    const auto lost = std::ranges::find_if(kept, moves);
+    const auto lost = std::ranges::find_if(kept, spawns);
     if (loses_ && lost != kept.end()) {
       kept.erase(lost);
       loses_ = false;
@@ -297,8 +297,8 @@ void House::rewind() {
 
 void House::change_clients() {
   if (clients_.size() < kClients && draw(5) == 0) {
-    clients_.push_back(
-        std::make_unique<SimulatedClient>(network_, kPort, static_cast<Manner>(draw(kManners)), random_()));
+    const auto manner = static_cast<Manner>(draw(kManners));
+    clients_.push_back(std::make_unique<SimulatedClient>(network_, kPort, manner, random_()));
     ++report_.clients;
     if (options_.sabotage == Sabotage::kLosesAnswer && report_.clients == kClients)
       for (const auto& client : clients_) client->lose_an_answer();
