@@ -816,6 +816,16 @@ TEST_F(BudgetTest, a_page_gets_no_more_bytes_a_second) {
   EXPECT_GT(bytes, 500u);
 }
 
+TEST_F(WebServerTest, commands_that_cannot_be_carried_out_never_end_the_connection) {
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  viewer.message();
+  for (std::size_t k = 0; k < 2 * limits::kViewerFaults; ++k) {
+    viewer.send_text(R"({"do":"drive","model":0,"forward":1,"sideways":0,"turn":0})");
+    EXPECT_THAT(next_text(viewer, turning()), HasSubstr("no such robot to drive"));
+  }
+}
+
 TEST_F(WebServerTest, commands_that_cannot_be_are_told_and_then_end_the_connection) {
   WebClient viewer(port_);
   ASSERT_TRUE(viewer.upgrade());
