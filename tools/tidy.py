@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks rules that a compiler does not: module dependencies, missing includes, meaningless names, calls that break
-reproducibility, messages that do not say what is invalid, test scripts that do not run all of their tests, version
-numbers that differ, links to nothing, generated files in git. Prints file:line: what; exit 1.
+reproducibility, messages that do not say what is invalid, test scripts that do not run all of their tests, tests that
+sleep, version numbers that differ, links to nothing, generated files in git. Prints file:line: what; exit 1.
 Without arguments only files that differ from main are checked, and their headers are compiled alone."""
 
 import argparse
@@ -18,6 +18,7 @@ import messages
 import module_graph
 import threads
 import versions
+import waits
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "playhouse"
@@ -153,6 +154,7 @@ def main():
     findings += threads.findings()
     findings += versions.findings()
     findings += unused_limits()
+    findings += waits.findings(git(*ours))
     findings += [finding for folder in (ROOT / "tests", ROOT / "clients/python") for path in sorted(folder.glob("*/test_*.py")) for finding in check_test_script(path)]
     headers = [path for path in checked if path.suffix == ".h" and not check_all]
     with ThreadPoolExecutor(2) as pool:

@@ -13,6 +13,7 @@ import messages  # noqa: E402
 import module_graph  # noqa: E402
 import threads  # noqa: E402
 import versions  # noqa: E402
+import waits  # noqa: E402
 
 MAP = """
 | folder | contents | links |
@@ -43,6 +44,7 @@ class Tree(unittest.TestCase):
             self.replace(module, "MAP", self.root / "ARCHITECTURE.md")
         self.replace(threads, "PAGE", self.root / "docs/locks.md")
         self.replace(messages, "ROOT", self.root)
+        self.replace(waits, "ROOT", self.root)
         for cached in (module_graph.links, module_graph.reachable):
             cached.cache_clear()
             self.addCleanup(cached.cache_clear)
@@ -98,6 +100,44 @@ class Messages(Tree):
                                   'return "there is none";', 'return "this none";', 'is none ("key")'), [])
         self.assertEqual(self.odd("house/door_test.cc", '"the key is none"'), [])
         self.assertEqual(self.odd("house/testing_doors.h", '"the key is none"'), [])
+
+
+class Waits(Tree):
+    """Words are put together here, for this file is a test as well."""
+
+    WRONG = {
+        "clients/c/tests/link_test.c": "u{}(100);",
+        "clients/java/tests/LinkTest.java": "Thread.{}(100);",
+        "clients/lisp/tests/link.lisp": "({} 10)",
+        "playhouse/house/door_test.cc": "std::this_thread::{}_for(10ms);",
+        "playhouse/house/testing/hinges.h": "std::this_thread::{}_for(10ms);",
+        "tests/e2e/test_door.py": "time.{}(1)",
+    }
+    CLOCKS = {
+        "clients/tcl/tests/link.test": ("after ", "20 {set late 1}"),
+        "clients/typescript/tests/link.test.ts": ("set", "Timeout(done, 20)"),
+        "playhouse/house/testing_doors.h": ("std::chrono::steady_clock", "::now()"),
+        "web/e2e/door.test.mjs": ("await page.waitFor", "Timeout(20)"),
+    }
+
+    def found(self, name, line):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f"\n{line}\n")
+        return list(waits.findings([name]))
+
+    def test_for_a_time_are_found_in_tests_of_every_language(self):
+        lines = {**{name: line.format("sleep") for name, line in self.WRONG.items()}, **{name: "".join(parts) for name, parts in self.CLOCKS.items()}}
+        for name, line in lines.items():
+            with self.subTest(name):
+                found = self.found(name, line)
+                self.assertEqual(len(found), 1)
+                self.assertTrue(found[0].startswith(f"{name}:2: "), found)
+
+    def test_are_the_business_of_helpers_and_of_the_program(self):
+        for name in ("tests/waiting.py", "playhouse/base/testing/wait.h", "tools/waiting.py", "playhouse/house/door.cc", "playhouse/house/door_bench.cc"):
+            line = ("time.{}(1)" if name.endswith("py") else "std::this_thread::{}_for(10ms);").format("sleep")
+            self.assertEqual(self.found(name, line), [], name)
 
 
 class Folders(Tree):
