@@ -18,7 +18,7 @@ TIMED = {
 }
 IS_TEST = re.compile(r"(?:^|/)(?:tests|e2e)/|(?:^|/)test_[^/]*$|_test\.\w+$|\.test\.\w+$|(?:^|/)testing_?[^/]*(?:$|/)")
 
-_C = r"\b(?:sleep_for|sleep_until|u?sleep|nanosleep|gettimeofday|clock_gettime)\s*\(|\w*[cC]lock::now\b|\btime\((?:nullptr|NULL|0)\)|\bpoll\((?:nullptr|NULL),"
+_C = r"\b(?:sleep_for|sleep_until|u?sleep|nanosleep|gettimeofday|clock_gettime)\s*\(|\w*[cC]lock::now\b|\bmonotonic_seconds\b|\btime\((?:nullptr|NULL|0)\)|\bpoll\((?:nullptr|NULL),"
 _JAVASCRIPT = r"\b(?:waitForTimeout|setTimeout|setInterval)\b|timers/promises|\b(?:Date|performance)\.now\(|new Date\(\)"
 _TCL = r"(?:^\s*|[\[{;]\s*)after [1-9$]|\bclock (?:seconds|\w+seconds|clicks)\b|playhouse::now\b"
 PATTERNS = {
