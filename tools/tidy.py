@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks rules that a compiler does not: module dependencies, missing includes, meaningless names, calls that break
+"""Checks rules that a compiler does not: module dependencies, missing includes, names that say nothing or mean two things, calls that break
 reproducibility, messages that do not say what is invalid, test scripts that do not run all of their tests, version
 numbers that differ, links to nothing, generated files in git. Prints file:line: what; exit 1.
 Without arguments only files that differ from main are checked, and their headers are compiled alone."""
@@ -16,6 +16,7 @@ import includes
 import links
 import messages
 import module_graph
+import names
 import threads
 import versions
 
@@ -153,6 +154,7 @@ def main():
     findings += threads.findings()
     findings += versions.findings()
     findings += unused_limits()
+    findings += names.defined_twice()
     findings += [finding for folder in (ROOT / "tests", ROOT / "clients/python") for path in sorted(folder.glob("*/test_*.py")) for finding in check_test_script(path)]
     headers = [path for path in checked if path.suffix == ".h" and not check_all]
     with ThreadPoolExecutor(2) as pool:

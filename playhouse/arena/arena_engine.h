@@ -15,7 +15,8 @@ namespace playhouse::arena {
 
 class ArenaEngine final : public senses::BodyEngine {
  public:
-  ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers, const Surface& ground);
+  ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
+              const ContactSurface& ground);
 
  private:
   /// The rigid body of a tree of models.

@@ -236,10 +236,10 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
                                         extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
 }
 
-BodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
-                   std::vector<Hull> hulls) {
+RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
+                        std::vector<Hull> hulls) {
   const scene::ModelDesc& top = world.desc({trees.root[tree]});
-  BodyDesc desc;
+  RigidBodyDesc desc;
   desc.surface = surface_of(top);
   const Content content = content_of(hulls);
   const double mass = mass_of(world, trees, tree);
@@ -272,7 +272,7 @@ std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::So
     const FrameOfBody frame(world::pose_in_world(world.models, {model}));
     if (const mesh::Mesh* mesh = mesh_of(world, model)) {
       if (std::exchange(latest, model) == model) return;
-      const Surface surface = surface_of(world.desc({model}));
+      const ContactSurface surface = surface_of(world.desc({model}));
       const double heading = world.models.X_WM[model].a;
       FixedParts parts = fixed_parts(*mesh, body_in(world, model, frame.X_FM()));
       frame.turn(parts.triangles.p);

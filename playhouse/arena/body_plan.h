@@ -44,8 +44,8 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
 
 /// The body of a tree with at least one hull. With hulls at rest it does not depend on
 /// what joints did: an arm that reaches out moves no wheel, and no mass.
-BodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
-                   std::vector<Hull> hulls);
+RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
+                        std::vector<Hull> hulls);
 
 /// The static obstacles.
 std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::Solids& solids);

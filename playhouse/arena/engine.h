@@ -11,13 +11,8 @@
 
 namespace playhouse::arena {
 
-struct EngineOptions {
-  std::uint64_t seed = 1;
-  unsigned workers = 1;  // threads; the result does not depend on it
-};
-
 /// An engine at tick 0. The scene must outlive it. Fails as stage::make_engine().
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
-                                                   const EngineOptions& options);
+                                                   const world::EngineOptions& options);
 
 }  // namespace playhouse::arena

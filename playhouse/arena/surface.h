@@ -10,9 +10,9 @@ namespace playhouse::arena {
 /// The surface of a model: its words `friction` and `restitution` first,
 /// else its material, else what the file of its mesh says. The
 /// default is rubber on concrete with most other surfaces.
-Surface surface_of(const scene::ModelDesc& desc);
+ContactSurface surface_of(const scene::ModelDesc& desc);
 
 /// That of the ground.
-Surface ground_of(const scene::SceneDesc& scene);
+ContactSurface ground_of(const scene::SceneDesc& scene);
 
 }  // namespace playhouse::arena

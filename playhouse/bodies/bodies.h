@@ -46,7 +46,7 @@ struct Trees {
 };
 
 /// A solid in the frame of its model, made once per row of SceneDesc::models, shared by its instances.
-struct Shape {
+struct SolidShape {
   double z_min_M = 0, z_max_M = 0;  // m
   Vec2 center_M;                    // mean of the vertices                                    [m]
   double radius = 0;                // bounding circle about the center                          [m]
@@ -61,11 +61,11 @@ struct Shape {
 class Shapes {
  public:
   explicit Shapes(const scene::SceneDesc& scene) : scene_(scene) {}
-  const std::vector<Shape>& of(std::uint32_t desc);
+  const std::vector<SolidShape>& of(std::uint32_t desc);
 
  private:
   const scene::SceneDesc& scene_;
-  std::map<std::uint32_t, std::vector<Shape>> made_;
+  std::map<std::uint32_t, std::vector<SolidShape>> made_;
 };
 
 /// Convex polygons with more corners take the code path of concave ones.

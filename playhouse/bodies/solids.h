@@ -25,7 +25,7 @@ std::vector<geom::Vec2> moved(const geom::Pose& X_WB, std::span<const geom::Vec2
 void add_blocks(const scene::ModelDesc& desc, const geom::Pose& X_WM, std::vector<Solid>& solids);
 
 /// The polygon of a solid, which must outlive it.
-Outline outline_of(const Solid& solid);
+Polygon outline_of(const Solid& solid);
 
 /// True if the heights of a solid and of [bottom, top] overlap.
 bool share_heights(const Solid& solid, double bottom, double top);

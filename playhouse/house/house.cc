@@ -104,7 +104,7 @@ class TickTime final : public run::Follower {
   const std::function<void()> pass_;
 };
 
-class House final : private drivers::Surroundings {
+class House final : private drivers::Host {
  public:
   House(const Options& options, const std::string& folder);
   ~House() override {
@@ -134,7 +134,7 @@ class House final : private drivers::Surroundings {
   void run_again();
   void wrong(std::string what);
 
-  // drivers::Surroundings
+  // drivers::Host
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
     return server_.add_device(address, driver);
   }
@@ -393,7 +393,7 @@ void House::run_again() {
   recorder_->end(world());
   const bool written = record_thread_->finish();
   if (!written && !report_.disk_failed) return wrong("the recording was not written");
-  const Result<std::unique_ptr<record::Source>> source = record::open_source(file_);
+  const Result<std::unique_ptr<record::ByteSource>> source = record::open_source(file_);
   if (!source) return wrong(source.error().line());
   const Result<record::Recording> recording = record::read_recording(**source);
   report_.disk_failed = !written;

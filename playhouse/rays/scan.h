@@ -17,7 +17,7 @@ namespace playhouse::rays {
 static_assert(Scan::kSpare >= simd::kEight);
 
 /// The beams of a scan and their nearest hits so far.
-struct Row {
+struct ScanBeams {
   geom::Vec2 p;         // origin in W
   const double *x, *y;  // unit vectors in W
   double *range, *solid;
@@ -25,7 +25,8 @@ struct Row {
   double half;       // of the fov  [rad]
   double per_step;   // beams per radian
 
-  Row(const Scan& scan, geom::Vec2 p_WS, const double* x_W, const double* y_W, double* ranges, double* solids)
+  ScanBeams(const Scan& scan, geom::Vec2 p_WS, const double* x_W, const double* y_W, double* ranges,
+            double* solids)
       : p(p_WS),
         x(x_W),
         y(y_W),
@@ -44,7 +45,7 @@ struct Row {
 };
 
 /// A convex body seen from anywhere: one intersection per beam.
-PLAYHOUSE_INLINE void project_body(const Row& row, const geom::Vec2* polygon, std::size_t corners,
+PLAYHOUSE_INLINE void project_body(const ScanBeams& row, const geom::Vec2* polygon, std::size_t corners,
                                    double seen, std::size_t first, std::size_t last) {
   for (std::size_t k = first; k <= last; ++k)
     bodies::keep_first_alone(bodies::body_hit_here(polygon, corners, true, row.p, {row.x[k], row.y[k]}), seen,
@@ -52,7 +53,7 @@ PLAYHOUSE_INLINE void project_body(const Row& row, const geom::Vec2* polygon, st
 }
 
 /// True if each of these beams has a hit at `nearest` or nearer: the body is occluded.
-PLAYHOUSE_INLINE bool is_hidden(const Row& row, double nearest, std::size_t first, std::size_t last) {
+PLAYHOUSE_INLINE bool is_hidden(const ScanBeams& row, double nearest, std::size_t first, std::size_t last) {
   bool hidden = true;
   for (std::size_t k = first; k <= last && hidden; ++k) hidden = row.range[k] <= nearest;
   return hidden;
@@ -60,7 +61,7 @@ PLAYHOUSE_INLINE bool is_hidden(const Row& row, double nearest, std::size_t firs
 
 /// A convex body seen from outside, at up to `farthest` metres, within the beams
 /// first .. last: projects its front-facing edges, unless closer hits occlude it.
-PLAYHOUSE_INLINE void project_facing(const Row& row, const geom::Vec2* __restrict polygon,
+PLAYHOUSE_INLINE void project_facing(const ScanBeams& row, const geom::Vec2* __restrict polygon,
                                      std::size_t corners, double seen, double nearest, double farthest,
                                      std::size_t first, std::size_t last) {
   if (is_hidden(row, nearest, first, last)) return;

@@ -47,7 +47,7 @@ std::vector<double> outcome(std::size_t corners, std::uint64_t seed) {
   for (int body = 0; body < 3; ++body) {
     const std::vector<geom::Vec2> polygon = draw_polygon(rng, corners);
     if (rng.uniform() < 0.1) p = 2 * polygon[0] - polygon[1];  // in line with an edge
-    const Row row(scan, p, x.data(), y.data(), range.data(), solid.data());
+    const ScanBeams row(scan, p, x.data(), y.data(), range.data(), solid.data());
     simd::in_vectors<project_facing>(row, polygon.data(), corners, 7.0 - body, 0.0, 9.0, rng.bits() % kBeams,
                                      kBeams - 1);
   }

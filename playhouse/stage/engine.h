@@ -12,14 +12,9 @@
 
 namespace playhouse::stage {
 
-struct EngineOptions {
-  std::uint64_t seed = 1;
-  unsigned workers = 1;  // threads; the result does not depend on it
-};
-
 /// An engine at tick 0. The scene must outlive it. Fails on a scene that no engine can run (check_scene.h).
 /// Thread: `workers` threads run inside a tick; calls come from one thread.
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
-                                                   const EngineOptions& options);
+                                                   const world::EngineOptions& options);
 
 }  // namespace playhouse::stage

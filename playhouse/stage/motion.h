@@ -66,7 +66,7 @@ class Motion {
   };
   /// A placed solid: outline and height range [m].
   struct Body {
-    bodies::Outline outline;
+    bodies::Polygon outline;
     double z_min, z_max;
   };
   /// Bounding circle and height range of a configuration. [m]

@@ -39,7 +39,7 @@ namespace {
 /// Minimum interval between history updates.
 constexpr std::chrono::seconds kPastPeriod{1};
 
-bool has_right(const Rights& rights, replicate::May may) {
+bool has_right(const GuestRights& rights, replicate::May may) {
   switch (may) {
     case replicate::May::kAnybody:
       return true;
@@ -334,7 +334,7 @@ class WebServer::Impl final : public net::HttpService,
     }
     const bool is_fixed = !control_.why_fixed().empty();
     for (const auto& viewer : viewers_) {
-      const Rights rights = viewer->rights();
+      const GuestRights rights = viewer->rights();
       viewer->tell_people(
           boost::json::serialize(boost::json::object{{"people", people},
                                                      {"you", viewer->number()},

@@ -842,10 +842,10 @@ class GuestsTest : public WebServerTest {
   explicit GuestsTest(int people = 0, std::chrono::milliseconds join_period = std::chrono::hours(1))
       : WebServerTest(
             [join_period](WebOptions& options) {
-              options.guests = {{Role::kAdmin, "the-admin", "Ada"},
-                                {Role::kDriver, "a-driver-", ""},
-                                {Role::kHuman, "somebody-", "Bob"},
-                                {Role::kObserver, "*", ""}};
+              options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"},
+                                {GuestRole::kDriver, "a-driver-", ""},
+                                {GuestRole::kHuman, "somebody-", "Bob"},
+                                {GuestRole::kObserver, "*", ""}};
               options.viewers = 4;
               options.join_period = join_period;
               options.place_of_body = [](const world::World&, std::uint32_t,
@@ -1031,7 +1031,7 @@ class ProxyTest : public WebServerTest {
  protected:
   ProxyTest()
       : WebServerTest([](WebOptions& options) {
-          options.guests = {{Role::kAdmin, "the-admin", "Ada"}, {Role::kObserver, "*", ""}};
+          options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"}, {GuestRole::kObserver, "*", ""}};
           options.proxies = *net::TrustedProxies::parse("127.0.0.7");
         }) {}
 };
@@ -1099,7 +1099,7 @@ class SharesTest : public GuestsTest {
  protected:
   explicit SharesTest(std::shared_ptr<world::Shares> shares = std::make_shared<world::Shares>())
       : GuestsTest([&shares](WebOptions& options) {
-          options.guests = {{Role::kAdmin, "the-admin", "Ada"}, {Role::kAdmin, "the-other", "Bea"}};
+          options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"}, {GuestRole::kAdmin, "the-other", "Bea"}};
           options.shares = shares;
         }),
         shares_(std::move(shares)) {}

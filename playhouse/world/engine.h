@@ -9,6 +9,11 @@
 
 namespace playhouse::world {
 
+struct EngineOptions {
+  std::uint64_t seed = 1;
+  unsigned workers = 1;  // threads; the result does not depend on it
+};
+
 /// The interface of an engine to the program. Thread: the tick thread.
 class Engine {
  public:

@@ -11,6 +11,7 @@ import corpus  # noqa: E402
 import links  # noqa: E402
 import messages  # noqa: E402
 import module_graph  # noqa: E402
+import names  # noqa: E402
 import threads  # noqa: E402
 import versions  # noqa: E402
 
@@ -36,10 +37,11 @@ class Tree(unittest.TestCase):
         self.write("chimney/CMakeLists.txt", "playhouse_module(chimney)")
         (self.root / "ARCHITECTURE.md").write_text(MAP)
         (self.root / "docs").mkdir()
-        for module in (links, module_graph, threads):
+        for module in (links, module_graph, names, threads):
             self.replace(module, "ROOT", self.root)
-        for module in (module_graph, threads):
+        for module in (module_graph, names, threads):
             self.replace(module, "SOURCE", self.root / "playhouse")
+        for module in (module_graph, threads):
             self.replace(module, "MAP", self.root / "ARCHITECTURE.md")
         self.replace(threads, "PAGE", self.root / "docs/locks.md")
         self.replace(messages, "ROOT", self.root)
@@ -98,6 +100,25 @@ class Messages(Tree):
                                   'return "there is none";', 'return "this none";', 'is none ("key")'), [])
         self.assertEqual(self.odd("house/door_test.cc", '"the key is none"'), [])
         self.assertEqual(self.odd("house/testing_doors.h", '"the key is none"'), [])
+
+
+class Names(Tree):
+    def twice(self, **texts):
+        for name, text in texts.items():
+            self.write(f"{name}/{name}.h", text)
+        return list(names.defined_twice())
+
+    def test_of_types_that_two_headers_define_are_found(self):
+        for kind in ("class Door final : public Wall {", "struct Door {};", "struct alignas(32) Door : Wall {", "enum class Door : std::uint8_t { kOpen };",
+                     "enum Door {", "union Door {", "using Door = std::vector<int>;"):
+            with self.subTest(kind):
+                self.assertEqual(self.twice(house="namespace playhouse::house {\nclass Door {\n};", roof=f"// Door\n\n{kind}"),
+                                 ["playhouse/roof/roof.h:3: Door is another thing in playhouse/house/house.h:2: a name that says which (docs/conventions.md)"])
+
+    def test_may_be_declared_nested_or_defined_once_more_for_other_arguments(self):
+        self.assertEqual(self.twice(house="class Door {\n};\ntemplate <>\nclass Door<int> {\n};\nclass Door;",
+                                    roof="class Door;\nenum class Door : int;\nclass Tile {\n  struct Door {};\n};\nusing house::Door;\nstruct Door* open();",
+                                    chimney="// class Door {\nDoor door() {\n}"), [])
 
 
 class Folders(Tree):

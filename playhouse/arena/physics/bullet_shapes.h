@@ -60,6 +60,6 @@ class SurfaceShape {
 };
 
 /// A body at the origin. `mass` in kg; 0: static or kinematic.
-std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, const Surface& surface);
+std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, const ContactSurface& surface);
 
 }  // namespace playhouse::arena

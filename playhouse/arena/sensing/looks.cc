@@ -23,7 +23,7 @@ constexpr double kTurning = 0.2;            // rad/s, from standing to stepping 
 constexpr double kMostCandela = 1e9;        // upper bound, to fit a float
 
 mesh::Material mesh_material_of(const scene::ModelDesc& desc) {
-  const scene::Material known = scene::material_of(desc);
+  const scene::NamedMaterial known = scene::material_of(desc);
   mesh::Material material;
   material.metallic = known.metallic;
   material.roughness = known.roughness;
@@ -156,9 +156,9 @@ render::Gait gait_of(const Walker& walker, double time) {
   return gait;
 }
 
-render::Surroundings surroundings_of(const scene::WorldDesc& world, double time) {
+render::Environment surroundings_of(const scene::WorldDesc& world, double time) {
   const scene::Daylight daylight = scene::daylight_of(world);
-  render::Surroundings around;
+  render::Environment around;
   around.to_sun = daylight.to_sun;
   around.sun = daylight.sun;
   around.ambient = daylight.ambient;

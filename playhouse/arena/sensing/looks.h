@@ -50,6 +50,6 @@ void add_lamps(const mesh::Mesh& mesh, const geom::Pose& X_MB, const geom::Vec3&
                std::vector<render::Lamp>& lamps);
 
 /// Sun, sky and fog of a world file at a time. [s]
-render::Surroundings surroundings_of(const scene::WorldDesc& world, double time);
+render::Environment surroundings_of(const scene::WorldDesc& world, double time);
 
 }  // namespace playhouse::arena
