@@ -90,7 +90,8 @@ void Head::accept_all() {
     std::string name = stream.peer(), network = net::network_of(name);
     if (pending_.size() >= limits::kClusterNodes) {
       std::vector<net::Holder> holders;
-      for (const Pending& pending : pending_) holders.push_back({pending.network, pending.since});
+      for (const Pending& pending : pending_)
+        holders.push_back({pending.network, Seconds(pending.since.time_since_epoch()).count()});
       const auto place = static_cast<std::ptrdiff_t>(net::gives_way(holders));
       pending_.erase(std::next(pending_.begin(), place));
     }

@@ -36,6 +36,8 @@ class Echo final : public HttpService {
   }
   Result<void> may_upgrade(const HttpRequest&) override { return {}; }
   void upgraded(std::unique_ptr<WebSocket>, const HttpRequest&) override {}
+  HttpDeadlines deadlines() const override { return its_deadlines; }
+  HttpDeadlines its_deadlines;
   std::shared_ptr<const std::string> answer;
 };
 
@@ -48,7 +50,8 @@ bool eventually(const std::function<bool()>& done) {
 class HttpTest : public testing::Test {
  protected:
   explicit HttpTest(HttpDeadlines deadlines = {}) {
-    auto listener = listen_http(loop_, "127.0.0.1", 0, echo_, deadlines);
+    echo_.its_deadlines = deadlines;
+    auto listener = loop_.listen_http("127.0.0.1", 0, echo_);
     EXPECT_TRUE(listener.ok());
     listener_ = std::move(*listener);
     io_ = std::thread([this] { loop_.run(); });
@@ -343,10 +346,7 @@ TEST(FairShare, a_network_is_an_address_or_half_of_one) {
 }
 
 TEST(FairShare, the_quietest_of_the_largest_network_gives_way) {
-  const auto at = [](int seconds) {
-    return std::chrono::steady_clock::time_point(std::chrono::seconds(seconds));
-  };
-  const Holder holders[] = {{"a", at(1)}, {"b", at(5)}, {"b", at(3)}, {"c", at(4)}, {"c", at(9)}};
+  const Holder holders[] = {{"a", 1}, {"b", 5}, {"b", 3}, {"c", 4}, {"c", 9}};
   EXPECT_EQ(gives_way(holders), 2u);
   EXPECT_EQ(gives_way(std::span(holders).first(1)), 0u);
   EXPECT_EQ(places_of(holders, "c"), 2u);

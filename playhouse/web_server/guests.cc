@@ -141,7 +141,7 @@ bool GuestBook::may_guess(Book& book, const std::string& network) {
   if (found == book.guesses.end()) return true;
   Guesses& guesses = found->second;
   const auto now = book.clock();
-  guesses.count = std::max(0.0, guesses.count - std::chrono::duration<double>(now - guesses.at).count());
+  guesses.count = std::max(0.0, guesses.count - (now - guesses.at));
   guesses.at = now;
   return guesses.count <= kGuesses - 1;
 }

@@ -44,14 +44,14 @@ TEST(Guests, faults_name_the_line_and_the_nearest_role) {
 }
 
 TEST(Guests, who_guesses_waits_for_a_second_and_others_do_not) {
-  std::chrono::steady_clock::time_point now;
+  double now = 0;
   const GuestBook book({{GuestRole::kAdmin, "the-admin", "Ada"}, {GuestRole::kObserver, "*", ""}},
                        [&] { return now; });
   for (int k = 0; k < kGuesses; ++k) EXPECT_FALSE(book.admit("the-admim", "10.0.0.7:4000"));
   EXPECT_FALSE(book.admit("the-admin", "10.0.0.7:4001")) << "also the right one";
   EXPECT_TRUE(book.admit("*", "10.0.0.7:4002")) << "who has none guesses none";
   EXPECT_TRUE(book.admit("the-admin", "10.0.0.8:4000"));
-  now += std::chrono::seconds(1);
+  now += 1;
   EXPECT_TRUE(book.admit("the-admin", "10.0.0.7:4003"));
   EXPECT_FALSE(book.admit("the-admim", "10.0.0.7:4004"));
   EXPECT_FALSE(book.admit("the-admin", "10.0.0.7:4005"));

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/net/io_loop.h"
 #include "playhouse/net/web_client.h"
 #include "playhouse/replicate/delta.h"
 #include "playhouse/replicate/small_world.h"
@@ -200,8 +201,8 @@ class WebServerTest : public testing::Test {
     WebOptions options{.port = 0,
                        .page = kPage,
                        .host_name = "robo.lab.example",
-                       .viewer_quiet = std::chrono::hours(1),
-                       .join_period = std::chrono::hours(1),
+                       .viewer_quiet = 3600,
+                       .join_period = 3600,
                        .physics_shapes = [this] {
                          world::PhysicsShapes shapes;
                          shapes.bodies = {{small_.world.id({SmallWorld::robot(1)}), {}}};
@@ -724,7 +725,7 @@ TEST_F(WebServerTest, viewers_of_one_address_do_not_shut_out_another) {
 
 class HastyTest : public WebServerTest {
  protected:
-  HastyTest() : WebServerTest([](WebOptions& options) { options.viewer_quiet = {}; }) {}
+  HastyTest() : WebServerTest([](WebOptions& options) { options.viewer_quiet = 0; }) {}
 };
 
 TEST_F(HastyTest, the_viewer_that_was_quiet_longest_gives_way) {
@@ -839,7 +840,7 @@ TEST_F(WebServerTest, a_message_over_the_limit_ends_the_connection) {
 
 class GuestsTest : public WebServerTest {
  protected:
-  explicit GuestsTest(int people = 0, std::chrono::milliseconds join_period = std::chrono::hours(1))
+  explicit GuestsTest(int people = 0, double join_period = 3600)
       : WebServerTest(
             [join_period](WebOptions& options) {
               options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"},
@@ -1126,8 +1127,7 @@ TEST_F(SharesTest, of_what_may_be_brought_belong_to_the_token) {
 /// Somebody joins, and then the run begins again: their body has gone, and its id is another's.
 class BodiesTest : public GuestsTest {
  protected:
-  explicit BodiesTest(std::chrono::milliseconds join_period = std::chrono::hours(1))
-      : GuestsTest(1, join_period) {}
+  explicit BodiesTest(double join_period = 3600) : GuestsTest(1, join_period) {}
   void join(WebClient& guest) {
     filler_ = *world::spawn(small_.world, SmallWorld::robot(0), {7, 7, 0, 0});
     ASSERT_TRUE(guest.upgrade_with("somebody-"));
@@ -1216,7 +1216,7 @@ TEST_F(BodiesTest, of_a_viewer_come_once_a_period_at_most) {
 
 class BodiesAgainTest : public BodiesTest {
  protected:
-  BodiesAgainTest() : BodiesTest(std::chrono::milliseconds(0)) {}
+  BodiesAgainTest() : BodiesTest(0) {}
 };
 
 TEST_F(BodiesAgainTest, the_next_one_takes_the_place_of_the_former) {

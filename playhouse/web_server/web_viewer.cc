@@ -9,13 +9,6 @@
 #include "playhouse/base/limits.h"
 
 namespace playhouse::web_server {
-namespace {
-
-/// A page that gets nothing for a second assumes that the program hangs; the present world is offered every
-/// 0.25 s at least (run/simulation.cc).
-constexpr std::chrono::milliseconds kSignOfLife{750};
-
-}  // namespace
 
 void WebViewer::start(std::shared_ptr<const std::string> scene, std::shared_ptr<const std::string> said) {
   socket_->start(*this);
@@ -77,7 +70,7 @@ Result<void> WebViewer::execute(const replicate::Command& command) {
   if (const auto* acknowledge = std::get_if<replicate::Acknowledge>(&command)) {
     const Result<void> known = viewer_.acknowledge(acknowledge->frame);
     if (!known) return known;
-    quiet_since_ = std::chrono::steady_clock::now();
+    quiet_since_ = network_.now();
     send_frame();
     return {};
   }
@@ -88,10 +81,10 @@ Result<void> WebViewer::execute(const replicate::Command& command) {
 
 void WebViewer::send_frame() {
   if (!newest_ || socket_->messages_in_flight() > 0 || !viewer_.ready()) return;
-  const auto now = std::chrono::steady_clock::now();
+  const double now = network_.now();
   // Rows deferred to the next frame must not advance it.
   if (now - frame_time_ < replicate::kFramePeriod * 3 / 4) return owner_.waits();
-  bucket_.refill(seconds_of(now));
+  bucket_.refill(now);
   const bool is_due = now - frame_time_ >= kSignOfLife;
   if (bucket_.left() < replicate::kLeastPacket && !is_due) return owner_.waits();
   const auto budget =
