@@ -155,6 +155,9 @@ def main():
     findings += versions.findings()
     findings += unused_limits()
     findings += names.defined_twice()
+    findings += names.unknown_types()
+    instead = names.refused()
+    findings += [finding for path in checked for finding in names.refused_words(path, instead)]
     findings += [finding for folder in (ROOT / "tests", ROOT / "clients/python") for path in sorted(folder.glob("*/test_*.py")) for finding in check_test_script(path)]
     headers = [path for path in checked if path.suffix == ".h" and not check_all]
     with ThreadPoolExecutor(2) as pool:

@@ -216,7 +216,7 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
   const std::map<std::uint32_t, geom::SpatialPose> X_BM = poses_in_top(world, trees, tree, joints);
   TreeHulls all;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
-  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], bodies::Observer::kMotion,
+  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], bodies::SeenBy::kMotion,
             [&](std::size_t begin, std::size_t end) {
               const std::uint32_t model = solids.model[begin];
               const FrameOfBody frame(X_BM.at(model));
@@ -267,7 +267,7 @@ std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::So
   std::vector<FixedSolid> fixed;
   std::vector<Hull> hulls;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
-  each_body(solids, 0, solids.fixed, bodies::Observer::kMotion, [&](std::size_t begin, std::size_t end) {
+  each_body(solids, 0, solids.fixed, bodies::SeenBy::kMotion, [&](std::size_t begin, std::size_t end) {
     const std::uint32_t model = solids.model[begin];
     const FrameOfBody frame(world::pose_in_world(world.models, {model}));
     if (const mesh::Mesh* mesh = mesh_of(world, model)) {

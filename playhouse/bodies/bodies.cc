@@ -93,7 +93,7 @@ void add_solid(Solids& solids, const SolidShape& shape, const scene::ModelDesc& 
   solids.full.push_back(shape.full);
   solids.hole.push_back(shape.hole);
   solids.body.push_back(first + shape.body);
-  solids.seen_by.push_back(observers_of(desc));
+  solids.seen_by.push_back(seen_by_of(desc));
   solids.enclosed.push_back(0);
   solids.p_M.insert(solids.p_M.end(), shape.p_M.begin(), shape.p_M.end());
   solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p_M.size()));
@@ -140,7 +140,7 @@ void put_in_place(Solids& solids, const world::Models& models, std::size_t first
   solids.center.resize(solids.size());
   solids.z_min.resize(solids.size());
   solids.z_max.resize(solids.size());
-  solids.p.resize(solids.p_M.size() + Solids::kSpare);
+  solids.p.resize(solids.p_M.size() + Solids::kPad);
   make_room_for_corners(solids);
   solids.rotation.resize(models.size());
   for (std::uint32_t model = 0; model < models.size(); ++model) turn(solids, models, {&model, 1});

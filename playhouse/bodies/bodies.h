@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "playhouse/bodies/observer.h"
+#include "playhouse/bodies/seen_by.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/world/world.h"
 
@@ -94,7 +94,7 @@ struct Solids {
   std::vector<std::uint8_t> full;          // 1: its inside is solid, not only its outline
   std::vector<std::uint8_t> hole;          // 1: its inside is free: a hole in the body of a bitmap
   std::vector<std::uint32_t> body;         // row of the first solid of the same body
-  std::vector<Observers> seen_by;          // visibility mask: observers that see it, or are blocked by it
+  std::vector<SeenByBits> seen_by;         // visibility mask: what sees it, or is blocked by it
   // Height of its lowest part that another solid of its tree encloses (enclosure.h), kAll if all of it.  [m]
   std::vector<double> enclosed;
   static constexpr double kAll = 1e300;     // above everything: enclosed all over
@@ -109,8 +109,8 @@ struct Solids {
   // Placement in W.                           written by: place
   std::vector<Vec2> center;          // in W                                                    [m]
   std::vector<double> z_min, z_max;  // in W                                                    [m]
-  std::vector<Vec2> p;  // vertices in W, padded by kSpare for vector loads           [m] (vertices)
-  static constexpr std::size_t kSpare = 32;
+  std::vector<Vec2> p;  // vertices in W, padded by kPad for vector loads           [m] (vertices)
+  static constexpr std::size_t kPad = 32;
   // Corners of polygons with convex_corners(), polygon by polygon.
   std::vector<EightCorners> corners;
   std::vector<std::uint32_t> first_corners;  // rows of corners                            (movable solids)
@@ -124,7 +124,7 @@ struct Solids {
     const std::size_t count = first_vertex[row + 1] - first_vertex[row] - 1;
     return convex[row] != 0 && count <= kConvexCorners ? count : 0;
   }
-  bool is_obstacle(std::size_t row) const { return (seen_by[row] & bit(Observer::kMotion)) != 0; }
+  bool is_obstacle(std::size_t row) const { return (seen_by[row] & bit(SeenBy::kMotion)) != 0; }
   std::span<const Vec2> polygon(std::size_t row) const {
     return {p.data() + first_vertex[row], first_vertex[row + 1] - first_vertex[row] - 1};
   }

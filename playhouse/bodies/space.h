@@ -36,12 +36,12 @@ inline DiscIndex::Disc disc_of(const Solids& solids, std::size_t row) {
 }
 
 struct Ray {
-  Vec2 p, d;               // origin, unit vector in W
-  double z_low = 0;        // m; heights z_low .. z_high are tested
-  double z_high = 0;       // m
-  double range = 0;        // m
-  Observers by = 0;        // the observers: solids invisible to all of them are ignored
-  std::uint32_t root = 0;  // tree that is ignored
+  Vec2 p, d;                                         // origin, unit vector in W
+  double z_low = 0;                                  // m; heights z_low .. z_high are tested
+  double z_high = 0;                                 // m
+  double range = 0;                                  // m
+  SeenByBits by = 0;                                 // solids that none of these sees are ignored
+  std::uint32_t root = 0;                            // tree that is ignored
   std::uint32_t also_root = world::ModelRow::kNone;  // another one
 };
 

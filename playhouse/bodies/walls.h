@@ -37,7 +37,7 @@ class Walls {
     std::uint32_t solid;        // row of Solids
     std::uint32_t count;
     std::uint32_t number;  // of the first edge; consecutive
-    Observers seen_by;     // visibility mask of the solid
+    SeenByBits seen_by;    // visibility mask of the solid
 
     Edge edge(std::uint32_t i) const { return {{x[i], y[i]}, {x[i + 1], y[i + 1]}, solid, number + i}; }
   };

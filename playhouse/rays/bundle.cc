@@ -44,7 +44,7 @@ std::size_t take_all(const Bundle& bundle, const bodies::DiscIndex& index,
   for (const bodies::DiscIndex::Run& run : runs) {
     for (std::uint32_t place = run.begin; place < run.end; ++place) {
       const bodies::DiscIndex::Disc& disc = index.discs()[place];
-      if ((disc.seen_by & bit(bodies::Observer::kRanger)) == 0 || disc.root == own_root) continue;
+      if ((disc.seen_by & bit(bodies::SeenBy::kRanger)) == 0 || disc.root == own_root) continue;
       out.place[count] = place;
       out.rays[count++] = static_cast<std::uint16_t>((1u << bundle.rays()) - 1);
     }
@@ -54,19 +54,19 @@ std::size_t take_all(const Bundle& bundle, const bodies::DiscIndex& index,
 
 /// Shortens the rays of a part by their hits with an edge.
 PLAYHOUSE_INLINE void meet_edge(geom::Vec2 a, geom::Vec2 b, double row, const Rays::Part& part, Rays& rays) {
-  simd::FourTruths edge_on = {};
+  simd::Mask4 edge_on = {};
   std::size_t k = part.begin;
   for (; k + simd::kFour <= part.end; k += simd::kFour) {
-    simd::Four px, py, dx, dy, range, solid;
+    simd::Double4 px, py, dx, dy, range, solid;
     simd::load(px, rays.px + k);
     simd::load(py, rays.py + k);
     simd::load(dx, rays.dx + k);
     simd::load(dy, rays.dy + k);
     simd::load(range, rays.range + k);
     simd::load(solid, rays.solid + k);
-    const bodies::Distance<simd::Four, simd::Four> met(dx, dy, a.x - px, a.y - py, b.x - px, b.y - py);
+    const bodies::Distance<simd::Double4, simd::Double4> met(dx, dy, a.x - px, a.y - py, b.x - px, b.y - py);
     edge_on |= met.edge_on;
-    bodies::keep_first(met.t, simd::Four{row, row, row, row}, range, solid);
+    bodies::keep_first(met.t, simd::Double4{row, row, row, row}, range, solid);
     simd::store(rays.range + k, range);
     simd::store(rays.solid + k, solid);
   }

@@ -23,10 +23,10 @@ struct Lens {
   std::vector<double> reach;          // m, farthest drawn distance on the floor plane              (slices)
   std::vector<std::uint32_t> first;   // pixels first[s] .. first[s + 1] - 1 are of slice s    (slices + 1)
   std::vector<std::uint32_t> place;   // index in the image, row-major from the top left           (pixels)
-  /// Horizontal distance per metre of rise, never 0; padded by kSpare.                       (pixels)
+  /// Horizontal distance per metre of rise, never 0; padded by kPad.                       (pixels)
   std::vector<double> run;
   std::vector<double> least;  // m on the floor to the near plane; padded too        (pixels)
-  static constexpr std::size_t kSpare = 4;
+  static constexpr std::size_t kPad = 4;
   std::vector<double> depth;  // m of depth per metre on the floor                (pixels)
 };
 

@@ -13,7 +13,7 @@ namespace playhouse::rays {
 /// Longer rays are traced one by one.  [cells]
 inline constexpr double kFarthestMarch = 8192;
 
-/// Shortens the rays of the parts to their nearest wall hits, among walls that these observers see.
-void march(const bodies::Walls& walls, bodies::Observers by, Rays& rays);
+/// Shortens the rays of the parts to their nearest wall hits, among walls that are visible to any of `by`.
+void march(const bodies::Walls& walls, bodies::SeenByBits by, Rays& rays);
 
 }  // namespace playhouse::rays

@@ -19,7 +19,7 @@ namespace playhouse::rays {
 
 /// The pose of a ranger, and what is invisible to it.
 struct RangerView {
-  static constexpr bodies::Observers kBy = bit(bodies::Observer::kRanger);
+  static constexpr bodies::SeenByBits kBy = bit(bodies::SeenBy::kRanger);
 
   geom::Pose X_WM;
   geom::Rotation rotation;  // of X_WM

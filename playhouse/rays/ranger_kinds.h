@@ -20,8 +20,8 @@ struct Scan {
   std::uint32_t first_beam = 0;  // of the ranger
   double fov = 0, step = 0;      // rad
   std::vector<double> x, y;      // unit vectors of the beams in S
-  std::size_t count = 0;         // of beams; x and y are padded by kSpare that hit nothing
-  static constexpr std::size_t kSpare = 8;
+  std::size_t count = 0;         // of beams; x and y are padded by kPad that hit nothing
+  static constexpr std::size_t kPad = 8;
 };
 
 /// Points as structure of arrays, for loops that compilers vectorise.

@@ -12,6 +12,6 @@ namespace playhouse::rays {
 /// From one place to the other, at the height of the first; ignores
 /// bodies that `by` does not see. `crossed` is a scratch buffer.
 int walls_between(const bodies::Space& space, const geom::Pose& from_W, const geom::Pose& to_W,
-                  bodies::Observers by, std::vector<std::uint32_t>& crossed);
+                  bodies::SeenByBits by, std::vector<std::uint32_t>& crossed);
 
 }  // namespace playhouse::rays

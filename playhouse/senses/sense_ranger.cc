@@ -14,9 +14,9 @@ PLAYHOUSE_INLINE void report(const float* returns, const double* solid, std::siz
                              float* intensities) {
   std::size_t k = 0;
   for (; k + simd::kFour <= beams; k += simd::kFour) {
-    simd::Four four;
+    simd::Double4 four;
     simd::load(four, solid + k);
-    const simd::FourInts row = __builtin_convertvector(four - bodies::kNoSolid, simd::FourInts);
+    const simd::Int4 row = __builtin_convertvector(four - bodies::kNoSolid, simd::Int4);
     for (std::size_t i = 0; i < simd::kFour; ++i)
       intensities[k + i] = returns[static_cast<std::uint32_t>(row[i])];
   }

@@ -326,7 +326,7 @@ void Motion::gather(const Surroundings& in, std::uint32_t tree, const Circle& al
                z_high = all.z_max + rise_max_ - bodies::kTouch;
   const auto collect = [&](const bodies::DiscIndex& index, double reach, bool fast) {
     index.near(all.center, reach, z_low, z_high, [&](const bodies::DiscIndex::Disc& disc) {
-      if (disc.root == root || (disc.seen_by & bit(bodies::Observer::kMotion)) == 0 ||
+      if (disc.root == root || (disc.seen_by & bit(bodies::SeenBy::kMotion)) == 0 ||
           distance(disc.center, all.center) >= disc.radius + reach)
         return;
       const std::uint32_t other = in.solids.tree[disc.row];

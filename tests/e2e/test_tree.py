@@ -121,6 +121,34 @@ class Names(Tree):
                                     chimney="// class Door {\nDoor door() {\n}"), [])
 
 
+class Glossary(Tree):
+    def setUp(self):
+        super().setUp()
+        self.write("house/house.h", "struct Door {\n};")
+        self.page("| *door* | what closes, `Door`, of a `wall` |")
+
+    def page(self, *rows):
+        (self.root / "docs/conventions.md").write_text("\n".join([
+            "| `Roof` |", "## Words", "", "| a house | |", "|---|---|", *rows, "", "| not | but |", "|---|---|", "| lattice, window pane | pane |", "", "## Errors", "| `Roof` | |"]))
+
+    def test_names_types_that_headers_define(self):
+        self.assertEqual(list(names.unknown_types()), [])
+        self.page("| *door* | what closes, `Door` |", "| *gate* | another: `Gate`, `Door` |")
+        self.assertEqual(list(names.unknown_types()), ["docs/conventions.md:7: no header defines Gate"])
+
+    def refused(self, *lines):
+        return [each.partition(".cc:")[2] for each in names.refused_words(self.write("house/door.cc", "\n".join(lines)), names.refused())]
+
+    def test_refuses_words_in_identifiers_and_comments(self):
+        self.assertEqual(self.refused("int kLattice = 0;", "// A Lattice.", "class WindowPane;", "window_pane_", "  /// of the window pane"),
+                         [f"{line}: {word}: say pane (docs/conventions.md)" for line, word in
+                          enumerate(("lattice", "lattice", "window pane", "window pane", "window pane"), 1)])
+
+    def test_does_not_refuse_texts_other_words_and_names_of_libraries(self):
+        self.assertEqual(self.refused('say("a lattice", \'"\');', "lattices pane window.pane", "// a window; pane", "btLattice.getLattice(m_lattice)",
+                                      "btWall::Lattice"), [])
+
+
 class Folders(Tree):
     def test_with_too_many_files_are_found_but_not_those_of_generated_ones(self):
         for number in range(module_graph.FOLDER_FILES):

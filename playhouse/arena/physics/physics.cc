@@ -90,9 +90,9 @@ struct Physics::Impl {
   RoundContacts of_round{false}, with_round{true};
   CylinderContacts of_cylinder{false}, with_cylinder{true};
   btCollisionDispatcher dispatcher{&configuration};
-  btDbvtBroadphase broadphase;
+  btDbvtBroadphase broad_phase;
   ContactSolver solver;
-  SweptWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  SweptWorld world{&dispatcher, &broad_phase, &solver, &configuration};
   btStaticPlaneShape plane{btVector3(0, 0, 1), 0};
   std::unique_ptr<btRigidBody> ground;
   double gravity;  // m/s^2
@@ -159,7 +159,7 @@ struct Physics::Impl {
     struct Every final : btOverlapCallback {
       bool processOverlap(btBroadphasePair&) override { return true; }
     } every;
-    broadphase.getOverlappingPairCache()->processAllOverlappingPairs(&every, &dispatcher);
+    broad_phase.getOverlappingPairCache()->processAllOverlappingPairs(&every, &dispatcher);
   }
   /// Removes all bodies from Bullet's world, and with them cached contacts.
   void take_out() {
@@ -174,7 +174,7 @@ struct Physics::Impl {
   void put_in() {
     if (is_in) return;
     is_in = true;
-    broadphase.resetPool(&dispatcher);
+    broad_phase.resetPool(&dispatcher);
     solver.reset();
     each_body([this](btRigidBody& body, int group, int mask) { world.addRigidBody(&body, group, mask); });
     for (const auto& moving : bodies)
@@ -186,15 +186,15 @@ struct Physics::Impl {
     drop_pairs();
     const btCollisionObjectArray& objects = world.getCollisionObjectArray();
     for (int i = 0; i < objects.size(); ++i)
-      broadphase.destroyProxy(objects[i]->getBroadphaseHandle(), &dispatcher);
-    broadphase.resetPool(&dispatcher);
+      broad_phase.destroyProxy(objects[i]->getBroadphaseHandle(), &dispatcher);
+    broad_phase.resetPool(&dispatcher);
     solver.reset();
     each_body([this](btRigidBody& body, int group, int mask) {
       const btCollisionShape& shape = *body.getCollisionShape();
       btVector3 low, high;
       shape.getAabb(body.getWorldTransform(), low, high);
       body.setBroadphaseHandle(
-          broadphase.createProxy(low, high, shape.getShapeType(), &body, group, mask, &dispatcher));
+          broad_phase.createProxy(low, high, shape.getShapeType(), &body, group, mask, &dispatcher));
     });
   }
   void find_footing(Moving& moving, std::size_t i) const;

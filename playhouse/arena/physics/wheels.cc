@@ -9,7 +9,7 @@
 namespace playhouse::arena {
 namespace {
 
-using simd::Four;
+using simd::Double4;
 using simd::kFour;
 using simd::load;
 using simd::store;
@@ -74,15 +74,15 @@ class Rows {
       const Vec3 pushed = per_mass_ * direction_.at(j), turned = turned_.at(j);
       double* const change = change_[j];
       for (std::size_t i = 0; i < end_; i += kFour) {
-        Four dx, dy, dz, ax, ay, az;
+        Double4 dx, dy, dz, ax, ay, az;
         load(dx, direction_.x + i);
         load(dy, direction_.y + i);
         load(dz, direction_.z + i);
         load(ax, arm_.x + i);
         load(ay, arm_.y + i);
         load(az, arm_.z + i);
-        store<Four>(change + i, dx * pushed.x + dy * pushed.y + dz * pushed.z + ax * turned.x +
-                                    ay * turned.y + az * turned.z);
+        store<Double4>(change + i, dx * pushed.x + dy * pushed.y + dz * pushed.z + ax * turned.x +
+                                       ay * turned.y + az * turned.z);
       }
       effective_[j] = 1 / change[j];
       add_change(change, impulse_[j]);
@@ -112,7 +112,7 @@ class Rows {
   };
   PLAYHOUSE_INLINE void couple(Together& together) const {
     for (std::size_t i = 0; i < end_; i += kFour) {
-      Four sum = {0, 0, 0, 0}, change;
+      Double4 sum = {0, 0, 0, 0}, change;
       for (std::size_t k = 0; k < together.rows.size(); ++k) {
         load(change, change_[together.rows[k]] + i);
         sum += together.shares[k] * change;
@@ -158,10 +158,10 @@ class Rows {
   }
   PLAYHOUSE_INLINE void add_change(const double* per_impulse, double impulse) {
     for (std::size_t i = 0; i < end_; i += kFour) {
-      Four missing, change;
+      Double4 missing, change;
       load(missing, missing_ + i);
       load(change, per_impulse + i);
-      store<Four>(missing_ + i, missing - impulse * change);
+      store<Double4>(missing_ + i, missing - impulse * change);
     }
   }
 

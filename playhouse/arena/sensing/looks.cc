@@ -83,7 +83,7 @@ mesh::Mesh mesh_of(const scene::ModelDesc& desc, const bodies::Solids& solids, s
                    std::size_t end) {
   if (desc.mesh) return mesh_in_model(*desc.mesh, desc.X_MB);
   Triangles triangles;
-  each_body(solids, begin, end, bodies::Observer::kImage, [&](std::size_t first, std::size_t last) {
+  each_body(solids, begin, end, bodies::SeenBy::kImage, [&](std::size_t first, std::size_t last) {
     const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, first, last, {});
     const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
     add_extrusion(triangles, all, solids.z_min_M[first], solids.z_max_M[first]);
