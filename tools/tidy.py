@@ -12,6 +12,7 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
+import captions
 import includes
 import links
 import messages
@@ -154,6 +155,7 @@ def main():
     findings += threads.findings()
     findings += versions.findings()
     findings += unused_limits()
+    findings += captions.missing()
     findings += names.defined_twice()
     findings += names.unknown_types()
     instead = names.refused()

@@ -2,6 +2,11 @@
 
 /// From models to rigid bodies: mass, hulls and wheels of a tree of models. World files give outlines
 /// and heights; parameters that they leave open are chosen here. Frames: W world, B the tree's root.
+///
+/// In: the models of a tree, and their solids or meshes.
+/// Out: hulls, mass, wheels and motors of a rigid body; the static solids.
+/// Cost: the outlines and hulls of the tree. Once for a population, and hulls again when joints have
+///   moved.
 
 #include <cstdint>
 #include <vector>

@@ -2,6 +2,10 @@
 
 /// The 3D engine: scenes, devices and columns of the stage engine
 /// with rigid-body dynamics. Differences are listed in docs/arena.md.
+///
+/// In: a scene that loads.
+/// Out: an engine at tick 0, which moves its world from tick to tick.
+/// Cost: once, that of the population; ticks are in docs/benchmarks.md.
 
 #include <memory>
 

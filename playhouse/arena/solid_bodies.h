@@ -1,6 +1,10 @@
 #pragma once
 
 /// Outlines of models' bodies, from which hulls and triangles are made.
+///
+/// In: rows of Solids that belong to one model after the other.
+/// Out: the rows of each body; its outlines.
+/// Cost: the rows, and the vertices of outlines.
 
 #include <algorithm>
 #include <cstddef>

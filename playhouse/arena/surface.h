@@ -1,6 +1,10 @@
 #pragma once
 
 /// Friction and restitution of materials.
+///
+/// In: the words of a model, its material, and what the file of its mesh says.
+/// Out: friction and restitution.
+/// Cost: a search for the name of the material in a short table.
 
 #include "playhouse/arena/physics/rigid_body.h"
 #include "playhouse/scene/scene_desc.h"

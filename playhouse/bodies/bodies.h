@@ -5,6 +5,10 @@
 /// movable trees follow in tree order, so the solids and vertices of a tree are consecutive and
 /// can be rebuilt without the static ones. Static parts of a tree, such as the walls around a
 /// door, are not among the tree's solids. Frames: W world, M the model that owns the solid.
+///
+/// In: the models of a world, and the shapes of their descriptions.
+/// Out: solids as columns, in their models and in W.
+/// Cost: place() visits the vertices of its solids; replace_moving_solids() makes all movable ones anew.
 
 #include <algorithm>
 #include <cstdint>

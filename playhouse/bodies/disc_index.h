@@ -6,6 +6,11 @@
 /// height, so that a query at one height skips what is entirely above or below it, and by
 /// size, each size with a grid of its own, so that a query is inflated by large radii only
 /// where it looks for large things: one of them makes no other query dearer.
+///
+/// In: circles, each with a range of heights, its row and its root.
+/// Out: the runs of things that may be near a place.
+/// Cost: rebuild() visits all things and cells; a query the cells of its box, in each layer at its
+///   heights.
 
 #include <cstdint>
 #include <span>

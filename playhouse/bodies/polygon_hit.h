@@ -2,6 +2,10 @@
 
 /// Ray-polygon intersection, four edges at a time, by the rule of ray_edge.h. Polygons
 /// are those of Solids: closed by their first corner, padded by Solids::kPad.
+///
+/// In: a ray from p along the unit vector d; a polygon. [m]
+/// Out: the distance to the polygon, kMiss or NaN if it is missed.
+/// Cost: that of ray_edge.h for each four edges; entry() has one division for all of a convex polygon.
 
 #include <algorithm>
 

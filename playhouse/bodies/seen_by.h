@@ -2,6 +2,10 @@
 
 /// Visibility masks: one bit of a solid for each of what may see it, or be blocked by it. A model's
 /// properties are looked up once, when its solids are made; queries test the bit.
+///
+/// In: the description of a model.
+/// Out: the mask of its solids.
+/// Cost: constant.
 
 #include <cstdint>
 

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Solids: the prisms that bodies are made of, in the world, for tests of places before anything moves.
+///
+/// In: the description of an obstacle, and a pose.
+/// Out: its prisms in W.
+/// Cost: their vertices.
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Space: all bodies and their broad phase, read-only for the senses; and a single exact ray cast.
+///
+/// In: all solids, and a ray.
+/// Out: where it ends.
+/// Cost: the cells of wall along the ray; after that all movable bodies about what is left of it.
 
 #include "playhouse/bodies/bodies.h"
 #include "playhouse/bodies/disc_index.h"

@@ -8,6 +8,10 @@
 /// tilt. Columns of a level camera are slices, exactly. Columns of a tilted
 /// camera are not vertical planes: its pixels are assigned to the nearest of
 /// slices half a mean column apart, an error of at most a quarter of a pixel.
+///
+/// In: the description of a camera, its tilt and its zoom.
+/// Out: the slices, and the pixels of each.
+/// Cost: the pixels; with a tilt also an arc tangent for each.
 
 #include <cstddef>
 #include <cstdint>

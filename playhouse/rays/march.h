@@ -4,6 +4,11 @@
 /// latency and vectorises the arithmetic. Cells along a ray are found in single
 /// precision: over kFarthestMarch cells the error stays below Walls::kBorder, within
 /// which edges are also listed in neighbouring cells, so none is missed. Hits are exact.
+///
+/// In: walls; rays, those of each part near to each other.
+/// Out: range and solid of the rays.
+/// Cost: for eight rays at once a step for each cell or empty square along them; when half of the rays
+///   have ended, the active ones are compacted.
 
 #include "playhouse/bodies/walls.h"
 #include "playhouse/rays/rays.h"

@@ -2,6 +2,10 @@
 
 /// Precomputed scans and ray bundles of each kind of ranger, independent of its pose; made once
 /// and shared by all rangers with equal sensors. Frames: M the ranger's model, S one sensor.
+///
+/// In: descriptions of rangers; the largest radii of bodies, by size.
+/// Out: their scans and bundles.
+/// Cost: once for equal sensors; a table tests each ray of a bundle against 96 x 96 cells.
 
 #include <cstdint>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Rays: a batch of single rays in W, shortened as hits are found. Rays of several
-/// rangers traverse the walls in one batch, which hides the latency of each step.
+/// rangers traverse the walls in one batch, which hides the latency of each step. Values.
 
 #include "playhouse/rays/ranger_kinds.h"
 

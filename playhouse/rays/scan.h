@@ -1,6 +1,11 @@
 #pragma once
 
 /// Inner loops of scans (scan.cc): projection of nearby bodies onto a row of beams.
+///
+/// In: the beams of a scan, and bodies near it.
+/// Out: range and solid of the beams.
+/// Cost: for four beams at once an edge's crossing for each edge that faces the scanner, and a division;
+///   bodies are gathered four at a time.
 
 #include <algorithm>
 #include <bit>

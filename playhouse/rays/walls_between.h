@@ -1,6 +1,10 @@
 #pragma once
 
 /// Counts walls along a line segment: outlines of static bodies that it enters.
+///
+/// In: the walls, and two places.
+/// Out: how many outlines are entered between them.
+/// Cost: the edges in cells along the segment; a sort of those that are crossed.
 
 #include <cstdint>
 #include <vector>

@@ -7,6 +7,7 @@ import unittest
 from unittest import mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+import captions  # noqa: E402
 import corpus  # noqa: E402
 import links  # noqa: E402
 import messages  # noqa: E402
@@ -37,9 +38,9 @@ class Tree(unittest.TestCase):
         self.write("chimney/CMakeLists.txt", "playhouse_module(chimney)")
         (self.root / "ARCHITECTURE.md").write_text(MAP)
         (self.root / "docs").mkdir()
-        for module in (links, module_graph, names, threads):
+        for module in (captions, links, module_graph, names, threads):
             self.replace(module, "ROOT", self.root)
-        for module in (module_graph, names, threads):
+        for module in (captions, module_graph, names, threads):
             self.replace(module, "SOURCE", self.root / "playhouse")
         for module in (module_graph, threads):
             self.replace(module, "MAP", self.root / "ARCHITECTURE.md")
@@ -147,6 +148,28 @@ class Glossary(Tree):
     def test_does_not_refuse_texts_other_words_and_names_of_libraries(self):
         self.assertEqual(self.refused('say("a lattice", \'"\');', "lattices pane window.pane", "// a window; pane", "btLattice.getLattice(m_lattice)",
                                       "btWall::Lattice"), [])
+
+
+class Captions(Tree):
+    def missing(self, name, *lines):
+        path = self.write(name, "\n".join(lines))
+        found = list(captions.missing())
+        path.unlink()
+        return found
+
+    def test_of_headers_and_kernels_that_compute_say_what_goes_in_what_comes_out_and_its_cost(self):
+        self.assertEqual(self.missing("rays/cast.h", "/// In: rays. Out: hits.", "void cast();  // Cost: little"),
+                         ["playhouse/rays/cast.h:1: says nothing of Cost (docs/conventions.md)"])
+        self.assertEqual(self.missing("rays/cast_kernels.inc", "// Indeed: rays."),
+                         ["playhouse/rays/cast_kernels.inc:1: says nothing of In, Out, Cost (docs/conventions.md)"])
+        self.assertEqual(self.missing("rays/cast.h", "/// In: rays.", "/// Out: hits.", "/// Cost: little."), [])
+        self.assertEqual(self.missing("rays/cast_kernels.inc", "// In, Out, Cost: as in cast.h."), [])
+
+    def test_of_values_and_tests_and_of_other_modules_need_not(self):
+        self.assertEqual(self.missing("rays/ray.h", "/// Rays. Values."), [])
+        for name in ("rays/testing_rays.h", "rays/fuzz_rays.h", "rays/generated/rays.h", "rays/cast.cc", "rays/float8_plain.inc", "roof/tile.h"):
+            with self.subTest(name):
+                self.assertEqual(self.missing(name, "int tile;"), [])
 
 
 class Folders(Tree):

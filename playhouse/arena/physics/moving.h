@@ -1,6 +1,10 @@
 #pragma once
 
 /// Moving: a movable body with its Bullet objects and, if a vehicle, the ground below its wheels.
+///
+/// In: a description; the state of the body in W.
+/// Out: its Bullet objects with that state, and after a step the state with what Bullet made of it.
+/// Cost: its hulls when it is made or bent; afterwards some products a step, and some for each wheel.
 
 #include <cstdint>
 #include <memory>

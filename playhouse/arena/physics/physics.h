@@ -4,6 +4,11 @@
 /// solver of our own (wheels.h). A step is a function of body states alone: clear_contacts() drops
 /// Bullet's cached contacts, so that a run resumed from a saved state is bit-identical.
 /// Frames: W world, B body. Call from one thread at a time; step() runs on workers.
+///
+/// In: bodies with their states, static solids, commanded velocities of vehicles.
+/// Out: states after a step; penetrations.
+/// Cost: a step grows with the pairs of bodies whose boxes overlap, and with their contacts, times the
+///   iterations that stacks need (stacks.h).
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Description and state of a rigid body. Frames: W world, B body.
+/// Description and state of a rigid body. Frames: W world, B body. Values.
 
 #include <cstdint>
 #include <limits>

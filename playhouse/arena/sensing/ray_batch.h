@@ -1,6 +1,6 @@
 #pragma once
 
-/// Rays from one point, cast together (ray_scene.h).
+/// Rays from one point, cast together (ray_scene.h). Values.
 
 #include <cstddef>
 #include <cstdint>
