@@ -18,7 +18,6 @@
 namespace playhouse::house {
 namespace {
 
-using server::Bytes;
 using wire::MessageType;
 
 constexpr std::size_t kBannerBytes = 32;

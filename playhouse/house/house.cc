@@ -15,9 +15,9 @@
 #include "playhouse/drivers/site.h"
 #include "playhouse/house/client.h"
 #include "playhouse/house/failing_disk.h"
-#include "playhouse/house/page.h"
 #include "playhouse/house/recorder_link.h"
-#include "playhouse/house/shown.h"
+#include "playhouse/house/shown_worlds.h"
+#include "playhouse/house/simulated_viewer.h"
 #include "playhouse/observers/observer_client.h"
 #include "playhouse/observers/observer_server.h"
 #include "playhouse/record/mcap/mcap_writer.h"
@@ -65,7 +65,7 @@ class TickTime final : public run::Follower {
   const std::function<void()> pass_;
 };
 
-class House final : private drivers::Surroundings {
+class House final : private drivers::Host {
  public:
   House(const Options& options, const std::string& folder);
   ~House() override {
@@ -88,7 +88,7 @@ class House final : private drivers::Surroundings {
   void rewind();
   void change_clients();
   void change_pages();
-  void end_page(Page& page);
+  void end_page(SimulatedViewer& page);
   void change_network();
   void excuse_until(double time);
   bool sleep(double until);
@@ -101,7 +101,7 @@ class House final : private drivers::Surroundings {
   void run_again();
   void wrong(std::string what);
 
-  // drivers::Surroundings
+  // drivers::Host
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
     return server_.add_device(address, driver);
   }
@@ -128,9 +128,9 @@ class House final : private drivers::Surroundings {
   std::unique_ptr<record::Recorder> recorder_;
   std::unique_ptr<observers::ObserverServer> observers_;
   std::unique_ptr<observers::ObserverClient> observer_;
-  std::optional<Shown> shown_;
+  std::optional<ShownWorlds> shown_;
   std::unique_ptr<web_server::WebServer> web_;
-  std::vector<std::unique_ptr<Page>> pages_;
+  std::vector<std::unique_ptr<SimulatedViewer>> pages_;
   std::vector<std::unique_ptr<SimulatedClient>> clients_, leaving_;
   std::uint64_t turns_ = 0;
   double next_turn_ = kTurn, leaving_until_ = 0, whole_at_ = 0;  // s; the network carries all
@@ -316,7 +316,8 @@ void House::change_pages() {
   if (pages_.size() < kPages && draw(20) == 0) {
     const std::string address = fmt::format("10.1.{}.{}", report_.pages / 200, 1 + report_.pages % 200);
     const auto manner = static_cast<PageManner>(draw(kPageManners));
-    pages_.push_back(std::make_unique<Page>(network_, kWebPort, address, *shown_, manner, random_()));
+    pages_.push_back(
+        std::make_unique<SimulatedViewer>(network_, kWebPort, address, *shown_, manner, random_()));
     pages_.back()->excuse_until(whole_at_);
     if (options_.sabotage == Sabotage::kLosesFrame && report_.pages == kPages) pages_.back()->lose_changes();
     ++report_.pages;
@@ -329,7 +330,7 @@ void House::change_pages() {
   });
 }
 
-void House::end_page(Page& page) {
+void House::end_page(SimulatedViewer& page) {
   report_.frames += page.whole_frames();
   digest_.add(page.digest());
   page.leave();
@@ -439,7 +440,7 @@ void House::run_again() {
   recorder_->end(world());
   const bool written = record_thread_->finish();
   if (!written && !report_.disk_failed) return wrong("the recording was not written");
-  const Result<std::unique_ptr<record::Source>> source = record::open_source(file_);
+  const Result<std::unique_ptr<record::ByteSource>> source = record::open_source(file_);
   if (!source) return wrong(source.error().line());
   const Result<record::Recording> recording = record::read_recording(**source);
   report_.disk_failed = !written;

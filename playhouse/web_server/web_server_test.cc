@@ -846,10 +846,10 @@ class GuestsTest : public WebServerTest {
   explicit GuestsTest(int people = 0, double join_period = 3600)
       : WebServerTest(
             [join_period](WebOptions& options) {
-              options.guests = {{Role::kAdmin, "the-admin", "Ada"},
-                                {Role::kDriver, "a-driver-", ""},
-                                {Role::kHuman, "somebody-", "Bob"},
-                                {Role::kObserver, "*", ""}};
+              options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"},
+                                {GuestRole::kDriver, "a-driver-", ""},
+                                {GuestRole::kHuman, "somebody-", "Bob"},
+                                {GuestRole::kObserver, "*", ""}};
               options.viewers = 4;
               options.join_period = join_period;
               options.place_of_body = [](const world::World&, std::uint32_t,
@@ -1035,7 +1035,7 @@ class ProxyTest : public WebServerTest {
  protected:
   ProxyTest()
       : WebServerTest([](WebOptions& options) {
-          options.guests = {{Role::kAdmin, "the-admin", "Ada"}, {Role::kObserver, "*", ""}};
+          options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"}, {GuestRole::kObserver, "*", ""}};
           options.proxies = *net::TrustedProxies::parse("127.0.0.7");
         }) {}
 };
@@ -1103,7 +1103,7 @@ class SharesTest : public GuestsTest {
  protected:
   explicit SharesTest(std::shared_ptr<world::Shares> shares = std::make_shared<world::Shares>())
       : GuestsTest([&shares](WebOptions& options) {
-          options.guests = {{Role::kAdmin, "the-admin", "Ada"}, {Role::kAdmin, "the-other", "Bea"}};
+          options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"}, {GuestRole::kAdmin, "the-other", "Bea"}};
           options.shares = shares;
         }),
         shares_(std::move(shares)) {}

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Shown: what pages were shown of the world of a house, kept for some time: what a page holds must be one of
+/// ShownWorlds: what pages were shown of the world of a house, kept for some time: what a page holds must be one of
 /// these instants. Thread: one for the whole house.
 
 #include <cstdint>
@@ -14,10 +14,10 @@
 
 namespace playhouse::house {
 
-class Shown {
+class ShownWorlds {
  public:
   /// Made at the same time as the server of the pages; the world's scene must outlive it.
-  explicit Shown(const world::World& world);
+  explicit ShownWorlds(const world::World& world);
 
   /// Whenever the server of the pages shows the world.
   void show(const world::World& world, const world::Pace& pace);

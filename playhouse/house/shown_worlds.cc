@@ -1,4 +1,4 @@
-#include "playhouse/house/shown.h"
+#include "playhouse/house/shown_worlds.h"
 
 #include <algorithm>
 
@@ -9,11 +9,11 @@ constexpr std::size_t kKept = 1000;  // snapshots; half a minute of frames
 
 }  // namespace
 
-Shown::Shown(const world::World& world) : prototypes_(world.scene()) {
+ShownWorlds::ShownWorlds(const world::World& world) : prototypes_(world.scene()) {
   show(world, {});
 }
 
-void Shown::show(const world::World& world, const world::Pace& pace) {
+void ShownWorlds::show(const world::World& world, const world::Pace& pace) {
   std::shared_ptr<const replicate::Layout> layout = snapshots_.empty() ? nullptr : snapshots_.back().layout;
   if (!layout || layout->population != world.population())
     layout = std::make_shared<const replicate::Layout>(
@@ -22,7 +22,7 @@ void Shown::show(const world::World& world, const world::Pace& pace) {
   replicate::capture(world, pace, std::move(layout), {}, snapshots_.emplace_back());
 }
 
-std::shared_ptr<const replicate::Layout> Shown::population(
+std::shared_ptr<const replicate::Layout> ShownWorlds::population(
     const std::function<bool(const replicate::Layout&)>& fits) const {
   const replicate::Layout* last = nullptr;
   for (auto snapshot = snapshots_.rbegin(); snapshot != snapshots_.rend(); ++snapshot) {
@@ -32,8 +32,8 @@ std::shared_ptr<const replicate::Layout> Shown::population(
   return nullptr;
 }
 
-bool Shown::has(std::uint64_t tick, const replicate::Layout& layout,
-                std::span<const replicate::ModelState> models) const {
+bool ShownWorlds::has(std::uint64_t tick, const replicate::Layout& layout,
+                      std::span<const replicate::ModelState> models) const {
   return std::ranges::any_of(snapshots_, [&](const replicate::Snapshot& snapshot) {
     return snapshot.tick == tick && snapshot.layout->id == layout.id &&
            std::ranges::equal(snapshot.models, models);

@@ -1,4 +1,4 @@
-#include "playhouse/house/page.h"
+#include "playhouse/house/simulated_viewer.h"
 
 #include <fmt/format.h>
 
@@ -39,8 +39,9 @@ net::HttpRequest request_from(const std::string& address) {
 
 }  // namespace
 
-Page::Page(net::SimulatedNetwork& network, std::uint16_t port, const std::string& address, const Shown& shown,
-           PageManner manner, std::uint64_t seed)
+SimulatedViewer::SimulatedViewer(net::SimulatedNetwork& network, std::uint16_t port,
+                                 const std::string& address, const ShownWorlds& shown, PageManner manner,
+                                 std::uint64_t seed)
     : network_(network),
       page_(network.open_page(port, request_from(address))),
       shown_(shown),
@@ -48,24 +49,24 @@ Page::Page(net::SimulatedNetwork& network, std::uint16_t port, const std::string
       random_(seed),
       heard_(network.now()) {}
 
-void Page::leave() {
+void SimulatedViewer::leave() {
   if (!std::exchange(over_, true)) page_.finish();
 }
 
-void Page::excuse_until(double time) {
+void SimulatedViewer::excuse_until(double time) {
   heard_ = std::max(heard_, time);
 }
 
-void Page::wrong(std::string what) {
+void SimulatedViewer::wrong(std::string what) {
   if (behaves() && !fault_) fault_ = "a page " + std::move(what);
 }
 
-std::uint32_t Page::any_model() {
+std::uint32_t SimulatedViewer::any_model() {
   if (starts_.empty()) return draw(20);
   return std::next(starts_.begin(), draw(static_cast<std::uint32_t>(starts_.size())))->first;
 }
 
-std::string Page::any_command() {
+std::string SimulatedViewer::any_command() {
   const std::uint32_t model = any_model();
   switch (draw(10)) {
     case 0:
@@ -91,7 +92,7 @@ std::string Page::any_command() {
   }
 }
 
-void Page::act() {
+void SimulatedViewer::act() {
   if (over_ || !has_scene_) return;
   if (draw(4) == 0) page_.send(manner_ == PageManner::kGarbles && draw(2) == 0 ? "{\"do\":" : any_command());
   if (manner_ == PageManner::kStalls && draw(30) == 0) {
@@ -105,7 +106,7 @@ void Page::act() {
   }
 }
 
-void Page::hear(double patience) {
+void SimulatedViewer::hear(double patience) {
   if (over_) return;
   for (const net::SimulatedPage::Message& message : page_.take()) {
     for (const std::byte byte : message.bytes) digest_.add(static_cast<std::uint64_t>(byte));
@@ -124,7 +125,7 @@ void Page::hear(double patience) {
 }
 
 /// Texts that describe models; others are for people.
-void Page::take_text(std::string_view text) {
+void SimulatedViewer::take_text(std::string_view text) {
   boost::system::error_code failed;
   const json::value value = json::parse(text, failed);
   const json::object* const object = failed ? nullptr : value.if_object();
@@ -138,7 +139,7 @@ void Page::take_text(std::string_view text) {
 }
 
 /// Throws if what it has is of another form.
-void Page::take_models(const json::object& text) {
+void SimulatedViewer::take_models(const json::object& text) {
   if (const json::value* const gone = text.if_contains("gone"))
     for (const json::value& id : gone->as_array())
       if (starts_.erase(id.to_number<std::uint32_t>()) == 0)
@@ -165,7 +166,7 @@ void Page::take_models(const json::object& text) {
   }
 }
 
-void Page::take_frame(std::span<const std::byte> packet) {
+void SimulatedViewer::take_frame(std::span<const std::byte> packet) {
   if (!replica_) return wrong("gets a frame before the scene");
   const std::vector<replicate::ModelState> before = replica_->models;
   const Result<std::uint32_t> frame = replicate::apply_packet(packet, *replica_);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Page: a page of a simulated house: it holds the world as the program's texts and packets describe it, and
+/// SimulatedViewer: a page of a simulated house: it holds the world as the program's texts and packets describe it, and
 /// has a person in it who drives, joins, speaks, and carries robots. What it holds must be the world of one
 /// tick. Thread: one for the whole house.
 
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "playhouse/base/hash.h"
-#include "playhouse/house/shown.h"
+#include "playhouse/house/shown_worlds.h"
 #include "playhouse/net/simulated.h"
 #include "playhouse/replicate/delta.h"
 
@@ -28,11 +28,11 @@ enum class PageManner : std::uint8_t {
 };
 inline constexpr std::size_t kPageManners = 4;
 
-class Page {
+class SimulatedViewer {
  public:
   /// Opens the WebSocket from this address. `shown` must outlive it.
-  Page(net::SimulatedNetwork& network, std::uint16_t port, const std::string& address, const Shown& shown,
-       PageManner manner, std::uint64_t seed);
+  SimulatedViewer(net::SimulatedNetwork& network, std::uint16_t port, const std::string& address,
+                  const ShownWorlds& shown, PageManner manner, std::uint64_t seed);
 
   /// Sends some commands; before a tick.
   void act();
@@ -66,7 +66,7 @@ class Page {
 
   net::SimulatedNetwork& network_;
   net::SimulatedPage page_;
-  const Shown& shown_;
+  const ShownWorlds& shown_;
   const PageManner manner_;
   std::mt19937_64 random_;
   std::map<std::uint32_t, std::vector<std::int64_t>> starts_;  // by id: the model's first state, as told
