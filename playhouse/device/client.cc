@@ -1,5 +1,6 @@
 #include "playhouse/device/client.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "playhouse/base/assert.h"
@@ -28,21 +29,20 @@ void Client::use(std::size_t device, DeviceId id, Driver& driver) {
   PLAYHOUSE_ASSERT(device < used_.size() && used_[device].driver == nullptr);
   used_[device].id = id;
   used_[device].driver = &driver;
+  if (std::ranges::find(held_, id) == held_.end()) held_.push_back(id);
 }
 
 void Client::join(DataFlow& flow) {
-  std::vector<DeviceId> devices;
-  for (const Used& used : used_) devices.push_back(used.id);
-  flow.add(*this, devices);
+  flow.add(*this, held_);
 }
 
 Result<void> Client::open() {
   for (const Used& used : used_)
     for (const auto& subscription : used.subscriptions) subscription->clear();
-  for (std::size_t device = 0; device < used_.size(); ++device) {
-    const Result<void> held = opener_.hold(used_[device].id, &owner_);
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const Result<void> held = opener_.hold(held_[i], &owner_);
     if (held) continue;
-    while (device > 0) opener_.release(used_[--device].id, &owner_);
+    while (i > 0) opener_.release(held_[--i], &owner_);
     return held;
   }
   open_ = true;
@@ -51,7 +51,7 @@ Result<void> Client::open() {
 
 void Client::close() {
   if (!open_.exchange(false)) return;
-  for (const Used& used : used_) opener_.release(used.id, &owner_);
+  for (const DeviceId id : held_) opener_.release(id, &owner_);
 }
 
 Taken Client::command(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body) {
