@@ -1,5 +1,6 @@
 #include "playhouse/device/client.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "playhouse/base/assert.h"
@@ -28,21 +29,20 @@ void DeviceClient::use(std::size_t device, DeviceId id, Driver& driver) {
   PLAYHOUSE_ASSERT(device < used_.size() && used_[device].driver == nullptr);
   used_[device].id = id;
   used_[device].driver = &driver;
+  if (std::ranges::find(held_, id) == held_.end()) held_.push_back(id);
 }
 
 void DeviceClient::join(DataFlow& flow) {
-  std::vector<DeviceId> devices;
-  for (const Used& used : used_) devices.push_back(used.id);
-  flow.add(*this, devices);
+  flow.add(*this, held_);
 }
 
 Result<void> DeviceClient::open() {
   for (const Used& used : used_)
     for (const auto& subscription : used.subscriptions) subscription->clear();
-  for (std::size_t device = 0; device < used_.size(); ++device) {
-    const Result<void> held = opener_.hold(used_[device].id, &owner_);
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const Result<void> held = opener_.hold(held_[i], &owner_);
     if (held) continue;
-    while (device > 0) opener_.release(used_[--device].id, &owner_);
+    while (i > 0) opener_.release(held_[--i], &owner_);
     return held;
   }
   open_ = true;
@@ -51,7 +51,7 @@ Result<void> DeviceClient::open() {
 
 void DeviceClient::close() {
   if (!open_.exchange(false)) return;
-  for (const Used& used : used_) opener_.release(used.id, &owner_);
+  for (const DeviceId id : held_) opener_.release(id, &owner_);
 }
 
 Taken DeviceClient::command(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body) {
@@ -59,13 +59,12 @@ Taken DeviceClient::command(std::size_t device, std::uint8_t subtype, std::span<
   return used_[device].driver->command({used_[device].id, kCmd, subtype, body});
 }
 
-void DeviceClient::ask(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body,
-                       Heard heard) {
+void DeviceClient::ask(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body, Heard heard) {
   forward(device, subtype, body, replier_for(std::move(heard)));
 }
 
 void DeviceClient::forward(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body,
-                           Replier replier) {
+                     Replier replier) {
   used_[device].driver->request({used_[device].id, kReq, subtype, body}, std::move(replier));
 }
 

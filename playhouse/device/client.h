@@ -55,7 +55,8 @@ class DeviceClient final : private Outlet, private DataFlow::Reader {
   /// Subscribes to all messages, with a queue of `limit`.
   Subscription& queue(std::size_t device, std::size_t limit);
   void when_news(News news) { news_ = std::move(news); }
-  /// Binds number `device` to a device of `driver`. Once for each.
+  /// Binds number `device` to a device of `driver`. Once for each. Several may be one device, which is held
+  /// and read once.
   void use(std::size_t device, DeviceId id, Driver& driver);
   /// Receives data from `flow`, after all clients that joined earlier. After all use() calls.
   void join(DataFlow& flow);
@@ -92,6 +93,7 @@ class DeviceClient final : private Outlet, private DataFlow::Reader {
   Opener& opener_;
   Driver& owner_;
   std::vector<Used> used_;
+  std::vector<DeviceId> held_;  // theirs, each once
   News news_;
   std::atomic<bool> open_ = false;
 

@@ -54,6 +54,21 @@ TEST_F(ClientTest, holds_its_devices_for_its_owner_who_hears_when_they_retire) {
   EXPECT_EQ(devices.holders[kLaser.row], &owner);
 }
 
+TEST_F(ClientTest, a_device_of_two_numbers_is_held_and_read_once) {
+  DeviceClient twice{devices, owner, 2};
+  Subscription& first = twice.queue(0, 4);
+  Subscription& second = twice.queue(1, 4);
+  for (const std::size_t number : {0, 1}) twice.use(number, kWheels, wheels());
+  twice.join(flow);
+  ASSERT_TRUE(twice.open());
+  EXPECT_EQ(devices.held[kWheels.row], 1);
+  publish(kWheels, 1, "here");
+  EXPECT_EQ(first.take().size(), 1u);
+  EXPECT_EQ(second.take().size(), 1u);
+  twice.close();
+  EXPECT_EQ(devices.held[kWheels.row], 0);
+}
+
 TEST_F(ClientTest, opens_none_when_one_cannot_start) {
   laser().broken = true;
   const Result<void> opened = client.open();

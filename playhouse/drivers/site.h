@@ -42,6 +42,9 @@ class Host : public device::Opener {
   /// Runs the task on the io thread, in the order of calls
   /// and after what the calling thread published. Any thread.
   virtual void post(std::function<void()> task) = 0;
+  /// False: drivers compute on the threads that call them, as in a simulation of the whole program. Before
+  /// the run.
+  virtual bool has_threads() const { return true; }
   /// For drivers that connect to other machines. Same thread as tasks of post().
   virtual net::Network& network() = 0;
   /// Loads a world file into a new engine.

@@ -111,6 +111,7 @@ class House final : private drivers::Host {
   }
   void release(device::DeviceId device, device::Driver* holder) override { server_.release(device, holder); }
   void post(std::function<void()> task) override { network_.post(std::move(task)); }
+  bool has_threads() const override { return false; }
   net::Network& network() override { return network_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override;
 

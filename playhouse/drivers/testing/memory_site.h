@@ -33,7 +33,8 @@ inline std::string build_drivers(const std::string& cfg, Site& site,
 
 class MemorySite final : public Host {
  public:
-  explicit MemorySite(std::string world) : world_text_(std::move(world)), site_(*this, 6665) {
+  explicit MemorySite(std::string world, bool has_threads = true)
+      : has_threads_(has_threads), world_text_(std::move(world)), site_(*this, 6665) {
     site_.data_flow().pass_to(recorder);
   }
   ~MemorySite() override {
@@ -97,6 +98,7 @@ class MemorySite final : public Host {
     return {};
   }
   void post(std::function<void()> task) override { posted_.push_back(std::move(task)); }
+  bool has_threads() const override { return has_threads_; }
   net::Network& network() override { return network_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override {
     opened.push_back(path);
@@ -115,6 +117,7 @@ class MemorySite final : public Host {
   std::uint32_t last_port = 65535;   // further ones are in use
 
  private:
+  const bool has_threads_;
   net::SimulatedNetwork network_{1};
   std::string world_text_;
   scene::SceneDesc scene_;

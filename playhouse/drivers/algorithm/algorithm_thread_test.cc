@@ -1,6 +1,6 @@
 // Results come at their tick, whatever the threads do; without ticks they come when they are ready.
 
-#include "playhouse/drivers/algorithm_thread.h"
+#include "playhouse/drivers/algorithm/algorithm_thread.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -142,6 +142,43 @@ TEST(AlgorithmThread, ends_with_results_that_nobody_waits_for) {
     thread.ticked(1);
   }
   EXPECT_THAT(out, IsEmpty());
+}
+
+// As in the simulation of the whole program.
+TEST(AlgorithmThread, on_the_caller_a_step_runs_at_the_tick_that_its_result_is_due) {
+  std::vector<int> out;
+  std::vector<std::thread::id> threads;
+  AlgorithmThread thread(AlgorithmThread::Steps::kOnCaller);
+  thread.follow_ticks(0, 1);
+  const auto step = [&](int value) {
+    return [&, value](bool fresh) {
+      threads.push_back(std::this_thread::get_id());
+      return [&, value, fresh] { out.push_back(fresh ? -value : value); };
+    };
+  };
+  thread.post(step(1));
+  thread.ticked(1);
+  EXPECT_THAT(threads, IsEmpty());
+  thread.post(step(2));
+  thread.ticked(2);
+  EXPECT_THAT(out, ElementsAre(-1));
+  thread.clear();
+  thread.post(step(3));
+  thread.ticked(4);
+  EXPECT_THAT(out, ElementsAre(-1, -3));
+  EXPECT_THAT(threads, ElementsAre(std::this_thread::get_id(), std::this_thread::get_id()));
+}
+
+TEST(AlgorithmThread, on_the_caller_without_ticks_what_a_delivery_posts_runs_after_it) {
+  std::vector<int> out;
+  AlgorithmThread thread(AlgorithmThread::Steps::kOnCaller);
+  thread.post([&](bool) {
+    return [&] {
+      thread.post(appends(out, 2));
+      out.push_back(1);
+    };
+  });
+  EXPECT_THAT(out, ElementsAre(1, 2));
 }
 
 // For the thread sanitizer, and for the promise of clear(): when it returns, no delivery that began before is
