@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Checks rules that a compiler does not: module dependencies, boundaries that documents draw, missing includes, meaningless names, calls that break
-reproducibility, messages that do not say what is invalid, test scripts that do not run all of their tests, tests that
-sleep, version numbers and limits that differ, links to nothing, generated files in git. Prints file:line: what; exit 1.
+"""Checks rules that a compiler does not: module dependencies, boundaries that documents draw, missing includes, names
+that say nothing or mean two things, calls that break reproducibility, messages that do not say what is invalid, test
+scripts that do not run all of their tests, tests that sleep, version numbers and limits that differ, links to nothing,
+generated files in git. Prints file:line: what; exit 1.
 Without arguments only files that differ from main are checked, and their headers are compiled alone."""
 
 import argparse
@@ -13,11 +14,13 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 import boundaries
+import captions
 import includes
 import limits
 import links
 import messages
 import module_graph
+import names
 import threads
 import versions
 import waits
@@ -144,6 +147,11 @@ def main():
     findings += limits.findings(written)
     findings += boundaries.findings(written)
     findings += waits.findings(git(*ours))
+    findings += captions.missing()
+    findings += names.defined_twice()
+    findings += names.unknown_types()
+    instead = names.refused()
+    findings += [finding for path in checked for finding in names.refused_words(path, instead)]
     findings += [finding for folder in (ROOT / "tests", ROOT / "clients/python") for path in sorted(folder.glob("*/test_*.py")) for finding in check_test_script(path)]
     headers = [path for path in checked if path.suffix == ".h" and not check_all]
     with ThreadPoolExecutor(2) as pool:

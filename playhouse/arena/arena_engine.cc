@@ -76,7 +76,7 @@ bool is_tilted(const geom::SpatialPose& X) {
 }  // namespace
 
 ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
-                         const Surface& ground)
+                         const ContactSurface& ground)
     : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense, .camera = make_camera_sense}),
       physics_(ground, scene.gravity) {
   world_.engine = "arena";

@@ -3,6 +3,10 @@
 /// ArenaEngine: rigid-body dynamics of models and wheeled robots. Rangers and
 /// cameras work in 3D (lidar_sense.h, camera_sense.h); the other senses are those
 /// of the stage engine, on extruded outlines at heights. Thread: the tick thread.
+///
+/// In: the state before the phase `move`: poses, tilts, velocities and commands of trees.
+/// Out: the state after it.
+/// Cost: that of Physics::step(); for a tree whose joints have moved, also new hulls.
 
 #include <vector>
 
@@ -15,7 +19,8 @@ namespace playhouse::arena {
 
 class ArenaEngine final : public senses::BodyEngine {
  public:
-  ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers, const Surface& ground);
+  ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
+              const ContactSurface& ground);
 
  private:
   /// The rigid body of a tree of models.

@@ -216,7 +216,7 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
   const std::map<std::uint32_t, geom::SpatialPose> X_BM = poses_in_top(world, trees, tree, joints);
   TreeHulls all;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
-  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], bodies::Observer::kMotion,
+  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], bodies::SeenBy::kMotion,
             [&](std::size_t begin, std::size_t end) {
               const std::uint32_t model = solids.model[begin];
               const FrameOfBody frame(X_BM.at(model));
@@ -236,10 +236,10 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
                                         extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
 }
 
-BodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
-                   std::vector<Hull> hulls) {
+RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
+                        std::vector<Hull> hulls) {
   const scene::ModelDesc& top = world.desc({trees.root[tree]});
-  BodyDesc desc;
+  RigidBodyDesc desc;
   desc.surface = surface_of(top);
   const Content content = content_of(hulls);
   const double mass = mass_of(world, trees, tree);
@@ -267,12 +267,12 @@ std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::So
   std::vector<FixedSolid> fixed;
   std::vector<Hull> hulls;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
-  each_body(solids, 0, solids.fixed, bodies::Observer::kMotion, [&](std::size_t begin, std::size_t end) {
+  each_body(solids, 0, solids.fixed, bodies::SeenBy::kMotion, [&](std::size_t begin, std::size_t end) {
     const std::uint32_t model = solids.model[begin];
     const FrameOfBody frame(world::pose_in_world(world.models, {model}));
     if (const mesh::Mesh* mesh = mesh_of(world, model)) {
       if (std::exchange(latest, model) == model) return;
-      const Surface surface = surface_of(world.desc({model}));
+      const ContactSurface surface = surface_of(world.desc({model}));
       const double heading = world.models.X_WM[model].a;
       FixedParts parts = fixed_parts(*mesh, body_in(world, model, frame.X_FM()));
       frame.turn(parts.triangles.p);

@@ -2,6 +2,11 @@
 
 /// From models to rigid bodies: mass, hulls and wheels of a tree of models. World files give outlines
 /// and heights; parameters that they leave open are chosen here. Frames: W world, B the tree's root.
+///
+/// In: the models of a tree, and their solids or meshes.
+/// Out: hulls, mass, wheels and motors of a rigid body; the static solids.
+/// Cost: the outlines and hulls of the tree. Once for a population, and hulls again when joints have
+///   moved.
 
 #include <cstdint>
 #include <vector>
@@ -44,8 +49,8 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
 
 /// The body of a tree with at least one hull. With hulls at rest it does not depend on
 /// what joints did: an arm that reaches out moves no wheel, and no mass.
-BodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
-                   std::vector<Hull> hulls);
+RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
+                        std::vector<Hull> hulls);
 
 /// The static obstacles.
 std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::Solids& solids);

@@ -147,7 +147,7 @@ class Search {
 
   /// In walls: an edge goes through the body, or the body is within them, by the even-odd rule.
   void look_at_walls(const Body& body, const RowIndex& index) {
-    const Outline outline = outline_of(body.solid);
+    const Polygon outline = outline_of(body.solid);
     const geom::Vec2 inner = body.solid.p.front();
     std::map<std::uint32_t, bool> inside;
     for (std::size_t row = index.row_of(body.box.y_min); row <= index.row_of(body.box.y_max); ++row) {

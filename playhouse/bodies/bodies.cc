@@ -55,10 +55,11 @@ double width_of(std::span<const Vec2> polygon) {
   return width;
 }
 
-Shape make_shape(std::span<const Vec2> points_B, double z_min, double z_max, const scene::ModelDesc& desc) {
+SolidShape make_shape(std::span<const Vec2> points_B, double z_min, double z_max,
+                      const scene::ModelDesc& desc) {
   const Rotation turn = Rotation::of(desc.X_MB.a);
   const bool reversed = signed_area(points_B) < 0;
-  Shape shape;
+  SolidShape shape;
   shape.z_min_M = z_min + desc.X_MB.z;
   shape.z_max_M = z_max + desc.X_MB.z;
   Vec2 sum;
@@ -78,7 +79,7 @@ Shape make_shape(std::span<const Vec2> points_B, double z_min, double z_max, con
   return shape;
 }
 
-void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc, std::uint32_t model,
+void add_solid(Solids& solids, const SolidShape& shape, const scene::ModelDesc& desc, std::uint32_t model,
                std::uint32_t root, std::uint32_t tree, std::uint32_t first) {
   solids.model.push_back(model);
   solids.root.push_back(root);
@@ -92,7 +93,7 @@ void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc,
   solids.full.push_back(shape.full);
   solids.hole.push_back(shape.hole);
   solids.body.push_back(first + shape.body);
-  solids.seen_by.push_back(observers_of(desc));
+  solids.seen_by.push_back(seen_by_of(desc));
   solids.enclosed.push_back(0);
   solids.p_M.insert(solids.p_M.end(), shape.p_M.begin(), shape.p_M.end());
   solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p_M.size()));
@@ -102,7 +103,7 @@ void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes,
                       std::uint32_t tree) {
   const scene::ModelDesc& desc = world.desc({model});
   const auto first = static_cast<std::uint32_t>(solids.size());
-  for (const Shape& shape : shapes.of(world.models.desc[model]))
+  for (const SolidShape& shape : shapes.of(world.models.desc[model]))
     add_solid(solids, shape, desc, model, world.models.root[model], tree, first);
 }
 
@@ -139,7 +140,7 @@ void put_in_place(Solids& solids, const world::Models& models, std::size_t first
   solids.center.resize(solids.size());
   solids.z_min.resize(solids.size());
   solids.z_max.resize(solids.size());
-  solids.p.resize(solids.p_M.size() + Solids::kSpare);
+  solids.p.resize(solids.p_M.size() + Solids::kPad);
   make_room_for_corners(solids);
   solids.rotation.resize(models.size());
   for (std::uint32_t model = 0; model < models.size(); ++model) turn(solids, models, {&model, 1});
@@ -160,15 +161,15 @@ void add_tree(Trees& trees, const world::World& world, std::uint32_t row) {
 
 }  // namespace
 
-const std::vector<Shape>& Shapes::of(std::uint32_t row) {
+const std::vector<SolidShape>& Shapes::of(std::uint32_t row) {
   const auto [entry, is_new] = made_.try_emplace(row);
   if (!is_new) return entry->second;
   const scene::ModelDesc& desc = scene_.models[row];
-  std::vector<Shape>& shapes = entry->second;
+  std::vector<SolidShape>& shapes = entry->second;
   const auto next = [&shapes] { return static_cast<std::uint32_t>(shapes.size()); };
   for (const scene::Block& block : desc.blocks) {
     if (block.points.size() < 3) continue;
-    Shape shape = make_shape(block.points, block.z_min, block.z_max, desc);
+    SolidShape shape = make_shape(block.points, block.z_min, block.z_max, desc);
     shape.full = true;
     shape.body = next();
     shapes.push_back(std::move(shape));
@@ -177,7 +178,7 @@ const std::vector<Shape>& Shapes::of(std::uint32_t row) {
     const std::uint32_t body = next();
     for (const std::vector<Vec2>& loop : bitmap.loops) {
       if (loop.size() < 3) continue;
-      Shape shape = make_shape(loop, bitmap.z_min, bitmap.z_max, desc);
+      SolidShape shape = make_shape(loop, bitmap.z_min, bitmap.z_max, desc);
       shape.hole = signed_area(loop) < 0;
       shape.body = body;
       shapes.push_back(std::move(shape));

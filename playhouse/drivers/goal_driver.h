@@ -30,7 +30,7 @@ class GoalDriver : public device::Driver {
   GoalDriver(device::Opener& opener, std::size_t devices, std::size_t output, std::size_t input);
 
   void set_device(device::DeviceId device) { device_ = device; }
-  device::Client& client() { return client_; }
+  device::DeviceClient& client() { return client_; }
   /// A subclass's last member, so that it is joined before what its steps use is destroyed.
   virtual AlgorithmThread& thread() = 0;
 
@@ -68,7 +68,7 @@ class GoalDriver : public device::Driver {
   /// Applies the result of a step, unless its drive has ended.
   void steer(const Trip& trip, double speed, double turn_rate, End end);
 
-  device::Client client_;
+  device::DeviceClient client_;
   mutable std::mutex mutex_;  // guards what a subclass learns on other threads than its own, and what follows
 
  private:

@@ -18,8 +18,8 @@
 namespace playhouse::rays {
 
 /// The pose of a ranger, and what is invisible to it.
-struct View {
-  static constexpr bodies::Observers kBy = bit(bodies::Observer::kRanger);
+struct RangerView {
+  static constexpr bodies::SeenByBits kBy = bit(bodies::SeenBy::kRanger);
 
   geom::Pose X_WM;
   geom::Rotation rotation;  // of X_WM
@@ -58,10 +58,10 @@ struct Scratch {
 };
 
 /// The beams of a scan.
-void run_scan(const bodies::Space& space, const View& view, const Scan& scan, Scratch& scratch);
+void run_scan(const bodies::Space& space, const RangerView& view, const Scan& scan, Scratch& scratch);
 
 /// The rays of a bundle. Their hits may wait in the scratch for those of other bundles: finish_rays().
-void run_bundle(const bodies::Space& space, const View& view, const Bundle& bundle, Scratch& scratch);
+void run_bundle(const bodies::Space& space, const RangerView& view, const Bundle& bundle, Scratch& scratch);
 
 /// Writes the hits of all bundles that wait.
 void finish_rays(const bodies::Space& space, Scratch& scratch);

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Rays: a batch of single rays in W, shortened as hits are found. Rays of several
-/// rangers traverse the walls in one batch, which hides the latency of each step.
+/// rangers traverse the walls in one batch, which hides the latency of each step. Values.
 
 #include "playhouse/rays/ranger_kinds.h"
 
@@ -9,8 +9,8 @@ namespace playhouse::rays {
 
 struct Rays {
   static constexpr std::size_t kMost = 128;
-  static constexpr std::size_t kSpare = 8;  // padding: vector loops run past the last ray
-  static constexpr std::size_t kRoom = kMost + kSpare;
+  static constexpr std::size_t kPad = 8;  // vector loops run past the last ray
+  static constexpr std::size_t kRoom = kMost + kPad;
 
   double px[kRoom], py[kRoom], dx[kRoom], dy[kRoom];  // m, unit vectors
   float ahead_x[kRoom], ahead_y[kRoom];               // dx, dy

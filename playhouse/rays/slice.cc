@@ -17,7 +17,7 @@ bool Slicer::shows(const bodies::Solids& solids, std::uint32_t solid) const {
   return (solids.seen_by[solid] & by_) != 0 && solids.root[solid] != root_;
 }
 
-void Slicer::stand(const bodies::Space& space, geom::Vec2 p, double z, double reach, bodies::Observers by,
+void Slicer::stand(const bodies::Space& space, geom::Vec2 p, double z, double reach, bodies::SeenByBits by,
                    std::uint32_t root) {
   p_ = p;
   z_ = z;

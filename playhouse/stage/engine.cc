@@ -23,7 +23,7 @@ void StageEngine::move() {
 }
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
-                                                   const EngineOptions& options) {
+                                                   const world::EngineOptions& options) {
   if (const Result<void> checked = bodies::check_scene(scene); !checked) return checked.error();
   return std::unique_ptr<world::Engine>(std::make_unique<StageEngine>(scene, options.seed, options.workers));
 }

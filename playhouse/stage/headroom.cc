@@ -64,7 +64,7 @@ void Headroom::avoid(std::uint32_t tree, geom::Vec2 p, const bodies::FastBodies&
   if (before <= 0 || fast.empty()) return;
   double room = before;
   fast.index().near(p, radius_[tree] + room, -kFar, kFar, [&](const bodies::DiscIndex::Disc& disc) {
-    if (disc.root == root_[tree] || (disc.seen_by & bit(bodies::Observer::kMotion)) == 0) return;
+    if (disc.root == root_[tree] || (disc.seen_by & bit(bodies::SeenBy::kMotion)) == 0) return;
     room = std::min(room, length(disc.center - p) - disc.radius - radius_[tree] - bodies::kMargin);
   });
   if (room < before) until_[tree] = drift_ + room;
@@ -76,7 +76,7 @@ void Headroom::measure(std::uint32_t tree, geom::Vec2 p, double way, const bodie
   const double radius = radius_[tree];
   double room = kTicks * (way + others_);
   index.near(p, radius + room, -kFar, kFar, [&](const bodies::DiscIndex::Disc& disc) {
-    if (disc.root == root_[tree] || (disc.seen_by & bit(bodies::Observer::kMotion)) == 0) return;
+    if (disc.root == root_[tree] || (disc.seen_by & bit(bodies::SeenBy::kMotion)) == 0) return;
     room = std::min(room, length(disc.center - p) - disc.radius - radius);
   });
   if (walls_block_ && walls.clear_about(p) < radius + room) {

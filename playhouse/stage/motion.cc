@@ -40,7 +40,7 @@ geom::Pose part_at(const geom::Pose& X_WP, geom::Rotation rotation, const geom::
   return {p.x, p.y, X_WP.z + X_PM.z, geom::normalize(X_WP.a + X_PM.a)};
 }
 
-bodies::Outline outline_at(const bodies::Solids& solids, std::size_t row, geom::Vec2 center,
+bodies::Polygon outline_at(const bodies::Solids& solids, std::size_t row, geom::Vec2 center,
                            const geom::Vec2* p) {
   const std::size_t vertices = solids.first_vertex[row + 1] - solids.first_vertex[row] - 1;
   return {{p, vertices}, center, solids.convex[row] != 0};
@@ -54,7 +54,7 @@ HeightRange heights_in(const bodies::Solids& solids, std::size_t row, const bodi
   return {z + solids.z_min_M[row], z + solids.z_max_M[row]};
 }
 
-bodies::Outline outline_now(const bodies::Solids& solids, std::size_t row) {
+bodies::Polygon outline_now(const bodies::Solids& solids, std::size_t row) {
   return outline_at(solids, row, solids.center[row], solids.p.data() + solids.first_vertex[row]);
 }
 
@@ -326,7 +326,7 @@ void Motion::gather(const Surroundings& in, std::uint32_t tree, const Circle& al
                z_high = all.z_max + rise_max_ - bodies::kTouch;
   const auto collect = [&](const bodies::DiscIndex& index, double reach, bool fast) {
     index.near(all.center, reach, z_low, z_high, [&](const bodies::DiscIndex::Disc& disc) {
-      if (disc.root == root || (disc.seen_by & bit(bodies::Observer::kMotion)) == 0 ||
+      if (disc.root == root || (disc.seen_by & bit(bodies::SeenBy::kMotion)) == 0 ||
           distance(disc.center, all.center) >= disc.radius + reach)
         return;
       const std::uint32_t other = in.solids.tree[disc.row];

@@ -10,6 +10,12 @@
 /// Proposals and their hits are found in parallel; hits that depend on earlier trees are recorded as
 /// conflicts, and one sequential pass in row order resolves them. Deterministic for any number of threads.
 /// Fast path: a tree with headroom (headroom.h) hits nothing, so only its root pose is proposed.
+///
+/// In: velocities and poses of the movers; the movable solids in an index, and the walls.
+/// Out: poses of models, solids placed in W, stalls, odometry.
+/// Cost: a pose for a tree with headroom. Any other has, for each substep of its way, a query of the
+///   walls for each of its solids, and a test of outlines for each pair of near ones; the pass over
+///   conflicts is sequential.
 
 #include <cmath>
 #include <vector>
@@ -66,7 +72,7 @@ class Motion {
   };
   /// A placed solid: outline and height range [m].
   struct Body {
-    bodies::Outline outline;
+    bodies::Polygon outline;
     double z_min, z_max;
   };
   /// Bounding circle and height range of a configuration. [m]

@@ -21,21 +21,21 @@
 
 namespace playhouse::web_server {
 
-enum class Role : std::uint8_t { kObserver, kDriver, kHuman, kAdmin };
+enum class GuestRole : std::uint8_t { kObserver, kDriver, kHuman, kAdmin };
 
-std::string_view name_of(Role role);
+std::string_view name_of(GuestRole role);
 
 /// Permissions beyond watching.
-struct Rights {
+struct GuestRights {
   bool drives = false;   // any robot
   bool joins = false;    // has an avatar, drives it and speaks
   bool manages = false;  // pauses, rewinds, adds, moves, removes, saves; mutes and kicks others
 };
 
-Rights rights_of(Role role);
+GuestRights rights_of(GuestRole role);
 
 struct Guest {
-  Role role = Role::kObserver;
+  GuestRole role = GuestRole::kObserver;
   std::string token;  // "*": guests without a token
   std::string name;   // display name; empty: chosen by the guest
 };

@@ -38,7 +38,7 @@ namespace {
 /// Minimum interval between history updates.
 constexpr double kPastPeriod = 1;  // s
 
-bool has_right(const Rights& rights, replicate::May may) {
+bool has_right(const GuestRights& rights, replicate::May may) {
   switch (may) {
     case replicate::May::kAnybody:
       return true;
@@ -333,7 +333,7 @@ class WebServer::Impl final : public net::HttpService,
     }
     const bool is_fixed = !control_.why_fixed().empty();
     for (const auto& viewer : viewers_) {
-      const Rights rights = viewer->rights();
+      const GuestRights rights = viewer->rights();
       viewer->tell_people(
           boost::json::serialize(boost::json::object{{"people", people},
                                                      {"you", viewer->number()},

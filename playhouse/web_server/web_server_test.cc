@@ -813,6 +813,16 @@ TEST(Budget, a_page_gets_no_more_bytes_a_second) {
   EXPECT_GT(static_cast<double>(bytes), 0.8 * kBytes * kSeconds);
 }
 
+TEST_F(WebServerTest, commands_that_cannot_be_carried_out_never_end_the_connection) {
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  viewer.message();
+  for (std::size_t k = 0; k < 2 * limits::kViewerFaults; ++k) {
+    viewer.send_text(R"({"do":"drive","model":0,"forward":1,"sideways":0,"turn":0})");
+    EXPECT_THAT(next_text(viewer, turning()), HasSubstr("no such robot to drive"));
+  }
+}
+
 TEST_F(WebServerTest, commands_that_cannot_be_are_told_and_then_end_the_connection) {
   WebClient viewer(port_);
   ASSERT_TRUE(viewer.upgrade());
@@ -840,10 +850,10 @@ class GuestsTest : public WebServerTest {
   explicit GuestsTest(int people = 0, double join_period = 3600)
       : WebServerTest(
             [join_period](WebOptions& options) {
-              options.guests = {{Role::kAdmin, "the-admin", "Ada"},
-                                {Role::kDriver, "a-driver-", ""},
-                                {Role::kHuman, "somebody-", "Bob"},
-                                {Role::kObserver, "*", ""}};
+              options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"},
+                                {GuestRole::kDriver, "a-driver-", ""},
+                                {GuestRole::kHuman, "somebody-", "Bob"},
+                                {GuestRole::kObserver, "*", ""}};
               options.viewers = 4;
               options.join_period = join_period;
               options.place_of_body = [](const world::World&, std::uint32_t,
@@ -1029,7 +1039,7 @@ class ProxyTest : public WebServerTest {
  protected:
   ProxyTest()
       : WebServerTest([](WebOptions& options) {
-          options.guests = {{Role::kAdmin, "the-admin", "Ada"}, {Role::kObserver, "*", ""}};
+          options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"}, {GuestRole::kObserver, "*", ""}};
           options.proxies = *net::TrustedProxies::parse("127.0.0.7");
         }) {}
 };
@@ -1097,7 +1107,7 @@ class SharesTest : public GuestsTest {
  protected:
   explicit SharesTest(std::shared_ptr<world::Shares> shares = std::make_shared<world::Shares>())
       : GuestsTest([&shares](WebOptions& options) {
-          options.guests = {{Role::kAdmin, "the-admin", "Ada"}, {Role::kAdmin, "the-other", "Bea"}};
+          options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"}, {GuestRole::kAdmin, "the-other", "Bea"}};
           options.shares = shares;
         }),
         shares_(std::move(shares)) {}

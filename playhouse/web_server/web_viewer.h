@@ -89,7 +89,7 @@ class WebViewer final : public net::WebSocketEvents {
   const std::string& peer() const { return socket_->peer(); }
   std::uint32_t number() const { return number_; }  // never reused
   const Guest& guest() const { return guest_; }
-  Rights rights() const { return rights_of(guest_.role); }
+  GuestRights rights() const { return rights_of(guest_.role); }
 
  private:
   /// A page that gets nothing for a second assumes that the program hangs; the present world is offered every
@@ -100,6 +100,7 @@ class WebViewer final : public net::WebSocketEvents {
   void drained() override;
   void closed(const std::string& why) override { owner_.left(*this, why); }
 
+  void reject(const std::string& why);
   Result<void> execute(const replicate::Command& command);
   void send_frame();
 

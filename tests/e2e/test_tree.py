@@ -8,11 +8,13 @@ from unittest import mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import boundaries  # noqa: E402
+import captions  # noqa: E402
 import corpus  # noqa: E402
 import limits  # noqa: E402
 import links  # noqa: E402
 import messages  # noqa: E402
 import module_graph  # noqa: E402
+import names  # noqa: E402
 import threads  # noqa: E402
 import versions  # noqa: E402
 import waits  # noqa: E402
@@ -39,10 +41,11 @@ class Tree(unittest.TestCase):
         self.write("chimney/CMakeLists.txt", "playhouse_module(chimney)")
         (self.root / "ARCHITECTURE.md").write_text(MAP)
         (self.root / "docs").mkdir()
-        for module in (links, module_graph, threads):
+        for module in (captions, links, module_graph, names, threads):
             self.replace(module, "ROOT", self.root)
-        for module in (module_graph, threads):
+        for module in (captions, module_graph, names, threads):
             self.replace(module, "SOURCE", self.root / "playhouse")
+        for module in (module_graph, threads):
             self.replace(module, "MAP", self.root / "ARCHITECTURE.md")
         self.replace(threads, "PAGE", self.root / "docs/locks.md")
         self.replace(messages, "ROOT", self.root)
@@ -201,6 +204,73 @@ class Boundaries(Tree):
         self.write("roof/tile.h", "")
         (self.root / "docs/page.md").write_text("`roof/tile.h` `playhouse/roof/tile.h` `roof/NAME.h`\n`roof/slate.h`\n")
         self.assertEqual(list(boundaries.missing_files("docs/page.md")), ["docs/page.md:2: there is no roof/slate.h"])
+class Names(Tree):
+    def twice(self, **texts):
+        for name, text in texts.items():
+            self.write(f"{name}/{name}.h", text)
+        return list(names.defined_twice())
+
+    def test_of_types_that_two_headers_define_are_found(self):
+        for kind in ("class Door final : public Wall {", "struct Door {};", "struct alignas(32) Door : Wall {", "enum class Door : std::uint8_t { kOpen };",
+                     "enum Door {", "union Door {", "using Door = std::vector<int>;"):
+            with self.subTest(kind):
+                self.assertEqual(self.twice(house="namespace playhouse::house {\nclass Door {\n};", roof=f"// Door\n\n{kind}"),
+                                 ["playhouse/roof/roof.h:3: Door is another thing in playhouse/house/house.h:2: a name that says which (docs/conventions.md)"])
+
+    def test_may_be_declared_nested_or_defined_once_more_for_other_arguments(self):
+        self.assertEqual(self.twice(house="class Door {\n};\ntemplate <>\nclass Door<int> {\n};\nclass Door;",
+                                    roof="class Door;\nenum class Door : int;\nclass Tile {\n  struct Door {};\n};\nusing house::Door;\nstruct Door* open();",
+                                    chimney="// class Door {\nDoor door() {\n}"), [])
+
+
+class Glossary(Tree):
+    def setUp(self):
+        super().setUp()
+        self.write("house/house.h", "struct Door {\n};")
+        self.page("| *door* | what closes, `Door`, of a `wall` |")
+
+    def page(self, *rows):
+        (self.root / "docs/conventions.md").write_text("\n".join([
+            "| `Roof` |", "## Words", "", "| a house | |", "|---|---|", *rows, "", "| not | but |", "|---|---|", "| lattice, window pane | pane |", "", "## Errors", "| `Roof` | |"]))
+
+    def test_names_types_that_headers_define(self):
+        self.assertEqual(list(names.unknown_types()), [])
+        self.page("| *door* | what closes, `Door` |", "| *gate* | another: `Gate`, `Door` |")
+        self.assertEqual(list(names.unknown_types()), ["docs/conventions.md:7: no header defines Gate"])
+
+    def refused(self, *lines):
+        return [each.partition(".cc:")[2] for each in names.refused_words(self.write("house/door.cc", "\n".join(lines)), names.refused())]
+
+    def test_refuses_words_in_identifiers_and_comments(self):
+        self.assertEqual(self.refused("int kLattice = 0;", "// A Lattice.", "class WindowPane;", "window_pane_", "  /// of the window pane"),
+                         [f"{line}: {word}: say pane (docs/conventions.md)" for line, word in
+                          enumerate(("lattice", "lattice", "window pane", "window pane", "window pane"), 1)])
+
+    def test_does_not_refuse_texts_other_words_and_names_of_libraries(self):
+        self.assertEqual(self.refused('say("a lattice", \'"\');', "lattices pane window.pane", "// a window; pane", "btLattice.getLattice(m_lattice)",
+                                      "btWall::Lattice"), [])
+
+
+class Captions(Tree):
+    def missing(self, name, *lines):
+        path = self.write(name, "\n".join(lines))
+        found = list(captions.missing())
+        path.unlink()
+        return found
+
+    def test_of_headers_and_kernels_that_compute_say_what_goes_in_what_comes_out_and_its_cost(self):
+        self.assertEqual(self.missing("rays/cast.h", "/// In: rays. Out: hits.", "void cast();  // Cost: little"),
+                         ["playhouse/rays/cast.h:1: says nothing of Cost (docs/conventions.md)"])
+        self.assertEqual(self.missing("rays/cast_kernels.inc", "// Indeed: rays."),
+                         ["playhouse/rays/cast_kernels.inc:1: says nothing of In, Out, Cost (docs/conventions.md)"])
+        self.assertEqual(self.missing("rays/cast.h", "/// In: rays.", "/// Out: hits.", "/// Cost: little."), [])
+        self.assertEqual(self.missing("rays/cast_kernels.inc", "// In, Out, Cost: as in cast.h."), [])
+
+    def test_of_values_and_tests_and_of_other_modules_need_not(self):
+        self.assertEqual(self.missing("rays/ray.h", "/// Rays. Values."), [])
+        for name in ("rays/testing_rays.h", "rays/fuzz_rays.h", "rays/generated/rays.h", "rays/cast.cc", "rays/float8_plain.inc", "roof/tile.h"):
+            with self.subTest(name):
+                self.assertEqual(self.missing(name, "int tile;"), [])
 
 
 class Folders(Tree):

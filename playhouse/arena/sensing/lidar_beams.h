@@ -3,6 +3,10 @@
 /// The rays of a ranger: for a scanner one per beam and ring, for a single-beam transducer
 /// a cone of rays (a level fan, one above, one below), of which the nearest echo counts.
 /// Frame: M the ranger's model.
+///
+/// In: the sensors of a ranger, from its description.
+/// Out: their rays, in M.
+/// Cost: the rays, once for each description.
 
 #include <cstdint>
 #include <vector>

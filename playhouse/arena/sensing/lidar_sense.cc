@@ -25,7 +25,7 @@ void add_bodies(Triangles& triangles, const world::World& world, const bodies::S
   const std::uint32_t model = solids.model[begin];
   if (const mesh::Mesh* mesh = mesh_of(world, model))
     return add_surfaces(triangles, *mesh, body_in(world, model, X_FM));
-  each_body(solids, begin, end, bodies::Observer::kRanger, [&](std::size_t first, std::size_t last) {
+  each_body(solids, begin, end, bodies::SeenBy::kRanger, [&](std::size_t first, std::size_t last) {
     const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, first, last, X_FM);
     const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
     add_extrusion(triangles, all, X_FM.z + solids.z_min_M[first], X_FM.z + solids.z_max_M[first]);
@@ -39,7 +39,7 @@ void each_model(const bodies::Solids& solids, std::size_t first, std::size_t las
     std::size_t end = begin;
     bool is_seen = false;
     for (; end < last && solids.model[end] == solids.model[begin]; ++end)
-      is_seen = is_seen || (solids.seen_by[end] & bodies::bit(bodies::Observer::kRanger)) != 0;
+      is_seen = is_seen || (solids.seen_by[end] & bodies::bit(bodies::SeenBy::kRanger)) != 0;
     if (is_seen) visit(solids.model[begin], begin, end);
     begin = end;
   }

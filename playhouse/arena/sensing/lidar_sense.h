@@ -4,6 +4,11 @@
 /// rings, and hit bodies in their full orientation and the ground. A single-beam
 /// transducer sees a cone: the nearest of the hit on its axis and the off-axis hits
 /// that face it. Noise is that of the stage engine, plus a lidar's (lidar_echo.h).
+///
+/// In: poses and tilts of models; the population's surfaces and optics.
+/// Out: ranges and intensities of the rangers that are due.
+/// Cost: in each tick with a due ranger an index of the movable bodies (RayScene::commit()), and
+///   RayScene::cast() for each ray.
 
 #include <map>
 #include <vector>

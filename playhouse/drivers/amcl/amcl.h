@@ -39,7 +39,7 @@ class Amcl final : public device::Driver {
   }
   /// Of random numbers.
   void set_seed(std::uint64_t seed) { seed_ = seed; }
-  device::Client& client() { return client_; }
+  device::DeviceClient& client() { return client_; }
   AlgorithmThread& thread() { return thread_; }
 
   std::string_view name() const override { return "amcl"; }
@@ -84,7 +84,7 @@ class Amcl final : public device::Driver {
 
   const AmclOptions options_;
   const Sensor sensor_;
-  device::Client client_;
+  device::DeviceClient client_;
   device::Subscription& odometry_;
   device::Subscription& scans_;
   device::DeviceId localize_;

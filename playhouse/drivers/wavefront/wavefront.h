@@ -31,7 +31,7 @@ class Wavefront final : public device::Driver {
   Wavefront(device::Opener& opener, const WavefrontOptions& options);
 
   void set_device(device::DeviceId device) { device_ = device; }
-  device::Client& client() { return client_; }
+  device::DeviceClient& client() { return client_; }
   AlgorithmThread& thread() { return thread_; }
 
   std::string_view name() const override { return "wavefront"; }
@@ -70,7 +70,7 @@ class Wavefront final : public device::Driver {
   wire::planner::WaypointsReq waypoints();
 
   const WavefrontOptions options_;
-  device::Client client_;
+  device::DeviceClient client_;
   device::Subscription& output_states_;
   device::Subscription& input_states_;
   device::DeviceId device_;
