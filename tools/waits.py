@@ -12,10 +12,6 @@ HELPERS = {
     "tests/waiting.py",
     "web/e2e/delaying_proxy.mjs",  # a slow link
 }
-# Whose subject is a time: why.
-TIMED = {
-    "playhouse/web_server/web_server_test.cc": "counts the bytes of a second",
-}
 IS_TEST = re.compile(r"(?:^|/)(?:tests|e2e)/|(?:^|/)test_[^/]*$|_test\.\w+$|\.test\.\w+$|(?:^|/)testing_?[^/]*(?:$|/)")
 
 _C = r"\b(?:sleep_for|sleep_until|u?sleep|nanosleep|gettimeofday|clock_gettime)\s*\(|\w*[cC]lock::now\b|\bmonotonic_seconds\b|\btime\((?:nullptr|NULL|0)\)|\bpoll\((?:nullptr|NULL),"
@@ -35,7 +31,7 @@ def findings(names):
     """"file:line: what" of each place of the tests among these files."""
     for name in sorted(names):
         path = pathlib.Path(name)
-        if name in HELPERS or name in TIMED or path.suffix not in PATTERNS or not IS_TEST.search(name):
+        if name in HELPERS or path.suffix not in PATTERNS or not IS_TEST.search(name):
             continue
         if (ROOT / name).is_file():
             yield from _in_file(name, re.compile(PATTERNS[path.suffix]))

@@ -154,7 +154,7 @@ test('a gamepad drives, and its stick may rest a little beside its middle', asyn
     window.pad = { connected: true, axes: [0.08, -0.06, 0, 0], buttons: [] };
     navigator.getGamepads = () => [null, window.pad];
   });
-  await pictures(page, 5); // each looks at the stick
+  await pictures(page, 3); // each looks at the stick
   assert.equal(await driven(), null);
   await page.evaluate(() => (window.pad.axes = [-0.9, 0.1, 0, 0]));
   await moves('left');

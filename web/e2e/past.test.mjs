@@ -88,7 +88,7 @@ test('a paused run stays paused, and later moments wait until it goes on', async
   await at(left);
   assert.deepEqual(await pose('azure'), where, 'the moment that was left is there again');
   assert.equal(await page.evaluate(() => window.playhouse.paused), true);
-  await pictures(page, 30);
+  await pictures(page, 10);
   assert.equal(await page.evaluate(() => window.playhouse.paused), true);
 });
 

@@ -96,7 +96,7 @@ test('pause stops every robot', async () => {
   await pause();
   const names = await page.evaluate(() => window.playhouse.robots);
   const [t, start] = [await tick(), await Promise.all(names.map((name) => pose(name)))];
-  await pictures(page, 30);
+  await pictures(page, 10);
   assert.equal(await tick(), t);
   assert.deepEqual(await Promise.all(names.map((name) => pose(name))), start);
   assert.equal(await by('mode').textContent(), 'paused');
@@ -106,7 +106,7 @@ test('step advances one tick', async () => {
   const t = await tick();
   await by('step').click();
   await page.waitForFunction((before) => window.playhouse.tick > before, t);
-  await pictures(page, 10);
+  await pictures(page, 5);
   assert.equal(await tick(), t + 1);
   await page.keyboard.press('.');
   await page.waitForFunction((before) => window.playhouse.tick > before, t + 1);
@@ -227,7 +227,7 @@ test('two viewers see the same and either may pause', async () => {
   const other = await watch(browser, program.page);
   await pause(other.page);
   await page.waitForFunction(() => window.playhouse.paused);
-  await pictures(page, 10);
+  await pictures(page, 5);
   assert.equal(await tick(), await tick(other.page));
   assert.deepEqual(await pose('coral'), await pose('coral', other.page));
   await goOn(other.page);

@@ -5,7 +5,6 @@ import signal
 import subprocess
 import sys
 import unittest
-from concurrent.futures import ThreadPoolExecutor
 from typing import Callable, Dict, List, Sequence, Tuple
 
 import languages
@@ -15,7 +14,6 @@ from server_program import HANG, World, needed
 from playhouse_client import Access, Client, Pose, Position2d, Simulation, connect
 
 LONGEST = 3000.0  # s of simulated time, of an example that ends by itself
-AT_ONCE = 4  # languages: most of an example's time is that of its robot, not of the processor
 
 
 def examples(name: str) -> Dict[str, List[str]]:
@@ -46,12 +44,7 @@ def track(
 @needed
 class Examples(unittest.TestCase):
     def in_every_language(self, name: str, check: Callable[[List[str]], None]) -> None:
-        """Checks an example in each language, some at once, each in a world of its own."""
-        with ThreadPoolExecutor(AT_ONCE) as pool:
-            checked = {language: pool.submit(check, command) for language, command in examples(name).items()}
-        for language, each in checked.items():
-            with self.subTest(language):
-                each.result()
+        languages.check_each(self, examples(name), check)
 
     def assert_stands(self, client: Client, simulator: Simulation, index: int, model: str) -> None:
         with client.position2d(index, Access.READ) as robot:
