@@ -203,8 +203,8 @@ std::vector<std::string> blocked_starts(const World& world) {
 
 std::string overlapped_by(const World& world, world::ModelRow model) {
   if (world.models.size() > kMostModels) return {};
-  const std::uint32_t tree = world.models.root[model.index];
-  const auto is_of_tree = [&](std::uint32_t row) { return world.models.root[row] == tree; };
+  const std::uint32_t root = world.models.root[model.index];
+  const auto is_of_tree = [&](std::uint32_t row) { return world.models.root[row] == root; };
   const auto found = Search(world, is_of_tree).run();
   return found.empty() ? std::string() : shown(world, world.models.root[found.begin()->second]);
 }
