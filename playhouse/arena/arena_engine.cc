@@ -93,13 +93,13 @@ void ArenaEngine::populated(bool fixed) {
   has_parts_ = false;
   for (const bodies::TreeRow tree : trees_.rows()) {
     bodies_.push_back(make_body(tree));
-    if (bodies_.back().number != Body::kNone) tree_of_.push_back(tree);
+    if (bodies_.back().number != TreeBody::kNone) tree_of_.push_back(tree);
     has_parts_ = has_parts_ || !parts_of(tree).empty();
   }
 }
 
-ArenaEngine::Body ArenaEngine::make_body(bodies::TreeRow tree) {
-  Body body;
+ArenaEngine::TreeBody ArenaEngine::make_body(bodies::TreeRow tree) {
+  TreeBody body;
   body.part = part_of(world_, trees_, solids_, tree);
   for (const bodies::Mover& mover : movers_of(tree))
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
@@ -126,7 +126,7 @@ world::PhysicsShapes ArenaEngine::shapes() const {
   for (FixedSolid& solid : fixed_solids(world_, solids_))
     if (!solid.hull.empty()) shapes.fixed.push_back(std::move(solid.hull));
   for (const bodies::TreeRow tree : trees_.rows())
-    if (bodies_[tree].number != Body::kNone)
+    if (bodies_[tree].number != TreeBody::kNone)
       shapes.bodies.push_back(
           {world_.id({trees_.root[tree]}),
            hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, Joints::kNow, mesh_hulls_).hulls});
@@ -162,8 +162,8 @@ void ArenaEngine::move() {
 
 /// Copies the state of a tree from columns to Physics: columns are authoritative.
 void ArenaEngine::load(bodies::TreeRow tree) {
-  Body& body = bodies_[tree];
-  if (body.number == Body::kNone) return;
+  TreeBody& body = bodies_[tree];
+  if (body.number == TreeBody::kNone) return;
   if (body.has_joints) bend(tree);
   if (body.part == Part::kGuided) return load_guided(tree);
   const std::uint32_t top = trees_.root[tree];
@@ -192,7 +192,7 @@ void ArenaEngine::load_guided(bodies::TreeRow tree) {
 
 /// Updates hulls of an articulated body to its joint positions.
 void ArenaEngine::bend(bodies::TreeRow tree) {
-  Body& body = bodies_[tree];
+  TreeBody& body = bodies_[tree];
   const std::span<const bodies::Mover> movers = movers_of(tree);
   bool is_bent = false;
   for (std::size_t i = 0; i < movers.size(); ++i) {
@@ -244,7 +244,7 @@ Vec3 ArenaEngine::way_of(const Vec3& p, const bodies::Mover& mover) const {
 }
 
 void ArenaEngine::store(bodies::TreeRow tree) {
-  const Body& body = bodies_[tree];
+  const TreeBody& body = bodies_[tree];
   const std::uint32_t top = trees_.root[tree];
   const Pose before = world_.models.X_PM[top];
   bool moved = body.part != Part::kGuided && store_state(tree);
@@ -264,7 +264,7 @@ void ArenaEngine::store(bodies::TreeRow tree) {
 
 /// Copies the state of a body to columns. False if it slept, or left the valid range: then it stays.
 bool ArenaEngine::store_state(bodies::TreeRow tree) {
-  const Body& body = bodies_[tree];
+  const TreeBody& body = bodies_[tree];
   if (physics_.is_sleeping(body.number)) return false;
   world::Models& models = world_.models;
   const std::uint32_t top = trees_.root[tree];

@@ -24,7 +24,7 @@ class ArenaEngine final : public senses::BodyEngine {
 
  private:
   /// The rigid body of a tree of models.
-  struct Body {
+  struct TreeBody {
     static constexpr std::uint32_t kNone = world::ModelRow::kNone;
     Part part = Part::kGuided;
     std::uint32_t number = kNone;           // in Physics; kNone: it has no collision shape
@@ -40,7 +40,7 @@ class ArenaEngine final : public senses::BodyEngine {
   void populated(bool fixed) override;
   void replaced(bodies::TreeRow) override {}
 
-  Body make_body(bodies::TreeRow tree);
+  TreeBody make_body(bodies::TreeRow tree);
   std::span<const bodies::Mover> movers_of(bodies::TreeRow tree) const;
   /// Movers of the tree; the root is one only if the body is kinematic.
   std::span<const bodies::Mover> parts_of(bodies::TreeRow tree) const;
@@ -58,7 +58,7 @@ class ArenaEngine final : public senses::BodyEngine {
 
   Physics physics_;
   mutable MeshHulls mesh_hulls_;
-  ByRow<bodies::Trees, Body> bodies_;
+  ByRow<bodies::Trees, TreeBody> bodies_;
   std::vector<bodies::TreeRow> tree_of_;  // (bodies of Physics)
   bool has_parts_ = false;                // any tree has movers in the sense of parts_of()
   std::vector<std::uint8_t> blocked_;     // (trees_.movers) in this tick

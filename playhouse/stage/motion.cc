@@ -60,12 +60,12 @@ bodies::Polygon outline_now(const bodies::Solids& solids, std::size_t row) {
 
 }  // namespace
 
-Motion::Body Motion::body_now(const bodies::Solids& solids, std::size_t row) {
+Motion::PlacedSolid Motion::solid_now(const bodies::Solids& solids, std::size_t row) {
   return {outline_now(solids, row), solids.z_min[row], solids.z_max[row]};
 }
 
-Motion::Body Motion::proposed(const bodies::Solids& solids, std::size_t row) const {
-  Body body = body_now(solids, row);
+Motion::PlacedSolid Motion::proposed(const bodies::Solids& solids, std::size_t row) const {
+  PlacedSolid body = solid_now(solids, row);
   body.outline = outline_at(solids, row, center_[place_of(row)], p_.data() + vertex_of(solids, row));
   if (!lifts_[solids.tree[row]]) return body;
   const double z = z_[place_of(row)];
@@ -140,7 +140,7 @@ bodies::TreeShape Motion::proposal(const bodies::Solids& solids, bodies::TreeRow
 }
 
 /// The configuration of a tree after `fraction` of this tick's motion.
-void Motion::shape_at(const Surroundings& in, bodies::TreeRow tree, double fraction,
+void Motion::shape_at(const Inputs& in, bodies::TreeRow tree, double fraction,
                       const bodies::TreeShape& out) const {
   const world::Models& models = in.world.models;
   const double dt = in.world.scene().interval * fraction;
@@ -182,7 +182,7 @@ void Motion::shape_at(const Surroundings& in, bodies::TreeRow tree, double fract
 }
 
 /// For a rigid tree only its root pose, enough to bound the displacement of its solids.
-void Motion::propose(const Surroundings& in, bodies::TreeRow tree, Sweep& sweep) {
+void Motion::propose(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   proposes_[tree] = stalls_[tree] = lifts_[tree] = free_[tree] = 0;
   reach_[tree] = 0;
   for (const bodies::Mover& mover : movers_of(tree)) {
@@ -207,7 +207,7 @@ void Motion::propose(const Surroundings& in, bodies::TreeRow tree, Sweep& sweep)
         std::max(reach_[tree], distance(shape.center[i], in.solids.center[trees_->first_solid[tree] + i]));
 }
 
-bodies::TreeShape Motion::propose_shape(const Surroundings& in, bodies::TreeRow tree, Sweep& sweep) {
+bodies::TreeShape Motion::propose_shape(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   const bodies::TreeShape shape = proposal(in.solids, tree, sweep);
   shape_at(in, tree, 1.0, shape);
   rotation_[tree] = shape.rotation[0];
@@ -215,7 +215,7 @@ bodies::TreeShape Motion::propose_shape(const Surroundings& in, bodies::TreeRow 
 }
 
 /// Completes the proposal of a rigid tree without headroom.
-void Motion::propose_rest(const Surroundings& in, bodies::TreeRow tree, Sweep& sweep) {
+void Motion::propose_rest(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   if (!headroom_.is_rigid(tree) || lifts_[tree]) return;
   const double way = way_[tree];
   free_[tree] = headroom_.spend(tree, way);
@@ -232,7 +232,7 @@ void Motion::propose_rest(const Surroundings& in, bodies::TreeRow tree, Sweep& s
 }
 
 /// Number of substeps such that no solid moves by more than half its width per substep: no tunnelling.
-unsigned Motion::steps_of(const Surroundings& in, bodies::TreeRow tree) const {
+unsigned Motion::steps_of(const Inputs& in, bodies::TreeRow tree) const {
   const double dt = in.world.scene().interval;
   double turn = 0;
   for (const bodies::Mover& mover : movers_of(tree))
@@ -261,7 +261,8 @@ unsigned Motion::steps_of(const Surroundings& in, bodies::TreeRow tree) const {
 }
 
 /// True if the outline penetrates a wall deeper than before.
-bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const {
+bool Motion::meets_wall(const Inputs& in, std::size_t solid, const PlacedSolid& now,
+                        const PlacedSolid& then) const {
   const double radius = in.solids.radius[solid];
   const geom::Vec2 center = then.outline.center;
   if (in.walls.clear_about(center) > radius) return false;
@@ -279,12 +280,12 @@ bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Body& n
 }
 
 /// True if a solid that rises or sinks enters a static block, even if it crosses none of its edges.
-bool Motion::meets_inside(const Surroundings& in, std::size_t solid, const Body& now,
-                          const Body& then) const {
+bool Motion::meets_inside(const Inputs& in, std::size_t solid, const PlacedSolid& now,
+                          const PlacedSolid& then) const {
   const bodies::Solids& solids = in.solids;
   for (std::size_t row = 0; row < fixed_; ++row) {
     if (!solids.full[row] || !solids.is_obstacle(row) || solids.root[row] == solids.root[solid]) continue;
-    const Body block = body_now(solids, row);
+    const PlacedSolid block = solid_now(solids, row);
     if (z_overlaps(then, block) && !z_overlaps(now, block) &&
         distance(then.outline.center, block.outline.center) < solids.radius[solid] + solids.radius[row] &&
         overlap(then.outline, block.outline))
@@ -302,16 +303,16 @@ bool Motion::Sweep::add(Conflict conflict) {
 
 /// True if the outline overlaps a solid of another tree at all of that tree's possible
 /// places; if only at some, adds a conflict. Trees that overlap already may separate.
-bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Body& now, const Body& then,
+bool Motion::meets_other(const Inputs& in, std::size_t solid, const PlacedSolid& now, const PlacedSolid& then,
                          std::size_t other, Sweep& sweep) const {
   const double reach = in.solids.radius[solid] + in.solids.radius[other];
-  const auto meets_at = [&](const Body& place) {
+  const auto meets_at = [&](const PlacedSolid& place) {
     const double apart = distance(then.outline.center, place.outline.center);
     if (apart >= reach || !z_overlaps(then, place) || !overlap(then.outline, place.outline)) return false;
     const bool parting = apart >= distance(now.outline.center, place.outline.center) - kRounding;
     return !(parting && z_overlaps(now, place) && overlap(now.outline, place.outline));
   };
-  const bool meets_now = meets_at(body_now(in.solids, other));
+  const bool meets_now = meets_at(solid_now(in.solids, other));
   const bodies::TreeRow tree = in.solids.tree[other];
   if (tree > in.solids.tree[solid] || !proposes_[tree]) return meets_now;
   const bool meets_then = meets_at(proposed(in.solids, other));
@@ -320,7 +321,7 @@ bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Body& 
 }
 
 /// Broad phase: collects solids of other trees near a configuration within its bounding circle.
-void Motion::gather(const Surroundings& in, bodies::TreeRow tree, const Circle& all, Sweep& sweep) const {
+void Motion::gather(const Inputs& in, bodies::TreeRow tree, const Circle& all, Sweep& sweep) const {
   const std::uint32_t root = trees_->root[tree];
   const double z_low = all.z_min - rise_max_ + bodies::kTouch,
                z_high = all.z_max + rise_max_ - bodies::kTouch;
@@ -352,7 +353,7 @@ Motion::Circle Motion::circle_about(const bodies::Solids& solids, bodies::TreeRo
   return all;
 }
 
-bool Motion::meets(const Surroundings& in, bodies::TreeRow tree, const bodies::TreeShape& shape,
+bool Motion::meets(const Inputs& in, bodies::TreeRow tree, const bodies::TreeShape& shape,
                    Sweep& sweep) const {
   const bodies::Solids& solids = in.solids;
   const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
@@ -364,8 +365,9 @@ bool Motion::meets(const Surroundings& in, bodies::TreeRow tree, const bodies::T
     if (!solids.is_obstacle(row)) continue;
     const geom::Vec2* p = shape.p.data() + (solids.first_vertex[row] - solids.first_vertex[first]);
     const HeightRange heights = heights_in(solids, row, shape, first);
-    const Body now = body_now(solids, row),
-               then{outline_at(solids, row, shape.center[row - first], p), heights.z_min, heights.z_max};
+    const PlacedSolid now = solid_now(solids, row),
+                      then{outline_at(solids, row, shape.center[row - first], p), heights.z_min,
+                           heights.z_max};
     if (!shape.z.empty() && meets_inside(in, row, now, then)) return true;
     if (near_walls && meets_wall(in, row, now, then)) return true;
     const double reach = solids.radius[row] + fast_.reach_of_others();
@@ -380,7 +382,7 @@ bool Motion::meets(const Surroundings& in, bodies::TreeRow tree, const bodies::T
 }
 
 /// True if the way is blocked whatever earlier trees do; otherwise its conflicts are in `sweep`.
-bool Motion::is_blocked(const Surroundings& in, bodies::TreeRow tree, Sweep& sweep) {
+bool Motion::is_blocked(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   const unsigned steps = steps_of(in, tree);
   const bodies::TreeShape last = proposal(in.solids, tree, sweep);
   const bodies::TreeShape between{{sweep.moved.data(), last.moved.size()},
@@ -396,7 +398,7 @@ bool Motion::is_blocked(const Surroundings& in, bodies::TreeRow tree, Sweep& swe
   return meets(in, tree, last, sweep);
 }
 
-void Motion::follow(const Surroundings& in, bodies::TreeRow tree, std::uint32_t worker) {
+void Motion::follow(const Inputs& in, bodies::TreeRow tree, std::uint32_t worker) {
   Sweep& sweep = sweeps_[worker];
   sweep.first_conflict = sweep.conflicts.size();
   stalls_[tree] = is_blocked(in, tree, sweep);
@@ -452,7 +454,7 @@ void Motion::commit(world::World& world, bodies::Solids& solids, bodies::TreeRow
 bool Motion::move(world::World& world, bodies::Solids& solids, const bodies::DiscIndex& index,
                   const bodies::Walls& walls, world::Workers& workers) {
   constexpr std::size_t kGrain = 64;
-  const Surroundings in{world, solids, index, walls};
+  const Inputs in{world, solids, index, walls};
   const auto each_tree = [&](const auto& body) {
     workers.run(trees_->size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t tree = begin; tree < end; ++tree)

@@ -71,7 +71,7 @@ class Motion {
     std::uint32_t worker = 0, begin = 0, end = 0;
   };
   /// A placed solid: outline and height range [m].
-  struct Body {
+  struct PlacedSolid {
     bodies::Polygon outline;
     double z_min, z_max;
   };
@@ -80,7 +80,7 @@ class Motion {
     geom::Vec2 center;
     double radius, z_min, z_max;
   };
-  struct Surroundings {
+  struct Inputs {
     const world::World& world;
     const bodies::Solids& solids;
     const bodies::DiscIndex& index;
@@ -92,26 +92,25 @@ class Motion {
     const std::uint32_t first = trees_->first_mover[tree];
     return {trees_->movers.data() + first, trees_->first_mover[tree + 1] - first};
   }
-  void propose(const Surroundings& in, bodies::TreeRow tree, Sweep& sweep);
-  bodies::TreeShape propose_shape(const Surroundings& in, bodies::TreeRow tree, Sweep& sweep);
-  void propose_rest(const Surroundings& in, bodies::TreeRow tree, Sweep& sweep);
-  void shape_at(const Surroundings& in, bodies::TreeRow tree, double fraction,
-                const bodies::TreeShape& out) const;
-  unsigned steps_of(const Surroundings& in, bodies::TreeRow tree) const;
-  void follow(const Surroundings& in, bodies::TreeRow tree, std::uint32_t worker);
-  bool is_blocked(const Surroundings& in, bodies::TreeRow tree, Sweep& sweep);
-  void gather(const Surroundings& in, bodies::TreeRow tree, const Circle& all, Sweep& sweep) const;
+  void propose(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
+  bodies::TreeShape propose_shape(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
+  void propose_rest(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
+  void shape_at(const Inputs& in, bodies::TreeRow tree, double fraction, const bodies::TreeShape& out) const;
+  unsigned steps_of(const Inputs& in, bodies::TreeRow tree) const;
+  void follow(const Inputs& in, bodies::TreeRow tree, std::uint32_t worker);
+  bool is_blocked(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
+  void gather(const Inputs& in, bodies::TreeRow tree, const Circle& all, Sweep& sweep) const;
   Circle circle_about(const bodies::Solids& solids, bodies::TreeRow tree,
                       const bodies::TreeShape& shape) const;
-  bool meets(const Surroundings& in, bodies::TreeRow tree, const bodies::TreeShape& shape,
-             Sweep& sweep) const;
-  bool meets_wall(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const;
-  bool meets_inside(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const;
-  bool meets_other(const Surroundings& in, std::size_t solid, const Body& now, const Body& then,
+  bool meets(const Inputs& in, bodies::TreeRow tree, const bodies::TreeShape& shape, Sweep& sweep) const;
+  bool meets_wall(const Inputs& in, std::size_t solid, const PlacedSolid& now, const PlacedSolid& then) const;
+  bool meets_inside(const Inputs& in, std::size_t solid, const PlacedSolid& now,
+                    const PlacedSolid& then) const;
+  bool meets_other(const Inputs& in, std::size_t solid, const PlacedSolid& now, const PlacedSolid& then,
                    std::size_t other, Sweep& sweep) const;
   /// A solid at its present place, and as its tree proposes it.
-  static Body body_now(const bodies::Solids& solids, std::size_t row);
-  Body proposed(const bodies::Solids& solids, std::size_t row) const;
+  static PlacedSolid solid_now(const bodies::Solids& solids, std::size_t row);
+  PlacedSolid proposed(const bodies::Solids& solids, std::size_t row) const;
   /// By how much a proposal that changes heights raises or lowers a solid. [m]
   double rise_of(const bodies::Solids& solids, std::size_t row) const {
     return std::fabs(z_[place_of(row)] + solids.z_min_M[row] - solids.z_min[row]);
