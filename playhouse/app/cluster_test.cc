@@ -17,6 +17,7 @@
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/formats.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/base/testing/wait.h"
 #include "playhouse/base/version.h"
 #include "playhouse/cluster/head.h"
 #include "playhouse/cluster/hello.h"
@@ -160,9 +161,10 @@ class ClusterTest : public testing::Test {
   }
   /// Steps until the head has so many nodes.
   bool step_until(std::size_t nodes, Hashes& hashes) {
-    const auto deadline = std::chrono::steady_clock::now() + kLong;
-    while (head_->nodes() != nodes && std::chrono::steady_clock::now() < deadline) step(*head_, 1, hashes);
-    return head_->nodes() == nodes;
+    return wait_until([&] {
+      if (head_->nodes() != nodes) step(*head_, 1, hashes);
+      return head_->nodes() == nodes;
+    });
   }
   /// A node of a few lines that has joined, and has received its first step.
   MessageStream joined() {
@@ -359,7 +361,7 @@ TEST_F(ClusterTest, whoever_sends_byte_by_byte_holds_a_tick_no_longer_than_whoev
     for (std::size_t i = 0; !over; ++i) {
       const unsigned char byte = i < announced.size() ? announced[i] : 0;
       if (::send(socket, &byte, 1, MSG_NOSIGNAL) < 0) break;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      std::this_thread::yield();
     }
   });
   Hashes hashes;

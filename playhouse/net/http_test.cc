@@ -1,7 +1,6 @@
 #include "playhouse/net/http.h"
 
 #include <gtest/gtest.h>
-#include <poll.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "playhouse/base/testing/wait.h"
 #include "playhouse/net/asio_accept.h"
 #include "playhouse/net/asio_http.h"
 #include "playhouse/net/fair_share.h"
@@ -40,12 +40,6 @@ class Echo final : public HttpService {
   HttpDeadlines its_deadlines;
   std::shared_ptr<const std::string> answer;
 };
-
-/// Gives up after five seconds.
-bool eventually(const std::function<bool()>& done) {
-  for (int k = 0; k < 5000 && !done(); ++k) ::poll(nullptr, 0, 1);
-  return done();
-}
 
 class HttpTest : public testing::Test {
  protected:
@@ -209,9 +203,9 @@ TEST_F(ShortAnswerTest, an_answer_that_nobody_reads_is_not_kept) {
   echo_.answer = std::make_shared<const std::string>(64u << 20, 'x');
   WebClient reader(listener_->port());
   reader.send("GET / HTTP/1.1\r\nHost: robo\r\n\r\n");
-  EXPECT_TRUE(eventually([this] { return echo_.answer.use_count() > 1; }));
-  EXPECT_TRUE(eventually([this] { return echo_.answer.use_count() == 1; })) << "the connection lets go of it";
-  EXPECT_TRUE(eventually([&] { return reader.closed(); }));
+  EXPECT_TRUE(wait_until([this] { return echo_.answer.use_count() > 1; }));
+  EXPECT_TRUE(wait_until([this] { return echo_.answer.use_count() == 1; })) << "the connection lets go of it";
+  EXPECT_TRUE(wait_until([&] { return reader.closed(); }));
   EXPECT_LT(reader.in.size(), echo_.answer->size());
 }
 
@@ -250,7 +244,7 @@ class ClosedByOwnerTest : public testing::Test {
 
   /// The server has closed its socket, although this end is still open.
   bool let_go() {
-    return eventually([this] { return places_.use_count() == 1; });
+    return wait_until([this] { return places_.use_count() == 1; });
   }
 
   Owner owner_;
@@ -293,7 +287,7 @@ TEST_F(ClosedByOwnerTest, a_peer_that_does_not_take_what_is_being_sent_does_not_
   WebClient peer(listener_->port());
   ASSERT_TRUE(peer.upgrade());
   EXPECT_TRUE(let_go());
-  EXPECT_TRUE(eventually([this] { return owner_.first.use_count() == 1; })) << "nor the message";
+  EXPECT_TRUE(wait_until([this] { return owner_.first.use_count() == 1; })) << "nor the message";
 }
 
 /// Clients that send half a head, each from the first to the last of `hosts` in turn.

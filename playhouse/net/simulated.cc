@@ -355,9 +355,10 @@ bool SimulatedNetwork::carry_input(SimulatedLink& link) {
 bool SimulatedNetwork::accept_output(SimulatedLink& link) {
   const std::size_t room = link.window.size() < window_bytes ? window_bytes - link.window.size() : 0;
   const std::span<const std::byte> accepted = link.in_flight.front(std::min(room, piece()));
+  if (accepted.empty()) return false;
   link.window.append(accepted, arrival(link.window.last_arrival()));
   link.in_flight.pop(accepted.size());
-  return !accepted.empty();
+  return true;
 }
 
 bool SimulatedNetwork::carry_output(SimulatedLink& link) {

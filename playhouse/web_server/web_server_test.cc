@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <poll.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/base/testing/wait.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/net/web_client.h"
 #include "playhouse/replicate/delta.h"
@@ -174,19 +174,12 @@ class WebServerTest : public testing::Test {
   std::function<void()> turning() {
     return [this] { turn(); };
   }
-  /// Without a turn meanwhile; gives up after five seconds.
-  bool eventually(const std::function<bool()>& done) {
-    for (int k = 0; k < 5000 && !done(); ++k) ::poll(nullptr, 0, 1);
-    return done();
-  }
   bool turn_until(const std::function<bool()>& done) {
-    for (int k = 0; k < 1000; ++k) {
+    return wait_until([&] {
       if (done()) return true;
       turn();
-      std::this_thread::yield();
-      ::poll(nullptr, 0, 2);
-    }
-    return done();
+      return done();
+    });
   }
 
   SmallWorld small_;
@@ -359,10 +352,10 @@ TEST_F(WebServerTest, a_flood_of_commands_waits_for_its_turns_and_nobody_else_do
   ASSERT_TRUE(other.upgrade());
   for (int k = 1; k <= 1000; ++k)
     flooder.send_text(R"({"do":"drag","model":1,"y":50,"a":1,"x":)" + std::to_string(k) + "}");
-  ASSERT_TRUE(eventually([this] { return notes_.posted() == limits::kViewerCommandsPerTurn; }))
+  ASSERT_TRUE(wait_until([this] { return notes_.posted() == limits::kViewerCommandsPerTurn; }))
       << notes_.posted();
   other.send_text(R"({"do":"pause"})");
-  ASSERT_TRUE(eventually([this] { return notes_.all() == "pause;"; }));
+  ASSERT_TRUE(wait_until([this] { return notes_.all() == "pause;"; }));
   EXPECT_EQ(notes_.posted(), limits::kViewerCommandsPerTurn)
       << "the rest is with the system until the next turn";
   std::size_t most = 0;
@@ -468,9 +461,9 @@ TEST_F(WebServerTest, who_comes_next_gets_no_answer_to_one_who_left) {
     ASSERT_TRUE(early.upgrade());
     early.message();
     early.send_text(R"({"do":"save"})");
-    ASSERT_TRUE(eventually([this] { return notes_.posted() > 0; }));
+    ASSERT_TRUE(wait_until([this] { return notes_.posted() > 0; }));
   }
-  ASSERT_TRUE(eventually([this] { return server_.status().viewers == 0; }));
+  ASSERT_TRUE(wait_until([this] { return server_.status().viewers == 0; }));
   WebClient late(port_);  // often where the other was in memory
   ASSERT_TRUE(late.upgrade());
   late.message();
@@ -542,7 +535,7 @@ TEST_F(WebServerTest, who_numbers_a_command_is_told_from_which_tick_on_it_counts
   viewer.send_text("{\"do\":\"drive\",\"model\":" + std::to_string(SmallWorld::robot(1)) +
                    ",\"forward\":0.4,\"sideways\":0,\"turn\":0,\"input\":77}");
   // To open the wheels, to turn them and to tell: all of them before the next tick.
-  ASSERT_TRUE(eventually([&] { return notes_.posted() == 3; })) << notes_.posted();
+  ASSERT_TRUE(wait_until([&] { return notes_.posted() == 3; })) << notes_.posted();
   small_.world.tick_ = 4711;
   std::string text;
   do {
@@ -616,7 +609,7 @@ TEST_F(WebServerTest, a_full_queue_does_not_leave_sensors_on_although_nobody_wat
     ASSERT_TRUE(turn_until([&] { return subscribers() == 1; }));
     notes_.set_full(true);
   }
-  EXPECT_TRUE(eventually([this] { return notes_.refused() > 0; }));
+  EXPECT_TRUE(wait_until([this] { return notes_.refused() > 0; }));
   notes_.set_full(false);
   EXPECT_TRUE(turn_until([&] { return subscribers() == 0; }));
 }
@@ -814,6 +807,16 @@ TEST_F(BudgetTest, a_page_gets_no_more_bytes_a_second) {
     ASSERT_LE(static_cast<double>(bytes), kBytes * seconds + 200 + static_cast<double>(largest)) << seconds;
   }
   EXPECT_GT(bytes, 500u);
+}
+
+TEST_F(WebServerTest, commands_that_cannot_be_carried_out_never_end_the_connection) {
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  viewer.message();
+  for (std::size_t k = 0; k < 2 * limits::kViewerFaults; ++k) {
+    viewer.send_text(R"({"do":"drive","model":0,"forward":1,"sideways":0,"turn":0})");
+    EXPECT_THAT(next_text(viewer, turning()), HasSubstr("no such robot to drive"));
+  }
 }
 
 TEST_F(WebServerTest, commands_that_cannot_be_are_told_and_then_end_the_connection) {

@@ -58,11 +58,19 @@ void WebViewer::received(std::string_view text) {
   // Back-pressure: excess commands stay in the socket; nothing is lost, and only the sender is delayed.
   if (++commands_ >= limits::kViewerCommandsPerTurn) socket_->pause();
   const Result<replicate::Command> command = replicate::parse_command(text);
-  const Result<void> done = command ? execute(*command) : Result<void>(command.error());
-  if (done) return;
-  owner_.refused(*this, done.error().text);
-  if (++faults_ < limits::kViewerFaults) return notice(done.error().text);
-  socket_->close("too many invalid commands: " + done.error().text);
+  if (!command) return reject(command.error().text);
+  if (const Result<void> done = execute(*command); !done) {
+    owner_.refused(*this, done.error().text);
+    notice(done.error().text);
+  }
+}
+
+/// What no page of ours sends. A command that cannot be carried out now is none of these: whoever tries things
+/// for an hour is not sent away.
+void WebViewer::reject(const std::string& why) {
+  owner_.refused(*this, why);
+  if (++faults_ < limits::kViewerFaults) return notice(why);
+  socket_->close("too many invalid commands: " + why);
   owner_.left(*this, "too many invalid commands");
 }
 

@@ -100,6 +100,7 @@ class WebViewer final : public net::WebSocketEvents {
   void drained() override;
   void closed(const std::string& why) override { owner_.left(*this, why); }
 
+  void reject(const std::string& why);
   Result<void> execute(const replicate::Command& command);
   void send_frame();
 
