@@ -85,7 +85,7 @@ void add_hulls(std::vector<Hull>& hulls, const std::vector<Hull>& of_body, const
 
 /// Poses of a tree's models in its root.
 std::map<std::uint32_t, geom::SpatialPose> poses_in_top(const world::World& world, const bodies::Trees& trees,
-                                                        std::uint32_t tree, Joints joints) {
+                                                        bodies::TreeRow tree, Joints joints) {
   const world::Models& models = world.models;
   std::map<std::uint32_t, geom::SpatialPose> X_BM;
   for (const std::uint32_t row : trees.models_of(tree)) {
@@ -158,7 +158,7 @@ Content content_of(std::span<const Hull> hulls) {
   return all;
 }
 
-double mass_of(const world::World& world, const bodies::Trees& trees, std::uint32_t tree) {
+double mass_of(const world::World& world, const bodies::Trees& trees, bodies::TreeRow tree) {
   double mass = 0;
   for (const std::uint32_t row : trees.models_of(tree)) {
     const scene::ModelDesc& desc = world.desc({row});
@@ -201,7 +201,7 @@ Motors motors_of(const scene::PositionDesc& position) {
 }  // namespace
 
 Part part_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
-             std::uint32_t tree) {
+             bodies::TreeRow tree) {
   const std::uint32_t top = trees.root[tree];
   bool is_solid = false;
   for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row)
@@ -212,7 +212,7 @@ Part part_of(const world::World& world, const bodies::Trees& trees, const bodies
 }
 
 TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
-                   std::uint32_t tree, Part part, Joints joints, MeshHulls& meshes) {
+                   bodies::TreeRow tree, Part part, Joints joints, MeshHulls& meshes) {
   const std::map<std::uint32_t, geom::SpatialPose> X_BM = poses_in_top(world, trees, tree, joints);
   TreeHulls all;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
@@ -236,8 +236,8 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
                                         extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
 }
 
-RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
-                        std::vector<Hull> hulls) {
+RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, bodies::TreeRow tree,
+                        Part part, std::vector<Hull> hulls) {
   const scene::ModelDesc& top = world.desc({trees.root[tree]});
   RigidBodyDesc desc;
   desc.surface = surface_of(top);

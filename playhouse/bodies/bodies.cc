@@ -9,8 +9,6 @@
 namespace playhouse::bodies {
 namespace {
 
-constexpr std::uint32_t kNone = world::ModelRow::kNone;
-
 double signed_area(std::span<const Vec2> polygon) {
   double doubled = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -80,7 +78,7 @@ SolidShape make_shape(std::span<const Vec2> points_B, double z_min, double z_max
 }
 
 void add_solid(Solids& solids, const SolidShape& shape, const scene::ModelDesc& desc, std::uint32_t model,
-               std::uint32_t root, std::uint32_t tree, std::uint32_t first) {
+               std::uint32_t root, TreeRow tree, std::uint32_t first) {
   solids.model.push_back(model);
   solids.root.push_back(root);
   solids.tree.push_back(tree);
@@ -100,7 +98,7 @@ void add_solid(Solids& solids, const SolidShape& shape, const scene::ModelDesc& 
 }
 
 void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes, std::uint32_t model,
-                      std::uint32_t tree) {
+                      TreeRow tree) {
   const scene::ModelDesc& desc = world.desc({model});
   const auto first = static_cast<std::uint32_t>(solids.size());
   for (const SolidShape& shape : shapes.of(world.models.desc[model]))
@@ -218,7 +216,7 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
   Solids solids;
   solids.first_vertex.push_back(0);
   for (std::uint32_t row = 0; row < world.models.size(); ++row)
-    if (stands_still(world.models, row)) add_model_solids(solids, world, shapes, row, kNone);
+    if (stands_still(world.models, row)) add_model_solids(solids, world, shapes, row, TreeRow{});
   solids.fixed = solids.size();
   put_in_place(solids, world.models, 0);
   return solids;
@@ -226,7 +224,8 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
 
 void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees) {
   const std::size_t fixed = solids.fixed, vertices = solids.first_vertex[fixed];
-  for (auto* column : {&solids.model, &solids.root, &solids.tree, &solids.body}) column->resize(fixed);
+  for (auto* column : {&solids.model, &solids.root, &solids.body}) column->resize(fixed);
+  solids.tree.resize(fixed);
   for (auto* column : {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width, &solids.enclosed})
     column->resize(fixed);
   for (auto* column : {&solids.convex, &solids.full, &solids.hole}) column->resize(fixed);
@@ -235,7 +234,7 @@ void replace_moving_solids(Solids& solids, const world::World& world, Shapes& sh
   solids.first_vertex.resize(fixed + 1);
   solids.p_M.resize(vertices);
   trees.first_solid.assign(1, static_cast<std::uint32_t>(fixed));
-  for (std::uint32_t tree = 0; tree < trees.size(); ++tree) {
+  for (const TreeRow tree : trees.rows()) {
     for (std::uint32_t i = trees.first_model[tree]; i < trees.first_model[tree + 1]; ++i)
       if (!stands_still(world.models, trees.models[i]))
         add_model_solids(solids, world, shapes, trees.models[i], tree);

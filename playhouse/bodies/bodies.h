@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "playhouse/base/row.h"
 #include "playhouse/bodies/seen_by.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/world/world.h"
@@ -34,20 +35,24 @@ struct Mover {
 
 /// Trees of models with at least one mover.
 struct Trees {
-  std::vector<std::uint32_t> root;                 // root model row, ascending                     (t)
-  std::vector<std::uint32_t> first_model, models;  // rows, parents first: models[first_model[t] ..]
-  std::vector<std::uint32_t> first_mover;          // movers[first_mover[t] ..], in the order of models
+  ByRow<Trees, std::uint32_t> root;         // root model row, ascending                     (t)
+  ByRow<Trees, std::uint32_t> first_model;  // models[first_model[t] ..]
+  std::vector<std::uint32_t> models;        // rows of world::Models, parents first
+  ByRow<Trees, std::uint32_t> first_mover;  // movers[first_mover[t] ..], in the order of models
   std::vector<Mover> movers;
-  std::vector<std::uint32_t> first_solid;  // solids first_solid[t] .. first_solid[t + 1] - 1
+  ByRow<Trees, std::uint32_t> first_solid;  // solids first_solid[t] .. first_solid[t + 1] - 1
   std::size_t size() const { return root.size(); }
-  std::span<const std::uint32_t> models_of(std::uint32_t tree) const {
+  RowsOf<Trees> rows() const { return RowsOf<Trees>(size()); }
+  std::span<const std::uint32_t> models_of(Row<Trees> tree) const {
     return std::span(models).subspan(first_model[tree], first_model[tree + 1] - first_model[tree]);
   }
   /// Row of the tree with this root.
-  std::uint32_t of_root(std::uint32_t top) const {
-    return static_cast<std::uint32_t>(std::ranges::lower_bound(root, top) - root.begin());
+  Row<Trees> of_root(std::uint32_t top) const {
+    return {static_cast<std::uint32_t>(std::ranges::lower_bound(root, top) - root.begin())};
   }
 };
+
+using TreeRow = Row<Trees>;
 
 /// A solid in the frame of its model, made once per row of SceneDesc::models, shared by its instances.
 struct SolidShape {
@@ -89,7 +94,7 @@ struct alignas(64) EightCorners {
 struct Solids {
   // Constant: shape and owner.
   std::vector<std::uint32_t> model, root;  // rows of world::Models
-  std::vector<std::uint32_t> tree;         // row of Trees, Row::kNone: static
+  std::vector<TreeRow> tree;               // none: static
   std::vector<double> z_min_M, z_max_M;    // m
   std::vector<Vec2> center_M;              // mean of the vertices                                    [m]
   std::vector<double> radius;              // bounding circle about the center                          [m]

@@ -16,7 +16,7 @@ namespace {
 
 /// Appends the rays of a bundle in W, as this part.
 PLAYHOUSE_INLINE void put_rays(const Bundle& bundle, const geom::Pose& X_WM, geom::Rotation r,
-                               std::size_t first_beam, const Rays::Part& part, Rays& rays) {
+                               std::size_t first_beam, const Rays::NearRays& part, Rays& rays) {
   const std::size_t count = bundle.rays(), first = part.begin;
   const double *px = bundle.p.x.data(), *py = bundle.p.y.data(), *dx = bundle.d.x.data(),
                *dy = bundle.d.y.data();
@@ -53,7 +53,8 @@ std::size_t take_all(const Bundle& bundle, const bodies::DiscIndex& index,
 }
 
 /// Shortens the rays of a part by their hits with an edge.
-PLAYHOUSE_INLINE void meet_edge(geom::Vec2 a, geom::Vec2 b, double row, const Rays::Part& part, Rays& rays) {
+PLAYHOUSE_INLINE void meet_edge(geom::Vec2 a, geom::Vec2 b, double row, const Rays::NearRays& part,
+                                Rays& rays) {
   simd::Mask4 edge_on = {};
   std::size_t k = part.begin;
   for (; k + simd::kFour <= part.end; k += simd::kFour) {
@@ -75,7 +76,7 @@ PLAYHOUSE_INLINE void meet_edge(geom::Vec2 a, geom::Vec2 b, double row, const Ra
                        rays.solid[k]);
 }
 
-void meet_few_walls(const bodies::Space& space, const Rays::Part& part, Rays& rays) {
+void meet_few_walls(const bodies::Space& space, const Rays::NearRays& part, Rays& rays) {
   const geom::Box box = bodies::box_about(part.about, part.reach);
   for (const bodies::Walls::Edge& edge : space.walls.few())
     if (edge.reaches(box) && RangerView::sees(space.solids, edge.solid, part.root, rays.z[part.begin]))
@@ -84,7 +85,7 @@ void meet_few_walls(const bodies::Space& space, const Rays::Part& part, Rays& ra
 
 }  // namespace
 
-void meet_walls_alone(const bodies::Space& space, const Rays::Part& part, Rays& rays) {
+void meet_walls_alone(const bodies::Space& space, const Rays::NearRays& part, Rays& rays) {
   for (std::size_t k = part.begin; k < part.end; ++k) {
     const geom::Vec2 p = rays.p(k), d = rays.d(k);
     space.walls.along(p, d, &rays.range[k], [&](const bodies::Walls::Edge& edge) {
@@ -98,8 +99,8 @@ void meet_walls_alone(const bodies::Space& space, const Rays::Part& part, Rays& 
 void run_bundle(const bodies::Space& space, const RangerView& view, const Bundle& bundle, Scratch& scratch) {
   if (scratch.rays.count + bundle.rays() > Rays::kMost) finish_rays(space, scratch);
   Rays& rays = scratch.rays;
-  const Rays::Part part{view.X_WM.xy(), rays.count,   rays.count + bundle.rays(),  bundle.reach,
-                        view.root,      view.is_wall, bundle.z_min == bundle.z_max};
+  const Rays::NearRays part{view.X_WM.xy(), rays.count,   rays.count + bundle.rays(),  bundle.reach,
+                            view.root,      view.is_wall, bundle.z_min == bundle.z_max};
   simd::in_vectors<put_rays>(bundle, view.X_WM, view.rotation, scratch.first_beam, part, rays);
   const double z_low = view.X_WM.z + bundle.z_min, z_high = view.X_WM.z + bundle.z_max;
   const Heights heights{z_low, z_high, space.index.is_all_seen(z_low, z_high)};
@@ -117,7 +118,7 @@ void run_bundle(const bodies::Space& space, const RangerView& view, const Bundle
   }
 }
 
-bool can_march(const bodies::Walls& walls, const Rays::Part& part) {
+bool can_march(const bodies::Walls& walls, const Rays::NearRays& part) {
   return !part.is_wall && part.reach < kFarthestMarch * walls.torus().cell();
 }
 
@@ -128,7 +129,7 @@ void finish_rays(const bodies::Space& space, Scratch& scratch) {
   resolve_pairs(space, rays, scratch.pairs);
   std::size_t marching = 0;
   for (std::size_t i = 0; i < rays.part_count; ++i) {
-    const Rays::Part part = rays.parts[i];
+    const Rays::NearRays part = rays.parts[i];
     if (space.walls.clear_about(part.about) > part.reach) continue;
     if (!space.walls.few().empty() && part.is_level)
       meet_few_walls(space, part, rays);

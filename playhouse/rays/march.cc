@@ -41,7 +41,7 @@ struct Lanes {
 };
 
 /// Sets the origins of the rays of a part in the lanes from `at` on, not mirrored yet.
-PLAYHOUSE_INLINE void put_origins(const Rays& rays, const Rays::Part& part, const bodies::Torus& torus,
+PLAYHOUSE_INLINE void put_origins(const Rays& rays, const Rays::NearRays& part, const bodies::Torus& torus,
                                   std::size_t at, Lanes& lanes) {
   const double cell = torus.cell(), per_metre = 1.0 / cell;
   const std::int64_t base_x = torus.along(part.about.x), base_y = torus.along(part.about.y);
@@ -69,7 +69,7 @@ PLAYHOUSE_INLINE std::int32_t put_axis(double d, float cell, float per_metre, fl
   return along < 0 ? -1 : 0;
 }
 
-PLAYHOUSE_INLINE void put_directions(const Rays& rays, const Rays::Part& part, const bodies::Torus& torus,
+PLAYHOUSE_INLINE void put_directions(const Rays& rays, const Rays::NearRays& part, const bodies::Torus& torus,
                                      std::size_t at, Lanes& lanes) {
   const auto cell = static_cast<float>(torus.cell()), per_metre = static_cast<float>(1.0 / torus.cell());
   for (std::size_t i = part.begin, k = at; i < part.end; ++i, ++k) {
@@ -232,7 +232,7 @@ PLAYHOUSE_INLINE void march_here(const bodies::Walls& walls, bodies::SeenByBits 
   Lanes lanes;
   std::size_t used = 0;
   for (std::size_t i = 0; i < rays.part_count; ++i) {
-    const Rays::Part part = rays.parts[i];
+    const Rays::NearRays part = rays.parts[i];
     put_origins(rays, part, walls.torus(), used, lanes);
     put_directions(rays, part, walls.torus(), used, lanes);
     used += part.end - part.begin;

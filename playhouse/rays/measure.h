@@ -67,9 +67,9 @@ void run_bundle(const bodies::Space& space, const RangerView& view, const Bundle
 void finish_rays(const bodies::Space& space, Scratch& scratch);
 
 /// True if the rays of a part can traverse the grid of walls together: march().
-bool can_march(const bodies::Walls& walls, const Rays::Part& part);
+bool can_march(const bodies::Walls& walls, const Rays::NearRays& part);
 
 /// Traces the rays of a part through the walls one by one, if they cannot march.
-void meet_walls_alone(const bodies::Space& space, const Rays::Part& part, Rays& rays);
+void meet_walls_alone(const bodies::Space& space, const Rays::NearRays& part, Rays& rays);
 
 }  // namespace playhouse::rays

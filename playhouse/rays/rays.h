@@ -18,7 +18,7 @@ struct Rays {
   double solid[kRoom];                                // nearest hit: number_of() a row of Solids
   std::size_t beam[kMost];                            // of Scratch: where the result belongs
   /// Rays of one bundle or scan, with nearby origins.
-  struct Part {
+  struct NearRays {
     geom::Vec2 about;
     std::size_t begin, end;
     double reach;        // m: how far from `about` the rays go
@@ -26,7 +26,7 @@ struct Rays {
     bool is_wall;        // of a static tree: its own edges are in the walls
     bool is_level;       // all rays are at one height
   };
-  Part parts[kMost];
+  NearRays parts[kMost];
   std::size_t count = 0, part_count = 0;
 
   geom::Vec2 p(std::size_t k) const { return {px[k], py[k]}; }

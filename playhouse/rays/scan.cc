@@ -89,7 +89,7 @@ void project_edges(std::span<const geom::Vec2> polygon, geom::Rotation rotation,
 }
 
 /// Fills the batch with beams from `first` on, as this part.
-void put_beams(const ScanBeams& row, double range_max, double z, std::size_t first, Rays::Part part,
+void put_beams(const ScanBeams& row, double range_max, double z, std::size_t first, Rays::NearRays part,
                Rays& rays) {
   rays.count = part.end = std::min(row.last + 1 - first, Rays::kMost);
   rays.parts[0] = part;
@@ -267,7 +267,7 @@ void scan_walls(const bodies::Space& space, const geom::Pose& X_WS, geom::Rotati
   }
   // With this many edges, tracing the beams is cheaper.
   Rays rays;
-  const Rays::Part part{row.p, 0, 0, scan.range_max, view.root, view.is_wall, true};
+  const Rays::NearRays part{row.p, 0, 0, scan.range_max, view.root, view.is_wall, true};
   const bool marches = can_march(space.walls, part);
   for (std::size_t first = 0; first < scan.count; first += Rays::kMost) {
     put_beams(row, scan.range_max, z, first, part, rays);

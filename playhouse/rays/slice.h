@@ -36,7 +36,7 @@ class Slicer {
 
  private:
   /// A crossing of the ray with an edge of a body.
-  struct Crossing {
+  struct Passage {
     std::uint32_t body;  // row of its first solid
     double t;            // m
     bool enters;
@@ -57,7 +57,7 @@ class Slicer {
   std::uint32_t root_ = 0;
   std::vector<std::uint32_t> near_;     // movable solids
   std::vector<std::uint32_t> beneath_;  // static bodies that contain p, ascending
-  std::vector<Crossing> crossings_;
+  std::vector<Passage> crossings_;
   std::vector<Stretch> stretches_;
 };
 

@@ -14,7 +14,7 @@ void StageEngine::populated(bool) {
   motion_.populate(trees_, solids_, world_.models);
 }
 
-void StageEngine::replaced(std::uint32_t tree) {
+void StageEngine::replaced(bodies::TreeRow tree) {
   motion_.replaced(tree, solids_, world_.models);
 }
 

@@ -18,7 +18,7 @@ class StageEngine final : public senses::BodyEngine {
  private:
   void move() override;
   void populated(bool fixed) override;
-  void replaced(std::uint32_t tree) override;
+  void replaced(bodies::TreeRow tree) override;
 
   Motion motion_;
 };

@@ -44,15 +44,15 @@ class LidarSense final : public senses::SensePhase {
   const LidarBeams& beams(const world::World& world, std::uint32_t ranger) const;
   void measure(world::World& world, std::uint32_t ranger, std::uint64_t tick, Scratch& scratch) const;
   /// One measurement.
-  struct Look {
+  struct Measurement {
     const world::World& world;
     world::ModelRow model;
     std::uint64_t tick;
     const LidarBeams& beams;
   };
-  void cast(const Look& look, Scratch& scratch) const;
+  void cast(const Measurement& look, Scratch& scratch) const;
   void keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& scratch) const;
-  void keep_echo(const Look& look, std::size_t k, Scratch& scratch) const;
+  void keep_echo(const Measurement& look, std::size_t k, Scratch& scratch) const;
   static void store(world::World& world, const LidarBeams& beams, std::uint32_t ranger, Scratch& scratch);
 
   RayScene scene_;
