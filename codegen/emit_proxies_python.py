@@ -6,7 +6,7 @@ from __future__ import annotations
 import textwrap
 
 from codegen import emit_python
-from codegen.model import Message
+from codegen.model import Interface, Message
 from codegen.proxies import (Argument, Call, Expr, Kept, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value,
                              spelled)
 
@@ -25,22 +25,22 @@ FROM_WIRE = {"Pose": "pose_of", "Velocity": "velocity_of", "Pose3d": "pose3d_of"
 
 def emit(proxies: Proxies) -> dict[str, str]:
     """Path from the root of the tree -> content."""
-    files = {f"{FOLDER}/{p.interface.name}.py": _Module(proxies, p).text() for p in proxies.generated()}
+    files = {f"{FOLDER}/{i.name}.py": _Module(proxies, i).text() for i in proxies.modules()}
     files[f"{FOLDER}/__init__.py"] = _index(proxies)
     return files
 
 
 class _Module:
-    def __init__(self, proxies: Proxies, proxy: Proxy) -> None:
-        self.proxies, self.proxy, self.wire = proxies, proxy, proxy.interface.name
+    def __init__(self, proxies: Proxies, interface: Interface) -> None:
+        self.proxies, self.interface, self.wire, self.proxy = proxies, interface, interface.name, proxies.proxy_of(interface)
         self.makers: dict[str, str] = {}  # functions that make a value of an element of a list
 
     def text(self) -> str:
-        values = [self._value(v) for v in self.proxies.values_of(self.proxy.interface)]
-        class_ = self._class()
-        body = "\n\n\n".join([*values, class_, *self.makers.values()])
-        about = f"Generated from {self.proxy.interface.source} by codegen; do not edit."
-        return f'"""The proxy of {self.wire}.\n\n{about}\n"""\n\n{self._imports(body)}\n\n\n{body}\n'
+        values = [self._value(v) for v in self.proxies.values_of(self.interface)]
+        classes = [self._class(self.proxy)] if self.proxy else []
+        body = "\n\n\n".join([*values, *classes, *self.makers.values()])
+        about = f"Generated from {self.interface.source} by codegen; do not edit."
+        return f'"""{"The proxy of" if self.proxy else "Values of"} {self.wire}.\n\n{about}\n"""\n\n{self._imports(body)}\n\n\n{body}\n'
 
     def _imports(self, body: str) -> str:
         """What the body names."""
@@ -50,9 +50,9 @@ class _Module:
         if typing:
             lines += [f"from typing import {', '.join(typing)}", ""]
         modules = sorted({self.wire} & words | {"common"} & words)
-        base = "bases" if self.proxy.base != "Device" else "device"
-        bases = [f"from ...{base} import {self.proxy.base}"]
-        convert = {*FROM_WIRE.values(), "color_of"} | {e.function for e in _calls(self.proxies)}
+        base = self.proxy.base if self.proxy else ""
+        bases = [f"from ...{'bases' if base != 'Device' else 'device'} import {base}"] if base else []
+        convert = {*FROM_WIRE.values(), "color_of"} | self.proxies.functions()
         if convert & words:
             bases.append(f"from ...convert import {', '.join(sorted(convert & words))}")
         lines += sorted(bases)
@@ -62,6 +62,8 @@ class _Module:
         wire = {"c_string", "text"} & {w.rstrip("(") for w in words if w.endswith("(")} | {"Struct"} & words
         if wire:
             lines.append(f"from ...wire import {', '.join(sorted(wire))}")
+        for name in sorted(v.name for v in self.proxies.values.values() if not v.by_hand and v.interface != self.wire and v.name in words):
+            lines.append(f"from .{self.proxies.values[name].interface} import {name}")
         if modules:
             lines.append(f"from .. import {', '.join(modules)}")
         return "\n".join(lines)
@@ -87,8 +89,7 @@ class _Module:
 
     # The class
 
-    def _class(self) -> str:
-        p = self.proxy
+    def _class(self, p: Proxy) -> str:
         take = next((m for m in p.members if isinstance(m, Take)), None)
         base = f"{p.base}[{self._type(take.expr.type)}]" if take else p.base
         parts = ["\n".join([f"class {p.name}({base}):", *_docstring(_wrapped(self._spelled(p.doc), 4, 6), 4)])]
@@ -116,7 +117,7 @@ class _Module:
             body.append(f"data = self._newest_of({', '.join(self._message(m) for m in read.messages)})")
             body += self._variants(read)
         else:
-            stamp = "data, time" if _uses_time(read.expr) else "data, _"
+            stamp = "data, time" if read.expr.has_time else "data, _"
             body.append(f"{stamp} = self._stamped({self._message(read.messages[0])})")
             body += self._return(read.expr, "data")
         made = ["\n".join(head + _indented(body, 8))]
@@ -278,7 +279,7 @@ class _Module:
         if e.one.how != "make" or len(made) < 60:
             return made
         name, f = f"_{_snake(e.one.type.name)}", e.path.last
-        given = "one, data" if any(p.root == "message" for _, part in e.one.parts for p in part.paths) else "one"
+        given = "one, data" if e.one.has_outer else "one"
         typed = given.replace("one", f"one: {f.owner}.{f.type}").replace("data", f"data: {self.wire}.Data")
         self.makers[name] = "\n".join([f"def {name}({typed}) -> {e.one.type.name}:", *_indented(self._return(e.one, "one", 4), 4)])
         return f"{name}({given})"
@@ -316,30 +317,8 @@ def _words(text: str):
         word = ""
 
 
-def _calls(proxies: Proxies) -> list[Expr]:
-    """Every expression that calls a function which is written by hand."""
-    found: list[Expr] = []
-
-    def add(e: Expr | None) -> None:
-        if e is None:
-            return
-        if e.how == "call":
-            found.append(e)
-        for part in [e.one, *(part for _, part in e.parts)]:
-            add(part)
-
-    for proxy in proxies.proxies:
-        for m in proxy.members:
-            add(m.answer if isinstance(m, Call) else m.expr if isinstance(m, (Read, Take)) else None)
-    return found
-
-
 def _snake(name: str) -> str:
     return "".join("_" + c.lower() if c.isupper() and i else c.lower() for i, c in enumerate(name))
-
-
-def _uses_time(e: Expr) -> bool:
-    return e.how == "time" or any(_uses_time(part) for _, part in e.parts)
 
 
 def _number(text: str, type_: Type) -> str:
@@ -380,7 +359,8 @@ def _fitted(start: str, parts: list[str], end: str, indent: int, offset: int = 0
 
 
 def _index(proxies: Proxies) -> str:
-    made = {p.interface.name: sorted([p.name, *(v.name for v in proxies.values_of(p.interface))]) for p in proxies.generated()}
+    made = {i.name: sorted([*(p.name for p in proxies.generated() if p.interface is i), *(v.name for v in proxies.values_of(i))])
+            for i in proxies.modules()}
     by_hand = sorted(p.name for p in proxies.proxies if p.by_hand)
     lines = ['"""Every proxy, and what opens them.', "", "Generated from interfaces/ by codegen; do not edit.", '"""', "",
              "from typing import Any, Dict, List, Type", "", "from ...device import Access, Device", f"from ...proxies import {', '.join(by_hand)}"]

@@ -93,6 +93,20 @@ class Expr:
     def path(self) -> Path:
         return self.paths[0]
 
+    def all(self) -> list[Expr]:
+        """It and those that it is made of."""
+        inner = [self.one] if self.one else []
+        return [self, *(e for part in [*inner, *(part for _, part in self.parts)] for e in part.all())]
+
+    @property
+    def has_time(self) -> bool:
+        return any(e.how == "time" for e in self.all())
+
+    @property
+    def has_outer(self) -> bool:
+        """Whether it reads more of the message than what is at hand."""
+        return any(path.root == "message" for e in self.all() for path in e.paths)
+
 
 @dataclass
 class Part:
@@ -113,10 +127,6 @@ class Value:
     by_hand: bool               # the libraries have the class, since it has methods
     source: str
     interface: str              # that defines it
-
-    @property
-    def has_time(self) -> bool:
-        return any(f.name == "time" for f in self.fields)
 
 
 @dataclass
@@ -244,6 +254,18 @@ class Proxies:
 
     def generated(self) -> list[Proxy]:
         return [p for p in self.proxies if not p.by_hand]
+
+    def functions(self) -> set[str]:
+        """What every library has by hand to convert what is of one interface alone."""
+        return {e.function for p in self.proxies for m in p.members for root in made_by(m) for e in root.all() if e.function}
+
+    def modules(self) -> list[Interface]:
+        """Interfaces with a value or a proxy that is generated."""
+        mine = {p.interface.name for p in self.generated()} | {v.interface for v in self.values.values() if not v.by_hand}
+        return [i for i in self.schema.all() if i.name in mine]
+
+    def proxy_of(self, interface: Interface) -> Proxy | None:
+        return next((p for p in self.generated() if p.interface is interface), None)
 
     def values_of(self, interface: Interface) -> list[Value]:
         """Those that are generated, in the order of their definition."""
@@ -685,6 +707,15 @@ def _described(expr: Expr) -> str:
     if not expr.unit or expr.unit == "1":
         return doc
     return f"{doc[:-1]} (in {expr.unit})." if doc else f"In {expr.unit}."
+
+
+def made_by(member) -> list[Expr]:
+    """What a member makes of what it receives."""
+    if isinstance(member, Call):
+        return [member.answer] if member.answer else []
+    if isinstance(member, Read):
+        return member.variants or [member.expr]
+    return [member.expr] if isinstance(member, Take) else []
 
 
 # {drive()}, {State.pose}, {set_power(true)} and {raises NoData} in a doc: names as each language spells them.

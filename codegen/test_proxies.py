@@ -4,7 +4,7 @@ import ast
 import unittest
 from pathlib import Path
 
-from codegen import emit_proxies_python
+from codegen import emit_proxies_python, emit_proxies_typescript
 from codegen.checks import SchemaError
 from codegen.model import build, load
 from codegen.proxies import build_proxies, spelled
@@ -153,6 +153,10 @@ class Tree(unittest.TestCase):
         for path, text in emit_proxies_python.emit(self.proxies).items():
             ast.parse(text, path)
             self.assertLessEqual(max(map(len, text.splitlines())), 120, path)
+
+    def test_lines_of_typescript_fit(self):
+        for path, text in emit_proxies_typescript.emit(self.proxies).items():
+            self.assertLessEqual(max(map(len, text.splitlines())), 125, path)
 
 
 if __name__ == "__main__":

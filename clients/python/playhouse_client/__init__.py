@@ -32,7 +32,6 @@ from .values import (
     Cell,
     Charging,
     Covariance,
-    Geometry,
     Grid,
     Image,
     Marker,
@@ -49,7 +48,7 @@ __version__ = "0.2.0"
 
 __all__ = [
     "Access", "Cell", "Charging", "Client", "ConnectionLost", "Covariance", "Device", "DeviceAddress", "DeviceClosed",
-    "DeviceEntry", "DeviceGone", "Geometry", "GoalRefused", "Grid", "Image", "InvalidValue", "Marker", "Mode", "Model",
+    "DeviceEntry", "DeviceGone", "GoalRefused", "Grid", "Image", "InvalidValue", "Marker", "Mode", "Model",
     "NoData", "Path", "PlannerState", "PlayerError", "Pose", "Pose3d", "RequestRefused", "RequestTimeout", "Robot", "Rule",
     "RunEnded", "Scan", "Size", "Velocity", "WireError", "connect",
     *_generated.__all__,

@@ -49,13 +49,6 @@ class Velocity(NamedTuple):
     a: float = 0.0
 
 
-class Geometry(NamedTuple):
-    """Pose of a device on its robot (for a base: its own centre), and its size."""
-
-    pose: Pose3d
-    size: Size
-
-
 class Scan(NamedTuple):
     """Ranges in m and their directions in rad, pairwise, in the order of measurement.
 
