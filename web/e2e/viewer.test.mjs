@@ -226,9 +226,7 @@ test('two viewers see the same and either may pause', async () => {
   await goOn();
   const other = await watch(browser, program.page);
   await pause(other.page);
-  await page.waitForFunction(() => window.playhouse.paused);
-  await pictures(page, 5);
-  assert.equal(await tick(), await tick(other.page));
+  await page.waitForFunction((t) => window.playhouse.paused && window.playhouse.tick === t, await tick(other.page));
   assert.deepEqual(await pose('coral'), await pose('coral', other.page));
   await goOn(other.page);
   await page.waitForFunction(() => !window.playhouse.paused);
