@@ -10,6 +10,8 @@
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/fiducial.h"
 #include "playhouse/wire/generated/laser.h"
+#include "playhouse/wire/generated/localize.h"
+#include "playhouse/wire/generated/planner.h"
 #include "playhouse/wire/generated/player.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/wire/generated/ranger.h"
@@ -23,11 +25,16 @@ using wire::MessageType;
 constexpr std::size_t kBannerBytes = 32;
 constexpr double kTickSeconds = 0.1;   // of the world
 constexpr std::uint32_t kIndices = 8;  // of an interface that clients name; fewer exist, at first
+/// And of what drivers provide, from there on.
+constexpr std::uint32_t kOfDrivers = 20, kDriverIndices = 2;
 constexpr std::size_t kBodyBytes = 64;
 constexpr std::uint8_t kPull = 2;    // data mode
 constexpr std::uint8_t kGone = 'e';  // access in a notice of a device that has retired
-constexpr std::uint16_t kInterfaces[] = {wire::position2d::kCode, wire::laser::kCode, wire::ranger::kCode,
-                                         wire::fiducial::kCode, wire::simulation::kCode};
+constexpr std::uint16_t kInterfaces[] = {
+    wire::position2d::kCode, wire::laser::kCode,    wire::ranger::kCode, wire::fiducial::kCode,
+    wire::simulation::kCode, wire::localize::kCode, wire::planner::kCode};
+/// Those whose devices publish in every tick.
+constexpr std::uint16_t kSteady[] = {wire::position2d::kCode, wire::laser::kCode, wire::ranger::kCode};
 
 }  // namespace
 
@@ -55,8 +62,10 @@ Bytes SimulatedClient::request(std::uint16_t interf, std::uint16_t index, std::u
 /// Opens and closes of devices, commands, and requests that make sense or none.
 Bytes SimulatedClient::any_message() {
   const std::uint16_t interf = kInterfaces[draw(std::size(kInterfaces))];
-  const auto index = static_cast<std::uint16_t>(draw(kIndices));
-  switch (draw(8)) {
+  std::uint32_t any_index = draw(kIndices + kDriverIndices);
+  if (any_index >= kIndices) any_index += kOfDrivers - kIndices;
+  const auto index = static_cast<std::uint16_t>(any_index);
+  switch (draw(9)) {
     case 0:
     case 1: {
       const auto access = static_cast<std::uint8_t>(1 + draw(3));  // open, close, all
@@ -79,7 +88,12 @@ Bytes SimulatedClient::any_message() {
           draw(2) == 0 ? wire::simulation::kReqGetPose2d : wire::simulation::kReqSetPose2d;
       return request(wire::simulation::kCode, 0, subtype, wire::encode(body));
     }
-    case 5:
+    case 5: {
+      const double x = draw(100) / 10.0 - 5, y = draw(100) / 10.0 - 5;
+      return server::message(MessageType::kCmd, wire::planner::kCode, 0, wire::planner::kCmdGoal,
+                             wire::encode(wire::planner::Cmd{{x, y, 0}}));
+    }
+    case 6:
       return request(wire::player::kCode, 0, wire::player::kReqDevlist, {});
     default: {  // compilers differ in the order of arguments, and random numbers must not
       const auto subtype = static_cast<std::uint8_t>(draw(16));
@@ -169,7 +183,9 @@ void SimulatedClient::look_at_data(const wire::Header& header) {
     return;
   }
   const double passed = header.timestamp - last->second;
-  const bool is_late = header.interf != wire::fiducial::kCode && passed > 1.5 * kTickSeconds;
+  const bool is_steady =
+      header.index < kOfDrivers && std::ranges::find(kSteady, header.interf) != std::end(kSteady);
+  const bool is_late = is_steady && passed > 1.5 * kTickSeconds;
   if (manner_ == Manner::kReads && is_late && now_ >= excused_until_)
     wrong(fmt::format("a client gets data of interface {}:{} of {:.1f} s, and those before of {:.1f} s",
                       header.interf, header.index, header.timestamp, last->second));

@@ -10,6 +10,7 @@
 
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/drivers/registry.h"
 #include "playhouse/drivers/simulated/auto_devices.h"
 #include "playhouse/drivers/simulated/joining.h"
 #include "playhouse/drivers/site.h"
@@ -23,6 +24,7 @@
 #include "playhouse/record/mcap/mcap_writer.h"
 #include "playhouse/record/recorder.h"
 #include "playhouse/record/rerun.h"
+#include "playhouse/scene/cfg.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/server/server.h"
 #include "playhouse/web_server/web_server.h"
@@ -55,6 +57,16 @@ position( name "ada" pose [2 -3 0 0] size [0.3 0.5 1.75] drive "walk" velocity_b
 position( name "r2" pose [0 0 0 0] size [0.4 0.4 0.3] ranger( sensor( range [0 6] fov 90 samples 5 ) ) )
 )";
 
+/// The robot r0 knows where it is, and finds its way past what is not on the map.
+constexpr const char* kDrivers = R"(
+driver ( name "stage" provides ["map:20"] model "walls" )
+driver ( name "amcl" provides ["localize:0" "position2d:20"]
+  requires ["odometry:::position2d:0" "laser:0" "laser:::map:20"] pf_min_samples 20 pf_max_samples 100 )
+driver ( name "vfh" provides ["position2d:21"] requires ["position2d:0" "laser:0"] )
+driver ( name "wavefront" provides ["planner:0"]
+  requires ["output:::position2d:21" "input:::position2d:20" "map:20"] )
+)";
+
 /// Lets time pass in each tick, so that it does even in a run that waits for nobody.
 class TickTime final : public run::Follower {
  public:
@@ -81,6 +93,7 @@ class House final : private drivers::Host {
   const world::World& world() { return simulation().world(); }
 
   void begin_recording(const std::string& folder);
+  void make_drivers();
   void open_observers();
   void open_page_server();
   void follow_rewinds();
@@ -122,6 +135,7 @@ class House final : private drivers::Host {
   scene::SceneDesc scene_;
   net::SimulatedNetwork network_;
   drivers::Site site_;
+  std::vector<std::unique_ptr<device::Driver>> drivers_;
   std::unique_ptr<drivers::AutoDevices> robots_;
   server::Server server_;  // stops devices in the end
   std::string file_;
@@ -171,12 +185,20 @@ House::House(const Options& options, const std::string& folder)
   site_.data_flow().pass_to(server_);
   robots_ = std::make_unique<drivers::AutoDevices>(site_, kPort);
   PLAYHOUSE_ASSERT(robots_->add_all().ok());
+  make_drivers();
   begin_recording(folder);
   open_observers();
   open_page_server();
   follow_rewinds();
   simulation().follow(std::make_shared<TickTime>([this] { pass(kTickSeconds); }));
   simulation().requests().record(true);
+}
+
+void House::make_drivers() {
+  scene::DiskFiles files;
+  auto made = drivers::make_drivers(*scene::load_cfg_text(kDrivers, "house.cfg", files), site_);
+  PLAYHOUSE_ASSERT(made.ok());
+  drivers_ = std::move(*made);
 }
 
 void House::open_observers() {
