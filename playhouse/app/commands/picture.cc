@@ -24,7 +24,7 @@
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log_output.h"
-#include "playhouse/scene/images/write_png.h"
+#include "playhouse/images/write_png.h"
 #include "playhouse/world/periods.h"
 
 namespace playhouse::app {
@@ -202,7 +202,7 @@ int picture(const PictureOptions& options) {
     if (!view) return fail_at({escaped(options.world), view.error().text}, kUsage);
     const Result<Picture> drawn = renderer.draw(run->world(), *view);
     if (!drawn) return drawn.error();
-    const Result<std::string> png = scene::png_of(drawn->width, drawn->height, drawn->rgb);
+    const Result<std::string> png = images::png_of(drawn->width, drawn->height, 3, drawn->rgb);
     return png ? write(options.output, *png) : fail_at({escaped(options.output), png.error().text});
   });
 }
