@@ -196,6 +196,8 @@ class Interface:
     structs: list[Struct] = field(default_factory=list)
     constants: list[Constants] = field(default_factory=list)
     reserved: list[int] = field(default_factory=list)   # request subtypes that must not be reused
+    value_rows: list[dict] = field(default_factory=list)    # [[value]] and [proxy], which codegen/proxies.py reads
+    proxy_row: dict = field(default_factory=dict)
 
     def struct(self, name: str) -> Struct | None:
         return next((s for s in self.structs if s.name == name), None)
@@ -310,7 +312,7 @@ def build(parsed: list[tuple[str, dict]]) -> Schema:
 
 
 def _interface(source: str, table: dict) -> Interface:
-    keys(source, table, {"name", "doc"}, {"code", "reserved", "message", "struct", "constants"})
+    keys(source, table, {"name", "doc"}, {"code", "reserved", "message", "struct", "constants", "value", "proxy"})
     name, code = table["name"], table.get("code")
     if not NAME.match(name) or name != name.lower():
         raise SchemaError(f'{source}: "{name}" is not a name in lower case')
@@ -319,6 +321,7 @@ def _interface(source: str, table: dict) -> Interface:
     documented(source, table["doc"])
     interface = Interface(name, code, table["doc"], source)
     interface.reserved = list(table.get("reserved", []))
+    interface.value_rows, interface.proxy_row = table.get("value", []), table.get("proxy", {})
     interface.messages = [_message(source, code, row) for row in table.get("message", [])]
     interface.structs = [_struct(source, row) for row in table.get("struct", [])]
     interface.constants = [_constants(source, name, row) for row in table.get("constants", [])]

@@ -6,12 +6,6 @@ namespace eval ::playhouse {
     variable CLOSING_SECONDS 1.0
     variable TOKEN_BYTES 32
 
-    # Interface -> the class of its proxy.
-    variable proxies {
-        position2d Position2d ranger Ranger laser Laser sonar Sonar fiducial Fiducial aio Aio bumper Bumper camera Camera
-        ptz Ptz opaque Opaque simulation Simulation position3d Position3d imu Imu gps Gps pointcloud3d PointCloud3d
-        speech Speech speech_recognition SpeechRecognition localize Localize planner Planner map Map
-    }
     variable modes {push 1 pull 2}
     variable rules {accept 0 replace 1 ignore 2}
 }
@@ -541,9 +535,9 @@ apply {{} {
     foreach interface [dict keys $::playhouse::proxies] {
         oo::define ::playhouse::Client method $interface {{index 0} {access all}} \
             "return \[my device $interface \$index \$access\]"
-        if {$interface eq "simulation"} continue
+    }
+    dict for {interface several} $::playhouse::plurals {
         oo::define ::playhouse::Robot method $interface {} "return \[my device $interface\]"
-        set several [expr {$interface in {gps speech} ? "${interface}es" : "${interface}s"}]
         oo::define ::playhouse::Robot method $several {} "return \[my All $interface\]"
     }
 }}

@@ -274,6 +274,28 @@ oo::class create ::playhouse::Device {
         return [dict get $newest $message]
     }
 
+    # The newest value of several messages.
+    method NewestOf {args} {
+        set found ""
+        set at ""
+        foreach message $args {
+            if {![dict exists $newest $message]} continue
+            lassign [dict get $newest $message] value time
+            if {$at eq "" || $time > $at} {
+                set found $value
+                set at $time
+            }
+        }
+        if {$at eq ""} {return [my Newest [lindex $args 0]]}
+        return $found
+    }
+
+    # The first value of a list. An error of kind NODATA without one.
+    method FirstOf {values what} {
+        if {![llength $values]} {fail NODATA "[$session peer]: [my name] has no $what"}
+        return [lindex $values 0]
+    }
+
     # Why there is no value of a data message.
     method LackOf {message} {
         if {![my hasData]} {return "has sent no data yet; nextData waits for them"}
@@ -285,12 +307,6 @@ oo::class create ::playhouse::Device {
         set answer [my request $message $payload]
         if {[dict size $answer] == 0} {fail WIRE "an answer came without its contents"}
         return $answer
-    }
-
-    # The geometry that a request is answered with, whose pose is in the field `pose`.
-    method AskGeometry {message {pose pose}} {
-        set geom [my Ask $message]
-        return [from::geometry [dict get $geom $pose] [dict get $geom size]]
     }
 
     method PropertyMessages {kind} {
@@ -381,5 +397,39 @@ oo::class create ::playhouse::Keeping {
         set taken $kept
         set kept {}
         return $taken
+    }
+}
+
+# Base of devices that move. Closing one while it moves stops it first.
+oo::class create ::playhouse::Mobile {
+    superclass ::playhouse::Updating
+    variable session opened moving
+
+    constructor {args} {
+        set moving 0
+        next {*}$args
+    }
+
+    method stop {} {my drive 0.0}
+
+    method close {} {
+        if {$opened && $moving && ![my gone] && [[$session connection] alive]} {my stop}
+        next
+    }
+}
+
+# Base of devices that send one of several data messages.
+oo::class create ::playhouse::Selecting {
+    superclass ::playhouse::Device
+
+    # One of imu.data.state (pose), imu.data.calib (inertia), imu.data.quat (inertia and quaternion), imu.data.euler
+    # (inertia and attitude) and imu.data.fullstate (pose and velocity), for all subscribers of the device.
+    method send {message} {
+        my request imu.req.set_datatype [dict create value [lindex [messageOf $message] 2]]
+        return
+    }
+
+    method LackOf {message} {
+        return [next $message][expr {[my hasData] ? "; send $message selects it" : ""}]
     }
 }

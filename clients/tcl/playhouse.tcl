@@ -17,10 +17,10 @@ apply {{folder} {
     if {![file exists [file join $folder generated]]} {
         error "$folder/generated is missing: python3 -m codegen, in the source tree, makes it"
     }
-    foreach name {errors wire values connection session device models robot client} {
+    foreach name {errors wire values connection session device models robot generated/proxies/index client} {
         source -encoding utf-8 [file join $folder $name.tcl]
     }
-    foreach pattern {proxies/*.tcl generated/*.tcl} {
+    foreach pattern {proxies/*.tcl generated/*.tcl generated/proxies/*.tcl} {
         foreach file [lsort [glob -directory $folder $pattern]] {source -encoding utf-8 $file}
     }
 }} [file dirname [file normalize [info script]]]

@@ -1,32 +1,19 @@
 # The values that the proxies give: dictionaries, in SI units and radians; x forward, y left, z up, angles
-# counter-clockwise. The frame of a pose is said where it is given.
+# counter-clockwise. The frame of a pose is said where it is given. The others are in generated/proxies/, a file per interface.
 #
 #     pose          x, y (m), a (heading in rad, 0 along the frame's x, in (-pi, pi] as servers report it)
 #     velocity      x, y (m/s), a (rad/s), in the robot's frame
 #     pose3d        x, y, z (m), roll, pitch, yaw (rad): rotations about z by yaw, then about the new y by pitch, then about
 #                   the new x by roll
-#     geometry      pose (a pose3d, of a device on its robot), size (x, y, z in m)
-#     state         pose, velocity, stalled, time (the server's, in s, as every time below)
-#     state3d       pose, velocity (both as pose3d, the second in m/s and rad/s along and about its own axes), stalled, time
 #     scan          ranges (m), angles (rad), pairwise; maxRange (m), time
 #     marker        id, pose (a pose3d in the sensor's frame), distance (m), bearing (rad)
-#     face          pose (a pose3d on the robot), length, radius (m; 0: straight)
 #     image         width, height, format (a FORMAT_... of ::playhouse::camera), isJpeg, data, time; rows from the top
-#     view          pan (to the left), tilt (upwards), zoom (horizontal field of view) in rad; panSpeed, tiltSpeed in rad/s
-#     inertia       acceleration (m/s^2, {0 0 9.81} when level and at rest), turnRate (rad/s), field: three numbers each
-#     fix           latitude, longitude (degrees), altitude (m above WGS84), easting, northing (UTM, m), speed (m/s), course
-#                   (rad, clockwise from north), quality (0: no fix, the rest is invalid), satellites, horizontalError,
-#                   verticalError (m), time
-#     point         x, y, z (m, in the sensor's frame), color: red, green, blue, alpha from 0 to 255
 #     covariance    xx, yy, aa (variances), xy, ya, xa, of a pose
-#     hypothesis    pose (on the map), covariance, weight
-#     particle      pose (on the map), weight
 #     plannerState  valid, done, pose, goal, waypoint (on the map), index (-1: none), count, time
 #     path          waypoints (poses on the map), length (m)
 #     grid          cellSize (m), width, height (cells), origin (pose of the lower left corner of cell 0, 0 in the world)
 #     cell          column, row, from the lower left
 #     model         name, type, parent, devices (each: port, interface, index, model, name), id
-
 #
 # Numbers of a server can be NaN or Inf. Tcl does not compute with NaN: what follows from one is NaN here.
 
@@ -134,18 +121,58 @@ proc ::playhouse::from::pose3d {wire} {
         roll [dict get $wire proll] pitch [dict get $wire ppitch] yaw [dict get $wire pyaw]]
 }
 
-proc ::playhouse::from::geometry {pose size} {
-    return [dict create pose [pose3d $pose] \
-        size [dict create x [dict get $size sl] y [dict get $size sw] z [dict get $size sh]]]
+proc ::playhouse::from::size {wire} {
+    return [dict create x [dict get $wire sl] y [dict get $wire sw] z [dict get $wire sh]]
 }
 
-# A scan whose directions are spread evenly.
-proc ::playhouse::from::scan {ranges low high maxRange time} {
-    return [dict create ranges $ranges angles [spread $low $high [llength $ranges]] maxRange $maxRange time $time]
+proc ::playhouse::from::rgb {wire} {
+    return [lmap channel {red green blue} {dict get $wire $channel}]
 }
 
-# `count` angles from low to high.
-proc ::playhouse::from::spread {low high count} {
+proc ::playhouse::from::rgba {wire} {
+    return [lmap channel {red green blue alpha} {dict get $wire $channel}]
+}
+
+# Of 0xRRGGBB.
+proc ::playhouse::from::packedRgb {color} {
+    return [list [expr {$color >> 16 & 255}] [expr {$color >> 8 & 255}] [expr {$color & 255}]]
+}
+
+# impossible, no or yes.
+proc ::playhouse::from::charging {state} {
+    return [expr {$state < 0 ? "impossible" : $state > 0 ? "yes" : "no"}]
+}
+
+# Levels in dBm are signed, all others are not.
+proc ::playhouse::from::level {value unit} {
+    return [expr {$unit == $::playhouse::wifi::QUAL_DBM ? $value : $value & 0xffffffff}]
+}
+
+# A value, empty if the flags lack a bit.
+proc ::playhouse::from::onlyIf {flags bit value} {
+    return [expr {$flags & $bit ? $value : ""}]
+}
+
+# A number, empty if it is the one that stands for none.
+proc ::playhouse::from::unless {absent value} {
+    if {![::playhouse::isNan $value] && $value == $absent} return
+    return $value
+}
+
+# The bytes of a byte string, and whether each is not 0.
+proc ::playhouse::from::numbers {bytes} {
+    binary scan $bytes cu* numbers
+    return $numbers
+}
+
+proc ::playhouse::from::truths {bytes} {
+    return [lmap number [numbers $bytes] {expr {$number != 0}}]
+}
+
+# The direction of each range: those of the elements if there is one per range, else spread from low to high.
+proc ::playhouse::from::directions {low high ranges {elements {}}} {
+    set count [llength $ranges]
+    if {[llength $elements] == $count && $count > 1} {return [lmap element $elements {dict get $element pyaw}]}
     if {![::playhouse::isFinite $low] || ![::playhouse::isFinite $high]} {return [lrepeat $count NaN]}
     set step [expr {$count > 1 ? ($high - $low) / ($count - 1) : 0.0}]
     set angles {}
@@ -153,11 +180,18 @@ proc ::playhouse::from::spread {low high count} {
     return $angles
 }
 
+proc ::playhouse::from::scan {ranges angles maxRange time} {
+    return [dict create ranges $ranges angles $angles maxRange $maxRange time $time]
+}
+
+proc ::playhouse::from::image {width height format isJpeg data time} {
+    return [dict create width $width height $height format $format isJpeg $isJpeg data $data time $time]
+}
+
 # A marker, with its distance and bearing.
-proc ::playhouse::from::marker {item} {
-    set pose [pose3d [dict get $item pose]]
+proc ::playhouse::from::marker {id pose} {
     lassign [dict values $pose] x y
-    set marker [dict create id [dict get $item id] pose $pose distance NaN bearing NaN]
+    set marker [dict create id $id pose $pose distance NaN bearing NaN]
     if {![::playhouse::isNan $x] && ![::playhouse::isNan $y]} {
         dict set marker distance [expr {hypot($x, $y)}]
         dict set marker bearing [expr {atan2($y, $x)}]
@@ -169,6 +203,11 @@ namespace eval ::playhouse::to {}
 
 proc ::playhouse::to::pose {x y a} {
     return [dict create px $x py $y pa $a]
+}
+
+proc ::playhouse::to::color {rgb} {
+    lassign $rgb red green blue
+    return [dict create alpha 255 red $red green $green blue $blue]
 }
 
 # A pose3d or a covariance whose missing parts are 0. Other parts are an error of kind INVALID.

@@ -37,7 +37,7 @@ class ClientTest : public ::testing::Test {
   FakePublisher out;
   FakeOutlet outlet;
   DataFlow flow;
-  Client client{devices, owner, 2};
+  DeviceClient client{devices, owner, 2};
 };
 
 TEST_F(ClientTest, holds_its_devices_while_it_is_open) {
@@ -55,7 +55,7 @@ TEST_F(ClientTest, holds_its_devices_for_its_owner_who_hears_when_they_retire) {
 }
 
 TEST_F(ClientTest, a_device_of_two_numbers_is_held_and_read_once) {
-  Client twice{devices, owner, 2};
+  DeviceClient twice{devices, owner, 2};
   Subscription& first = twice.queue(0, 4);
   Subscription& second = twice.queue(1, 4);
   for (const std::size_t number : {0, 1}) twice.use(number, kWheels, wheels());
@@ -118,7 +118,7 @@ TEST_F(ClientTest, commands_reach_the_device_that_is_meant) {
 
 TEST_F(ClientTest, hears_each_answer_once_and_a_refusal_as_nothing) {
   std::vector<std::string> heard;
-  const Client::Heard hear = [&](const std::optional<std::vector<std::byte>>& body) {
+  const DeviceClient::Heard hear = [&](const std::optional<std::vector<std::byte>>& body) {
     heard.push_back(body ? text(*body) : "nothing");
   };
   client.ask(0, 1, bytes("size?"), hear);

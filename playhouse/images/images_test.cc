@@ -21,7 +21,7 @@ const std::vector<std::uint8_t> kColors{255, 0, 0, 0,   255, 0,   0,   0,   255,
 TEST(ReadImage, gives_what_was_written) {
   const Result<std::string> png = png_of(3, 2, 3, kColors);
   ASSERT_TRUE(png);
-  const Result<Rgb> image = read_image<Rgb>(*png, {6});
+  const Result<RgbImage> image = read_image<RgbImage>(*png, {6});
   ASSERT_TRUE(image) << image.error().text;
   EXPECT_EQ(image->width, 3);
   EXPECT_EQ(image->height, 2);
@@ -33,8 +33,8 @@ TEST(ReadImage, alpha_is_kept_or_lets_black_through) {
   for (const PngEffort effort : {PngEffort::kSmall, PngEffort::kFast}) {
     const Result<std::string> png = png_of(3, 1, 4, pixels, effort);
     ASSERT_TRUE(png);
-    EXPECT_EQ(read_image<Rgba>(*png, {3})->rgba, pixels);
-    EXPECT_THAT(read_image<Rgb>(*png, {3})->rgb, ElementsAre(100, 50, 25, 9, 8, 7, 0, 0, 0));
+    EXPECT_EQ(read_image<RgbaImage>(*png, {3})->rgba, pixels);
+    EXPECT_THAT(read_image<RgbImage>(*png, {3})->rgb, ElementsAre(100, 50, 25, 9, 8, 7, 0, 0, 0));
     EXPECT_THAT(read_image<FirstChannel>(*png, {3})->level, ElementsAre(200, 9, 255));
     EXPECT_THAT(read_image<Shades>(*png, {3})->color, ElementsAre(350, 24, 6));
     EXPECT_THAT(read_image<Shades>(*png, {3})->alpha, ElementsAre(128, 255, 0));
@@ -42,7 +42,7 @@ TEST(ReadImage, alpha_is_kept_or_lets_black_through) {
 }
 
 TEST(ReadImage, gray_is_a_color_without_alpha) {
-  const Result<Rgba> image = read_image<Rgba>("P5 2 1 255\n\x07\xF0", {2});
+  const Result<RgbaImage> image = read_image<RgbaImage>("P5 2 1 255\n\x07\xF0", {2});
   ASSERT_TRUE(image) << image.error().text;
   EXPECT_THAT(image->rgba, ElementsAre(7, 7, 7, 255, 240, 240, 240, 255));
 }
@@ -66,14 +66,14 @@ TEST(ReadImage, takes_samples_as_they_are_whatever_gamma_the_file_names) {
   png_write_row(png, row);
   png_write_end(png, about);
   png_destroy_write_struct(&png, &about);
-  EXPECT_THAT(read_image<Rgba>(file, {1})->rgba, ElementsAre(10, 20, 30, 255));
+  EXPECT_THAT(read_image<RgbaImage>(file, {1})->rgba, ElementsAre(10, 20, 30, 255));
 }
 
 TEST(ReadImage, refuses_what_is_too_large_or_ends_early_or_is_no_image) {
   const Result<std::string> png = png_of(3, 2, 3, kColors);
   ASSERT_TRUE(png);
   const auto fault = [](std::string_view bytes, const ImageLimits& most) {
-    return read_image<Rgb>(bytes, most).error().text;
+    return read_image<RgbImage>(bytes, most).error().text;
   };
   EXPECT_EQ(fault(*png, {5}), "has 3 x 2 pixels; up to 5 are possible");
   EXPECT_EQ(fault(*png, {6, 2}), "has 3 x 2 pixels; up to 2 a side are possible");

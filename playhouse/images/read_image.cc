@@ -50,10 +50,10 @@ void begin(Shades& image, std::size_t pixels, std::size_t samples) {
   image.color.assign(pixels, 0);
   if (samples % 2 == 0) image.alpha.assign(pixels, 0);
 }
-void begin(Rgb& image, std::size_t pixels, std::size_t) {
+void begin(RgbImage& image, std::size_t pixels, std::size_t) {
   image.rgb.assign(3 * pixels, 0);
 }
-void begin(Rgba& image, std::size_t pixels, std::size_t) {
+void begin(RgbaImage& image, std::size_t pixels, std::size_t) {
   image.rgba.assign(4 * pixels, 0);
 }
 
@@ -75,12 +75,12 @@ void put(Shades& image, std::size_t pixel, Samples samples) {
   image.color[pixel] = static_cast<std::uint16_t>(sum);
   if (!image.alpha.empty()) image.alpha[pixel] = samples.back();
 }
-void put(Rgb& image, std::size_t pixel, Samples samples) {
+void put(RgbImage& image, std::size_t pixel, Samples samples) {
   for (std::size_t k = 0; k < 3; ++k)
     image.rgb[3 * pixel + k] =
         static_cast<std::uint8_t>((color_of(samples, k) * alpha_of(samples) + 127) / 255);
 }
-void put(Rgba& image, std::size_t pixel, Samples samples) {
+void put(RgbaImage& image, std::size_t pixel, Samples samples) {
   for (std::size_t k = 0; k < 3; ++k) image.rgba[4 * pixel + k] = color_of(samples, k);
   image.rgba[4 * pixel + 3] = alpha_of(samples);
 }
@@ -282,7 +282,7 @@ Result<Image> read_pnm(std::string_view bytes, const ImageLimits& most) {
 }
 
 /// Input of stb_image, which silently reads zeros past the end: this records
-/// it. Skipped bytes, such as the padding after the last row, may be missing.
+/// it. Skipped bytes, such as the pad after the last row, may be missing.
 struct BmpReading {
   std::string_view bytes;
   std::size_t at = 0;
@@ -403,7 +403,7 @@ Result<Image> read_image(std::string_view bytes, const ImageLimits& most) {
 
 template Result<FirstChannel> read_image(std::string_view bytes, const ImageLimits& most);
 template Result<Shades> read_image(std::string_view bytes, const ImageLimits& most);
-template Result<Rgb> read_image(std::string_view bytes, const ImageLimits& most);
-template Result<Rgba> read_image(std::string_view bytes, const ImageLimits& most);
+template Result<RgbImage> read_image(std::string_view bytes, const ImageLimits& most);
+template Result<RgbaImage> read_image(std::string_view bytes, const ImageLimits& most);
 
 }  // namespace playhouse::images

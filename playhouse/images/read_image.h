@@ -27,13 +27,13 @@ struct Shades {
 };
 
 /// 8-bit colors, composited over black.
-struct Rgb {
+struct RgbImage {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;  // height x width x 3, rows from the top
 };
 
 /// 8-bit colors with alpha.
-struct Rgba {
+struct RgbaImage {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;  // height x width x 4, rows from the top
 };

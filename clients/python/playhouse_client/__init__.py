@@ -11,27 +11,6 @@
 
 from .client import Client, DeviceEntry, Mode, Rule, connect
 from .device import Access, Device
-from .equipment import (
-    ActArray,
-    ActArrayGeometry,
-    ActArrayState,
-    BlinkenLight,
-    Blob,
-    Blobfinder,
-    Charging,
-    Gripper,
-    GripperGeometry,
-    GripperState,
-    ImageSize,
-    Joint,
-    JointGeometry,
-    LightState,
-    Link,
-    Power,
-    PowerState,
-    Wifi,
-    WifiState,
-)
 from .errors import (
     ConnectionLost,
     DeviceClosed,
@@ -45,64 +24,32 @@ from .errors import (
     RunEnded,
     WireError,
 )
+from .generated import proxies as _generated
+from .generated.proxies import *  # noqa: F403
 from .models import DeviceAddress, Model
-from .proxies import (
-    Aio,
-    Bumper,
-    Camera,
+from .robot import Robot
+from .values import (
     Cell,
+    Charging,
     Covariance,
-    Face,
-    Fiducial,
-    Fix,
-    Geometry,
-    Gps,
     Grid,
-    Hypothesis,
     Image,
-    Imu,
-    Inertia,
-    Laser,
-    Localize,
-    Map,
     Marker,
-    Opaque,
-    Particle,
     Path,
-    Planner,
     PlannerState,
-    Point,
-    PointCloud3d,
     Pose,
     Pose3d,
-    Position2d,
-    Position3d,
-    Ptz,
-    Ranger,
     Scan,
-    Simulation,
     Size,
-    Sonar,
-    Speech,
-    SpeechRecognition,
-    State,
-    State3d,
     Velocity,
-    View,
 )
-from .robot import Robot
 
 __version__ = "0.2.0"
 
 __all__ = [
-    "Access", "ActArray", "ActArrayGeometry", "ActArrayState", "Aio", "BlinkenLight", "Blob", "Blobfinder",
-    "Bumper", "Camera", "Cell", "Charging", "Client", "ConnectionLost", "Covariance", "Device",
-    "DeviceAddress", "DeviceClosed", "DeviceEntry", "DeviceGone", "Face", "Fiducial", "Fix", "Geometry",
-    "GoalRefused", "Gps", "Grid", "Gripper", "GripperGeometry", "GripperState", "Hypothesis", "Image",
-    "ImageSize", "Imu", "Inertia", "InvalidValue", "Joint", "JointGeometry", "Laser", "LightState", "Link",
-    "Localize", "Map", "Marker", "Mode", "Model", "NoData", "Opaque", "Particle", "Path", "Planner",
-    "PlannerState", "PlayerError", "Point", "PointCloud3d", "Pose", "Pose3d", "Position2d", "Position3d",
-    "Power", "PowerState", "Ptz", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule", "RunEnded",
-    "Scan", "Simulation", "Size", "Sonar", "Speech", "SpeechRecognition", "State", "State3d", "Velocity",
-    "View", "Wifi", "WifiState", "WireError", "connect",
+    "Access", "Cell", "Charging", "Client", "ConnectionLost", "Covariance", "Device", "DeviceAddress", "DeviceClosed",
+    "DeviceEntry", "DeviceGone", "GoalRefused", "Grid", "Image", "InvalidValue", "Marker", "Mode", "Model",
+    "NoData", "Path", "PlannerState", "PlayerError", "Pose", "Pose3d", "RequestRefused", "RequestTimeout", "Robot", "Rule",
+    "RunEnded", "Scan", "Size", "Velocity", "WireError", "connect",
+    *_generated.__all__,
 ]

@@ -7,14 +7,10 @@ from typing import Callable, Dict, List, NamedTuple, Optional, Tuple, Type, Type
 
 from .connection import Connection
 from .device import Access, Device, did_you_mean
-from .equipment import ActArray, BlinkenLight, Blobfinder, Gripper, Power, Wifi
 from .errors import ConnectionLost, InvalidValue, PlayerError, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, find_message, player, simulation
+from .generated.proxies import PROXIES, Openers
 from .models import DeviceAddress, Model, ask_models, families
-from .proxies import (
-    Aio, Bumper, Camera, Fiducial, Gps, Imu, Laser, Localize, Map, Opaque, Planner, PointCloud3d, Position2d, Position3d, Ptz, Ranger,
-    Simulation, Sonar, Speech, SpeechRecognition,
-)
 from .robot import Robot
 from .session import Session
 from .wire import Kind, c_string, text
@@ -25,14 +21,6 @@ _TOKEN_BYTES = 32
 _CLOSING_SECONDS = 1.0
 
 P = TypeVar("P", bound=Device)
-_PROXIES: Dict[str, Type[Device]] = {
-    "position2d": Position2d, "ranger": Ranger, "laser": Laser, "sonar": Sonar, "fiducial": Fiducial,
-    "aio": Aio, "bumper": Bumper, "camera": Camera, "ptz": Ptz, "opaque": Opaque, "simulation": Simulation,
-    "position3d": Position3d, "imu": Imu, "gps": Gps, "pointcloud3d": PointCloud3d,
-    "speech": Speech, "speech_recognition": SpeechRecognition, "localize": Localize, "planner": Planner, "map": Map,
-    "power": Power, "gripper": Gripper, "actarray": ActArray, "blinkenlight": BlinkenLight,
-    "blobfinder": Blobfinder, "wifi": Wifi,
-}
 _Place = Tuple[int, str, int]  # port, interface, index
 
 
@@ -67,7 +55,7 @@ class DeviceEntry(NamedTuple):
         return f"{self.interface}:{self.index}"
 
 
-class Client:
+class Client(Openers):
     """One connection, for one thread. In a `with` block, devices and connection are closed at its end.
 
     `timeout` (s) applies to connecting, to every request, and to every read() without a timeout of its own.
@@ -168,85 +156,7 @@ class Client:
 
     def device(self, interface: str, index: int = 0, access: Access = Access.ALL) -> Device:
         """Opens a device of any interface, as the proxy of that interface if there is one."""
-        return self._open(_PROXIES.get(interface, Device), interface, index, access)
-
-    def position2d(self, index: int = 0, access: Access = Access.ALL) -> Position2d:
-        return self._open(Position2d, "position2d", index, access)
-
-    def ranger(self, index: int = 0, access: Access = Access.ALL) -> Ranger:
-        return self._open(Ranger, "ranger", index, access)
-
-    def laser(self, index: int = 0, access: Access = Access.ALL) -> Laser:
-        return self._open(Laser, "laser", index, access)
-
-    def sonar(self, index: int = 0, access: Access = Access.ALL) -> Sonar:
-        return self._open(Sonar, "sonar", index, access)
-
-    def fiducial(self, index: int = 0, access: Access = Access.ALL) -> Fiducial:
-        return self._open(Fiducial, "fiducial", index, access)
-
-    def bumper(self, index: int = 0, access: Access = Access.ALL) -> Bumper:
-        return self._open(Bumper, "bumper", index, access)
-
-    def aio(self, index: int = 0, access: Access = Access.ALL) -> Aio:
-        return self._open(Aio, "aio", index, access)
-
-    def camera(self, index: int = 0, access: Access = Access.ALL) -> Camera:
-        return self._open(Camera, "camera", index, access)
-
-    def ptz(self, index: int = 0, access: Access = Access.ALL) -> Ptz:
-        return self._open(Ptz, "ptz", index, access)
-
-    def opaque(self, index: int = 0, access: Access = Access.ALL) -> Opaque:
-        return self._open(Opaque, "opaque", index, access)
-
-    def position3d(self, index: int = 0, access: Access = Access.ALL) -> Position3d:
-        return self._open(Position3d, "position3d", index, access)
-
-    def imu(self, index: int = 0, access: Access = Access.ALL) -> Imu:
-        return self._open(Imu, "imu", index, access)
-
-    def gps(self, index: int = 0, access: Access = Access.ALL) -> Gps:
-        return self._open(Gps, "gps", index, access)
-
-    def pointcloud3d(self, index: int = 0, access: Access = Access.ALL) -> PointCloud3d:
-        return self._open(PointCloud3d, "pointcloud3d", index, access)
-
-    def speech(self, index: int = 0, access: Access = Access.ALL) -> Speech:
-        return self._open(Speech, "speech", index, access)
-
-    def speech_recognition(self, index: int = 0, access: Access = Access.ALL) -> SpeechRecognition:
-        return self._open(SpeechRecognition, "speech_recognition", index, access)
-
-    def localize(self, index: int = 0, access: Access = Access.ALL) -> Localize:
-        return self._open(Localize, "localize", index, access)
-
-    def planner(self, index: int = 0, access: Access = Access.ALL) -> Planner:
-        return self._open(Planner, "planner", index, access)
-
-    def map(self, index: int = 0, access: Access = Access.ALL) -> Map:
-        return self._open(Map, "map", index, access)
-
-    def gripper(self, index: int = 0, access: Access = Access.ALL) -> Gripper:
-        return self._open(Gripper, "gripper", index, access)
-
-    def power(self, index: int = 0, access: Access = Access.ALL) -> Power:
-        return self._open(Power, "power", index, access)
-
-    def blobfinder(self, index: int = 0, access: Access = Access.ALL) -> Blobfinder:
-        return self._open(Blobfinder, "blobfinder", index, access)
-
-    def wifi(self, index: int = 0, access: Access = Access.ALL) -> Wifi:
-        return self._open(Wifi, "wifi", index, access)
-
-    def actarray(self, index: int = 0, access: Access = Access.ALL) -> ActArray:
-        return self._open(ActArray, "actarray", index, access)
-
-    def blinkenlight(self, index: int = 0, access: Access = Access.ALL) -> BlinkenLight:
-        return self._open(BlinkenLight, "blinkenlight", index, access)
-
-    def simulation(self, index: int = 0, access: Access = Access.ALL) -> Simulation:
-        return self._open(Simulation, "simulation", index, access)
+        return self._open(PROXIES.get(interface, Device), interface, index, access)
 
     def models(self) -> List[Model]:
         """All models in the simulated world now, with their devices, parents before children. Raises

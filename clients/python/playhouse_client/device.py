@@ -4,9 +4,9 @@ import enum
 import numbers
 import sys
 import time
-from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Type, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, Iterator, NamedTuple, Optional, Sequence, Tuple, Type, TypeVar, Union
 
-from .errors import DeviceClosed, DeviceGone, InvalidValue, NoData, RequestRefused, RequestTimeout
+from .errors import DeviceClosed, DeviceGone, InvalidValue, NoData, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, find_message, player
 from .session import Session, device_name
 from .wire import Kind, MessageType, Struct, c_string, text
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 Property = Union[bool, int, float, str]
 D = TypeVar("D", bound="Device")
+Value = TypeVar("Value")
 
 
 class Access(enum.IntEnum):
@@ -263,6 +264,30 @@ class Device:
         if message.subtype not in self._latest:
             raise NoData(f"{self._session.peer}: {self.name} {self._lack_of(message)}")
         return self._latest[message.subtype]
+
+    def _newest_of(self, *kinds: MessageType) -> Any:
+        """The newest value of several data messages. Raises NoData if there is none."""
+        known = [self._stamped(kind) for kind in kinds if self.latest(kind) is not None]
+        return max(known, key=lambda each: each[1])[0] if known else self._stamped(kinds[0])[0]
+
+    def _first_of(self, values: Sequence[Value], what: str) -> Value:
+        """The first value of a list. Raises NoData without one."""
+        if not values:
+            raise NoData(f"{self._session.peer}: {self.name} has no {what}")
+        return values[0]
+
+    def _ask(self, message: MessageType, payload: Optional[Struct] = None) -> Any:
+        """The answer to a request. Raises WireError if it has no contents."""
+        answer = self.request(message, payload)
+        if answer is None:
+            raise WireError("an answer came without its contents")
+        return answer
+
+    def _follow(self, look: Callable[[], Value], timeout: Optional[float]) -> Iterator[Value]:
+        """Reads for ever: what `look` sees after each new data message."""
+        while True:
+            self.next_data(timeout)
+            yield look()
 
     def _lack_of(self, message: MessageType) -> str:
         """Why there is no value of a data message."""

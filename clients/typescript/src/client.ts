@@ -7,7 +7,7 @@ import { Access, Device } from './device.js';
 import { ConnectionLost, InvalidValue, PlayerError, RequestRefused, RequestTimeout, WireError } from './errors.js';
 import { common, INTERFACES, player, simulation } from './generated/index.js';
 import { askModels, families, type Model } from './models.js';
-import * as proxies from './proxies/index.js';
+import { Openers, PROXIES, type ProxyOf } from './generated/proxies/index.js';
 import { Robot } from './robot.js';
 import { decodedData, Session } from './session.js';
 import { cString, didYouMean, text } from './text.js';
@@ -92,7 +92,7 @@ function split(address: string): [host: string, port: string] {
  * Any number of tasks may use it and its devices at the same time: requests wait for their own answers, and of several
  * tasks that wait for data one reads for all.
  */
-export class Client {
+export class Client extends Openers {
   /** How the server delivers data; PUSH is the initial mode of a server. */
   mode: Mode = Mode.PUSH;
   private readonly session: Session;
@@ -105,6 +105,7 @@ export class Client {
   private closing: Promise<void> | undefined;
 
   private constructor(connection: Connection, timeout: number) {
+    super();
     this.session = new Session(connection, timeout, (at) => this.retire(at));
   }
 
@@ -228,90 +229,10 @@ export class Client {
   }
 
   /** Opens a device of any interface, as the proxy of that interface if there is one. */
-  device<Name extends string>(name: Name, index = 0, access: Access = Access.ALL): Promise<proxies.ProxyOf<Name>> {
-    const known: Record<string, DeviceClass<Device>> = proxies.PROXIES;
+  override device<Name extends string>(name: Name, index = 0, access: Access = Access.ALL): Promise<ProxyOf<Name>> {
+    const known: Record<string, DeviceClass<Device>> = PROXIES;
     const kind = Object.hasOwn(known, name) ? known[name]! : Device;
-    return this.openAs(kind, name, index, access) as Promise<proxies.ProxyOf<Name>>;
-  }
-
-  position2d(index = 0, access: Access = Access.ALL): Promise<proxies.Position2d> {
-    return this.device('position2d', index, access);
-  }
-
-  ranger(index = 0, access: Access = Access.ALL): Promise<proxies.Ranger> {
-    return this.device('ranger', index, access);
-  }
-
-  laser(index = 0, access: Access = Access.ALL): Promise<proxies.Laser> {
-    return this.device('laser', index, access);
-  }
-
-  sonar(index = 0, access: Access = Access.ALL): Promise<proxies.Sonar> {
-    return this.device('sonar', index, access);
-  }
-
-  fiducial(index = 0, access: Access = Access.ALL): Promise<proxies.Fiducial> {
-    return this.device('fiducial', index, access);
-  }
-
-  bumper(index = 0, access: Access = Access.ALL): Promise<proxies.Bumper> {
-    return this.device('bumper', index, access);
-  }
-
-  aio(index = 0, access: Access = Access.ALL): Promise<proxies.Aio> {
-    return this.device('aio', index, access);
-  }
-
-  camera(index = 0, access: Access = Access.ALL): Promise<proxies.Camera> {
-    return this.device('camera', index, access);
-  }
-
-  ptz(index = 0, access: Access = Access.ALL): Promise<proxies.Ptz> {
-    return this.device('ptz', index, access);
-  }
-
-  opaque(index = 0, access: Access = Access.ALL): Promise<proxies.Opaque> {
-    return this.device('opaque', index, access);
-  }
-
-  position3d(index = 0, access: Access = Access.ALL): Promise<proxies.Position3d> {
-    return this.device('position3d', index, access);
-  }
-
-  imu(index = 0, access: Access = Access.ALL): Promise<proxies.Imu> {
-    return this.device('imu', index, access);
-  }
-
-  gps(index = 0, access: Access = Access.ALL): Promise<proxies.Gps> {
-    return this.device('gps', index, access);
-  }
-
-  pointcloud3d(index = 0, access: Access = Access.ALL): Promise<proxies.PointCloud3d> {
-    return this.device('pointcloud3d', index, access);
-  }
-
-  speech(index = 0, access: Access = Access.ALL): Promise<proxies.Speech> {
-    return this.device('speech', index, access);
-  }
-
-  speechRecognition(index = 0, access: Access = Access.ALL): Promise<proxies.SpeechRecognition> {
-    return this.device('speech_recognition', index, access);
-  }
-
-  localize(index = 0, access: Access = Access.ALL): Promise<proxies.Localize> {
-    return this.device('localize', index, access);
-  }
-
-  planner(index = 0, access: Access = Access.ALL): Promise<proxies.Planner> {
-    return this.device('planner', index, access);
-  }
-
-  map(index = 0, access: Access = Access.ALL): Promise<proxies.Map> {
-    return this.device('map', index, access);
-  }
-
-  simulation(index = 0, access: Access = Access.ALL): Promise<proxies.Simulation> {
-    return this.device('simulation', index, access);
+    return this.openAs(kind, name, index, access) as Promise<ProxyOf<Name>>;
   }
 
   /**

@@ -281,6 +281,20 @@ export class Device {
     return found;
   }
 
+  /** The newest value of several kinds of data. Throws NoData if there is none. */
+  protected newestOf<T>(...kinds: AnyMessage[]): T {
+    const known = kinds.filter((kind) => this.latest(kind) !== undefined);
+    const values = (known.length > 0 ? known : kinds.slice(0, 1)).map((kind) => this.stamped<T>(kind));
+    return values.reduce((a, b) => (b.time > a.time ? b : a)).value;
+  }
+
+  /** The first value of a list. Throws NoData without one. */
+  protected firstOf<T>(values: T[], what: string): T {
+    const [first] = values;
+    if (first === undefined) throw new NoData(`${this.session.peer}: ${this.name} has no ${what}`);
+    return first;
+  }
+
   /** Why there is no value of a data message. */
   protected lackOf(message: AnyMessage): string {
     if (!this.hasData) return 'has sent no data yet; nextData() waits for them';

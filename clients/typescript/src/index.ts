@@ -13,7 +13,7 @@ export { Client, connect, Mode, Rule, type ClientOptions, type DeviceEntry, type
 export { Access, Device, type DataCallback } from './device.js';
 export * from './errors.js';
 export type { DeviceAddress, Model } from './models.js';
-export * from './proxies/index.js';
+export * from './generated/proxies/index.js';
 export { Robot } from './robot.js';
 export { cString, text } from './text.js';
 export * from './values.js';

@@ -36,24 +36,6 @@ export interface Size {
 /** x and y in m/s, a in rad/s, in the robot's frame. */
 export type Velocity = Pose;
 
-/** Pose of a device on its robot (for a base: its own centre), and its size. */
-export interface Geometry {
-  pose: Pose3d;
-  size: Size;
-}
-
-/**
- * The data of a base: pose estimate, velocity, and whether it is blocked. `pose` is in the frame of the estimate: with
- * odometry that of the start pose, or as set by setOdometry(); with localization by gps the world.
- */
-export interface State {
-  pose: Pose;
-  velocity: Velocity;
-  stalled: boolean;
-  /** The server's, in s. */
-  time: number;
-}
-
 /** Ranges in m and their directions in rad, pairwise, in the order of measurement. */
 export class Scan {
   constructor(
@@ -100,16 +82,6 @@ export class Marker {
   get bearing(): number {
     return Math.atan2(this.pose.y, this.pose.x);
   }
-}
-
-/**
- * The face of a bumper switch: pose of its centre on the robot (yaw: outward direction) and its length. `radius` is its
- * radius of curvature, 0 if it is straight. In m.
- */
-export interface Face {
-  pose: Pose3d;
-  length: number;
-  radius: number;
 }
 
 /** Format of raw pixels -> their channels, and the bytes of one. */
@@ -170,78 +142,25 @@ export class Image {
   }
 }
 
-/** State of a camera mount: pan to the left, tilt upwards and horizontal field of view, in rad; speeds in rad/s. */
-export interface View {
-  pan: number;
-  tilt: number;
-  zoom: number;
-  panSpeed: number;
-  tiltSpeed: number;
-}
-
-/**
- * The data of a base that moves in space: pose estimate, velocity (m/s and rad/s along and about its own axes), and
- * whether it is blocked.
- */
-export interface State3d {
-  pose: Pose3d;
-  velocity: Pose3d;
-  stalled: boolean;
-  /** The server's, in s. */
-  time: number;
-}
-
 /** Along x, y and z, or about them. */
 export type Vector = [x: number, y: number, z: number];
 
-/** Measurements of an inertial unit along and about its own axes. */
-export interface Inertia {
-  /** Specific force in m/s^2: 0, 0, 9.81 when level and at rest. */
-  acceleration: Vector;
-  /** In rad/s. */
-  turnRate: Vector;
-  /** Magnetic field, in a unit of the server. */
-  field: Vector;
-}
+/** An orientation, the real part first. */
+export type Quaternion = [number, number, number, number];
+
+/** A color, from 0 to 255. */
+export type Rgb = [red: number, green: number, blue: number];
+export type Rgba = [red: number, green: number, blue: number, alpha: number];
+
+/** Whether a battery is being charged. */
+export const Charging = { IMPOSSIBLE: -1, NO: 0, YES: 1 } as const;
+export type Charging = (typeof Charging)[keyof typeof Charging];
 
 /** Orientation in rad. */
 export interface Attitude {
   roll: number;
   pitch: number;
   yaw: number;
-}
-
-/** A fix of a satellite receiver. */
-export interface Fix {
-  /** In degrees, as the longitude. */
-  latitude: number;
-  longitude: number;
-  /** In m above the ellipsoid (WGS84). */
-  altitude: number;
-  /** UTM coordinates, in m. */
-  easting: number;
-  northing: number;
-  /** In m/s. */
-  speed: number;
-  /** In rad, clockwise from north. */
-  course: number;
-  /** 0 without a fix; then the rest is invalid. */
-  quality: number;
-  satellites: number;
-  /** Expected errors, in m. */
-  horizontalError: number;
-  verticalError: number;
-  /** The server's, in s. */
-  time: number;
-}
-
-/** A point of a cloud, in m in the sensor's frame. */
-export interface Point {
-  x: number;
-  y: number;
-  z: number;
-  /** From 0 to 255. */
-  color: [red: number, green: number, blue: number, alpha: number];
 }
 
 /** Covariance of a pose in the plane, of x, y (m) and a (rad): xx, yy, aa are variances. */
@@ -257,19 +176,6 @@ export interface Covariance {
 /** The covariance of independent errors with these standard deviations, in m, m and rad. */
 export function covarianceOfDeviations(x: number, y: number, a: number): Covariance {
   return { xx: x * x, yy: y * y, aa: a * a, xy: 0, ya: 0, xa: 0 };
-}
-
-/** A hypothesis about where the robot is: the mean pose on the map, and its weight; the weights of all sum to 1. */
-export interface Hypothesis {
-  pose: Pose;
-  covariance: Covariance;
-  weight: number;
-}
-
-/** A particle of the localization's filter: a possible pose of the robot on the map, and its weight. */
-export interface Particle {
-  pose: Pose;
-  weight: number;
 }
 
 /** The data of a planner, poses on the map. */

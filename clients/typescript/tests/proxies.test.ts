@@ -4,11 +4,11 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { deflateSync } from 'node:zlib';
 import {
-  aio, bumper, camera, common, fiducial, gps, imu, laser, localize, map, opaque, planner, player, pointcloud3d, position2d,
-  position3d, ptz, ranger, simulation, sonar, speech, speech_recognition,
+  actarray, aio, bumper, camera, common, fiducial, gps, imu, laser, localize, map, opaque, planner, player, pointcloud3d, position2d,
+  position3d, power, ptz, ranger, simulation, sonar, speech, speech_recognition, wifi,
 } from '../src/generated/index.js';
 import {
-  Access, cString, covarianceOfDeviations, Device, Grid, InvalidValue, Kind, Marker, Mode, NoData, RequestRefused, Rule, RunEnded, Scan, text,
+  Access, Charging, cString, covarianceOfDeviations, Device, Grid, InvalidValue, Kind, Marker, Mode, NoData, RequestRefused, Rule, RunEnded, Scan, text,
   WireError, type Client, type MessageType,
 } from '../src/index.js';
 import type { Message } from '../src/connection.js';
@@ -500,10 +500,57 @@ test('in push mode a step ends when its data have been delivered', async () => {
 
 test('any interface opens, as its proxy if there is one', async () => {
   await withClient(serving([]), async (client: Client) => {
-    const gripper = await client.device('gripper', 2, Access.WRITE);
-    assert.deepEqual([gripper.constructor, gripper.name, gripper.interface, gripper.access], [Device, 'gripper:2', 'gripper', 119]);
+    const any = await client.device('vectormap', 2, Access.WRITE);
+    assert.deepEqual([any.constructor, any.name, any.interface, any.access], [Device, 'vectormap:2', 'vectormap', 119]);
     const scanner = await client.device('laser');
     assert.equal(scanner.constructor.name, 'Laser');
   });
 });
 
+test('a chain of joints tells its state and is moved', async () => {
+  const actuators = [
+    { position: 0.5, speed: 0.25, acceleration: 2, current: -1, state: actarray.ACTSTATE_MOVING },
+    { position: 1, speed: 0, acceleration: 0, current: 3, state: actarray.ACTSTATE_BRAKED | actarray.ACTSTATE_STALLED },
+  ];
+  const geom = actarray.Geom.encode({
+    actuators: [{
+      type: actarray.TYPE_ROTARY, length: 2, orientation: { proll: 0.5, ppitch: 0.25, pyaw: 0.125 }, axis: { px: 0, py: 0, pz: 1 },
+      min: -1, centre: 0, max: 1, home: 0.5, configSpeed: 4, hasbrakes: 1,
+    }],
+    basePos: { px: 1, py: 2, pz: 3 }, baseOrientation: { proll: 0.5, ppitch: 0.25, pyaw: 0.125 },
+  });
+  const say = (peer: Peer): void => peer.data(actarray.DATA_STATE, { actuators, motorState: 1 }, { timestamp: 2 });
+  await withClient(serving([[actarray.REQ_GET_GEOM, geom]], say), async (client, server) => {
+    const arm = await client.actarray(0);
+    const { joints, motorsOn, time } = await first(arm.updates());
+    assert.deepEqual([motorsOn, time], [true, 2]);
+    assert.deepEqual(joints.map(({ current, moving, braked, stalled }) => [current, moving, braked, stalled]),
+      [[undefined, true, false, false], [3, false, true, true]]);
+    const { pose, joints: [joint] } = await arm.geometry();
+    assert.deepEqual(pose, kLevel);
+    assert.deepEqual([joint?.rotary, joint?.axis, joint?.highest, joint?.hasBrakes], [true, [0, 0, 1], 1, true]);
+    await arm.moveTo(1, 0.5);
+    assert.deepEqual(await sent(client, server, actarray.CMD_POS), [{ joint: 1, position: 0.5 }]);
+    await arm.home();
+    assert.deepEqual(await sent(client, server, actarray.CMD_HOME), [{ joint: -1 }]);
+    await fails(() => arm.moveTo(-1, 0.5), InvalidValue, /joint is -1, not a whole number from 0 to/);
+    await fails(() => arm.moveAllTo([0, NaN]), InvalidValue, /position is nan, not a finite number/);
+  });
+});
+
+test('a battery tells what it knows, and a radio its levels in their unit', async () => {
+  const say = (peer: Peer): void => {
+    const valid = power.MASK_VOLTS | power.MASK_CHARGING;
+    peer.data(power.DATA_STATE, { valid, volts: 12.5, percent: 0, joules: 0, watts: 0, charging: 7 }, { timestamp: 1 });
+    const link = wifi.Link.make({ mac: cString('a'), level: -40, noise: -90, encrypt: 1 });
+    peer.data(wifi.DATA_STATE, wifi.Data.make({ links: [link], qualType: wifi.QUAL_DBM, maxlevel: -1 }), { timestamp: 1 });
+  };
+  await withClient(serving([], say), async (client) => {
+    const [battery, radio] = [await client.power(0), await client.wifi(0)];
+    await client.read();
+    const unknown = { percent: undefined, joules: undefined, watts: undefined };
+    assert.deepEqual(battery.state, { volts: 12.5, ...unknown, charging: Charging.YES, time: 1 });
+    const [link] = radio.links;
+    assert.deepEqual([link?.mac, link?.level, link?.noise, link?.encrypted, radio.state.maxLevel], ['a', -40, -90, true, -1]);
+  });
+});

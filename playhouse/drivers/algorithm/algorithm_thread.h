@@ -1,6 +1,6 @@
 #pragma once
 
-/// AlgorithmThread: a worker thread for a driver's computations, with a mailbox of steps.
+/// AlgorithmThread: a worker thread for a driver's computations, with a queue of steps.
 /// With a simulated world a step's result is due at a fixed tick, which waits for it, so
 /// that runs are reproducible under any load. Without one a step runs as soon as possible,
 /// a newer step replaces one that has not begun, and results are delivered when ready.

@@ -23,7 +23,7 @@ std::vector<geom::Pose> places(std::span<const wire::Pose3d> poses) {
 
 }  // namespace
 
-void ask_places(device::Client& client, std::size_t device, ScanSensor sensor,
+void ask_places(device::DeviceClient& client, std::size_t device, ScanSensor sensor,
                 std::function<void(std::vector<geom::Pose> X_RS)> heard) {
   if (sensor == ScanSensor::kSonar) {
     return client.ask(device, wire::sonar::kReqGetGeom, {},

@@ -36,7 +36,7 @@ std::vector<geom::Pose> places(ScanSensor sensor, std::optional<std::vector<std:
   device::FakeDevices devices;
   Teller teller;
   teller.told = std::move(told);
-  device::Client client(devices, teller, 1);
+  device::DeviceClient client(devices, teller, 1);
   client.use(0, {7}, teller);
   std::vector<geom::Pose> X_RS{{77, 77, 0, 0}};
   ask_places(client, 0, sensor, [&](std::vector<geom::Pose> heard) { X_RS = std::move(heard); });

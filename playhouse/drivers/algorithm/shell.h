@@ -83,7 +83,7 @@ class Shell final : public device::Driver {
 
   // For algorithms. Any thread.
 
-  device::Client& client() { return client_; }
+  device::DeviceClient& client() { return client_; }
   device::DeviceId device(std::size_t provided) const { return provided_[provided]; }
   bool provides(std::size_t provided) const { return provided < provided_.size(); }
   void post(AlgorithmThread::Step step) { thread_.post(std::move(step)); }
@@ -129,7 +129,7 @@ class Shell final : public device::Driver {
   void close();
 
   const std::string name_;
-  device::Client client_;
+  device::DeviceClient client_;
   std::vector<device::DeviceId> provided_;
   int open_ = 0;  // own devices; io thread
   std::atomic<std::uint64_t> seed_ = 0;

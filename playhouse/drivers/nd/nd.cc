@@ -25,7 +25,7 @@ Nd::Nd(Shell& shell, const NdOptions& options, const Sensors& sensors)
 }
 
 void Nd::ask_geometry() {
-  device::Client& client = shell_.client();
+  device::DeviceClient& client = shell_.client();
   client.ask(kOutput, p2d::kReqGetGeom, {}, [this](const AnswerBody& body) { take_body(body); });
   if (sensors_.laser) {
     ask_places(client, *sensors_.laser, ScanSensor::kLaser, [this](std::vector<geom::Pose> X_RS) {

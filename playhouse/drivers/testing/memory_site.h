@@ -31,7 +31,7 @@ inline std::string build_drivers(const std::string& cfg, Site& site,
   return "";
 }
 
-class MemorySite final : public Surroundings {
+class MemorySite final : public Host {
  public:
   explicit MemorySite(std::string world, bool has_threads = true)
       : has_threads_(has_threads), world_text_(std::move(world)), site_(*this, 6665) {
@@ -109,7 +109,7 @@ class MemorySite final : public Surroundings {
             .speed = 0, .paused = false, .duration = 0, .clock = run::testing::no_time_passes});
   }
 
-  Recorder recorder;
+  OutputRecorder recorder;
   std::map<std::uint32_t, std::vector<device::Driver*>> held;  // once per hold; null: nobody hears of its end
   std::vector<std::uint32_t> retired;                          // in this order
   std::vector<std::string> opened;

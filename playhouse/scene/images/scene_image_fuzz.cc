@@ -42,11 +42,11 @@ void expect_pixels_or_text(const std::string& image) {
 }
 
 void expect_colors_or_text(const std::string& image) {
-  const auto colors = images::read_image<images::Rgba>(image, {kPixels});
+  const auto colors = images::read_image<images::RgbaImage>(image, {kPixels});
   if (!colors) return PLAYHOUSE_ASSERT(!colors.error().text.empty());
   PLAYHOUSE_ASSERT(colors->rgba.size() <= 4 * kPixels);
   const auto png = images::png_of(colors->width, colors->height, 4, colors->rgba, images::PngEffort::kFast);
-  const auto again = images::read_image<images::Rgba>(*png, {kPixels});
+  const auto again = images::read_image<images::RgbaImage>(*png, {kPixels});
   PLAYHOUSE_ASSERT(again && again->rgba == colors->rgba);
 }
 

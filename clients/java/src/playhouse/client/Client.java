@@ -27,7 +27,7 @@ import playhouse.client.wire.Text;
  * <p>A client and its devices are for one thread at a time. A thread that waits in them can be interrupted:
  * WaitInterruptedException. Closing the client closes its devices first, and moving robots are stopped.
  */
-public final class Client implements AutoCloseable {
+public final class Client extends Openers implements AutoCloseable {
   /** Not localhost: a machine without /etc/hosts cannot resolve it. */
   public static final String DEFAULT_HOST = "127.0.0.1";
 
@@ -35,27 +35,6 @@ public final class Client implements AutoCloseable {
 
   private static final int TOKEN_BYTES = 32;
   private static final Duration LONGEST_CLOSING = Duration.ofSeconds(1);
-  private static final Map<String, Function<Opening, Device>> PROXIES = Map.ofEntries(
-      Map.entry("position2d", Position2d::new),
-      Map.entry("ranger", Ranger::new),
-      Map.entry("laser", Laser::new),
-      Map.entry("sonar", Sonar::new),
-      Map.entry("fiducial", Fiducial::new),
-      Map.entry("bumper", Bumper::new),
-      Map.entry("aio", Aio::new),
-      Map.entry("camera", Camera::new),
-      Map.entry("ptz", Ptz::new),
-      Map.entry("opaque", Opaque::new),
-      Map.entry("position3d", Position3d::new),
-      Map.entry("imu", Imu::new),
-      Map.entry("gps", Gps::new),
-      Map.entry("pointcloud3d", PointCloud3d::new),
-      Map.entry("speech", Speech::new),
-      Map.entry("speech_recognition", SpeechRecognition::new),
-      Map.entry("localize", Localize::new),
-      Map.entry("planner", Planner::new),
-      Map.entry("map", GridMap::new),
-      Map.entry("simulation", Simulation::new));
 
   /** Where a device is, in the list of devices and in that of models. */
   private record Place(long port, String interfaceName, int index) {}
@@ -211,166 +190,6 @@ public final class Client implements AutoCloseable {
    */
   public Device device(String interfaceName, int index, Access access) {
     return open(PROXIES.getOrDefault(interfaceName, Device::new), interfaceName, index, access);
-  }
-
-  public Position2d position2d(int index) {
-    return position2d(index, Access.ALL);
-  }
-
-  public Position2d position2d(int index, Access access) {
-    return open(Position2d::new, "position2d", index, access);
-  }
-
-  public Ranger ranger(int index) {
-    return ranger(index, Access.ALL);
-  }
-
-  public Ranger ranger(int index, Access access) {
-    return open(Ranger::new, "ranger", index, access);
-  }
-
-  public Laser laser(int index) {
-    return laser(index, Access.ALL);
-  }
-
-  public Laser laser(int index, Access access) {
-    return open(Laser::new, "laser", index, access);
-  }
-
-  public Sonar sonar(int index) {
-    return sonar(index, Access.ALL);
-  }
-
-  public Sonar sonar(int index, Access access) {
-    return open(Sonar::new, "sonar", index, access);
-  }
-
-  public Fiducial fiducial(int index) {
-    return fiducial(index, Access.ALL);
-  }
-
-  public Fiducial fiducial(int index, Access access) {
-    return open(Fiducial::new, "fiducial", index, access);
-  }
-
-  public Bumper bumper(int index) {
-    return bumper(index, Access.ALL);
-  }
-
-  public Bumper bumper(int index, Access access) {
-    return open(Bumper::new, "bumper", index, access);
-  }
-
-  public Aio aio(int index) {
-    return aio(index, Access.ALL);
-  }
-
-  public Aio aio(int index, Access access) {
-    return open(Aio::new, "aio", index, access);
-  }
-
-  public Camera camera(int index) {
-    return camera(index, Access.ALL);
-  }
-
-  public Camera camera(int index, Access access) {
-    return open(Camera::new, "camera", index, access);
-  }
-
-  public Ptz ptz(int index) {
-    return ptz(index, Access.ALL);
-  }
-
-  public Ptz ptz(int index, Access access) {
-    return open(Ptz::new, "ptz", index, access);
-  }
-
-  public Opaque opaque(int index) {
-    return opaque(index, Access.ALL);
-  }
-
-  public Opaque opaque(int index, Access access) {
-    return open(Opaque::new, "opaque", index, access);
-  }
-
-  public Position3d position3d(int index) {
-    return position3d(index, Access.ALL);
-  }
-
-  public Position3d position3d(int index, Access access) {
-    return open(Position3d::new, "position3d", index, access);
-  }
-
-  public Imu imu(int index) {
-    return imu(index, Access.ALL);
-  }
-
-  public Imu imu(int index, Access access) {
-    return open(Imu::new, "imu", index, access);
-  }
-
-  public Gps gps(int index) {
-    return gps(index, Access.ALL);
-  }
-
-  public Gps gps(int index, Access access) {
-    return open(Gps::new, "gps", index, access);
-  }
-
-  public PointCloud3d pointCloud3d(int index) {
-    return pointCloud3d(index, Access.ALL);
-  }
-
-  public PointCloud3d pointCloud3d(int index, Access access) {
-    return open(PointCloud3d::new, "pointcloud3d", index, access);
-  }
-
-  public Speech speech(int index) {
-    return speech(index, Access.ALL);
-  }
-
-  public Speech speech(int index, Access access) {
-    return open(Speech::new, "speech", index, access);
-  }
-
-  public SpeechRecognition speechRecognition(int index) {
-    return speechRecognition(index, Access.ALL);
-  }
-
-  public SpeechRecognition speechRecognition(int index, Access access) {
-    return open(SpeechRecognition::new, "speech_recognition", index, access);
-  }
-
-  public Localize localize(int index) {
-    return localize(index, Access.ALL);
-  }
-
-  public Localize localize(int index, Access access) {
-    return open(Localize::new, "localize", index, access);
-  }
-
-  public Planner planner(int index) {
-    return planner(index, Access.ALL);
-  }
-
-  public Planner planner(int index, Access access) {
-    return open(Planner::new, "planner", index, access);
-  }
-
-  public GridMap map(int index) {
-    return map(index, Access.ALL);
-  }
-
-  public GridMap map(int index, Access access) {
-    return open(GridMap::new, "map", index, access);
-  }
-
-  public Simulation simulation(int index) {
-    return simulation(index, Access.ALL);
-  }
-
-  public Simulation simulation(int index, Access access) {
-    return open(Simulation::new, "simulation", index, access);
   }
 
   /**
@@ -547,7 +366,8 @@ public final class Client implements AutoCloseable {
     devices.getOrDefault(address(at.interf(), at.index()), List.of()).forEach(device -> device.retire(at.robot()));
   }
 
-  private <D extends Device> D open(Function<Opening, D> make, String interfaceName, int index, Access access) {
+  @Override
+  <D extends Device> D open(Function<Opening, D> make, String interfaceName, int index, Access access) {
     D device = make.apply(new Opening(this, session, interfaceName, index, access));
     List<Device> same = devices.computeIfAbsent(address(device.code(), index), at -> new ArrayList<>());
     if (same.stream().anyMatch(Device::isGone)) {

@@ -1,7 +1,10 @@
 package playhouse.client;
 
 import java.time.Duration;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -312,6 +315,20 @@ public class Device implements AutoCloseable {
         .orElseThrow(() -> new NoDataException(session.peer() + ": " + name() + " " + lackOf(message)));
   }
 
+  /** The newest of several kinds of data; of those with one time the first. */
+  final Struct newestOf(MessageType<?>... kinds) {
+    return Arrays.stream(kinds).filter(kind -> latest(kind).isPresent()).<Stamped<? extends Struct>>map(this::stamped)
+        .max(Comparator.comparingDouble(Stamped::time)).orElseGet(() -> stamped(kinds[0])).value();
+  }
+
+  /** The first value of a list. Throws NoDataException without one. */
+  final <T> T firstOf(List<T> values, String what) {
+    if (values.isEmpty()) {
+      throw new NoDataException(session.peer() + ": " + name() + " has no " + what);
+    }
+    return values.get(0);
+  }
+
   /** Why there is no value of a data message. */
   String lackOf(MessageType<?> message) {
     if (!hasData()) {
@@ -349,6 +366,22 @@ public class Device implements AutoCloseable {
     insistOnFinite("roll", pose.roll());
     insistOnFinite("pitch", pose.pitch());
     insistOnFinite("yaw", pose.yaw());
+  }
+
+  final void insistOnWhole(String what, long value, long least, long most) {
+    if (value < least || value > most) {
+      throw new InvalidValueException(
+          name() + ": " + what + " is " + value + ", not a whole number from " + least + " to " + most);
+    }
+  }
+
+  /** Finite numbers for a field of 32 bits each. */
+  final float[] narrowed(String what, double[] values) {
+    float[] narrow = new float[values.length];
+    for (int i = 0; i < values.length; ++i) {
+      narrow[i] = narrowed(what, values[i]);
+    }
+    return narrow;
   }
 
   /** A finite number for a field of 32 bits. */

@@ -17,6 +17,10 @@ import playhouse.client.wire.CameraMessages;
  * @param time The server's, in s.
  */
 public record Image(int width, int height, int format, boolean isJpeg, byte[] data, double time) {
+  static Image of(long width, long height, long format, boolean isJpeg, byte[] data, double time) {
+    return new Image(whole(width), whole(height), whole(format), isJpeg, data, time);
+  }
+
   /**
    * (red, green, blue), or (brightness), or (depth in mm). Throws InvalidValueException for a JPEG file, for
    * other formats, outside the image, and if the data are shorter than the image.
@@ -74,5 +78,10 @@ public record Image(int width, int height, int format, boolean isJpeg, byte[] da
       case CameraMessages.FORMAT_RGB888 -> 3;
       default -> 0;
     };
+  }
+
+  /** No message has room for pictures with numbers beyond. */
+  private static int whole(long number) {
+    return (int) Math.min(number, Integer.MAX_VALUE);
   }
 }

@@ -8,8 +8,13 @@ abstract class Mobile<T> extends Updating<T> {
     super(opening);
   }
 
+  /** Drives straight ahead, in m/s, until the next command. */
+  public abstract void drive(double vx);
+
   /** Stands still. */
-  public abstract void stop();
+  public void stop() {
+    drive(0);
+  }
 
   /** Notes whether the command that is about to be sent is a motion. */
   final void setMoving(boolean moving) {

@@ -23,6 +23,10 @@ public record Pose3d(double x, double y, double z, double roll, double pitch, do
     return new Pose3d(pose.px(), pose.py(), pose.pz(), pose.proll(), pose.ppitch(), pose.pyaw());
   }
 
+  static Pose3d of(CommonMessages.Point3d point, CommonMessages.Orientation3d turns) {
+    return new Pose3d(point.px(), point.py(), point.pz(), turns.proll(), turns.ppitch(), turns.pyaw());
+  }
+
   CommonMessages.Pose3d onWire() {
     return new CommonMessages.Pose3d(x, y, z, roll, pitch, yaw);
   }

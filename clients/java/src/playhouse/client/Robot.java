@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
  * RequestRefusedException if it has none of that interface, and as Client.device(). Closing the robot closes
  * the devices that were opened here; a moving robot is stopped first.
  */
-public final class Robot implements AutoCloseable {
+public final class Robot extends Devices implements AutoCloseable {
   private final Client client;
   private final List<Model> models;
   private final List<DeviceAddress> devices;
@@ -49,6 +49,7 @@ public final class Robot implements AutoCloseable {
   }
 
   /** The robot's first device of an interface. */
+  @Override
   public Device device(String interfaceName) {
     return device(interfaceName, 0);
   }
@@ -62,158 +63,6 @@ public final class Robot implements AutoCloseable {
           "robot \"" + name() + "\" has no " + interfaceName + number + " " + elsewhere(interfaceName));
     }
     return open(here.get(nth));
-  }
-
-  public Position2d position2d() {
-    return (Position2d) device("position2d");
-  }
-
-  public List<Position2d> position2ds() {
-    return all(Position2d.class, "position2d");
-  }
-
-  public Ranger ranger() {
-    return (Ranger) device("ranger");
-  }
-
-  public List<Ranger> rangers() {
-    return all(Ranger.class, "ranger");
-  }
-
-  public Laser laser() {
-    return (Laser) device("laser");
-  }
-
-  public List<Laser> lasers() {
-    return all(Laser.class, "laser");
-  }
-
-  public Sonar sonar() {
-    return (Sonar) device("sonar");
-  }
-
-  public List<Sonar> sonars() {
-    return all(Sonar.class, "sonar");
-  }
-
-  public Fiducial fiducial() {
-    return (Fiducial) device("fiducial");
-  }
-
-  public List<Fiducial> fiducials() {
-    return all(Fiducial.class, "fiducial");
-  }
-
-  public Bumper bumper() {
-    return (Bumper) device("bumper");
-  }
-
-  public List<Bumper> bumpers() {
-    return all(Bumper.class, "bumper");
-  }
-
-  public Aio aio() {
-    return (Aio) device("aio");
-  }
-
-  public List<Aio> aios() {
-    return all(Aio.class, "aio");
-  }
-
-  public Camera camera() {
-    return (Camera) device("camera");
-  }
-
-  public List<Camera> cameras() {
-    return all(Camera.class, "camera");
-  }
-
-  public Ptz ptz() {
-    return (Ptz) device("ptz");
-  }
-
-  public List<Ptz> ptzs() {
-    return all(Ptz.class, "ptz");
-  }
-
-  public Opaque opaque() {
-    return (Opaque) device("opaque");
-  }
-
-  public List<Opaque> opaques() {
-    return all(Opaque.class, "opaque");
-  }
-
-  public Position3d position3d() {
-    return (Position3d) device("position3d");
-  }
-
-  public List<Position3d> position3ds() {
-    return all(Position3d.class, "position3d");
-  }
-
-  public Imu imu() {
-    return (Imu) device("imu");
-  }
-
-  public List<Imu> imus() {
-    return all(Imu.class, "imu");
-  }
-
-  public Gps gps() {
-    return (Gps) device("gps");
-  }
-
-  public List<Gps> gpses() {
-    return all(Gps.class, "gps");
-  }
-
-  public PointCloud3d pointCloud3d() {
-    return (PointCloud3d) device("pointcloud3d");
-  }
-
-  public List<PointCloud3d> pointCloud3ds() {
-    return all(PointCloud3d.class, "pointcloud3d");
-  }
-
-  public Speech speech() {
-    return (Speech) device("speech");
-  }
-
-  public List<Speech> speeches() {
-    return all(Speech.class, "speech");
-  }
-
-  public SpeechRecognition speechRecognition() {
-    return (SpeechRecognition) device("speech_recognition");
-  }
-
-  public List<SpeechRecognition> speechRecognitions() {
-    return all(SpeechRecognition.class, "speech_recognition");
-  }
-
-  public Localize localize() {
-    return (Localize) device("localize");
-  }
-
-  public List<Localize> localizes() {
-    return all(Localize.class, "localize");
-  }
-
-  public Planner planner() {
-    return (Planner) device("planner");
-  }
-
-  public List<Planner> planners() {
-    return all(Planner.class, "planner");
-  }
-
-  public GridMap map() {
-    return (GridMap) device("map");
-  }
-
-  public List<GridMap> maps() {
-    return all(GridMap.class, "map");
   }
 
   /** Closes devices opened here, in reverse order of opening. They reopen on use. */
@@ -230,7 +79,8 @@ public final class Robot implements AutoCloseable {
     return "Robot \"" + name() + "\": " + names(devices);
   }
 
-  private <D extends Device> List<D> all(Class<D> type, String interfaceName) {
+  @Override
+  <D extends Device> List<D> all(Class<D> type, String interfaceName) {
     return reachable(interfaceName).stream().map(this::open).map(type::cast).toList();
   }
 

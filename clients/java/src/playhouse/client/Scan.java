@@ -43,13 +43,7 @@ public record Scan(double[] ranges, double[] angles, double maxRange, double tim
     return Objects.hash(Arrays.hashCode(ranges), Arrays.hashCode(angles), maxRange, time);
   }
 
-  /** {@code count} angles from low to high. */
-  static double[] spread(double low, double high, int count) {
-    double step = count > 1 ? (high - low) / (count - 1) : 0;
-    double[] angles = new double[count];
-    for (int i = 0; i < count; ++i) {
-      angles[i] = low + i * step;
-    }
-    return angles;
+  static Scan of(double[] ranges, double[] angles, double maxRange, double time) {
+    return new Scan(ranges, angles, maxRange, time);
   }
 }

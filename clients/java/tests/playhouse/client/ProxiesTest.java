@@ -14,9 +14,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.zip.DeflaterOutputStream;
 import org.junit.Test;
+import playhouse.client.wire.ActarrayMessages;
 import playhouse.client.wire.AioMessages;
 import playhouse.client.wire.BumperMessages;
 import playhouse.client.wire.CameraMessages;
@@ -33,6 +35,7 @@ import playhouse.client.wire.PlannerMessages;
 import playhouse.client.wire.PlayerMessages;
 import playhouse.client.wire.Pointcloud3dMessages;
 import playhouse.client.wire.Position3dMessages;
+import playhouse.client.wire.PowerMessages;
 import playhouse.client.wire.PtzMessages;
 import playhouse.client.wire.RangerMessages;
 import playhouse.client.wire.SonarMessages;
@@ -40,6 +43,7 @@ import playhouse.client.wire.SpeechMessages;
 import playhouse.client.wire.SpeechRecognitionMessages;
 import playhouse.client.wire.Struct;
 import playhouse.client.wire.Text;
+import playhouse.client.wire.WifiMessages;
 
 /** What the proxies make of the data of their interfaces, and what they send. */
 public final class ProxiesTest {
@@ -488,6 +492,58 @@ public final class ProxiesTest {
     double[][] beyond = {{10.1, 20.1}, {9.9, 19.9}, {9.9, 22.1}, {8.9, 20.1}, {Double.NaN, 20.1},
         {9.9, Double.POSITIVE_INFINITY}};
     Arrays.stream(beyond).forEach(point -> assertEquals(Optional.empty(), grid.cellOf(point[0], point[1])));
+  }
+
+  @Test
+  public void aChainOfJointsTellsItsStateAndIsMoved() {
+    ActarrayMessages.Data data = new ActarrayMessages.Data(List.of(
+        new ActarrayMessages.Actuator(0.5f, 0.25f, 2, -1, ActarrayMessages.ACTSTATE_MOVING),
+        new ActarrayMessages.Actuator(1, 0, 0, 3, ActarrayMessages.ACTSTATE_BRAKED)), 1);
+    ActarrayMessages.Geom geom = new ActarrayMessages.Geom(
+        List.of(new ActarrayMessages.Actuatorgeom(ActarrayMessages.TYPE_ROTARY, 2, new CommonMessages.Orientation3d(),
+            new CommonMessages.Point3d(0, 0, 1), -1, 0, 1, 0.5f, 4, 1)),
+        new CommonMessages.Point3d(1, 2, 3), new CommonMessages.Orientation3d(0.5, 0.25, 0.125));
+    try (FakeServer server = FakeServer.serving((peer, message) -> {
+      boolean asksGeometry = message.header().interfaceCode() == ActarrayMessages.CODE && message.header().is(Kind.REQ);
+      if (asksGeometry) {
+        peer.answer(message, geom);
+        return;
+      }
+      peer.answer(message);
+      peer.data(ActarrayMessages.DATA_STATE, data, 2);
+      peer.synch();
+    }); Client client = Client.connect(server.address()); ActArray arm = client.actArray(0)) {
+      ActArrayState state = arm.updates().iterator().next();
+      assertEquals(new Joint(0.5, 0.25, 2, OptionalDouble.empty(), true, false, false), state.joints().get(0));
+      assertEquals(new Joint(1, 0, 0, OptionalDouble.of(3), false, true, false), state.joints().get(1));
+      assertTrue(state.motorsOn());
+      ActArrayGeometry geometry = arm.geometry();
+      assertEquals(new Pose3d(1, 2, 3, 0.5, 0.25, 0.125), geometry.pose());
+      assertEquals(new JointGeometry(true, 2, new Attitude(0, 0, 0), new Vector3(0, 0, 1), -1, 0, 1, 0.5, 4, true),
+          geometry.joints().get(0));
+      Expect.error(InvalidValueException.class, "joint is -1, not a whole number from 0 to 2147483647$", () -> arm.moveTo(-1, 1));
+      Expect.error(InvalidValueException.class, "position is nan, not a finite number$",
+          () -> arm.moveAllTo(new double[] {0, Double.NaN}));
+    }
+  }
+
+  @Test
+  public void aBatteryTellsWhatItKnowsAndARadioItsLevelsInTheirUnit() {
+    int valid = PowerMessages.MASK_VOLTS | PowerMessages.MASK_CHARGING;
+    WifiMessages.Link link = new WifiMessages.Link(Text.field("a"), new byte[0], new byte[0], 0, 0, 1, 0, -40, -90);
+    WifiMessages.Data radioData = new WifiMessages.Data(List.of(link), 0, 0, 0, WifiMessages.QUAL_REL, 0, -1, 0, new byte[32]);
+    try (FakeServer server = FakeServer.serving((peer, message) -> {
+      peer.answer(message);
+      peer.data(PowerMessages.DATA_STATE, new PowerMessages.Data(valid, 12.5f, 0, 0, 0, 7), 1);
+      peer.data(WifiMessages.DATA_STATE, radioData, 1);
+      peer.synch();
+    }); Client client = Client.connect(server.address()); Power battery = client.power(0); Wifi radio = client.wifi(0)) {
+      client.read();
+      OptionalDouble unknown = OptionalDouble.empty();
+      assertEquals(new PowerState(OptionalDouble.of(12.5), unknown, unknown, unknown, Optional.of(Charging.YES), 1), battery.state());
+      assertEquals("a", radio.links().get(0).mac());
+      assertEquals((1L << 32) - 40, radio.links().get(0).level());
+    }
   }
 
   private static CameraMessages.Data picture(long width, long height, int format, int compression, int... bytes) {

@@ -1,0 +1,8 @@
+package playhouse.client;
+
+/** Whether a battery is being charged. */
+public enum Charging {
+  IMPOSSIBLE,
+  NO,
+  YES
+}
