@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "playhouse/mesh/image_file.h"
+#include "playhouse/images/write_png.h"
 #include "playhouse/mesh/opacity.h"
 
 namespace playhouse::mesh {
@@ -93,9 +93,11 @@ std::size_t GlbWriter::add_corners(std::span<const std::uint32_t> corners) {
 }
 
 std::size_t GlbWriter::add_image(const Image& image) {
-  const std::string png = png_of(image);
+  const Result<std::string> png = images::png_of(
+      static_cast<int>(image.width), static_cast<int>(image.height), 4, image.rgba, images::PngEffort::kFast);
+  const std::string bytes = png ? *png : std::string();
   const std::size_t row = images_.add(R"({{"bufferView":{},"mimeType":"image/png"}})",
-                                      add_view(std::as_bytes(std::span(png)), kNoTarget));
+                                      add_view(std::as_bytes(std::span(bytes)), kNoTarget));
   return textures_.add(R"({{"source":{}}})", row);
 }
 

@@ -1,5 +1,5 @@
-/// Any bytes as what is read of meshes in this process, by the first of them: 'c' COLLADA's physics, 'i' an
-/// image, 'p' a packed mesh; and, in a process of its own, 'd' a COLLADA file, 'g' a glTF, 'b' a binary one,
+/// Any bytes as what is read of meshes in this process, by the first of them: 'c' COLLADA's physics, 'p' a
+/// packed mesh; and, in a process of its own, 'd' a COLLADA file, 'g' a glTF, 'b' a binary one,
 /// 'o' an OBJ and 's' an STL. Each gives what keeps to limits.h, or an error in one line.
 
 #include <cmath>
@@ -12,15 +12,12 @@
 #include "playhouse/base/mesh_limits.h"
 #include "playhouse/mesh/check_mesh.h"
 #include "playhouse/mesh/fit.h"
-#include "playhouse/mesh/image_file.h"
 #include "playhouse/mesh/import/collada_physics.h"
 #include "playhouse/mesh/packed.h"
 #include "playhouse/mesh/parts.h"
 
 namespace playhouse::mesh {
 namespace {
-
-constexpr std::size_t kPixels = 1 << 16;
 
 void expect_one_line(const Error& error) {
   PLAYHOUSE_ASSERT(!error.text.empty() && error.line().find('\n') == std::string::npos);
@@ -30,15 +27,6 @@ void read_physics(const std::string& bytes) {
   const Result<std::optional<PhysicalProperties>> physics = collada_physics(bytes);
   if (!physics) return expect_one_line(physics.error());
   PLAYHOUSE_ASSERT(!*physics || (*physics)->shapes.size() <= limits::kMeshShapes);
-}
-
-void read_image(const std::string& bytes) {
-  const Result<Image> image = decode_image(bytes, kPixels);
-  if (!image) return PLAYHOUSE_ASSERT(!image.error().text.empty());
-  PLAYHOUSE_ASSERT(image->rgba.size() == std::size_t{4} * image->width * image->height);
-  PLAYHOUSE_ASSERT(image->rgba.size() <= 4 * kPixels);
-  const Result<Image> again = decode_image(png_of(*image), kPixels);
-  PLAYHOUSE_ASSERT(again && again->rgba == image->rgba);
 }
 
 void read_packed(const std::string& bytes) {
@@ -72,9 +60,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   switch (data[0]) {
     case 'c':
       read_physics(bytes);
-      break;
-    case 'i':
-      read_image(bytes);
       break;
     case 'p':
       read_packed(bytes);

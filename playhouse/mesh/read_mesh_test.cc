@@ -280,7 +280,7 @@ TEST(ReadMesh, warns_of_a_texture_that_is_missing_or_none) {
   EXPECT_EQ(missing.mesh.materials.at(0).texture, Material::kNone);
   auto broken = files;
   broken["sub/t.png"] = "no picture";
-  EXPECT_THAT(read("box.gltf", broken).warnings.at(0), HasSubstr("is neither a PNG nor a JPEG"));
+  EXPECT_THAT(read("box.gltf", broken).warnings.at(0), HasSubstr("is not a PNG, JPEG, PNM"));
 }
 
 TEST(ReadMesh, opens_no_file_outside_of_its_folder) {
@@ -460,7 +460,7 @@ TEST(ReadMesh, takes_textures_of_as_many_pixels_as_their_files_pay_for) {
   EXPECT_THAT(warnings(flat_png(2048)), testing::IsEmpty());
   const std::string large = flat_png(4096);
   EXPECT_LT(large.size(), 20'000u);  // for 64 MiB of colors
-  EXPECT_THAT(warnings(large), testing::ElementsAre(HasSubstr("4096 x 4096 pixels, which is too many")));
+  EXPECT_THAT(warnings(large), testing::ElementsAre(HasSubstr("4096 x 4096 pixels; up to ")));
   EXPECT_THAT(warnings(large + std::string(50'000, '\0')),
               testing::IsEmpty());  // of a file that pays for them
 }

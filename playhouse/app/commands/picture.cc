@@ -24,7 +24,7 @@
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log_output.h"
-#include "playhouse/scene/images/write_png.h"
+#include "playhouse/images/write_png.h"
 #include "playhouse/world/periods.h"
 
 namespace playhouse::app {
@@ -133,7 +133,7 @@ class Filming {
     if (!is_png(options_.output)) return ended(film_by_ffmpeg(options_.output, *view, shots_.period, each));
     AnimatedPng animation(shots_.count, shots_.period);
     const Result<int> code =
-        ended(each([&](const scene::RgbImage& picture) { return animation.add(picture); }));
+        ended(each([&](const images::RgbImage& picture) { return animation.add(picture); }));
     return code && *code == kDone ? write(options_.output, animation.take()) : code;
   }
 
@@ -143,7 +143,7 @@ class Filming {
       const Result<void> ran = run_.advance(run_.first_tick() + k * shots_.ticks, renderer_, interrupt_);
       if (!ran) return refuse(ran.error());
       if (!sight.is_fixed()) view = *sight.at(run_.world(), options_.width);
-      const Result<scene::RgbImage> drawn = renderer_.draw(run_.world(), view);
+      const Result<images::RgbImage> drawn = renderer_.draw(run_.world(), view);
       if (!drawn) return refuse(drawn.error());
       if (const Result<void> taken = take(*drawn); !taken) return taken;
       if (shows_progress_) log::show_progress(fmt::format("{} of {} pictures ", k + 1, shots_.count));
@@ -201,9 +201,9 @@ int picture(const PictureOptions& options) {
     if (!sight) return fail(sight.error(), kUsage);
     const Result<Viewport> view = sight->at(run->world(), options.width);
     if (!view) return fail_at({escaped(options.world), view.error().text}, kUsage);
-    const Result<scene::RgbImage> drawn = renderer.draw(run->world(), *view);
+    const Result<images::RgbImage> drawn = renderer.draw(run->world(), *view);
     if (!drawn) return drawn.error();
-    const Result<std::string> png = scene::png_of(drawn->width, drawn->height, drawn->rgb);
+    const Result<std::string> png = images::png_of(drawn->width, drawn->height, 3, drawn->rgb);
     return png ? write(options.output, *png) : fail_at({escaped(options.output), png.error().text});
   });
 }

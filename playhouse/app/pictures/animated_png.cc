@@ -1,15 +1,15 @@
 #include "playhouse/app/pictures/animated_png.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
-#include "playhouse/scene/images/write_png.h"
+#include "playhouse/images/write_png.h"
 
 namespace playhouse::app {
 namespace {
@@ -28,18 +28,10 @@ std::uint32_t number_at(std::string_view bytes, std::size_t at) {
 
 /// CRC-32 of a chunk (PNG Specification, annex D; ISO 3309).
 std::uint32_t crc_of(std::string_view type, std::string_view content) {
-  static const std::array<std::uint32_t, 256> table = [] {
-    std::array<std::uint32_t, 256> made{};
-    for (std::uint32_t k = 0; k < made.size(); ++k) {
-      made[k] = k;
-      for (int bit = 0; bit < 8; ++bit) made[k] = (made[k] & 1 ? 0xEDB88320u : 0u) ^ (made[k] >> 1);
-    }
-    return made;
-  }();
-  std::uint32_t crc = 0xFFFFFFFF;
+  uLong crc = 0;
   for (const std::string_view bytes : {type, content})
-    for (const char byte : bytes) crc = table[(crc ^ static_cast<unsigned char>(byte)) & 0xFF] ^ (crc >> 8);
-  return ~crc;
+    crc = crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+  return static_cast<std::uint32_t>(crc);
 }
 
 }  // namespace
@@ -52,7 +44,7 @@ void AnimatedPng::add_chunk(std::string_view type, std::string_view content) {
 }
 
 /// Frame control: the full image, replacing the previous one, for the period in milliseconds.
-void AnimatedPng::add_frame(const scene::RgbImage& picture) {
+void AnimatedPng::add_frame(const images::RgbImage& picture) {
   std::string content;
   append(content, sequence_++);
   for (const int number : {picture.width, picture.height, 0, 0})
@@ -63,9 +55,9 @@ void AnimatedPng::add_frame(const scene::RgbImage& picture) {
   add_chunk("fcTL", content);
 }
 
-Result<void> AnimatedPng::add(const scene::RgbImage& picture) {
+Result<void> AnimatedPng::add(const images::RgbImage& picture) {
   PLAYHOUSE_ASSERT(added_ < pictures_);
-  const Result<std::string> png = scene::png_of(picture.width, picture.height, picture.rgb);
+  const Result<std::string> png = images::png_of(picture.width, picture.height, 3, picture.rgb);
   if (!png) return png.error();
   const std::string_view bytes = *png;
   if (added_ == 0) file_ = bytes.substr(0, kSignature);

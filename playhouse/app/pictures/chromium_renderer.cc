@@ -9,9 +9,9 @@
 
 #include "playhouse/base/base64.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/images/read_image.h"
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/scene_text.h"
-#include "playhouse/scene/images/read_png.h"
 #include "playhouse/web_server/page_files.h"
 
 namespace playhouse::app {
@@ -193,7 +193,7 @@ Result<void> ChromiumRenderer::see(const world::World& world) {
   return {};
 }
 
-Result<scene::RgbImage> ChromiumRenderer::draw(const world::World& world, const Viewport& view) {
+Result<images::RgbImage> ChromiumRenderer::draw(const world::World& world, const Viewport& view) {
   if (const Result<void> told = see(world); !told) return told.error();
   std::vector<FilledShape> shapes;
   seen_.add_to(shapes, world, view.line_width());
@@ -204,11 +204,11 @@ Result<scene::RgbImage> ChromiumRenderer::draw(const world::World& world, const 
   const std::optional<std::string> png =
       drawn->is_string() ? bytes_of_base64(drawn->get_string()) : std::nullopt;
   if (!png) return Error{"", "gives no picture"};
-  Result<scene::RgbImage> image = scene::read_rgb(*png, limits::kPicturePixels);
+  Result<images::RgbImage> image = images::read_image<images::RgbImage>(*png, {limits::kPicturePixels});
   if (!image) return Error{"", "gives a picture that " + image.error().text};
   if (image->width != view.width || image->height != view.height)
     return Error{"", fmt::format("gives a picture of {} x {} pixels", image->width, image->height)};
-  return scene::RgbImage{image->width, image->height, std::move(image->rgb)};
+  return image;
 }
 
 }  // namespace playhouse::app

@@ -34,7 +34,7 @@ class ChromiumRenderer final : public WorldRenderer {
 
   double memory() const override { return 20; }
   Result<void> see(const world::World& world) override;
-  Result<scene::RgbImage> draw(const world::World& world, const Viewport& view) override;
+  Result<images::RgbImage> draw(const world::World& world, const Viewport& view) override;
 
  private:
   Result<void> start();

@@ -27,7 +27,7 @@ class AChromium : public testing::Test {
   }
 
   /// Whether there is something green below the middle of a place. [m]
-  static bool is_green(const scene::RgbImage& picture, double x, double y) {
+  static bool is_green(const images::RgbImage& picture, double x, double y) {
     const auto column = static_cast<std::size_t>((x - kView.left) * kView.pixels_per_metre);
     const auto row = static_cast<std::size_t>((kView.top - y + 0.2) * kView.pixels_per_metre);
     const std::uint8_t* const at = &picture.rgb[3 * (row * static_cast<std::size_t>(kView.width) + column)];
@@ -46,7 +46,7 @@ TEST_F(AChromium, draws_who_came_and_draws_no_more_who_has_gone) {
   const SensorShapes nothing;
   ChromiumRenderer chromium(*program_, world, nothing, interrupt_);
 
-  const Result<scene::RgbImage> before = chromium.draw(world, kView);
+  const Result<images::RgbImage> before = chromium.draw(world, kView);
   ASSERT_TRUE(before) << before.error().text;
   EXPECT_EQ(before->rgb.size(), 3u * 160 * 160);
   EXPECT_TRUE(is_green(*before, -2, -2));
@@ -54,13 +54,13 @@ TEST_F(AChromium, draws_who_came_and_draws_no_more_who_has_gone) {
 
   const world::ModelRow first = world.find("r");
   ASSERT_TRUE(world::spawn(world, world.models.desc[first.index], {2, 1, 0, 0}));
-  const Result<scene::RgbImage> both = chromium.draw(world, kView);
+  const Result<images::RgbImage> both = chromium.draw(world, kView);
   ASSERT_TRUE(both) << both.error().text;
   EXPECT_TRUE(is_green(*both, -2, -2));
   EXPECT_TRUE(is_green(*both, 2, 1));
 
   ASSERT_TRUE(world::despawn(world, world.id(world.find("r"))));
-  const Result<scene::RgbImage> after = chromium.draw(world, kView);
+  const Result<images::RgbImage> after = chromium.draw(world, kView);
   ASSERT_TRUE(after) << after.error().text;
   EXPECT_FALSE(is_green(*after, -2, -2));
   EXPECT_TRUE(is_green(*after, 2, 1));

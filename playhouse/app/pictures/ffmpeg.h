@@ -11,7 +11,7 @@
 namespace playhouse::app {
 
 /// Consumes the next frame of a film.
-using PictureTaker = std::function<Result<void>(const scene::RgbImage&)>;
+using PictureTaker = std::function<Result<void>(const images::RgbImage&)>;
 
 /// Pipes frames to ffmpeg, each shown for `period` seconds; ffmpeg chooses the format by
 /// the file's extension. `each` calls its argument with one frame after the other. Fails,

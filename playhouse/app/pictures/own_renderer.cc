@@ -35,8 +35,8 @@ render::View camera_of(const world::World& world, const Viewport& view, int time
 }
 
 /// The mean of `times` x `times` samples, 0xRRGGBB, for each pixel.
-scene::RgbImage mean_of(const std::vector<std::uint32_t>& samples, const Viewport& view, int times) {
-  scene::RgbImage picture{view.width, view.height, {}};
+images::RgbImage mean_of(const std::vector<std::uint32_t>& samples, const Viewport& view, int times) {
+  images::RgbImage picture{view.width, view.height, {}};
   picture.rgb.reserve(3 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
   const auto across = static_cast<std::size_t>(times) * static_cast<std::size_t>(view.width);
   const auto side = static_cast<std::size_t>(times);
@@ -56,8 +56,8 @@ scene::RgbImage mean_of(const std::vector<std::uint32_t>& samples, const Viewpor
 
 }  // namespace
 
-Result<scene::RgbImage> OwnRenderer::draw(const world::World& world, const Viewport& view) {
-  return view.eye ? draw_by_camera(world, view) : Result<scene::RgbImage>(picture_of(world, view, seen_));
+Result<images::RgbImage> OwnRenderer::draw(const world::World& world, const Viewport& view) {
+  return view.eye ? draw_by_camera(world, view) : Result<images::RgbImage>(picture_of(world, view, seen_));
 }
 
 Result<void> OwnRenderer::begin() {
@@ -79,7 +79,7 @@ void OwnRenderer::find_bodies(const world::World& world) {
   bodies_.find(world, solids, *renderer_);
 }
 
-Result<scene::RgbImage> OwnRenderer::draw_by_camera(const world::World& world, const Viewport& view) {
+Result<images::RgbImage> OwnRenderer::draw_by_camera(const world::World& world, const Viewport& view) {
   if (const Result<void> begun = begin(); !begun) return begun.error();
   find_bodies(world);
   const double time = static_cast<double>(world.tick()) * world.scene().interval;

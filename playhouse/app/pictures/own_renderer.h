@@ -20,10 +20,10 @@ class OwnRenderer final : public WorldRenderer {
   explicit OwnRenderer(const SensorShapes& seen) : seen_(seen) {}
 
   /// Fails for a camera in the world, if there is no OpenGL.
-  Result<scene::RgbImage> draw(const world::World& world, const Viewport& view) override;
+  Result<images::RgbImage> draw(const world::World& world, const Viewport& view) override;
 
  private:
-  Result<scene::RgbImage> draw_by_camera(const world::World& world, const Viewport& view);
+  Result<images::RgbImage> draw_by_camera(const world::World& world, const Viewport& view);
   Result<void> begin();
   void find_bodies(const world::World& world);
 

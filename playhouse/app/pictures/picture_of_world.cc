@@ -124,7 +124,7 @@ class Painter {
       if (cover_[k] > 0) mix(static_cast<std::size_t>(low) * width() + k, shape.color, cover_[k]);
   }
 
-  scene::RgbImage take() { return std::move(picture_); }
+  images::RgbImage take() { return std::move(picture_); }
 
  private:
   std::size_t width() const { return static_cast<std::size_t>(view_.width); }
@@ -167,7 +167,7 @@ class Painter {
   }
 
   Viewport view_;
-  scene::RgbImage picture_;
+  images::RgbImage picture_;
   std::vector<float> cover_;  // coverage of a row's pixels by a shape, 0 to 1
 };
 
@@ -190,7 +190,7 @@ Result<Viewport> view_of(const world::World& world, int width) {
 }
 
 /// Sorted by top height; ties: bodies first, in model order.
-scene::RgbImage picture_of(const world::World& world, const Viewport& view, const SensorShapes& seen) {
+images::RgbImage picture_of(const world::World& world, const Viewport& view, const SensorShapes& seen) {
   std::vector<FilledShape> shapes = Bodies(world).shapes();
   seen.add_to(shapes, world, view.line_width());
   std::ranges::stable_sort(shapes, {}, &FilledShape::z_max);

@@ -12,7 +12,7 @@
 #include "playhouse/app/pictures/sensor_shapes.h"
 #include "playhouse/base/result.h"
 #include "playhouse/geom/orientation.h"
-#include "playhouse/scene/images/read_png.h"
+#include "playhouse/images/read_image.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::app {
@@ -42,6 +42,6 @@ struct Viewport {
 Result<Viewport> view_of(const world::World& world, int width);
 
 /// `seen` selects the sensor data to draw.
-scene::RgbImage picture_of(const world::World& world, const Viewport& view, const SensorShapes& seen);
+images::RgbImage picture_of(const world::World& world, const Viewport& view, const SensorShapes& seen);
 
 }  // namespace playhouse::app

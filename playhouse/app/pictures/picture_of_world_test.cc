@@ -43,7 +43,7 @@ TEST(PictureOfWorld, frames_bodies_as_they_lie) {
 TEST(PictureOfWorld, shows_bodies_as_they_lie) {
   const Lying lying;
   const Viewport view{200, 200, -1, 1, 100};
-  const scene::RgbImage picture = picture_of(lying.engine->world(), view, {});
+  const images::RgbImage picture = picture_of(lying.engine->world(), view, {});
   const auto is_green = [&](double x, double y) {
     const auto column = static_cast<std::size_t>((x + 1) * 100),
                row = static_cast<std::size_t>((1 - y) * 100);

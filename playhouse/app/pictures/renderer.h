@@ -21,7 +21,7 @@ class WorldRenderer {
   virtual Result<void> see(const world::World&) { return {}; }
 
   /// Fails with a predicate for its name.
-  virtual Result<scene::RgbImage> draw(const world::World& world, const Viewport& view) = 0;
+  virtual Result<images::RgbImage> draw(const world::World& world, const Viewport& view) = 0;
 };
 
 }  // namespace playhouse::app

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/world/world.h"
 
 namespace playhouse::drivers {
 
@@ -20,6 +22,10 @@ struct Moment {
 class Algorithm {
  public:
   virtual ~Algorithm() = default;
+
+  /// Fails if it can do nothing with the model of the first device that it uses, with what the device "...". In
+  /// a simulated world, before it runs.
+  virtual Result<void> fits(const world::World&, world::ModelRow) const { return {}; }
 
   // Io thread.
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/rng.h"
 #include "playhouse/drivers/refusal.h"
 #include "playhouse/wire/header.h"
@@ -17,14 +18,17 @@ std::uint64_t seed_of(std::string_view text) {
 }
 
 /// In a simulated world: its devices belong to the model of the device `robot`.
-void follow(Site& site, const Wired& devices, Shell& shell) {
+Result<void> follow(Site& site, const Wired& devices, Shell& shell) {
   const std::uint64_t own = seed_of(site.shown(devices.provides.front()));
   shell.set_seed(own);
   run::Simulation* const simulation = site.simulation();
-  if (simulation == nullptr) return;
+  if (simulation == nullptr) return {};
   shell.set_seed(own ^ mix64(simulation->world().seed()));
   Directory& directory = site.model_devices()->directory();
   const world::ModelId robot = directory.model_of(devices.uses.front());
+  const world::World& now = simulation->world();
+  if (const Result<void> fits = shell.fits(now, now.row(robot)); !fits)
+    return Error{{}, in_quotes(site.shown(devices.uses.front())) + " " + fits.error().text};
   for (const device::Address& device : devices.provides) directory.add(robot, device);
   shell.follow_ticks(simulation->world().tick());
   simulation->follow(
@@ -35,6 +39,7 @@ void follow(Site& site, const Wired& devices, Shell& shell) {
       }));
   simulation->follow(
       run::on_show([&shell](const world::World& world, const world::Pace&) { shell.ticked(world.tick()); }));
+  return {};
 }
 
 }  // namespace
@@ -137,9 +142,9 @@ Result<std::unique_ptr<device::Driver>> registered(const scene::CfgSection& sect
     ids.push_back(*id);
   }
   shell->provide(std::move(ids));
-  const auto connected = [&site, devices, &shell = *shell]() -> Result<void> {
-    follow(site, devices, shell);
-    return {};
+  const auto connected = [&site, devices, where = section.at("requires"), &shell = *shell]() -> Result<void> {
+    const Result<void> followed = follow(site, devices, shell);
+    return followed ? Result<void>() : Error{where, followed.error().text};
   };
   site.add_user(
       {shell.get(), &shell->client(), devices.provides, devices.uses, section.at("requires"), connected});

@@ -110,6 +110,9 @@ class Shell final : public device::Driver {
   void ticked(std::uint64_t tick) { thread_.ticked(tick); }
   void rewound(const Moment& moment);
   void placed() { algorithm_->placed(); }
+  Result<void> fits(const world::World& world, world::ModelRow used) const {
+    return algorithm_->fits(world, used);
+  }
   void set_seed(std::uint64_t seed) { seed_ = seed; }
 
  private:
@@ -153,7 +156,24 @@ Result<Wired> wired(const scene::CfgSection& section, const Site& site, const Wa
 Result<std::unique_ptr<device::Driver>> registered(const scene::CfgSection& section, Site& site,
                                                    const Wired& devices, std::unique_ptr<Shell> shell);
 
-/// The driver of a section: A in a shell, made from the section's options and `more`.
+template <typename A, typename... Parts>
+Result<std::unique_ptr<device::Driver>> in_shell(const scene::CfgSection& section, Site& site,
+                                                 const Wired& devices, const Parts&... parts) {
+  const AlgorithmThread::Steps steps = site.surroundings().has_threads() ? AlgorithmThread::Steps::kOnThread
+                                                                         : AlgorithmThread::Steps::kOnCaller;
+  auto shell = std::make_unique<Shell>(section.name(), site.surroundings(), devices.uses.size(), steps);
+  shell->begin<A>(parts...);
+  return registered(section, site, devices, std::move(shell));
+}
+
+/// The driver of a section: A in a shell, made from the section's options, if it has any, and `more`.
+template <typename A>
+Result<std::unique_ptr<device::Driver>> make_algorithm(const scene::CfgSection& section, Site& site,
+                                                       const WantedDevices& wanted) {
+  const Result<Wired> devices = wired(section, site, wanted);
+  if (!devices) return devices.error();
+  return in_shell<A>(section, site, *devices);
+}
 template <typename A, typename ReadOptions, typename... More>
 Result<std::unique_ptr<device::Driver>> make_algorithm(const scene::CfgSection& section, Site& site,
                                                        const WantedDevices& wanted, ReadOptions read_options,
@@ -162,11 +182,7 @@ Result<std::unique_ptr<device::Driver>> make_algorithm(const scene::CfgSection& 
   if (!devices) return devices.error();
   const auto options = read_options(section);
   if (!options) return options.error();
-  const AlgorithmThread::Steps steps = site.surroundings().has_threads() ? AlgorithmThread::Steps::kOnThread
-                                                                         : AlgorithmThread::Steps::kOnCaller;
-  auto shell = std::make_unique<Shell>(section.name(), site.surroundings(), devices->uses.size(), steps);
-  shell->begin<A>(*options, more...);
-  return registered(section, site, *devices, std::move(shell));
+  return in_shell<A>(section, site, *devices, *options, more...);
 }
 
 }  // namespace playhouse::drivers

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "playhouse/base/in_quotes.h"
-#include "playhouse/drivers/section_devices.h"
+#include "playhouse/drivers/decoded.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/wire/codec.h"
-#include "playhouse/wire/header.h"
+#include "playhouse/wire/generated/laser.h"
 
 namespace playhouse::drivers {
 
@@ -17,9 +16,6 @@ namespace rng = wire::ranger;
 namespace lsr = wire::laser;
 
 namespace {
-
-constexpr std::size_t kRanger = 0;  // index among the client's devices
-constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq);
 
 lsr::Config laser_config(const rng::Config& config) {
   lsr::Config laser;
@@ -44,28 +40,7 @@ lsr::Geom laser_geom(const rng::Geom& geom) {
   return laser;
 }
 
-/// Converts the reply of a ranger's request to that of the laser's.
-template <typename From, typename Convert>
-void convert_answer(device::Replier& replier, const std::optional<std::vector<std::byte>>& body,
-                    Convert convert) {
-  if (!body) return replier.nack();
-  const Result<From> value = wire::decode<From>(*body);
-  if (!value) return replier.nack();
-  replier.ack(wire::encode(convert(*value)));
-}
-
-/// A laser exposes one sensor. Rangers outside the simulated world are not checked.
-Result<void> check_sensors(const Site& site, const std::string& where, device::Address ranger) {
-  const world::World& world = site.simulation()->world();
-  const world::ModelRow model = world.row(site.model_devices()->directory().model_of(ranger));
-  const std::size_t sensors = model ? world.desc(model).sensors.size() : 1;
-  if (sensors == 1) return {};
-  return Error{where, fmt::format("{} has {} sensors, and a laser shows the scan of one",
-                                  in_quotes(site.shown(ranger)), sensors)};
-}
-
-}  // namespace
-
+/// `intensities` may be empty.
 lsr::Data laser_scan(const rng::Config& config, const rng::DataRange& ranges,
                      const rng::DataIntns& intensities, std::uint32_t id) {
   lsr::Data scan;
@@ -81,56 +56,56 @@ lsr::Data laser_scan(const rng::Config& config, const rng::DataRange& ranges,
   return scan;
 }
 
-RangerToLaser::RangerToLaser(device::Opener& opener)
-    : client_(opener, *this, 1),
-      ranges_(client_.latest(kRanger, rng::kDataRange)),
-      intensities_(client_.latest(kRanger, rng::kDataIntns)) {
-  client_.when_news([this](std::vector<device::Publication>& more) { convert(more); });
+/// Answers `subtype` of the laser with what the ranger answers to `of_ranger`, converted.
+template <typename From, typename Convert>
+void convert_answers(Shell& shell, std::size_t ranger, std::uint8_t subtype, std::uint8_t of_ranger,
+                     Convert convert) {
+  shell.on_request(subtype,
+                   [&shell, ranger, of_ranger, convert](const device::Message&, device::Replier replier) {
+                     // A std::function must be copyable.
+                     const auto shared = std::make_shared<device::Replier>(std::move(replier));
+                     shell.client().ask(ranger, of_ranger, {}, [shared, convert](const AnswerBody& body) {
+                       if (const std::optional<From> value = decoded<From>(body))
+                         shared->ack(wire::encode(convert(*value)));
+                     });
+                   });
 }
 
-Result<void> RangerToLaser::start(device::DeviceId) {
-  if (const Result<void> opened = client_.open(); !opened) return opened;
-  client_.ask(kRanger, rng::kReqGetConfig, {}, [this](const std::optional<std::vector<std::byte>>& body) {
-    const Result<rng::Config> config = wire::decode<rng::Config>(body.value_or(std::vector<std::byte>()));
+}  // namespace
+
+RangerToLaser::RangerToLaser(Shell& shell)
+    : shell_(shell),
+      ranges_(shell.client().latest(kRanger, rng::kDataRange)),
+      intensities_(shell.client().latest(kRanger, rng::kDataIntns)) {
+  convert_answers<rng::Geom>(shell, kRanger, lsr::kReqGetGeom, rng::kReqGetGeom, laser_geom);
+  convert_answers<rng::Config>(shell, kRanger, lsr::kReqGetConfig, rng::kReqGetConfig, laser_config);
+  // POWER has the same payload in both.
+  shell.on_request(lsr::kReqPower, [&shell](const device::Message& message, device::Replier replier) {
+    shell.client().forward(kRanger, rng::kReqPower, message.body, std::move(replier));
+  });
+}
+
+Result<void> RangerToLaser::fits(const world::World& world, world::ModelRow ranger) const {
+  const std::size_t sensors = ranger ? world.desc(ranger).sensors.size() : 1;
+  if (sensors == 1) return {};
+  return Error{{}, fmt::format("has {} sensors, and a laser shows the scan of one", sensors)};
+}
+
+void RangerToLaser::opened() {
+  shell_.client().ask(kRanger, rng::kReqGetConfig, {}, [this](const AnswerBody& body) {
+    const std::optional<rng::Config> config = decoded<rng::Config>(body);
     if (!config) return;
     const std::lock_guard lock(mutex_);
     config_ = *config;
   });
-  return {};
 }
 
-void RangerToLaser::stop(device::DeviceId) {
-  client_.close();
+void RangerToLaser::closed() {
   const std::lock_guard lock(mutex_);
   config_.reset();
 }
 
-void RangerToLaser::request(const device::Message& message, device::Replier replier) {
-  if (!capable(message.device, message.type, message.subtype)) return;
-  auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
-  switch (message.subtype) {
-    case lsr::kReqGetGeom:
-      client_.ask(kRanger, rng::kReqGetGeom, {}, [shared](const std::optional<std::vector<std::byte>>& body) {
-        convert_answer<rng::Geom>(*shared, body, laser_geom);
-      });
-      return;
-    case lsr::kReqGetConfig:
-      client_.ask(kRanger, rng::kReqGetConfig, {},
-                  [shared](const std::optional<std::vector<std::byte>>& body) {
-                    convert_answer<rng::Config>(*shared, body, laser_config);
-                  });
-      return;
-    default:  // POWER, with the same payload in both
-      client_.forward(kRanger, rng::kReqPower, message.body, std::move(*shared));
-  }
-}
-
-bool RangerToLaser::capable(device::DeviceId, std::uint8_t type, std::uint8_t subtype) const {
-  return type == kReq &&
-         (subtype == lsr::kReqGetGeom || subtype == lsr::kReqGetConfig || subtype == lsr::kReqPower);
-}
-
-void RangerToLaser::convert(std::vector<device::Publication>& more) {
+void RangerToLaser::take_news(std::vector<device::Publication>& more) {
   const std::optional<device::Publication> ranges = ranges_.take_latest();
   const std::optional<device::Publication> intensities = intensities_.take_latest();
   if (!ranges) return;
@@ -144,29 +119,11 @@ void RangerToLaser::convert(std::vector<device::Publication>& more) {
   const std::lock_guard lock(mutex_);
   if (!config_) return;
   const lsr::Data scan = laser_scan(*config_, *range_values, intensity_values, ++scans_);
-  more.push_back({laser_, lsr::kDataScan, ranges->timestamp, wire::encode(scan)});
+  more.push_back({shell_.device(0), lsr::kDataScan, ranges->timestamp, wire::encode(scan)});
 }
 
 Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSection& section, Site& site) {
-  const auto provided = section_devices(section, site, "provides", {"laser"});
-  if (!provided) return provided.error();
-  const auto required = section_devices(section, site, "requires", {"ranger"});
-  if (!required) return required.error();
-
-  auto driver = std::make_unique<RangerToLaser>(site.surroundings());
-  const device::Address laser = provided->front(), ranger = required->front();
-  const Result<device::DeviceId> id = site.add_device(laser, *driver);
-  if (!id) return Error{section.at("provides"), id.error().text};
-  driver->set_laser(*id);
-  const auto connected = [&site, where = section.at("requires"), laser, ranger]() -> Result<void> {
-    if (site.simulation() == nullptr) return {};
-    if (const Result<void> checked = check_sensors(site, where, ranger); !checked) return checked;
-    Directory& directory = site.model_devices()->directory();
-    directory.add(directory.model_of(ranger), laser);
-    return {};
-  };
-  site.add_user({driver.get(), &driver->client(), *provided, *required, section.at("requires"), connected});
-  return std::unique_ptr<device::Driver>(std::move(driver));
+  return make_algorithm<RangerToLaser>(section, site, {.provides = {{"laser"}}, .uses = {{"ranger"}}});
 }
 
 }  // namespace playhouse::drivers

@@ -6,12 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <limits>
-
-#include "playhouse/drivers/testing/memory_site.h"
-#include "playhouse/drivers/testing/refusal_of.h"
-#include "playhouse/wire/codec.h"
+#include "playhouse/drivers/testing/goal_test.h"
 #include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
@@ -19,12 +14,12 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using testing::kCmd;
+using testing::kGoalDriver;
+using testing::kWheels;
 using testing::MemorySite;
 using ::testing::StartsWith;
 namespace p2d = wire::position2d;
-
-constexpr device::Address kWheels{6665, 4, 0}, kVfh{6665, 4, 1};
-constexpr std::uint8_t kCmd = 2, kReq = 3;
 
 constexpr const char* kWorld = R"(
 interval_sim 100
@@ -46,143 +41,15 @@ std::string fault(const std::string& cfg) {
   return site.build(cfg);
 }
 
-class VfhTest : public ::testing::Test {
+class VfhTest : public testing::GoalTest {
  protected:
-  VfhTest() : site(kWorld) {
-    EXPECT_EQ(site.build(chain("")), "");
-    world().positions.motor_on[0] = 1;
-    std::ranges::fill(world().sensors.ranges, 8.0f);
-    EXPECT_TRUE(site.hold(site.id(kVfh)));
-  }
-  world::World& world() { return site.site().simulation()->engine().world(); }
-  device::Driver& driver() { return site.driver(kVfh); }
-  device::Taken say(std::uint8_t subtype, const std::vector<std::byte>& body) {
-    return driver().command({site.id(kVfh), kCmd, subtype, body});
-  }
-  device::Taken go_to(double x, double y) {
-    return say(p2d::kCmdPos, wire::encode(p2d::CmdPos{{x, y, 0}, {}, 1}));
-  }
-  device::Taken drive(double speed) { return say(p2d::kCmdVel, wire::encode(p2d::CmdVel{{speed, 0, 0}, 1})); }
-  /// What the wheels were told last, once the inbox is empty.
-  geom::Twist told() {
-    site.run(0);
-    return world().positions.command[0];
-  }
-
-  MemorySite site;
+  VfhTest() : GoalTest(kWorld, chain("")) {}
 };
-
-TEST_F(VfhTest, shows_its_robot_s_data_as_its_own_in_the_same_batch) {
-  site.run(1);
-  std::vector<std::uint32_t> devices;
-  for (const device::Publication& publication : site.recorder.published)
-    devices.push_back(publication.device.row);
-  EXPECT_THAT(devices, ElementsAre(site.id(kWheels).row, site.id({6665, 62, 0}).row,
-                                   site.id({6665, 62, 0}).row, site.id({6665, 6, 0}).row, site.id(kVfh).row));
-  EXPECT_EQ(site.recorder.batches, 1);
-  EXPECT_EQ(site.recorder.published.back().body, site.recorder.published.front().body);
-}
-
-TEST_F(VfhTest, a_scan_becomes_a_command_one_tick_later) {
-  EXPECT_EQ(go_to(0, 3), device::Taken::kLatest);
-  site.run(1);
-  EXPECT_EQ(told().a, 0) << "the scan of this tick is being looked at";
-  site.run(1);
-  EXPECT_DOUBLE_EQ(told().a, geom::radians(40)) << "the goal is to its left";
-}
-
-TEST_F(VfhTest, velocities_pass_through_and_end_the_drive_to_a_goal) {
-  go_to(0, 3);
-  site.run(2);
-  EXPECT_EQ(drive(0.3), device::Taken::kLatest);
-  EXPECT_EQ(told(), (geom::Twist{0.3, 0, 0, 0}));
-  site.run(3);
-  EXPECT_EQ(told(), (geom::Twist{0.3, 0, 0, 0}));
-}
-
-TEST_F(VfhTest, a_command_that_the_robot_refuses_stops_it_if_it_was_driving_to_a_goal) {
-  go_to(0, 3);
-  site.run(2);
-  EXPECT_NE(told().a, 0);
-  EXPECT_EQ(drive(std::numeric_limits<double>::quiet_NaN()), device::Taken::kNo);
-  EXPECT_EQ(told(), geom::Twist());
-  drive(0.3);
-  EXPECT_EQ(drive(std::numeric_limits<double>::quiet_NaN()), device::Taken::kNo);
-  EXPECT_EQ(told().x, 0.3) << "else it is the robot's own matter";
-}
-
-TEST_F(VfhTest, a_goal_that_is_no_place_changes_nothing) {
-  go_to(0, 3);
-  site.run(2);
-  EXPECT_EQ(go_to(std::numeric_limits<double>::infinity(), 0), device::Taken::kNo);
-  site.run(2);
-  EXPECT_NE(told().a, 0);
-}
-
-TEST_F(VfhTest, closed_on_its_way_it_leaves_a_robot_that_stands) {
-  ASSERT_TRUE(site.hold(site.id(kWheels))) << "by somebody else";
-  go_to(0, 3);
-  site.run(2);
-  EXPECT_NE(told().a, 0);
-  site.release(site.id(kVfh));
-  EXPECT_EQ(told(), geom::Twist());
-  EXPECT_EQ(site.held[site.id({6665, 6, 0}).row].size(), 0u);
-  EXPECT_EQ(site.held[site.id(kWheels).row].size(), 1u);
-}
-
-TEST_F(VfhTest, a_goal_for_a_closed_device_is_not_kept_for_the_next_who_opens_it) {
-  site.release(site.id(kVfh));
-  EXPECT_EQ(go_to(0, 3), device::Taken::kNo);
-  ASSERT_TRUE(site.hold(site.id(kVfh)));
-  site.run(2);
-  EXPECT_EQ(told(), geom::Twist());
-}
-
-TEST_F(VfhTest, at_its_goal_it_stands_and_leaves_the_robot_to_others) {
-  go_to(0.1, 0);
-  site.run(2);
-  EXPECT_EQ(told(), geom::Twist());
-  const std::vector<std::byte> turn = wire::encode(p2d::CmdVel{{0, 0, 0.5}, 1});
-  site.driver(kWheels).command({site.id(kWheels), kCmd, p2d::kCmdVel, turn});
-  site.run(2);
-  EXPECT_EQ(told().a, 0.5);
-}
-
-TEST_F(VfhTest, goals_may_come_in_every_tick) {
-  for (int tick = 0; tick < 5; ++tick) {
-    go_to(0, 3 + tick % 2);
-    site.run(1);
-  }
-  EXPECT_GT(told().a, 0) << "they are to its left";
-}
-
-TEST_F(VfhTest, requests_are_its_robot_s) {
-  const auto answer = [this](std::uint8_t subtype, const std::vector<std::byte>& body) {
-    driver().request({site.id(kVfh), kReq, subtype, body}, device::Replier(site.recorder, subtype));
-    site.run(0);
-    return site.recorder.answers.at(subtype);
-  };
-  const auto geometry = wire::decode<p2d::Geom>(answer(p2d::kReqGetGeom, {}).body);
-  ASSERT_TRUE(geometry);
-  EXPECT_DOUBLE_EQ(geometry->size.sl, 0.4);
-  EXPECT_TRUE(answer(p2d::kReqMotorPower, wire::encode(p2d::PowerConfig{0})).ack);
-  EXPECT_EQ(world().positions.motor_on[0], 0);
-  EXPECT_TRUE(answer(p2d::kReqSetOdom, wire::encode(p2d::SetOdomReq{{1, 2, 0}})).ack);
-  EXPECT_FALSE(answer(p2d::kReqSpeedProf, wire::encode(p2d::SpeedProfReq{})).ack);
-  EXPECT_TRUE(driver().capable(site.id(kVfh), kReq, p2d::kReqSetOdom));
-  EXPECT_FALSE(driver().capable(site.id(kVfh), kReq, p2d::kReqSpeedProf));
-  EXPECT_TRUE(driver().capable(site.id(kVfh), kCmd, p2d::kCmdPos));
-}
-
-TEST_F(VfhTest, the_directory_shows_it_at_its_robot) {
-  EXPECT_EQ(site.site().model_devices()->directory().model_of(kVfh),
-            site.site().model_devices()->directory().model_of(kWheels));
-}
 
 TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_them) {
   run::Simulation& simulation = *site.site().simulation();
-  const device::DeviceId vfh = site.id(kVfh);
-  device::Driver& driver = site.driver(kVfh);
+  const device::DeviceId vfh = site.id(kGoalDriver);
+  device::Driver& driver = site.driver(kGoalDriver);
   go_to(0, 3);
   site.run(1);
   ASSERT_TRUE(simulation.requests().post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
@@ -195,19 +62,6 @@ TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_t
   EXPECT_EQ(site.hold(vfh).error().text, "the device has retired");
   const std::vector<std::byte> goal = wire::encode(p2d::CmdPos{{0, 3, 0}, {}, 1});
   EXPECT_EQ(driver.command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kNo);
-}
-
-TEST_F(VfhTest, ends_its_drive_when_it_hears_that_a_device_of_its_retired_and_lets_go_of_the_other) {
-  ASSERT_TRUE(site.hold(site.id(kWheels))) << "by somebody else";
-  go_to(0, 3);
-  site.run(2);
-  EXPECT_NE(told().a, 0);
-  site.retire_device(site.id({6665, 6, 0}));
-  EXPECT_EQ(told(), geom::Twist());
-  EXPECT_EQ(site.held[site.id(kWheels).row].size(), 1u);
-  EXPECT_EQ(go_to(0, 3), device::Taken::kNo);
-  site.release(site.id(kVfh));  // has nothing left to let go of
-  EXPECT_EQ(site.held[site.id(kWheels).row].size(), 1u);
 }
 
 /// The laser is no part of the robot.
@@ -231,16 +85,16 @@ driver( name "vfh" provides ["position2d:1"] requires ["laser:0" "position2d:0"]
 driver( name "stage" provides ["simulation:0"] worldfile "some.world" )
 driver( name "stage" provides ["position2d:0"] model "r0" ))"),
             "");
-  ASSERT_TRUE(site.hold(site.id(kVfh)));
+  ASSERT_TRUE(site.hold(site.id(kGoalDriver)));
   const std::string why = "its laser does not tell its place, so it drives to no goals";
-  EXPECT_EQ(testing::refusal_of(site, kVfh), "") << "it has no goal";
+  EXPECT_EQ(testing::refusal_of(site, kGoalDriver), "") << "it has no goal";
   const auto say = [&](std::uint8_t subtype, const std::vector<std::byte>& body) {
-    return site.driver(kVfh).command({site.id(kVfh), kCmd, subtype, body});
+    return site.driver(kGoalDriver).command({site.id(kGoalDriver), kCmd, subtype, body});
   };
   EXPECT_EQ(say(p2d::kCmdPos, wire::encode(p2d::CmdPos{{1, 0, 0}, {}, 1})), device::Taken::kNo);
-  EXPECT_EQ(testing::refusal_of(site, kVfh), why);
+  EXPECT_EQ(testing::refusal_of(site, kGoalDriver), why);
   EXPECT_EQ(say(p2d::kCmdVel, wire::encode(p2d::CmdVel{{0.1, 0, 0}, 1})), device::Taken::kLatest);
-  EXPECT_EQ(testing::refusal_of(site, kVfh), "");
+  EXPECT_EQ(testing::refusal_of(site, kGoalDriver), "");
 }
 
 TEST(VfhApart, stops_its_robot_when_its_laser_goes) {
@@ -248,10 +102,10 @@ TEST(VfhApart, stops_its_robot_when_its_laser_goes) {
   ASSERT_EQ(site.build(kApartFile), "");
   run::Simulation& simulation = *site.site().simulation();
   const world::World& world = simulation.world();
-  const device::DeviceId vfh = site.id(kVfh), laser = site.id({6665, 6, 0});
+  const device::DeviceId vfh = site.id(kGoalDriver), laser = site.id({6665, 6, 0});
   ASSERT_TRUE(site.hold(vfh));
   const std::vector<std::byte> goal = wire::encode(p2d::CmdPos{{0, 3, 0}, {}, 1});
-  EXPECT_EQ(site.driver(kVfh).command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kLatest);
+  EXPECT_EQ(site.driver(kGoalDriver).command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kLatest);
   site.run(3);
   EXPECT_NE(world.positions.command[0], geom::Twist());
   ASSERT_TRUE(simulation.requests().post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));

@@ -15,8 +15,8 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/mesh_limits.h"
+#include "playhouse/images/read_image.h"
 #include "playhouse/mesh/color.h"
-#include "playhouse/mesh/image_file.h"
 #include "playhouse/mesh/import/beside.h"
 
 namespace playhouse::mesh {
@@ -57,9 +57,12 @@ float roughness_of(float exponent) {
 
 /// Takes its pixels from the budget.
 Result<Image> decoded(std::string_view bytes, PixelBudget& pixels) {
-  Result<Image> image = decode_image(bytes, pixels.most(bytes.size()));
-  if (image) pixels.use(image->rgba.size() / 4);
-  return image;
+  auto image =
+      images::read_image<images::RgbaImage>(bytes, {pixels.most(bytes.size()), limits::kMeshImageSide});
+  if (!image) return image.error();
+  pixels.use(image->rgba.size() / 4);
+  return Image{static_cast<std::uint32_t>(image->width), static_cast<std::uint32_t>(image->height),
+               std::move(image->rgba)};
 }
 
 /// Pixels of an embedded texture.

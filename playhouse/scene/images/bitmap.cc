@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "playhouse/images/read_image.h"
 #include "playhouse/mesh/import/trimmed.h"
-#include "playhouse/scene/images/image_file.h"
 
 namespace playhouse::scene {
 namespace {
@@ -59,7 +59,7 @@ std::vector<geom::Vec2> walk(const Bitmap& bitmap, int x, int y, std::vector<boo
 }  // namespace
 
 Result<Bitmap> decode_bitmap(std::string_view bytes, std::size_t most_pixels) {
-  Result<FirstChannel> image = read_first_channel(bytes, most_pixels);
+  Result<images::FirstChannel> image = images::read_image<images::FirstChannel>(bytes, {most_pixels});
   if (!image) return image.error();
   Bitmap bitmap{image->width, image->height, std::move(image->level)};
   for (std::uint8_t& pixel : bitmap.solid) pixel = pixel <= kSolidUpTo ? 1 : 0;

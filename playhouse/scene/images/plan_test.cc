@@ -2,11 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <png.h>
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
+#include "playhouse/images/write_png.h"
 #include "playhouse/scene/images/ros_map.h"
 #include "playhouse/scene/world_loader.h"
 
@@ -25,20 +27,6 @@ constexpr const char* kRoom =
     "001000000001\n"
     "001000000001\n"
     "001111111111\n";
-
-/// Pixels of red, green, blue and alpha.
-std::string rgba_png(std::uint32_t width, std::uint32_t height, const std::string& pixels) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = width;
-  image.height = height;
-  image.format = PNG_FORMAT_RGBA;
-  png_alloc_size_t size = 0;
-  EXPECT_TRUE(png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), 0, nullptr));
-  std::string bytes(size, '\0');
-  EXPECT_TRUE(png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr));
-  return bytes;
-}
 
 /// The box about all corners of the walls of a world, in the world.
 geom::Box walls_of(const std::string& world, const char* image = kRoom) {
@@ -253,10 +241,11 @@ TEST(RosMap, is_as_light_as_the_mean_of_its_colors) {
 }
 
 TEST(RosMap, counts_alpha_as_a_color_in_mode_trinary_and_as_unknown_in_mode_scale) {
-  std::string pixels;  // black, white and dark, opaque and not
-  for (const char grey : {'\x00', '\xff', '\x60'})
-    for (const char alpha : {'\xff', '\x00'}) pixels += {grey, grey, grey, alpha};
-  const std::string image = rgba_png(6, 1, pixels);
+  std::vector<std::uint8_t> pixels;  // black, white and dark, opaque and not
+  for (const std::uint8_t grey : std::vector<std::uint8_t>{0x00, 0xff, 0x60})
+    for (const std::uint8_t alpha : std::vector<std::uint8_t>{0xff, 0x00})
+      pixels.insert(pixels.end(), {grey, grey, grey, alpha});
+  const std::string image = *images::png_of(6, 1, 4, pixels);
   EXPECT_EQ(cells("trinary", image), "##.??#");
   EXPECT_EQ(cells("scale", image), "#?.???");
 }

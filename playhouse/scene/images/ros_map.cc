@@ -11,7 +11,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
-#include "playhouse/scene/images/image_file.h"
+#include "playhouse/images/read_image.h"
 
 namespace playhouse::scene {
 namespace {
@@ -126,7 +126,7 @@ struct Cell {
 };
 
 /// Thresholds also apply to raw maps: a world has no partial occupancy.
-Cell cell_of(const RosMap& map, const Shades& image, std::size_t pixel) {
+Cell cell_of(const RosMap& map, const images::Shades& image, std::size_t pixel) {
   const bool has_alpha = !image.alpha.empty();
   const bool with_alpha = has_alpha && map.mode == "trinary";
   const double light =
@@ -144,7 +144,7 @@ Cell cell_of(const RosMap& map, const Shades& image, std::size_t pixel) {
 }  // namespace
 
 Result<Plan> plan_of_ros_map(const RosMap& map, std::string_view bytes, std::string name) {
-  const Result<Shades> image = read_shades(bytes, limits::kBitmapPixels);
+  const auto image = images::read_image<images::Shades>(bytes, {limits::kBitmapPixels});
   if (!image) return image.error();
   Plan plan{std::move(name),
             {image->width, image->height, {}},

@@ -1,4 +1,5 @@
-/// Any bytes as an image: decodes to pixels whose contours enclose as much as is solid, or fails with a text.
+/// Any bytes as an image: decodes to pixels whose contours enclose as much as is solid, and to colors that are
+/// the same once they are written and read again, or fails with a text.
 /// A PNG is read a second time with the checksums of its chunks mended, or hardly one would get past them.
 
 #include <zlib.h>
@@ -8,6 +9,8 @@
 #include <string>
 
 #include "playhouse/base/assert.h"
+#include "playhouse/images/read_image.h"
+#include "playhouse/images/write_png.h"
 #include "playhouse/scene/images/bitmap.h"
 
 namespace playhouse::scene {
@@ -38,6 +41,15 @@ void expect_pixels_or_text(const std::string& image) {
   PLAYHOUSE_ASSERT(loops ? enclosed(*loops) == solid : !loops.error().text.empty());
 }
 
+void expect_colors_or_text(const std::string& image) {
+  const auto colors = images::read_image<images::RgbaImage>(image, {kPixels});
+  if (!colors) return PLAYHOUSE_ASSERT(!colors.error().text.empty());
+  PLAYHOUSE_ASSERT(colors->rgba.size() <= 4 * kPixels);
+  const auto png = images::png_of(colors->width, colors->height, 4, colors->rgba, images::PngEffort::kFast);
+  const auto again = images::read_image<images::RgbaImage>(*png, {kPixels});
+  PLAYHOUSE_ASSERT(again && again->rgba == colors->rgba);
+}
+
 /// Length, kind, content, checksum; as many as there are whole.
 void mend_checksums(std::string& png) {
   constexpr std::size_t kSignature = 8, kLength = 4, kKind = 4, kSum = 4;
@@ -61,8 +73,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   using namespace playhouse::scene;
   std::string image(reinterpret_cast<const char*>(bytes), size);
   expect_pixels_or_text(image);
+  expect_colors_or_text(image);
   if (!image.starts_with("\x89PNG")) return 0;
   mend_checksums(image);
   expect_pixels_or_text(image);
+  expect_colors_or_text(image);
   return 0;
 }

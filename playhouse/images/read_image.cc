@@ -1,4 +1,4 @@
-#include "playhouse/scene/images/image_file.h"
+#include "playhouse/images/read_image.h"
 
 #include <png.h>
 #include <turbojpeg.h>
@@ -25,17 +25,20 @@
 #include <stb/stb_image.h>
 #pragma GCC diagnostic pop
 
-namespace playhouse::scene {
+namespace playhouse::images {
 namespace {
 
 constexpr std::uint8_t kClearUpTo = 127;  // alpha
 
-/// Fails on an empty image and beyond `most` pixels.
-Result<void> check_size(std::uint64_t width, std::uint64_t height, std::size_t most) {
-  if (width > 0 && height > 0 && width <= most && height <= most / width) return {};
-  return Error{{},
-               "has " + std::to_string(width) + " x " + std::to_string(height) + " pixels; up to " +
-                   std::to_string(most) + " are possible"};
+/// Fails on an empty image and beyond the limits.
+Result<void> check_size(std::uint64_t width, std::uint64_t height, const ImageLimits& most) {
+  const std::string size =
+      "has " + std::to_string(width) + " x " + std::to_string(height) + " pixels; up to ";
+  if (width == 0 || height == 0 || width > most.pixels || height > most.pixels / width)
+    return Error{{}, size + std::to_string(most.pixels) + " are possible"};
+  if (width > most.side || height > most.side)
+    return Error{{}, size + std::to_string(most.side) + " a side are possible"};
+  return {};
 }
 
 /// Allocates an image; `samples` per pixel: 1 (grey),
@@ -47,29 +50,52 @@ void begin(Shades& image, std::size_t pixels, std::size_t samples) {
   image.color.assign(pixels, 0);
   if (samples % 2 == 0) image.alpha.assign(pixels, 0);
 }
+void begin(RgbImage& image, std::size_t pixels, std::size_t) {
+  image.rgb.assign(3 * pixels, 0);
+}
+void begin(RgbaImage& image, std::size_t pixels, std::size_t) {
+  image.rgba.assign(4 * pixels, 0);
+}
+
+using Samples = std::span<const std::uint8_t>;  // of a pixel
+
+std::uint8_t color_of(Samples samples, std::size_t channel) {
+  return samples[samples.size() < 3 ? 0 : channel];
+}
+std::uint8_t alpha_of(Samples samples) {
+  return samples.size() % 2 == 0 ? samples.back() : std::uint8_t{255};
+}
 
 /// Stores a pixel from its samples.
-void put(FirstChannel& image, std::size_t pixel, std::span<const std::uint8_t> samples) {
-  const bool is_clear = samples.size() % 2 == 0 && samples.back() <= kClearUpTo;
-  image.level[pixel] = is_clear ? 255 : samples[0];
+void put(FirstChannel& image, std::size_t pixel, Samples samples) {
+  image.level[pixel] = alpha_of(samples) <= kClearUpTo ? std::uint8_t{255} : samples[0];
 }
-void put(Shades& image, std::size_t pixel, std::span<const std::uint8_t> samples) {
-  const int sum = samples.size() < 3 ? 3 * samples[0] : samples[0] + samples[1] + samples[2];
+void put(Shades& image, std::size_t pixel, Samples samples) {
+  const int sum = color_of(samples, 0) + color_of(samples, 1) + color_of(samples, 2);
   image.color[pixel] = static_cast<std::uint16_t>(sum);
   if (!image.alpha.empty()) image.alpha[pixel] = samples.back();
+}
+void put(RgbImage& image, std::size_t pixel, Samples samples) {
+  for (std::size_t k = 0; k < 3; ++k)
+    image.rgb[3 * pixel + k] =
+        static_cast<std::uint8_t>((color_of(samples, k) * alpha_of(samples) + 127) / 255);
+}
+void put(RgbaImage& image, std::size_t pixel, Samples samples) {
+  for (std::size_t k = 0; k < 3; ++k) image.rgba[4 * pixel + k] = color_of(samples, k);
+  image.rgba[4 * pixel + 3] = alpha_of(samples);
 }
 
 /// Context of libpng's callbacks.
 struct PngReading {
   std::string_view bytes;
-  std::size_t most_pixels = 0;
+  ImageLimits most{};
   std::size_t at = 0;
-  std::string failure;
+  std::string failure;  // empty: none
   std::vector<std::uint8_t> row;
 };
 
 void png_failed(png_structp png, png_const_charp text) {
-  static_cast<PngReading*>(png_get_error_ptr(png))->failure = text;
+  static_cast<PngReading*>(png_get_error_ptr(png))->failure = std::string("is not a valid PNG: ") + text;
   png_longjmp(png, 1);
 }
 
@@ -88,7 +114,7 @@ void png_read_rows(png_structp png, png_infop about, PngReading& reading, Image&
   png_read_info(png, about);
   const png_uint_32 width = png_get_image_width(png, about);
   const png_uint_32 height = png_get_image_height(png, about);
-  if (const auto size = check_size(width, height, reading.most_pixels); !size) {
+  if (const auto size = check_size(width, height, reading.most); !size) {
     reading.failure = size.error().text;
     return;
   }
@@ -114,12 +140,12 @@ void png_read_rows(png_structp png, png_infop about, PngReading& reading, Image&
 }
 
 template <typename Image>
-Result<Image> read_png(std::string_view bytes, std::size_t most_pixels) {
+Result<Image> read_png(std::string_view bytes, const ImageLimits& most) {
   // libpng reports errors by longjmp: objects with destructors have to live outside the frame.
   const auto reading = std::make_unique<PngReading>();
   const auto image = std::make_unique<Image>();
   reading->bytes = bytes;
-  reading->most_pixels = most_pixels;
+  reading->most = most;
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, reading.get(), png_failed, png_warned);
   png_infop about = png ? png_create_info_struct(png) : nullptr;
   if (!about) {
@@ -134,7 +160,7 @@ Result<Image> read_png(std::string_view bytes, std::size_t most_pixels) {
     png_read_rows(png, about, *reading, *image);
   }
   png_destroy_read_struct(&png, &about, nullptr);
-  if (!reading->failure.empty()) return Error{{}, "is not a valid PNG: " + reading->failure};
+  if (!reading->failure.empty()) return Error{{}, reading->failure};
   return std::move(*image);
 }
 
@@ -236,14 +262,14 @@ bool read_binary_pixels(std::string_view bytes, PnmKind kind, std::uint32_t top,
 }
 
 template <typename Image>
-Result<Image> read_pnm(std::string_view bytes, std::size_t most_pixels) {
+Result<Image> read_pnm(std::string_view bytes, const ImageLimits& most) {
   const Error bad{{}, "is not a valid PNM: the header is wrong or the pixels end too early"};
   const PnmKind kind = kind_of_pnm(bytes[1]);
   PnmText text(bytes, 2);
   const auto width = text.number(), height = text.number();
   const auto top = kind.bits ? std::optional<std::uint32_t>(1) : text.number();
   if (!width || !height || !top || *top == 0 || *top > 65535) return bad;
-  if (const auto size = check_size(*width, *height, most_pixels); !size) return size.error();
+  if (const auto size = check_size(*width, *height, most); !size) return size.error();
   const std::size_t pixels = std::size_t{*width} * *height;
   if (text.at() >= bytes.size() || (!(kind.bits && !kind.ascii) && pixels > bytes.size())) return bad;
   Image image;
@@ -300,7 +326,7 @@ Error bmp_ends_early() {
 }
 
 template <typename Image>
-Result<Image> read_bmp(std::string_view bytes, std::size_t most_pixels) {
+Result<Image> read_bmp(std::string_view bytes, const ImageLimits& most) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
@@ -309,8 +335,7 @@ Result<Image> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   }
   // Negative heights mean rows from top to bottom.
   const auto pixels_of = [](int side) { return static_cast<std::uint64_t>(std::llabs(side)); };
-  if (const auto fits = check_size(pixels_of(width), pixels_of(height), most_pixels); !fits)
-    return fits.error();
+  if (const auto fits = check_size(pixels_of(width), pixels_of(height), most); !fits) return fits.error();
   // Checked before allocating. A wrong pixel offset in the header is detected later.
   if (bmp_bytes(bytes, pixels_of(width), pixels_of(height)) > bytes.size()) return bmp_ends_early();
   BmpReading reading{bytes};
@@ -340,15 +365,14 @@ bool has_all_pixels(tjhandle library) {
 }
 
 template <typename Image>
-Result<Image> read_jpeg(std::string_view bytes, std::size_t most_pixels) {
+Result<Image> read_jpeg(std::string_view bytes, const ImageLimits& most) {
   const std::unique_ptr<void, int (*)(tjhandle)> library(tjInitDecompress(), tjDestroy);
   if (!library) return no_jpeg(tjGetErrorStr2(nullptr));
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
   int width = 0, height = 0, sampling = 0, colors = 0;
   if (tjDecompressHeader3(library.get(), data, bytes.size(), &width, &height, &sampling, &colors) != 0)
     return no_jpeg(tjGetErrorStr2(library.get()));
-  const auto fits =
-      check_size(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), most_pixels);
+  const auto fits = check_size(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), most);
   if (!fits) return fits.error();
   constexpr std::size_t kSamples = 3, kMostPixels = 8 * 64;  // of a byte: a block of 64 takes a bit or more
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -366,23 +390,20 @@ Result<Image> read_jpeg(std::string_view bytes, std::size_t most_pixels) {
   return image;
 }
 
-template <typename Image>
-Result<Image> read_image(std::string_view bytes, std::size_t most_pixels) {
-  if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return read_png<Image>(bytes, most_pixels);
-  if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6')
-    return read_pnm<Image>(bytes, most_pixels);
-  if (bytes.starts_with("\xFF\xD8\xFF")) return read_jpeg<Image>(bytes, most_pixels);
-  return read_bmp<Image>(bytes, most_pixels);
-}
-
 }  // namespace
 
-Result<FirstChannel> read_first_channel(std::string_view bytes, std::size_t most_pixels) {
-  return read_image<FirstChannel>(bytes, most_pixels);
+template <typename Image>
+Result<Image> read_image(std::string_view bytes, const ImageLimits& most) {
+  if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return read_png<Image>(bytes, most);
+  if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6')
+    return read_pnm<Image>(bytes, most);
+  if (bytes.starts_with("\xFF\xD8\xFF")) return read_jpeg<Image>(bytes, most);
+  return read_bmp<Image>(bytes, most);
 }
 
-Result<Shades> read_shades(std::string_view bytes, std::size_t most_pixels) {
-  return read_image<Shades>(bytes, most_pixels);
-}
+template Result<FirstChannel> read_image(std::string_view bytes, const ImageLimits& most);
+template Result<Shades> read_image(std::string_view bytes, const ImageLimits& most);
+template Result<RgbImage> read_image(std::string_view bytes, const ImageLimits& most);
+template Result<RgbaImage> read_image(std::string_view bytes, const ImageLimits& most);
 
-}  // namespace playhouse::scene
+}  // namespace playhouse::images
