@@ -148,7 +148,7 @@ def _members(word: Word) -> list[str]:
     if word.type == "bounds":
         pairs = [f"{{{_number(a, s, '')}, {_number(b, s, '')}}}" for a, b, s in
                  zip(word.default[::2], word.default[1::2], word.scales[::2])]
-        return [*about, f"  Bounds {word.member}[4] = {{{', '.join(pairs)}}};"]
+        return [*about, f"  Interval {word.member}[4] = {{{', '.join(pairs)}}};"]
     if word.type == "choices":
         return [line for choice in word.choices for line in _members(choice)]
     type_name = word.enum if word.type == "choice" else TYPES[word.type]
@@ -489,12 +489,12 @@ def _words(kind: Kind) -> list[str]:
         fields = [("type", word.type), ("form", form_text(word)), ("unit", unit_text(word)), ("otherwise", default_text(word)),
                   ("told", word.default_text), ("limits", limits_text(word)), ("counted_by", word.counted_by), ("doc", doc_text(word))]
         told = "".join(f", .{name} = {_text(text)}" for name, text in fields if text)
-        lines.append(f"    {{.name = {_text(word.name)}, .use = Use::{use}{told}}},")
-    lines += [f"    {{.name = {_text(name)}, .use = Use::kSilent}}," for name in kind.silent]
+        lines.append(f"    {{.name = {_text(word.name)}, .use = Support::{use}{told}}},")
+    lines += [f"    {{.name = {_text(name)}, .use = Support::kSilent}}," for name in kind.silent]
     for old in kind.old:
         told = f", .instead = {_text(old.instead)}" if old.instead else ""
         means = f", .meaning = &{_meaning_name(kind, old)}" if old.how not in ("none", "by hand") else ""
-        lines.append(f"    {{.name = {_text(old.name)}, .use = Use::kOld{told}{means}}},")
+        lines.append(f"    {{.name = {_text(old.name)}, .use = Support::kOld{told}{means}}},")
     return [*lines, "};", ""]
 
 

@@ -90,12 +90,12 @@ def _cpp(kinds: Kinds) -> str:
     for view in shown:
         codes = ", ".join(f"Code::{CODES[s.code]}" for s in view.fields)
         lines.append(f"constexpr Code kCodesOf{enumerator(view.kind.name)[1:]}[] = {{{codes}}};")
-    lines += ["", f"constexpr View kViews[{len(shown)}] = {{"]
+    lines += ["", f"constexpr KindView kViews[{len(shown)}] = {{"]
     for view in shown:
         name = enumerator(view.kind.name)[1:]
         lines.append(f"    {{When::k{view.when.title()}, {_bool(view.kind.measures)}, {_bool(view.column)}, kCodesOf{name}, "
                      f"row_of_{view.kind.name}, capture_{view.kind.name}}},")
-    lines += ["};", "", "}  // namespace", "", "std::span<const View> views() { return kViews; }", ""]
+    lines += ["};", "", "}  // namespace", "", "std::span<const KindView> views() { return kViews; }", ""]
     lines += _state(kinds) + _sensing(kinds) + _json(kinds)
     return "\n".join([*lines, "}  // namespace playhouse::replicate", ""])
 

@@ -394,7 +394,7 @@ class Generated(unittest.TestCase):
         writing = files["playhouse/scene/generated/write_kinds.cc"]
         self.assertIn('to.tuple("range", "LL", range);', writing)
         self.assertIn("if (from.camera) write(*from.camera, {}, words);", writing)
-        self.assertIn('{.name = "pantilt", .use = Use::kRead,', files["playhouse/scene/generated/kind_tables.cc"])
+        self.assertIn('{.name = "pantilt", .use = Support::kRead,', files["playhouse/scene/generated/kind_tables.cc"])
 
     def test_a_word_that_is_counted_is_a_list(self):
         words = [{"name": "joints", "type": "count", "default": 0, "min": 0, "doc": "How many joints."},

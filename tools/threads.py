@@ -14,6 +14,7 @@ ANY_MUTEX = re.compile(r"\bstd::\w*mutex\b(?!\s*[>&*])|(?:array|vector|deque|_pt
 SCOPE = re.compile(r"^(\s*)(?:class|struct|namespace) (\w[\w:]*)[^;]*$|^(\s*)[\w:<>&* ]+?(\w+)\([^;]*\) (?:const )?\{$")
 ROW = re.compile(r"^\| `([\w:]+)`")
 START = re.compile(r"std::j?thread(?: \w+)?\(")
+NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 STARTED_IN = re.compile(r"`([\w/]+)\.h`")  # in the table of threads
 
 
@@ -54,6 +55,10 @@ def findings():
 def thread_findings():
     table = MAP.read_text().partition("| thread | does |")[2].partition("\n\n")[0]
     listed = set(STARTED_IN.findall(table))
+    rows = max(table.count("\n|") - 1, 0)  # without the line below the head
+    kinds = f"{NUMBERS[rows]} kinds of threads"
+    if rows and kinds not in MAP.read_text():
+        yield f"{MAP.name}:1: the table has {kinds}"
     for path in _sources():
         name = str(path.relative_to(SOURCE).with_suffix(""))
         for number, line in enumerate(path.read_text().splitlines(), 1):

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Checks rules that a compiler does not: module dependencies, missing includes, meaningless names, calls that break
-reproducibility, messages that do not say what is invalid, test scripts that do not run all of their tests, version
-numbers that differ, links to nothing, generated files in git. Prints file:line: what; exit 1.
+"""Checks rules that a compiler does not: module dependencies, boundaries that documents draw, missing includes, names
+that say nothing or mean two things, calls that break reproducibility, messages that do not say what is invalid, test
+scripts that do not run all of their tests, tests that sleep, version numbers and limits that differ, links to nothing,
+generated files in git. Prints file:line: what; exit 1.
 Without arguments only files that differ from main are checked, and their headers are compiled alone."""
 
 import argparse
@@ -12,20 +13,25 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
+import boundaries
+import captions
 import includes
+import limits
 import links
 import messages
 import module_graph
+import names
 import threads
 import versions
+import waits
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "playhouse"
 
-REPRODUCIBLE = {"geom", "mesh", "scene", "world", "behaviour", "simd", "bodies", "rays", "senses", "stage", "arena", "controllers", "scenarios"}
+REPRODUCIBLE = set(re.search(r"multiply-add in `([a-z ]+)`", (ROOT / "docs/conventions.md").read_text())[1].split())
 UNREPRODUCIBLE = re.compile(
     r"std::(sin|cos|tan|atan2?|asin|acos|exp|log|pow|hypot|rand)\(|\brand\(|random_device|unordered_|"
-    r"system_clock|steady_clock|\btime\(nullptr")
+    r"(?:system|steady|high_resolution)_clock|\btime\(nullptr|clock_gettime|<random>|\bmt19937|\bfma\(")
 EMPTY_NAME = re.compile(r"\b(?:class|struct|enum class)\s+(\w*(?:Manager|Handler|Helper|Util|Utils|Data|Info))\b")
 # What the build defines for tests and the program.
 BUILD = [f'-D{name}=""' for name in ("PLAYHOUSE_SOURCE_DIR", "EXAMPLE_CONTROLLERS")]
@@ -69,21 +75,6 @@ def check_header(path):
     if done.returncode:
         first = next((line for line in done.stderr.splitlines() if "error" in line), done.stderr[:200])
         yield f"{path.relative_to(ROOT)}:1: does not compile alone: {first}"
-
-
-def unused_limits():
-    """Limits of base/ that no code of the program heeds."""
-    headers = [SOURCE / "base/limits.h", SOURCE / "base/mesh_limits.h"]
-    words = {}  # how often each constant is named
-    for path in SOURCE.rglob("*"):
-        if path.suffix in (".h", ".cc", ".inc") and not module_graph.is_test(path):
-            for word in re.findall(r"\bk[A-Z]\w+", path.read_text()):
-                words[word] = words.get(word, 0) + 1
-    for header in headers:
-        for number, line in enumerate(header.read_text().splitlines(), 1):
-            limit = re.match(r"inline constexpr [\w:]+ (k\w+)", line)
-            if limit and words[limit[1]] < 2:
-                yield f"{header.relative_to(ROOT)}:{number}: nothing heeds {limit[1]}"
 
 
 def check_node_script(path):
@@ -152,7 +143,15 @@ def main():
     findings += module_graph.large_folders()
     findings += threads.findings()
     findings += versions.findings()
-    findings += unused_limits()
+    written = [name for name in documents if (ROOT / name).is_file()]
+    findings += limits.findings(written)
+    findings += boundaries.findings(written)
+    findings += waits.findings(git(*ours))
+    findings += captions.missing()
+    findings += names.defined_twice()
+    findings += names.unknown_types()
+    instead = names.refused()
+    findings += [finding for path in checked for finding in names.refused_words(path, instead)]
     findings += [finding for folder in (ROOT / "tests", ROOT / "clients/python") for path in sorted(folder.glob("*/test_*.py")) for finding in check_test_script(path)]
     headers = [path for path in checked if path.suffix == ".h" and not check_all]
     with ThreadPoolExecutor(2) as pool:

@@ -17,7 +17,7 @@ namespace playhouse::app {
 
 Result<std::unique_ptr<OpenedRecording>> open_recording(const std::string& file, const Running& running,
                                                         std::vector<Error>* others) {
-  const Result<std::unique_ptr<record::Source>> source = record::open_source(file);
+  const Result<std::unique_ptr<record::ByteSource>> source = record::open_source(file);
   if (!source) return source.error();
   Result<record::Recording> recording = record::read_recording(**source);
   if (!recording) return Error{escaped(file), recording.error().text};

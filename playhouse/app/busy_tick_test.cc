@@ -14,7 +14,6 @@
 namespace playhouse {
 namespace {
 
-using server::Bytes;
 using server::TestClient;
 namespace simulation = wire::simulation;
 

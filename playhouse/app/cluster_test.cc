@@ -17,6 +17,7 @@
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/formats.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/base/testing/wait.h"
 #include "playhouse/base/version.h"
 #include "playhouse/cluster/head.h"
 #include "playhouse/cluster/hello.h"
@@ -28,11 +29,10 @@
 namespace playhouse::app {
 namespace {
 
-using cluster::Bytes;
 using cluster::Head;
+using cluster::MessageStream;
+using cluster::NodeMessageType;
 using cluster::Seconds;
-using cluster::Stream;
-using cluster::Type;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
@@ -82,7 +82,7 @@ class NodeThread {
  public:
   NodeThread(std::unique_ptr<Head>& head, std::uint16_t port)
       : head_(head), thread_([this, port] {
-          cluster::Node node(*Stream::connect("127.0.0.1", port, kLong));
+          cluster::Node node(*MessageStream::connect("127.0.0.1", port, kLong));
           result_ = node.run([this](world::SavedRun run) -> Result<world::Engine*> {
             run_ = std::make_unique<Instance>(run.sources, run.engine, run.seed);
             return run_->engine.get();
@@ -161,15 +161,16 @@ class ClusterTest : public testing::Test {
   }
   /// Steps until the head has so many nodes.
   bool step_until(std::size_t nodes, Hashes& hashes) {
-    const auto deadline = std::chrono::steady_clock::now() + kLong;
-    while (head_->nodes() != nodes && std::chrono::steady_clock::now() < deadline) step(*head_, 1, hashes);
-    return head_->nodes() == nodes;
+    return wait_until([&] {
+      if (head_->nodes() != nodes) step(*head_, 1, hashes);
+      return head_->nodes() == nodes;
+    });
   }
   /// A node of a few lines that has joined, and has received its first step.
-  Stream joined() {
-    Stream stream = *Stream::connect("127.0.0.1", port_, kLong);
-    EXPECT_TRUE(stream.send(Type::kHello, {cluster::hello()}, kLong));
-    EXPECT_TRUE(stream.send(Type::kReady, {}, kLong));
+  MessageStream joined() {
+    MessageStream stream = *MessageStream::connect("127.0.0.1", port_, kLong);
+    EXPECT_TRUE(stream.send(NodeMessageType::kHello, {cluster::hello()}, kLong));
+    EXPECT_TRUE(stream.send(NodeMessageType::kReady, {}, kLong));
     return stream;
   }
 
@@ -259,7 +260,7 @@ TEST_F(ClusterTest, nodes_join_a_run_and_leave_it) {
   step(*head_, 20, hashes);
   NodeThread late(head_, port_);
   ASSERT_TRUE(step_until(1, hashes));
-  { const Stream leaver = joined(); }  // gone before its first share
+  { const MessageStream leaver = joined(); }  // gone before its first share
   ASSERT_TRUE(step_until(1, hashes));
   step(*head_, 20, hashes);
   EXPECT_EQ(hashes, alone(static_cast<int>(hashes.size())));
@@ -272,7 +273,7 @@ TEST_F(ClusterTest, nodes_join_a_run_and_leave_it) {
 TEST_F(ClusterTest, a_node_that_says_nothing_is_lost_and_its_share_is_not) {
   begin(2, Seconds{0.3});
   NodeThread good(head_, port_);
-  Stream silent = joined();
+  MessageStream silent = joined();
   Hashes hashes;
   step(*head_, 30, hashes);
   EXPECT_EQ(head_->nodes(), 1u);
@@ -314,8 +315,8 @@ const std::vector<Bytes> kInvalidShares = {{}, Bytes(3), Bytes(16), Bytes(17), B
 TEST_F(ClusterTest, a_node_whose_first_share_is_another_is_refused_and_the_run_goes_on) {
   for (const Bytes& share : kInvalidShares) {
     begin(1);
-    Stream bad = joined();
-    EXPECT_TRUE(bad.send(Type::kShare, {share}, kLong));
+    MessageStream bad = joined();
+    EXPECT_TRUE(bad.send(NodeMessageType::kShare, {share}, kLong));
     Hashes hashes;
     step(*head_, 10, hashes);
     EXPECT_EQ(head_->nodes(), 0u);
@@ -323,10 +324,10 @@ TEST_F(ClusterTest, a_node_whose_first_share_is_another_is_refused_and_the_run_g
     EXPECT_EQ(hashes, alone(10));
   }
   begin(1);
-  Stream wrong = joined();
+  MessageStream wrong = joined();
   Bytes share = FirstShares(1).of(0);
   share.back() ^= std::byte{1};
-  EXPECT_TRUE(wrong.send(Type::kShare, {share}, kLong));
+  EXPECT_TRUE(wrong.send(NodeMessageType::kShare, {share}, kLong));
   head_->step();
   EXPECT_EQ(head_->nodes(), 0u);
   EXPECT_EQ(failure_, "");
@@ -336,11 +337,11 @@ TEST_F(ClusterTest, a_node_that_took_part_and_measures_something_else_fails_the_
   const FirstShares right(1);
   for (const Bytes& share : kInvalidShares) {
     begin(1);
-    Stream bad = joined();
-    EXPECT_TRUE(bad.send(Type::kShare, {right.of(0)}, kLong));
+    MessageStream bad = joined();
+    EXPECT_TRUE(bad.send(NodeMessageType::kShare, {right.of(0)}, kLong));
     head_->step();
     EXPECT_EQ(head_->nodes(), 1u);
-    EXPECT_TRUE(bad.send(Type::kShare, {share}, kLong));
+    EXPECT_TRUE(bad.send(NodeMessageType::kShare, {share}, kLong));
     head_->step();
     EXPECT_EQ(head_->nodes(), 0u);
     EXPECT_THAT(failure_, HasSubstr("cluster: 127.0.0.1:"));
@@ -351,16 +352,16 @@ TEST_F(ClusterTest, a_node_that_took_part_and_measures_something_else_fails_the_
 
 TEST_F(ClusterTest, whoever_sends_byte_by_byte_holds_a_tick_no_longer_than_whoever_is_silent) {
   begin(1, Seconds{0.3});
-  Stream slow = joined();
+  MessageStream slow = joined();
   std::atomic<bool> over = false;
   std::thread trickle([&] {
     const int socket = slow.socket();
-    const std::array<unsigned char, 5> announced{0, 0, 0, 1,
-                                                 static_cast<unsigned char>(Type::kShare)};  // 16 MiB
+    const std::array<unsigned char, 5> announced{
+        0, 0, 0, 1, static_cast<unsigned char>(NodeMessageType::kShare)};  // 16 MiB
     for (std::size_t i = 0; !over; ++i) {
       const unsigned char byte = i < announced.size() ? announced[i] : 0;
       if (::send(socket, &byte, 1, MSG_NOSIGNAL) < 0) break;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      std::this_thread::yield();
     }
   });
   Hashes hashes;
@@ -373,23 +374,23 @@ TEST_F(ClusterTest, whoever_sends_byte_by_byte_holds_a_tick_no_longer_than_whoev
 
 TEST_F(ClusterTest, after_a_silent_node_its_address_waits_for_the_next) {
   begin(1, Seconds{0.1});
-  const Stream silent = joined();
+  const MessageStream silent = joined();
   Hashes hashes;
   step(*head_, 2, hashes);
   ASSERT_EQ(head_->nodes(), 0u);
-  Stream next = joined();
+  MessageStream next = joined();
   head_->step();
-  const Result<cluster::Message> said = next.wait(kLong);
+  const Result<cluster::NodeMessage> said = next.wait(kLong);
   ASSERT_TRUE(said);
-  EXPECT_EQ(said->type, Type::kRefusal);
+  EXPECT_EQ(said->type, NodeMessageType::kRefusal);
   Unpacker in(said->body);
   EXPECT_THAT(in.text(), HasSubstr("a node at its address was silent: in "));
 }
 
 TEST_F(ClusterTest, silent_connections_keep_no_node_out) {
   begin(0);
-  std::vector<Stream> silent;
-  for (int i = 0; i < 300; ++i) silent.push_back(*Stream::connect("127.0.0.1", port_, kLong));
+  std::vector<MessageStream> silent;
+  for (int i = 0; i < 300; ++i) silent.push_back(*MessageStream::connect("127.0.0.1", port_, kLong));
   Hashes hashes;
   step(*head_, 3, hashes);
   NodeThread node(head_, port_);
@@ -403,10 +404,10 @@ TEST_F(ClusterTest, a_hundred_nodes_that_do_not_read_share_one_copy_of_the_world
   head_ =
       std::make_unique<Head>(std::move(run_->engine), run_->sources, Head::Options{}, [](const Error&) {});
   port_ = *head_->listen();
-  std::vector<Stream> streams;
+  std::vector<MessageStream> streams;
   for (int i = 0; i < 100; ++i) {
-    streams.push_back(*Stream::connect("127.0.0.1", port_, kLong));
-    EXPECT_TRUE(streams.back().send(Type::kHello, {cluster::hello()}, kLong));
+    streams.push_back(*MessageStream::connect("127.0.0.1", port_, kLong));
+    EXPECT_TRUE(streams.back().send(NodeMessageType::kHello, {cluster::hello()}, kLong));
   }
   const std::size_t before = resident_bytes();
   head_->step();
@@ -419,20 +420,20 @@ TEST_F(ClusterTest, nodes_need_the_token_of_the_run) {
                                  [](const Error&) {});
   port_ = *head_->listen();
   for (const std::string token : {"", "secre", "secret2"}) {
-    Stream stranger = *Stream::connect("127.0.0.1", port_, kLong);
-    EXPECT_TRUE(stranger.send(Type::kHello, {cluster::hello(token)}, kLong));
+    MessageStream stranger = *MessageStream::connect("127.0.0.1", port_, kLong);
+    EXPECT_TRUE(stranger.send(NodeMessageType::kHello, {cluster::hello(token)}, kLong));
     head_->step();
-    const Result<cluster::Message> said = stranger.wait(kLong);
+    const Result<cluster::NodeMessage> said = stranger.wait(kLong);
     ASSERT_TRUE(said);
-    EXPECT_EQ(said->type, Type::kRefusal) << token;
+    EXPECT_EQ(said->type, NodeMessageType::kRefusal) << token;
   }
-  Stream node = *Stream::connect("127.0.0.1", port_, kLong);
-  EXPECT_TRUE(node.send(Type::kHello, {cluster::hello("secret")}, kLong));
+  MessageStream node = *MessageStream::connect("127.0.0.1", port_, kLong);
+  EXPECT_TRUE(node.send(NodeMessageType::kHello, {cluster::hello("secret")}, kLong));
   head_->step();
   head_->step();
-  const Result<cluster::Message> said = node.wait(kLong);
+  const Result<cluster::NodeMessage> said = node.wait(kLong);
   ASSERT_TRUE(said);
-  EXPECT_EQ(said->type, Type::kWorld);
+  EXPECT_EQ(said->type, NodeMessageType::kWorld);
 }
 
 /// A server that accepts one connection, and does with it what is asked.
@@ -445,7 +446,7 @@ Result<cluster::Node::Summary> node_of(const std::function<void(int socket)>& he
   EXPECT_EQ(bind(listener, reinterpret_cast<sockaddr*>(&address), size), 0);
   EXPECT_EQ(listen(listener, 1), 0);
   EXPECT_EQ(getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size), 0);
-  cluster::Node node(*Stream::connect("127.0.0.1", ntohs(address.sin_port), kLong), "", Seconds{0.2});
+  cluster::Node node(*MessageStream::connect("127.0.0.1", ntohs(address.sin_port), kLong), "", Seconds{0.2});
   const int peer = accept(listener, nullptr, nullptr);
   head(peer);
   const Result<cluster::Node::Summary> done = node.run([](world::SavedRun) -> Result<world::Engine*> {
@@ -464,7 +465,8 @@ TEST(ClusterNodeTest, a_head_that_says_nothing_is_not_waited_for_for_ever) {
 
 TEST(ClusterNodeTest, a_head_that_announces_4_GiB_is_left) {
   const Result<cluster::Node::Summary> done = node_of([](int socket) {
-    const std::array<unsigned char, 5> head{0xFF, 0xFF, 0xFF, 0xFF, static_cast<unsigned char>(Type::kWorld)};
+    const std::array<unsigned char, 5> head{0xFF, 0xFF, 0xFF, 0xFF,
+                                            static_cast<unsigned char>(NodeMessageType::kWorld)};
     EXPECT_EQ(send(socket, head.data(), head.size(), 0), 5);
   });
   ASSERT_FALSE(done);
@@ -473,14 +475,14 @@ TEST(ClusterNodeTest, a_head_that_announces_4_GiB_is_left) {
 
 TEST_F(ClusterTest, strangers_are_refused) {
   begin(0);
-  Stream garbage = *Stream::connect("127.0.0.1", port_, kLong),
-         large = *Stream::connect("127.0.0.1", port_, kLong),
-         early = *Stream::connect("127.0.0.1", port_, kLong),
-         other_format = *Stream::connect("127.0.0.1", port_, kLong),
-         other_build = *Stream::connect("127.0.0.1", port_, kLong);
-  EXPECT_TRUE(garbage.send(static_cast<Type>(99), {Bytes(8)}, kLong));
-  EXPECT_TRUE(large.send(Type::kHello, {Bytes(100'000)}, kLong));
-  EXPECT_TRUE(early.send(Type::kReady, {}, kLong));
+  MessageStream garbage = *MessageStream::connect("127.0.0.1", port_, kLong),
+                large = *MessageStream::connect("127.0.0.1", port_, kLong),
+                early = *MessageStream::connect("127.0.0.1", port_, kLong),
+                other_format = *MessageStream::connect("127.0.0.1", port_, kLong),
+                other_build = *MessageStream::connect("127.0.0.1", port_, kLong);
+  EXPECT_TRUE(garbage.send(static_cast<NodeMessageType>(99), {Bytes(8)}, kLong));
+  EXPECT_TRUE(large.send(NodeMessageType::kHello, {Bytes(100'000)}, kLong));
+  EXPECT_TRUE(early.send(NodeMessageType::kReady, {}, kLong));
   const auto hello = [](const std::string& format, const std::string& build) {
     Bytes body;
     for (const std::string& text : {"playhouse cluster " + format, build, std::string()})
@@ -488,19 +490,19 @@ TEST_F(ClusterTest, strangers_are_refused) {
     return body;
   };
   const std::string format = std::to_string(formats::kCluster);
-  EXPECT_TRUE(other_format.send(Type::kHello, {hello("2", "0.1.0")}, kLong));
-  EXPECT_TRUE(other_build.send(Type::kHello, {hello(format, std::string(build()) + "x")}, kLong));
-  const auto said_by = [&](Stream& stream) -> std::string {
+  EXPECT_TRUE(other_format.send(NodeMessageType::kHello, {hello("2", "0.1.0")}, kLong));
+  EXPECT_TRUE(other_build.send(NodeMessageType::kHello, {hello(format, std::string(build()) + "x")}, kLong));
+  const auto said_by = [&](MessageStream& stream) -> std::string {
     for (;;) {
       head_->step();
-      const Result<cluster::Message> message = stream.wait(Seconds{0.01});
+      const Result<cluster::NodeMessage> message = stream.wait(Seconds{0.01});
       if (!message && message.error().text.starts_with("is silent")) continue;
       if (!message) return message.error().text;
       Unpacker in(message->body);
       return in.text();
     }
   };
-  for (Stream* const stream : {&garbage, &large, &early})
+  for (MessageStream* const stream : {&garbage, &large, &early})
     EXPECT_THAT(said_by(*stream), HasSubstr("onnection"));
   EXPECT_EQ(said_by(other_format), "it speaks format \"2\" of clusters, the run format " + format);
   EXPECT_THAT(said_by(other_build), MatchesRegex("it is Playhouse \".*x\", the run \".*\""));

@@ -47,7 +47,7 @@ DeviceService::DeviceService(const std::string& bind)
           loop_, server::ServerOptions{.bind = bind, .sessions = sessions_that_fit()})) {}
 
 drivers::Site& DeviceService::open_site(std::uint16_t port) {
-  drivers::Surroundings& surroundings = *this;  // private base, not accessible to make_unique
+  drivers::Host& surroundings = *this;  // private base, not accessible to make_unique
   site_ = std::make_unique<drivers::Site>(surroundings, port);
   site_->data_flow().pass_to(*server_);
   return *site_;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/app/server_surroundings.h"
+#include "playhouse/app/server_host.h"
 #include "playhouse/drivers/registry.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/io_loop.h"
@@ -17,7 +17,7 @@
 
 namespace playhouse::app {
 
-class DeviceService final : private ServerSurroundings {
+class DeviceService final : private ServerHost {
  public:
   explicit DeviceService(const std::string& bind);
   ~DeviceService() override;

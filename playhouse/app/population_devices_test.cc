@@ -24,7 +24,6 @@
 namespace playhouse {
 namespace {
 
-using server::Bytes;
 using server::Received;
 using server::TestClient;
 using world::ModelId;
@@ -45,7 +44,7 @@ position( name "r" size [0.4 0.4 0.3]
 constexpr std::size_t kDevicesOfRobot = 9;
 
 /// A world with its server. The test is both threads.
-class Town final : public drivers::Surroundings {
+class Town final : public drivers::Host {
  public:
   explicit Town(std::size_t indices = drivers::AutoMap::kIndices)
       : scene_(run::testing::scene_of(kWorld)), site_(*this, kPort), server_(simulated) {

@@ -268,7 +268,7 @@ Result<void> Service::open_port(std::uint32_t port) {
 }
 
 Result<void> Service::make_devices() {
-  drivers::Surroundings& surroundings = *this;  // private base, not accessible to make_unique
+  drivers::Host& surroundings = *this;  // private base, not accessible to make_unique
   site_ = std::make_unique<drivers::Site>(surroundings, serving_.port);
   site_->data_flow().pass_to(*server_);
   const Result<void> made = recording_ ? open_playback() : cfg_ ? make_drivers() : add_robots();
@@ -368,7 +368,7 @@ Result<void> Service::read_guests() {
       [book = guests_](const std::string& token, const std::string& peer) -> std::optional<device::Rights> {
         const std::optional<web_server::Guest> guest = book.admit(token, peer);
         if (!guest) return std::nullopt;
-        const web_server::Rights rights = web_server::rights_of(guest->role);
+        const web_server::GuestRights rights = web_server::rights_of(guest->role);
         return device::Rights{.reads = true, .drives = rights.drives, .manages = rights.manages};
       });
   return {};

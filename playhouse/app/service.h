@@ -16,7 +16,7 @@
 #include "playhouse/app/again.h"
 #include "playhouse/app/commands/options.h"
 #include "playhouse/app/playback.h"
-#include "playhouse/app/server_surroundings.h"
+#include "playhouse/app/server_host.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/app/world_saver.h"
 #include "playhouse/cluster/head.h"
@@ -55,7 +55,7 @@ struct Outcome {
 /// The outcome of an engine after this wall time. [s]
 Outcome outcome_of(world::Engine& engine, double wall_time);
 
-class Service final : private ServerSurroundings {
+class Service final : private ServerHost {
  public:
   Service(Serving serving, Running running, QuitTime quit_time);
   ~Service() override;

@@ -76,7 +76,7 @@ bool is_tilted(const geom::SpatialPose& X) {
 }  // namespace
 
 ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
-                         const Surface& ground)
+                         const ContactSurface& ground)
     : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense, .camera = make_camera_sense}),
       physics_(ground, scene.gravity) {
   world_.engine = "arena";
@@ -91,15 +91,15 @@ void ArenaEngine::populated(bool fixed) {
   bodies_.clear();
   tree_of_.clear();
   has_parts_ = false;
-  for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+  for (const bodies::TreeRow tree : trees_.rows()) {
     bodies_.push_back(make_body(tree));
-    if (bodies_.back().number != Body::kNone) tree_of_.push_back(tree);
+    if (bodies_.back().number != TreeBody::kNone) tree_of_.push_back(tree);
     has_parts_ = has_parts_ || !parts_of(tree).empty();
   }
 }
 
-ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
-  Body body;
+ArenaEngine::TreeBody ArenaEngine::make_body(bodies::TreeRow tree) {
+  TreeBody body;
   body.part = part_of(world_, trees_, solids_, tree);
   for (const bodies::Mover& mover : movers_of(tree))
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
@@ -125,46 +125,45 @@ world::PhysicsShapes ArenaEngine::shapes() const {
   // Static meshes collide with their triangles: nothing to add.
   for (FixedSolid& solid : fixed_solids(world_, solids_))
     if (!solid.hull.empty()) shapes.fixed.push_back(std::move(solid.hull));
-  for (std::uint32_t tree = 0; tree < trees_.size(); ++tree)
-    if (bodies_[tree].number != Body::kNone)
+  for (const bodies::TreeRow tree : trees_.rows())
+    if (bodies_[tree].number != TreeBody::kNone)
       shapes.bodies.push_back(
           {world_.id({trees_.root[tree]}),
            hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, Joints::kNow, mesh_hulls_).hulls});
   return shapes;
 }
 
-std::span<const bodies::Mover> ArenaEngine::movers_of(std::uint32_t tree) const {
+std::span<const bodies::Mover> ArenaEngine::movers_of(bodies::TreeRow tree) const {
   const std::uint32_t first = trees_.first_mover[tree];
   return {trees_.movers.data() + first, trees_.first_mover[tree + 1] - first};
 }
 
-std::span<const bodies::Mover> ArenaEngine::parts_of(std::uint32_t tree) const {
+std::span<const bodies::Mover> ArenaEngine::parts_of(bodies::TreeRow tree) const {
   const std::span<const bodies::Mover> movers = movers_of(tree);
   return bodies_[tree].part == Part::kVehicle ? movers.subspan(1) : movers;
 }
 
-bool ArenaEngine::is_driven(std::uint32_t tree) const {
+bool ArenaEngine::is_driven(bodies::TreeRow tree) const {
   return bodies_[tree].part == Part::kVehicle && is_moving(world_, movers_of(tree)[0]);
 }
 
 void ArenaEngine::move() {
   const double dt = world_.scene().interval;
   const auto steps = static_cast<unsigned>(std::ceil(dt / kLongestStep - 1e-9));
-  const auto trees = static_cast<std::uint32_t>(trees_.size());
-  for (std::uint32_t tree = 0; tree < trees; ++tree) load(tree);
+  for (const bodies::TreeRow tree : trees_.rows()) load(tree);
   for (unsigned step = 0; step < steps; ++step) {
     if (step % kStepsKept == 0) physics_.clear_contacts();
     physics_.step(dt / steps, workers_);
   }
   find_blocked(steps);
-  for (std::uint32_t tree = 0; tree < trees; ++tree) store(tree);
+  for (const bodies::TreeRow tree : trees_.rows()) store(tree);
   index();
 }
 
 /// Copies the state of a tree from columns to Physics: columns are authoritative.
-void ArenaEngine::load(std::uint32_t tree) {
-  Body& body = bodies_[tree];
-  if (body.number == Body::kNone) return;
+void ArenaEngine::load(bodies::TreeRow tree) {
+  TreeBody& body = bodies_[tree];
+  if (body.number == TreeBody::kNone) return;
   if (body.has_joints) bend(tree);
   if (body.part == Part::kGuided) return load_guided(tree);
   const std::uint32_t top = trees_.root[tree];
@@ -175,7 +174,7 @@ void ArenaEngine::load(std::uint32_t tree) {
 }
 
 /// A kinematic body moves through the tick with the velocity of its movers.
-void ArenaEngine::load_guided(std::uint32_t tree) {
+void ArenaEngine::load_guided(bodies::TreeRow tree) {
   const std::uint32_t top = trees_.root[tree];
   BodyState state = state_of(world_.models, top);
   state.v = state.w = {};
@@ -192,8 +191,8 @@ void ArenaEngine::load_guided(std::uint32_t tree) {
 }
 
 /// Updates hulls of an articulated body to its joint positions.
-void ArenaEngine::bend(std::uint32_t tree) {
-  Body& body = bodies_[tree];
+void ArenaEngine::bend(bodies::TreeRow tree) {
+  TreeBody& body = bodies_[tree];
   const std::span<const bodies::Mover> movers = movers_of(tree);
   bool is_bent = false;
   for (std::size_t i = 0; i < movers.size(); ++i) {
@@ -215,7 +214,7 @@ void ArenaEngine::find_blocked(unsigned steps) {
   if (!has_parts_) return;
   const double lag = lag_after(steps, world_.scene().interval / steps);
   for (const Penetration& penetration : physics_.penetrations(kPressed)) {
-    const std::uint32_t tree = tree_of_[penetration.body];
+    const bodies::TreeRow tree = tree_of_[penetration.body];
     for (const bodies::Mover& mover : parts_of(tree)) {
       if (!is_moving(world_, mover) ||
           !carries(world_.models, mover.model, bodies_[tree].models[penetration.hull]))
@@ -244,8 +243,8 @@ Vec3 ArenaEngine::way_of(const Vec3& p, const bodies::Mover& mover) const {
   return {q.x - p.x, q.y - p.y, then.X.z - now.X.z};
 }
 
-void ArenaEngine::store(std::uint32_t tree) {
-  const Body& body = bodies_[tree];
+void ArenaEngine::store(bodies::TreeRow tree) {
+  const TreeBody& body = bodies_[tree];
   const std::uint32_t top = trees_.root[tree];
   const Pose before = world_.models.X_PM[top];
   bool moved = body.part != Part::kGuided && store_state(tree);
@@ -264,8 +263,8 @@ void ArenaEngine::store(std::uint32_t tree) {
 }
 
 /// Copies the state of a body to columns. False if it slept, or left the valid range: then it stays.
-bool ArenaEngine::store_state(std::uint32_t tree) {
-  const Body& body = bodies_[tree];
+bool ArenaEngine::store_state(bodies::TreeRow tree) {
+  const TreeBody& body = bodies_[tree];
   if (physics_.is_sleeping(body.number)) return false;
   world::Models& models = world_.models;
   const std::uint32_t top = trees_.root[tree];
@@ -288,7 +287,7 @@ bool ArenaEngine::store_state(std::uint32_t tree) {
 }
 
 /// Updates odometry and stall of a robot: it stalls if it neither made progress nor is about to.
-void ArenaEngine::store_drive(std::uint32_t tree, const Pose& before) {
+void ArenaEngine::store_drive(bodies::TreeRow tree, const Pose& before) {
   const std::uint32_t top = trees_.root[tree], robot = world_.models.part[top];
   const geom::Twist& driven = world_.positions.velocity[robot];
   const double dt = world_.scene().interval, arm = bodies_[tree].radius;
@@ -307,7 +306,7 @@ void ArenaEngine::store_drive(std::uint32_t tree, const Pose& before) {
 }
 
 /// Moves the kinematic parts of a tree. True if any moved.
-bool ArenaEngine::store_parts(std::uint32_t tree) {
+bool ArenaEngine::store_parts(bodies::TreeRow tree) {
   bool moved = false;
   for (const bodies::Mover& mover : parts_of(tree)) {
     if (!is_moving(world_, mover) || is_blocked(mover)) continue;

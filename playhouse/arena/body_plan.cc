@@ -85,7 +85,7 @@ void add_hulls(std::vector<Hull>& hulls, const std::vector<Hull>& of_body, const
 
 /// Poses of a tree's models in its root.
 std::map<std::uint32_t, geom::SpatialPose> poses_in_top(const world::World& world, const bodies::Trees& trees,
-                                                        std::uint32_t tree, Joints joints) {
+                                                        bodies::TreeRow tree, Joints joints) {
   const world::Models& models = world.models;
   std::map<std::uint32_t, geom::SpatialPose> X_BM;
   for (const std::uint32_t row : trees.models_of(tree)) {
@@ -158,7 +158,7 @@ Content content_of(std::span<const Hull> hulls) {
   return all;
 }
 
-double mass_of(const world::World& world, const bodies::Trees& trees, std::uint32_t tree) {
+double mass_of(const world::World& world, const bodies::Trees& trees, bodies::TreeRow tree) {
   double mass = 0;
   for (const std::uint32_t row : trees.models_of(tree)) {
     const scene::ModelDesc& desc = world.desc({row});
@@ -201,7 +201,7 @@ Motors motors_of(const scene::PositionDesc& position) {
 }  // namespace
 
 Part part_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
-             std::uint32_t tree) {
+             bodies::TreeRow tree) {
   const std::uint32_t top = trees.root[tree];
   bool is_solid = false;
   for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row)
@@ -212,11 +212,11 @@ Part part_of(const world::World& world, const bodies::Trees& trees, const bodies
 }
 
 TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
-                   std::uint32_t tree, Part part, Joints joints, MeshHulls& meshes) {
+                   bodies::TreeRow tree, Part part, Joints joints, MeshHulls& meshes) {
   const std::map<std::uint32_t, geom::SpatialPose> X_BM = poses_in_top(world, trees, tree, joints);
   TreeHulls all;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
-  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], bodies::Observer::kMotion,
+  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], bodies::SeenBy::kMotion,
             [&](std::size_t begin, std::size_t end) {
               const std::uint32_t model = solids.model[begin];
               const FrameOfBody frame(X_BM.at(model));
@@ -236,10 +236,10 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
                                         extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
 }
 
-BodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
-                   std::vector<Hull> hulls) {
+RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, bodies::TreeRow tree,
+                        Part part, std::vector<Hull> hulls) {
   const scene::ModelDesc& top = world.desc({trees.root[tree]});
-  BodyDesc desc;
+  RigidBodyDesc desc;
   desc.surface = surface_of(top);
   const Content content = content_of(hulls);
   const double mass = mass_of(world, trees, tree);
@@ -267,12 +267,12 @@ std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::So
   std::vector<FixedSolid> fixed;
   std::vector<Hull> hulls;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
-  each_body(solids, 0, solids.fixed, bodies::Observer::kMotion, [&](std::size_t begin, std::size_t end) {
+  each_body(solids, 0, solids.fixed, bodies::SeenBy::kMotion, [&](std::size_t begin, std::size_t end) {
     const std::uint32_t model = solids.model[begin];
     const FrameOfBody frame(world::pose_in_world(world.models, {model}));
     if (const mesh::Mesh* mesh = mesh_of(world, model)) {
       if (std::exchange(latest, model) == model) return;
-      const Surface surface = surface_of(world.desc({model}));
+      const ContactSurface surface = surface_of(world.desc({model}));
       const double heading = world.models.X_WM[model].a;
       FixedParts parts = fixed_parts(*mesh, body_in(world, model, frame.X_FM()));
       frame.turn(parts.triangles.p);

@@ -2,6 +2,11 @@
 
 /// From models to rigid bodies: mass, hulls and wheels of a tree of models. World files give outlines
 /// and heights; parameters that they leave open are chosen here. Frames: W world, B the tree's root.
+///
+/// In: the models of a tree, and their solids or meshes.
+/// Out: hulls, mass, wheels and motors of a rigid body; the static solids.
+/// Cost: the outlines and hulls of the tree. Once for a population, and hulls again when joints have
+///   moved.
 
 #include <cstdint>
 #include <vector>
@@ -21,7 +26,7 @@ enum class Part : std::uint8_t {
 
 /// The part of tree `tree`.
 Part part_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
-             std::uint32_t tree);
+             bodies::TreeRow tree);
 
 /// Positions of a tree's joints: those of the tick, or those that the world file gives.
 enum class Joints : std::uint8_t { kNow, kAtRest };
@@ -40,12 +45,12 @@ struct TreeHulls {
 /// The obstacles of a tree as convex hulls at these joint positions; of a vehicle only
 /// above the ground clearance of its wheels. Models with a mesh have the hulls of the mesh.
 TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
-                   std::uint32_t tree, Part part, Joints joints, MeshHulls& meshes);
+                   bodies::TreeRow tree, Part part, Joints joints, MeshHulls& meshes);
 
 /// The body of a tree with at least one hull. With hulls at rest it does not depend on
 /// what joints did: an arm that reaches out moves no wheel, and no mass.
-BodyDesc plan_body(const world::World& world, const bodies::Trees& trees, std::uint32_t tree, Part part,
-                   std::vector<Hull> hulls);
+RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, bodies::TreeRow tree,
+                        Part part, std::vector<Hull> hulls);
 
 /// The static obstacles.
 std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::Solids& solids);

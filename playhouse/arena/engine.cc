@@ -15,7 +15,7 @@ constexpr double kLongestTick = 10;  // s: thousands of physics steps, not inter
 }  // namespace
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
-                                                   const EngineOptions& options) {
+                                                   const world::EngineOptions& options) {
   if (const Result<void> checked = bodies::check_scene(scene); !checked) return checked.error();
   if (scene.interval > kLongestTick)
     return Error{scene.path,

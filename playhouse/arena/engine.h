@@ -2,6 +2,10 @@
 
 /// The 3D engine: scenes, devices and columns of the stage engine
 /// with rigid-body dynamics. Differences are listed in docs/arena.md.
+///
+/// In: a scene that loads.
+/// Out: an engine at tick 0, which moves its world from tick to tick.
+/// Cost: once, that of the population; ticks are in docs/benchmarks.md.
 
 #include <memory>
 
@@ -11,13 +15,8 @@
 
 namespace playhouse::arena {
 
-struct EngineOptions {
-  std::uint64_t seed = 1;
-  unsigned workers = 1;  // threads; the result does not depend on it
-};
-
 /// An engine at tick 0. The scene must outlive it. Fails as stage::make_engine().
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
-                                                   const EngineOptions& options);
+                                                   const world::EngineOptions& options);
 
 }  // namespace playhouse::arena

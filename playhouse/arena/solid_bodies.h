@@ -1,6 +1,10 @@
 #pragma once
 
 /// Outlines of models' bodies, from which hulls and triangles are made.
+///
+/// In: rows of Solids that belong to one model after the other.
+/// Out: the rows of each body; its outlines.
+/// Cost: the rows, and the vertices of outlines.
 
 #include <algorithm>
 #include <cstddef>
@@ -14,14 +18,14 @@
 namespace playhouse::arena {
 
 /// Calls visit(begin, end) for each body, a run of rows in [first,
-/// last) of one model (see Solids::body), that `observer` sees.
+/// last) of one model (see Solids::body), that is visible to `by`.
 template <typename Visit>
-void each_body(const bodies::Solids& solids, std::size_t first, std::size_t last, bodies::Observer observer,
+void each_body(const bodies::Solids& solids, std::size_t first, std::size_t last, bodies::SeenBy by,
                const Visit& visit) {
   for (std::size_t begin = first; begin < last;) {
     std::size_t end = begin + 1;
     while (end < last && solids.body[end] == solids.body[begin]) ++end;
-    if ((solids.seen_by[begin] & bodies::bit(observer)) != 0) visit(begin, end);
+    if ((solids.seen_by[begin] & bodies::bit(by)) != 0) visit(begin, end);
     begin = end;
   }
 }

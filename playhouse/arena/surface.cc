@@ -5,9 +5,9 @@
 
 namespace playhouse::arena {
 
-Surface surface_of(const scene::ModelDesc& desc) {
-  const scene::Material material = scene::material_of(desc);
-  Surface surface{material.friction, material.restitution};
+ContactSurface surface_of(const scene::ModelDesc& desc) {
+  const scene::NamedMaterial material = scene::material_of(desc);
+  ContactSurface surface{material.friction, material.restitution};
   if (desc.material.empty() && desc.mesh && desc.mesh->physics) {
     surface.friction = desc.mesh->physics->friction.value_or(surface.friction);
     if (!desc.restitution)
@@ -19,8 +19,8 @@ Surface surface_of(const scene::ModelDesc& desc) {
   return surface;
 }
 
-Surface ground_of(const scene::SceneDesc& scene) {
-  const scene::Material& material = scene::material_named(scene.ground);
+ContactSurface ground_of(const scene::SceneDesc& scene) {
+  const scene::NamedMaterial& material = scene::material_named(scene.ground);
   return {material.friction, material.restitution};
 }
 

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Triangles: surfaces of bodies, for ray casts.
+///
+/// In: outlines, and the heights between which they are extruded.
+/// Out: triangles of sides, top and bottom.
+/// Cost: that of geom::trapezoids() for top and bottom, two triangles for each edge.
 
 #include <array>
 #include <cstdint>

@@ -30,8 +30,8 @@ void append_base64(std::string& out, std::span<const std::uint8_t> bytes) {
 
 std::optional<std::string> bytes_of_base64(std::string_view text) {
   if (text.size() % 4 != 0) return std::nullopt;
-  const std::size_t padding = text.ends_with("==") ? 2 : text.ends_with('=') ? 1 : 0;
-  const std::size_t digits = text.size() - padding;
+  const std::size_t pad = text.ends_with("==") ? 2 : text.ends_with('=') ? 1 : 0;
+  const std::size_t digits = text.size() - pad;
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3);
   std::uint32_t group = 0;
@@ -43,7 +43,7 @@ std::optional<std::string> bytes_of_base64(std::string_view text) {
     for (const int shift : {16, 8, 0}) bytes += static_cast<char>(group >> shift & 255);
     group = 0;
   }
-  bytes.resize(bytes.size() - padding);
+  bytes.resize(bytes.size() - pad);
   return bytes;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Base64 with padding (RFC 4648, section 4).
+/// Base64 with its pad (RFC 4648, section 4).
 
 #include <cstdint>
 #include <optional>

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <set>
+#include <vector>
 
 #include "playhouse/base/base64.h"
 #include "playhouse/base/hash.h"
@@ -9,6 +10,7 @@
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/base/result.h"
 #include "playhouse/base/rng.h"
+#include "playhouse/base/row.h"
 
 namespace playhouse {
 namespace {
@@ -58,6 +60,28 @@ TEST(Result, holds_a_value_or_an_error) {
   Result<int> bad = Error{"a.world:2", "no such thing"};
   EXPECT_EQ(*good, 3);
   EXPECT_EQ(bad.error().line(), "a.world:2: no such thing");
+}
+
+struct Doors;
+struct Windows;
+
+template <typename Column, typename Index>
+constexpr bool kCanIndex = requires(Column column, Index index) {
+  column[index];
+};
+
+TEST(Rows, index_columns_of_their_own_table_and_no_others) {
+  using Widths = ByRow<Doors, double>;
+  static_assert(kCanIndex<Widths, Row<Doors>>);
+  static_assert(!kCanIndex<Widths, Row<Windows>>);
+  static_assert(!kCanIndex<Widths, std::uint32_t>);
+  static_assert(sizeof(Row<Doors>) == sizeof(std::uint32_t));
+  Widths width{0.9, 1.2, 2.5};
+  std::vector<double> seen;
+  for (const Row<Doors> door : RowsOf<Doors>(width.size() - 1)) seen.push_back(width[door + 1]);
+  EXPECT_EQ(seen, (std::vector<double>{1.2, 2.5}));
+  EXPECT_FALSE(Row<Doors>{});
+  EXPECT_TRUE(Row<Doors>{0});
 }
 
 TEST(Rng, depends_on_each_of_its_inputs_and_on_nothing_else) {

@@ -1,14 +1,14 @@
 #pragma once
 
-/// Limits of wire, server, viewers, observers, recordings and files that several
-/// modules, tests or documents refer to. Limits of a single module are in that module.
+/// Limits of what comes from outside and of what waits for it, in one place; each part names the modules that
+/// heed them, but for app and house, which link everything. tools/limits.py checks names, and values in docs/.
 
 #include <cstddef>
 #include <cstdint>
 
 namespace playhouse::limits {
 
-// Wire (facts of the Player protocol).
+// Wire, facts of the Player protocol; heeded by device, drivers, server, wire.
 inline constexpr std::size_t kHeaderBytes = 40;
 inline constexpr std::size_t kBannerBytes = 32;
 inline constexpr std::size_t kMessageBytes = 33554432;  // header and body on the wire
@@ -16,7 +16,7 @@ inline constexpr std::size_t kBodyBytes = kMessageBytes - kHeaderBytes;
 inline constexpr std::size_t kDevices = 4096;        // entries of a device list
 inline constexpr std::size_t kDriverNameBytes = 64;  // with the final NUL
 
-// Server.
+// Server; heeded by device, drivers, net, run, server, world.
 inline constexpr std::size_t kSessions = 4096;
 // Of one address that is not this machine's: nobody shuts out all others alone.
 inline constexpr std::size_t kSessionsOfHost = 1024;
@@ -48,7 +48,7 @@ inline constexpr std::size_t kModelListBytes = 256u << 10;  // of its text; one 
 inline constexpr std::size_t kOutboxBytes = 64u << 20;      // data the io thread has not taken yet
 inline constexpr std::size_t kOutboxMessages = 65536;       // the same in messages
 
-// Viewers: the browser page.
+// Viewers, in the browser page; heeded by net, replicate, web_server.
 // Viewers included; over it the one that waited longest is closed.
 inline constexpr std::size_t kHttpConnections = 256;
 // The same of one address; viewers are not counted.
@@ -62,7 +62,7 @@ inline constexpr std::size_t kViewers = 64;
 inline constexpr int kViewerQuietSeconds = 30;  // without an acknowledgement: gives way to one that comes
 inline constexpr std::size_t kViewerCommandsPerTurn = 64;  // of one page between two pictures; the rest waits
 inline constexpr std::size_t kViewerCommandBytes = 4096;   // of one message from a page
-inline constexpr std::size_t kViewerFaults = 16;           // messages refused before a viewer is closed
+inline constexpr std::size_t kViewerFaults = 16;           // invalid messages before a viewer is closed
 inline constexpr std::size_t kViewerTextMessages = 32;     // notices waiting for a page
 inline constexpr std::size_t kViewerFrameBytes = 65536;    // the rest of the changes waits for the next frame
 inline constexpr std::uint32_t kViewerFramesInFlight = 4;  // sent and not acknowledged
@@ -72,7 +72,7 @@ inline constexpr std::uint32_t kPageBytesLeast = 4000, kPageBytesMost = 10000000
 inline constexpr double kViewerDriveSeconds = 0.5;  // a velocity from a page holds so long unless renewed
 inline constexpr std::size_t kSnapshotBeams = 1u << 18;  // of all sensors shown to all viewers
 
-// Observers: clients by datagrams (playhouse/observers).
+// Observers, clients by datagrams; heeded by observers, replicate, web_server.
 inline constexpr std::size_t kObservers = 64;        // at once
 inline constexpr std::size_t kDatagramBytes = 1200;  // of one, which goes through every network in one piece
 // Of IPv4 and UDP in front of it, which the budget counts too.
@@ -91,12 +91,12 @@ inline constexpr std::size_t kObserverCommandBytes = 4096;   // of one text from
 inline constexpr std::size_t kTokenBytes = 128;              // of a guest's token
 inline constexpr std::size_t kTokenBytesLeast = 8;           // of one that a file of guests gives
 
-// The last minutes of a run that somebody watches (run/history.h).
+// The last minutes of a run that somebody watches; heeded by run.
 inline constexpr double kHistorySeconds = 600;            // simulated, back from the newest instant
 inline constexpr double kHistoryPeriodSeconds = 1;        // simulated, from one instant to the next
 inline constexpr std::size_t kHistoryBytes = 128u << 20;  // of all states
 
-// Recordings (playhouse/record).
+// Recordings; heeded by record.
 // A chunk that has so many is written, else twice a second.
 inline constexpr std::size_t kRecordChunkBytes = 1u << 20;
 inline constexpr std::size_t kRecordQueueBytes = 64u << 20;  // waiting for the disk; the run waits then
@@ -104,21 +104,21 @@ inline constexpr std::size_t kRecordChannels = 65535;        // of a file; the r
 inline constexpr std::size_t kReadChunkBytes = 256u << 20;   // of a chunk that is read, unpacked
 inline constexpr std::size_t kReadRecordBytes = 1u << 30;    // of any other record that is read
 
-// Stage engine.
+// Stage engine; heeded by stage.
 inline constexpr unsigned kMotionSteps = 1024;  // collision tests along one robot's way in one tick
 
-// Models.
+// Models; heeded by drivers, libraries, web_server, world.
 inline constexpr std::uint32_t kSubscribers = 1u << 30;  // of a model: far more than sessions and viewers
 inline constexpr std::size_t kSayBytes = 1024;           // of what a model says; the rest is cut off
 inline constexpr std::size_t kUtterances = 1024;  // kept for who listens; a tick with more loses the oldest
 inline constexpr std::size_t kCustomNumbers = 4096;  // commands, state or readings of a custom model
 
-// Messages between radios.
+// Messages between radios; heeded by drivers, world.
 inline constexpr std::size_t kRadioMessageBytes = 2304;  // of one, as of a frame of IEEE 802.11
 inline constexpr std::size_t kRadioSends = 64;           // messages that one radio sends in a tick
 inline constexpr std::size_t kRadioReceives = 256;       // messages that one radio receives in a tick
 
-// Files.
+// Files; heeded by bodies, controllers, drivers, scene, world.
 inline constexpr std::size_t kFileBytes = 64u << 20;
 inline constexpr std::size_t kSavedRunBytes = 1u << 30;
 inline constexpr int kIncludeDepth = 32;
@@ -159,7 +159,7 @@ static_assert(kViewers * kViewerCommandsPerTurn * 2 <= kRequestQueue / 2,
               "viewers alone must not fill the queue of all; a command is two entries at most");
 static_assert(kSessionAnswers * 8 <= kRequestQueue, "one client alone must not fill the queue of all");
 
-// Clusters.
+// Clusters; heeded by cluster.
 inline constexpr std::size_t kClusterNodes = 255;        // beside the head, and connections that want to join
 inline constexpr std::size_t kClusterHelloBytes = 4096;  // of a message of a node that does not take part yet
 inline constexpr std::size_t kClusterMessageBytes = 1u << 30;  // of one that does

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -21,6 +20,7 @@
 #include "playhouse/base/line_writer.h"
 #include "playhouse/base/log_at.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/base/monotonic.h"
 
 namespace playhouse::log {
 namespace {
@@ -108,19 +108,14 @@ Limited& limited() {
   return limited;
 }
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 void give_all(const std::vector<LineLimits::Line>& lines) {
-  for (const LineLimits::Line& line : lines)
-    tell(static_cast<Level>(line.level), {line.place, line.text});
+  for (const LineLimits::Line& line : lines) tell(static_cast<Level>(line.level), {line.place, line.text});
 }
 
 /// Summaries of suppressed lines.
 std::vector<LineLimits::Line> held_back() {
   const std::lock_guard lock(limited().mutex);
-  return limited().limits.summaries(now());
+  return limited().limits.summaries(monotonic_seconds());
 }
 
 }  // namespace
@@ -164,7 +159,8 @@ void write_at(Level level, const std::string& place, fmt::string_view format, fm
   std::vector<LineLimits::Line> lines;
   {
     const std::lock_guard lock(limited().mutex);
-    lines = limited().limits.pass(kind, {static_cast<int>(level), std::move(line), place}, now());
+    lines =
+        limited().limits.pass(kind, {static_cast<int>(level), std::move(line), place}, monotonic_seconds());
   }
   give_all(lines);
 }

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 namespace playhouse::limits {
-
+// Meshes; heeded by arena, mesh, scene.
 inline constexpr std::size_t kMeshBytes = 256u
                                           << 20;  // of the files of all meshes of a world, textures included
 inline constexpr std::size_t kMeshFileBytes = 64u << 20;  // of one mesh, textures included

@@ -13,9 +13,12 @@
 
 namespace playhouse {
 
+/// Bytes of a message or a file.
+using Bytes = std::vector<std::byte>;
+
 class Packer {
  public:
-  explicit Packer(std::vector<std::byte>& out) : out_(out) {}
+  explicit Packer(Bytes& out) : out_(out) {}
 
   void u8(std::uint8_t value) { out_.push_back(static_cast<std::byte>(value)); }
   void u16(std::uint16_t value) {
@@ -49,7 +52,7 @@ class Packer {
   std::size_t size() const { return out_.size(); }
 
  private:
-  std::vector<std::byte>& out_;
+  Bytes& out_;
 };
 
 class Unpacker {

@@ -78,7 +78,7 @@ Twist follow_goal(const scene::PositionDesc& desc, const Pose& X_OM, const Pose&
 }
 
 Twist accelerate(const scene::PositionDesc& desc, const Twist& velocity, const Twist& command, double dt) {
-  const scene::Bounds* bounds = desc.acceleration_bounds;
+  const scene::Interval* bounds = desc.acceleration_bounds;
   const bool omni = is_free(desc);
   return {velocity.x + dt * std::clamp(command.x, bounds[0].min, bounds[0].max),
           omni ? velocity.y + dt * std::clamp(command.y, bounds[1].min, bounds[1].max) : 0, 0,
@@ -95,7 +95,7 @@ Twist follow_heading(const scene::PositionDesc& desc, const Twist& command, doub
   return {command.x, 0, 0, approach(error, kTurn, dt)};
 }
 
-Twist within(const scene::Bounds* bounds, const Twist& velocity) {
+Twist within(const scene::Interval* bounds, const Twist& velocity) {
   return {std::clamp(velocity.x, bounds[0].min, bounds[0].max),
           std::clamp(velocity.y, bounds[1].min, bounds[1].max), 0,
           std::clamp(velocity.a, bounds[3].min, bounds[3].max)};

@@ -1,7 +1,7 @@
 #pragma once
 
-/// SensePhase: one kind of sensor in an engine whose bodies are in
-/// `Space`; and Senses, all kinds of an engine. A new kind is a new class.
+/// SensePhaseOf: one kind of sensor in an engine whose bodies are in
+/// `Space`; and SensesOf, all kinds of an engine. A new kind is a new class.
 
 #include <memory>
 #include <span>
@@ -24,9 +24,9 @@ enum class Sharing : std::uint8_t {
 };
 
 template <typename Space>
-class SensePhase {
+class SensePhaseOf {
  public:
-  virtual ~SensePhase() = default;
+  virtual ~SensePhaseOf() = default;
 
   /// The table of these sensors. Valid until the population changes.
   virtual SensorTable table(world::World& world) const = 0;
@@ -49,11 +49,11 @@ class SensePhase {
 };
 
 template <typename Space>
-class Senses {
+class SensesOf {
  public:
-  void add(std::unique_ptr<SensePhase<Space>> phase) { entries_.push_back({std::move(phase), {}, {}}); }
+  void add(std::unique_ptr<SensePhaseOf<Space>> phase) { entries_.push_back({std::move(phase), {}, {}}); }
 
-  /// See SensePhase::populate().
+  /// See SensePhaseOf::populate().
   void populate(world::World& world, const Space& space) {
     for (Entry& entry : entries_) {
       entry.due.populate(world, entry.phase->table(world).model);
@@ -78,7 +78,7 @@ class Senses {
 
  private:
   struct Entry {
-    std::unique_ptr<SensePhase<Space>> phase;
+    std::unique_ptr<SensePhaseOf<Space>> phase;
     DueList due;
     std::span<const std::uint32_t> now = {};  // the rows that are due in this tick
 
@@ -95,7 +95,8 @@ class Senses {
   /// The measurements of one tick.
   class Work final : public world::DividedWork {
    public:
-    Work(Senses& senses, world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers)
+    Work(SensesOf& senses, world::World& world, const Space& space, std::uint64_t tick,
+         world::Workers& workers)
         : senses_(senses), world_(world), space_(space), tick_(tick), workers_(workers) {}
 
     void measure(const Entry& entry, std::span<const std::uint32_t> due) {
@@ -135,7 +136,7 @@ class Senses {
       return world_.models.kind[entry.phase->table(world_).model[entry.now.front()].index];
     }
 
-    Senses& senses_;
+    SensesOf& senses_;
     world::World& world_;
     const Space& space_;
     std::uint64_t tick_;

@@ -21,7 +21,7 @@ constexpr double kSameHeight = 1e-4;          // m
 /// The heights of a body that rangers see.
 struct SeenLayer {
   double bottom = 0, top = 0;
-  std::uint32_t tree = 0;
+  std::uint32_t root = 0;
 };
 
 /// True for what the arena turns by roll or pitch: it may reach any height there.
@@ -37,14 +37,14 @@ std::vector<SeenLayer> layers_of(const world::World& world) {
     const scene::ModelDesc& desc = world.desc({row});
     if (desc.ranger_return < 0) continue;
     const double z = world.models.X_WM[row].z, z_body = z + desc.X_MB.z;
-    const std::uint32_t tree = world.models.root[row];
+    const std::uint32_t root = world.models.root[row];
     constexpr double kAny = std::numeric_limits<double>::infinity();
-    if (may_be_tilted(world, {row})) layers.push_back({-kAny, kAny, tree});
+    if (may_be_tilted(world, {row})) layers.push_back({-kAny, kAny, root});
     for (const scene::Block& block : desc.blocks)
-      layers.push_back({z_body + block.z_min, z_body + block.z_max, tree});
+      layers.push_back({z_body + block.z_min, z_body + block.z_max, root});
     for (const scene::Contours& walls : desc.bitmaps)
-      layers.push_back({z_body + walls.z_min, z_body + walls.z_max, tree});
-    if (desc.mesh) layers.push_back({z, z + desc.size.z, tree});
+      layers.push_back({z_body + walls.z_min, z_body + walls.z_max, root});
+    if (desc.mesh) layers.push_back({z, z + desc.size.z, root});
   }
   return layers;
 }
@@ -55,11 +55,11 @@ class TreesAtHeight {
   TreesAtHeight(const std::vector<SeenLayer>& layers, double z) {
     for (const SeenLayer& layer : layers) {
       if (z < layer.bottom || z > layer.top) continue;
-      several_ |= one_ && *one_ != layer.tree;
-      one_ = layer.tree;
+      several_ |= one_ && *one_ != layer.root;
+      one_ = layer.root;
     }
   }
-  bool have_others_than(std::uint32_t tree) const { return several_ || (one_ && *one_ != tree); }
+  bool have_others_than(std::uint32_t root) const { return several_ || (one_ && *one_ != root); }
 
  private:
   std::optional<std::uint32_t> one_;
@@ -73,16 +73,16 @@ class HeightSearch {
   bool is_blind(world::ModelRow model) {
     const scene::ModelDesc& desc = world_.desc(model);
     if (desc.sensors.empty()) return false;
-    const std::uint32_t tree = world_.models.root[model.index];
+    const std::uint32_t root = world_.models.root[model.index];
     const double z_body = world_.models.X_WM[model.index].z + desc.X_MB.z;
     return std::ranges::none_of(desc.sensors, [&](const scene::RangerSensorDesc& sensor) {
-      return sensor.rings > 1 || at(z_body + sensor.X_BS.z + 0.5 * sensor.size.z).have_others_than(tree);
+      return sensor.rings > 1 || at(z_body + sensor.X_BS.z + 0.5 * sensor.size.z).have_others_than(root);
     });
   }
 
   /// True if there is something to see, at whatever height.
-  bool is_anything_beside(std::uint32_t tree) const {
-    return std::ranges::any_of(layers_, [tree](const SeenLayer& layer) { return layer.tree != tree; });
+  bool is_anything_beside(std::uint32_t root) const {
+    return std::ranges::any_of(layers_, [root](const SeenLayer& layer) { return layer.root != root; });
   }
 
  private:

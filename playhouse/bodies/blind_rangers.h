@@ -1,6 +1,9 @@
 #pragma once
 
 /// Rangers whose beams pass above or below everything: walls of 0.1 m under a scanner at 0.3 m.
+///
+/// In: a world.
+/// Out: lines for the log.
 
 #include <string>
 #include <vector>

@@ -31,7 +31,7 @@ geom::Box box_of(std::span<const geom::Vec2> points) {
 }
 
 /// A block of a model.
-struct Body {
+struct PlacedBlock {
   Solid solid;
   geom::Box box;
   std::uint32_t model = 0;
@@ -87,7 +87,7 @@ class Search {
       bodies.add(i, bodies_[i].box.y_min, bodies_[i].box.y_max);
     for (std::uint32_t i = 0; i < edges_.size(); ++i)
       edges.add(i, std::min(edges_[i].a.y, edges_[i].b.y), std::max(edges_[i].a.y, edges_[i].b.y));
-    for (const Body& body : bodies_) {
+    for (const PlacedBlock& body : bodies_) {
       if (found_.size() >= kMostPairs) break;
       if (!body.is_searched) continue;
       look_at_bodies(body, bodies);
@@ -122,7 +122,7 @@ class Search {
   /// Of y.
   std::pair<double, double> extent() const {
     double low = bodies_[0].box.y_min, high = bodies_[0].box.y_max;
-    for (const Body& body : bodies_)
+    for (const PlacedBlock& body : bodies_)
       low = std::min(low, body.box.y_min), high = std::max(high, body.box.y_max);
     for (const Edge& edge : edges_) low = std::min(low, edge.a.y), high = std::max(high, edge.a.y);
     return {low, high};
@@ -132,11 +132,11 @@ class Search {
     return world_.models.root[one] == world_.models.root[other];
   }
 
-  void look_at_bodies(const Body& body, const RowIndex& index) {
+  void look_at_bodies(const PlacedBlock& body, const RowIndex& index) {
     for (std::size_t row = index.row_of(body.box.y_min); row <= index.row_of(body.box.y_max); ++row)
       for (const std::uint32_t number : index.at(row)) {
         if (found_.size() >= kMostPairs) return;
-        const Body& other = bodies_[number];
+        const PlacedBlock& other = bodies_[number];
         if (are_of_one_tree(body.model, other.model) || !body.box.overlaps(other.box)) continue;
         if (other.is_searched && other.model < body.model) continue;  // of two the first one has the line
         if (!share_heights(body.solid, other.solid.bottom, other.solid.top)) continue;
@@ -146,8 +146,8 @@ class Search {
   }
 
   /// In walls: an edge goes through the body, or the body is within them, by the even-odd rule.
-  void look_at_walls(const Body& body, const RowIndex& index) {
-    const Outline outline = outline_of(body.solid);
+  void look_at_walls(const PlacedBlock& body, const RowIndex& index) {
+    const Polygon outline = outline_of(body.solid);
     const geom::Vec2 inner = body.solid.p.front();
     std::map<std::uint32_t, bool> inside;
     for (std::size_t row = index.row_of(body.box.y_min); row <= index.row_of(body.box.y_max); ++row) {
@@ -168,7 +168,7 @@ class Search {
   }
 
   const World& world_;
-  std::vector<Body> bodies_;
+  std::vector<PlacedBlock> bodies_;
   std::vector<Edge> edges_;
   std::vector<BitmapWalls> walls_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> found_;
@@ -203,8 +203,8 @@ std::vector<std::string> blocked_starts(const World& world) {
 
 std::string overlapped_by(const World& world, world::ModelRow model) {
   if (world.models.size() > kMostModels) return {};
-  const std::uint32_t tree = world.models.root[model.index];
-  const auto is_of_tree = [&](std::uint32_t row) { return world.models.root[row] == tree; };
+  const std::uint32_t root = world.models.root[model.index];
+  const auto is_of_tree = [&](std::uint32_t row) { return world.models.root[row] == root; };
   const auto found = Search(world, is_of_tree).run();
   return found.empty() ? std::string() : shown(world, world.models.root[found.begin()->second]);
 }

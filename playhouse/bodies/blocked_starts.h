@@ -2,6 +2,9 @@
 
 /// Robots that overlap something where they are, as at the start of a run: they stall, the commonest error of
 /// a new world file.
+///
+/// In: a world.
+/// Out: lines for the log, or a name.
 
 #include <string>
 #include <vector>

@@ -9,8 +9,6 @@
 namespace playhouse::bodies {
 namespace {
 
-constexpr std::uint32_t kNone = world::ModelRow::kNone;
-
 double signed_area(std::span<const Vec2> polygon) {
   double doubled = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -55,10 +53,11 @@ double width_of(std::span<const Vec2> polygon) {
   return width;
 }
 
-Shape make_shape(std::span<const Vec2> points_B, double z_min, double z_max, const scene::ModelDesc& desc) {
+SolidShape make_shape(std::span<const Vec2> points_B, double z_min, double z_max,
+                      const scene::ModelDesc& desc) {
   const Rotation turn = Rotation::of(desc.X_MB.a);
   const bool reversed = signed_area(points_B) < 0;
-  Shape shape;
+  SolidShape shape;
   shape.z_min_M = z_min + desc.X_MB.z;
   shape.z_max_M = z_max + desc.X_MB.z;
   Vec2 sum;
@@ -78,8 +77,8 @@ Shape make_shape(std::span<const Vec2> points_B, double z_min, double z_max, con
   return shape;
 }
 
-void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc, std::uint32_t model,
-               std::uint32_t root, std::uint32_t tree, std::uint32_t first) {
+void add_solid(Solids& solids, const SolidShape& shape, const scene::ModelDesc& desc, std::uint32_t model,
+               std::uint32_t root, TreeRow tree, std::uint32_t first) {
   solids.model.push_back(model);
   solids.root.push_back(root);
   solids.tree.push_back(tree);
@@ -92,17 +91,17 @@ void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc,
   solids.full.push_back(shape.full);
   solids.hole.push_back(shape.hole);
   solids.body.push_back(first + shape.body);
-  solids.seen_by.push_back(observers_of(desc));
+  solids.seen_by.push_back(seen_by_of(desc));
   solids.enclosed.push_back(0);
   solids.p_M.insert(solids.p_M.end(), shape.p_M.begin(), shape.p_M.end());
   solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p_M.size()));
 }
 
 void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes, std::uint32_t model,
-                      std::uint32_t tree) {
+                      TreeRow tree) {
   const scene::ModelDesc& desc = world.desc({model});
   const auto first = static_cast<std::uint32_t>(solids.size());
-  for (const Shape& shape : shapes.of(world.models.desc[model]))
+  for (const SolidShape& shape : shapes.of(world.models.desc[model]))
     add_solid(solids, shape, desc, model, world.models.root[model], tree, first);
 }
 
@@ -139,7 +138,7 @@ void put_in_place(Solids& solids, const world::Models& models, std::size_t first
   solids.center.resize(solids.size());
   solids.z_min.resize(solids.size());
   solids.z_max.resize(solids.size());
-  solids.p.resize(solids.p_M.size() + Solids::kSpare);
+  solids.p.resize(solids.p_M.size() + Solids::kPad);
   make_room_for_corners(solids);
   solids.rotation.resize(models.size());
   for (std::uint32_t model = 0; model < models.size(); ++model) turn(solids, models, {&model, 1});
@@ -160,15 +159,15 @@ void add_tree(Trees& trees, const world::World& world, std::uint32_t row) {
 
 }  // namespace
 
-const std::vector<Shape>& Shapes::of(std::uint32_t row) {
+const std::vector<SolidShape>& Shapes::of(std::uint32_t row) {
   const auto [entry, is_new] = made_.try_emplace(row);
   if (!is_new) return entry->second;
   const scene::ModelDesc& desc = scene_.models[row];
-  std::vector<Shape>& shapes = entry->second;
+  std::vector<SolidShape>& shapes = entry->second;
   const auto next = [&shapes] { return static_cast<std::uint32_t>(shapes.size()); };
   for (const scene::Block& block : desc.blocks) {
     if (block.points.size() < 3) continue;
-    Shape shape = make_shape(block.points, block.z_min, block.z_max, desc);
+    SolidShape shape = make_shape(block.points, block.z_min, block.z_max, desc);
     shape.full = true;
     shape.body = next();
     shapes.push_back(std::move(shape));
@@ -177,7 +176,7 @@ const std::vector<Shape>& Shapes::of(std::uint32_t row) {
     const std::uint32_t body = next();
     for (const std::vector<Vec2>& loop : bitmap.loops) {
       if (loop.size() < 3) continue;
-      Shape shape = make_shape(loop, bitmap.z_min, bitmap.z_max, desc);
+      SolidShape shape = make_shape(loop, bitmap.z_min, bitmap.z_max, desc);
       shape.hole = signed_area(loop) < 0;
       shape.body = body;
       shapes.push_back(std::move(shape));
@@ -217,7 +216,7 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
   Solids solids;
   solids.first_vertex.push_back(0);
   for (std::uint32_t row = 0; row < world.models.size(); ++row)
-    if (stands_still(world.models, row)) add_model_solids(solids, world, shapes, row, kNone);
+    if (stands_still(world.models, row)) add_model_solids(solids, world, shapes, row, TreeRow{});
   solids.fixed = solids.size();
   put_in_place(solids, world.models, 0);
   return solids;
@@ -225,7 +224,8 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
 
 void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees) {
   const std::size_t fixed = solids.fixed, vertices = solids.first_vertex[fixed];
-  for (auto* column : {&solids.model, &solids.root, &solids.tree, &solids.body}) column->resize(fixed);
+  for (auto* column : {&solids.model, &solids.root, &solids.body}) column->resize(fixed);
+  solids.tree.resize(fixed);
   for (auto* column : {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width, &solids.enclosed})
     column->resize(fixed);
   for (auto* column : {&solids.convex, &solids.full, &solids.hole}) column->resize(fixed);
@@ -234,7 +234,7 @@ void replace_moving_solids(Solids& solids, const world::World& world, Shapes& sh
   solids.first_vertex.resize(fixed + 1);
   solids.p_M.resize(vertices);
   trees.first_solid.assign(1, static_cast<std::uint32_t>(fixed));
-  for (std::uint32_t tree = 0; tree < trees.size(); ++tree) {
+  for (const TreeRow tree : trees.rows()) {
     for (std::uint32_t i = trees.first_model[tree]; i < trees.first_model[tree + 1]; ++i)
       if (!stands_still(world.models, trees.models[i]))
         add_model_solids(solids, world, shapes, trees.models[i], tree);

@@ -5,6 +5,10 @@
 /// movable trees follow in tree order, so the solids and vertices of a tree are consecutive and
 /// can be rebuilt without the static ones. Static parts of a tree, such as the walls around a
 /// door, are not among the tree's solids. Frames: W world, M the model that owns the solid.
+///
+/// In: the models of a world, and the shapes of their descriptions.
+/// Out: solids as columns, in their models and in W.
+/// Cost: place() visits the vertices of its solids; replace_moving_solids() makes all movable ones anew.
 
 #include <algorithm>
 #include <cstdint>
@@ -12,7 +16,8 @@
 #include <span>
 #include <vector>
 
-#include "playhouse/bodies/observer.h"
+#include "playhouse/base/row.h"
+#include "playhouse/bodies/seen_by.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/world/world.h"
 
@@ -30,23 +35,27 @@ struct Mover {
 
 /// Trees of models with at least one mover.
 struct Trees {
-  std::vector<std::uint32_t> root;                 // root model row, ascending                     (t)
-  std::vector<std::uint32_t> first_model, models;  // rows, parents first: models[first_model[t] ..]
-  std::vector<std::uint32_t> first_mover;          // movers[first_mover[t] ..], in the order of models
+  ByRow<Trees, std::uint32_t> root;         // root model row, ascending                     (t)
+  ByRow<Trees, std::uint32_t> first_model;  // models[first_model[t] ..]
+  std::vector<std::uint32_t> models;        // rows of world::Models, parents first
+  ByRow<Trees, std::uint32_t> first_mover;  // movers[first_mover[t] ..], in the order of models
   std::vector<Mover> movers;
-  std::vector<std::uint32_t> first_solid;  // solids first_solid[t] .. first_solid[t + 1] - 1
+  ByRow<Trees, std::uint32_t> first_solid;  // solids first_solid[t] .. first_solid[t + 1] - 1
   std::size_t size() const { return root.size(); }
-  std::span<const std::uint32_t> models_of(std::uint32_t tree) const {
+  RowsOf<Trees> rows() const { return RowsOf<Trees>(size()); }
+  std::span<const std::uint32_t> models_of(Row<Trees> tree) const {
     return std::span(models).subspan(first_model[tree], first_model[tree + 1] - first_model[tree]);
   }
   /// Row of the tree with this root.
-  std::uint32_t of_root(std::uint32_t top) const {
-    return static_cast<std::uint32_t>(std::ranges::lower_bound(root, top) - root.begin());
+  Row<Trees> of_root(std::uint32_t top) const {
+    return {static_cast<std::uint32_t>(std::ranges::lower_bound(root, top) - root.begin())};
   }
 };
 
+using TreeRow = Row<Trees>;
+
 /// A solid in the frame of its model, made once per row of SceneDesc::models, shared by its instances.
-struct Shape {
+struct SolidShape {
   double z_min_M = 0, z_max_M = 0;  // m
   Vec2 center_M;                    // mean of the vertices                                    [m]
   double radius = 0;                // bounding circle about the center                          [m]
@@ -61,11 +70,11 @@ struct Shape {
 class Shapes {
  public:
   explicit Shapes(const scene::SceneDesc& scene) : scene_(scene) {}
-  const std::vector<Shape>& of(std::uint32_t desc);
+  const std::vector<SolidShape>& of(std::uint32_t desc);
 
  private:
   const scene::SceneDesc& scene_;
-  std::map<std::uint32_t, std::vector<Shape>> made_;
+  std::map<std::uint32_t, std::vector<SolidShape>> made_;
 };
 
 /// Convex polygons with more corners take the code path of concave ones.
@@ -85,7 +94,7 @@ struct alignas(64) EightCorners {
 struct Solids {
   // Constant: shape and owner.
   std::vector<std::uint32_t> model, root;  // rows of world::Models
-  std::vector<std::uint32_t> tree;         // row of Trees, Row::kNone: static
+  std::vector<TreeRow> tree;               // none: static
   std::vector<double> z_min_M, z_max_M;    // m
   std::vector<Vec2> center_M;              // mean of the vertices                                    [m]
   std::vector<double> radius;              // bounding circle about the center                          [m]
@@ -94,7 +103,7 @@ struct Solids {
   std::vector<std::uint8_t> full;          // 1: its inside is solid, not only its outline
   std::vector<std::uint8_t> hole;          // 1: its inside is free: a hole in the body of a bitmap
   std::vector<std::uint32_t> body;         // row of the first solid of the same body
-  std::vector<Observers> seen_by;          // visibility mask: observers that see it, or are blocked by it
+  std::vector<SeenByBits> seen_by;         // visibility mask: what sees it, or is blocked by it
   // Height of its lowest part that another solid of its tree encloses (enclosure.h), kAll if all of it.  [m]
   std::vector<double> enclosed;
   static constexpr double kAll = 1e300;     // above everything: enclosed all over
@@ -109,8 +118,8 @@ struct Solids {
   // Placement in W.                           written by: place
   std::vector<Vec2> center;          // in W                                                    [m]
   std::vector<double> z_min, z_max;  // in W                                                    [m]
-  std::vector<Vec2> p;  // vertices in W, padded by kSpare for vector loads           [m] (vertices)
-  static constexpr std::size_t kSpare = 32;
+  std::vector<Vec2> p;  // vertices in W, padded by kPad for vector loads           [m] (vertices)
+  static constexpr std::size_t kPad = 32;
   // Corners of polygons with convex_corners(), polygon by polygon.
   std::vector<EightCorners> corners;
   std::vector<std::uint32_t> first_corners;  // rows of corners                            (movable solids)
@@ -124,7 +133,7 @@ struct Solids {
     const std::size_t count = first_vertex[row + 1] - first_vertex[row] - 1;
     return convex[row] != 0 && count <= kConvexCorners ? count : 0;
   }
-  bool is_obstacle(std::size_t row) const { return (seen_by[row] & bit(Observer::kMotion)) != 0; }
+  bool is_obstacle(std::size_t row) const { return (seen_by[row] & bit(SeenBy::kMotion)) != 0; }
   std::span<const Vec2> polygon(std::size_t row) const {
     return {p.data() + first_vertex[row], first_vertex[row + 1] - first_vertex[row] - 1};
   }

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Checks of a scene before any engine runs it.
+///
+/// In: a scene.
+/// Out: an error, or warnings.
+/// Cost: the models and their sensors.
 
 #include <string>
 #include <vector>

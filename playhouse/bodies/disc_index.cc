@@ -91,11 +91,11 @@ void DiscIndex::begin(std::size_t count, const world::Workers& workers) {
   discs_.resize(count);
   cell_.resize(count);
   for (std::vector<double>* column : {&places_.x, &places_.y, &places_.z_min, &places_.z_max})
-    column->resize(count + kSpare);
+    column->resize(count + kPad);
   for (std::vector<std::int32_t>* column :
        {&places_.units_x, &places_.units_y, &places_.units_low, &places_.units_high})
-    column->resize(count + kSpare);
-  places_.root.resize(count + kSpare);
+    column->resize(count + kPad);
+  places_.root.resize(count + kPad);
   next_.resize(blocks_ * cells());
   sums_.resize(blocks_);
   extents_.resize(blocks_ * layers_.size());
@@ -117,7 +117,7 @@ void DiscIndex::count_up(std::size_t block) {
                         disc.z_min,
                         disc.z_max,
                         disc.convex != 0,
-                        (disc.seen_by & bit(Observer::kRanger)) != 0,
+                        (disc.seen_by & bit(SeenBy::kRanger)) != 0,
                         {disc.center.x, disc.center.y, disc.center.x, disc.center.y}});
     cell_[i] =
         static_cast<std::uint32_t>(layers_[layer].first_cell + layers_[layer].torus.index(disc.center));
@@ -172,7 +172,7 @@ void DiscIndex::put_places(std::size_t block) {
     places_.y[place] = disc.center.y;
     places_.units_x[place] = units(disc.center.x);
     places_.units_y[place] = units(disc.center.y);
-    const bool is_seen = (disc.seen_by & bit(Observer::kRanger)) != 0;
+    const bool is_seen = (disc.seen_by & bit(SeenBy::kRanger)) != 0;
     places_.units_low[place] = is_seen ? height_units(disc.z_min) : std::numeric_limits<std::int32_t>::max();
     places_.units_high[place] = height_units(disc.z_max);
     places_.root[place] = disc.root;

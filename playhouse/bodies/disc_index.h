@@ -6,12 +6,17 @@
 /// height, so that a query at one height skips what is entirely above or below it, and by
 /// size, each size with a grid of its own, so that a query is inflated by large radii only
 /// where it looks for large things: one of them makes no other query dearer.
+///
+/// In: circles, each with a range of heights, its row and its root.
+/// Out: the runs of things that may be near a place.
+/// Cost: rebuild() visits all things and cells; a query the cells of its box, in each layer at its
+///   heights.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "playhouse/bodies/observer.h"
+#include "playhouse/bodies/seen_by.h"
 #include "playhouse/bodies/torus.h"
 #include "playhouse/world/workers.h"
 
@@ -29,7 +34,7 @@ class DiscIndex {
     std::uint32_t first_vertex = 0, vertices = 0;
     std::uint32_t first_corners = 0;  // row of Solids::corners
     std::uint8_t convex = 0;          // corners of a convex polygon, 0: concave or > kConvexCorners
-    Observers seen_by = 0;
+    SeenByBits seen_by = 0;
   };
 
   DiscIndex() { populate(0, 0.25); }
@@ -80,7 +85,7 @@ class DiscIndex {
   /// True if everything in layers at those heights is a convex polygon of few corners.
   bool is_all_convex(double z_low, double z_high) const;
   /// The fields read for every disc of a run as columns,
-  /// in the order of discs(); padded by kSpare rows.
+  /// in the order of discs(); padded by kPad rows.
   struct Places {
     std::vector<double> x, y, z_min, z_max;      // m, in W
     std::vector<std::int32_t> units_x, units_y;  // units() of x, y
@@ -102,7 +107,7 @@ class DiscIndex {
     const double scaled = kPerMetre * z;
     return static_cast<std::int32_t>(scaled > kFar ? kFar : scaled < -kFar ? -kFar : scaled);
   }
-  static constexpr std::size_t kSpare = 8;
+  static constexpr std::size_t kPad = 8;
   const Places& places() const { return places_; }
   const Disc* discs() const { return discs_.data(); }
 

@@ -84,7 +84,7 @@ void find_enclosed(Solids& solids, const world::Models& models, std::size_t firs
   }
   for (std::size_t row = first; row < end; ++row)
     if (solids.enclosed[row] == Solids::kAll)
-      solids.seen_by[row] &= static_cast<Observers>(~bit(Observer::kMotion));
+      solids.seen_by[row] &= static_cast<SeenByBits>(~bit(SeenBy::kMotion));
 }
 
 }  // namespace playhouse::bodies

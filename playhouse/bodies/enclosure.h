@@ -14,7 +14,7 @@ namespace playhouse::bodies {
 
 /// Sets `enclosed` of the solids [first, end) of one tree, and `seen_by` of those
 /// enclosed all over. A solid is enclosed by a convex block that is rigidly attached to
-/// it, holds it with a margin of kMargin, and is visible to at least the same observers.
+/// it, holds it with a margin of kMargin, and is visible to at least as many.
 void find_enclosed(Solids& solids, const world::Models& models, std::size_t first, std::size_t end);
 
 }  // namespace playhouse::bodies

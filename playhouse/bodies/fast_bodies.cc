@@ -14,7 +14,7 @@ constexpr std::size_t kFew = 16;
 
 }  // namespace
 
-void FastBodies::find(const Trees& trees, const Solids& solids, std::span<const double> reach,
+void FastBodies::find(const Trees& trees, const Solids& solids, const ByRow<Trees, double>& reach,
                       world::Workers& workers) {
   double sum = 0, most = 0;
   std::size_t moving = 0;
@@ -32,7 +32,7 @@ void FastBodies::find(const Trees& trees, const Solids& solids, std::span<const 
   is_fast_.assign(trees.size(), 0);
   radius_.clear();
   reach_of_others_ = sum = 0;
-  for (std::uint32_t tree = 0; tree < trees.size(); ++tree) {
+  for (const TreeRow tree : trees.rows()) {
     if (reach[tree] <= limit) {
       reach_of_others_ = std::max(reach_of_others_, reach[tree]);
       continue;

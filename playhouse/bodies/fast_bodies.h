@@ -20,17 +20,18 @@ namespace playhouse::bodies {
 class FastBodies {
  public:
   /// `reach`: bounds on the displacement of the centers of a tree's solids. [m] (trees)
-  void find(const Trees& trees, const Solids& solids, std::span<const double> reach, world::Workers& workers);
+  void find(const Trees& trees, const Solids& solids, const ByRow<Trees, double>& reach,
+            world::Workers& workers);
 
   bool empty() const { return solids_.empty(); }
-  bool is_fast(std::uint32_t tree) const { return !empty() && is_fast_[tree] != 0; }
+  bool is_fast(TreeRow tree) const { return !empty() && is_fast_[tree] != 0; }
   /// Bound on the displacement of the centers of all solids that are not of fast trees. [m]
   double reach_of_others() const { return reach_of_others_; }
   /// The solids of fast trees, each with a circle that holds it throughout this tick; row: of Solids.
   const DiscIndex& index() const { return index_; }
 
  private:
-  std::vector<std::uint8_t> is_fast_;  // (trees)
+  ByRow<Trees, std::uint8_t> is_fast_;  // (trees)
   std::vector<DiscIndex::Disc> solids_;
   std::vector<double> radius_;  // of solids_ [m]
   double reach_of_others_ = 0;

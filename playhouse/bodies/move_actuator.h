@@ -1,6 +1,10 @@
 #pragma once
 
 /// ActuatorMove: kinematics of an actuator and what it carries (motion.h). Rows are of world::Actuators.
+///
+/// In: position and velocity of a joint.
+/// Out: the pose of what it moves, after a time; its new position.
+/// Cost: a composition of poses.
 
 #include <cmath>
 

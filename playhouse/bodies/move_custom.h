@@ -2,6 +2,10 @@
 
 /// CustomMove: kinematics of a custom model, by the velocity
 /// that its library sets (motion.h). Rows are of world::Customs.
+///
+/// In: a pose and a velocity.
+/// Out: the pose after a time.
+/// Cost: a rotation.
 
 #include <cmath>
 

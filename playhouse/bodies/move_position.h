@@ -1,6 +1,10 @@
 #pragma once
 
 /// PositionMove: kinematics of a robot base (motion.h). Rows are of world::Positions.
+///
+/// In: a pose, and a velocity in its frame.
+/// Out: the pose after a time; odometry.
+/// Cost: a rotation.
 
 #include <cmath>
 

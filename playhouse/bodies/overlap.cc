@@ -83,7 +83,7 @@ double length_inside_any(std::span<const Vec2> polygon, Vec2 a, Vec2 b) {
   return inside * length(d);
 }
 
-bool outline_enters(const Outline& polygon, const Outline& other) {
+bool outline_enters(const Polygon& polygon, const Polygon& other) {
   for (std::size_t i = 0; i < other.p.size(); ++i)
     if (length_inside(polygon, other.p[i], corner_after(other.p, i)) > kLength) return true;
   return false;
@@ -117,15 +117,15 @@ bool is_convex(std::span<const Vec2> polygon) {
   return upward_turns <= 1;
 }
 
-double length_inside(const Outline& polygon, Vec2 a, Vec2 b) {
+double length_inside(const Polygon& polygon, Vec2 a, Vec2 b) {
   return polygon.convex ? length_inside_convex(polygon.p, a, b) : length_inside_any(polygon.p, a, b);
 }
 
-bool is_inside(const Outline& polygon, Vec2 p) {
+bool is_inside(const Polygon& polygon, Vec2 p) {
   return is_inside_any(polygon.p, p);
 }
 
-bool overlap(const Outline& first, const Outline& second) {
+bool overlap(const Polygon& first, const Polygon& second) {
   return outline_enters(first, second) || outline_enters(second, first) ||
          (first.convex && is_inside(second, first.center)) ||
          (second.convex && is_inside(first, second.center));

@@ -1,5 +1,11 @@
 #pragma once
 
+/// Plans of worlds from above, for maps.
+///
+/// In: solids in W, and the side of a pixel. [m]
+/// Out: a plan from above.
+/// Cost: its pixels, and the edges of the solids.
+
 #include <cstddef>
 #include <functional>
 

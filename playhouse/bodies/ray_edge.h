@@ -2,7 +2,7 @@
 
 /// Ray-edge intersection: the only implementation, for one ray and
 /// one edge or for four of either at once (Number is double or
-/// Four). All ray casts use it, so that they give the same bits.
+/// Double4). All ray casts use it, so that they give the same bits.
 ///
 /// In: the ray's unit vector d; the ends w0 and w1 of the edge relative to the ray's origin.           [m]
 /// Out: the distance along the ray, kMiss if it misses the edge; the nearest of several edges.
@@ -114,8 +114,8 @@ PLAYHOUSE_INLINE void keep_first(const Number& t, const Number& row, Number& ran
 
 /// The same for one ray, branch-free: hits are unpredictable.
 PLAYHOUSE_INLINE void keep_first_alone(double t, double row, double& range, double& solid) {
-  simd::Two ranges = {range}, solids = {solid};
-  keep_first(simd::Two{t}, simd::Two{row}, ranges, solids);
+  simd::Double2 ranges = {range}, solids = {solid};
+  keep_first(simd::Double2{t}, simd::Double2{row}, ranges, solids);
   range = ranges[0];
   solid = solids[0];
 }

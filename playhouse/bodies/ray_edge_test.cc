@@ -88,7 +88,7 @@ class Paths {
       const rays::RangerKind& kind = kinds.kinds[kinds.of_ranger[ranger]];
       const std::uint32_t first = world_.sensors.first_beam[world_.rangers.first_sensor[ranger]];
       const auto ray = [&](Vec2 p, Vec2 d, double z, double range) {
-        return Ray{p, d, X_WM.z + z, X_WM.z + z, range, bit(Observer::kRanger), world_.models.root[model]};
+        return Ray{p, d, X_WM.z + z, X_WM.z + z, range, bit(SeenBy::kRanger), world_.models.root[model]};
       };
       for (const rays::Scan& scan : kind.scans) {
         const Pose X_WS = geom::compose(X_WM, scan.X_MS);

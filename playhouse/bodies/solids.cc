@@ -16,7 +16,7 @@ void add_blocks(const scene::ModelDesc& desc, const geom::Pose& X_WM, std::vecto
     solids.push_back({moved(X_WB, block.points), X_WB.z + block.z_min, X_WB.z + block.z_max});
 }
 
-Outline outline_of(const Solid& solid) {
+Polygon outline_of(const Solid& solid) {
   geom::Vec2 sum{};
   for (const geom::Vec2 p : solid.p) sum = sum + p;
   return {solid.p, (1.0 / static_cast<double>(solid.p.size())) * sum, is_convex(solid.p)};

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Solids: the prisms that bodies are made of, in the world, for tests of places before anything moves.
+///
+/// In: the description of an obstacle, and a pose.
+/// Out: its prisms in W.
+/// Cost: their vertices.
 
 #include <cstdint>
 #include <span>
@@ -25,7 +29,7 @@ std::vector<geom::Vec2> moved(const geom::Pose& X_WB, std::span<const geom::Vec2
 void add_blocks(const scene::ModelDesc& desc, const geom::Pose& X_WM, std::vector<Solid>& solids);
 
 /// The polygon of a solid, which must outlive it.
-Outline outline_of(const Solid& solid);
+Polygon outline_of(const Solid& solid);
 
 /// True if the heights of a solid and of [bottom, top] overlap.
 bool share_heights(const Solid& solid, double bottom, double top);

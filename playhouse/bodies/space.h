@@ -1,6 +1,10 @@
 #pragma once
 
 /// Space: all bodies and their broad phase, read-only for the senses; and a single exact ray cast.
+///
+/// In: all solids, and a ray.
+/// Out: where it ends.
+/// Cost: the cells of wall along the ray; after that all movable bodies about what is left of it.
 
 #include "playhouse/bodies/bodies.h"
 #include "playhouse/bodies/disc_index.h"
@@ -36,12 +40,12 @@ inline DiscIndex::Disc disc_of(const Solids& solids, std::size_t row) {
 }
 
 struct Ray {
-  Vec2 p, d;               // origin, unit vector in W
-  double z_low = 0;        // m; heights z_low .. z_high are tested
-  double z_high = 0;       // m
-  double range = 0;        // m
-  Observers by = 0;        // the observers: solids invisible to all of them are ignored
-  std::uint32_t root = 0;  // tree that is ignored
+  Vec2 p, d;                                         // origin, unit vector in W
+  double z_low = 0;                                  // m; heights z_low .. z_high are tested
+  double z_high = 0;                                 // m
+  double range = 0;                                  // m
+  SeenByBits by = 0;                                 // solids that none of these sees are ignored
+  std::uint32_t root = 0;                            // tree that is ignored
   std::uint32_t also_root = world::ModelRow::kNone;  // another one
 };
 

@@ -3,6 +3,10 @@
 /// Torus: a uniform grid whose cell coordinates wrap around in both directions, so that a
 /// world of any extent needs a fixed number of cells. Distant places share a cell, so callers
 /// test true coordinates. Cells of a row are consecutive: a box of cells is a few runs.
+///
+/// In: coordinates in W. [m]
+/// Out: indices of cells.
+/// Cost: constant; runs() has one or two runs for each row of cells of the box.
 
 #include <cmath>
 #include <cstddef>

@@ -23,7 +23,7 @@ Rows solids_about(const Solids& solids, const Trees& trees, const world::Models&
     return {static_cast<std::size_t>(own.first - solids.model.begin()),
             static_cast<std::size_t>(own.second - solids.model.begin())};
   }
-  const std::uint32_t tree = trees.of_root(models.root[model]);
+  const TreeRow tree = trees.of_root(models.root[model]);
   return {trees.first_solid[tree], trees.first_solid[tree + 1]};
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 /// Contact queries between bodies, whether or not they are obstacles.
+///
+/// In: solids at their present places, and a model.
+/// Out: rows of models.
 
 #include <cstdint>
 #include <span>

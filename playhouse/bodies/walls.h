@@ -2,6 +2,11 @@
 
 /// Walls: edges of the static solids in a uniform grid on a torus. Rebuilt
 /// when a static solid is moved. An edge is listed in every cell it touches.
+///
+/// In: the static solids.
+/// Out: their edges by cell, and how far each cell is from any.
+/// Cost: made by a visit of all cells that edges touch, and four passes over all cells; a traversal
+///   visits the cells along the ray, and skips empty squares of them.
 
 #include <algorithm>
 #include <cstdint>
@@ -37,7 +42,7 @@ class Walls {
     std::uint32_t solid;        // row of Solids
     std::uint32_t count;
     std::uint32_t number;  // of the first edge; consecutive
-    Observers seen_by;     // visibility mask of the solid
+    SeenByBits seen_by;    // visibility mask of the solid
 
     Edge edge(std::uint32_t i) const { return {{x[i], y[i]}, {x[i + 1], y[i + 1]}, solid, number + i}; }
   };

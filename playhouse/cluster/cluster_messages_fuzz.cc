@@ -26,12 +26,12 @@ constexpr const char* kWorld =
 void read_messages(std::span<const std::byte> bytes) {
   std::array<int, 2> ends{};
   PLAYHOUSE_ASSERT(socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) == 0);
-  cluster::Stream stream(ends[0], 1000);
+  cluster::MessageStream stream(ends[0], 1000);
   const auto some = bytes.first(std::min<std::size_t>(bytes.size(), 4096));
   PLAYHOUSE_ASSERT(write(ends[1], some.data(), some.size()) == static_cast<ssize_t>(some.size()));
   close(ends[1]);
   for (;;) {
-    const Result<cluster::Message> message = stream.wait(cluster::Seconds{1});
+    const Result<cluster::NodeMessage> message = stream.wait(cluster::Seconds{1});
     if (!message) break;
     PLAYHOUSE_ASSERT(message->body.size() <= 1000);
   }

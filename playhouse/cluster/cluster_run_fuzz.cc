@@ -31,8 +31,7 @@
 namespace {
 
 using namespace playhouse;
-using cluster::Bytes;
-using cluster::Type;
+using cluster::NodeMessageType;
 
 constexpr const char* kWorld =
     "define robot position( ranger( sensor( samples 9 ) ) )\n"
@@ -79,7 +78,7 @@ class SharingEngine final : public world::Engine, private world::DividedWork {
   world::Division* division_ = nullptr;
 };
 
-void add(Bytes& stream, Type type, std::span<const std::byte> body) {
+void add(Bytes& stream, NodeMessageType type, std::span<const std::byte> body) {
   Packer(stream).u32(static_cast<std::uint32_t>(body.size()));
   Packer(stream).u8(static_cast<std::uint8_t>(type));
   stream.insert(stream.end(), body.begin(), body.end());
@@ -110,27 +109,27 @@ Bytes stream_of(FuzzScript& script) {
     const std::uint8_t what = script.byte();
     switch (what) {
       case 'w':
-        add(stream, Type::kWorld,
+        add(stream, NodeMessageType::kWorld,
             world::encode(
                 world::SavedRun{{.path = "fuzz.world", .files = {{"fuzz.world", kWorld}}}, "", 1, {}}));
         break;
       case 's':
-        add(stream, Type::kStep, step_of(true));
+        add(stream, NodeMessageType::kStep, step_of(true));
         break;
       case 'c':
-        add(stream, Type::kStep, step_of(false));
+        add(stream, NodeMessageType::kStep, step_of(false));
         break;
       case 'i':
-        add(stream, Type::kHello, cluster::hello(""));
+        add(stream, NodeMessageType::kHello, cluster::hello(""));
         break;
       case 'r':
-        add(stream, Type::kReady, {});
+        add(stream, NodeMessageType::kReady, {});
         break;
       case 'm':
-        add(stream, Type::kShare, measurements(std::exchange(is_first, false)));
+        add(stream, NodeMessageType::kShare, measurements(std::exchange(is_first, false)));
         break;
       default:
-        add(stream, static_cast<Type>(what), script.take(script.byte()));
+        add(stream, static_cast<NodeMessageType>(what), script.take(script.byte()));
     }
   }
   return stream;
@@ -147,7 +146,7 @@ void run_node(FuzzScript script) {
   PLAYHOUSE_ASSERT(socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) == 0);
   say(ends[1], stream_of(script));
   SharingEngine engine;
-  cluster::Node node(cluster::Stream(ends[0], 0));
+  cluster::Node node(cluster::MessageStream(ends[0], 0));
   const auto summary = node.run([&](world::SavedRun) -> Result<world::Engine*> { return &engine; });
   PLAYHOUSE_ASSERT(summary.ok() || !summary.error().line().empty());
   close(ends[1]);

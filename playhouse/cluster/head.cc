@@ -52,8 +52,9 @@ Head::Head(std::unique_ptr<world::Engine> engine, scene::SourceFiles sources, Op
 
 Head::~Head() {
   const Until end = until(kLastMessages);
-  for (const auto& node : nodes_) static_cast<void>(node->stream.send(Type::kEnd, {}, end));
-  for (Pending& pending : pending_) static_cast<void>(pending.stream.send(Type::kEnd, {}, Seconds{0}));
+  for (const auto& node : nodes_) static_cast<void>(node->stream.send(NodeMessageType::kEnd, {}, end));
+  for (Pending& pending : pending_)
+    static_cast<void>(pending.stream.send(NodeMessageType::kEnd, {}, Seconds{0}));
   if (listener_ >= 0) ::close(listener_);
 }
 
@@ -85,11 +86,12 @@ void Head::accept_all() {
   for (std::size_t accepted = 0; accepted < limits::kClusterNodes; ++accepted) {
     const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
     if (socket < 0) return;
-    Stream stream(socket, limits::kClusterHelloBytes);
+    MessageStream stream(socket, limits::kClusterHelloBytes);
     std::string name = stream.peer(), network = net::network_of(name);
     if (pending_.size() >= limits::kClusterNodes) {
       std::vector<net::Holder> holders;
-      for (const Pending& pending : pending_) holders.push_back({pending.network, pending.since});
+      for (const Pending& pending : pending_)
+        holders.push_back({pending.network, Seconds(pending.since.time_since_epoch()).count()});
       const auto place = static_cast<std::ptrdiff_t>(net::gives_way(holders));
       pending_.erase(std::next(pending_.begin(), place));
     }
@@ -114,7 +116,7 @@ bool Head::negotiate(Pending& pending, std::size_t& room) {
     return false;
   };
   const Result<void> received = pending.stream.receive();
-  const Result<std::optional<Message>> message = pending.stream.next();
+  const Result<std::optional<NodeMessage>> message = pending.stream.next();
   if (!message) return end(message.error().text);
   if (!*message) {
     if (!received) return end(received.error().text);
@@ -124,13 +126,14 @@ bool Head::negotiate(Pending& pending, std::size_t& room) {
     const Seconds patience = pending.has_world ? Seconds(kMaking) : options_.patience;
     return since(pending.since) < patience || end("is silent");
   }
-  const Message& said = **message;
-  if (said.type == Type::kRefusal) {
+  const NodeMessage& said = **message;
+  if (said.type == NodeMessageType::kRefusal) {
     Unpacker in(said.body);
     return end("cannot join: " + escaped(in.text()));
   }
-  if (!pending.has_world && said.type == Type::kHello) return welcome(pending, said.body);
-  if (!pending.has_world || said.type != Type::kReady) return end("does not speak the protocol of clusters");
+  if (!pending.has_world && said.type == NodeMessageType::kHello) return welcome(pending, said.body);
+  if (!pending.has_world || said.type != NodeMessageType::kReady)
+    return end("does not speak the protocol of clusters");
   if (nodes_.size() + joining_.size() >= limits::kClusterNodes)
     return refuse(pending, fmt::format("there are {} nodes, the most", limits::kClusterNodes));
   join(pending);
@@ -142,7 +145,7 @@ bool Head::welcome(Pending& pending, std::span<const std::byte> hello) {
     return refuse(pending, why);
   if (const int left = quarantine_of(pending.network); left > 0)
     return refuse(pending, fmt::format("a node at its address was silent: in {} s it can", left));
-  pending.stream.queue(Type::kWorld, world_message());
+  pending.stream.queue(NodeMessageType::kWorld, world_message());
   pending.has_world = true;
   return true;
 }
@@ -150,7 +153,7 @@ bool Head::welcome(Pending& pending, std::span<const std::byte> hello) {
 bool Head::refuse(Pending& pending, const std::string& why) {
   Bytes body;
   Packer(body).text(why);
-  static_cast<void>(pending.stream.send(Type::kRefusal, {body}, Seconds{0}));
+  static_cast<void>(pending.stream.send(NodeMessageType::kRefusal, {body}, Seconds{0}));
   log::warn("cluster: {}: cannot join: {}", pending.name, why);
   return false;
 }
@@ -257,7 +260,7 @@ void Head::send_steps() {
     Bytes body;
     encode(step, body);
     node.has_shared = false;
-    const Result<void> sent = node.stream.send(Type::kStep, {body}, end);
+    const Result<void> sent = node.stream.send(NodeMessageType::kStep, {body}, end);
     if (!sent) lose(node, sent.error().text);
   }
 }
@@ -314,9 +317,10 @@ void Head::gather(world::DividedWork& work) {
 void Head::receive_share(world::DividedWork& work, std::size_t index) {
   Node& node = *nodes_[index];
   const Result<void> received = node.stream.receive();
-  const Result<std::optional<Message>> message = node.stream.next();
+  const Result<std::optional<NodeMessage>> message = node.stream.next();
   if (!message) return lose(node, message.error().text);
-  if (*message && (*message)->type == Type::kShare) return take_share(work, index, (*message)->body);
+  if (*message && (*message)->type == NodeMessageType::kShare)
+    return take_share(work, index, (*message)->body);
   if (*message) return lose(node, "does not speak the protocol of clusters");
   if (!received) lose(node, received.error().text);
 }
@@ -353,7 +357,7 @@ void Head::pass_on(std::size_t share, std::span<const std::byte> results) {
   for (std::size_t to = 0; to < nodes_.size(); ++to) {
     Node& node = *nodes_[to];
     if (node.lost || to + 1 == share) continue;
-    const Result<void> sent = node.stream.send(Type::kResults, {index, results}, end_);
+    const Result<void> sent = node.stream.send(NodeMessageType::kResults, {index, results}, end_);
     if (!sent) lose(node, sent.error().text);
   }
 }
@@ -364,7 +368,7 @@ void Head::lose(Node& node, const std::string& why) {
   log::warn("cluster: {} is lost: {}", node.name, why);
   Bytes body;
   Packer(body).text(why);
-  static_cast<void>(node.stream.send(Type::kRefusal, {body}, Seconds{0}));
+  static_cast<void>(node.stream.send(NodeMessageType::kRefusal, {body}, Seconds{0}));
 }
 
 void Head::drop_lost() {

@@ -59,13 +59,13 @@ class Head final : public world::Engine, public run::Follower, private world::Di
  private:
   /// A connection that does not take part yet.
   struct Pending {
-    Stream stream;
+    MessageStream stream;
     std::string name, network;
     std::chrono::steady_clock::time_point since;
     bool has_world = false;  // or is being sent it
   };
   struct Node {
-    Stream stream;
+    MessageStream stream;
     std::string name;    // of the peer
     bool is_new = true;  // in its first tick
     bool lost = false, has_shared = false;

@@ -20,40 +20,41 @@ Error unexpected() {
 
 }  // namespace
 
-Node::Node(Stream stream, std::string token, Seconds patience)
+Node::Node(MessageStream stream, std::string token, Seconds patience)
     : stream_(std::move(stream)), token_(std::move(token)), patience_(patience) {
   stream_.accept_up_to(limits::kClusterMessageBytes);
 }
 
 /// A run may be paused for as long as its user likes: without patience, waits for ever for a message to
 /// begin.
-Result<Message> Node::next(std::optional<Seconds> patience) {
-  const Result<Message> message = stream_.wait(patience);
-  if (!message || message->type != Type::kRefusal) return message;
+Result<NodeMessage> Node::next(std::optional<Seconds> patience) {
+  const Result<NodeMessage> message = stream_.wait(patience);
+  if (!message || message->type != NodeMessageType::kRefusal) return message;
   Unpacker in(message->body);
   return Error{"", "refuses this node: " + escaped(in.text())};
 }
 
 /// False: the run has ended.
 Result<bool> Node::join(const EngineMaker& make) {
-  if (const Result<void> sent = stream_.send(Type::kHello, {hello(token_)}, kPatience); !sent)
+  if (const Result<void> sent = stream_.send(NodeMessageType::kHello, {hello(token_)}, kPatience); !sent)
     return sent.error();
-  const Result<Message> world = next(patience_);
+  const Result<NodeMessage> world = next(patience_);
   if (!world) return world.error();
-  if (world->type == Type::kEnd) return false;
-  if (world->type != Type::kWorld) return unexpected();
+  if (world->type == NodeMessageType::kEnd) return false;
+  if (world->type != NodeMessageType::kWorld) return unexpected();
   Result<world::SavedRun> run = world::decode_saved_run(world->body);
   if (!run) return Error{"", "sent a world that " + run.error().text};
   const Result<world::Engine*> engine = make(std::move(*run));
   if (!engine) {
     Bytes why;
     Packer(why).text(engine.error().line());
-    static_cast<void>(stream_.send(Type::kRefusal, {why}, kPatience));
+    static_cast<void>(stream_.send(NodeMessageType::kRefusal, {why}, kPatience));
     return Error{"", "runs a world that this node cannot: " + engine.error().line()};
   }
   engine_ = *engine;
   engine_->divide(this);
-  if (const Result<void> sent = stream_.send(Type::kReady, {}, kPatience); !sent) return sent.error();
+  if (const Result<void> sent = stream_.send(NodeMessageType::kReady, {}, kPatience); !sent)
+    return sent.error();
   return true;
 }
 
@@ -80,10 +81,10 @@ Result<Node::Summary> Node::run(const EngineMaker& make) {
   Summary summary;
   if (!*joined) return summary;
   for (;;) {
-    const Result<Message> message = next();
+    const Result<NodeMessage> message = next();
     if (!message) return message.error();
-    if (message->type == Type::kEnd) return summary;
-    if (message->type != Type::kStep) return unexpected();
+    if (message->type == NodeMessageType::kEnd) return summary;
+    if (message->type != NodeMessageType::kStep) return unexpected();
     const Result<Step> step = decode_step(message->body);
     if (!step) return step.error();
     if (const Result<void> prepared = prepare(*step); !prepared) return prepared.error();
@@ -106,11 +107,12 @@ Result<void> Node::share(world::DividedWork& work) {
     Packer(head).u64(hashes_->sensed);
   }
   work.compute(share_, results);
-  if (const Result<void> sent = stream_.send(Type::kShare, {head, results}, kPatience); !sent) return sent;
+  if (const Result<void> sent = stream_.send(NodeMessageType::kShare, {head, results}, kPatience); !sent)
+    return sent;
   for (std::size_t i = 1; i < share_.count; ++i) {
-    const Result<Message> others = next();
+    const Result<NodeMessage> others = next();
     if (!others) return others.error();
-    if (others->type != Type::kResults) return unexpected();
+    if (others->type != NodeMessageType::kResults) return unexpected();
     Unpacker in(others->body);
     const auto index = static_cast<std::size_t>(in.varint());
     if (!in.ok() || index >= share_.count || index == share_.index ||

@@ -26,13 +26,13 @@ class Node final : private world::Division {
   };
 
   /// `patience`: for the head to begin the run. `token`: of the run, if it has one.
-  explicit Node(Stream stream, std::string token = {}, Seconds patience = kPatience);
+  explicit Node(MessageStream stream, std::string token = {}, Seconds patience = kPatience);
 
   /// Takes part until the run ends. Fails if the head refuses or is gone, or the engine cannot be made.
   Result<Summary> run(const EngineMaker& make);
 
  private:
-  Result<Message> next(std::optional<Seconds> patience = {});
+  Result<NodeMessage> next(std::optional<Seconds> patience = {});
   Result<bool> join(const EngineMaker& make);
   Result<void> prepare(const Step& step);
   void run(world::DividedWork& work) override;
@@ -40,7 +40,7 @@ class Node final : private world::Division {
 
   static constexpr Seconds kPatience{60};
 
-  Stream stream_;
+  MessageStream stream_;
   std::string token_;
   Seconds patience_;
   world::Engine* engine_ = nullptr;

@@ -78,7 +78,7 @@ std::string reason(int code) {
   return std::generic_category().message(code);
 }
 
-Stream::Stream(int socket, std::size_t limit) : socket_(socket), limit_(limit) {
+MessageStream::MessageStream(int socket, std::size_t limit) : socket_(socket), limit_(limit) {
   if (socket < 0) return;
   fcntl(socket, F_SETFL, fcntl(socket, F_GETFL) | O_NONBLOCK);
   set(socket, IPPROTO_TCP, TCP_NODELAY, 1);  // a tick waits for each message
@@ -88,7 +88,7 @@ Stream::Stream(int socket, std::size_t limit) : socket_(socket), limit_(limit) {
   set(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);
 }
 
-Stream::Stream(Stream&& other) noexcept
+MessageStream::MessageStream(MessageStream&& other) noexcept
     : socket_(std::exchange(other.socket_, -1)),
       limit_(other.limit_),
       in_(std::move(other.in_)),
@@ -96,7 +96,7 @@ Stream::Stream(Stream&& other) noexcept
       queued_(std::move(other.queued_)),
       sent_(other.sent_) {}
 
-Stream& Stream::operator=(Stream&& other) noexcept {
+MessageStream& MessageStream::operator=(MessageStream&& other) noexcept {
   std::swap(socket_, other.socket_);
   std::swap(limit_, other.limit_);
   std::swap(in_, other.in_);
@@ -106,16 +106,16 @@ Stream& Stream::operator=(Stream&& other) noexcept {
   return *this;
 }
 
-Stream::~Stream() {
+MessageStream::~MessageStream() {
   close();
 }
 
-void Stream::close() {
+void MessageStream::close() {
   if (socket_ >= 0) ::close(socket_);
   socket_ = -1;
 }
 
-Result<Stream> Stream::connect(const std::string& host, std::uint16_t port, Seconds patience) {
+Result<MessageStream> MessageStream::connect(const std::string& host, std::uint16_t port, Seconds patience) {
   addrinfo hints{};
   hints.ai_family = AF_UNSPEC;
   hints.ai_socktype = SOCK_STREAM;
@@ -127,14 +127,14 @@ Result<Stream> Stream::connect(const std::string& host, std::uint16_t port, Seco
   for (const addrinfo* address = found; address != nullptr; address = address->ai_next) {
     const int socket = ::socket(address->ai_family, address->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC,
                                 address->ai_protocol);
-    Stream stream(socket, SIZE_MAX);
+    MessageStream stream(socket, SIZE_MAX);
     fault = socket < 0 ? errno : connect_within(socket, *address, until(patience));
     if (fault == 0) return stream;
   }
   return Error{"", reason(fault)};
 }
 
-std::string Stream::peer() const {
+std::string MessageStream::peer() const {
   sockaddr_storage address{};
   socklen_t size = sizeof address;
   std::array<char, NI_MAXHOST> host{};
@@ -147,7 +147,7 @@ std::string Stream::peer() const {
   return fmt::format("{}{}{}:{}", is_v6 ? "[" : "", host.data(), is_v6 ? "]" : "", port.data());
 }
 
-void Stream::queue(Type type, std::shared_ptr<const Bytes> body) {
+void MessageStream::queue(NodeMessageType type, std::shared_ptr<const Bytes> body) {
   Bytes head;
   Packer(head).u32(static_cast<std::uint32_t>(body->size()));
   Packer(head).u8(static_cast<std::uint8_t>(type));
@@ -155,7 +155,7 @@ void Stream::queue(Type type, std::shared_ptr<const Bytes> body) {
   if (!body->empty()) queued_.push_back(std::move(body));
 }
 
-Result<std::size_t> Stream::flush(std::size_t most) {
+Result<std::size_t> MessageStream::flush(std::size_t most) {
   std::size_t all = 0;
   while (!queued_.empty() && all < most) {
     const std::span<const std::byte> left = std::span(*queued_.front()).subspan(sent_);
@@ -172,14 +172,15 @@ Result<std::size_t> Stream::flush(std::size_t most) {
   return all;
 }
 
-Result<void> Stream::send(Type type, std::initializer_list<std::span<const std::byte>> body,
-                          Seconds patience) {
+Result<void> MessageStream::send(NodeMessageType type, std::initializer_list<std::span<const std::byte>> body,
+                                 Seconds patience) {
   std::size_t size = 0;
   for (const std::span<const std::byte> piece : body) size += piece.size();
   return send(type, std::span(body), until(patience, size));
 }
 
-Result<void> Stream::send(Type type, std::span<const std::span<const std::byte>> body, Until until) {
+Result<void> MessageStream::send(NodeMessageType type, std::span<const std::span<const std::byte>> body,
+                                 Until until) {
   std::size_t size = 0;
   for (const std::span<const std::byte> piece : body) size += piece.size();
   if (size > UINT32_MAX) return Error{"", "a message is larger than 4 GiB"};
@@ -220,7 +221,7 @@ Result<void> Stream::send(Type type, std::span<const std::span<const std::byte>>
   return {};
 }
 
-Result<void> Stream::receive() {
+Result<void> MessageStream::receive() {
   in_.erase(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(begin_));
   begin_ = 0;
   for (;;) {
@@ -240,27 +241,28 @@ Result<void> Stream::receive() {
   }
 }
 
-Result<std::optional<Message>> Stream::next() {
+Result<std::optional<NodeMessage>> MessageStream::next() {
   const std::span<const std::byte> bytes = std::span(in_).subspan(begin_);
-  if (bytes.size() < kHeadBytes) return std::optional<Message>();
+  if (bytes.size() < kHeadBytes) return std::optional<NodeMessage>();
   Unpacker head(bytes);
   const std::uint32_t size = head.u32();
   const std::uint8_t type = head.u8();
   if (size > limit_) return Error{"", fmt::format("sent a message of {} bytes, {} at most", size, limit_)};
-  if (type < static_cast<std::uint8_t>(Type::kHello) || type > static_cast<std::uint8_t>(Type::kEnd))
+  if (type < static_cast<std::uint8_t>(NodeMessageType::kHello) ||
+      type > static_cast<std::uint8_t>(NodeMessageType::kEnd))
     return Error{"", "does not speak the protocol of clusters"};
-  if (bytes.size() - kHeadBytes < size) return std::optional<Message>();
+  if (bytes.size() - kHeadBytes < size) return std::optional<NodeMessage>();
   begin_ += kHeadBytes + size;
-  return std::optional<Message>({static_cast<Type>(type), bytes.subspan(kHeadBytes, size)});
+  return std::optional<NodeMessage>({static_cast<NodeMessageType>(type), bytes.subspan(kHeadBytes, size)});
 }
 
-Result<Message> Stream::wait(std::optional<Seconds> patience) {
+Result<NodeMessage> MessageStream::wait(std::optional<Seconds> patience) {
   std::optional<Until> end;
   if (patience) end = until(*patience);
   std::optional<Clock::time_point> began;
   Result<void> received;
   for (;;) {
-    const Result<std::optional<Message>> message = next();
+    const Result<std::optional<NodeMessage>> message = next();
     if (!message) return message.error();
     if (*message) return **message;
     if (!received) return received.error();
@@ -278,7 +280,7 @@ Result<Message> Stream::wait(std::optional<Seconds> patience) {
 }
 
 /// Bytes of the message that has begun, if its head has come.
-std::size_t Stream::announced() const {
+std::size_t MessageStream::announced() const {
   const std::span<const std::byte> bytes = std::span(in_).subspan(begin_);
   return bytes.size() < kHeadBytes ? 0 : Unpacker(bytes).u32();
 }

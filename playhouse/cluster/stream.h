@@ -1,6 +1,6 @@
 #pragma once
 
-/// Stream: messages between head and node of a cluster over a TCP connection.
+/// MessageStream: messages between head and node of a cluster over a TCP connection.
 /// docs/cluster.md specifies the layout. Sockets are non-blocking. Single-threaded.
 
 #include <atomic>
@@ -15,14 +15,14 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/base/packing.h"
 #include "playhouse/base/result.h"
 
 namespace playhouse::cluster {
 
-using Bytes = std::vector<std::byte>;
 using Seconds = std::chrono::duration<double>;
 
-enum class Type : std::uint8_t {
+enum class NodeMessageType : std::uint8_t {
   kHello = 1,    // node: the protocol that it speaks
   kWorld = 2,    // head: scene, engine and seed
   kReady = 3,    // node: the engine is made
@@ -33,8 +33,8 @@ enum class Type : std::uint8_t {
   kEnd = 8,      // head: the run has ended
 };
 
-struct Message {
-  Type type{};
+struct NodeMessage {
+  NodeMessageType type{};
   std::span<const std::byte> body;
 };
 
@@ -49,16 +49,16 @@ Until until(Seconds patience, std::size_t bytes = 0, const std::atomic<bool>* st
 /// What the system says of an errno.
 std::string reason(int code);
 
-class Stream {
+class MessageStream {
  public:
   /// Takes a connected socket. `limit`: bytes of the largest message that is accepted.
-  Stream(int socket, std::size_t limit);
-  Stream(Stream&& other) noexcept;
-  Stream& operator=(Stream&& other) noexcept;
-  ~Stream();
+  MessageStream(int socket, std::size_t limit);
+  MessageStream(MessageStream&& other) noexcept;
+  MessageStream& operator=(MessageStream&& other) noexcept;
+  ~MessageStream();
 
   /// Connects within the time. `host` is a name or a numeric address.
-  static Result<Stream> connect(const std::string& host, std::uint16_t port, Seconds patience);
+  static Result<MessageStream> connect(const std::string& host, std::uint16_t port, Seconds patience);
 
   int socket() const { return socket_; }
   /// Address and port of the peer.
@@ -66,7 +66,7 @@ class Stream {
   void accept_up_to(std::size_t limit) { limit_ = limit; }
 
   /// Queues a message for flush(). The body is shared, not copied.
-  void queue(Type type, std::shared_ptr<const Bytes> body);
+  void queue(NodeMessageType type, std::shared_ptr<const Bytes> body);
   bool has_queued() const { return !queued_.empty(); }
   /// Sends what is queued as far as the peer takes it, without waiting, `most` bytes at most. Returns their
   /// number.
@@ -74,22 +74,24 @@ class Stream {
 
   /// Sends a message with this body, in pieces, after what is queued; meanwhile receives, up to the limit.
   /// Fails if the peer is gone, or has not taken it all in time.
-  Result<void> send(Type type, std::span<const std::span<const std::byte>> body, Until until);
-  Result<void> send(Type type, std::initializer_list<std::span<const std::byte>> body, Until until) {
+  Result<void> send(NodeMessageType type, std::span<const std::span<const std::byte>> body, Until until);
+  Result<void> send(NodeMessageType type, std::initializer_list<std::span<const std::byte>> body,
+                    Until until) {
     return send(type, std::span(body), until);
   }
   /// The patience grows with the size of the message.
-  Result<void> send(Type type, std::initializer_list<std::span<const std::byte>> body, Seconds patience);
+  Result<void> send(NodeMessageType type, std::initializer_list<std::span<const std::byte>> body,
+                    Seconds patience);
 
   /// Receives what has arrived, without waiting. Fails if the peer is gone; what it has sent remains to be
   /// taken.
   Result<void> receive();
   /// The next message, if it has arrived completely; valid until the next call of either. Fails on one over
   /// the limit.
-  Result<std::optional<Message>> next();
+  Result<std::optional<NodeMessage>> next();
   /// The next message, waiting for it. The patience is for its first byte, none: for ever; the rest has to
   /// follow at the rate of a slow network.
-  Result<Message> wait(std::optional<Seconds> patience);
+  Result<NodeMessage> wait(std::optional<Seconds> patience);
 
  private:
   void close();

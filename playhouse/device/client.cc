@@ -1,5 +1,6 @@
 #include "playhouse/device/client.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "playhouse/base/assert.h"
@@ -13,66 +14,65 @@ constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq)
 
 }  // namespace
 
-Client::Client(Opener& opener, Driver& owner, std::size_t devices)
+DeviceClient::DeviceClient(Opener& opener, Driver& owner, std::size_t devices)
     : opener_(opener), owner_(owner), used_(devices) {}
 
-Subscription& Client::latest(std::size_t device, std::uint8_t subtype) {
+Subscription& DeviceClient::latest(std::size_t device, std::uint8_t subtype) {
   return *used_[device].subscriptions.emplace_back(std::make_unique<Subscription>(subtype, 1));
 }
 
-Subscription& Client::queue(std::size_t device, std::size_t limit) {
+Subscription& DeviceClient::queue(std::size_t device, std::size_t limit) {
   return *used_[device].subscriptions.emplace_back(std::make_unique<Subscription>(std::nullopt, limit));
 }
 
-void Client::use(std::size_t device, DeviceId id, Driver& driver) {
+void DeviceClient::use(std::size_t device, DeviceId id, Driver& driver) {
   PLAYHOUSE_ASSERT(device < used_.size() && used_[device].driver == nullptr);
   used_[device].id = id;
   used_[device].driver = &driver;
+  if (std::ranges::find(held_, id) == held_.end()) held_.push_back(id);
 }
 
-void Client::join(DataFlow& flow) {
-  std::vector<DeviceId> devices;
-  for (const Used& used : used_) devices.push_back(used.id);
-  flow.add(*this, devices);
+void DeviceClient::join(DataFlow& flow) {
+  flow.add(*this, held_);
 }
 
-Result<void> Client::open() {
+Result<void> DeviceClient::open() {
   for (const Used& used : used_)
     for (const auto& subscription : used.subscriptions) subscription->clear();
-  for (std::size_t device = 0; device < used_.size(); ++device) {
-    const Result<void> held = opener_.hold(used_[device].id, &owner_);
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const Result<void> held = opener_.hold(held_[i], &owner_);
     if (held) continue;
-    while (device > 0) opener_.release(used_[--device].id, &owner_);
+    while (i > 0) opener_.release(held_[--i], &owner_);
     return held;
   }
   open_ = true;
   return {};
 }
 
-void Client::close() {
+void DeviceClient::close() {
   if (!open_.exchange(false)) return;
-  for (const Used& used : used_) opener_.release(used.id, &owner_);
+  for (const DeviceId id : held_) opener_.release(id, &owner_);
 }
 
-Taken Client::command(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body) {
+Taken DeviceClient::command(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body) {
   if (!open_) return Taken::kNo;
   return used_[device].driver->command({used_[device].id, kCmd, subtype, body});
 }
 
-void Client::ask(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body, Heard heard) {
+void DeviceClient::ask(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body, Heard heard) {
   forward(device, subtype, body, replier_for(std::move(heard)));
 }
 
-void Client::forward(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body,
+void DeviceClient::forward(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body,
                      Replier replier) {
   used_[device].driver->request({used_[device].id, kReq, subtype, body}, std::move(replier));
 }
 
-bool Client::capable(std::size_t device, std::uint8_t type, std::uint8_t subtype) const {
+bool DeviceClient::capable(std::size_t device, std::uint8_t type, std::uint8_t subtype) const {
   return used_[device].driver->capable(used_[device].id, type, subtype);
 }
 
-void Client::barrier(Replier replier) {
+void DeviceClient::barrier(Replier replier) {
   // Shared by the pending barriers: replies when the last one is done.
   const std::shared_ptr<Replier> all(new Replier(std::move(replier)), [](Replier* done) {
     done->ack();
@@ -82,13 +82,13 @@ void Client::barrier(Replier replier) {
     used.driver->barrier(replier_for([all](const std::optional<std::vector<std::byte>>&) {}));
 }
 
-Replier Client::replier_for(Heard heard) {
+Replier DeviceClient::replier_for(Heard heard) {
   const std::lock_guard lock(mutex_);
   asked_[next_ticket_] = std::move(heard);
   return {*this, next_ticket_++};
 }
 
-void Client::answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) {
+void DeviceClient::answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) {
   Heard heard;
   {
     const std::lock_guard lock(mutex_);
@@ -100,7 +100,7 @@ void Client::answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body)
   heard(ack ? std::optional(std::move(body)) : std::nullopt);
 }
 
-void Client::read(std::span<const Publication* const> fresh, std::vector<Publication>& more) {
+void DeviceClient::read(std::span<const Publication* const> fresh, std::vector<Publication>& more) {
   if (!open_) return;
   for (const Publication* publication : fresh) {
     for (const Used& used : used_) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Client: an in-process client, through which a driver uses the devices that its section
+/// DeviceClient: an in-process client, through which a driver uses the devices that its section
 /// requires: opens and closes them, subscribes to data, sends commands and requests. Devices are
 /// numbered in the order in which the driver named them. Threads: use() and subscriptions during
 /// construction of drivers, open() and close() on the io thread, everything else on any thread.
@@ -34,7 +34,7 @@ class Opener {
   virtual void release(DeviceId device, Driver* holder) = 0;
 };
 
-class Client final : private Outlet, private DataFlow::Reader {
+class DeviceClient final : private Outlet, private DataFlow::Reader {
  public:
   /// Called when a batch with data for the subscriptions has been
   /// delivered, on the publishing thread. Appended messages join the batch.
@@ -44,9 +44,9 @@ class Client final : private Outlet, private DataFlow::Reader {
 
   /// For `devices` devices used by `owner`, which is notified when one of them retires while open,
   /// and closes them then. `opener` must outlive the client, and the client its pending requests.
-  Client(Opener& opener, Driver& owner, std::size_t devices);
-  Client(const Client&) = delete;
-  Client& operator=(const Client&) = delete;
+  DeviceClient(Opener& opener, Driver& owner, std::size_t devices);
+  DeviceClient(const DeviceClient&) = delete;
+  DeviceClient& operator=(const DeviceClient&) = delete;
 
   // During construction of drivers.
 
@@ -55,7 +55,8 @@ class Client final : private Outlet, private DataFlow::Reader {
   /// Subscribes to all messages, with a queue of `limit`.
   Subscription& queue(std::size_t device, std::size_t limit);
   void when_news(News news) { news_ = std::move(news); }
-  /// Binds number `device` to a device of `driver`. Once for each.
+  /// Binds number `device` to a device of `driver`. Once for each. Several may be one device, which is held
+  /// and read once.
   void use(std::size_t device, DeviceId id, Driver& driver);
   /// Receives data from `flow`, after all clients that joined earlier. After all use() calls.
   void join(DataFlow& flow);
@@ -92,6 +93,7 @@ class Client final : private Outlet, private DataFlow::Reader {
   Opener& opener_;
   Driver& owner_;
   std::vector<Used> used_;
+  std::vector<DeviceId> held_;  // theirs, each once
   News news_;
   std::atomic<bool> open_ = false;
 

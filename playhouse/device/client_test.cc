@@ -37,7 +37,7 @@ class ClientTest : public ::testing::Test {
   FakePublisher out;
   FakeOutlet outlet;
   DataFlow flow;
-  Client client{devices, owner, 2};
+  DeviceClient client{devices, owner, 2};
 };
 
 TEST_F(ClientTest, holds_its_devices_while_it_is_open) {
@@ -52,6 +52,21 @@ TEST_F(ClientTest, holds_its_devices_for_its_owner_who_hears_when_they_retire) {
   ASSERT_TRUE(client.open());
   EXPECT_EQ(devices.holders[kWheels.row], &owner);
   EXPECT_EQ(devices.holders[kLaser.row], &owner);
+}
+
+TEST_F(ClientTest, a_device_of_two_numbers_is_held_and_read_once) {
+  DeviceClient twice{devices, owner, 2};
+  Subscription& first = twice.queue(0, 4);
+  Subscription& second = twice.queue(1, 4);
+  for (const std::size_t number : {0, 1}) twice.use(number, kWheels, wheels());
+  twice.join(flow);
+  ASSERT_TRUE(twice.open());
+  EXPECT_EQ(devices.held[kWheels.row], 1);
+  publish(kWheels, 1, "here");
+  EXPECT_EQ(first.take().size(), 1u);
+  EXPECT_EQ(second.take().size(), 1u);
+  twice.close();
+  EXPECT_EQ(devices.held[kWheels.row], 0);
 }
 
 TEST_F(ClientTest, opens_none_when_one_cannot_start) {
@@ -103,7 +118,7 @@ TEST_F(ClientTest, commands_reach_the_device_that_is_meant) {
 
 TEST_F(ClientTest, hears_each_answer_once_and_a_refusal_as_nothing) {
   std::vector<std::string> heard;
-  const Client::Heard hear = [&](const std::optional<std::vector<std::byte>>& body) {
+  const DeviceClient::Heard hear = [&](const std::optional<std::vector<std::byte>>& body) {
     heard.push_back(body ? text(*body) : "nothing");
   };
   client.ask(0, 1, bytes("size?"), hear);

@@ -137,13 +137,17 @@ class Course {
  public:
   explicit Course(FuzzScript& script) : script_(script), source_(script) {
     flow_.pass_to(published_);
-    amcl_.set_devices(kLocalize, kPlace);
-    wavefront_.set_device(kPlanner);
-    vfh_.set_device(kVfh);
-    nd_.set_device(kNd);
+    amcl_.begin<Amcl>(few_particles(), ScanSensor::kLaser);
+    amcl_.provide({kLocalize, kPlace});
+    wavefront_.begin<Wavefront>(WavefrontOptions());
+    wavefront_.provide({kPlanner});
+    vfh_.begin<Vfh>(VfhOptions());
+    vfh_.provide({kVfh});
+    nd_.begin<Nd>(NdOptions(), Nd::Sensors{.laser = 2, .sonar = 3});
+    nd_.provide({kNd});
     connect(amcl_, {kRobot, kLaser, kMap}, {});
     connect(vfh_, {kRobot, kLaser}, {});
-    connect(nd_, {kRobot, kLaser, kSonar}, {});
+    connect(nd_, {kRobot, kRobot, kLaser, kSonar}, {});
     connect(wavefront_, {kRobot, kPlace, kMap}, {{kPlace, &amcl_}});
   }
 
@@ -158,10 +162,10 @@ class Course {
         return amcl_.request({kLocalize, 3, lcl::kReqSetPose, wire::encode(pose)}, {published_, 1});
       }
       case 2:
-        amcl_.rewound(script_.number(), script_.byte());
-        wavefront_.rewound(script_.byte() == 0);
-        vfh_.rewound(script_.byte() == 0);
-        return nd_.rewound(script_.byte() == 0);
+        amcl_.rewound({1, script_.number(), script_.byte()});
+        wavefront_.rewound({script_.byte()});
+        vfh_.rewound({script_.byte()});
+        return nd_.rewound({script_.byte()});
       case 3:
         amcl_.request({kLocalize, 3, lcl::kReqGetParticles, {}}, {published_, 1});
         return wavefront_.request({kPlanner, 3, wire::planner::kReqGetWaypoints, {}}, {published_, 1});
@@ -175,8 +179,7 @@ class Course {
     device::DeviceId id;
     device::Driver* driver;
   };
-  template <typename Driver>
-  void connect(Driver& driver, std::vector<device::DeviceId> devices, std::vector<Other> others) {
+  void connect(Shell& driver, std::vector<device::DeviceId> devices, std::vector<Other> others) {
     for (std::size_t i = 0; i < devices.size(); ++i) {
       device::Driver* provider = &source_;
       for (const Other& other : others)
@@ -184,7 +187,7 @@ class Course {
       driver.client().use(i, devices[i], *provider);
     }
     driver.client().join(flow_);
-    driver.thread().follow_ticks(0, 1);
+    driver.follow_ticks(0);
     PLAYHOUSE_ASSERT(driver.start({}).ok());
   }
 
@@ -208,10 +211,10 @@ class Course {
     flow_.publish({{kRobot, p2d::kDataState, time, wire::encode(state)},
                    {kLaser, lsr::kDataScan, time, wire::encode(scan)},
                    {kSonar, snr::kDataRanges, time, wire::encode(snr::Data{any_floats(script_)})}});
-    amcl_.thread().ticked(tick_);
-    vfh_.thread().ticked(tick_);
-    nd_.thread().ticked(tick_);
-    wavefront_.thread().ticked(tick_);
+    amcl_.ticked(tick_);
+    vfh_.ticked(tick_);
+    nd_.ticked(tick_);
+    wavefront_.ticked(tick_);
   }
 
   FuzzScript& script_;
@@ -219,10 +222,8 @@ class Course {
   Published published_;
   device::DataFlow flow_;
   std::uint64_t tick_ = 0;
-  Amcl amcl_{source_, few_particles(), Amcl::Sensor::kLaser};
-  Wavefront wavefront_{source_, {}};
-  Vfh vfh_{source_, {}};
-  Nd nd_{source_, {.output = 0, .input = 0, .laser = 1, .sonar = 2, .count = 3}, {}};
+  Shell amcl_{"amcl", source_, 3}, wavefront_{"wavefront", source_, 3}, vfh_{"vfh", source_, 2},
+      nd_{"nd", source_, 4};
 };
 
 }  // namespace

@@ -45,7 +45,8 @@ bool may_ask_for_refusal(std::uint8_t type, std::uint8_t subtype) {
   return type == static_cast<std::uint8_t>(wire::MessageType::kReq) && subtype == wire::kReqGetStrprop;
 }
 
-void ask_for_refusal(device::Client& client, std::size_t device, std::function<void(std::string why)> heard) {
+void ask_for_refusal(device::DeviceClient& client, std::size_t device,
+                     std::function<void(std::string why)> heard) {
   client.ask(device, wire::kReqGetStrprop,
              wire::encode(wire::StrpropReq{wire::c_string(kRefusal), wire::c_string("")}),
              [heard = std::move(heard)](const AnswerBody& body) {

@@ -33,6 +33,7 @@ void answer_refusal(std::string_view why, device::Replier replier);
 bool may_ask_for_refusal(std::uint8_t type, std::uint8_t subtype);
 
 /// Asks a device of a client; empty if it has no such property. Calls as Client::ask() does.
-void ask_for_refusal(device::Client& client, std::size_t device, std::function<void(std::string why)> heard);
+void ask_for_refusal(device::DeviceClient& client, std::size_t device,
+                     std::function<void(std::string why)> heard);
 
 }  // namespace playhouse::drivers

@@ -28,7 +28,7 @@
 namespace playhouse::drivers {
 
 /// Interface to the program's server and engine.
-class Surroundings : public device::Opener {
+class Host : public device::Opener {
  public:
   /// Registers a device. Io thread too.
   virtual Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) = 0;
@@ -42,6 +42,9 @@ class Surroundings : public device::Opener {
   /// Runs the task on the io thread, in the order of calls
   /// and after what the calling thread published. Any thread.
   virtual void post(std::function<void()> task) = 0;
+  /// False: drivers compute on the threads that call them, as in a simulation of the whole program. Before
+  /// the run.
+  virtual bool has_threads() const { return true; }
   /// For drivers that connect to other machines. Same thread as tasks of post().
   virtual net::Network& network() = 0;
   /// Loads a world file into a new engine.
@@ -51,10 +54,10 @@ class Surroundings : public device::Opener {
 class Site {
  public:
   /// `default_port` applies to addresses without a port.
-  Site(Surroundings& surroundings, std::uint16_t default_port)
+  Site(Host& surroundings, std::uint16_t default_port)
       : surroundings_(surroundings), default_port_(default_port) {}
 
-  Surroundings& surroundings() { return surroundings_; }
+  Host& surroundings() { return surroundings_; }
   /// Where drivers publish; connected by the program.
   device::DataFlow& data_flow() { return data_flow_; }
 
@@ -89,7 +92,7 @@ class Site {
   /// A driver that uses devices of other drivers, whose sections may come later.
   struct User {
     device::Driver* driver = nullptr;
-    device::Client* client = nullptr;
+    device::DeviceClient* client = nullptr;
     std::vector<device::Address> provided;  // its own devices
     std::vector<device::Address> devices;   // of the client, in its order
     std::string where;                      // "file:line" of the section's `requires`
@@ -120,7 +123,7 @@ class Site {
   void take_out(device::Address address);
   void add_who_requires(std::vector<device::Address>& devices) const;
 
-  Surroundings& surroundings_;
+  Host& surroundings_;
   std::uint16_t default_port_;
   std::unique_ptr<run::Simulation> simulation_;
   device::DataFlow data_flow_;

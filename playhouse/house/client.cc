@@ -18,10 +18,10 @@
 namespace playhouse::house {
 namespace {
 
-using server::Bytes;
 using wire::MessageType;
 
 constexpr std::size_t kBannerBytes = 32;
+constexpr double kTickSeconds = 0.1;   // of the world
 constexpr std::uint32_t kIndices = 8;  // of an interface that clients name; fewer exist, at first
 constexpr std::size_t kBodyBytes = 64;
 constexpr std::uint8_t kPull = 2;    // data mode
@@ -126,8 +126,13 @@ void SimulatedClient::wrong(std::string what) {
   if (behaves() && !fault_) fault_ = std::move(what);
 }
 
-void SimulatedClient::hear() {
+void SimulatedClient::excuse_until(double time) {
+  excused_until_ = std::max(excused_until_, time);
+}
+
+void SimulatedClient::hear(double now) {
   if (over_) return;
+  now_ = now;
   const Bytes more = peer_.take();
   heard_.insert(heard_.end(), more.begin(), more.end());
   if (!greeted_) {
@@ -144,14 +149,31 @@ void SimulatedClient::hear() {
 void SimulatedClient::take(const wire::Header& header, std::span<const std::byte> body) {
   digest_.add(std::uint64_t{header.interf} << 32 | std::uint64_t{header.index} << 16 | header.subtype);
   for (const std::byte byte : body) digest_.add(static_cast<std::uint64_t>(byte));
-  if (header.type == MessageType::kData || header.type == MessageType::kSynch) return;
+  if (header.type == MessageType::kData) return look_at_data(header);
+  if (header.type == MessageType::kSynch) return;
   if (header.type != MessageType::kAck && header.type != MessageType::kNack)
     return wrong(fmt::format("a client is sent a message of type {}", static_cast<int>(header.type)));
   if (header.interf == wire::player::kCode && header.subtype == wire::player::kReqDev) {
     const auto reply = wire::decode<wire::player::DeviceReq>(body);
-    if (reply && reply->access == kGone) return;  // a notice, which nobody asks for
+    if (reply) data_times_.erase({reply->addr.interf, reply->addr.index});  // opened, closed or gone
+    if (reply && reply->access == kGone) return;                            // a notice, which nobody asks for
   }
   answer(header);
+}
+
+/// Who gets data as they come gets those of every tick.
+void SimulatedClient::look_at_data(const wire::Header& header) {
+  const auto [last, is_first] = data_times_.try_emplace({header.interf, header.index}, header.timestamp);
+  if (loses_tick_ && !is_first && now_ >= excused_until_) {
+    loses_tick_ = false;
+    return;
+  }
+  const double passed = header.timestamp - last->second;
+  const bool is_late = header.interf != wire::fiducial::kCode && passed > 1.5 * kTickSeconds;
+  if (manner_ == Manner::kReads && is_late && now_ >= excused_until_)
+    wrong(fmt::format("a client gets data of interface {}:{} of {:.1f} s, and those before of {:.1f} s",
+                      header.interf, header.index, header.timestamp, last->second));
+  last->second = header.timestamp;
 }
 
 void SimulatedClient::answer(const wire::Header& header) {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <random>
 #include <set>
@@ -36,8 +37,10 @@ class SimulatedClient {
   Manner manner() const { return manner_; }
   /// Sends some messages; before a tick.
   void act();
-  /// Reads what has come, and looks whether it may have; after a tick.
-  void hear();
+  /// Reads what has come, and looks whether it may have; after a tick. `now` [s].
+  void hear(double now);
+  /// Data may be missing up to then [s]: the network is cut, or the run goes on from another tick.
+  void excuse_until(double time);
   /// Asks no more, and reads on.
   void finish();
   /// Ends the connection.
@@ -53,6 +56,8 @@ class SimulatedClient {
   std::uint64_t digest() const { return digest_.value(); }
   /// Does as if the next answer had not come, for tests of what is found.
   void lose_an_answer() { loses_answer_ = true; }
+  /// Does as if the data of the next tick had not come, likewise.
+  void lose_a_tick() { loses_tick_ = true; }
 
  private:
   /// By sequence number, interface, index and subtype.
@@ -67,15 +72,19 @@ class SimulatedClient {
   void send(std::vector<std::byte> bytes);
   void take(const wire::Header& header, std::span<const std::byte> body);
   void answer(const wire::Header& header);
+  void look_at_data(const wire::Header& header);
   void wrong(std::string what);
 
   net::SimulatedPeer peer_;
   const Manner manner_;
   std::mt19937_64 random_;
   std::vector<std::byte> heard_;  // less than a message
-  bool greeted_ = false, finishes_ = false, over_ = false, stalled_ = false, loses_answer_ = false;
+  bool greeted_ = false, finishes_ = false, over_ = false, stalled_ = false;
+  bool loses_answer_ = false, loses_tick_ = false;
   std::uint32_t next_ = 1;  // sequence number
   std::set<Question> asked_;
+  std::map<std::pair<std::uint16_t, std::uint16_t>, double> data_times_;  // by interface and index: the last
+  double excused_until_ = 0, now_ = 0;                                    // s
   std::size_t answered_ = 0;
   std::optional<std::string> fault_;
   Hash digest_;

@@ -11,8 +11,13 @@
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/drivers/simulated/auto_devices.h"
+#include "playhouse/drivers/simulated/joining.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/house/client.h"
+#include "playhouse/house/failing_disk.h"
+#include "playhouse/house/recorder_link.h"
+#include "playhouse/house/shown_worlds.h"
+#include "playhouse/house/simulated_viewer.h"
 #include "playhouse/observers/observer_client.h"
 #include "playhouse/observers/observer_server.h"
 #include "playhouse/record/mcap/mcap_writer.h"
@@ -20,18 +25,22 @@
 #include "playhouse/record/rerun.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/server/server.h"
+#include "playhouse/web_server/web_server.h"
 #include "playhouse/world/population/population.h"
 
 namespace playhouse::house {
 namespace {
 
-constexpr std::uint16_t kPort = 6665, kObserverPort = 7000;
+constexpr std::uint16_t kPort = 6665, kObserverPort = 7000, kWebPort = 8080;
 constexpr const char* kObserverHost = "10.0.0.1";
-constexpr std::size_t kClients = 6, kSpawned = 6;
+constexpr std::size_t kClients = 6, kPages = 3, kSpawned = 6;
 constexpr double kTurn = 0.1;          // s between two turns of people and clients
 constexpr double kSlice = 0.02;        // s of the network, while the tick sleeps
 constexpr double kTickSeconds = 1e-3;  // that a tick takes
 constexpr double kPatience = 5;        // s until a client has all its answers
+constexpr double kSettling = 3;        // s until nothing is on its way that was before
+constexpr double kSignOfLife =
+    1.5;  // s; a page assumes that the program hangs if it hears nothing for longer
 constexpr std::uint64_t kRewindTicks = 200;
 
 constexpr const char* kWorld = R"(
@@ -42,57 +51,9 @@ define robot position( size [0.4 0.4 0.3] ctrl "wander"
   ranger( sensor( pose [0.1 0 0 0] range [0 3] samples 1 ) sensor( pose [0 0.1 0 90] range [0 3] samples 1 ) )
   fiducial( ) )
 robot( name "r0" pose [-3 -3 0 10] ) robot( name "r1" pose [3 3 0 200] )
+position( name "ada" pose [2 -3 0 0] size [0.3 0.5 1.75] drive "walk" velocity_bounds [-0.8 2 -0.8 0.8 0 0 -180 180] )
 position( name "r2" pose [0 0 0 0] size [0.4 0.4 0.3] ranger( sensor( range [0 6] fov 90 samples 5 ) ) )
 )";
-
-/// A disk that is full after so many bytes.
-class FailingDisk final : public record::RecordSink {
- public:
-  FailingDisk(std::unique_ptr<record::RecordSink> file, std::size_t room)
-      : file_(std::move(file)), room_(room) {}
-  void add(std::span<const std::byte> records) override {
-    taken_ += records.size();
-    file_->add(records);
-  }
-  std::size_t waiting() const override { return file_->waiting(); }
-  Result<void> flush() override { return has_room() ? file_->flush() : full(); }
-  Result<void> attach(const record::Attachment& attachment) override { return file_->attach(attachment); }
-  Result<void> finish() override { return has_room() ? file_->finish() : full(); }
-
- private:
-  bool has_room() const { return taken_ <= room_; }
-  static Error full() { return {"the simulated disk", "is full"}; }
-
-  std::unique_ptr<record::RecordSink> file_;
-  const std::size_t room_;
-  std::size_t taken_ = 0;
-};
-
-/// Passes a run on to its recorder, without one of the changes if it loses one.
-class RecorderLink final : public run::Follower {
- public:
-  RecorderLink(record::Recorder& recorder, bool loses) : recorder_(recorder), loses_(loses) {}
-  void happened(const world::World& world, const world::Event& event) override {
-    recorder_.happened(world, event);
-  }
-  void changed(const world::World& world, std::span<const world::Change> changes) override {
-    const auto spawns = [](const world::Change& change) {
-      return std::holds_alternative<world::changes::SpawnCopy>(change);
-    };
-    std::vector<world::Change> kept(changes.begin(), changes.end());
-    const auto lost = std::ranges::find_if(kept, spawns);
-    if (loses_ && lost != kept.end()) {
-      kept.erase(lost);
-      loses_ = false;
-    }
-    recorder_.changed(world, kept);
-  }
-  void ticked(const world::World& world) override { recorder_.ticked(world); }
-
- private:
-  record::Recorder& recorder_;
-  bool loses_;
-};
 
 /// Lets time pass in each tick, so that it does even in a run that waits for nobody.
 class TickTime final : public run::Follower {
@@ -104,11 +65,12 @@ class TickTime final : public run::Follower {
   const std::function<void()> pass_;
 };
 
-class House final : private drivers::Surroundings {
+class House final : private drivers::Host {
  public:
   House(const Options& options, const std::string& folder);
   ~House() override {
     clients_.clear();
+    pages_.clear();
     site_.simulation()->discard();
   }
   Report run();
@@ -120,10 +82,15 @@ class House final : private drivers::Surroundings {
 
   void begin_recording(const std::string& folder);
   void open_observers();
+  void open_page_server();
   void follow_rewinds();
   void change_world();
   void rewind();
   void change_clients();
+  void change_pages();
+  void end_page(SimulatedViewer& page);
+  void change_network();
+  void excuse_until(double time);
   bool sleep(double until);
   void pass(double seconds);
   void turn();
@@ -134,7 +101,7 @@ class House final : private drivers::Surroundings {
   void run_again();
   void wrong(std::string what);
 
-  // drivers::Surroundings
+  // drivers::Host
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
     return server_.add_device(address, driver);
   }
@@ -144,6 +111,7 @@ class House final : private drivers::Surroundings {
   }
   void release(device::DeviceId device, device::Driver* holder) override { server_.release(device, holder); }
   void post(std::function<void()> task) override { network_.post(std::move(task)); }
+  bool has_threads() const override { return false; }
   net::Network& network() override { return network_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override;
 
@@ -161,10 +129,13 @@ class House final : private drivers::Surroundings {
   std::unique_ptr<record::Recorder> recorder_;
   std::unique_ptr<observers::ObserverServer> observers_;
   std::unique_ptr<observers::ObserverClient> observer_;
+  std::optional<ShownWorlds> shown_;
+  std::unique_ptr<web_server::WebServer> web_;
+  std::vector<std::unique_ptr<SimulatedViewer>> pages_;
   std::vector<std::unique_ptr<SimulatedClient>> clients_, leaving_;
   std::uint64_t turns_ = 0;
-  double next_turn_ = kTurn, leaving_until_ = 0;  // s
-  std::optional<double> ends_;                    // s; all clients leave
+  double next_turn_ = kTurn, leaving_until_ = 0, whole_at_ = 0;  // s; the network carries all
+  std::optional<double> ends_;                                   // s; all clients leave
   std::vector<world::ModelId> spawned_;
   std::optional<std::uint64_t> rewound_to_;
   bool paused_ = false;
@@ -202,6 +173,7 @@ House::House(const Options& options, const std::string& folder)
   PLAYHOUSE_ASSERT(robots_->add_all().ok());
   begin_recording(folder);
   open_observers();
+  open_page_server();
   follow_rewinds();
   simulation().follow(std::make_shared<TickTime>([this] { pass(kTickSeconds); }));
   simulation().requests().record(true);
@@ -216,14 +188,36 @@ void House::open_observers() {
   observers_ = std::make_unique<observers::ObserverServer>(network_, std::move(served), world(),
                                                            replicate::DeviceNames());
   PLAYHOUSE_ASSERT(observers_->listen().ok());
-  simulation().follow(run::on_show(
-      [this](const world::World& world, const world::Pace& pace) { observers_->show(world, pace); }));
+  simulation().follow(run::on_show([this](const world::World& world, const world::Pace& pace) {
+    if (observers_->wants_show()) observers_->show(world, pace);
+  }));
+}
+
+void House::open_page_server() {
+  network_.connections = {.delay = draw(20) / 1000.0, .jitter = draw(50) / 1000.0};
+  web_server::WebOptions options{.port = kWebPort,
+                                 .host_name = "house",
+                                 .physics_shapes = [this] { return simulation().engine().physics_shapes(); },
+                                 .place_of_body = drivers::free_place,
+                                 .shares = simulation().shares()};
+  web_ =
+      std::make_unique<web_server::WebServer>(network_, std::move(options), simulation().requests(), world(),
+                                              [](world::ModelId) { return std::vector<std::string>(); });
+  shown_.emplace(world());
+  PLAYHOUSE_ASSERT(web_->listen().ok());
+  simulation().follow(run::on_show([this](const world::World& world, const world::Pace& pace) {
+    if (!web_->wants_show()) return;
+    web_->show(world, pace);
+    shown_->show(world, pace);
+  }));
 }
 
 /// A rewind arrives at the tick that was asked for.
 void House::follow_rewinds() {
   simulation().follow(run::on_event([this](const world::World& world, const world::Event& event) {
-    if (event.kind != world::Event::Kind::kReload || !rewound_to_) return;
+    if (event.kind != world::Event::Kind::kReload) return;
+    excuse_until(network_.now() + kSettling);
+    if (!rewound_to_) return;
     if (world.tick() != *rewound_to_)
       wrong(fmt::format("the run went to tick {} instead of {}", world.tick(), *rewound_to_));
     rewound_to_.reset();
@@ -299,14 +293,17 @@ void House::change_clients() {
   if (clients_.size() < kClients && draw(5) == 0) {
     const auto manner = static_cast<Manner>(draw(kManners));
     clients_.push_back(std::make_unique<SimulatedClient>(network_, kPort, manner, random_()));
+    clients_.back()->excuse_until(whole_at_ + kSettling);
     ++report_.clients;
     if (options_.sabotage == Sabotage::kLosesAnswer && report_.clients == kClients)
       for (const auto& client : clients_) client->lose_an_answer();
+    if (options_.sabotage == Sabotage::kLosesTick && report_.clients == kClients)
+      for (const auto& client : clients_) client->lose_a_tick();
   }
   if (leaving_.empty() && draw(100) == 0) {
     leaving_ = std::exchange(clients_, {});
     for (const auto& client : leaving_) client->finish();
-    leaving_until_ = network_.now() + kPatience;
+    leaving_until_ = std::max(network_.now(), whole_at_) + kPatience;
   }
   if (!leaving_.empty() && network_.now() >= leaving_until_) end_clients();
   std::erase_if(clients_, [](const auto& client) { return client->is_over(); });
@@ -314,6 +311,48 @@ void House::change_clients() {
   if (observer_ == nullptr && draw(50) == 0)
     observer_ = *observers::ObserverClient::open(
         network_, *net::parse_endpoint(kObserverHost, kObserverPort), {0, 30}, "", [] {}, "10.0.0.2");
+}
+
+void House::change_pages() {
+  if (pages_.size() < kPages && draw(20) == 0) {
+    const std::string address = fmt::format("10.1.{}.{}", report_.pages / 200, 1 + report_.pages % 200);
+    const auto manner = static_cast<PageManner>(draw(kPageManners));
+    pages_.push_back(
+        std::make_unique<SimulatedViewer>(network_, kWebPort, address, *shown_, manner, random_()));
+    pages_.back()->excuse_until(whole_at_);
+    if (options_.sabotage == Sabotage::kLosesFrame && report_.pages == kPages) pages_.back()->lose_changes();
+    ++report_.pages;
+  }
+  if (!pages_.empty() && draw(300) == 0) pages_[draw(static_cast<std::uint32_t>(pages_.size()))]->leave();
+  std::erase_if(pages_, [this](const auto& page) {
+    if (!page->is_over()) return false;
+    end_page(*page);
+    return true;
+  });
+}
+
+void House::end_page(SimulatedViewer& page) {
+  report_.frames += page.whole_frames();
+  digest_.add(page.digest());
+  page.leave();
+}
+
+/// Now and then nothing arrives for some seconds.
+void House::change_network() {
+  if (draw(600) != 0 || network_.is_cut()) return;
+  const double seconds = draw(50) / 10.0;
+  network_.cut(seconds);
+  ++report_.cuts;
+  whole_at_ = network_.now() + seconds;
+  leaving_until_ += seconds;
+  excuse_until(whole_at_ + kSettling);
+}
+
+/// Of data that are missing, and of silence.
+void House::excuse_until(double time) {
+  for (auto* clients : {&clients_, &leaving_})
+    for (const auto& client : *clients) client->excuse_until(time);
+  for (const auto& page : pages_) page->excuse_until(time);
 }
 
 /// Those that have had the time for all answers.
@@ -353,12 +392,17 @@ void House::pass(double seconds) {
 void House::turn() {
   ++turns_;
   for (auto* clients : {&clients_, &leaving_})
-    for (const auto& client : *clients) client->hear();
+    for (const auto& client : *clients) client->hear(network_.now());
+  for (const auto& page : pages_)
+    page->hear(kSignOfLife + 4 * (network_.connections.delay + network_.connections.jitter));
   look();
   if (report_.fault || (ends_ && network_.now() >= *ends_ + kPatience)) return simulation().requests().stop();
   if (network_.now() >= options_.seconds) return begin_to_end();
   change_world();
   change_clients();
+  change_pages();
+  change_network();
+  for (const auto& page : pages_) page->act();
   for (auto* clients : {&clients_, &leaving_})
     for (const auto& client : *clients) client->act();
 }
@@ -370,7 +414,9 @@ void House::begin_to_end() {
     for (auto& client : clients_) leaving_.push_back(std::move(client));
     clients_.clear();
     for (const auto& client : leaving_) client->finish();
-    ends_ = network_.now() + kPatience;
+    for (const auto& page : pages_) end_page(*page);
+    pages_.clear();
+    ends_ = std::max(network_.now(), whole_at_) + kPatience;
   }
   if (network_.now() >= *ends_) end_clients();
   for (const auto& client : leaving_) client->act();
@@ -385,6 +431,8 @@ void House::look() {
   for (auto* clients : {&clients_, &leaving_})
     for (const auto& client : *clients)
       if (client->fault()) wrong(*client->fault());
+  for (const auto& page : pages_)
+    if (page->fault()) wrong(*page->fault());
   if (turns_ % 10 == 0) digest_.add(world().hash());
 }
 
@@ -393,7 +441,7 @@ void House::run_again() {
   recorder_->end(world());
   const bool written = record_thread_->finish();
   if (!written && !report_.disk_failed) return wrong("the recording was not written");
-  const Result<std::unique_ptr<record::Source>> source = record::open_source(file_);
+  const Result<std::unique_ptr<record::ByteSource>> source = record::open_source(file_);
   if (!source) return wrong(source.error().line());
   const Result<record::Recording> recording = record::read_recording(**source);
   report_.disk_failed = !written;

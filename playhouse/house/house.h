@@ -1,7 +1,7 @@
 #pragma once
 
 /// House: the whole program on a simulated network and clock: server, simulated world, its devices, a
-/// recording on a disk that may fail, observers, clients that behave and others, robots that come and go, and
+/// recording on a disk that may fail, pages, observers, clients that behave and others, robots that come and go, and
 /// rewinds. One thread and one seed decide everything, so that a run that breaks an invariant of
 /// ARCHITECTURE.md can be repeated. Truth: the invariants, which no part of the program knows of.
 
@@ -16,6 +16,8 @@ namespace playhouse::house {
 enum class Sabotage : std::uint8_t {
   kNone,
   kLosesAnswer,  // one answer does not reach its client
+  kLosesTick,    // one client does not get the data of one tick
+  kLosesFrame,   // one page does not get the changes of one frame
   kLosesChange,  // one change is missing in the recording
 };
 
@@ -29,6 +31,8 @@ struct Report {
   std::optional<std::string> fault;  // the first invariant that was broken
   double simulated = 0;              // s
   std::size_t answers = 0, clients = 0, spawned = 0, rewinds = 0, checks = 0;
+  std::size_t pages = 0, frames = 0;  // frames that held the whole world
+  std::size_t cuts = 0;               // of the network
   bool disk_failed = false;
   std::uint64_t digest = 0;  // of the world, and of what clients heard: the same for the same seed
 };

@@ -40,7 +40,8 @@ class Folder {
 struct Totals {
   std::uint64_t houses = 0;
   double simulated = 0;  // s
-  std::size_t answers = 0, clients = 0, spawned = 0, rewinds = 0, checks = 0, failed_disks = 0;
+  std::size_t answers = 0, clients = 0, spawned = 0, rewinds = 0, checks = 0, failed_disks = 0, frames = 0,
+              cuts = 0;
   void add(const Report& report) {
     ++houses;
     simulated += report.simulated;
@@ -49,6 +50,8 @@ struct Totals {
     spawned += report.spawned;
     rewinds += report.rewinds;
     checks += report.checks;
+    frames += report.frames;
+    cuts += report.cuts;
     failed_disks += report.disk_failed ? 1 : 0;
   }
 };
@@ -89,9 +92,10 @@ int main(int argc, char** argv) {
     if (seed || passed() >= seconds) break;
   }
   fmt::print(
-      "{} runs, {:.1f} simulated hours in {:.0f} s: {} clients, {} answers, {} robots, {} rewinds, {} full "
+      "{} runs, {:.1f} simulated hours in {:.0f} s: {} clients, {} answers, {} frames of pages, {} cuts, {} "
+      "robots, {} rewinds, {} full "
       "disks, {} checks of recordings: all invariants hold\n",
-      totals.houses, totals.simulated / 3600, passed(), totals.clients, totals.answers, totals.spawned,
-      totals.rewinds, totals.failed_disks, totals.checks);
+      totals.houses, totals.simulated / 3600, passed(), totals.clients, totals.answers, totals.frames,
+      totals.cuts, totals.spawned, totals.rewinds, totals.failed_disks, totals.checks);
   return 0;
 }

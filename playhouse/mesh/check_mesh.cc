@@ -81,7 +81,7 @@ bool is_within(const std::optional<double>& x, double most) {
   return !x || (*x >= 0 && *x <= most);
 }
 
-Result<void> check_physics(const Physics& physics) {
+Result<void> check_physics(const PhysicalProperties& physics) {
   if (physics.shapes.size() > limits::kMeshShapes) return too_many("shapes for physics", limits::kMeshShapes);
   if (!is_within(physics.mass, limits::kMeshMass))
     return Error{
@@ -92,7 +92,7 @@ Result<void> check_physics(const Physics& physics) {
     return Error{
         {}, fmt::format("is broken: a coefficient is not a number from 0 to {:g}", limits::kMeshCoefficient)};
   std::size_t points = 0, triangles = 0;
-  for (const Shape& shape : physics.shapes) {
+  for (const CollisionShape& shape : physics.shapes) {
     points += shape.points.size();
     triangles += shape.corners.size();
     const geom::Quaternion& q = shape.q;

@@ -42,12 +42,12 @@ void fit(Surface& surface, const Fit& fit) {
 }
 
 /// Point shapes from files are never rotated: they have no orientation of their own.
-bool has_points(const Shape& shape) {
+bool has_points(const CollisionShape& shape) {
   return shape.kind == ShapeKind::kHull || shape.kind == ShapeKind::kTriangles;
 }
 
 /// Scales a shape without points by these factors along its own axes.
-void widen(Shape& shape, const Vec3& by) {
+void widen(CollisionShape& shape, const Vec3& by) {
   if (shape.kind == ShapeKind::kBox) {
     shape.half = {by.x * shape.half.x, by.y * shape.half.y, by.z * shape.half.z};
   } else {
@@ -57,7 +57,7 @@ void widen(Shape& shape, const Vec3& by) {
   }
 }
 
-void fit(Shape& shape, const Fit& fit) {
+void fit(CollisionShape& shape, const Fit& fit) {
   shape.p = fit(shape.p);
   if (has_points(shape)) {
     for (Vec3& p : shape.points) p = fit.scaled(p);
@@ -85,7 +85,7 @@ Affine affine_of(const Placement& at) {
   return {{at.scale.x * ahead, at.scale.y * left, at.scale.z * up}, at.p};
 }
 
-void place(Shape& shape, const Affine& X) {
+void place(CollisionShape& shape, const Affine& X) {
   shape.p = X * shape.p;
   if (has_points(shape)) {
     for (Vec3& p : shape.points) p = X.turn(p);
@@ -115,7 +115,7 @@ Mesh fitted(Mesh mesh, const Vec3& size) {
   for (Surface& surface : mesh.surfaces) fit(surface, to);
   for (Light& light : mesh.lights) light.p = to(light.p);
   if (mesh.physics)
-    for (Shape& shape : mesh.physics->shapes) fit(shape, to);
+    for (CollisionShape& shape : mesh.physics->shapes) fit(shape, to);
   measure(mesh);
   return mesh;
 }
@@ -125,7 +125,7 @@ Mesh placed(Mesh mesh, const Placement& at) {
   for (Surface& surface : mesh.surfaces) move(surface, X, [&X](const Vec3& p) { return X * p; });
   for (Light& light : mesh.lights) place(light, X);
   if (mesh.physics)
-    for (Shape& shape : mesh.physics->shapes) place(shape, X);
+    for (CollisionShape& shape : mesh.physics->shapes) place(shape, X);
   measure(mesh);
   return mesh;
 }

@@ -30,7 +30,7 @@ TEST(Fit, stands_on_the_ground_about_the_middle_as_large_as_it_is_told) {
   EXPECT_NEAR(mesh.physics->shapes[0].half.x, 2, 1e-6);
   EXPECT_NEAR(mesh.physics->shapes[0].half.z, 1, 1e-6);
   EXPECT_NEAR(mesh.physics->shapes[0].p.z, 1, 1e-6);
-  const Shape& hull = mesh.physics->shapes[1];
+  const CollisionShape& hull = mesh.physics->shapes[1];
   EXPECT_NEAR((hull.p + hull.points[0]).x, 2, 1e-6);
   EXPECT_NEAR((hull.p + hull.points[0]).z, 2, 1e-6);
   for (const auto& n : mesh.surfaces[0].normal) EXPECT_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1, 1e-5);
@@ -102,7 +102,7 @@ TEST(Placed, takes_the_shapes_for_physics_along) {
   at.scale = {2, -2, 2};
   at.p = {0, 0, 5};
   const Mesh mesh = placed(of, at);
-  const std::vector<Shape>& shapes = mesh.physics->shapes;
+  const std::vector<CollisionShape>& shapes = mesh.physics->shapes;
   EXPECT_EQ(shapes[0].p, (geom::Vec3{0, 2, 5}));
   EXPECT_EQ(shapes[0].half, (geom::Vec3{2, 1, 0.5}));
   EXPECT_NEAR(std::fabs((shapes[0].q * geom::Vec3{1, 0, 0}).y), 1, 1e-9);

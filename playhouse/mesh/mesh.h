@@ -67,7 +67,7 @@ struct Light {
 enum class ShapeKind : std::uint8_t { kBox, kSphere, kCapsule, kCylinder, kHull, kTriangles };
 
 /// A collision shape, at p, q in F.
-struct Shape {
+struct CollisionShape {
   ShapeKind kind = ShapeKind::kBox;
   geom::Vec3 p;
   geom::Quaternion q;
@@ -79,8 +79,8 @@ struct Shape {
 };
 
 /// Rigid-body properties in a file.
-struct Physics {
-  std::vector<Shape> shapes;
+struct PhysicalProperties {
+  std::vector<CollisionShape> shapes;
   std::optional<double> mass;                   // kg
   std::optional<double> friction, restitution;  // coefficients
   bool is_fixed = false;
@@ -91,7 +91,7 @@ struct Mesh {
   std::vector<Material> materials;
   std::vector<Image> images;
   std::vector<Light> lights;
-  std::optional<Physics> physics;
+  std::optional<PhysicalProperties> physics;
   geom::Vec3 low, high;  // bounding box of all surfaces  [m]
 };
 

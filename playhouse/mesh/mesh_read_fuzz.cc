@@ -27,7 +27,7 @@ void expect_one_line(const Error& error) {
 }
 
 void read_physics(const std::string& bytes) {
-  const Result<std::optional<Physics>> physics = collada_physics(bytes);
+  const Result<std::optional<PhysicalProperties>> physics = collada_physics(bytes);
   if (!physics) return expect_one_line(physics.error());
   PLAYHOUSE_ASSERT(!*physics || (*physics)->shapes.size() <= limits::kMeshShapes);
 }

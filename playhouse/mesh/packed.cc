@@ -143,13 +143,13 @@ void each(Visit& visit, T& surface) {
   visit(surface.material), visit(surface.p), visit(surface.normal), visit(surface.uv), visit(surface.corners);
 }
 template <typename Visit, typename T>
-requires std::is_same_v<std::remove_const_t<T>, Shape>
+requires std::is_same_v<std::remove_const_t<T>, CollisionShape>
 void each(Visit& visit, T& shape) {
   visit(shape.kind), visit(shape.p), visit(shape.q), visit(shape.half), visit(shape.points),
       visit(shape.corners);
 }
 template <typename Visit, typename T>
-requires std::is_same_v<std::remove_const_t<T>, Physics>
+requires std::is_same_v<std::remove_const_t<T>, PhysicalProperties>
 void each(Visit& visit, T& physics) {
   visit(physics.shapes), visit(physics.mass), visit(physics.friction), visit(physics.restitution);
   visit(physics.is_fixed);

@@ -98,9 +98,9 @@ class Budget {
 Result<MeshFile> read_checked(const std::string& path, const ReadFile& read) {
   Result<std::string> bytes = read(path);
   if (!bytes) return bytes.error();
-  std::optional<Physics> physics;
+  std::optional<PhysicalProperties> physics;
   if (is_collada(path)) {
-    Result<std::optional<Physics>> said = collada_physics(*bytes);  // validates more than Assimp
+    Result<std::optional<PhysicalProperties>> said = collada_physics(*bytes);  // validates more than Assimp
     if (!said) return said.error();
     physics = std::move(*said);
     bytes = with_trimmed_colors(*bytes);

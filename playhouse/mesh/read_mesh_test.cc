@@ -616,7 +616,7 @@ TEST(ColladaPhysics, has_shapes_where_their_bodies_are) {
   of.transform = "<translate>5 0 0</translate><rotate>0 0 1 90</rotate>";
   const Mesh mesh = read_collada(of).mesh;
   ASSERT_TRUE(mesh.physics);
-  const Physics& physics = *mesh.physics;
+  const PhysicalProperties& physics = *mesh.physics;
   EXPECT_EQ(physics.mass, 3.5);
   EXPECT_EQ(physics.friction, 0.3);
   EXPECT_EQ(physics.restitution, 0.2);
@@ -659,7 +659,7 @@ TEST(ColladaPhysics, turns_what_has_y_up) {
   of.meter = 0.01;
   const Mesh mesh = read_collada(of).mesh;
   ASSERT_TRUE(mesh.physics);
-  const Shape& cylinder = mesh.physics->shapes.at(0);
+  const CollisionShape& cylinder = mesh.physics->shapes.at(0);
   const geom::Vec3 along = cylinder.q * geom::Vec3{0, 0, 1};
   EXPECT_NEAR(along.z, 1, 1e-9);
   EXPECT_NEAR(cylinder.half.z, 0.01, 1e-9);

@@ -54,7 +54,7 @@ std::size_t gives_way(std::span<const Holder> holders) {
   std::map<std::string_view, std::size_t> places;
   for (const Holder& holder : holders) ++places[holder.network];
   const auto first = std::ranges::max_element(holders, {}, [&](const Holder& holder) {
-    return std::tuple(places[holder.network], -holder.quiet_since.time_since_epoch().count());
+    return std::tuple(places[holder.network], -holder.quiet_since);
   });
   return static_cast<std::size_t>(first - holders.begin());
 }

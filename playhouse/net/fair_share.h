@@ -4,7 +4,6 @@
 /// of the network with the most connections. So a network can evict
 /// only itself, and never takes the last connections of others.
 
-#include <chrono>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -14,7 +13,7 @@ namespace playhouse::net {
 
 struct Holder {
   std::string_view network;
-  std::chrono::steady_clock::time_point quiet_since;
+  double quiet_since = 0;  // s, of any clock
 };
 
 /// "10.0.0.7" of "10.0.0.7:4242". For IPv6 the /64 prefix, typically one user's.

@@ -187,14 +187,14 @@ void serve_http(asio::ip::tcp::socket socket, std::string peer, HttpService& ser
       ->start();
 }
 
-Result<std::unique_ptr<Listener>> listen_http(IoLoop& loop, const std::string& bind, std::uint16_t port,
-                                              HttpService& service, HttpDeadlines deadlines) {
+Result<std::unique_ptr<Listener>> IoLoop::listen_http(const std::string& bind, std::uint16_t port,
+                                                      HttpService& service) {
   // The table of places is owned by the listener and each connection.
-  return listen_tcp(loop.impl(), bind, port,
-                    [&service, deadlines, places = std::make_shared<HttpPlaces>()](
-                        asio::ip::tcp::socket socket, std::string peer) {
-                      serve_http(std::move(socket), std::move(peer), service, deadlines, places);
-                    });
+  return listen_tcp(
+      *impl_, bind, port,
+      [&service, places = std::make_shared<HttpPlaces>()](asio::ip::tcp::socket socket, std::string peer) {
+        serve_http(std::move(socket), std::move(peer), service, service.deadlines(), places);
+      });
 }
 
 }  // namespace playhouse::net

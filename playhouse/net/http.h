@@ -1,7 +1,7 @@
 #pragma once
 
-/// A small HTTP/1.1 server for GET and HEAD, with upgrade to WebSockets. Application-agnostic: a
-/// service answers each request synchronously from memory. Limits: limits::kHttp*. Io thread only.
+/// A small HTTP/1.1 server for GET and HEAD, with upgrade to WebSockets (Network::listen_http).
+/// Application-agnostic: a service answers each request synchronously from memory. Limits: limits::kHttp*. Io thread only.
 
 #include <chrono>
 #include <memory>
@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "playhouse/base/limits.h"
-#include "playhouse/net/io_loop.h"
 #include "playhouse/net/websocket.h"
 
 namespace playhouse::net {
@@ -38,6 +37,13 @@ struct HttpReply {
   std::string_view constant;                // or a body of static lifetime
 };
 
+/// Timeouts of a connection.
+struct HttpDeadlines {
+  std::chrono::milliseconds idle = std::chrono::seconds(limits::kHttpIdleSeconds);
+  std::chrono::milliseconds head = std::chrono::seconds(limits::kHttpHeadSeconds);
+  std::chrono::milliseconds answer = std::chrono::seconds(limits::kHttpAnswerSeconds);
+};
+
 class HttpService {
  public:
   virtual ~HttpService() = default;
@@ -51,18 +57,7 @@ class HttpService {
   /// Called before an upgrade to a WebSocket; an error is sent with status 403.
   virtual Result<void> may_upgrade(const HttpRequest& request) = 0;
   virtual void upgraded(std::unique_ptr<WebSocket> socket, const HttpRequest& request) = 0;
+  virtual HttpDeadlines deadlines() const { return {}; }
 };
-
-/// Timeouts of a connection.
-struct HttpDeadlines {
-  std::chrono::milliseconds idle = std::chrono::seconds(limits::kHttpIdleSeconds);
-  std::chrono::milliseconds head = std::chrono::seconds(limits::kHttpHeadSeconds);
-  std::chrono::milliseconds answer = std::chrono::seconds(limits::kHttpAnswerSeconds);
-};
-
-/// Serves on bind:port (0: any free one) during the Listener's
-/// lifetime. The service must outlive the loop's run.
-Result<std::unique_ptr<Listener>> listen_http(IoLoop& loop, const std::string& bind, std::uint16_t port,
-                                              HttpService& service, HttpDeadlines deadlines = {});
 
 }  // namespace playhouse::net

@@ -4,6 +4,7 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
+#include "playhouse/base/monotonic.h"
 
 namespace playhouse::net {
 
@@ -17,7 +18,7 @@ HttpPlace::~HttpPlace() {
 }
 
 void HttpPlace::gives_way(std::function<void()> close) {
-  waits_since_ = std::chrono::steady_clock::now();
+  waits_since_ = monotonic_seconds();
   close_ = std::move(close);
 }
 

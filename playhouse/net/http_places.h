@@ -4,7 +4,6 @@
 /// Connections that wait for their peer (to send a request, read
 /// a reply, close) can be evicted by new ones; viewers cannot.
 
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -35,7 +34,7 @@ class HttpPlace {
   friend HttpPlaces;
   std::shared_ptr<HttpPlaces> places_;
   const std::string network_;
-  std::chrono::steady_clock::time_point waits_since_;
+  double waits_since_ = 0;  // s
   std::function<void()> close_;
 };
 

@@ -1,7 +1,6 @@
 #include "playhouse/net/http.h"
 
 #include <gtest/gtest.h>
-#include <poll.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "playhouse/base/testing/wait.h"
 #include "playhouse/net/asio_accept.h"
 #include "playhouse/net/asio_http.h"
 #include "playhouse/net/fair_share.h"
@@ -36,19 +36,16 @@ class Echo final : public HttpService {
   }
   Result<void> may_upgrade(const HttpRequest&) override { return {}; }
   void upgraded(std::unique_ptr<WebSocket>, const HttpRequest&) override {}
+  HttpDeadlines deadlines() const override { return its_deadlines; }
+  HttpDeadlines its_deadlines;
   std::shared_ptr<const std::string> answer;
 };
-
-/// Gives up after five seconds.
-bool eventually(const std::function<bool()>& done) {
-  for (int k = 0; k < 5000 && !done(); ++k) ::poll(nullptr, 0, 1);
-  return done();
-}
 
 class HttpTest : public testing::Test {
  protected:
   explicit HttpTest(HttpDeadlines deadlines = {}) {
-    auto listener = listen_http(loop_, "127.0.0.1", 0, echo_, deadlines);
+    echo_.its_deadlines = deadlines;
+    auto listener = loop_.listen_http("127.0.0.1", 0, echo_);
     EXPECT_TRUE(listener.ok());
     listener_ = std::move(*listener);
     io_ = std::thread([this] { loop_.run(); });
@@ -206,9 +203,9 @@ TEST_F(ShortAnswerTest, an_answer_that_nobody_reads_is_not_kept) {
   echo_.answer = std::make_shared<const std::string>(64u << 20, 'x');
   WebClient reader(listener_->port());
   reader.send("GET / HTTP/1.1\r\nHost: robo\r\n\r\n");
-  EXPECT_TRUE(eventually([this] { return echo_.answer.use_count() > 1; }));
-  EXPECT_TRUE(eventually([this] { return echo_.answer.use_count() == 1; })) << "the connection lets go of it";
-  EXPECT_TRUE(eventually([&] { return reader.closed(); }));
+  EXPECT_TRUE(wait_until([this] { return echo_.answer.use_count() > 1; }));
+  EXPECT_TRUE(wait_until([this] { return echo_.answer.use_count() == 1; })) << "the connection lets go of it";
+  EXPECT_TRUE(wait_until([&] { return reader.closed(); }));
   EXPECT_LT(reader.in.size(), echo_.answer->size());
 }
 
@@ -247,7 +244,7 @@ class ClosedByOwnerTest : public testing::Test {
 
   /// The server has closed its socket, although this end is still open.
   bool let_go() {
-    return eventually([this] { return places_.use_count() == 1; });
+    return wait_until([this] { return places_.use_count() == 1; });
   }
 
   Owner owner_;
@@ -290,7 +287,7 @@ TEST_F(ClosedByOwnerTest, a_peer_that_does_not_take_what_is_being_sent_does_not_
   WebClient peer(listener_->port());
   ASSERT_TRUE(peer.upgrade());
   EXPECT_TRUE(let_go());
-  EXPECT_TRUE(eventually([this] { return owner_.first.use_count() == 1; })) << "nor the message";
+  EXPECT_TRUE(wait_until([this] { return owner_.first.use_count() == 1; })) << "nor the message";
 }
 
 /// Clients that send half a head, each from the first to the last of `hosts` in turn.
@@ -343,10 +340,7 @@ TEST(FairShare, a_network_is_an_address_or_half_of_one) {
 }
 
 TEST(FairShare, the_quietest_of_the_largest_network_gives_way) {
-  const auto at = [](int seconds) {
-    return std::chrono::steady_clock::time_point(std::chrono::seconds(seconds));
-  };
-  const Holder holders[] = {{"a", at(1)}, {"b", at(5)}, {"b", at(3)}, {"c", at(4)}, {"c", at(9)}};
+  const Holder holders[] = {{"a", 1}, {"b", 5}, {"b", 3}, {"c", 4}, {"c", 9}};
   EXPECT_EQ(gives_way(holders), 2u);
   EXPECT_EQ(gives_way(std::span(holders).first(1)), 0u);
   EXPECT_EQ(places_of(holders, "c"), 2u);

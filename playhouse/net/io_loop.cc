@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/base/monotonic.h"
 #include "playhouse/net/asio_loop.h"
 
 namespace playhouse::net {
@@ -102,7 +103,7 @@ void IoLoop::post(Task task) {
 }
 
 double IoLoop::now() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return monotonic_seconds();
 }
 
 std::unique_ptr<Timer> IoLoop::after(double seconds, Task task) {

@@ -36,6 +36,8 @@ class IoLoop final : public Network {
   [[nodiscard]] std::unique_ptr<Timer> after(double seconds, Task task) override;
   Result<std::unique_ptr<Listener>> listen(const std::string& bind, std::uint16_t port,
                                            Acceptor acceptor) override;
+  Result<std::unique_ptr<Listener>> listen_http(const std::string& bind, std::uint16_t port,
+                                                HttpService& service) override;
   Result<std::unique_ptr<DatagramSocket>> open_datagrams(const std::string& bind, std::uint16_t port,
                                                          DatagramSocket::Receiver receiver) override;
   double now() const override;

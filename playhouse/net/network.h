@@ -1,6 +1,6 @@
 #pragma once
 
-/// Network abstraction of the server side: listeners, connections, datagrams,
+/// Network abstraction of the server side: listeners, connections, datagrams, pages,
 /// tasks and timers on one io thread. Implementations: IoLoop (TCP and UDP),
 /// SimulatedNetwork (tests). Transports bytes, knows no messages. Everything is
 /// for the io thread (in IoLoop::run, or before it), except post(): any thread.
@@ -24,6 +24,8 @@ using SharedBytes = std::shared_ptr<const std::vector<std::byte>>;
 
 inline constexpr int kConnectSeconds = 10;  // timeout of connecting
 inline constexpr int kAliveSeconds = 30;    // timeout for a dead peer, with expect_alive()
+
+class HttpService;
 
 /// Callbacks of a connection.
 class ConnectionEvents {
@@ -115,10 +117,13 @@ class Network {
   /// means every IPv4 interface, "::" every interface of either kind.
   virtual Result<std::unique_ptr<Listener>> listen(const std::string& bind, std::uint16_t port,
                                                    Acceptor acceptor) = 0;
+  /// Serves HTTP and WebSockets (http.h) on a TCP port, likewise. `service` must outlive the network's run.
+  virtual Result<std::unique_ptr<Listener>> listen_http(const std::string& bind, std::uint16_t port,
+                                                        HttpService& service) = 0;
   /// Opens a UDP port, likewise.
   virtual Result<std::unique_ptr<DatagramSocket>> open_datagrams(const std::string& bind, std::uint16_t port,
                                                                  DatagramSocket::Receiver receiver) = 0;
-  /// Clock of the network: monotonic seconds.
+  /// Clock of the network: monotonic seconds. Any thread.
   virtual double now() const = 0;
   /// Connects to a TCP port of a host, by name or numeric address. `connected`
   /// is called once, after connect() has returned, within kConnectSeconds;

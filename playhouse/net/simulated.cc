@@ -1,7 +1,9 @@
 #include "playhouse/net/simulated.h"
 
 #include <algorithm>
+#include <deque>
 #include <iterator>
+#include <span>
 
 namespace playhouse::net {
 
@@ -30,13 +32,55 @@ class ByteQueue {
   std::size_t begin_ = 0;  // bytes before were consumed
 };
 
+/// Bytes on their way: the first ones have arrived, the others will.
+class BytesUnderWay {
+ public:
+  bool empty() const { return bytes_.empty(); }
+  std::size_t size() const { return bytes_.size(); }
+  /// When the last of them will have arrived [s]; later ones do not overtake them.
+  double last_arrival() const { return parts_.empty() ? 0 : parts_.back().arrival; }
+  void append(std::span<const std::byte> bytes, double arrival) {
+    bytes_.append(bytes);
+    sent_ += bytes.size();
+    if (!bytes.empty()) parts_.push_back({sent_, arrival});
+  }
+  /// Of those that have arrived.
+  std::span<const std::byte> front(std::size_t most, double now) {
+    for (; !parts_.empty() && parts_.front().arrival <= now; parts_.pop_front())
+      arrived_ = parts_.front().end;
+    return bytes_.front(std::min(most, arrived_ - taken_));
+  }
+  void pop(std::size_t count) {
+    taken_ += count;
+    bytes_.pop(count);
+  }
+  void clear() {
+    bytes_.clear();
+    parts_.clear();
+    taken_ = arrived_ = sent_;
+  }
+
+ private:
+  struct Part {
+    std::size_t end;  // number of bytes up to it, of all that were ever sent
+    double arrival;   // s
+  };
+  ByteQueue bytes_;
+  std::deque<Part> parts_;  // those that have not arrived
+  std::size_t sent_ = 0, arrived_ = 0, taken_ = 0;
+};
+
 /// Both directions of a connection.
 struct SimulatedLink {
+  SimulatedLink(SimulatedNetwork& its_network, std::string its_name)
+      : network(its_network), name(std::move(its_name)) {}
+
+  SimulatedNetwork& network;
   std::string name;
   ConnectionEvents* events = nullptr;
-  ByteQueue to_server;          // sent by the peer, not delivered
+  BytesUnderWay to_server;      // sent by the peer, not delivered
   ByteQueue in_flight;          // sent by the server, not accepted by the "system"
-  ByteQueue window;             // accepted, not read by the peer
+  BytesUnderWay window;         // accepted, not read by the peer
   std::vector<std::byte> read;  // read by the peer, for take()
   bool finished = false, vanished = false, stalled = false, paused = false;
   bool told_lost = false, told_closed = false;
@@ -135,18 +179,11 @@ struct SimulatedTimer final : Timer {
   std::shared_ptr<int> live = std::make_shared<int>(0);
 };
 
-std::size_t move_front(ByteQueue& from, std::size_t most, ByteQueue& to) {
-  const std::span<const std::byte> moved = from.front(most);
-  to.append(moved);
-  from.pop(moved.size());
-  return moved.size();
-}
-
 }  // namespace
 
 void SimulatedPeer::send(std::span<const std::byte> bytes) {
   if (link_->finished || link_->vanished) return;
-  link_->to_server.append(bytes);
+  link_->to_server.append(bytes, link_->network.arrival(link_->to_server.last_arrival()));
 }
 void SimulatedPeer::finish() {
   link_->finished = true;
@@ -177,10 +214,9 @@ SimulatedNetwork::~SimulatedNetwork() = default;
 SimulatedPeer SimulatedNetwork::connect(std::uint16_t port, const std::string& address) {
   const auto found = ports_.find(port);
   PLAYHOUSE_ASSERT(found != ports_.end() && *found->second);
-  auto link = std::make_shared<SimulatedLink>();
-  link->name = address + ":" + std::to_string(++connections_);
+  auto link = std::make_shared<SimulatedLink>(*this, address + ":" + std::to_string(++connections_made_));
   links_.push_back(link);
-  post([acceptor = found->second, link] {
+  after_cut([acceptor = found->second, link] {
     if (*acceptor) (*acceptor)(std::make_unique<SimulatedConnection>(link));
   });
   return SimulatedPeer(link);
@@ -208,10 +244,17 @@ Result<std::unique_ptr<Listener>> SimulatedNetwork::listen(const std::string& bi
 std::unique_ptr<Attempt> SimulatedNetwork::connect(const std::string& host, std::uint16_t port,
                                                    Connected connected) {
   auto attempt = std::make_unique<SimulatedAttempt>();
-  post([this, live = std::weak_ptr<int>(attempt->live), host, port, connected = std::move(connected)] {
+  after_cut([this, live = std::weak_ptr<int>(attempt->live), host, port, connected = std::move(connected)] {
     if (!live.expired()) make_connection(host, port, connected);
   });
   return attempt;
+}
+
+/// In the next run, or after the cut.
+void SimulatedNetwork::after_cut(Task task) {
+  if (!is_cut()) return post(std::move(task));
+  const auto always = std::make_shared<int>(0);
+  alarms_.emplace(cut_until_, Alarm{always, [always, task = std::move(task)] { task(); }});
 }
 
 void SimulatedNetwork::make_connection(const std::string& host, std::uint16_t port,
@@ -221,8 +264,7 @@ void SimulatedNetwork::make_connection(const std::string& host, std::uint16_t po
   if (found == ports_.end() || !*found->second)
     return connected(Error{peer, "cannot connect: Connection refused"});
   auto end = std::make_shared<SimulatedEnd>();
-  end->link = std::make_shared<SimulatedLink>();
-  end->link->name = "127.0.0.1:" + std::to_string(++connections_);
+  end->link = std::make_shared<SimulatedLink>(*this, "127.0.0.1:" + std::to_string(++connections_made_));
   links_.push_back(end->link);
   ends_.push_back(end);
   (*found->second)(std::make_unique<SimulatedConnection>(end->link));
@@ -253,6 +295,8 @@ bool SimulatedNetwork::step() {
   // By index: events may add links.
   for (std::size_t i = 0; i < links_.size(); ++i) busy |= step_link(*std::shared_ptr(links_[i]));
   for (std::size_t i = 0; i < ends_.size(); ++i) busy |= step_end(*std::shared_ptr(ends_[i]));
+  for (std::size_t i = 0; i < sockets_.size(); ++i) busy |= step_socket(*std::shared_ptr(sockets_[i]));
+  std::erase_if(sockets_, [](const auto& socket) { return is_over(*socket); });
   std::erase_if(ends_, [](const auto& end) { return end->gone; });
   std::erase_if(links_, [](const auto& link) { return link->closed && link->window.empty(); });
   return busy;
@@ -274,41 +318,76 @@ bool SimulatedNetwork::step_end(SimulatedEnd& end) {
 }
 
 bool SimulatedNetwork::step_link(SimulatedLink& link) {
-  const auto piece = [this] { return 1 + static_cast<std::size_t>(rng_.bits() % piece_bytes); };
-  bool busy = false;
-
-  // Peer to server.
-  if (link.events && link.vanished && !std::exchange(link.told_lost, true)) {
-    link.events->lost();
-    busy = true;
-  }
-  if (link.events && !link.paused && !link.to_server.empty()) {
-    const std::span<const std::byte> front = link.to_server.front(piece());
-    const std::vector<std::byte> bytes(front.begin(), front.end());  // the peer may send or vanish meanwhile
-    link.to_server.pop(bytes.size());
-    link.events->received(bytes);
-    busy = true;
-  } else if (link.events && !link.paused && (link.finished || link.vanished) &&
-             !std::exchange(link.told_closed, true)) {
-    link.events->closed(link.vanished ? "lost" : "closed");
-    busy = true;
-  }
-
-  // Server to peer.
-  const std::size_t room = link.window.size() < window_bytes ? window_bytes - link.window.size() : 0;
-  busy |= move_front(link.in_flight, std::min(room, piece()), link.window) > 0;
-  if (!link.stalled) {
-    const std::span<const std::byte> front = link.window.front(piece());
-    link.read.insert(link.read.end(), front.begin(), front.end());
-    busy |= !front.empty();
-    link.window.pop(front.size());
-  }
+  bool busy = !is_cut() && carry_input(link);
+  busy |= accept_output(link);
+  busy |= !is_cut() && carry_output(link);
   if (link.in_flight.empty() && std::exchange(link.draining, false)) {
     busy = true;
     if (link.events && !link.vanished) link.events->drained();
   }
   if (link.in_flight.empty() && link.flushing && !std::exchange(link.closed, true)) busy = true;
   return busy;
+}
+
+/// Peer to server.
+bool SimulatedNetwork::carry_input(SimulatedLink& link) {
+  if (!link.events) return false;
+  bool busy = false;
+  if (link.vanished && !std::exchange(link.told_lost, true)) {
+    link.events->lost();
+    busy = true;
+  }
+  if (!link.events || link.paused) return busy;
+  const std::span<const std::byte> front = link.to_server.front(piece(), now_);
+  if (!front.empty()) {
+    const std::vector<std::byte> bytes(front.begin(), front.end());  // the peer may send or vanish meanwhile
+    link.to_server.pop(bytes.size());
+    link.events->received(bytes);
+    return true;
+  }
+  if (!link.to_server.empty() || !(link.finished || link.vanished) || std::exchange(link.told_closed, true))
+    return busy;
+  link.events->closed(link.vanished ? "lost" : "closed");
+  return true;
+}
+
+/// What the server has sent goes on its way as far as the window has room.
+bool SimulatedNetwork::accept_output(SimulatedLink& link) {
+  const std::size_t room = link.window.size() < window_bytes ? window_bytes - link.window.size() : 0;
+  const std::span<const std::byte> accepted = link.in_flight.front(std::min(room, piece()));
+  if (accepted.empty()) return false;
+  link.window.append(accepted, arrival(link.window.last_arrival()));
+  link.in_flight.pop(accepted.size());
+  return true;
+}
+
+bool SimulatedNetwork::carry_output(SimulatedLink& link) {
+  if (link.stalled) return false;
+  const std::span<const std::byte> front = link.window.front(piece(), now_);
+  link.read.insert(link.read.end(), front.begin(), front.end());
+  link.window.pop(front.size());
+  return !front.empty();
+}
+
+std::size_t SimulatedNetwork::piece() {
+  return 1 + static_cast<std::size_t>(rng_.bits() % piece_bytes);
+}
+
+double SimulatedNetwork::arrival(double last) {
+  if (connections.delay <= 0 && connections.jitter <= 0) return std::max(last, now_);
+  const double time = now_ + connections.delay + connections.jitter * rng_.uniform();
+  wake_at(std::max(last, time));
+  return std::max(last, time);
+}
+
+void SimulatedNetwork::wake_at(double time) {
+  const auto always = std::make_shared<int>(0);
+  alarms_.emplace(time, Alarm{always, [always] {}});
+}
+
+void SimulatedNetwork::cut(double seconds) {
+  cut_until_ = std::max(cut_until_, now_ + seconds);
+  wake_at(cut_until_);
 }
 
 }  // namespace playhouse::net

@@ -1,7 +1,8 @@
 #pragma once
 
-/// An in-memory network for tests: connections deliver bytes in random pieces, in virtual time;
-/// peers can stall or vanish; datagrams are lost, duplicated, delayed and reordered as configured.
+/// An in-memory network for tests: connections deliver bytes in random pieces, in virtual time, delayed as
+/// configured; peers can stall or vanish; datagrams are lost, duplicated, delayed and reordered as configured;
+/// and all of it can be cut for a while.
 /// Deterministic for a seed and a sequence of calls. One thread; no sockets, no blocking.
 
 #include <cstdint>
@@ -13,11 +14,13 @@
 
 #include "playhouse/base/rng.h"
 #include "playhouse/net/network.h"
+#include "playhouse/net/simulated_page.h"
 
 namespace playhouse::net {
 
 struct SimulatedLink;
 struct SimulatedEnd;
+struct HttpRequest;
 
 /// The test's end of a connection. A handle: copies refer to the same peer.
 class SimulatedPeer {
@@ -50,6 +53,12 @@ struct DatagramFaults {
   double jitter = 0;                 // s, random part: causes reordering
 };
 
+/// How long what a connection carries is on its way; its order stays.
+struct ConnectionDelay {
+  double delay = 0;   // s, constant part
+  double jitter = 0;  // s, random part
+};
+
 class SimulatedNetwork final : public Network {
  public:
   explicit SimulatedNetwork(std::uint64_t seed) : rng_(seed) {}
@@ -60,9 +69,16 @@ class SimulatedNetwork final : public Network {
   /// Maximum size of pieces.
   std::size_t piece_bytes = 4096;
   DatagramFaults datagrams;
+  ConnectionDelay connections;  // of what is sent from now on
 
   /// Connects to an open port (asserted). The acceptor runs in the next run().
   SimulatedPeer connect(std::uint16_t port, const std::string& address = "127.0.0.1");
+  /// Has a page open a WebSocket at a port that serves HTTP (asserted), with this request.
+  SimulatedPage open_page(std::uint16_t port, HttpRequest request);
+  /// Nothing arrives for `seconds` from now on: connections deliver what they carry afterwards, datagrams
+  /// are lost.
+  void cut(double seconds);
+  bool is_cut() const { return now_ < cut_until_; }
   /// Processes everything due now.
   void run();
   /// The same for `seconds` of virtual time, timers included.
@@ -72,6 +88,9 @@ class SimulatedNetwork final : public Network {
   [[nodiscard]] std::unique_ptr<Timer> after(double seconds, Task task) override;
   Result<std::unique_ptr<Listener>> listen(const std::string& bind, std::uint16_t port,
                                            Acceptor acceptor) override;
+  /// Pages (simulated_page.h) come by messages: neither HTTP nor frames of WebSockets are simulated.
+  Result<std::unique_ptr<Listener>> listen_http(const std::string& bind, std::uint16_t port,
+                                                HttpService& service) override;
   /// `bind` is an arbitrary simulated address, at which the socket receives.
   Result<std::unique_ptr<DatagramSocket>> open_datagrams(const std::string& bind, std::uint16_t port,
                                                          DatagramSocket::Receiver receiver) override;
@@ -86,22 +105,40 @@ class SimulatedNetwork final : public Network {
     Task task;
   };
   friend class SimulatedDatagrams;
+  friend class SimulatedPeer;
+  friend class SimulatedPage;
+  /// When what is sent now will have arrived, after `last`, when what was sent before it will have.
+  double arrival(double last);
+  /// Has run_for() look at all connections then.
+  void wake_at(double time);
   bool step();
   void carry(const Endpoint& from, const Endpoint& to, std::span<const std::byte> bytes);
   bool step_link(SimulatedLink& link);
+  bool carry_input(SimulatedLink& link);
+  bool accept_output(SimulatedLink& link);
+  bool carry_output(SimulatedLink& link);
+  std::size_t piece();
+  void after_cut(Task task);
   bool step_end(SimulatedEnd& end);
+  bool step_socket(SimulatedSocket& socket);
+  bool carry_commands(SimulatedSocket& socket);
+  bool accept_messages(SimulatedSocket& socket);
+  static bool is_over(const SimulatedSocket& socket);
   void make_connection(const std::string& host, std::uint16_t port, const Connected& connected);
 
   Rng rng_;
   double now_ = 0;
+  double cut_until_ = 0;  // s
   std::uint16_t next_port_ = 40000;
-  std::uint64_t connections_ = 0;
+  std::uint64_t connections_made_ = 0;
   std::vector<Task> tasks_;
   std::multimap<double, Alarm> alarms_;
   std::map<Endpoint, std::weak_ptr<DatagramSocket::Receiver>> datagram_ports_;
   std::map<std::uint16_t, std::shared_ptr<Acceptor>> ports_;
   std::vector<std::shared_ptr<SimulatedLink>> links_;
   std::vector<std::shared_ptr<SimulatedEnd>> ends_;  // clients' ends
+  std::map<std::uint16_t, std::shared_ptr<HttpService*>> services_;
+  std::vector<std::shared_ptr<SimulatedSocket>> sockets_;
 };
 
 }  // namespace playhouse::net

@@ -34,6 +34,7 @@ Result<std::unique_ptr<DatagramSocket>> SimulatedNetwork::open_datagrams(const s
 }
 
 void SimulatedNetwork::carry(const Endpoint& from, const Endpoint& to, std::span<const std::byte> bytes) {
+  if (is_cut()) return;
   const int copies =
       (rng_.uniform() < datagrams.loss ? 0 : 1) + (rng_.uniform() < datagrams.duplication ? 1 : 0);
   for (int copy = 0; copy < copies; ++copy) {

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "playhouse/base/siphash.h"
+#include "playhouse/observers/siphash.h"
 #include "playhouse/net/endpoint.h"
 
 namespace playhouse::observers {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <utility>
 
@@ -31,7 +30,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
         scene_(world.scene()),
         light_(replicate::light_text(world)),
         prototypes_(scene_),
-        feed_(world, prototypes_, std::move(devices)) {
+        feed_(world, prototypes_, std::move(devices), [&network] { return network.now(); }) {
     replicate::capture(world, {}, feed_.first_layout(), {}, front_);
   }
 
@@ -220,8 +219,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
     }
     frame_timer_.reset();
     if (observers_.empty()) return;
-    frame_timer_ =
-        network_.after(std::chrono::duration<double>(replicate::kFramePeriod).count(), [this] { serve(); });
+    frame_timer_ = network_.after(replicate::kFramePeriod, [this] { serve(); });
   }
 
   void refuse(const net::Endpoint& to, std::uint64_t nonce, const std::string& why) {

@@ -110,7 +110,7 @@ TEST_F(Observers, are_told_when_the_program_ends) {
 }
 
 TEST_F(Observers, need_the_token_of_a_guest_and_who_was_sent_out_of_the_page_is_out_here) {
-  web_server::GuestBook book{{web_server::Role::kHuman, "blue-chair-7", "Bob"}};
+  web_server::GuestBook book{{web_server::GuestRole::kHuman, "blue-chair-7", "Bob"}};
   open({.guests = book});
   const auto nobody = join("10.0.0.2"), wrong = join("10.0.0.3", "red-chair-9");
   const auto bob = join("10.0.0.4", "blue-chair-7");
@@ -126,9 +126,9 @@ TEST_F(Observers, need_the_token_of_a_guest_and_who_was_sent_out_of_the_page_is_
 }
 
 TEST_F(Observers, are_ended_when_they_are_sent_out_and_do_not_come_again_without_the_token) {
-  web_server::GuestBook book{{web_server::Role::kHuman, "blue-chair-7", "Bob"},
-                             {web_server::Role::kHuman, "red-chair-77", "Eve"},
-                             {web_server::Role::kObserver, "*", ""}};
+  web_server::GuestBook book{{web_server::GuestRole::kHuman, "blue-chair-7", "Bob"},
+                             {web_server::GuestRole::kHuman, "red-chair-77", "Eve"},
+                             {web_server::GuestRole::kObserver, "*", ""}};
   open({.guests = book});
   const auto bob = join("10.0.0.4", "blue-chair-7"), same = join("10.0.0.4"),
              eve = join("10.0.0.4", "red-chair-77"), other = join("10.0.0.5");

@@ -1,5 +1,11 @@
 #pragma once
 
+/// Bearings for culling, faster than exact ones.
+///
+/// In: a vector.
+/// Out: its bearing. [rad]
+/// Cost: a division and some products.
+
 #include <cmath>
 #include <initializer_list>
 

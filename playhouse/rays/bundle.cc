@@ -16,7 +16,7 @@ namespace {
 
 /// Appends the rays of a bundle in W, as this part.
 PLAYHOUSE_INLINE void put_rays(const Bundle& bundle, const geom::Pose& X_WM, geom::Rotation r,
-                               std::size_t first_beam, const Rays::Part& part, Rays& rays) {
+                               std::size_t first_beam, const Rays::NearRays& part, Rays& rays) {
   const std::size_t count = bundle.rays(), first = part.begin;
   const double *px = bundle.p.x.data(), *py = bundle.p.y.data(), *dx = bundle.d.x.data(),
                *dy = bundle.d.y.data();
@@ -44,7 +44,7 @@ std::size_t take_all(const Bundle& bundle, const bodies::DiscIndex& index,
   for (const bodies::DiscIndex::Run& run : runs) {
     for (std::uint32_t place = run.begin; place < run.end; ++place) {
       const bodies::DiscIndex::Disc& disc = index.discs()[place];
-      if ((disc.seen_by & bit(bodies::Observer::kRanger)) == 0 || disc.root == own_root) continue;
+      if ((disc.seen_by & bit(bodies::SeenBy::kRanger)) == 0 || disc.root == own_root) continue;
       out.place[count] = place;
       out.rays[count++] = static_cast<std::uint16_t>((1u << bundle.rays()) - 1);
     }
@@ -53,20 +53,21 @@ std::size_t take_all(const Bundle& bundle, const bodies::DiscIndex& index,
 }
 
 /// Shortens the rays of a part by their hits with an edge.
-PLAYHOUSE_INLINE void meet_edge(geom::Vec2 a, geom::Vec2 b, double row, const Rays::Part& part, Rays& rays) {
-  simd::FourTruths edge_on = {};
+PLAYHOUSE_INLINE void meet_edge(geom::Vec2 a, geom::Vec2 b, double row, const Rays::NearRays& part,
+                                Rays& rays) {
+  simd::Mask4 edge_on = {};
   std::size_t k = part.begin;
   for (; k + simd::kFour <= part.end; k += simd::kFour) {
-    simd::Four px, py, dx, dy, range, solid;
+    simd::Double4 px, py, dx, dy, range, solid;
     simd::load(px, rays.px + k);
     simd::load(py, rays.py + k);
     simd::load(dx, rays.dx + k);
     simd::load(dy, rays.dy + k);
     simd::load(range, rays.range + k);
     simd::load(solid, rays.solid + k);
-    const bodies::Distance<simd::Four, simd::Four> met(dx, dy, a.x - px, a.y - py, b.x - px, b.y - py);
+    const bodies::Distance<simd::Double4, simd::Double4> met(dx, dy, a.x - px, a.y - py, b.x - px, b.y - py);
     edge_on |= met.edge_on;
-    bodies::keep_first(met.t, simd::Four{row, row, row, row}, range, solid);
+    bodies::keep_first(met.t, simd::Double4{row, row, row, row}, range, solid);
     simd::store(rays.range + k, range);
     simd::store(rays.solid + k, solid);
   }
@@ -75,31 +76,31 @@ PLAYHOUSE_INLINE void meet_edge(geom::Vec2 a, geom::Vec2 b, double row, const Ra
                        rays.solid[k]);
 }
 
-void meet_few_walls(const bodies::Space& space, const Rays::Part& part, Rays& rays) {
+void meet_few_walls(const bodies::Space& space, const Rays::NearRays& part, Rays& rays) {
   const geom::Box box = bodies::box_about(part.about, part.reach);
   for (const bodies::Walls::Edge& edge : space.walls.few())
-    if (edge.reaches(box) && View::sees(space.solids, edge.solid, part.root, rays.z[part.begin]))
+    if (edge.reaches(box) && RangerView::sees(space.solids, edge.solid, part.root, rays.z[part.begin]))
       simd::in_vectors<meet_edge>(edge.a, edge.b, bodies::number_of(edge.solid), part, rays);
 }
 
 }  // namespace
 
-void meet_walls_alone(const bodies::Space& space, const Rays::Part& part, Rays& rays) {
+void meet_walls_alone(const bodies::Space& space, const Rays::NearRays& part, Rays& rays) {
   for (std::size_t k = part.begin; k < part.end; ++k) {
     const geom::Vec2 p = rays.p(k), d = rays.d(k);
     space.walls.along(p, d, &rays.range[k], [&](const bodies::Walls::Edge& edge) {
-      if (!View::sees(space.solids, edge.solid, part.root, rays.z[k])) return;
+      if (!RangerView::sees(space.solids, edge.solid, part.root, rays.z[k])) return;
       const double t = bodies::edge_hit(edge.a - p, edge.b - p, d);
       bodies::keep_first(t, bodies::number_of(edge.solid), rays.range[k], rays.solid[k]);
     });
   }
 }
 
-void run_bundle(const bodies::Space& space, const View& view, const Bundle& bundle, Scratch& scratch) {
+void run_bundle(const bodies::Space& space, const RangerView& view, const Bundle& bundle, Scratch& scratch) {
   if (scratch.rays.count + bundle.rays() > Rays::kMost) finish_rays(space, scratch);
   Rays& rays = scratch.rays;
-  const Rays::Part part{view.X_WM.xy(), rays.count,   rays.count + bundle.rays(),  bundle.reach,
-                        view.root,      view.is_wall, bundle.z_min == bundle.z_max};
+  const Rays::NearRays part{view.X_WM.xy(), rays.count,   rays.count + bundle.rays(),  bundle.reach,
+                            view.root,      view.is_wall, bundle.z_min == bundle.z_max};
   simd::in_vectors<put_rays>(bundle, view.X_WM, view.rotation, scratch.first_beam, part, rays);
   const double z_low = view.X_WM.z + bundle.z_min, z_high = view.X_WM.z + bundle.z_max;
   const Heights heights{z_low, z_high, space.index.is_all_seen(z_low, z_high)};
@@ -117,7 +118,7 @@ void run_bundle(const bodies::Space& space, const View& view, const Bundle& bund
   }
 }
 
-bool can_march(const bodies::Walls& walls, const Rays::Part& part) {
+bool can_march(const bodies::Walls& walls, const Rays::NearRays& part) {
   return !part.is_wall && part.reach < kFarthestMarch * walls.torus().cell();
 }
 
@@ -128,7 +129,7 @@ void finish_rays(const bodies::Space& space, Scratch& scratch) {
   resolve_pairs(space, rays, scratch.pairs);
   std::size_t marching = 0;
   for (std::size_t i = 0; i < rays.part_count; ++i) {
-    const Rays::Part part = rays.parts[i];
+    const Rays::NearRays part = rays.parts[i];
     if (space.walls.clear_about(part.about) > part.reach) continue;
     if (!space.walls.few().empty() && part.is_level)
       meet_few_walls(space, part, rays);
@@ -138,7 +139,7 @@ void finish_rays(const bodies::Space& space, Scratch& scratch) {
       meet_walls_alone(space, part, rays);
   }
   rays.part_count = marching;
-  if (marching > 0) march(space.walls, View::kBy, rays);
+  if (marching > 0) march(space.walls, RangerView::kBy, rays);
   for (std::size_t k = 0; k < rays.count; ++k) {
     scratch.range[rays.beam[k]] = rays.range[k];
     scratch.solid[rays.beam[k]] = rays.solid[k];

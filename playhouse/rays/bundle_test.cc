@@ -22,7 +22,7 @@ bodies::DiscIndex draw_index(Rng& rng, geom::Vec2 p, std::size_t count) {
     bodies::DiscIndex::Disc disc{
         p + geom::Vec2{rng.uniform(-6, 6), rng.uniform(-6, 6)}, rng.uniform(0.1, 0.5), z, z + 0.5, row, row};
     disc.convex = 4;
-    disc.seen_by = rng.uniform() < 0.9 ? bit(bodies::Observer::kRanger) : bodies::Observers{0};
+    disc.seen_by = rng.uniform() < 0.9 ? bit(bodies::SeenBy::kRanger) : bodies::SeenByBits{0};
     discs.push_back(disc);
   }
   bodies::DiscIndex index;
@@ -110,24 +110,22 @@ TEST(FindBodies, finds_all_that_rays_may_meet_wherever_in_the_world) {
 TEST(FindBodies, looks_at_no_heights_where_rangers_see_everything) {
   bodies::DiscIndex index;
   world::Workers workers(1);
-  const auto disc = [](double z_max, bodies::Observers seen_by) {
+  const auto disc = [](double z_max, bodies::SeenByBits seen_by) {
     bodies::DiscIndex::Disc made{{1, 0}, 0.3, 0, z_max, 0, 0};
     made.seen_by = seen_by;
     return made;
   };
-  const auto build = [&](double z_max, bodies::Observers seen_by) {
+  const auto build = [&](double z_max, bodies::SeenByBits seen_by) {
     index.populate(2, 0.3);
     index.rebuild(
         2,
-        [&](std::size_t i) {
-          return i == 0 ? disc(1, bit(bodies::Observer::kRanger)) : disc(z_max, seen_by);
-        },
+        [&](std::size_t i) { return i == 0 ? disc(1, bit(bodies::SeenBy::kRanger)) : disc(z_max, seen_by); },
         workers);
   };
-  build(0.5, bit(bodies::Observer::kRanger));
+  build(0.5, bit(bodies::SeenBy::kRanger));
   EXPECT_TRUE(index.is_all_seen(0.2, 0.5));
   EXPECT_FALSE(index.is_all_seen(0.2, 0.6));
-  build(1, bit(bodies::Observer::kMotion));
+  build(1, bit(bodies::SeenBy::kMotion));
   EXPECT_FALSE(index.is_all_seen(0.2, 0.5));
 }
 

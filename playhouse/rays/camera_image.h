@@ -4,6 +4,7 @@
 /// and images from the samples of pixels with the camera's errors applied.
 ///
 /// In: what each pixel sees. Out: Cameras::pixels.
+/// Cost: the pixels.
 /// Source: brightness by ITU-R BT.601.
 
 #include <cstdint>

@@ -59,8 +59,8 @@ void sort_into_slices(const Image& image, const scene::CameraDesc& camera, const
   for (std::size_t s = 1; s <= slices; ++s) lens.first[s] += lens.first[s - 1];
   std::vector<std::uint32_t> next(lens.first.begin(), lens.first.end() - 1);
   lens.place.resize(pixels);
-  lens.run.resize(pixels + Lens::kSpare);
-  lens.least.resize(pixels + Lens::kSpare);
+  lens.run.resize(pixels + Lens::kPad);
+  lens.least.resize(pixels + Lens::kPad);
   lens.depth.resize(pixels);
   lens.reach.assign(slices, 0);
   each([&](std::uint32_t row, std::uint32_t column) {

@@ -8,6 +8,10 @@
 /// tilt. Columns of a level camera are slices, exactly. Columns of a tilted
 /// camera are not vertical planes: its pixels are assigned to the nearest of
 /// slices half a mean column apart, an error of at most a quarter of a pixel.
+///
+/// In: the description of a camera, its tilt and its zoom.
+/// Out: the slices, and the pixels of each.
+/// Cost: the pixels; with a tilt also an arc tangent for each.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,10 +27,10 @@ struct Lens {
   std::vector<double> reach;          // m, farthest drawn distance on the floor plane              (slices)
   std::vector<std::uint32_t> first;   // pixels first[s] .. first[s + 1] - 1 are of slice s    (slices + 1)
   std::vector<std::uint32_t> place;   // index in the image, row-major from the top left           (pixels)
-  /// Horizontal distance per metre of rise, never 0; padded by kSpare.                       (pixels)
+  /// Horizontal distance per metre of rise, never 0; padded by kPad.                       (pixels)
   std::vector<double> run;
   std::vector<double> least;  // m on the floor to the near plane; padded too        (pixels)
-  static constexpr std::size_t kSpare = 4;
+  static constexpr std::size_t kPad = 4;
   std::vector<double> depth;  // m of depth per metre on the floor                (pixels)
 };
 

@@ -9,7 +9,7 @@ namespace playhouse::rays {
 namespace {
 
 /// Floor of each lane.
-PLAYHOUSE_INLINE void floor_of(simd::Eight& v) {
+PLAYHOUSE_INLINE void floor_of(simd::Float8& v) {
   float lane[simd::kEight];
   simd::store(lane, v);
   for (std::size_t i = 0; i < simd::kEight; ++i) lane[i] = __builtin_floorf(lane[i]);
@@ -41,7 +41,7 @@ struct Lanes {
 };
 
 /// Sets the origins of the rays of a part in the lanes from `at` on, not mirrored yet.
-PLAYHOUSE_INLINE void put_origins(const Rays& rays, const Rays::Part& part, const bodies::Torus& torus,
+PLAYHOUSE_INLINE void put_origins(const Rays& rays, const Rays::NearRays& part, const bodies::Torus& torus,
                                   std::size_t at, Lanes& lanes) {
   const double cell = torus.cell(), per_metre = 1.0 / cell;
   const std::int64_t base_x = torus.along(part.about.x), base_y = torus.along(part.about.y);
@@ -69,7 +69,7 @@ PLAYHOUSE_INLINE std::int32_t put_axis(double d, float cell, float per_metre, fl
   return along < 0 ? -1 : 0;
 }
 
-PLAYHOUSE_INLINE void put_directions(const Rays& rays, const Rays::Part& part, const bodies::Torus& torus,
+PLAYHOUSE_INLINE void put_directions(const Rays& rays, const Rays::NearRays& part, const bodies::Torus& torus,
                                      std::size_t at, Lanes& lanes) {
   const auto cell = static_cast<float>(torus.cell()), per_metre = static_cast<float>(1.0 / torus.cell());
   for (std::size_t i = part.begin, k = at; i < part.end; ++i, ++k) {
@@ -88,34 +88,35 @@ PLAYHOUSE_INLINE void put_directions(const Rays& rays, const Rays::Part& part, c
 struct Found {
   std::uint32_t touch[Lanes::kMost];
   std::size_t touches = 0;
-  simd::EightInts on = {};  // by lane modulo eight
+  simd::Int8 active = {};  // by lane modulo eight
 
   std::size_t going_on() const {
-    return static_cast<std::size_t>((on[0] + on[1]) + (on[2] + on[3]) + (on[4] + on[5]) + (on[6] + on[7]));
+    return static_cast<std::size_t>((active[0] + active[1]) + (active[2] + active[3]) +
+                                    (active[4] + active[5]) + (active[6] + active[7]));
   }
 };
 
 /// Looks up the cells of eight rays, entered at t: which have edges, which are empty.  [m]
 PLAYHOUSE_INLINE void look(const bodies::Torus& torus, const std::uint8_t* clearances, std::size_t k,
-                           const simd::Eight& cell_x, const simd::Eight& cell_y, const simd::Eight& t,
+                           const simd::Float8& cell_x, const simd::Float8& cell_y, const simd::Float8& t,
                            Lanes& lanes, Found& found) {
   const auto mask = static_cast<std::int32_t>(torus.side() - 1);
-  simd::EightInts flip_x, flip_y, base_x, base_y, quadrant;
+  simd::Int8 flip_x, flip_y, base_x, base_y, quadrant;
   simd::load(flip_x, lanes.flip_x + k);
   simd::load(flip_y, lanes.flip_y + k);
   simd::load(base_x, lanes.base_x + k);
   simd::load(base_y, lanes.base_y + k);
   simd::load(quadrant, lanes.quadrant + k);
-  const simd::EightInts x = ((__builtin_convertvector(cell_x, simd::EightInts) ^ flip_x) + base_x) & mask;
-  const simd::EightInts y = ((__builtin_convertvector(cell_y, simd::EightInts) ^ flip_y) + base_y) & mask;
+  const simd::Int8 x = ((__builtin_convertvector(cell_x, simd::Int8) ^ flip_x) + base_x) & mask;
+  const simd::Int8 y = ((__builtin_convertvector(cell_y, simd::Int8) ^ flip_y) + base_y) & mask;
   simd::store(lanes.cell_x + k, cell_x);
   simd::store(lanes.cell_y + k, cell_y);
-  simd::Eight range;
+  simd::Float8 range;
   simd::load(range, lanes.range + k);
-  const simd::EightInts ended = range < t;
-  simd::store<simd::EightInts>(lanes.place + k,
-                               ((((y << static_cast<int>(torus.bits())) + x) << 2) + quadrant) | ended);
-  found.on += ended + 1;
+  const simd::Int8 ended = range < t;
+  simd::store<simd::Int8>(lanes.place + k,
+                          ((((y << static_cast<int>(torus.bits())) + x) << 2) + quadrant) | ended);
+  found.active += ended + 1;
   for (std::size_t lane = k; lane < k + simd::kEight; ++lane) {  // branch-free: hits are unpredictable
     const std::int32_t clearance = clearances[lanes.place[lane]];
     lanes.hop[lane] = clearance;
@@ -126,20 +127,20 @@ PLAYHOUSE_INLINE void look(const bodies::Torus& torus, const std::uint8_t* clear
 
 PLAYHOUSE_INLINE void begin(const bodies::Walls& walls, std::size_t count, Lanes& lanes, Found& found) {
   for (std::size_t k = 0; k < count; k += simd::kEight) {
-    simd::Eight x, y;
+    simd::Float8 x, y;
     simd::load(x, lanes.x + k);
     simd::load(y, lanes.y + k);
     floor_of(x);
     floor_of(y);
-    look(walls.torus(), walls.clearances(), k, x, y, simd::Eight{}, lanes, found);
+    look(walls.torus(), walls.clearances(), k, x, y, simd::Float8{}, lanes, found);
   }
 }
 
 /// Advances the rays to where they leave their empty square.
 PLAYHOUSE_INLINE void advance(const bodies::Walls& walls, std::size_t count, Lanes& lanes, Found& found) {
   for (std::size_t k = 0; k < count; k += simd::kEight) {
-    simd::Eight x, y, step_x, step_y, per_x, per_y, cell_x, cell_y;
-    simd::EightInts hops;
+    simd::Float8 x, y, step_x, step_y, per_x, per_y, cell_x, cell_y;
+    simd::Int8 hops;
     simd::load(x, lanes.x + k);
     simd::load(y, lanes.y + k);
     simd::load(step_x, lanes.step_x + k);
@@ -150,11 +151,11 @@ PLAYHOUSE_INLINE void advance(const bodies::Walls& walls, std::size_t count, Lan
     simd::load(cell_y, lanes.cell_y + k);
     simd::load(hops, lanes.hop + k);
     hops = hops > 1 ? hops : 1;
-    const simd::Eight hop = __builtin_convertvector(hops, simd::Eight);
-    const simd::Eight next_x = cell_x + hop, next_y = cell_y + hop;
-    const simd::Eight t_x = (next_x - x) * per_x, t_y = (next_y - y) * per_y;
-    const simd::Eight t = t_x < t_y ? t_x : t_y;
-    simd::Eight beside_x = x + t * step_x, beside_y = y + t * step_y;
+    const simd::Float8 hop = __builtin_convertvector(hops, simd::Float8);
+    const simd::Float8 next_x = cell_x + hop, next_y = cell_y + hop;
+    const simd::Float8 t_x = (next_x - x) * per_x, t_y = (next_y - y) * per_y;
+    const simd::Float8 t = t_x < t_y ? t_x : t_y;
+    simd::Float8 beside_x = x + t * step_x, beside_y = y + t * step_y;
     floor_of(beside_x);
     floor_of(beside_y);
     beside_x = beside_x < cell_x ? cell_x : beside_x;  // keeps progress monotonic despite rounding
@@ -164,15 +165,15 @@ PLAYHOUSE_INLINE void advance(const bodies::Walls& walls, std::size_t count, Lan
   }
 }
 
-/// Compacts the `on` active rays to the front.
-PLAYHOUSE_INLINE void close_up(std::size_t on, std::size_t used, Lanes& lanes) {
+/// Compacts the active rays: copies those that are late to where rays have ended.
+PLAYHOUSE_INLINE void compact(std::size_t active, std::size_t used, Lanes& lanes) {
   std::uint32_t free[Lanes::kMost], late[Lanes::kMost];
   std::size_t gaps = 0, moves = 0;
-  for (std::size_t i = 0; i < on; ++i) {
+  for (std::size_t i = 0; i < active; ++i) {
     free[gaps] = static_cast<std::uint32_t>(i);
     gaps += lanes.place[i] < 0;
   }
-  for (std::size_t i = on; i < used; ++i) {
+  for (std::size_t i = active; i < used; ++i) {
     late[moves] = static_cast<std::uint32_t>(i);
     moves += lanes.place[i] >= 0;
   }
@@ -180,7 +181,7 @@ PLAYHOUSE_INLINE void close_up(std::size_t on, std::size_t used, Lanes& lanes) {
 }
 
 /// Pads the last vector with an ended ray.
-PLAYHOUSE_INLINE void fill_up(std::size_t count, Lanes& lanes) {
+PLAYHOUSE_INLINE void pad(std::size_t count, Lanes& lanes) {
   for (std::size_t k = count; k % simd::kEight != 0; ++k) {
     lanes.copy(0, k);
     lanes.range[k] = -1;
@@ -197,26 +198,27 @@ PLAYHOUSE_INLINE void fill_up(std::size_t count, Lanes& lanes) {
 
 /// Shortens ray k by its hits with a group, except edges seen edge-on: those are left to the scalar path.
 /// Branch-free: hits are unpredictable.
-PLAYHOUSE_INLINE void meet(const bodies::Walls::Group& group, std::size_t k, simd::FourTruths& edge_on,
+PLAYHOUSE_INLINE void meet(const bodies::Walls::Group& group, std::size_t k, simd::Mask4& edge_on,
                            Rays& rays) {
   const double px = rays.px[k], py = rays.py[k];
-  simd::Four ax, ay, bx, by;
+  simd::Double4 ax, ay, bx, by;
   simd::load(ax, group.x);
   simd::load(ay, group.y);
   simd::load(bx, group.x + 1);
   simd::load(by, group.y + 1);
-  const bodies::Distance<double, simd::Four> met(rays.dx[k], rays.dy[k], ax - px, ay - py, bx - px, by - py);
+  const bodies::Distance<double, simd::Double4> met(rays.dx[k], rays.dy[k], ax - px, ay - py, bx - px,
+                                                    by - py);
   edge_on |= met.edge_on;
-  const simd::Four across = __builtin_shufflevector(met.t, met.t, 2, 3, 0, 1);
-  simd::Four t = met.t < across ? met.t : across;
-  const simd::Four beside = __builtin_shufflevector(t, t, 1, 0, 3, 2);
+  const simd::Double4 across = __builtin_shufflevector(met.t, met.t, 2, 3, 0, 1);
+  simd::Double4 t = met.t < across ? met.t : across;
+  const simd::Double4 beside = __builtin_shufflevector(t, t, 1, 0, 3, 2);
   t = t < beside ? t : beside;
   bodies::keep_first_alone(t[0], bodies::number_of(group.solid), rays.range[k], rays.solid[k]);
 }
 
 /// Calls meet(group, k) for every ray in a cell with edges, and updates its range.
 template <typename Meet>
-PLAYHOUSE_INLINE void each_touch(const bodies::Walls& walls, bodies::Observers by, const Found& found,
+PLAYHOUSE_INLINE void each_touch(const bodies::Walls& walls, bodies::SeenByBits by, const Found& found,
                                  const Rays& rays, Lanes& lanes, const Meet& meet) {
   for (std::size_t i = 0; i < found.touches; ++i) {
     const std::uint32_t lane = found.touch[i], k = lanes.ray[lane];
@@ -226,21 +228,21 @@ PLAYHOUSE_INLINE void each_touch(const bodies::Walls& walls, bodies::Observers b
   }
 }
 
-PLAYHOUSE_INLINE void march_here(const bodies::Walls& walls, bodies::Observers by, Rays& rays) {
+PLAYHOUSE_INLINE void march_here(const bodies::Walls& walls, bodies::SeenByBits by, Rays& rays) {
   Lanes lanes;
   std::size_t used = 0;
   for (std::size_t i = 0; i < rays.part_count; ++i) {
-    const Rays::Part part = rays.parts[i];
+    const Rays::NearRays part = rays.parts[i];
     put_origins(rays, part, walls.torus(), used, lanes);
     put_directions(rays, part, walls.torus(), used, lanes);
     used += part.end - part.begin;
   }
   lanes.hop[0] = 1;
-  fill_up(used, lanes);
+  pad(used, lanes);
   Found found;
   begin(walls, used, lanes, found);
-  while (const std::size_t on = found.going_on()) {
-    simd::FourTruths edge_on = {};
+  while (const std::size_t active = found.going_on()) {
+    simd::Mask4 edge_on = {};
     each_touch(walls, by, found, rays, lanes,
                [&](const bodies::Walls::Group& group, std::size_t k) { meet(group, k, edge_on, rays); });
     if (simd::any(edge_on))
@@ -248,20 +250,20 @@ PLAYHOUSE_INLINE void march_here(const bodies::Walls& walls, bodies::Observers b
         const double t = edges_alone(group, rays.p(k), rays.d(k));
         bodies::keep_first_alone(t, bodies::number_of(group.solid), rays.range[k], rays.solid[k]);
       });
-    if (2 * on <= used) {
-      close_up(on, used, lanes);
-      used = on;
-      fill_up(used, lanes);
+    if (2 * active <= used) {
+      compact(active, used, lanes);
+      used = active;
+      pad(used, lanes);
     }
     found.touches = 0;
-    found.on = simd::EightInts{};
+    found.active = simd::Int8{};
     advance(walls, used, lanes, found);
   }
 }
 
 }  // namespace
 
-void march(const bodies::Walls& walls, bodies::Observers by, Rays& rays) {
+void march(const bodies::Walls& walls, bodies::SeenByBits by, Rays& rays) {
   simd::in_vectors<march_here>(walls, by, rays);
 }
 

@@ -25,9 +25,9 @@ bodies::Solids posts(const std::vector<geom::Vec2>& corners, double side) {
     solids.model.push_back(0);
     solids.z_min.push_back(0);
     solids.z_max.push_back(1);
-    solids.seen_by.push_back(bit(bodies::Observer::kRanger));
+    solids.seen_by.push_back(bit(bodies::SeenBy::kRanger));
   }
-  solids.p.resize(solids.p.size() + bodies::Solids::kSpare);
+  solids.p.resize(solids.p.size() + bodies::Solids::kPad);
   solids.fixed = solids.size();
   return solids;
 }
@@ -86,7 +86,7 @@ void expect_every_post_met(std::size_t count) {
       expected.push_back(nearest(solids, kSide, rays.p(k), rays.d(k), range));
     simd::testing::with_every_instruction_set([&] {
       Rays marched = rays;
-      march(walls, bit(bodies::Observer::kRanger), marched);
+      march(walls, bit(bodies::SeenBy::kRanger), marched);
       for (std::size_t k = 0; k < marched.count; ++k) {
         EXPECT_EQ(marched.range[k], expected[k]);
         far += marched.solid[k] != bodies::kNoSolid && marched.range[k] > 4000 * cell;

@@ -4,7 +4,7 @@ namespace playhouse::rays {
 
 void Scratch::make_room(std::size_t beams, const bodies::Space& space) {
   const bodies::Solids& solids = space.solids;
-  for (std::vector<double>* column : {&range, &solid, &beam_x, &beam_y}) column->resize(beams + Scan::kSpare);
+  for (std::vector<double>* column : {&range, &solid, &beam_x, &beam_y}) column->resize(beams + Scan::kPad);
   const std::size_t bodies = solids.moving() + simd::kEight;  // padded for vectors of eight
   for (std::vector<double>* column : {&x, &y, &distance, &bearing, &radius}) column->resize(bodies);
   place.resize(bodies);

@@ -18,8 +18,8 @@
 namespace playhouse::rays {
 
 /// The pose of a ranger, and what is invisible to it.
-struct View {
-  static constexpr bodies::Observers kBy = bit(bodies::Observer::kRanger);
+struct RangerView {
+  static constexpr bodies::SeenByBits kBy = bit(bodies::SeenBy::kRanger);
 
   geom::Pose X_WM;
   geom::Rotation rotation;  // of X_WM
@@ -58,18 +58,18 @@ struct Scratch {
 };
 
 /// The beams of a scan.
-void run_scan(const bodies::Space& space, const View& view, const Scan& scan, Scratch& scratch);
+void run_scan(const bodies::Space& space, const RangerView& view, const Scan& scan, Scratch& scratch);
 
 /// The rays of a bundle. Their hits may wait in the scratch for those of other bundles: finish_rays().
-void run_bundle(const bodies::Space& space, const View& view, const Bundle& bundle, Scratch& scratch);
+void run_bundle(const bodies::Space& space, const RangerView& view, const Bundle& bundle, Scratch& scratch);
 
 /// Writes the hits of all bundles that wait.
 void finish_rays(const bodies::Space& space, Scratch& scratch);
 
 /// True if the rays of a part can traverse the grid of walls together: march().
-bool can_march(const bodies::Walls& walls, const Rays::Part& part);
+bool can_march(const bodies::Walls& walls, const Rays::NearRays& part);
 
 /// Traces the rays of a part through the walls one by one, if they cannot march.
-void meet_walls_alone(const bodies::Space& space, const Rays::Part& part, Rays& rays);
+void meet_walls_alone(const bodies::Space& space, const Rays::NearRays& part, Rays& rays);
 
 }  // namespace playhouse::rays

@@ -33,10 +33,10 @@ Scan make_scan(const scene::RangerSensorDesc& sensor, const geom::Pose& X_MS, do
     scan.x.push_back(d.x);
     scan.y.push_back(d.y);
   }
-  // NaN padding: vector loops write past a scan's beams, into those of the next, without changing them.
+  // A pad of NaN: vector loops write past a scan's beams, into those of the next, without changing them.
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-  scan.x.resize(scan.count + Scan::kSpare, kNowhere);
-  scan.y.resize(scan.count + Scan::kSpare, kNowhere);
+  scan.x.resize(scan.count + Scan::kPad, kNowhere);
+  scan.y.resize(scan.count + Scan::kPad, kNowhere);
   return scan;
 }
 

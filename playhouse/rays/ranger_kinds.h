@@ -2,6 +2,10 @@
 
 /// Precomputed scans and ray bundles of each kind of ranger, independent of its pose; made once
 /// and shared by all rangers with equal sensors. Frames: M the ranger's model, S one sensor.
+///
+/// In: descriptions of rangers; the largest radii of bodies, by size.
+/// Out: their scans and bundles.
+/// Cost: once for equal sensors; a table tests each ray of a bundle against 96 x 96 cells.
 
 #include <cstdint>
 #include <map>
@@ -20,8 +24,8 @@ struct Scan {
   std::uint32_t first_beam = 0;  // of the ranger
   double fov = 0, step = 0;      // rad
   std::vector<double> x, y;      // unit vectors of the beams in S
-  std::size_t count = 0;         // of beams; x and y are padded by kSpare that hit nothing
-  static constexpr std::size_t kSpare = 8;
+  std::size_t count = 0;         // of beams; x and y are padded by kPad that hit nothing
+  static constexpr std::size_t kPad = 8;
 };
 
 /// Points as structure of arrays, for loops that compilers vectorise.

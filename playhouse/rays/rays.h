@@ -1,7 +1,7 @@
 #pragma once
 
 /// Rays: a batch of single rays in W, shortened as hits are found. Rays of several
-/// rangers traverse the walls in one batch, which hides the latency of each step.
+/// rangers traverse the walls in one batch, which hides the latency of each step. Values.
 
 #include "playhouse/rays/ranger_kinds.h"
 
@@ -9,8 +9,8 @@ namespace playhouse::rays {
 
 struct Rays {
   static constexpr std::size_t kMost = 128;
-  static constexpr std::size_t kSpare = 8;  // padding: vector loops run past the last ray
-  static constexpr std::size_t kRoom = kMost + kSpare;
+  static constexpr std::size_t kPad = 8;  // vector loops run past the last ray
+  static constexpr std::size_t kRoom = kMost + kPad;
 
   double px[kRoom], py[kRoom], dx[kRoom], dy[kRoom];  // m, unit vectors
   float ahead_x[kRoom], ahead_y[kRoom];               // dx, dy
@@ -18,7 +18,7 @@ struct Rays {
   double solid[kRoom];                                // nearest hit: number_of() a row of Solids
   std::size_t beam[kMost];                            // of Scratch: where the result belongs
   /// Rays of one bundle or scan, with nearby origins.
-  struct Part {
+  struct NearRays {
     geom::Vec2 about;
     std::size_t begin, end;
     double reach;        // m: how far from `about` the rays go
@@ -26,7 +26,7 @@ struct Rays {
     bool is_wall;        // of a static tree: its own edges are in the walls
     bool is_level;       // all rays are at one height
   };
-  Part parts[kMost];
+  NearRays parts[kMost];
   std::size_t count = 0, part_count = 0;
 
   geom::Vec2 p(std::size_t k) const { return {px[k], py[k]}; }

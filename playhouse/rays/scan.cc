@@ -15,7 +15,7 @@
 namespace playhouse::rays {
 namespace {
 
-/// Rotates beams into W; padding is NaN and stays so.
+/// Rotates beams into W; the pad is NaN and stays so.
 PLAYHOUSE_INLINE void turn_beams(geom::Rotation r, std::size_t count, const double* __restrict x_S,
                                  const double* __restrict y_S, double* __restrict x, double* __restrict y) {
   for (std::size_t k = 0; k < count; ++k) {
@@ -25,26 +25,26 @@ PLAYHOUSE_INLINE void turn_beams(geom::Rotation r, std::size_t count, const doub
 }
 
 /// Projects the edge from w0 to w1, which is right of w0 and seen edge-on by
-/// no beam, onto beams `first` to `last`, and a few more (vector padding).
-PLAYHOUSE_INLINE void project(const Row& row, geom::Vec2 w0, geom::Vec2 w1, double seen, std::size_t first,
-                              std::size_t last) {
+/// no beam, onto beams `first` to `last`, and a few more (the pad).
+PLAYHOUSE_INLINE void project(const ScanBeams& row, geom::Vec2 w0, geom::Vec2 w1, double seen,
+                              std::size_t first, std::size_t last) {
   const double area = geom::cross(w0, w1);
   for (std::size_t k = first; k <= last; k += simd::kFour) {
-    simd::Four x, y, range, solid;
+    simd::Double4 x, y, range, solid;
     simd::load(x, row.x + k);
     simd::load(y, row.y + k);
     simd::load(range, row.range + k);
     simd::load(solid, row.solid + k);
-    const bodies::Crossing<simd::Four> ends({x, y, w0.x, w0.y}, {x, y, w1.x, w1.y});
-    bodies::keep_first<simd::Four>(ends.enters ? area / ends.slope : bodies::kMiss,
-                                   simd::Four{seen, seen, seen, seen}, range, solid);
+    const bodies::Crossing<simd::Double4> ends({x, y, w0.x, w0.y}, {x, y, w1.x, w1.y});
+    bodies::keep_first<simd::Double4>(ends.enters ? area / ends.slope : bodies::kMiss,
+                                      simd::Double4{seen, seen, seen, seen}, range, solid);
     simd::store(row.range + k, range);
     simd::store(row.solid + k, solid);
   }
 }
 
 /// An edge collinear with the scanner: all beams, scalar.
-void project_in_line(const Row& row, geom::Vec2 w0, geom::Vec2 w1, double seen) {
+void project_in_line(const ScanBeams& row, geom::Vec2 w0, geom::Vec2 w1, double seen) {
   for (std::size_t k = 0; k <= row.last; ++k)
     bodies::keep_first(bodies::edge_hit(w0, w1, {row.x[k], row.y[k]}), seen, row.range[k], row.solid[k]);
 }
@@ -52,7 +52,7 @@ void project_in_line(const Row& row, geom::Vec2 w0, geom::Vec2 w1, double seen) 
 /// Calls visit(first, last) for the beams that cover a bearing
 /// interval, once for each full turn in which it overlaps the fov.
 template <typename Visit>
-void each_turn(const Row& row, double from, double to, const Visit& visit) {
+void each_turn(const ScanBeams& row, double from, double to, const Visit& visit) {
   const auto turns = static_cast<int>(row.half / geom::kTwoPi) + 1;
   for (int turn = -turns; turn <= turns; ++turn) {
     const double low = from + turn * geom::kTwoPi, high = to + turn * geom::kTwoPi;
@@ -61,7 +61,7 @@ void each_turn(const Row& row, double from, double to, const Visit& visit) {
   }
 }
 
-void project_edge(geom::Vec2 w0, geom::Vec2 w1, geom::Rotation rotation, double seen, const Row& row) {
+void project_edge(geom::Vec2 w0, geom::Vec2 w1, geom::Rotation rotation, double seen, const ScanBeams& row) {
   const double area = geom::cross(w0, w1);
   if (std::fabs(area) <=
       bodies::kEdgeOn * (std::fabs(w0.x) + std::fabs(w0.y) + std::fabs(w1.x) + std::fabs(w1.y))) {
@@ -79,7 +79,7 @@ void project_edge(geom::Vec2 w0, geom::Vec2 w1, geom::Rotation rotation, double 
 
 /// A body of any shape, seen from anywhere, edge by edge.
 void project_edges(std::span<const geom::Vec2> polygon, geom::Rotation rotation, double seen,
-                   const Row& row) {
+                   const ScanBeams& row) {
   geom::Vec2 before = polygon.back() - row.p;
   for (const geom::Vec2 corner : polygon) {
     const geom::Vec2 w = corner - row.p;
@@ -89,7 +89,8 @@ void project_edges(std::span<const geom::Vec2> polygon, geom::Rotation rotation,
 }
 
 /// Fills the batch with beams from `first` on, as this part.
-void put_beams(const Row& row, double range_max, double z, std::size_t first, Rays::Part part, Rays& rays) {
+void put_beams(const ScanBeams& row, double range_max, double z, std::size_t first, Rays::NearRays part,
+               Rays& rays) {
   rays.count = part.end = std::min(row.last + 1 - first, Rays::kMost);
   rays.parts[0] = part;
   rays.part_count = 1;
@@ -126,34 +127,34 @@ PLAYHOUSE_INLINE void find_spread(const Number& ratio, Number& spread) {
 
 /// Conservative range of beams for each body, by its radius, distance and
 /// bearing: `last` is -1 if a cheap bound fails, and the distance becomes kMiss
-/// if no beam can hit. Vectors of four: writes up to three entries of padding.
-PLAYHOUSE_INLINE void find_beams(const Row& row, std::size_t count, const double* radius,
+/// if no beam can hit. Vectors of four: writes a pad of up to three entries.
+PLAYHOUSE_INLINE void find_beams(const ScanBeams& row, std::size_t count, const double* radius,
                                  const double* bearing, double* distance, std::int32_t* first,
                                  std::int32_t* last) {
   const double end = static_cast<double>(row.last);
   const double most = row.half <= geom::kPi ? geom::kPi : -bodies::kMiss;  // others may meet a body twice
   for (std::size_t i = 0; i < count; i += simd::kFour) {
-    simd::Four size, middle, apart;
+    simd::Double4 size, middle, apart;
     simd::load(size, radius + i);
     simd::load(middle, bearing + i);
     simd::load(apart, distance + i);
-    const simd::Four ratio = size / apart;
-    simd::Four spread;
+    const simd::Double4 ratio = size / apart;
+    simd::Double4 spread;
     find_spread(ratio, spread);
-    const simd::Four from = middle - spread, to = middle + spread;
+    const simd::Double4 from = middle - spread, to = middle + spread;
     const auto easy = (ratio < 1) & (from > -geom::kPi) & (to < most);
-    simd::Four right = (from + row.half) * row.per_step, left = (to + row.half) * row.per_step;
+    simd::Double4 right = (from + row.half) * row.per_step, left = (to + row.half) * row.per_step;
     right = right > 0 ? right : 0;
     right = right < end ? right : end;
     left = left > 0 ? left : 0;
     left = left < end ? left : end;
-    left = __builtin_convertvector(__builtin_convertvector(left, simd::FourInts), simd::Four) + 1;
+    left = __builtin_convertvector(__builtin_convertvector(left, simd::Int4), simd::Double4) + 1;
     left = left < end ? left : end;
     left = easy ? left : -1;
-    simd::store(first + i, __builtin_convertvector(right, simd::FourInts));
-    simd::store(last + i, __builtin_convertvector(left, simd::FourInts));
-    simd::store<simd::Four>(distance + i,
-                            (easy & ((to < -row.half) | (from > row.half))) ? bodies::kMiss : apart);
+    simd::store(first + i, __builtin_convertvector(right, simd::Int4));
+    simd::store(last + i, __builtin_convertvector(left, simd::Int4));
+    simd::store<simd::Double4>(distance + i,
+                               (easy & ((to < -row.half) | (from > row.half))) ? bodies::kMiss : apart);
   }
 }
 
@@ -179,10 +180,10 @@ std::size_t sort_by_distance(std::size_t count, double reach, Scratch& scratch) 
 }
 
 void scan_bodies(const bodies::Space& space, const geom::Pose& X_WS, geom::Rotation rotation, double z,
-                 const View& view, const Scan& scan, Scratch& scratch) {
+                 const RangerView& view, const Scan& scan, Scratch& scratch) {
   const bodies::Solids& solids = space.solids;
-  const Row row(scan, X_WS.xy(), scratch.beam_x.data(), scratch.beam_y.data(),
-                scratch.range.data() + scratch.first_beam, scratch.solid.data() + scratch.first_beam);
+  const ScanBeams row(scan, X_WS.xy(), scratch.beam_x.data(), scratch.beam_y.data(),
+                      scratch.range.data() + scratch.first_beam, scratch.solid.data() + scratch.first_beam);
   Sector sector{X_WS.xy(), scan.range_max + bodies::kMargin, z, {0, 0}, 0};
   // No beam points backwards: culls what is entirely behind.
   const bool is_ahead = scan.fov <= geom::kPi;
@@ -241,11 +242,11 @@ void scan_bodies(const bodies::Space& space, const geom::Pose& X_WS, geom::Rotat
 }
 
 void scan_walls(const bodies::Space& space, const geom::Pose& X_WS, geom::Rotation rotation, double z,
-                const View& view, const Scan& scan, Scratch& scratch) {
+                const RangerView& view, const Scan& scan, Scratch& scratch) {
   if (space.walls.clear_about(X_WS.xy()) > scan.range_max) return;
   const geom::Box box = bodies::box_about(X_WS.xy(), scan.range_max + bodies::kMargin);
-  const Row row(scan, X_WS.xy(), scratch.beam_x.data(), scratch.beam_y.data(),
-                scratch.range.data() + scratch.first_beam, scratch.solid.data() + scratch.first_beam);
+  const ScanBeams row(scan, X_WS.xy(), scratch.beam_x.data(), scratch.beam_y.data(),
+                      scratch.range.data() + scratch.first_beam, scratch.solid.data() + scratch.first_beam);
   const auto hides = [&](std::uint32_t solid) { return view.sees(space.solids, solid, z); };
   const auto project_wall = [&](const bodies::Walls::Edge& edge) {
     project_edge(edge.a - row.p, edge.b - row.p, rotation, bodies::number_of(edge.solid), row);
@@ -266,12 +267,12 @@ void scan_walls(const bodies::Space& space, const geom::Pose& X_WS, geom::Rotati
   }
   // With this many edges, tracing the beams is cheaper.
   Rays rays;
-  const Rays::Part part{row.p, 0, 0, scan.range_max, view.root, view.is_wall, true};
+  const Rays::NearRays part{row.p, 0, 0, scan.range_max, view.root, view.is_wall, true};
   const bool marches = can_march(space.walls, part);
   for (std::size_t first = 0; first < scan.count; first += Rays::kMost) {
     put_beams(row, scan.range_max, z, first, part, rays);
     if (marches)
-      march(space.walls, bit(bodies::Observer::kRanger), rays);
+      march(space.walls, bit(bodies::SeenBy::kRanger), rays);
     else
       meet_walls_alone(space, rays.parts[0], rays);
     std::copy_n(rays.range, rays.count, row.range + first);
@@ -281,7 +282,7 @@ void scan_walls(const bodies::Space& space, const geom::Pose& X_WS, geom::Rotati
 
 }  // namespace
 
-void run_scan(const bodies::Space& space, const View& view, const Scan& scan, Scratch& scratch) {
+void run_scan(const bodies::Space& space, const RangerView& view, const Scan& scan, Scratch& scratch) {
   std::fill_n(scratch.range.begin() + scratch.first_beam + scan.first_beam, scan.count, scan.range_max);
   const geom::Pose X_WS = geom::compose(view.X_WM, scan.X_MS);
   const double z = view.X_WM.z + scan.z;

@@ -16,7 +16,7 @@ namespace playhouse::rays::avx512 {
 #endif
 
 #define PLAYHOUSE_LANES
-namespace playhouse::rays::emulated {
+namespace playhouse::rays::plain {
 #include "playhouse/rays/double8_plain.inc"
 #include "playhouse/rays/scan_kernels.inc"
-}  // namespace playhouse::rays::emulated
+}  // namespace playhouse::rays::plain

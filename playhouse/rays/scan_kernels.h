@@ -2,7 +2,7 @@
 
 /// Eight-lane kernels of rays for processors with AVX-512: the hottest
 /// functions of scan.h, with the same bits. Compilers do not generate its
-/// masked compress-stores, so these use intrinsics. The emulated version
+/// instructions that compact lanes, so these use intrinsics. The plain version
 /// runs the same kernels on any processor, so that they are always tested.
 ///
 /// In, Out: as for the functions of the same names in scan.h.
@@ -19,13 +19,13 @@ decltype(rays::gather) gather;
 }  // namespace avx512
 #endif
 
-namespace emulated {
+namespace plain {
 decltype(rays::project_facing) project_facing;
 decltype(rays::gather) gather;
-}  // namespace emulated
+}  // namespace plain
 
 #ifndef __x86_64__
-namespace avx512 = emulated;  // never chosen
+namespace avx512 = plain;  // never chosen
 #endif
 
 }  // namespace playhouse::rays
@@ -33,14 +33,14 @@ namespace avx512 = emulated;  // never chosen
 namespace playhouse::simd {
 
 template <auto kNative, auto kPortable>
-struct WideVersions {
+struct Double8Versions {
   static constexpr bool kExists = true;
-  static constexpr auto kAvx512 = kNative, kEmulated = kPortable;
+  static constexpr auto kAvx512 = kNative, kPlain = kPortable;
 };
 template <>
-struct Wide<rays::project_facing>
-    : WideVersions<rays::avx512::project_facing, rays::emulated::project_facing> {};
+struct InDouble8<rays::project_facing>
+    : Double8Versions<rays::avx512::project_facing, rays::plain::project_facing> {};
 template <>
-struct Wide<rays::gather> : WideVersions<rays::avx512::gather, rays::emulated::gather> {};
+struct InDouble8<rays::gather> : Double8Versions<rays::avx512::gather, rays::plain::gather> {};
 
 }  // namespace playhouse::simd

@@ -24,7 +24,7 @@ std::vector<geom::Vec2> draw_polygon(Rng& rng, std::size_t corners) {
     polygon.push_back(center + geom::Vec2{a * at.cos, b * at.sin});
   }
   polygon.push_back(polygon.front());
-  polygon.resize(polygon.size() + bodies::Solids::kSpare);
+  polygon.resize(polygon.size() + bodies::Solids::kPad);
   return polygon;
 }
 
@@ -36,7 +36,7 @@ std::vector<double> outcome(std::size_t corners, std::uint64_t seed) {
   scan.fov = 6;
   scan.step = 0.1;
   const double none = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> x(kBeams + Scan::kSpare, none), y(x), range(x.size(), 4.0),
+  std::vector<double> x(kBeams + Scan::kPad, none), y(x), range(x.size(), 4.0),
       solid(x.size(), bodies::kNoSolid);
   for (std::size_t k = 0; k < kBeams; ++k) {
     const geom::SinCos ahead = geom::sincos(0.1 * static_cast<double>(k) - 3);
@@ -47,7 +47,7 @@ std::vector<double> outcome(std::size_t corners, std::uint64_t seed) {
   for (int body = 0; body < 3; ++body) {
     const std::vector<geom::Vec2> polygon = draw_polygon(rng, corners);
     if (rng.uniform() < 0.1) p = 2 * polygon[0] - polygon[1];  // in line with an edge
-    const Row row(scan, p, x.data(), y.data(), range.data(), solid.data());
+    const ScanBeams row(scan, p, x.data(), y.data(), range.data(), solid.data());
     simd::in_vectors<project_facing>(row, polygon.data(), corners, 7.0 - body, 0.0, 9.0, rng.bits() % kBeams,
                                      kBeams - 1);
   }
@@ -55,7 +55,7 @@ std::vector<double> outcome(std::size_t corners, std::uint64_t seed) {
   return range;
 }
 
-TEST(Wide, scans_meet_bodies_of_any_number_of_corners_to_the_same_bits) {
+TEST(EightLanes, scans_meet_bodies_of_any_number_of_corners_to_the_same_bits) {
   std::size_t met = 0;
   for (std::uint64_t i = 0; i < 3000; ++i) {
     const std::size_t corners = 3 + i % (bodies::kConvexCorners - 2);
@@ -80,7 +80,7 @@ struct Somewhere {
       runs.push_back({count, count + length});
       count += length + static_cast<std::uint32_t>(rng.bits() % 5);
     }
-    for (std::uint32_t i = 0; i < count + bodies::DiscIndex::kSpare; ++i) {
+    for (std::uint32_t i = 0; i < count + bodies::DiscIndex::kPad; ++i) {
       places.x.push_back(rng.uniform(-4, 4));
       places.y.push_back(rng.uniform(-4, 4));
       places.z_min.push_back(rng.uniform() < 0.8 ? 0 : 1);
@@ -89,7 +89,7 @@ struct Somewhere {
   }
 };
 
-TEST(Wide, scans_find_the_same_bodies_in_the_same_order) {
+TEST(EightLanes, scans_find_the_same_bodies_in_the_same_order) {
   std::size_t found = 0;
   for (std::uint64_t i = 0; i < 500; ++i) {
     Rng rng(i);

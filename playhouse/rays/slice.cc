@@ -17,7 +17,7 @@ bool Slicer::shows(const bodies::Solids& solids, std::uint32_t solid) const {
   return (solids.seen_by[solid] & by_) != 0 && solids.root[solid] != root_;
 }
 
-void Slicer::stand(const bodies::Space& space, geom::Vec2 p, double z, double reach, bodies::Observers by,
+void Slicer::stand(const bodies::Space& space, geom::Vec2 p, double z, double reach, bodies::SeenByBits by,
                    std::uint32_t root) {
   p_ = p;
   z_ = z;
@@ -63,8 +63,8 @@ void Slicer::cross_walls(const bodies::Space& space, geom::Vec2 d, double reach)
   space.walls.along(p_, d, &reach, meet);
   // Removes duplicates: an edge is listed in each of its cells.
   const auto begin = crossings_.begin() + static_cast<std::ptrdiff_t>(before);
-  std::ranges::sort(begin, crossings_.end(), {}, &Crossing::number);
-  const auto same = [](const Crossing& a, const Crossing& b) { return a.number == b.number; };
+  std::ranges::sort(begin, crossings_.end(), {}, &Passage::number);
+  const auto same = [](const Passage& a, const Passage& b) { return a.number == b.number; };
   crossings_.erase(std::unique(begin, crossings_.end(), same), crossings_.end());
 }
 
@@ -86,7 +86,7 @@ void Slicer::add(const bodies::Solids& solids, std::uint32_t body, double from, 
 }
 
 void Slicer::pair_crossings(const bodies::Solids& solids) {
-  std::ranges::sort(crossings_, [](const Crossing& a, const Crossing& b) {
+  std::ranges::sort(crossings_, [](const Passage& a, const Passage& b) {
     return std::tuple(a.body, a.t, !a.enters) < std::tuple(b.body, b.t, !b.enters);
   });
   stretches_.clear();
@@ -95,7 +95,7 @@ void Slicer::pair_crossings(const bodies::Solids& solids) {
     int depth = crossings_[i].enters ? 0 : 1;
     double from = 0;
     for (; i < crossings_.size() && crossings_[i].body == body; ++i) {
-      const Crossing& crossing = crossings_[i];
+      const Passage& crossing = crossings_[i];
       if (crossing.enters && depth++ == 0) from = crossing.t;
       if (!crossing.enters && depth > 0 && --depth == 0) add(solids, body, from, crossing.t);
     }
@@ -109,7 +109,7 @@ const std::vector<Stretch>& Slicer::along(const bodies::Space& space, geom::Vec2
   cross_bodies(space, d, reach);
   pair_crossings(space.solids);
   for (const std::uint32_t body : beneath_)  // their exit is beyond the reach
-    if (!std::ranges::binary_search(crossings_, body, {}, &Crossing::body))
+    if (!std::ranges::binary_search(crossings_, body, {}, &Passage::body))
       add(space.solids, body, 0, kEndless);
   return stretches_;
 }

@@ -28,7 +28,7 @@ class Slicer {
  public:
   /// Sets the viewpoint: p at height z. Ignores what `by` does
   /// not see, the tree `root`, and what is beyond `reach`.
-  void stand(const bodies::Space& space, geom::Vec2 p, double z, double reach, bodies::Observers by,
+  void stand(const bodies::Space& space, geom::Vec2 p, double z, double reach, bodies::SeenByBits by,
              std::uint32_t root);
 
   /// Stretches along the unit vector d up to `reach`, unordered. Valid until the next call.
@@ -36,7 +36,7 @@ class Slicer {
 
  private:
   /// A crossing of the ray with an edge of a body.
-  struct Crossing {
+  struct Passage {
     std::uint32_t body;  // row of its first solid
     double t;            // m
     bool enters;
@@ -53,11 +53,11 @@ class Slicer {
 
   geom::Vec2 p_;
   double z_ = 0;  // m
-  bodies::Observers by_ = 0;
+  bodies::SeenByBits by_ = 0;
   std::uint32_t root_ = 0;
   std::vector<std::uint32_t> near_;     // movable solids
   std::vector<std::uint32_t> beneath_;  // static bodies that contain p, ascending
-  std::vector<Crossing> crossings_;
+  std::vector<Passage> crossings_;
   std::vector<Stretch> stretches_;
 };
 

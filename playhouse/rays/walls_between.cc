@@ -8,7 +8,7 @@
 namespace playhouse::rays {
 
 int walls_between(const bodies::Space& space, const geom::Pose& from_W, const geom::Pose& to_W,
-                  bodies::Observers by, std::vector<std::uint32_t>& crossed) {
+                  bodies::SeenByBits by, std::vector<std::uint32_t>& crossed) {
   const geom::Vec2 p = from_W.xy(), way = to_W.xy() - p;
   const double distance = std::sqrt(geom::dot(way, way));
   if (distance == 0) return 0;

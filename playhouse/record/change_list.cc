@@ -25,11 +25,12 @@ std::string field(const std::string& text) {
 
 }  // namespace
 
-Result<ChangeCount> list_changes(const Source& source, const std::function<void(std::string_view)>& write) {
+Result<ChangeCount> list_changes(const ByteSource& source,
+                                 const std::function<void(std::string_view)>& write) {
   ChangeCount count;
   McapReader reader(source);
   const auto end = reader.read(
-      {.message = [&](const Channel& channel, const Message& message) -> Result<void> {
+      {.message = [&](const Channel& channel, const MessageRecord& message) -> Result<void> {
          const auto schema = reader.schemas().find(channel.schema);
          if (schema == reader.schemas().end() || schema->second.name != kChange) return {};
          CdrReader in(message.body);

@@ -20,6 +20,7 @@ struct ChangeCount {
 /// model, fields as JSON (docs/changes.md). In the order in which they were applied; after a
 /// `load`, time is that of the state. Fails, without a file name, if the recording cannot be read or has
 /// none.
-Result<ChangeCount> list_changes(const Source& source, const std::function<void(std::string_view)>& write);
+Result<ChangeCount> list_changes(const ByteSource& source,
+                                 const std::function<void(std::string_view)>& write);
 
 }  // namespace playhouse::record

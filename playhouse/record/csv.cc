@@ -26,12 +26,12 @@ namespace {
 /// Write buffers: of a table, and of all of them while each has at least the smallest one.
 constexpr std::size_t kBufferBytes = 1u << 16, kLeastBufferBytes = 1u << 12, kAllBufferBytes = 1u << 26;
 
-using SharedType = std::shared_ptr<const MessageType>;  // of all channels of a schema
+using SharedType = std::shared_ptr<const MessageSchema>;  // of all channels of a schema
 
 constexpr const char* kTooManyFields = "the recording has too many fields";
 
 /// What a type takes of the limit on fields: one for each, and for the letters of their names.
-std::size_t fields_of(const MessageType& type) {
+std::size_t fields_of(const MessageSchema& type) {
   constexpr std::size_t kLettersEach = 64;
   return type.fields().size() + type.letters() / kLettersEach;
 }
@@ -82,8 +82,8 @@ class Table {
   }
 
   /// First pass: measures the lengths of lists.
-  Result<void> measure(const Message& message) {
-    const Result<MessageType::Rows> rows = type_->rows(message.body);
+  Result<void> measure(const MessageRecord& message) {
+    const Result<MessageSchema::Rows> rows = type_->rows(message.body);
     if (!rows) return rows.error();
     for (const auto& row : *rows)
       for (std::size_t field = 0; field < row.size(); ++field)
@@ -111,8 +111,8 @@ class Table {
   }
 
   /// Writes once there is as much as the buffer takes.
-  Result<void> add(const Message& message, std::size_t buffer_bytes) {
-    const Result<MessageType::Rows> rows = type_->rows(message.body);
+  Result<void> add(const MessageRecord& message, std::size_t buffer_bytes) {
+    const Result<MessageSchema::Rows> rows = type_->rows(message.body);
     if (!rows) return rows.error();
     for (const auto& row : *rows) {
       text_ += fmt::format("{}", static_cast<double>(message.publish_time) / 1e9);
@@ -160,12 +160,12 @@ class Table {
 
 class Export {
  public:
-  Export(const Source& source, std::string folder, std::size_t most_fields)
+  Export(const ByteSource& source, std::string folder, std::size_t most_fields)
       : source_(source), folder_(std::move(folder)), most_fields_(most_fields) {}
 
   Result<CsvTables> run() {
     if (const Result<void> measured =
-            read([](Table& table, const Message& message) { return table.measure(message); });
+            read([](Table& table, const MessageRecord& message) { return table.measure(message); });
         !measured)
       return measured.error();
     std::error_code fault;
@@ -175,8 +175,8 @@ class Export {
       if (const Result<void> begun = table.begin(); !begun) return begun.error();
     const std::size_t buffer_bytes = std::clamp(kAllBufferBytes / std::max<std::size_t>(tables_.size(), 1),
                                                 kLeastBufferBytes, kBufferBytes);
-    if (const Result<void> added =
-            read([=](Table& table, const Message& message) { return table.add(message, buffer_bytes); });
+    if (const Result<void> added = read(
+            [=](Table& table, const MessageRecord& message) { return table.add(message, buffer_bytes); });
         !added)
       return added.error();
     for (auto& [channel, table] : tables_) {
@@ -192,7 +192,7 @@ class Export {
   Result<void> read(const Take& take) {
     McapReader reader(source_);
     const auto end =
-        reader.read({.message = [&](const Channel& channel, const Message& message) -> Result<void> {
+        reader.read({.message = [&](const Channel& channel, const MessageRecord& message) -> Result<void> {
                        Table* const table = table_of(channel, reader);
                        return table == nullptr ? Result<void>() : take(*table, message);
                      },
@@ -230,10 +230,10 @@ class Export {
 
   Result<SharedType> parsed(const Schema& schema) {
     if (fields_ > most_fields_) return Error{{}, kTooManyFields};
-    Result<MessageType> type = MessageType::parse(schema.text);
+    Result<MessageSchema> type = MessageSchema::parse(schema.text);
     if (!type) return type.error();
     if (fields_ += fields_of(*type); fields_ > most_fields_) return Error{{}, kTooManyFields};
-    return SharedType(std::make_shared<const MessageType>(std::move(*type)));
+    return SharedType(std::make_shared<const MessageSchema>(std::move(*type)));
   }
 
   Table* leave_out(const Channel& channel, const std::string& why) {
@@ -241,7 +241,7 @@ class Export {
     return nullptr;
   }
 
-  const Source& source_;
+  const ByteSource& source_;
   const std::string folder_;
   const std::size_t most_fields_;
   std::size_t fields_ = 0;                             // of all tables and types
@@ -254,7 +254,7 @@ class Export {
 
 }  // namespace
 
-Result<CsvTables> write_csv(const Source& source, const std::string& folder, std::size_t most_fields) {
+Result<CsvTables> write_csv(const ByteSource& source, const std::string& folder, std::size_t most_fields) {
   return Export(source, folder, most_fields).run();
 }
 

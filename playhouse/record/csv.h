@@ -26,7 +26,7 @@ struct CsvTables {
 /// has elements. Channels beyond `most_fields` in all tables are left out. Internal channels (states,
 /// changes) are skipped. Fails if the recording cannot be read, without a file name, or if a table cannot be
 /// written, with its name.
-Result<CsvTables> write_csv(const Source& source, const std::string& folder,
+Result<CsvTables> write_csv(const ByteSource& source, const std::string& folder,
                             std::size_t most_fields = kExportFields);
 
 }  // namespace playhouse::record

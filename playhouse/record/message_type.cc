@@ -52,7 +52,7 @@ std::string number_text(const std::string& type, CdrReader& in) {
 }  // namespace
 
 /// Rows under construction: fields outside the list of messages are copied into each row.
-struct MessageType::Walk {
+struct MessageSchema::Walk {
   std::vector<std::vector<std::string>> outside;  // by field
   std::vector<std::vector<std::string>>* to = nullptr;
   Rows rows;
@@ -62,7 +62,7 @@ struct MessageType::Walk {
 };
 
 /// Null without names, and for names too many or too long.
-MessageType::SharedParts MessageType::parts_of(std::string_view note) {
+MessageSchema::SharedParts MessageSchema::parts_of(std::string_view note) {
   const std::size_t at = note.find(kNumbersEach);
   if (at == std::string_view::npos) return nullptr;
   std::string_view names = note.substr(at + kNumbersEach.size());
@@ -79,13 +79,13 @@ MessageType::SharedParts MessageType::parts_of(std::string_view note) {
   return parts.empty() ? nullptr : std::make_shared<const Parts>(std::move(parts));
 }
 
-std::string MessageType::name_of(std::size_t field, std::size_t number) const {
+std::string MessageSchema::name_of(std::size_t field, std::size_t number) const {
   if (parts_[field] == nullptr) return fmt::format("{}.{}", fields_[field], number);
   const Parts& parts = *parts_[field];
   return fmt::format("{}.{}.{}", fields_[field], number / parts.size(), parts[number % parts.size()].name);
 }
 
-Result<void> MessageType::add_line(std::string_view line, Fields& into) {
+Result<void> MessageSchema::add_line(std::string_view line, Fields& into) {
   const std::size_t note = std::min(line.find('#'), line.size());
   const bool model = line.substr(note).find(kNoModel) != std::string_view::npos;
   SharedParts parts = parts_of(line.substr(note));
@@ -123,8 +123,8 @@ Result<void> MessageType::add_line(std::string_view line, Fields& into) {
   return {};
 }
 
-Result<MessageType> MessageType::parse(const std::string& text) {
-  MessageType type;
+Result<MessageSchema> MessageSchema::parse(const std::string& text) {
+  MessageSchema type;
   std::string name;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -143,8 +143,8 @@ Result<MessageType> MessageType::parse(const std::string& text) {
   return type;
 }
 
-Result<void> MessageType::number_fields(const std::string& type, const std::string& path, int depth,
-                                        bool in_list) {
+Result<void> MessageSchema::number_fields(const std::string& type, const std::string& path, int depth,
+                                          bool in_list) {
   const auto found = types_.find(type);
   if (found == types_.end()) return Error{{}, "has a schema that lacks type " + in_quotes(type)};
   if (++messages_ > kTableColumns) return Error{{}, "has a schema with too many messages in each other"};
@@ -172,14 +172,14 @@ Result<void> MessageType::number_fields(const std::string& type, const std::stri
   return {};
 }
 
-std::size_t MessageType::width_of(const std::string& type) const {
+std::size_t MessageSchema::width_of(const std::string& type) const {
   std::size_t width = 0;
   for (const Field& field : types_.at(type))
     if (field.kind != Kind::kTime) width += field.kind == Kind::kMessage ? width_of(field.type) : 1;
   return width;
 }
 
-bool MessageType::read(const std::string& type, CdrReader& in, Walk& walk) const {
+bool MessageSchema::read(const std::string& type, CdrReader& in, Walk& walk) const {
   for (const Field& field : types_.at(type)) {
     if (!in.ok()) return false;
     if (field.kind == Kind::kMessage && !field.list) {
@@ -217,7 +217,7 @@ bool MessageType::read(const std::string& type, CdrReader& in, Walk& walk) const
   return in.ok();
 }
 
-Result<MessageType::Rows> MessageType::rows(std::span<const std::byte> message) const {
+Result<MessageSchema::Rows> MessageSchema::rows(std::span<const std::byte> message) const {
   CdrReader in(message);
   Walk walk;
   walk.outside.resize(fields_.size());

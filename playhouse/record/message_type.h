@@ -1,6 +1,6 @@
 #pragma once
 
-/// MessageType: parses a schema of encoding ros2msg, and flattens messages to table rows.
+/// MessageSchema: parses a schema of encoding ros2msg, and flattens messages to table rows.
 /// A message is a row; one with a list of messages is a row for each element. Values.
 
 #include <cstdint>
@@ -31,10 +31,10 @@ inline constexpr std::size_t kPathLetters = 1u << 24;
 /// Limit on rows times fields of one message; a world of 100,000 robots has 2 million.
 inline constexpr std::size_t kMessageValues = 1u << 22;
 
-class MessageType {
+class MessageSchema {
  public:
   /// Fails on invalid schemas, on fields of undefined types, and on nested lists of messages.
-  static Result<MessageType> parse(const std::string& text);
+  static Result<MessageSchema> parse(const std::string& text);
 
   /// Paths of the leaf fields: "transform.rotation.x".
   /// Timestamps are omitted: messages have a log time.

@@ -17,7 +17,7 @@ double across(double latitude) {
 
 }  // namespace
 
-Place on_earth(const Place& origin, const geom::Vec3& p) {
+GeodeticPosition on_earth(const GeodeticPosition& origin, const geom::Vec3& p) {
   const double s = std::sin(origin.latitude), c = std::cos(origin.latitude), n = across(origin.latitude);
   // Earth-centred: along the origin's meridian, to its east, and to the north pole.
   const double ahead = (n + origin.height) * c - s * p.y + c * p.z;

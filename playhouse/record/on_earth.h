@@ -8,12 +8,12 @@
 namespace playhouse::record {
 
 /// A place on the earth (WGS84).
-struct Place {
+struct GeodeticPosition {
   double latitude = 0, longitude = 0;  // rad, north and east positive
   double height = 0;                   // m above the ellipsoid
 };
 
 /// The place at p, metres to the east, to the north and up, in the tangent plane at `origin`.
-Place on_earth(const Place& origin, const geom::Vec3& p);
+GeodeticPosition on_earth(const GeodeticPosition& origin, const geom::Vec3& p);
 
 }  // namespace playhouse::record

@@ -10,7 +10,7 @@ namespace playhouse::record {
 namespace {
 
 /// Earth-centred: x to longitude 0, z to the north pole. [m]
-geom::Vec3 spatial(const Place& at) {
+geom::Vec3 spatial(const GeodeticPosition& at) {
   constexpr double kRadius = 6378137.0, kFlattening = 1 / 298.257223563;
   constexpr double kSquared = kFlattening * (2 - kFlattening);
   const double s = std::sin(at.latitude), n = kRadius / std::sqrt(1 - kSquared * s * s);
@@ -23,7 +23,7 @@ TEST(OnEarth, is_where_the_tangent_plane_of_its_origin_is) {
   for (const double latitude : {-89.0, -33.9, 0.0, 47.5, 89.9})
     for (const double longitude : {-179.9999, 0.0, 8.5, 180.0})
       for (const geom::Vec3& p : {geom::Vec3{0, 0, 0}, {30, -20, 4}, {-2000, 5000, 900}, {10, 60, -400}}) {
-        const Place origin{geom::radians(latitude), geom::radians(longitude), 408};
+        const GeodeticPosition origin{geom::radians(latitude), geom::radians(longitude), 408};
         const double sp = std::sin(origin.latitude), cp = std::cos(origin.latitude);
         const double sl = std::sin(origin.longitude), cl = std::cos(origin.longitude);
         const geom::Vec3 east{-sl, cl, 0}, north{-sp * cl, -sp * sl, cp}, up{cp * cl, cp * sl, sp};

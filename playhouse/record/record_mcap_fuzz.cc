@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const record::MemorySource source(bytes);
   record::McapReader reader(source);
   const auto end = reader.read(
-      {.message = [](const record::Channel&, const record::Message&) -> Result<void> { return {}; },
+      {.message = [](const record::Channel&, const record::MessageRecord&) -> Result<void> { return {}; },
        .attachment = [](const record::Attachment&) -> Result<void> { return {}; }});
   PLAYHOUSE_ASSERT(end.ok() || !end.error().text.empty());
   const auto recording = record::read_recording(source);
@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // A schema, and behind a NUL a message of it.
   const std::string text(reinterpret_cast<const char*>(data), size);
   const std::size_t end_of_schema = std::min(text.find('\0'), size);
-  const auto type = record::MessageType::parse(text.substr(0, end_of_schema));
+  const auto type = record::MessageSchema::parse(text.substr(0, end_of_schema));
   PLAYHOUSE_ASSERT(type.ok() || !type.error().text.empty());
   if (type) {
     const auto rows = type->rows(bytes.subspan(end_of_schema));

@@ -146,7 +146,7 @@ void Recorder::put_message_at(double time, const std::string& topic, const std::
   const std::optional<std::uint16_t> channel = channel_of(topic, schema);
   if (!channel) return;
   const auto published = static_cast<std::uint64_t>(std::llround(time * 1e9));
-  put(out_, Message{*channel, sequence_[*channel]++, ns(ago), published, body});
+  put(out_, MessageRecord{*channel, sequence_[*channel]++, ns(ago), published, body});
 }
 
 void Recorder::hand_over() {

@@ -163,7 +163,7 @@ TEST_F(RecorderTest, has_what_its_models_say_when_they_begin_and_end_to_say_it) 
   const auto source = open_source(path_);
   McapReader reader(**source);
   std::vector<std::string> said;
-  const auto take = [&](const Channel& channel, const Message& message) -> Result<void> {
+  const auto take = [&](const Channel& channel, const MessageRecord& message) -> Result<void> {
     CdrReader in(message.body);
     in.time();
     const std::string speaker = in.text();

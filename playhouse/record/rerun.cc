@@ -61,13 +61,13 @@ Error other_format(std::string_view format) {
 
 }  // namespace
 
-Result<Recording> read_recording(const Source& source, std::size_t most) {
+Result<Recording> read_recording(const ByteSource& source, std::size_t most) {
   Recording recording;
   std::size_t left = most;
   bool has_format = false, has_start = false, has_message = false;
   McapReader reader(source);
   const auto end = reader.read(
-      {.message = [&](const Channel& channel, const Message& message) -> Result<void> {
+      {.message = [&](const Channel& channel, const MessageRecord& message) -> Result<void> {
          has_message = true;
          const auto schema = reader.schemas().find(channel.schema);
          if (schema == reader.schemas().end() || !schema->second.name.starts_with("playhouse/msg/"))

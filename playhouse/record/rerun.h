@@ -41,7 +41,7 @@ inline constexpr std::size_t kKeptBytes = std::size_t{2} << 30;
 
 /// Fails, without a file name, on files that are not our recordings, have no replay data, or have more than
 /// `most` packed bytes of it.
-Result<Recording> read_recording(const Source& source, std::size_t most = kKeptBytes);
+Result<Recording> read_recording(const ByteSource& source, std::size_t most = kKeptBytes);
 
 class Rerun final : public world::Engine {
  public:

@@ -156,9 +156,9 @@ Bytes fix_message(std::uint64_t ns, const std::string& frame, const world::World
   const scene::GpsDesc& desc = *world.desc(model).gps;
   const scene::SceneDesc& scene = world.scene();
   const bool has_fix = desc.satellites >= kLeastSatellites;
-  const Place place = has_fix ? on_earth({scene.latitude, scene.longitude, scene.altitude},
-                                         world.receivers.position[world.models.part[model.index]])
-                              : Place{kNone, kNone, kNone};
+  const GeodeticPosition place = has_fix ? on_earth({scene.latitude, scene.longitude, scene.altitude},
+                                                    world.receivers.position[world.models.part[model.index]])
+                                         : GeodeticPosition{kNone, kNone, kNone};
   const auto variance = [](double noise, double drift) { return noise * noise + drift * drift; };
   const double level = variance(desc.noise_horizontal, desc.drift_horizontal);
   const double upright = variance(desc.noise_vertical, desc.drift_vertical);

@@ -51,7 +51,7 @@ struct Studio {
     instance.segment = 9;
     return instance;
   }
-  Picture draw(const View& view, const Scene& scene, const Surroundings& around = {}) {
+  Picture draw(const View& view, const Scene& scene, const Environment& around = {}) {
     std::vector<Picture> pictures;
     renderer->draw(around, scene, {&view, 1}, pictures);
     return std::move(pictures[0]);
@@ -258,7 +258,7 @@ TEST(Mirrors, show_the_picture_of_an_eye_behind_them_turned_left_to_right) {
              of_models = ahead(Shows::kSegments, kHeading, kDown);
   View other = ahead(Shows::kColor, geom::kPi - kHeading, kDown);
   other.eye = {2 * kAt, 0, 1};
-  Surroundings foggy;
+  Environment foggy;
   foggy.to_sun = {-0.48, 0.36, 0.8};
   for (const double visibility : {0.0, 15.0}) {
     foggy.visibility = visibility;
@@ -292,7 +292,7 @@ TEST(Mirrors, hide_what_is_behind_them_and_what_they_show_is_not_before_them) {
   Studio& in = studio();
   std::vector<Instance> instances{in.mirror_at({4, 0, 1.2}), in.crate_at({-0.5, 0.8, 1.3}, kRed)};
   const View view = ahead();
-  Surroundings overcast;
+  Environment overcast;
   overcast.sun = 0;
   const Picture alone = in.draw(view, {.instances = instances}, overcast);
   // One anywhere behind, also where the eye's mirror image is.

@@ -62,7 +62,7 @@ void cameras(benchmark::State& state, Contents contents) {
   std::vector<View> views;
   for (int k = 0; k < state.range(0); ++k)
     for (const Shows shows : {Shows::kColor, Shows::kDepth}) views.push_back(view(shows, k));
-  Surroundings around;
+  Environment around;
   around.to_sun = {-0.4, -0.5, 0.768};
   std::vector<Picture> pictures;
   for (auto _ : state) (*renderer)->draw(around, {made.instances, made.figures, {}}, views, pictures);

@@ -107,7 +107,7 @@ struct SurfaceProgram {
 struct Sight {
   View view;
   Axes axes;
-  Place place;
+  PageSlot place;
   std::optional<std::size_t> mirror;  // in which of the view's mirrors
   std::array<float, 4> cut{};         // shown is where n p + d >= 0, in E, of a reflection
   double first = 0;                   // m along the optical axis, before which it shows nothing
@@ -131,13 +131,13 @@ class Renderer::Impl {
   Result<void> prepare();
   const std::string& name() const { return context_->renderer(); }
   std::uint32_t add_shape(const mesh::Mesh& mesh);
-  void draw(const Surroundings& surroundings, const Scene& scene, std::span<const View> views,
+  void draw(const Environment& surroundings, const Scene& scene, std::span<const View> views,
             std::vector<Picture>& pictures);
 
  private:
   /// Inputs of the current draw().
   struct Drawn {
-    const Surroundings& surroundings;
+    const Environment& surroundings;
     const Scene& scene;
   };
   /// For pictures with mirrors.
@@ -170,7 +170,7 @@ class Renderer::Impl {
   void set_bones(std::span<const Figure> figures);
   void draw_kind(const Drawn& drawn, Shows shows, std::span<const View> views,
                  std::vector<Picture>& pictures);
-  void draw_view(const Drawn& drawn, const View& view, const Place& place);
+  void draw_view(const Drawn& drawn, const View& view, const PageSlot& place);
   void find_mirrors(const Drawn& drawn, const View& view, const Axes& axes);
   void make_mirrors();
   void draw_reflection(const Drawn& drawn, const View& view, const Axes& axes, std::size_t mirror);
@@ -191,7 +191,7 @@ class Renderer::Impl {
   void draw_runs(const InstanceList& list, const Sight* sight, Bends bends, Paints paints, bool see_through);
   void draw_surface(const SurfaceRange& range, const DrawRun& run, const SurfaceProgram& program,
                     Paints paints);
-  ViewBlock block_of(const Drawn& drawn, const View& view, const Axes& axes, const Place& place) const;
+  ViewBlock block_of(const Drawn& drawn, const View& view, const Axes& axes, const PageSlot& place) const;
   void send(const ViewBlock& block);
   void send_lamps(const Drawn& drawn, const Vec3& eye);
   Page& page_of(Shows shows);
@@ -305,7 +305,7 @@ Page& Renderer::Impl::page_of(Shows shows) {
   return shows == Shows::kColor ? card_->colors : shows == Shows::kDepth ? card_->depths : card_->segments;
 }
 
-void Renderer::Impl::draw(const Surroundings& surroundings, const Scene& scene, std::span<const View> views,
+void Renderer::Impl::draw(const Environment& surroundings, const Scene& scene, std::span<const View> views,
                           std::vector<Picture>& pictures) {
   pictures.resize(views.size());
   if (views.empty()) return;
@@ -338,7 +338,7 @@ void Renderer::Impl::draw_kind(const Drawn& drawn, Shows shows, std::span<const 
     rows.push_back(i);
     sizes.push_back({views[i].width, views[i].height});
   }
-  const std::vector<Place> places = pack(sizes, kPage);
+  const std::vector<PageSlot> places = pack(sizes, kPage);
   for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
     Sizes used;
     for (end = begin; end < rows.size() && places[end].page == places[begin].page; ++end) {
@@ -368,8 +368,8 @@ void Renderer::Impl::draw_kind(const Drawn& drawn, Shows shows, std::span<const 
 }
 
 ViewBlock Renderer::Impl::block_of(const Drawn& drawn, const View& view, const Axes& axes,
-                                   const Place& place) const {
-  const Surroundings& around = drawn.surroundings;
+                                   const PageSlot& place) const {
+  const Environment& around = drawn.surroundings;
   ViewBlock block;
   block.clip = clip_from_eye(view, axes);
   block.ahead = four(axes.ahead, view.near);
@@ -417,7 +417,7 @@ void Renderer::Impl::send_lamps(const Drawn& drawn, const Vec3& eye) {
   glBindBufferBase(GL_UNIFORM_BUFFER, 2, card_->lamps);
 }
 
-void Renderer::Impl::draw_view(const Drawn& drawn, const View& view, const Place& place) {
+void Renderer::Impl::draw_view(const Drawn& drawn, const View& view, const PageSlot& place) {
   const Axes axes = axes_of(view.q_WC);
   find_mirrors(drawn, view, axes);
   for (std::size_t i = 0; i < mirrors_.mirrors().size(); ++i) draw_reflection(drawn, view, axes, i);
@@ -816,7 +816,7 @@ std::uint32_t Renderer::add_shape(const mesh::Mesh& mesh) {
   return impl_->add_shape(mesh);
 }
 
-void Renderer::draw(const Surroundings& surroundings, const Scene& scene, std::span<const View> views,
+void Renderer::draw(const Environment& surroundings, const Scene& scene, std::span<const View> views,
                     std::vector<Picture>& pictures) {
   impl_->draw(surroundings, scene, views, pictures);
 }

@@ -31,7 +31,7 @@ using Rgb = std::array<float, 3>;  // linear
 float linear(float srgb);
 
 /// Environment of all bodies. The floor is the plane z = 0.
-struct Surroundings {
+struct Environment {
   geom::Vec3 to_sun = {0, 0, 1};  // unit
   float sun = 0.72f;              // radiance of a white face towards the sun
   float ambient = 0.42f;          // ambient light, in the same unit
@@ -107,7 +107,7 @@ class Renderer {
   /// skipped; textures larger than the GPU supports are ignored.
   std::uint32_t add_shape(const mesh::Mesh& mesh);
   /// Renders all views. Buffers of `pictures` are reused.
-  void draw(const Surroundings& surroundings, const Scene& scene, std::span<const View> views,
+  void draw(const Environment& surroundings, const Scene& scene, std::span<const View> views,
             std::vector<Picture>& pictures);
 
  private:

@@ -56,7 +56,7 @@ Instance box_at(const Vec3& p, std::array<float, 4> tint = {1, 0, 0, 1}, std::ui
 }
 
 /// The sun is straight above.
-Surroundings noon() {
+Environment noon() {
   return {};
 }
 
@@ -70,7 +70,7 @@ struct Shot {
   int blue(std::uint32_t x, std::uint32_t y) const { return static_cast<int>(sample(x, y) & 0xff); }
 };
 
-Shot shot(const View& view, const Scene& scene, const Surroundings& around = noon()) {
+Shot shot(const View& view, const Scene& scene, const Environment& around = noon()) {
   std::vector<Picture> pictures;
   renderer().draw(around, scene, {&view, 1}, pictures);
   return {view, std::move(pictures[0])};
@@ -242,7 +242,7 @@ TEST(Renderer, things_throw_shadows_also_those_that_the_view_does_not_show) {
   view.hides = boxes[0].group = 3;
   EXPECT_LT(bright(shot(view, {boxes, {}, {}}), below), bright(with, beside) - 30)
       << "hidden, and in the light all the same";
-  Surroundings night = noon();
+  Environment night = noon();
   night.to_sun = {1, 0, -0.1};
   EXPECT_NEAR(bright(shot(view, {boxes, {}, {}}, night), below), bright(shot(view, {}, night), below), 2)
       << "the sun has set";
@@ -274,7 +274,7 @@ TEST(Renderer, one_sees_through_glass_and_smoke_in_colours_alone) {
 }
 
 TEST(Renderer, fog_takes_contrast_with_distance) {
-  Surroundings around = noon();
+  Environment around = noon();
   around.fog = {0.5f, 0.5f, 0.5f};
   const auto red_at = [&](double x) {
     const std::vector<Instance> boxes{box_at({x + 0.5, 0, 1}, {0, 0, 0, 1})};
@@ -373,8 +373,8 @@ TEST(Renderer, another_thread_and_another_renderer_draw_the_same_pictures_of_a_t
 }
 
 /// Everything is dark but for lamps.
-Surroundings dark() {
-  Surroundings around;
+Environment dark() {
+  Environment around;
   around.sun = around.ambient = 0;
   around.floor = {0.5f, 0.5f, 0.5f};
   return around;

@@ -91,9 +91,9 @@ Matrix clip_from_eye(const SunBox& box) {
   return m;
 }
 
-std::vector<Place> pack(std::span<const Sizes> pictures, Sizes page) {
-  std::vector<Place> places;
-  Place next;
+std::vector<PageSlot> pack(std::span<const Sizes> pictures, Sizes page) {
+  std::vector<PageSlot> places;
+  PageSlot next;
   std::uint32_t shelf = 0;  // its height
   for (const Sizes& size : pictures) {
     if (next.x > 0 && next.x + size.width > page.width) {

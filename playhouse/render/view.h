@@ -74,13 +74,13 @@ SunBox sun_box(const View& view, const Axes& axes, const geom::Vec3& to_sun, dou
 Matrix clip_from_eye(const SunBox& box);
 
 /// Placement of pictures on pages of at most `width` x `height`.
-struct Place {
+struct PageSlot {
   std::uint32_t page = 0, x = 0, y = 0;  // px
 };
 struct Sizes {
   std::uint32_t width = 0, height = 0;  // px
 };
 /// Shelf packing, from the bottom row. A picture larger than a page gets a page of its own.
-std::vector<Place> pack(std::span<const Sizes> pictures, Sizes page);
+std::vector<PageSlot> pack(std::span<const Sizes> pictures, Sizes page);
 
 }  // namespace playhouse::render

@@ -103,7 +103,7 @@ TEST(View, pictures_are_packed_side_by_side_on_pages) {
       sizes.push_back({1 + static_cast<std::uint32_t>(rng.uniform(0, 120)),
                        1 + static_cast<std::uint32_t>(rng.uniform(0, 90))});
     if (trial % 3 == 0) sizes[7] = {700, 500};  // alone on a page that is too small for it
-    const std::vector<Place> places = pack(sizes, {256, 200});
+    const std::vector<PageSlot> places = pack(sizes, {256, 200});
     ASSERT_EQ(places.size(), sizes.size());
     for (std::size_t i = 0; i < sizes.size(); ++i) {
       const bool fits = sizes[i].width <= 256 && sizes[i].height <= 200;

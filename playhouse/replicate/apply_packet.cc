@@ -87,7 +87,7 @@ class PacketReader {
       replica_.views.erase({number, model});
       return;
     }
-    const View& what = views()[number];
+    const KindView& what = views()[number];
     const std::uint64_t records = what.list ? in_.varint() : 1;
     if (records > in_.left()) {  // a record has at least one byte
       bad_ = true;

@@ -78,14 +78,14 @@ class PacketWriter {
 
   void scans(std::uint32_t& next) {
     id_ = 0;
-    for (const Scan& scan : snapshot_.scans) {
+    for (const SensorScan& scan : snapshot_.scans) {
       if (selected(layout_.sensors[scan.sensor].model) && !held(scan)) this->scan(scan);
     }
     drop_scans();
     // Round robin from the sensor where the last frame stopped.
     const auto begin = snapshot_.scans.begin(), end = snapshot_.scans.end();
-    const auto from =
-        std::lower_bound(begin, end, next, [](const Scan& s, std::uint32_t row) { return s.sensor < row; });
+    const auto from = std::lower_bound(begin, end, next,
+                                       [](const SensorScan& s, std::uint32_t row) { return s.sensor < row; });
     auto stopped = walk_scans(from, end);
     if (stopped == end) {
       stopped = walk_scans(begin, from);
@@ -242,15 +242,15 @@ class PacketWriter {
     return end;
   }
 
-  std::span<const std::uint16_t> beams_of(const Scan& scan) const {
+  std::span<const std::uint16_t> beams_of(const SensorScan& scan) const {
     return std::span(snapshot_.beams).subspan(scan.first, layout_.sensors[scan.sensor].beam_count);
   }
 
-  bool held(const Scan& scan) const {
+  bool held(const SensorScan& scan) const {
     return std::ranges::equal(replica_.scans[scan.sensor], beams_of(scan));
   }
 
-  void scan(const Scan& scan) {
+  void scan(const SensorScan& scan) {
     const auto beams = beams_of(scan);
     replica_.scans[scan.sensor].assign(beams.begin(), beams.end());
     scan_item(packet::kFresh, scan.sensor);
@@ -283,7 +283,7 @@ class PacketWriter {
     if (full(budget_)) return;
     replica_.views[key].assign(values.begin(), values.end());
     item(2 * viewed.view + packet::kFresh, viewed.model);
-    const View& what = replicate::views()[viewed.view];
+    const KindView& what = replicate::views()[viewed.view];
     if (what.list) pack_.varint(values.size() / what.codes.size());
     for (std::size_t k = 0; k < values.size(); ++k) value(what.codes[k % what.codes.size()], values[k]);
   }

@@ -103,7 +103,7 @@ void expect_whole(const Snapshot& snapshot, const Wish& wish, const Replica& rep
   for (const Said& said : snapshot.says) says[said.model] = said.text;
   RC_ASSERT(replica.says == says);
   std::vector<std::vector<std::uint16_t>> scans(layout.sensors.size());
-  for (const Scan& scan : snapshot.scans) {
+  for (const SensorScan& scan : snapshot.scans) {
     if (!wanted(layout.sensors[scan.sensor].model)) continue;
     const auto first = snapshot.beams.begin() + scan.first;
     scans[scan.sensor].assign(first, first + layout.sensors[scan.sensor].beam_count);

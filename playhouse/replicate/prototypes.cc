@@ -99,7 +99,8 @@ std::string prototype(const scene::ModelDesc& model, Texts& shapes, Meshes& mesh
   if (model.look) text += R"(,"painted":true)";
   if (model.mesh) text += lights(*model.mesh);
   if (model.lamp > 0) fmt::format_to(out, R"(,"lamp":{})", number(model.lamp));
-  if (const scene::Material material = scene::material_of(model); !material.name.empty() || model.roughness)
+  if (const scene::NamedMaterial material = scene::material_of(model);
+      !material.name.empty() || model.roughness)
     fmt::format_to(out, R"(,"shine":[{},{}])", number(material.metallic), number(material.roughness));
   if (scene::is_smoke(model)) text += R"(,"smoke":true)";
   if (model.moving_blocks > 0) fmt::format_to(out, R"(,"moving":{})", model.moving_blocks);

@@ -95,7 +95,7 @@ class Capture {
   }
 
   void view(std::uint32_t view, std::uint32_t model) {
-    const View& what = replicate::views()[view];
+    const KindView& what = replicate::views()[view];
     if (what.when != When::kChanged) {
       const bool wanted = selected(model) || (what.when == When::kShown && in_view(model));
       if (!wanted || (what.measures && !runs(model))) return;

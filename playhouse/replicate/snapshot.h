@@ -22,7 +22,7 @@ struct Interest {
 };
 
 /// One sensor's scan: beams[first .. first + layout.sensors[sensor].beam_count).
-struct Scan {
+struct SensorScan {
   std::uint32_t sensor = 0;  // row
   std::uint32_t first = 0;
 };
@@ -45,7 +45,7 @@ struct Snapshot {
   std::uint64_t tick = 0;
   world::Pace pace;
   std::vector<ModelState> models;
-  std::vector<Scan> scans;  // by sensor row
+  std::vector<SensorScan> scans;  // by sensor row
   std::vector<std::uint16_t> beams;
   std::vector<Viewed> viewed;  // by view and model row
   std::vector<std::int32_t> values;

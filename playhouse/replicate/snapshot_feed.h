@@ -5,8 +5,8 @@
 /// and show() are for the tick thread or one that works for it, all else for the serving thread.
 
 #include <atomic>
-#include <chrono>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -16,26 +16,29 @@
 namespace playhouse::replicate {
 
 /// The minimum period of frames to one viewer, and of captures.
-inline constexpr std::chrono::milliseconds kFramePeriod{33};
+inline constexpr double kFramePeriod = 0.033;  // s
 
 class SnapshotFeed {
  public:
+  /// Monotonic seconds; any thread.
+  using Clock = std::function<double()>;
+
   /// Makes the first layout; `devices` is called then, and by show() for new models.
-  SnapshotFeed(const world::World& world, const Prototypes& prototypes, DeviceNames devices)
+  SnapshotFeed(const world::World& world, const Prototypes& prototypes, DeviceNames devices, Clock clock)
       : prototypes_(prototypes),
+        clock_(std::move(clock)),
         devices_(std::move(devices)),
         layout_(std::make_shared<const Layout>(world, prototypes, devices_)),
         first_(layout_) {}
 
   /// True if there are viewers and the last capture is at least kFramePeriod ago.
   bool wants_show() const {
-    return watched_.load(std::memory_order_relaxed) &&
-           std::chrono::steady_clock::now() - capture_time_ >= kFramePeriod;
+    return watched_.load(std::memory_order_relaxed) && clock_() - capture_time_ >= kFramePeriod;
   }
 
   /// Captures the world, which must not change meanwhile. True: the serving thread has to be notified.
   bool show(const world::World& world, const world::Pace& pace) {
-    capture_time_ = std::chrono::steady_clock::now();
+    capture_time_ = clock_();
     {
       const std::lock_guard lock(mutex_);
       tick_interest_ = interest_;
@@ -69,10 +72,11 @@ class SnapshotFeed {
 
  private:
   const Prototypes& prototypes_;
+  const Clock clock_;
   const DeviceNames devices_;
   std::shared_ptr<const Layout> layout_;  // of the newest capture
   const std::shared_ptr<const Layout> first_;
-  std::chrono::steady_clock::time_point capture_time_;
+  double capture_time_ = -kFramePeriod;
   Interest tick_interest_;
   Snapshot back_;
 

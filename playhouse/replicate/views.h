@@ -22,7 +22,7 @@ enum class Code : std::uint8_t { kVarint, kZigzag, kTurn, kRgba };
 /// robot; those, and all in view if the viewer asked for sensors.
 enum class When : std::uint8_t { kChanged, kSelected, kShown };
 
-struct View {
+struct KindView {
   When when;
   bool measures;                // has data only while subscribed
   bool list;                    // any number of records; else exactly one
@@ -34,7 +34,7 @@ struct View {
 };
 
 /// In the order of kinds, then traits.
-std::span<const View> views();
+std::span<const KindView> views();
 
 /// The state bits of a model: kSubscribed, and those of its kind.
 std::uint8_t state_bits(const world::World& world, std::uint32_t model);

@@ -16,13 +16,13 @@ scene::SceneDesc scene_of(scene::ModelKind kind) {
 
 std::vector<std::int32_t> view_of(const world::World& world) {
   std::vector<std::int32_t> values;
-  for (const View& view : views())
+  for (const KindView& view : views())
     if (const std::uint32_t row = view.row_of(world, 0); row != world::ModelRow::kNone)
       EXPECT_TRUE(view.capture(world, row, values));
   return values;
 }
 
-TEST(View, of_a_lamp_tells_whether_it_is_on_and_lit_and_how_it_blinks) {
+TEST(KindView, of_a_lamp_tells_whether_it_is_on_and_lit_and_how_it_blinks) {
   scene::SceneDesc scene = scene_of(scene::ModelKind::kBlinkenlight);
   scene.models[0].blinkenlight = {0.5, 0.25, true};
   world::World world(scene, 1);

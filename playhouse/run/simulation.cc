@@ -8,6 +8,7 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/log.h"
+#include "playhouse/base/monotonic.h"
 #include "playhouse/base/packing.h"
 #include "playhouse/world/changes/packed_change.h"
 #include "playhouse/world/saving/state.h"
@@ -17,10 +18,6 @@ namespace playhouse::run {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double wall_now() {
-  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
 
 Clock::time_point wall_time(double seconds) {
   return Clock::time_point(
@@ -48,7 +45,7 @@ Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
       end_tick_(ticks_in(options.duration, engine_->world().scene().interval)),
       requests_(options.speed, options.paused),
       time_(engine_->world().time()),
-      clock_(options.clock ? std::move(options.clock) : wall_now),
+      clock_(options.clock ? std::move(options.clock) : monotonic_seconds),
       wait_(options.wait ? std::move(options.wait)
                          : [this](double until) { return requests_.wait_until(wall_time(until)); }),
       pacer_(engine_->world().scene().interval),

@@ -83,12 +83,12 @@ namespace playhouse::scenarios {
 namespace {
 
 using testing::load;
-using testing::Simulation;
+using testing::ScenarioRun;
 
 /// Ticks after which scratch memory has its size, and those that are counted.
 constexpr int kWarmUp = 150, kCounted = 50;
 
-std::size_t allocations_of(Simulation& run) {
+std::size_t allocations_of(ScenarioRun& run) {
   world::World& world = run.world();
   for (std::uint32_t row = 0; row < world.models.size(); ++row) world::subscribe(world, {row});
   run.step(kWarmUp);
@@ -107,7 +107,7 @@ TEST(Allocation, is_counted_here) {
 TEST(Allocation, there_is_none_in_the_ticks_of_any_scenario) {
   for (const unsigned workers : {1u, 2u, 4u}) {
     for (const Scenario& scenario : kScenarios) {
-      Simulation run(make(scenario.name, 30), workers);
+      ScenarioRun run(make(scenario.name, 30), workers);
       EXPECT_EQ(allocations_of(run), 0u) << scenario.name << ", " << workers << " workers";
     }
   }
@@ -117,7 +117,7 @@ TEST(Allocation, there_is_none_in_the_ticks_of_our_worlds) {
   for (const unsigned workers : {1u, 4u}) {
     for (const char* file : {"worlds/simple.world", "worlds/cave.world", "worlds/fiducial.world",
                              "examples/controller/shy.world"}) {
-      Simulation run(load(file), workers);
+      ScenarioRun run(load(file), workers);
       EXPECT_EQ(allocations_of(run), 0u) << file << ", " << workers << " workers";
     }
   }
@@ -153,7 +153,7 @@ Result<scene::SceneDesc> everything() {
 
 TEST(Allocation, there_is_none_with_every_sensor_and_controller) {
   for (const unsigned workers : {1u, 4u}) {
-    Simulation run(everything(), workers);
+    ScenarioRun run(everything(), workers);
     run.world().models.flags[run.world().find("depot").index] = 2000000;
     EXPECT_EQ(allocations_of(run), 0u) << workers << " workers";
     EXPECT_GT(std::ranges::count_if(run.world().grippers.paddles, [](double closed) { return closed > 0; }),
@@ -175,7 +175,7 @@ TEST(Allocation, there_is_none_with_cameras_bumpers_and_detectors) {
                         k % 3 - 1, k / 3 - 1, 60 * k);
   scene::MemoryFiles none({});
   // One worker: of several, one that had little to do so far may see more than ever in a late tick.
-  Simulation run(scene::load_world_text(text, "cameras.world", none), 1);
+  ScenarioRun run(scene::load_world_text(text, "cameras.world", none), 1);
   EXPECT_EQ(allocations_of(run), 0u);
   EXPECT_GT(run.world().detectors.measured_tick[0], 0u);
 }
@@ -188,7 +188,7 @@ TEST(Allocation, there_is_none_where_radios_carry_messages) {
   scene::MemoryFiles none({});
   const std::vector<std::uint8_t> message(100);
   for (const unsigned workers : {1u, 4u}) {
-    Simulation run(scene::load_world_text(text, "radios.world", none), workers);
+    ScenarioRun run(scene::load_world_text(text, "radios.world", none), workers);
     world::World& world = run.world();
     for (const world::ModelRow radio : world.wifis.model) world::subscribe(world, radio);
     std::size_t in_ticks = 0;
@@ -209,7 +209,7 @@ TEST(Allocation, there_is_none_where_robots_are_in_each_others_way) {
     scene::SceneDesc scene = stage::testing::throng(100, 1);
     for (scene::ModelDesc& model : scene.models)  // a corner of each body is cut out
       if (model.position) model.blocks[0].points.push_back({0, 0});
-    Simulation run(std::move(scene), workers);
+    ScenarioRun run(std::move(scene), workers);
     EXPECT_EQ(allocations_of(run), 0u) << workers << " workers";
   }
 }

@@ -19,7 +19,7 @@ namespace playhouse::scenarios {
 namespace {
 
 using testing::load;
-using testing::Simulation;
+using testing::ScenarioRun;
 
 /// Mean distance of robots to the nearest other robot. [m]
 double mean_nearest_neighbour(const world::World& world) {
@@ -39,7 +39,7 @@ double mean_nearest_neighbour(const world::World& world) {
 }
 
 TEST(Wander, never_touches_anything_in_the_cave_and_gets_about) {
-  Simulation run(load("worlds/cave.world"));
+  ScenarioRun run(load("worlds/cave.world"));
   const std::size_t robots = run.world().positions.size();
   std::vector<double> far(robots, 0);
   std::vector<geom::Pose> start;
@@ -60,7 +60,7 @@ TEST(Wander, never_touches_anything_in_the_cave_and_gets_about) {
 }
 
 TEST(ExpandSwarm, gives_every_robot_more_room) {
-  Simulation run(load("worlds/swarm.world"));
+  ScenarioRun run(load("worlds/swarm.world"));
   const double before = mean_nearest_neighbour(run.world());
   run.step(600);
   EXPECT_GT(mean_nearest_neighbour(run.world()), 1.5 * before);
@@ -89,7 +89,7 @@ define robot position(
   for (int k = 0; k < 16; ++k)
     text += fmt::format("robot( pose [{} {} 0 {}] )\n", 2.5 * (k % 4), 2.5 * (k / 4), (37 * k) % 360);
   scene::MemoryFiles files({});
-  Simulation run(scene::load_world_text(text, "flock.world", files));
+  ScenarioRun run(scene::load_world_text(text, "flock.world", files));
   const double before = alignment(run.world());
   run.step(600);
   EXPECT_LT(before, 0.5);
@@ -103,8 +103,8 @@ position( size [0.4 0.4 0.2] ctrl "wander"
   ranger( ctrl "lasernoise" sensor( range [0 8] fov 20 samples 200 ) ) )
 )";
   scene::MemoryFiles files({});
-  Simulation run(scene::load_world_text(text, "noise.world", files));
-  Simulation again(scene::load_world_text(text, "noise.world", files), 3);
+  ScenarioRun run(scene::load_world_text(text, "noise.world", files));
+  ScenarioRun again(scene::load_world_text(text, "noise.world", files), 3);
   run.step(2);
   again.step(2);
   const auto& ranges = run.world().sensors.ranges;
@@ -118,8 +118,8 @@ position( size [0.4 0.4 0.2] ctrl "wander"
 TEST(Dynamic, has_parts_that_go_on_from_a_saved_state) {
   const std::string text = R"(position( size [0.4 0.4 0.2] ctrl "dynamic" velocity [0.1 0 0 10] ))";
   scene::MemoryFiles files({});
-  Simulation run(scene::load_world_text(text, "d.world", files));
-  Simulation again(scene::load_world_text(text, "d.world", files));
+  ScenarioRun run(scene::load_world_text(text, "d.world", files));
+  ScenarioRun again(scene::load_world_text(text, "d.world", files));
   run.step(5);
   EXPECT_EQ(run.world().models.size(), 101u);
   std::vector<std::byte> state;
@@ -132,19 +132,19 @@ TEST(Dynamic, has_parts_that_go_on_from_a_saved_state) {
 }
 
 TEST(Source, of_the_cave_fills_up) {
-  Simulation run(load("worlds/cave.world"));
+  ScenarioRun run(load("worlds/cave.world"));
   run.step(50);
   EXPECT_EQ(run.world().models.flags[run.world().find("source").index], 20);
 }
 
 /// Flags at the sink of a world after so many ticks.
-std::int32_t delivered(Simulation& run, int ticks) {
+std::int32_t delivered(ScenarioRun& run, int ticks) {
   run.step(ticks);
   return run.world().models.flags[run.world().find("sink").index];
 }
 
 TEST(Fasr, brings_flags_all_the_time) {
-  Simulation run(load("worlds/fasr.world"));
+  ScenarioRun run(load("worlds/fasr.world"));
   const std::int32_t first = delivered(run, 1000), second = delivered(run, 800), third = delivered(run, 800);
   EXPECT_GE(first, 2);
   EXPECT_GE(second - first, 4);
@@ -152,7 +152,7 @@ TEST(Fasr, brings_flags_all_the_time) {
 }
 
 TEST(Fasr, goes_on_from_a_saved_state_with_the_same_bits) {
-  Simulation run(load("worlds/fasr.world")), again(load("worlds/fasr.world"), 2);
+  ScenarioRun run(load("worlds/fasr.world")), again(load("worlds/fasr.world"), 2);
   run.step(900);
   std::vector<std::byte> state;
   ASSERT_TRUE(world::save_state(run.world(), state).ok());
@@ -163,7 +163,7 @@ TEST(Fasr, goes_on_from_a_saved_state_with_the_same_bits) {
 }
 
 TEST(Shy, runs_from_its_shared_library) {
-  Simulation run(load("examples/controller/shy.world"));
+  ScenarioRun run(load("examples/controller/shy.world"));
   const geom::Pose start = run.world().models.X_WM[run.world().find("bold").index];
   run.step(100);
   const geom::Pose end = run.world().models.X_WM[run.world().find("bold").index];
@@ -186,7 +186,7 @@ TEST(StagesWorlds, get_their_controllers) {
 
 TEST(Determinism, holds_for_any_number_of_workers) {
   const auto hashes = [](Result<scene::SceneDesc> scene, unsigned workers) {
-    Simulation run(std::move(scene), workers);
+    ScenarioRun run(std::move(scene), workers);
     run.step(100);
     return std::pair(run.world().hash(), run.world().sensed_hash());
   };

@@ -13,7 +13,7 @@
 namespace playhouse::scenarios {
 namespace {
 
-using testing::Simulation;
+using testing::ScenarioRun;
 
 struct Population {
   double speed = 0;       // m/s, mean over robots and time
@@ -22,7 +22,7 @@ struct Population {
   std::size_t cells = 0;  // of 0.5 m, that some robot visited
 };
 
-Population observe(Simulation& run, double seconds) {
+Population observe(ScenarioRun& run, double seconds) {
   const world::World& world = run.world();
   const world::Positions& robots = world.positions;
   constexpr double kHalfSecond = 0.5, kCell = 0.5;
@@ -74,7 +74,7 @@ class OneTickLate final : public world::Decider {
   std::vector<geom::Twist> held_;
 };
 
-void delay_as_stage_does(Simulation& run) {
+void delay_as_stage_does(ScenarioRun& run) {
   run.world().deciders.push_back(std::make_unique<OneTickLate>(run.world().positions.size()));
 }
 
@@ -85,7 +85,7 @@ std::string stage_world(const std::string& name) {
 TEST(Populations, of_expand_swarm_spread_through_the_hospital_as_in_stage) {
   const std::string path = stage_world("benchmark/hospital.world");
   SKIP_WITHOUT_STAGE();
-  Simulation run(scene::load_world(path));
+  ScenarioRun run(scene::load_world(path));
   ASSERT_EQ(run.world().positions.size(), 1000u);
   delay_as_stage_does(run);
   const Population seen = observe(run, 60);
@@ -98,7 +98,7 @@ TEST(Populations, of_expand_swarm_spread_through_the_hospital_as_in_stage) {
 TEST(Populations, of_expand_swarm_need_fewer_corrections_without_the_delay_of_stage) {
   const std::string path = stage_world("benchmark/hospital.world");
   SKIP_WITHOUT_STAGE();
-  Simulation run(scene::load_world(path));
+  ScenarioRun run(scene::load_world(path));
   const Population seen = observe(run, 60);
   EXPECT_NEAR(seen.speed, 0.041, 0.05 * 0.041);
   EXPECT_NEAR(seen.moving, 0.32, 0.05 * 0.32);
@@ -108,7 +108,7 @@ TEST(Populations, of_expand_swarm_need_fewer_corrections_without_the_delay_of_st
 TEST(Populations, of_expand_pioneer_spread_through_the_cave_as_in_stage) {
   const std::string path = stage_world("benchmark/cave.world");
   SKIP_WITHOUT_STAGE();
-  Simulation run(scene::load_world(path));
+  ScenarioRun run(scene::load_world(path));
   ASSERT_EQ(run.world().positions.size(), 100u);
   delay_as_stage_does(run);
   const Population seen = observe(run, 300);
@@ -127,7 +127,7 @@ TEST(Populations, of_wander_get_about_in_a_cave_with_walls_as_in_stage) {
     if (model.name == "cave") model.obstacle_return = true;
     if (!model.ctrl.empty()) model.ctrl = {"wander"};
   }
-  Simulation run(std::move(scene));
+  ScenarioRun run(std::move(scene));
   delay_as_stage_does(run);
   const Population seen = observe(run, 150);
   // Stage's own spread is 0.007 and 0.03; here robots that touch are free to turn away.

@@ -15,15 +15,15 @@ namespace playhouse::scenarios {
 namespace {
 
 /// Smallest distance between two of some points; the oracle sorts by x and looks along it.
-double closest_pair(std::vector<geom::Pose> poses) {
+double nearest_pair(std::vector<geom::Pose> poses) {
   std::sort(poses.begin(), poses.end(), [](const geom::Pose& a, const geom::Pose& b) { return a.x < b.x; });
-  double closest = 1e9;
+  double nearest = 1e9;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    for (std::size_t k = i + 1; k < poses.size() && poses[k].x - poses[i].x < closest; ++k) {
-      closest = std::min(closest, std::hypot(poses[k].x - poses[i].x, poses[k].y - poses[i].y));
+    for (std::size_t k = i + 1; k < poses.size() && poses[k].x - poses[i].x < nearest; ++k) {
+      nearest = std::min(nearest, std::hypot(poses[k].x - poses[i].x, poses[k].y - poses[i].y));
     }
   }
-  return closest;
+  return nearest;
 }
 
 std::vector<geom::Pose> robot_poses(const scene::SceneDesc& scene) {
@@ -43,7 +43,7 @@ void expect_no_overlaps(std::string_view name, std::size_t robots) {
   const double radius = name == "diffusion"           ? 0.085
                         : name == "swarm" || is_mixed ? 0.05 * std::sqrt(2.0)
                                                       : kRobotRadius;
-  EXPECT_GE(closest_pair(poses), 2 * radius - 1e-9) << name << " with " << robots;
+  EXPECT_GE(nearest_pair(poses), 2 * radius - 1e-9) << name << " with " << robots;
 }
 
 TEST(Scenario, holds_any_number_of_robots_without_overlaps) {
@@ -59,7 +59,7 @@ RC_GTEST_PROP(Scenario, keeps_robots_apart_and_inside_the_walls, ()) {
   const double side = std::sqrt(static_cast<double>(count) / kDensity);
   const std::vector<geom::Pose> poses = in_square(count, side);
   RC_ASSERT(poses.size() == count);
-  RC_ASSERT(closest_pair(poses) >= 2 * kRobotRadius - 1e-9);
+  RC_ASSERT(nearest_pair(poses) >= 2 * kRobotRadius - 1e-9);
   for (const geom::Pose& pose : poses) {
     RC_ASSERT(std::max(std::fabs(pose.x), std::fabs(pose.y)) <= side / 2 - kRobotRadius + 1e-9);
   }

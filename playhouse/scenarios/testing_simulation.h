@@ -13,9 +13,9 @@
 namespace playhouse::scenarios::testing {
 
 /// A scene in the 2D engine, with its controllers.
-class Simulation {
+class ScenarioRun {
  public:
-  explicit Simulation(Result<scene::SceneDesc> loaded, unsigned workers = 1) : scene_(std::move(loaded)) {
+  explicit ScenarioRun(Result<scene::SceneDesc> loaded, unsigned workers = 1) : scene_(std::move(loaded)) {
     EXPECT_TRUE(scene_) << scene_.error().line();
     controllers::describe_for(*scene_);
     auto engine = stage::make_engine(*scene_, {.seed = 1, .workers = workers});

@@ -20,7 +20,7 @@ struct CfgDocument {
   std::string folder;
 };
 
-CfgSection::CfgSection(std::shared_ptr<const CfgDocument> file, const Instance& instance)
+CfgSection::CfgSection(std::shared_ptr<const CfgDocument> file, const ExpandedSection& instance)
     : file_(std::move(file)), where_(instance.where), fields_(instance.parts) {}
 
 std::string CfgSection::at() const {
@@ -183,8 +183,8 @@ class CfgLoader {
   Error nothing_to_serve();
   Result<void> read_globals();
   Result<void> add_section(const Section& section);
-  Result<void> add_driver(const Instance& instance);
-  Result<void> check_interface(const Instance& instance);
+  Result<void> add_driver(const ExpandedSection& instance);
+  Result<void> check_interface(const ExpandedSection& instance);
   Result<void> check_unique(const CfgSection& driver);
 
   std::shared_ptr<CfgDocument> file_;
@@ -276,7 +276,7 @@ Result<void> CfgLoader::read_globals() {
 }
 
 Result<void> CfgLoader::add_section(const Section& section) {
-  const Result<Instance> instance = macros_.instance(section);
+  const Result<ExpandedSection> instance = macros_.instance(section);
   if (!instance) return instance.error();
   for (const Section* part : instance->parts) fields_ += part->fields.size();
   if (fields_ > limits::kEntities) {
@@ -295,7 +295,7 @@ Result<void> CfgLoader::add_section(const Section& section) {
   return {};
 }
 
-Result<void> CfgLoader::add_driver(const Instance& instance) {
+Result<void> CfgLoader::add_driver(const ExpandedSection& instance) {
   CfgSection driver(file_, instance);
   if (driver.name().empty())
     return document_.error(instance.where,
@@ -334,7 +334,7 @@ Result<void> CfgLoader::check_unique(const CfgSection& driver) {
   return {};
 }
 
-Result<void> CfgLoader::check_interface(const Instance& instance) {
+Result<void> CfgLoader::check_interface(const ExpandedSection& instance) {
   const CfgSection section(file_, instance);
   for (const std::string_view key : {"name", "code", "plugin"}) {
     if (section.has(key)) continue;

@@ -59,7 +59,7 @@ class CfgSection {
 
  private:
   friend class CfgLoader;
-  CfgSection(std::shared_ptr<const CfgDocument> file, const Instance& instance);
+  CfgSection(std::shared_ptr<const CfgDocument> file, const ExpandedSection& instance);
 
   const Field* ask(std::string_view key) const;
   void fail(const Field& field, std::string text) const;

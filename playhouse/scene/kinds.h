@@ -13,7 +13,7 @@
 namespace playhouse::scene {
 
 /// Support of a word in this build.
-enum class Use : std::uint8_t {
+enum class Support : std::uint8_t {
   kRead,    // read by this build
   kSilent,  // known to Stage 4; no effect on the simulation, or of a type that is not simulated
   kLater,   // known to Stage 4, not yet supported
@@ -46,7 +46,7 @@ struct Meaning {
 /// A word of an entity. Texts are for documentation, empty if not applicable.
 struct Word {
   std::string_view name;
-  Use use = Use::kRead;
+  Support use = Support::kRead;
   std::string_view type = {};        // flag, number, length, pose, choice, ...; "" for silent and old words
   std::string_view form = {};        // [x y z heading], or the options of a choice
   std::string_view unit = {};        // of file values: "m", "m, m, m, deg"

@@ -44,7 +44,7 @@ std::vector<std::pair<const Kind*, const Word*>> words_that_are_read() {
   std::vector<std::pair<const Kind*, const Word*>> found;
   for (const Kind& kind : kinds()) {
     for (const Word& word : kind.words) {
-      if (word.use == Use::kRead && kind.name != "block") found.emplace_back(&kind, &word);
+      if (word.use == Support::kRead && kind.name != "block") found.emplace_back(&kind, &word);
     }
   }
   return found;

@@ -40,7 +40,7 @@ struct LoadState {
 /// Scale codes of tuple elements: N as it is, L by the unit of length, A by the unit of angle.
 class Properties {
  public:
-  Properties(LoadState& state, const Instance& instance)
+  Properties(LoadState& state, const ExpandedSection& instance)
       : state_(state), where_(instance.where), fields_(instance) {}
   Properties(LoadState& state, std::span<const Field> fields) : state_(state), fields_(fields) {}
 

@@ -48,7 +48,7 @@ struct KeptWord {
 /// A `block` of a file before scaling; without z it has the height of the model.
 struct Prism {
   std::vector<geom::Vec2> points;
-  std::optional<Bounds> z;
+  std::optional<Interval> z;
   SourceLine where;
   /// Source lines are ignored.
   friend bool operator==(const Prism& a, const Prism& b) { return a.points == b.points && a.z == b.z; }
@@ -123,7 +123,7 @@ struct TreeDesc {
 };
 
 struct SceneDesc : WorldDesc {
-  std::string path;                // of the top-level file
+  std::string path;  // of the top-level file
   /// Where libraries are looked for first: the folder of the file on disk that whoever started the program named; empty:
   /// nowhere. Never from the contents of a file or a peer, for libraries run with all rights.
   std::string library_folder;

@@ -89,8 +89,8 @@ class WorldLoader {
   void define(const Statement& statement);
   /// The section with macros expanded and old words translated;
   /// none if it is dropped, or if the load is aborted.
-  std::optional<Instance> instance(const Section& section);
-  void load_window(const Instance& window, const Kind& kind);
+  std::optional<ExpandedSection> instance(const Section& section);
+  void load_window(const ExpandedSection& window, const Kind& kind);
   /// A top-level section.
   void load_section(const Section& section);
   /// Describes the types of client robots: prototypes without an instance in the scene.
@@ -100,30 +100,31 @@ class WorldLoader {
   /// without effect, if there is none or it needs full parsing.
   bool repeat_tree(const Section& section);
   /// Fully parses a root and everything inside it.
-  void load_tree(const Section& section, const Instance& entity);
+  void load_tree(const Section& section, const ExpandedSection& entity);
   /// If the models from `first` on equal the previous tree made by this word,
   /// removes them and shares that tree. Returns the final row of the root.
   std::uint32_t share_tree(std::uint32_t first, std::string_view word);
   /// Parses a model with its parts. `siblings` counts models of each type in the parent.
-  void load_model(const Instance& entity, std::int32_t parent, Siblings& siblings);
+  void load_model(const ExpandedSection& entity, std::int32_t parent, Siblings& siblings);
   /// Index of the model in the world, in file order.
   std::size_t number_of(std::size_t row) const { return counts_before_.models + row - first_row_; }
   /// Reads a model's words, own and common.
   void read_words(const Properties& properties, const Kind& kind, ModelDesc& model);
   /// Reads the part entities of a model of this kind; returns the others, its child models.
-  std::vector<Instance> load_parts(const Instance& entity, const Kind& kind, ModelDesc& model, Shape& shape);
-  void load_part(const Instance& entity, const Kind& part, ModelDesc& model, Shape& shape);
-  void load_block(const Properties& properties, SourceLine where, Shape& shape);
+  std::vector<ExpandedSection> load_parts(const ExpandedSection& entity, const Kind& kind, ModelDesc& model,
+                                          UnscaledBody& shape);
+  void load_part(const ExpandedSection& entity, const Kind& part, ModelDesc& model, UnscaledBody& shape);
+  void load_block(const Properties& properties, SourceLine where, UnscaledBody& shape);
   void load_sensor(const Properties& properties, SourceLine where, ModelDesc& model);
-  void check_holds_nothing(const Instance& entity);
+  void check_holds_nothing(const ExpandedSection& entity);
   /// Builds the body of a model from its bitmap and its `block` entities.
-  void read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model);
+  void read_body(const Properties& properties, const Kind& kind, UnscaledBody shape, ModelDesc& model);
   /// Reads a mesh as visual and body. False if the model has none.
   bool read_mesh_body(const Properties& properties, const Kind& kind, bool has_other, ModelDesc& model);
   void read_look(const Properties& properties, const Kind& kind, ModelDesc& model);
   /// The kind of a model; null, with an error, if it is unknown.
-  const Kind* kind_of(const Instance& entity);
-  void fail_unknown_type(const Instance& entity);
+  const Kind* kind_of(const ExpandedSection& entity);
+  void fail_unknown_type(const ExpandedSection& entity);
 
   const Document& document_;
   WorldLimits limits_;
@@ -177,7 +178,7 @@ void WorldLoader::load_section(const Section& section) {
   if (repeat_tree(section)) return;
   counts_before_ = expansion_.counts();
   if (const Result<void> counted = expansion_.add(section); !counted) return state_.end(counted.error());
-  const std::optional<Instance> entity = instance(section);
+  const std::optional<ExpandedSection> entity = instance(section);
   if (!entity) return;
   const Kind* kind = find_entity(entity->type);
   if (kind && kind->entity == EntityForm::kWindow) {
@@ -246,7 +247,7 @@ bool WorldLoader::repeat_tree(const Section& section) {
   return true;
 }
 
-void WorldLoader::load_tree(const Section& section, const Instance& entity) {
+void WorldLoader::load_tree(const Section& section, const ExpandedSection& entity) {
   const auto first = static_cast<std::uint32_t>(scene_.models.size());
   const std::size_t trees = scene_.trees.size(), news = state_.warnings.news(), faults = state_.faults;
   const std::size_t corners = corners_.left(), beams = beams_.left(), texts = text_bytes_.left();
@@ -324,18 +325,18 @@ void WorldLoader::define(const Statement& statement) {
       "macro " + in_quotes(name) + " is defined at " + first + " already; the first definition counts");
 }
 
-std::optional<Instance> WorldLoader::instance(const Section& section) {
-  Result<Instance> instance = macros_.instance(section);
+std::optional<ExpandedSection> WorldLoader::instance(const Section& section) {
+  Result<ExpandedSection> instance = macros_.instance(section);
   if (!instance) {
     state_.end(instance.error());
     return std::nullopt;
   }
-  Instance now = old_words_.now(std::move(*instance));
+  ExpandedSection now = old_words_.now(std::move(*instance));
   if (state_.over || now.type.empty()) return std::nullopt;
   return now;
 }
 
-void WorldLoader::load_window(const Instance& window, const Kind& kind) {
+void WorldLoader::load_window(const ExpandedSection& window, const Kind& kind) {
   if (has_window_) {
     state_.warnings.add(Warning::kNoEffect, window.where, "a second window has no effect");
     return;
@@ -348,7 +349,7 @@ void WorldLoader::load_window(const Instance& window, const Kind& kind) {
   follow_where_ = properties.where("follow_model");
 }
 
-void WorldLoader::fail_unknown_type(const Instance& entity) {
+void WorldLoader::fail_unknown_type(const ExpandedSection& entity) {
   // An unknown type of a macro is reported once, at its definition.
   const SourceLine where = entity.parts.front()->where;
   if (!unknown_types_.emplace(where.file, where.line).second) return;
@@ -364,7 +365,7 @@ void WorldLoader::fail_unknown_type(const Instance& entity) {
   }
 }
 
-const Kind* WorldLoader::kind_of(const Instance& entity) {
+const Kind* WorldLoader::kind_of(const ExpandedSection& entity) {
   const Kind* kind = find_entity(entity.type);
   if (!kind) {
     fail_unknown_type(entity);
@@ -397,7 +398,7 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
   model.kept = kept_words(kind, properties);
 }
 
-void WorldLoader::load_model(const Instance& entity, std::int32_t parent, Siblings& siblings) {
+void WorldLoader::load_model(const ExpandedSection& entity, std::int32_t parent, Siblings& siblings) {
   const Kind* kind = kind_of(entity);
   if (!kind) return;
   const std::size_t row = scene_.models.size();
@@ -425,8 +426,8 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent, Siblin
   }
   text_bytes_.spend(text_bytes_of(model), entity.where, state_);
 
-  Shape shape;
-  const std::vector<Instance> children = load_parts(entity, *kind, model, shape);
+  UnscaledBody shape;
+  const std::vector<ExpandedSection> children = load_parts(entity, *kind, model, shape);
   read_body(properties, *kind, std::move(shape), model);
   read_look(properties, *kind, model);
   if (row >= limits_.descriptions)
@@ -435,18 +436,18 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent, Siblin
                                                         " models that are like no other"));
   scene_.models.push_back(std::move(model));
   Siblings grandchildren;
-  for (const Instance& child : children) {
+  for (const ExpandedSection& child : children) {
     if (state_.over) return;
     load_model(child, static_cast<std::int32_t>(row), grandchildren);
   }
 }
 
-std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const Kind& kind, ModelDesc& model,
-                                              Shape& shape) {
-  std::vector<Instance> children;
+std::vector<ExpandedSection> WorldLoader::load_parts(const ExpandedSection& entity, const Kind& kind,
+                                                     ModelDesc& model, UnscaledBody& shape) {
+  std::vector<ExpandedSection> children;
   for (const Section* section_of : entity.parts) {
     for (const Section& section : section_of->sections) {
-      std::optional<Instance> child = instance(section);
+      std::optional<ExpandedSection> child = instance(section);
       if (state_.over) return {};
       if (!child) continue;
       const Kind* part = find_entity(child->type);
@@ -466,7 +467,8 @@ std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const Kind
   return children;
 }
 
-void WorldLoader::load_part(const Instance& entity, const Kind& part, ModelDesc& model, Shape& shape) {
+void WorldLoader::load_part(const ExpandedSection& entity, const Kind& part, ModelDesc& model,
+                            UnscaledBody& shape) {
   check_holds_nothing(entity);
   const Properties properties(state_, entity);
   vocabulary_.check(part, properties);
@@ -477,7 +479,7 @@ void WorldLoader::load_part(const Instance& entity, const Kind& part, ModelDesc&
   }
 }
 
-void WorldLoader::load_block(const Properties& properties, SourceLine where, Shape& shape) {
+void WorldLoader::load_block(const Properties& properties, SourceLine where, UnscaledBody& shape) {
   corners_.spend(static_cast<std::size_t>(std::max(0, properties.integer("points", 0))), where, state_);
   if (!state_.over) shape.prisms.push_back(read_block(properties));
 }
@@ -495,14 +497,15 @@ void WorldLoader::load_sensor(const Properties& properties, SourceLine where, Mo
   beams_.spend(std::size_t{sensor.samples} * sensor.rings, where, state_);
 }
 
-void WorldLoader::check_holds_nothing(const Instance& entity) {
+void WorldLoader::check_holds_nothing(const ExpandedSection& entity) {
   for (const Section* part : entity.parts) {
     if (part->sections.empty()) continue;
     state_.fail(part->sections.front().where, "a " + std::string(entity.type) + " holds no entities");
   }
 }
 
-void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model) {
+void WorldLoader::read_body(const Properties& properties, const Kind& kind, UnscaledBody shape,
+                            ModelDesc& model) {
   const bool has_other = !shape.prisms.empty() || !properties.text("bitmap", "").empty();
   if (read_mesh_body(properties, kind, has_other, model)) return;
   const ShapeFiles::TracedBitmap* bitmap = shape_files_.bitmap(properties, model.size);

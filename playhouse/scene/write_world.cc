@@ -329,7 +329,8 @@ void WorldWriter::add_body(const ModelDesc& model, Entity& to) const {
 
   if (model.blocks == unsaid_blocks(model)) return;
   if (model.blocks.empty()) words.flag("noblocks", true);
-  for (const Block& block : model.blocks) add_block({block.points, Bounds{block.z_min, block.z_max}, {}}, to);
+  for (const Block& block : model.blocks)
+    add_block({block.points, Interval{block.z_min, block.z_max}, {}}, to);
 }
 
 void WorldWriter::add_block(const Prism& prism, Entity& to) const {

@@ -211,7 +211,7 @@ TEST(WriteWorld, every_word_of_every_kind_is_read_back_with_its_value) {
     std::string all;
     for (const std::span<const Word> some : {common_words(kind), kind.words}) {
       for (const Word& word : some) {
-        if (word.use == Use::kOld || (word.use == Use::kSilent && word.type.empty())) continue;
+        if (word.use == Support::kOld || (word.use == Support::kSilent && word.type.empty())) continue;
         const bool is_of_mesh = word.name.starts_with("mesh") || word.name == "look";
         if (is_of_mesh && kind.name == "gripper") continue;  // has paddles
         if (word.name == "robot_types")

@@ -35,7 +35,7 @@ std::vector<std::uint8_t> layers_of(const bodies::Solids& solids) {
 /// Mean over trees of the radius of their largest solid. [m]
 double robot_radius(const bodies::Trees& trees, const bodies::Solids& solids) {
   double sum = 0;
-  for (std::size_t tree = 0; tree < trees.size(); ++tree) {
+  for (const bodies::TreeRow tree : trees.rows()) {
     double largest = 0;
     for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row)
       largest = std::max(largest, solids.radius[row]);
@@ -66,7 +66,7 @@ world::PhysicsShapes BodyEngine::shapes() const {
   };
   for (std::uint32_t row = 0; row < solids_.fixed; ++row)
     if (solids_.is_obstacle(row)) shapes.fixed.push_back(prism(row, world_.models.X_WM[solids_.model[row]]));
-  for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+  for (const bodies::TreeRow tree : trees_.rows()) {
     const std::uint32_t top = trees_.root[tree];
     const geom::Pose X_BW = geom::inverse(world_.models.X_WM[top]);
     world::PhysicsShapes::Body body{world_.id({top}), {}};
@@ -129,7 +129,7 @@ bool BodyEngine::moves_within_body(const world::Event& event) const {
 void BodyEngine::replace(const world::Event& event) {
   const world::ModelRow model = world_.row(event.model);
   if (event.kind != world::Event::Kind::kPlace || !model) return;
-  const std::uint32_t tree = trees_.of_root(world_.models.root[model.index]);
+  const bodies::TreeRow tree = trees_.of_root(world_.models.root[model.index]);
   turn(solids_, world_.models, trees_.models_of(tree));
   place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
   replaced(tree);

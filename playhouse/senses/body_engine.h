@@ -26,7 +26,7 @@ class BodyEngine : public behaviour::PhasedEngine {
   /// trees_, solids_ and index_ were rebuilt; their static part only if `fixed`.
   virtual void populated(bool fixed) = 0;
   /// A tree was teleported: its solids have new places that move() did not make.
-  virtual void replaced(std::uint32_t tree) = 0;
+  virtual void replaced(bodies::TreeRow tree) = 0;
 
   /// Rebuilds all tables from the population; those of static solids only if they differ.
   void populate();

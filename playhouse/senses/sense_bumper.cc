@@ -32,9 +32,9 @@ Heights heights_of(const world::World& world, world::ModelRow bumper, std::uint3
 }
 
 /// The first solid on the segment from a to b, or touched by its
-/// end, that is visible to the observer; a row of Solids or kNone.
+/// end, that is visible to `by`; a row of Solids or kNone.
 std::uint32_t met(const bodies::Space& space, geom::Vec2 a, geom::Vec2 b, const Heights& heights,
-                  bodies::Observer by, std::uint32_t root) {
+                  bodies::SeenBy by, std::uint32_t root) {
   const geom::Vec2 way = b - a;
   const double length = std::sqrt(geom::dot(way, way));
   if (!(length > 0)) return world::ModelRow::kNone;
@@ -49,9 +49,9 @@ std::uint32_t pressed_by(const bodies::Space& space, const geom::Pose& X_WS, dou
                          const Heights& heights, geom::Vec2 middle, std::uint32_t root) {
   const geom::Vec2 left = geom::Rotation::of(X_WS.a) * geom::Vec2{0, 0.5 * length};
   const std::uint32_t across =
-      met(space, X_WS.xy() - left, X_WS.xy() + left, heights, bodies::Observer::kBumper, root);
+      met(space, X_WS.xy() - left, X_WS.xy() + left, heights, bodies::SeenBy::kBumper, root);
   if (across != world::ModelRow::kNone) return across;
-  return met(space, middle, X_WS.xy(), heights, bodies::Observer::kMotion, root);
+  return met(space, middle, X_WS.xy(), heights, bodies::SeenBy::kMotion, root);
 }
 
 class BumperSense final : public SensePhase {

@@ -29,7 +29,7 @@ using scene::CameraDesc;
 using scene::ImageKind;
 
 constexpr double kNothing = 1e300;  // m, distance of a pixel without a hit
-static_assert(rays::Lens::kSpare >= simd::kFour);
+static_assert(rays::Lens::kPad >= simd::kFour);
 
 /// Depth buffer of a slice: distance on the floor and number of the nearest thing, by pixel.
 struct SeenInSlice {
@@ -44,22 +44,22 @@ struct Thing {
 };
 
 /// Draws a thing with a depth test, except nearer than the near plane
-/// `least`. Vectors of four: also writes up to kFour - 1 pixels of padding.
+/// `least`. Vectors of four: also writes a pad of up to kFour - 1 pixels.
 PLAYHOUSE_INLINE void show(const Thing& thing, const double* run, const double* least, std::size_t pixels,
                            const SeenInSlice& seen) {
   for (std::size_t i = 0; i < pixels; i += simd::kFour) {
-    simd::Four per_rise, nearest, distance, number;
+    simd::Double4 per_rise, nearest, distance, number;
     simd::load(per_rise, run + i);
     simd::load(nearest, least + i);
     simd::load(distance, seen.distance + i);
     simd::load(number, seen.thing + i);
-    const simd::Four a = thing.low * per_rise, b = thing.high * per_rise;
-    const simd::Four first = a < b ? a : b, last = a < b ? b : a;
-    const simd::Four enters = first > thing.from ? first : simd::Four{} + thing.from;
-    const simd::Four leaves = last < thing.to ? last : simd::Four{} + thing.to;
+    const simd::Double4 a = thing.low * per_rise, b = thing.high * per_rise;
+    const simd::Double4 first = a < b ? a : b, last = a < b ? b : a;
+    const simd::Double4 enters = first > thing.from ? first : simd::Double4{} + thing.from;
+    const simd::Double4 leaves = last < thing.to ? last : simd::Double4{} + thing.to;
     const auto shows = (enters < leaves) & (enters >= nearest) & (enters > 0) & (enters < distance);
-    simd::store<simd::Four>(seen.distance + i, shows ? enters : distance);
-    simd::store<simd::Four>(seen.thing + i, shows ? simd::Four{} + thing.number : number);
+    simd::store<simd::Double4>(seen.distance + i, shows ? enters : distance);
+    simd::store<simd::Double4>(seen.thing + i, shows ? simd::Double4{} + thing.number : number);
   }
 }
 
@@ -120,7 +120,7 @@ class CameraSense final : public SensePhase {
     const geom::Pose X_WB = geom::compose(world.models.X_WM[model.index], desc.X_MB);
     const geom::Rotation heading = geom::Rotation::of(X_WB.a + world.cameras.pan[row]);
     const double eye = X_WB.z + rays::lens_height(desc);
-    scratch.slicer.stand(space, X_WB.xy(), eye, std::ranges::max(lens.reach), bit(bodies::Observer::kImage),
+    scratch.slicer.stand(space, X_WB.xy(), eye, std::ranges::max(lens.reach), bit(bodies::SeenBy::kImage),
                          world.models.root[model.index]);
     scratch.far.resize(lens.place.size());
     scratch.sample.resize(lens.place.size());

@@ -25,7 +25,7 @@ class PlaneSurroundings final : public world::Surroundings {
     const std::uint32_t root = own ? world_.models.root[own.index] : world::ModelRow::kNone;
     const bodies::Hit hit = bodies::cast(
         space_,
-        {X_WS.xy(), {heading.c, heading.s}, X_WS.z, X_WS.z, range, bit(bodies::Observer::kRanger), root});
+        {X_WS.xy(), {heading.c, heading.s}, X_WS.z, X_WS.z, range, bit(bodies::SeenBy::kRanger), root});
     if (hit.solid == world::ModelRow::kNone) return {range, {}};
     return {hit.range, {space_.solids.model[hit.solid]}};
   }
@@ -42,7 +42,7 @@ class PlaneSurroundings final : public world::Surroundings {
   }
 
   int walls_between(const geom::Pose& from_W, const geom::Pose& to_W) const override {
-    return rays::walls_between(space_, from_W, to_W, bit(bodies::Observer::kRanger), crossed_);
+    return rays::walls_between(space_, from_W, to_W, bit(bodies::SeenBy::kRanger), crossed_);
   }
 
  private:

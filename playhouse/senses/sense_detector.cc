@@ -26,7 +26,7 @@ using scene::DetectorDesc;
 using world::Detection;
 using world::Echo;
 
-constexpr bodies::Observers kAnybody = static_cast<bodies::Observers>(~0u);
+constexpr bodies::SeenByBits kAnybody = static_cast<bodies::SeenByBits>(~0u);
 
 /// Precomputed directions of all detectors of one description.
 struct Aim {

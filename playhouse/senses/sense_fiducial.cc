@@ -11,8 +11,7 @@ bool in_sight(const bodies::Space& space, geom::Vec2 from, double z, geom::Vec2 
               std::uint32_t own, std::uint32_t target) {
   if (distance <= 0) return true;
   const geom::Vec2 d = (1.0 / distance) * (to - from);
-  const bodies::Hit hit =
-      cast(space, {from, d, z, z, distance, bit(bodies::Observer::kFiducial), own, target});
+  const bodies::Hit hit = cast(space, {from, d, z, z, distance, bit(bodies::SeenBy::kFiducial), own, target});
   return hit.solid == world::ModelRow::kNone;
 }
 

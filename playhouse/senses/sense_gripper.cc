@@ -50,7 +50,7 @@ class GripperSense final : public SensePhase {
     /// Row of the first model hit from p_B along the unit vector d_B, or kNone.
     std::uint32_t meets(geom::Vec2 p_B, geom::Vec2 d_B, double range) const {
       const bodies::Hit hit = cast(space, {X_WB.xy() + rotation * p_B, rotation * d_B, X_WB.z,
-                                           X_WB.z + height, range, bit(bodies::Observer::kGripper), root});
+                                           X_WB.z + height, range, bit(bodies::SeenBy::kGripper), root});
       return hit.solid == kNone ? kNone : space.solids.model[hit.solid];
     }
   };

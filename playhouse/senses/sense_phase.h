@@ -8,7 +8,7 @@
 namespace playhouse::senses {
 
 using behaviour::SensorTable;
-using SensePhase = behaviour::SensePhase<bodies::Space>;
-using Senses = behaviour::Senses<bodies::Space>;
+using SensePhase = behaviour::SensePhaseOf<bodies::Space>;
+using Senses = behaviour::SensesOf<bodies::Space>;
 
 }  // namespace playhouse::senses

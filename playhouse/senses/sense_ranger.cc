@@ -14,9 +14,9 @@ PLAYHOUSE_INLINE void report(const float* returns, const double* solid, std::siz
                              float* intensities) {
   std::size_t k = 0;
   for (; k + simd::kFour <= beams; k += simd::kFour) {
-    simd::Four four;
+    simd::Double4 four;
     simd::load(four, solid + k);
-    const simd::FourInts row = __builtin_convertvector(four - bodies::kNoSolid, simd::FourInts);
+    const simd::Int4 row = __builtin_convertvector(four - bodies::kNoSolid, simd::Int4);
     for (std::size_t i = 0; i < simd::kFour; ++i)
       intensities[k + i] = returns[static_cast<std::uint32_t>(row[i])];
   }
@@ -84,7 +84,8 @@ void RangerSense::measure(world::World& world, const bodies::Space& space, std::
                           std::uint64_t tick, rays::Scratch& scratch) const {
   const std::uint32_t model = world.rangers.model[ranger].index;
   const std::uint32_t root = world.models.root[model];
-  const rays::View view{world.models.X_WM[model], space.solids.rotation[model], root, is_wall_[root] != 0};
+  const rays::RangerView view{world.models.X_WM[model], space.solids.rotation[model], root,
+                              is_wall_[root] != 0};
   const rays::RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
   std::fill_n(scratch.solid.begin() + scratch.first_beam, kind.beams, bodies::kNoSolid);
   for (const rays::Scan& scan : kind.scans) rays::run_scan(space, view, scan, scratch);
@@ -115,13 +116,13 @@ void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_
   simd::in_vectors<report>(returns_.data(), solid, kind.beams, intensities);
 }
 
-void RangerSense::run_jitter(const bodies::Space& space, const rays::View& view, const rays::Jitter& jitter,
-                             double bearing, rays::Scratch& scratch) {
+void RangerSense::run_jitter(const bodies::Space& space, const rays::RangerView& view,
+                             const rays::Jitter& jitter, double bearing, rays::Scratch& scratch) {
   const geom::Pose X_WS = geom::compose(view.X_WM, jitter.X_MS);
   const geom::Rotation ahead = geom::Rotation::of(X_WS.a + bearing);
   const double z = view.X_WM.z + jitter.z;
   const bodies::Hit hit =
-      cast(space, {X_WS.xy(), {ahead.c, ahead.s}, z, z, jitter.range_max, rays::View::kBy, view.root});
+      cast(space, {X_WS.xy(), {ahead.c, ahead.s}, z, z, jitter.range_max, rays::RangerView::kBy, view.root});
   scratch.range[scratch.first_beam + jitter.beam] = hit.range;
   scratch.solid[scratch.first_beam + jitter.beam] =
       hit.solid == world::ModelRow::kNone ? bodies::kNoSolid : bodies::number_of(hit.solid);

@@ -29,7 +29,7 @@ class RangerSense final : public SensePhase {
                rays::Scratch& scratch) const;
   void finish(world::World& world, std::uint32_t ranger, std::uint64_t tick, rays::Scratch& scratch) const;
 
-  static void run_jitter(const bodies::Space& space, const rays::View& view, const rays::Jitter& jitter,
+  static void run_jitter(const bodies::Space& space, const rays::RangerView& view, const rays::Jitter& jitter,
                          double bearing, rays::Scratch& scratch);
 
   rays::RangerKinds kinds_;

@@ -153,8 +153,8 @@ class WifiSense final : public SensePhase {
       if (distance > reach) return;
       double level = station.power - path_loss(radio, station.frequency, distance);
       if (radio.propagation == scene::Propagation::kRaytrace)
-        level -= radio.wall_factor *
-                 rays::walls_between(space, X_WM, X_WS, bit(bodies::Observer::kRadio), crossed);
+        level -=
+            radio.wall_factor * rays::walls_between(space, X_WM, X_WS, bit(bodies::SeenBy::kRadio), crossed);
       if (radio.fading > 0) {
         Rng rng(world.seed(), tick, {Purpose::kFading, world.serial(model), world.serial(other)});
         level += radio.fading * rng.gaussian();

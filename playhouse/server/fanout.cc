@@ -10,12 +10,12 @@
 
 namespace playhouse::server {
 
-void Fanout::join(device::DeviceId device, Reader& reader) {
-  std::vector<Reader*>& readers = channels_[device].readers;
+void Fanout::join(device::DeviceId device, Subscriber& reader) {
+  std::vector<Subscriber*>& readers = channels_[device].readers;
   if (std::find(readers.begin(), readers.end(), &reader) == readers.end()) readers.push_back(&reader);
 }
 
-void Fanout::leave(device::DeviceId device, Reader& reader) {
+void Fanout::leave(device::DeviceId device, Subscriber& reader) {
   if (const auto found = channels_.find(device); found != channels_.end())
     std::erase(found->second.readers, &reader);
 }
@@ -46,14 +46,14 @@ std::size_t Fanout::publish(const device::Publication& publication, device::Addr
   header.timestamp = timestamp;
   const Frame frame = counted(make_frame(header, publication.body), frame_bytes_);
   ++encoded_;
-  for (Reader* reader : to.readers) reader->deliver(frame);
+  for (Subscriber* reader : to.readers) reader->deliver(frame);
   return to.readers.size();
 }
 
 void Fanout::lose(device::DeviceId device, std::uint64_t messages) {
   const auto found = channels_.find(device);
   if (found == channels_.end()) return;
-  for (Reader* reader : found->second.readers) reader->lose(messages);
+  for (Subscriber* reader : found->second.readers) reader->lose(messages);
 }
 
 double Fanout::next_timestamp(Channel& channel, const device::Publication& publication, double now) {

@@ -17,9 +17,9 @@
 namespace playhouse::server {
 
 /// A subscriber of devices.
-class Reader {
+class Subscriber {
  public:
-  virtual ~Reader() = default;
+  virtual ~Subscriber() = default;
   virtual void deliver(const Frame& frame) = 0;
   /// Data for this reader were lost.
   virtual void lose(std::uint64_t messages) = 0;
@@ -31,8 +31,8 @@ class Fanout {
   explicit Fanout(FrameBytes frame_bytes) : frame_bytes_(std::move(frame_bytes)) {}
 
   /// Subscribes a reader once; redundant joins and leaves have no effect.
-  void join(device::DeviceId device, Reader& reader);
-  void leave(device::DeviceId device, Reader& reader);
+  void join(device::DeviceId device, Subscriber& reader);
+  void leave(device::DeviceId device, Subscriber& reader);
   bool has_readers(device::DeviceId device) const;
   /// Removes the device: its readers and its last timestamps.
   void retire(device::DeviceId device) { channels_.erase(device); }
@@ -56,7 +56,7 @@ class Fanout {
     double told = 0, sent = 0;
   };
   struct Channel {
-    std::vector<Reader*> readers;
+    std::vector<Subscriber*> readers;
     std::map<std::uint8_t, Timestamps> last;  // by subtype
   };
   double next_timestamp(Channel& channel, const device::Publication& publication, double now);

@@ -30,7 +30,7 @@ namespace playhouse::server {
 /// Access mode of an open device.
 enum class Access : std::uint8_t { kAll, kRead, kWrite };
 
-class Session final : public Reader {
+class Session final : public Subscriber {
  public:
   /// `serial`: unique number of the session in its server;
   /// `robot`: the port of the connection; `peer`: for the log.

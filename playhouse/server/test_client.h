@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/base/packing.h"
 #include "playhouse/net/simulated.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/player.h"
 #include "playhouse/wire/header.h"
 
 namespace playhouse::server {
-
-using Bytes = std::vector<std::byte>;
 
 struct Received {
   wire::Header header;

@@ -11,7 +11,7 @@
 namespace playhouse::simd {
 
 bool vectors_use_avx2 = is_available(InstructionSet::kAvx2);
-WideKernels wide_kernels = is_available(InstructionSet::kAvx512) ? WideKernels::kAvx512 : WideKernels::kNone;
+EightLanes eight_lanes = is_available(InstructionSet::kAvx512) ? EightLanes::kAvx512 : EightLanes::kNone;
 
 bool is_available(InstructionSet set) {
   if (set == InstructionSet::kPlain || set == InstructionSet::kAvx512Emulated) return true;
@@ -27,17 +27,17 @@ bool is_available(InstructionSet set) {
 }
 
 InstructionSet instruction_set() {
-  if (wide_kernels == WideKernels::kAvx512) return InstructionSet::kAvx512;
-  if (wide_kernels == WideKernels::kEmulated) return InstructionSet::kAvx512Emulated;
+  if (eight_lanes == EightLanes::kAvx512) return InstructionSet::kAvx512;
+  if (eight_lanes == EightLanes::kPlain) return InstructionSet::kAvx512Emulated;
   return vectors_use_avx2 ? InstructionSet::kAvx2 : InstructionSet::kPlain;
 }
 
 void choose_instruction_set(InstructionSet set) {
   PLAYHOUSE_ASSERT(is_available(set));
   vectors_use_avx2 = set != InstructionSet::kPlain && is_available(InstructionSet::kAvx2);
-  wide_kernels = set == InstructionSet::kAvx512           ? WideKernels::kAvx512
-                 : set == InstructionSet::kAvx512Emulated ? WideKernels::kEmulated
-                                                          : WideKernels::kNone;
+  eight_lanes = set == InstructionSet::kAvx512           ? EightLanes::kAvx512
+                : set == InstructionSet::kAvx512Emulated ? EightLanes::kPlain
+                                                         : EightLanes::kNone;
 }
 
 Result<InstructionSet> parse_instruction_set(std::string_view name) {

@@ -109,7 +109,7 @@ TEST(InstructionSets, find_where_a_ray_meets_a_polygon_as_edge_by_edge) {
     for (std::size_t k = 0; k < corners; ++k)
       nearest = std::min(nearest, bodies::edge_hit(polygon[k] - p, polygon[(k + 1) % corners] - p, d));
     polygon.push_back(polygon.front());
-    polygon.resize(polygon.size() + bodies::Solids::kSpare);
+    polygon.resize(polygon.size() + bodies::Solids::kPad);
     testing::with_every_instruction_set([&] {
       const double hit = in_vectors<bodies::polygon_hit_here>(polygon.data(), corners, p, d);
       EXPECT_TRUE(hit == nearest || std::fabs(hit - nearest) < 1e-9) << hit << " not " << nearest;

@@ -16,15 +16,16 @@
 
 namespace playhouse::simd {
 
-/// See instruction_set.h; here so that dispatch is a single load.
-enum class WideKernels : std::uint8_t { kNone, kAvx512, kEmulated };
+/// See instruction_set.h; here so that dispatch is a single load. Kernels of eight lanes are written by hand, in
+/// AVX-512 or plain, to test them on any processor.
+enum class EightLanes : std::uint8_t { kNone, kAvx512, kPlain };
 extern bool vectors_use_avx2;
-extern WideKernels wide_kernels;
+extern EightLanes eight_lanes;
 
-/// A hand-written eight-lane version of a vector function:
-/// kAvx512 and kEmulated, where it pays (rays/scan_kernels.h).
+/// A vector function by hand over eight doubles:
+/// kAvx512 and kPlain, where it pays (rays/scan_kernels.h).
 template <auto kFunction>
-struct Wide {
+struct InDouble8 {
   static constexpr bool kExists = false;
 };
 
@@ -45,9 +46,9 @@ struct Versions<kFunction> {
 #endif
   /// Out of line: only a tail call, not worth inlining.
   [[gnu::noinline]] static Value call(Arguments... arguments) {
-    if constexpr (Wide<kFunction>::kExists) {
-      if (wide_kernels == WideKernels::kAvx512) return Wide<kFunction>::kAvx512(arguments...);
-      if (wide_kernels == WideKernels::kEmulated) return Wide<kFunction>::kEmulated(arguments...);
+    if constexpr (InDouble8<kFunction>::kExists) {
+      if (eight_lanes == EightLanes::kAvx512) return InDouble8<kFunction>::kAvx512(arguments...);
+      if (eight_lanes == EightLanes::kPlain) return InDouble8<kFunction>::kPlain(arguments...);
     }
     return narrow(arguments...);
   }
@@ -63,21 +64,20 @@ inline constexpr auto in_vectors = Versions<kFunction>::call;
 /// (bundle_kernels.cc): its source is included over types of that set, with these attributes.
 template <typename Kernel>
 Kernel* choose_version(Kernel* plain, Kernel* avx2, Kernel* avx512) {
-  if (wide_kernels == WideKernels::kAvx512) return avx512;
-  return vectors_use_avx2 && wide_kernels == WideKernels::kNone ? avx2 : plain;
+  if (eight_lanes == EightLanes::kAvx512) return avx512;
+  return vectors_use_avx2 && eight_lanes == EightLanes::kNone ? avx2 : plain;
 }
 #define PLAYHOUSE_TARGET_AVX2 __attribute__((target("avx2,bmi,popcnt")))
 #define PLAYHOUSE_TARGET_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,bmi,popcnt")))
 
-/// Lanes of the vector types, on any
-/// processor: four doubles, or eight floats.
+/// Vectors on any processor, named after type and number of lanes.
 inline constexpr std::size_t kFour = 4, kEight = 8;
-using Four = double __attribute__((vector_size(kFour * sizeof(double))));
-using Two = double __attribute__((vector_size(2 * sizeof(double))));
-using FourInts = std::int32_t __attribute__((vector_size(kFour * sizeof(std::int32_t))));
-using FourTruths = decltype(Four() < Four());
-using Eight = float __attribute__((vector_size(kEight * sizeof(float))));
-using EightInts = std::int32_t __attribute__((vector_size(kEight * sizeof(std::int32_t))));
+using Double4 = double __attribute__((vector_size(kFour * sizeof(double))));
+using Double2 = double __attribute__((vector_size(2 * sizeof(double))));
+using Int4 = std::int32_t __attribute__((vector_size(kFour * sizeof(std::int32_t))));
+using Mask4 = decltype(Double4() < Double4());
+using Float8 = float __attribute__((vector_size(kEight * sizeof(float))));
+using Int8 = std::int32_t __attribute__((vector_size(kEight * sizeof(std::int32_t))));
 
 template <typename Vector, typename Number>
 PLAYHOUSE_INLINE void load(Vector& v, const Number* from) {
@@ -90,7 +90,7 @@ PLAYHOUSE_INLINE void store(Number* to, const Vector& v) {
   std::memcpy(to, &v, sizeof v);
 }
 
-PLAYHOUSE_INLINE bool any(const FourTruths& truths) {
+PLAYHOUSE_INLINE bool any(const Mask4& truths) {
   return ((truths[0] | truths[1]) | (truths[2] | truths[3])) != 0;
 }
 

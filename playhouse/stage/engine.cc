@@ -14,7 +14,7 @@ void StageEngine::populated(bool) {
   motion_.populate(trees_, solids_, world_.models);
 }
 
-void StageEngine::replaced(std::uint32_t tree) {
+void StageEngine::replaced(bodies::TreeRow tree) {
   motion_.replaced(tree, solids_, world_.models);
 }
 
@@ -23,7 +23,7 @@ void StageEngine::move() {
 }
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
-                                                   const EngineOptions& options) {
+                                                   const world::EngineOptions& options) {
   if (const Result<void> checked = bodies::check_scene(scene); !checked) return checked.error();
   return std::unique_ptr<world::Engine>(std::make_unique<StageEngine>(scene, options.seed, options.workers));
 }

@@ -3,6 +3,10 @@
 /// The 2D engine: robots that drive, collide and measure in a plane of extruded polygons. Geometry is exact:
 /// bodies are polygons and bitmap contours, never a raster. Its part of the tick is in body_engine.cc and
 /// motion.cc. Where it differs from Stage 4.3 is in docs/stage-compatibility.md.
+///
+/// In: a scene that loads.
+/// Out: an engine at tick 0, which moves its world from tick to tick.
+/// Cost: once, that of the population; ticks are in docs/benchmarks.md.
 
 #include <memory>
 
@@ -12,14 +16,9 @@
 
 namespace playhouse::stage {
 
-struct EngineOptions {
-  std::uint64_t seed = 1;
-  unsigned workers = 1;  // threads; the result does not depend on it
-};
-
 /// An engine at tick 0. The scene must outlive it. Fails on a scene that no engine can run (check_scene.h).
 /// Thread: `workers` threads run inside a tick; calls come from one thread.
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
-                                                   const EngineOptions& options);
+                                                   const world::EngineOptions& options);
 
 }  // namespace playhouse::stage

@@ -15,7 +15,7 @@ double length(geom::Vec2 v) {
   return std::sqrt(geom::dot(v, v));
 }
 
-bool moves_as_a_whole(const bodies::Trees& trees, std::uint32_t tree) {
+bool moves_as_a_whole(const bodies::Trees& trees, bodies::TreeRow tree) {
   const std::uint32_t first = trees.first_mover[tree];
   return trees.first_mover[tree + 1] == first + 1 && trees.movers[first].model == trees.root[tree];
 }
@@ -30,18 +30,18 @@ void Headroom::populate(const bodies::Trees& trees, const bodies::Solids& solids
   root_ = trees.root;
   walls_block_ = false;
   for (std::size_t row = 0; row < solids.fixed; ++row) walls_block_ |= solids.is_obstacle(row);
-  for (std::uint32_t tree = 0; tree < trees.size(); ++tree) measure_shape(trees, tree, solids, models);
+  for (const bodies::TreeRow tree : trees.rows()) measure_shape(trees, tree, solids, models);
   drift_ = 0;
   until_.assign(trees.size(), 0);
 }
 
-void Headroom::replaced(const bodies::Trees& trees, std::uint32_t tree, const bodies::Solids& solids,
+void Headroom::replaced(const bodies::Trees& trees, bodies::TreeRow tree, const bodies::Solids& solids,
                         const world::Models& models) {
   measure_shape(trees, tree, solids, models);
   std::ranges::fill(until_, drift_);
 }
 
-void Headroom::measure_shape(const bodies::Trees& trees, std::uint32_t tree, const bodies::Solids& solids,
+void Headroom::measure_shape(const bodies::Trees& trees, bodies::TreeRow tree, const bodies::Solids& solids,
                              const world::Models& models) {
   const geom::Vec2 p = models.X_WM[trees.root[tree]].xy();
   rigid_[tree] = moves_as_a_whole(trees, tree);
@@ -59,24 +59,24 @@ void Headroom::begin(double others) {
   drift_ += others_;
 }
 
-void Headroom::avoid(std::uint32_t tree, geom::Vec2 p, const bodies::FastBodies& fast) {
+void Headroom::avoid(bodies::TreeRow tree, geom::Vec2 p, const bodies::FastBodies& fast) {
   const double before = until_[tree] - drift_;
   if (before <= 0 || fast.empty()) return;
   double room = before;
   fast.index().near(p, radius_[tree] + room, -kFar, kFar, [&](const bodies::DiscIndex::Disc& disc) {
-    if (disc.root == root_[tree] || (disc.seen_by & bit(bodies::Observer::kMotion)) == 0) return;
+    if (disc.root == root_[tree] || (disc.seen_by & bit(bodies::SeenBy::kMotion)) == 0) return;
     room = std::min(room, length(disc.center - p) - disc.radius - radius_[tree] - bodies::kMargin);
   });
   if (room < before) until_[tree] = drift_ + room;
 }
 
-void Headroom::measure(std::uint32_t tree, geom::Vec2 p, double way, const bodies::Solids& solids,
+void Headroom::measure(bodies::TreeRow tree, geom::Vec2 p, double way, const bodies::Solids& solids,
                        const bodies::DiscIndex& index, const bodies::Walls& walls) {
   constexpr double kTicks = 12;  // search radius, in ticks of motion: how long a query may last
   const double radius = radius_[tree];
   double room = kTicks * (way + others_);
   index.near(p, radius + room, -kFar, kFar, [&](const bodies::DiscIndex::Disc& disc) {
-    if (disc.root == root_[tree] || (disc.seen_by & bit(bodies::Observer::kMotion)) == 0) return;
+    if (disc.root == root_[tree] || (disc.seen_by & bit(bodies::SeenBy::kMotion)) == 0) return;
     room = std::min(room, length(disc.center - p) - disc.radius - radius);
   });
   if (walls_block_ && walls.clear_about(p) < radius + room) {

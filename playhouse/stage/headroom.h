@@ -22,41 +22,42 @@ class Headroom {
  public:
   void populate(const bodies::Trees& trees, const bodies::Solids& solids, const world::Models& models);
   /// A tree was teleported: invalidates the headroom of all trees.
-  void replaced(const bodies::Trees& trees, std::uint32_t tree, const bodies::Solids& solids,
+  void replaced(const bodies::Trees& trees, bodies::TreeRow tree, const bodies::Solids& solids,
                 const world::Models& models);
 
   /// True if the tree moves as one rigid body, by its root: only such a tree has headroom.
-  bool is_rigid(std::uint32_t tree) const { return rigid_[tree] != 0; }
+  bool is_rigid(bodies::TreeRow tree) const { return rigid_[tree] != 0; }
   /// Upper bound on the distance from the origin of the root to the center of any solid. [m]
-  double arm(std::uint32_t tree) const { return arm_[tree]; }
+  double arm(bodies::TreeRow tree) const { return arm_[tree]; }
 
   /// Begins a tick in which no center of a solid moves by more than `others`, except those of
   /// fast bodies, which every tree has to avoid(). [m]
   void begin(double others);
   /// Lowers the headroom of a tree to what the fast bodies of this tick leave; p is the root's position at
   /// its start. Again after measure().
-  void avoid(std::uint32_t tree, geom::Vec2 p, const bodies::FastBodies& fast);
+  void avoid(bodies::TreeRow tree, geom::Vec2 p, const bodies::FastBodies& fast);
   /// Consumes the headroom of a rigid tree whose root is displaced by `way` in this tick.
   /// True if enough was left: nothing can touch it at its old place or its new one. [m]
-  bool spend(std::uint32_t tree, double way) {
+  bool spend(bodies::TreeRow tree, double way) {
     until_[tree] -= way;
     return until_[tree] > drift_;
   }
   /// Measures the headroom of a tree at the start of this tick, for another spend().
   /// `index` has the movable solids at that time; p is the root's position then.
-  void measure(std::uint32_t tree, geom::Vec2 p, double way, const bodies::Solids& solids,
+  void measure(bodies::TreeRow tree, geom::Vec2 p, double way, const bodies::Solids& solids,
                const bodies::DiscIndex& index, const bodies::Walls& walls);
 
  private:
-  void measure_shape(const bodies::Trees& trees, std::uint32_t tree, const bodies::Solids& solids,
+  void measure_shape(const bodies::Trees& trees, bodies::TreeRow tree, const bodies::Solids& solids,
                      const world::Models& models);
 
-  std::vector<std::uint8_t> rigid_;   // (trees)
-  std::vector<double> arm_, radius_;  // bounds about the root's origin: of centers, of all that blocks [m]
-  std::vector<std::uint32_t> root_;   // (trees)
-  std::vector<double> until_;         // value of drift_ at which it is used up  [m] (trees)
-  double drift_ = 0, others_ = 0;     // m: approach of others at most, since the start and in this tick
-  bool walls_block_ = false;          // some static solid is an obstacle
+  ByRow<bodies::Trees, std::uint8_t> rigid_;
+  ByRow<bodies::Trees, double> arm_,
+      radius_;  // bounds about the root's origin: of centers, of all that blocks [m]
+  ByRow<bodies::Trees, std::uint32_t> root_;
+  ByRow<bodies::Trees, double> until_;  // value of drift_ at which it is used up  [m]
+  double drift_ = 0, others_ = 0;       // m: approach of others at most, since the start and in this tick
+  bool walls_block_ = false;            // some static solid is an obstacle
 };
 
 }  // namespace playhouse::stage

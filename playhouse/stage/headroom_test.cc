@@ -35,13 +35,13 @@ class Wanderers {
   void go(std::uint64_t tick, std::size_t* free, std::size_t* others) {
     index_.rebuild(
         solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.fixed + i); }, workers_);
-    std::vector<geom::Pose> next;
-    std::vector<double> reach;
-    for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
-      Rng rng(7, tick, {Purpose::kTestScene, tree});
+    ByRow<bodies::Trees, geom::Pose> next;
+    ByRow<bodies::Trees, double> reach;
+    for (const bodies::TreeRow tree : trees_.rows()) {
+      Rng rng(7, tick, {Purpose::kTestScene, tree.index});
       geom::Pose X = world_.models.X_WM[trees_.root[tree]];
       const double x = X.x, y = X.y, turn = rng.uniform(-0.05, 0.05);
-      const bool leaps = hasty_ > 0 && tree % hasty_ == 0 && rng.uniform() < 0.3;
+      const bool leaps = hasty_ > 0 && tree.index % hasty_ == 0 && rng.uniform() < 0.3;
       const double far = leaps ? 2 : 0.03;
       X.x += rng.uniform(-far, far);
       X.y += rng.uniform(-far, far);
@@ -52,8 +52,8 @@ class Wanderers {
     fast_.find(trees_, solids_, reach, workers_);
     leaps_ += !fast_.empty();
     headroom_.begin(fast_.reach_of_others());
-    std::vector<std::uint32_t> are_free;
-    for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+    std::vector<bodies::TreeRow> are_free;
+    for (const bodies::TreeRow tree : trees_.rows()) {
       const geom::Vec2 p = world_.models.X_WM[trees_.root[tree]].xy();
       const double way = length(next[tree].xy() - p);
       headroom_.avoid(tree, p, fast_);
@@ -67,16 +67,15 @@ class Wanderers {
       ++*(is_free ? free : others);
     }
     const bodies::Solids before = solids_;
-    std::vector<geom::Vec2> from;
-    for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+    ByRow<bodies::Trees, geom::Vec2> from;
+    for (const bodies::TreeRow tree : trees_.rows()) {
       geom::Pose& X_WM = world_.models.X_WM[trees_.root[tree]];
       from.push_back(X_WM.xy());
       X_WM = next[tree];
     }
-    for (std::uint32_t tree = 0; tree < trees_.size(); ++tree)
-      turn(solids_, world_.models, trees_.models_of(tree));
+    for (const bodies::TreeRow tree : trees_.rows()) turn(solids_, world_.models, trees_.models_of(tree));
     place(solids_, world_.models, solids_.fixed, solids_.size());
-    for (const std::uint32_t tree : are_free)
+    for (const bodies::TreeRow tree : are_free)
       for (const geom::Vec2 p : {from[tree], next[tree].xy()}) {
         expect_clear_about(p, tree, before);
         expect_clear_about(p, tree, solids_);
@@ -87,7 +86,7 @@ class Wanderers {
 
  private:
   /// The circle about `p` that holds the tree however it turns is clear of all other solids.
-  void expect_clear_about(geom::Vec2 p, std::uint32_t tree, const bodies::Solids& solids) const {
+  void expect_clear_about(geom::Vec2 p, bodies::TreeRow tree, const bodies::Solids& solids) const {
     const std::uint32_t first = trees_.first_solid[tree], end = trees_.first_solid[tree + 1];
     double radius = 0;
     for (std::uint32_t row = first; row < end; ++row)

@@ -40,7 +40,7 @@ geom::Pose part_at(const geom::Pose& X_WP, geom::Rotation rotation, const geom::
   return {p.x, p.y, X_WP.z + X_PM.z, geom::normalize(X_WP.a + X_PM.a)};
 }
 
-bodies::Outline outline_at(const bodies::Solids& solids, std::size_t row, geom::Vec2 center,
+bodies::Polygon outline_at(const bodies::Solids& solids, std::size_t row, geom::Vec2 center,
                            const geom::Vec2* p) {
   const std::size_t vertices = solids.first_vertex[row + 1] - solids.first_vertex[row] - 1;
   return {{p, vertices}, center, solids.convex[row] != 0};
@@ -54,18 +54,18 @@ HeightRange heights_in(const bodies::Solids& solids, std::size_t row, const bodi
   return {z + solids.z_min_M[row], z + solids.z_max_M[row]};
 }
 
-bodies::Outline outline_now(const bodies::Solids& solids, std::size_t row) {
+bodies::Polygon outline_now(const bodies::Solids& solids, std::size_t row) {
   return outline_at(solids, row, solids.center[row], solids.p.data() + solids.first_vertex[row]);
 }
 
 }  // namespace
 
-Motion::Body Motion::body_now(const bodies::Solids& solids, std::size_t row) {
+Motion::PlacedSolid Motion::solid_now(const bodies::Solids& solids, std::size_t row) {
   return {outline_now(solids, row), solids.z_min[row], solids.z_max[row]};
 }
 
-Motion::Body Motion::proposed(const bodies::Solids& solids, std::size_t row) const {
-  Body body = body_now(solids, row);
+Motion::PlacedSolid Motion::proposed(const bodies::Solids& solids, std::size_t row) const {
+  PlacedSolid body = solid_now(solids, row);
   body.outline = outline_at(solids, row, center_[place_of(row)], p_.data() + vertex_of(solids, row));
   if (!lifts_[solids.tree[row]]) return body;
   const double z = z_[place_of(row)];
@@ -87,9 +87,9 @@ void Motion::populate(const bodies::Trees& trees, const bodies::Solids& solids, 
   first_parent_.assign(trees.size(), world::ModelRow::kNone);
   parent_.clear();
   std::size_t largest_tree = 0, most_solids = 0, most_vertices = 0;
-  for (std::size_t tree = 0; tree < trees.size(); ++tree) {
+  for (const bodies::TreeRow tree : trees.rows()) {
     const std::uint32_t begin = trees.first_model[tree], end = trees.first_model[tree + 1];
-    add_parents(trees.models_of(static_cast<std::uint32_t>(tree)), models, static_cast<std::uint32_t>(tree));
+    add_parents(trees.models_of(tree), models, tree);
     const std::uint32_t first = trees.first_solid[tree], last = trees.first_solid[tree + 1];
     largest_tree = std::max<std::size_t>(largest_tree, end - begin);
     most_solids = std::max<std::size_t>(most_solids, last - first);
@@ -116,7 +116,7 @@ void Motion::populate(const bodies::Trees& trees, const bodies::Solids& solids, 
 }
 
 void Motion::add_parents(std::span<const std::uint32_t> rows, const world::Models& models,
-                         std::uint32_t tree) {
+                         bodies::TreeRow tree) {
   bool is_run = true;
   for (std::size_t i = 0; i < rows.size(); ++i) is_run = is_run && rows[i] == rows[0] + i;
   if (is_run) return;
@@ -128,7 +128,7 @@ void Motion::add_parents(std::span<const std::uint32_t> rows, const world::Model
   }
 }
 
-bodies::TreeShape Motion::proposal(const bodies::Solids& solids, std::uint32_t tree, Sweep& sweep) {
+bodies::TreeShape Motion::proposal(const bodies::Solids& solids, bodies::TreeRow tree, Sweep& sweep) {
   const std::uint32_t models = trees_->first_model[tree + 1] - trees_->first_model[tree];
   const std::uint32_t solid = trees_->first_solid[tree], last = trees_->first_solid[tree + 1];
   return {{moved_.data() + trees_->first_mover[tree], movers_of(tree).size()},
@@ -140,7 +140,7 @@ bodies::TreeShape Motion::proposal(const bodies::Solids& solids, std::uint32_t t
 }
 
 /// The configuration of a tree after `fraction` of this tick's motion.
-void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fraction,
+void Motion::shape_at(const Inputs& in, bodies::TreeRow tree, double fraction,
                       const bodies::TreeShape& out) const {
   const world::Models& models = in.world.models;
   const double dt = in.world.scene().interval * fraction;
@@ -182,7 +182,7 @@ void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fractio
 }
 
 /// For a rigid tree only its root pose, enough to bound the displacement of its solids.
-void Motion::propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
+void Motion::propose(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   proposes_[tree] = stalls_[tree] = lifts_[tree] = free_[tree] = 0;
   reach_[tree] = 0;
   for (const bodies::Mover& mover : movers_of(tree)) {
@@ -207,7 +207,7 @@ void Motion::propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
         std::max(reach_[tree], distance(shape.center[i], in.solids.center[trees_->first_solid[tree] + i]));
 }
 
-bodies::TreeShape Motion::propose_shape(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
+bodies::TreeShape Motion::propose_shape(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   const bodies::TreeShape shape = proposal(in.solids, tree, sweep);
   shape_at(in, tree, 1.0, shape);
   rotation_[tree] = shape.rotation[0];
@@ -215,7 +215,7 @@ bodies::TreeShape Motion::propose_shape(const Surroundings& in, std::uint32_t tr
 }
 
 /// Completes the proposal of a rigid tree without headroom.
-void Motion::propose_rest(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
+void Motion::propose_rest(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   if (!headroom_.is_rigid(tree) || lifts_[tree]) return;
   const double way = way_[tree];
   free_[tree] = headroom_.spend(tree, way);
@@ -232,7 +232,7 @@ void Motion::propose_rest(const Surroundings& in, std::uint32_t tree, Sweep& swe
 }
 
 /// Number of substeps such that no solid moves by more than half its width per substep: no tunnelling.
-unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
+unsigned Motion::steps_of(const Inputs& in, bodies::TreeRow tree) const {
   const double dt = in.world.scene().interval;
   double turn = 0;
   for (const bodies::Mover& mover : movers_of(tree))
@@ -261,7 +261,8 @@ unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
 }
 
 /// True if the outline penetrates a wall deeper than before.
-bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const {
+bool Motion::meets_wall(const Inputs& in, std::size_t solid, const PlacedSolid& now,
+                        const PlacedSolid& then) const {
   const double radius = in.solids.radius[solid];
   const geom::Vec2 center = then.outline.center;
   if (in.walls.clear_about(center) > radius) return false;
@@ -279,12 +280,12 @@ bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Body& n
 }
 
 /// True if a solid that rises or sinks enters a static block, even if it crosses none of its edges.
-bool Motion::meets_inside(const Surroundings& in, std::size_t solid, const Body& now,
-                          const Body& then) const {
+bool Motion::meets_inside(const Inputs& in, std::size_t solid, const PlacedSolid& now,
+                          const PlacedSolid& then) const {
   const bodies::Solids& solids = in.solids;
   for (std::size_t row = 0; row < fixed_; ++row) {
     if (!solids.full[row] || !solids.is_obstacle(row) || solids.root[row] == solids.root[solid]) continue;
-    const Body block = body_now(solids, row);
+    const PlacedSolid block = solid_now(solids, row);
     if (z_overlaps(then, block) && !z_overlaps(now, block) &&
         distance(then.outline.center, block.outline.center) < solids.radius[solid] + solids.radius[row] &&
         overlap(then.outline, block.outline))
@@ -302,17 +303,17 @@ bool Motion::Sweep::add(Conflict conflict) {
 
 /// True if the outline overlaps a solid of another tree at all of that tree's possible
 /// places; if only at some, adds a conflict. Trees that overlap already may separate.
-bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Body& now, const Body& then,
+bool Motion::meets_other(const Inputs& in, std::size_t solid, const PlacedSolid& now, const PlacedSolid& then,
                          std::size_t other, Sweep& sweep) const {
   const double reach = in.solids.radius[solid] + in.solids.radius[other];
-  const auto meets_at = [&](const Body& place) {
+  const auto meets_at = [&](const PlacedSolid& place) {
     const double apart = distance(then.outline.center, place.outline.center);
     if (apart >= reach || !z_overlaps(then, place) || !overlap(then.outline, place.outline)) return false;
     const bool parting = apart >= distance(now.outline.center, place.outline.center) - kRounding;
     return !(parting && z_overlaps(now, place) && overlap(now.outline, place.outline));
   };
-  const bool meets_now = meets_at(body_now(in.solids, other));
-  const std::uint32_t tree = in.solids.tree[other];
+  const bool meets_now = meets_at(solid_now(in.solids, other));
+  const bodies::TreeRow tree = in.solids.tree[other];
   if (tree > in.solids.tree[solid] || !proposes_[tree]) return meets_now;
   const bool meets_then = meets_at(proposed(in.solids, other));
   if (meets_now == meets_then) return meets_now;
@@ -320,16 +321,16 @@ bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Body& 
 }
 
 /// Broad phase: collects solids of other trees near a configuration within its bounding circle.
-void Motion::gather(const Surroundings& in, std::uint32_t tree, const Circle& all, Sweep& sweep) const {
+void Motion::gather(const Inputs& in, bodies::TreeRow tree, const Circle& all, Sweep& sweep) const {
   const std::uint32_t root = trees_->root[tree];
   const double z_low = all.z_min - rise_max_ + bodies::kTouch,
                z_high = all.z_max + rise_max_ - bodies::kTouch;
   const auto collect = [&](const bodies::DiscIndex& index, double reach, bool fast) {
     index.near(all.center, reach, z_low, z_high, [&](const bodies::DiscIndex::Disc& disc) {
-      if (disc.root == root || (disc.seen_by & bit(bodies::Observer::kMotion)) == 0 ||
+      if (disc.root == root || (disc.seen_by & bit(bodies::SeenBy::kMotion)) == 0 ||
           distance(disc.center, all.center) >= disc.radius + reach)
         return;
-      const std::uint32_t other = in.solids.tree[disc.row];
+      const bodies::TreeRow other = in.solids.tree[disc.row];
       if (!free_[other] && fast_.is_fast(other) == fast) sweep.near.push_back(&disc);
     });
   };
@@ -338,7 +339,7 @@ void Motion::gather(const Surroundings& in, std::uint32_t tree, const Circle& al
   if (!fast_.empty()) collect(fast_.index(), all.radius, true);
 }
 
-Motion::Circle Motion::circle_about(const bodies::Solids& solids, std::uint32_t tree,
+Motion::Circle Motion::circle_about(const bodies::Solids& solids, bodies::TreeRow tree,
                                     const bodies::TreeShape& shape) const {
   const std::uint32_t first = trees_->first_solid[tree];
   Circle all{shape.center[0], 0, 1e300, -1e300};
@@ -352,7 +353,7 @@ Motion::Circle Motion::circle_about(const bodies::Solids& solids, std::uint32_t 
   return all;
 }
 
-bool Motion::meets(const Surroundings& in, std::uint32_t tree, const bodies::TreeShape& shape,
+bool Motion::meets(const Inputs& in, bodies::TreeRow tree, const bodies::TreeShape& shape,
                    Sweep& sweep) const {
   const bodies::Solids& solids = in.solids;
   const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
@@ -364,8 +365,9 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const bodies::Tre
     if (!solids.is_obstacle(row)) continue;
     const geom::Vec2* p = shape.p.data() + (solids.first_vertex[row] - solids.first_vertex[first]);
     const HeightRange heights = heights_in(solids, row, shape, first);
-    const Body now = body_now(solids, row),
-               then{outline_at(solids, row, shape.center[row - first], p), heights.z_min, heights.z_max};
+    const PlacedSolid now = solid_now(solids, row),
+                      then{outline_at(solids, row, shape.center[row - first], p), heights.z_min,
+                           heights.z_max};
     if (!shape.z.empty() && meets_inside(in, row, now, then)) return true;
     if (near_walls && meets_wall(in, row, now, then)) return true;
     const double reach = solids.radius[row] + fast_.reach_of_others();
@@ -380,7 +382,7 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const bodies::Tre
 }
 
 /// True if the way is blocked whatever earlier trees do; otherwise its conflicts are in `sweep`.
-bool Motion::is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
+bool Motion::is_blocked(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   const unsigned steps = steps_of(in, tree);
   const bodies::TreeShape last = proposal(in.solids, tree, sweep);
   const bodies::TreeShape between{{sweep.moved.data(), last.moved.size()},
@@ -396,7 +398,7 @@ bool Motion::is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep
   return meets(in, tree, last, sweep);
 }
 
-void Motion::follow(const Surroundings& in, std::uint32_t tree, std::uint32_t worker) {
+void Motion::follow(const Inputs& in, bodies::TreeRow tree, std::uint32_t worker) {
   Sweep& sweep = sweeps_[worker];
   sweep.first_conflict = sweep.conflicts.size();
   stalls_[tree] = is_blocked(in, tree, sweep);
@@ -407,7 +409,7 @@ void Motion::follow(const Surroundings& in, std::uint32_t tree, std::uint32_t wo
 
 /// Resolves conflicts in row order, so that the outcome for earlier trees is known.
 void Motion::decide() {
-  for (std::size_t tree = 0; tree < trees_->size(); ++tree) {
+  for (const bodies::TreeRow tree : trees_->rows()) {
     if (!proposes_[tree]) continue;
     const Conflicts& at = conflicts_[tree];
     for (std::uint32_t i = at.begin; i < at.end; ++i) {
@@ -419,7 +421,7 @@ void Motion::decide() {
 }
 
 /// Recomputes the poses of the tree's models instead of storing them: saves most of the proposal's memory.
-void Motion::put(world::Models& models, bodies::Solids& solids, std::uint32_t tree) const {
+void Motion::put(world::Models& models, bodies::Solids& solids, bodies::TreeRow tree) const {
   const std::uint32_t first = trees_->first_model[tree];
   for (std::uint32_t i = trees_->first_mover[tree]; i < trees_->first_mover[tree + 1]; ++i)
     models.X_PM.own(trees_->movers[i].model) = moved_[i];
@@ -437,7 +439,7 @@ void Motion::put(world::Models& models, bodies::Solids& solids, std::uint32_t tr
   }
 }
 
-void Motion::commit(world::World& world, bodies::Solids& solids, std::uint32_t tree) const {
+void Motion::commit(world::World& world, bodies::Solids& solids, bodies::TreeRow tree) const {
   for (const bodies::Mover& mover : movers_of(tree)) {
     const bool stalls = stalls_[tree] && is_moving(world, mover);
     bodies::with_move(mover.kind, [&](auto move) { move.stall(world, mover.part, stalls); });
@@ -452,33 +454,34 @@ void Motion::commit(world::World& world, bodies::Solids& solids, std::uint32_t t
 bool Motion::move(world::World& world, bodies::Solids& solids, const bodies::DiscIndex& index,
                   const bodies::Walls& walls, world::Workers& workers) {
   constexpr std::size_t kGrain = 64;
-  const Surroundings in{world, solids, index, walls};
+  const Inputs in{world, solids, index, walls};
   const auto each_tree = [&](const auto& body) {
     workers.run(trees_->size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t tree = begin; tree < end; ++tree) body(static_cast<std::uint32_t>(tree));
+      for (std::size_t tree = begin; tree < end; ++tree)
+        body(bodies::TreeRow{static_cast<std::uint32_t>(tree)});
     });
   };
-  each_tree([&](std::uint32_t tree) { propose(in, tree, sweeps_[workers.current()]); });
+  each_tree([&](bodies::TreeRow tree) { propose(in, tree, sweeps_[workers.current()]); });
   rise_max_ = 0;
-  for (std::uint32_t tree = 0; tree < trees_->size(); ++tree) {
+  for (const bodies::TreeRow tree : trees_->rows()) {
     if (!lifts_[tree]) continue;
     for (std::uint32_t row = trees_->first_solid[tree]; row < trees_->first_solid[tree + 1]; ++row)
       rise_max_ = std::max(rise_max_, rise_of(solids, row));
   }
   fast_.find(*trees_, solids, reach_, workers);
   headroom_.begin(fast_.reach_of_others());
-  each_tree([&](std::uint32_t tree) {
+  each_tree([&](bodies::TreeRow tree) {
     if (!fast_.empty()) headroom_.avoid(tree, world.models.X_WM[trees_->root[tree]].xy(), fast_);
     if (proposes_[tree]) propose_rest(in, tree, sweeps_[workers.current()]);
   });
   for (Sweep& sweep : sweeps_) sweep.conflicts.clear();
-  each_tree([&](std::uint32_t tree) {
+  each_tree([&](bodies::TreeRow tree) {
     conflicts_[tree] = {};
     if (proposes_[tree] && !free_[tree]) follow(in, tree, workers.current());
   });
   decide();
-  each_tree([&](std::uint32_t tree) { commit(world, solids, tree); });
-  for (std::size_t tree = 0; tree < trees_->size(); ++tree)
+  each_tree([&](bodies::TreeRow tree) { commit(world, solids, tree); });
+  for (const bodies::TreeRow tree : trees_->rows())
     if (proposes_[tree] && !stalls_[tree]) return true;
   return false;
 }

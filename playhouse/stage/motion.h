@@ -10,6 +10,12 @@
 /// Proposals and their hits are found in parallel; hits that depend on earlier trees are recorded as
 /// conflicts, and one sequential pass in row order resolves them. Deterministic for any number of threads.
 /// Fast path: a tree with headroom (headroom.h) hits nothing, so only its root pose is proposed.
+///
+/// In: velocities and poses of the movers; the movable solids in an index, and the walls.
+/// Out: poses of models, solids placed in W, stalls, odometry.
+/// Cost: a pose for a tree with headroom. Any other has, for each substep of its way, a query of the
+///   walls for each of its solids, and a test of outlines for each pair of near ones; the pass over
+///   conflicts is sequential.
 
 #include <cmath>
 #include <vector>
@@ -31,7 +37,7 @@ class Motion {
   /// Sizes the buffers for these trees, which must outlive the next move().
   void populate(const bodies::Trees& trees, const bodies::Solids& solids, const world::Models& models);
   /// To be called after a tree was teleported.
-  void replaced(std::uint32_t tree, const bodies::Solids& solids, const world::Models& models) {
+  void replaced(bodies::TreeRow tree, const bodies::Solids& solids, const world::Models& models) {
     headroom_.replaced(*trees_, tree, solids, models);
   }
 
@@ -42,8 +48,8 @@ class Motion {
  private:
   /// A way blocked by one of two places of another tree: its proposal, or where it was.
   struct Conflict {
-    std::uint32_t with;  // a proposing tree, earlier in row order
-    bool if_moved;       // true: its proposal blocks; false: its old place blocks
+    bodies::TreeRow with;  // a proposing tree, earlier in row order
+    bool if_moved;         // true: its proposal blocks; false: its old place blocks
   };
   /// Scratch buffers of one worker, for one way at a time.
   struct Sweep {
@@ -65,8 +71,8 @@ class Motion {
     std::uint32_t worker = 0, begin = 0, end = 0;
   };
   /// A placed solid: outline and height range [m].
-  struct Body {
-    bodies::Outline outline;
+  struct PlacedSolid {
+    bodies::Polygon outline;
     double z_min, z_max;
   };
   /// Bounding circle and height range of a configuration. [m]
@@ -74,48 +80,49 @@ class Motion {
     geom::Vec2 center;
     double radius, z_min, z_max;
   };
-  struct Surroundings {
+  struct Inputs {
     const world::World& world;
     const bodies::Solids& solids;
     const bodies::DiscIndex& index;
     const bodies::Walls& walls;
   };
 
-  void add_parents(std::span<const std::uint32_t> rows, const world::Models& models, std::uint32_t tree);
-  std::span<const bodies::Mover> movers_of(std::uint32_t tree) const {
+  void add_parents(std::span<const std::uint32_t> rows, const world::Models& models, bodies::TreeRow tree);
+  std::span<const bodies::Mover> movers_of(bodies::TreeRow tree) const {
     const std::uint32_t first = trees_->first_mover[tree];
     return {trees_->movers.data() + first, trees_->first_mover[tree + 1] - first};
   }
-  void propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
-  bodies::TreeShape propose_shape(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
-  void propose_rest(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
-  void shape_at(const Surroundings& in, std::uint32_t tree, double fraction,
-                const bodies::TreeShape& out) const;
-  unsigned steps_of(const Surroundings& in, std::uint32_t tree) const;
-  void follow(const Surroundings& in, std::uint32_t tree, std::uint32_t worker);
-  bool is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
-  void gather(const Surroundings& in, std::uint32_t tree, const Circle& all, Sweep& sweep) const;
-  Circle circle_about(const bodies::Solids& solids, std::uint32_t tree, const bodies::TreeShape& shape) const;
-  bool meets(const Surroundings& in, std::uint32_t tree, const bodies::TreeShape& shape, Sweep& sweep) const;
-  bool meets_wall(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const;
-  bool meets_inside(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const;
-  bool meets_other(const Surroundings& in, std::size_t solid, const Body& now, const Body& then,
+  void propose(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
+  bodies::TreeShape propose_shape(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
+  void propose_rest(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
+  void shape_at(const Inputs& in, bodies::TreeRow tree, double fraction, const bodies::TreeShape& out) const;
+  unsigned steps_of(const Inputs& in, bodies::TreeRow tree) const;
+  void follow(const Inputs& in, bodies::TreeRow tree, std::uint32_t worker);
+  bool is_blocked(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
+  void gather(const Inputs& in, bodies::TreeRow tree, const Circle& all, Sweep& sweep) const;
+  Circle circle_about(const bodies::Solids& solids, bodies::TreeRow tree,
+                      const bodies::TreeShape& shape) const;
+  bool meets(const Inputs& in, bodies::TreeRow tree, const bodies::TreeShape& shape, Sweep& sweep) const;
+  bool meets_wall(const Inputs& in, std::size_t solid, const PlacedSolid& now, const PlacedSolid& then) const;
+  bool meets_inside(const Inputs& in, std::size_t solid, const PlacedSolid& now,
+                    const PlacedSolid& then) const;
+  bool meets_other(const Inputs& in, std::size_t solid, const PlacedSolid& now, const PlacedSolid& then,
                    std::size_t other, Sweep& sweep) const;
   /// A solid at its present place, and as its tree proposes it.
-  static Body body_now(const bodies::Solids& solids, std::size_t row);
-  Body proposed(const bodies::Solids& solids, std::size_t row) const;
+  static PlacedSolid solid_now(const bodies::Solids& solids, std::size_t row);
+  PlacedSolid proposed(const bodies::Solids& solids, std::size_t row) const;
   /// By how much a proposal that changes heights raises or lowers a solid. [m]
   double rise_of(const bodies::Solids& solids, std::size_t row) const {
     return std::fabs(z_[place_of(row)] + solids.z_min_M[row] - solids.z_min[row]);
   }
   void decide();
-  void commit(world::World& world, bodies::Solids& solids, std::uint32_t tree) const;
-  void put(world::Models& models, bodies::Solids& solids, std::uint32_t tree) const;
+  void commit(world::World& world, bodies::Solids& solids, bodies::TreeRow tree) const;
+  void put(world::Models& models, bodies::Solids& solids, bodies::TreeRow tree) const;
   /// A view of the proposal: its own buffers, and the sweep's for what can be recomputed.
-  bodies::TreeShape proposal(const bodies::Solids& solids, std::uint32_t tree, Sweep& sweep);
+  bodies::TreeShape proposal(const bodies::Solids& solids, bodies::TreeRow tree, Sweep& sweep);
 
   /// Row in its tree of the parent of a model, which is the tree's `place`-th.
-  std::uint32_t parent_of(const world::Models& models, std::uint32_t tree, std::uint32_t model,
+  std::uint32_t parent_of(const world::Models& models, bodies::TreeRow tree, std::uint32_t model,
                           std::size_t place) const {
     const std::uint32_t first = first_parent_[tree];
     return first == world::ModelRow::kNone ? models.parent[model] - trees_->root[tree]
@@ -132,20 +139,22 @@ class Motion {
   bodies::FastBodies fast_;
   std::size_t fixed_ = 0, fixed_vertices_ = 0;  // of Solids: static ones
   // Rows as in Trees.
-  std::vector<std::uint8_t> proposes_, stalls_;  // (trees)
-  std::vector<std::uint8_t> free_;               // 1: has headroom, so only a root pose is proposed  (trees)
-  std::vector<std::uint8_t> lifts_;              // the proposal changes heights (trees)
-  std::vector<Conflicts> conflicts_;             // (trees)
-  std::vector<double> way_;                      // displacement of the root of a rigid tree  [m] (trees)
-  std::vector<double> reach_;                    // bound on the displacement of centers  [m] (trees)
+  template <typename Value>
+  using ByTree = ByRow<bodies::Trees, Value>;
+  ByTree<std::uint8_t> proposes_, stalls_;
+  ByTree<std::uint8_t> free_;   // 1: has headroom, so only a root pose is proposed
+  ByTree<std::uint8_t> lifts_;  // the proposal changes heights
+  ByTree<Conflicts> conflicts_;
+  ByTree<double> way_;    // displacement of the root of a rigid tree  [m]
+  ByTree<double> reach_;  // bound on the displacement of centers  [m]
   // Row in its tree of a model's parent, for trees whose models are not consecutive rows
   // because others were attached to them. For consecutive rows it follows from the model's row.
-  std::vector<std::uint32_t> first_parent_;  // of parent_, or Row::kNone for a run                (trees)
-  std::vector<std::uint32_t> parent_;        // (models of such trees)
-  double rise_max_ = 0;                      // m, bound for this tick: rise or drop
+  ByTree<std::uint32_t> first_parent_;  // of parent_, or Row::kNone for a run
+  std::vector<std::uint32_t> parent_;   // (models of such trees)
+  double rise_max_ = 0;                 // m, bound for this tick: rise or drop
   // The proposals; rows as in Trees::movers, in Trees, and in Solids counted from the first movable one.
-  std::vector<geom::Pose> moved_;         // X_PM of the movers
-  std::vector<geom::Rotation> rotation_;  // of the root
+  std::vector<geom::Pose> moved_;    // X_PM of the movers
+  ByTree<geom::Rotation> rotation_;  // of the root
   std::vector<geom::Vec2> center_, p_;
   std::vector<double> z_;      // of the solid's model in W, if the tree lifts
   std::vector<Sweep> sweeps_;  // one per worker

@@ -1,6 +1,10 @@
 #pragma once
 
 /// StageEngine: planar motion with collision by refusal (motion.h). Thread: the tick thread.
+///
+/// In: the state before the phase `move`.
+/// Out: the state after it (motion.h).
+/// Cost: that of Motion::move().
 
 #include "playhouse/senses/body_engine.h"
 #include "playhouse/stage/motion.h"
@@ -14,7 +18,7 @@ class StageEngine final : public senses::BodyEngine {
  private:
   void move() override;
   void populated(bool fixed) override;
-  void replaced(std::uint32_t tree) override;
+  void replaced(bodies::TreeRow tree) override;
 
   Motion motion_;
 };

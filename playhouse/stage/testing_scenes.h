@@ -41,7 +41,7 @@ inline scene::ModelDesc robot(const std::string& name, const Pose& X_WM, const g
   model.position->odom_error = geom::Twist{};
   const double turn = geom::kPi / 2;
   for (int axis = 0; axis < 4; ++axis) {
-    model.position->velocity_bounds[axis] = axis < 3 ? scene::Bounds{-1, 1} : scene::Bounds{-turn, turn};
+    model.position->velocity_bounds[axis] = axis < 3 ? scene::Interval{-1, 1} : scene::Interval{-turn, turn};
     model.position->acceleration_bounds[axis] = model.position->velocity_bounds[axis];
   }
   return model;

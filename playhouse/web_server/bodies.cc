@@ -30,7 +30,7 @@ Result<void> Bodies::join(const replicate::Join& join, std::uint32_t viewer, con
   if (person == prototypes_.addable().end())
     return Error{"",
                  "nobody can join this world: it has no position with drive \"walk\" (worlds/person.inc)"};
-  const Clock::time_point now = Clock::now();
+  const double now = network_.now();
   if (const auto own = bodies_.find(viewer); own != bodies_.end() && now - own->second->asked < join_period_)
     return Error{"", "you have joined just now; try again in a second"};
   leave(viewer);
@@ -39,7 +39,7 @@ Result<void> Bodies::join(const replicate::Join& join, std::uint32_t viewer, con
   body->desc = person->desc;
   return post_change(control_,
                      [join, viewer, name, body, desc = person->desc, tell = std::move(tell), place = place_,
-                      weak = weak_from_this(), &loop = loop_](world::Journal& journal) {
+                      weak = weak_from_this(), &network = network_](world::Journal& journal) {
                        const world::World& world = journal.world();
                        const geom::Pose wanted{join.x, join.y, world.scene().models[desc].X_PM.z, join.a};
                        const Result<geom::Pose> X_WM = place ? place(world, desc, wanted) : wanted;
@@ -50,7 +50,7 @@ Result<void> Bodies::join(const replicate::Join& join, std::uint32_t viewer, con
                        if (!spawned) return tell(spawned.error().text);
                        if (is_taken)
                          tell(fmt::format("somebody is called {} already: you are {}", name, own));
-                       loop.post([weak, viewer, body, model = *spawned] {
+                       network.post([weak, viewer, body, model = *spawned] {
                          if (const auto self = weak.lock()) self->came(viewer, *body, model);
                        });
                      });

@@ -3,7 +3,6 @@
 /// Bodies: the avatars of viewers, at most one each. They are spawned and removed
 /// between ticks, so a viewer may leave before its body exists. Thread: web.
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -12,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "playhouse/net/io_loop.h"
+#include "playhouse/net/network.h"
 #include "playhouse/replicate/command.h"
 #include "playhouse/replicate/layout.h"
 #include "playhouse/replicate/prototypes.h"
@@ -36,10 +35,10 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
   /// References must outlive this; `engine` is its name; `join_period`: the least time between two
   /// joins of one viewer; `place`, if not empty, is called on the tick thread. Must be owned by a shared_ptr:
   /// queued changes hold a weak one.
-  Bodies(net::IoLoop& loop, world::Control& control, const scene::SceneDesc& scene,
-         const replicate::Prototypes& prototypes, std::string engine, std::chrono::milliseconds join_period,
-         PlaceOfBody place, Came came)
-      : loop_(loop),
+  Bodies(net::Network& network, world::Control& control, const scene::SceneDesc& scene,
+         const replicate::Prototypes& prototypes, std::string engine, double join_period, PlaceOfBody place,
+         Came came)
+      : network_(network),
         control_(control),
         scene_(scene),
         prototypes_(prototypes),
@@ -64,9 +63,8 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
   std::optional<world::ModelId> of(std::uint32_t viewer, const replicate::Layout& now) const;
 
  private:
-  using Clock = std::chrono::steady_clock;
   struct Body {
-    Clock::time_point asked;              // for it
+    double asked = 0;                     // for it [s]
     std::optional<world::ModelId> model;  // none: not spawned yet
     std::uint32_t desc = 0;               // its prototype
     bool is_left = false;                 // the viewer has left or has a newer body
@@ -76,12 +74,12 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
   void remove(const Body& body);
   std::string walk_text(const scene::PositionDesc& desc) const;
 
-  net::IoLoop& loop_;
+  net::Network& network_;
   world::Control& control_;
   const scene::SceneDesc& scene_;
   const replicate::Prototypes& prototypes_;
   const std::string engine_;
-  const std::chrono::milliseconds join_period_;
+  const double join_period_;
   const PlaceOfBody place_;
   const Came came_;
   std::map<std::uint32_t, std::shared_ptr<Body>> bodies_;  // by viewer number

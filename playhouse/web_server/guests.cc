@@ -63,13 +63,13 @@ std::string fault_of(const std::vector<std::string_view>& words) {
 
 }  // namespace
 
-std::string_view name_of(Role role) {
+std::string_view name_of(GuestRole role) {
   return kRoles[static_cast<std::size_t>(role)];
 }
 
-Rights rights_of(Role role) {
-  if (role == Role::kAdmin) return {.drives = true, .joins = true, .manages = true};
-  return {.drives = role == Role::kDriver, .joins = role == Role::kHuman, .manages = false};
+GuestRights rights_of(GuestRole role) {
+  if (role == GuestRole::kAdmin) return {.drives = true, .joins = true, .manages = true};
+  return {.drives = role == GuestRole::kDriver, .joins = role == GuestRole::kHuman, .manages = false};
 }
 
 Result<std::vector<Guest>> parse_guests(std::string_view text, const std::string& path) {
@@ -83,7 +83,7 @@ Result<std::vector<Guest>> parse_guests(std::string_view text, const std::string
     if (words.empty()) continue;
     const std::string where = escaped(path) + ":" + std::to_string(number);
     if (std::string fault = fault_of(words); !fault.empty()) return Error{where, std::move(fault)};
-    Guest guest{static_cast<Role>(std::ranges::find(kRoles, words[0]) - kRoles.begin()),
+    Guest guest{static_cast<GuestRole>(std::ranges::find(kRoles, words[0]) - kRoles.begin()),
                 words[1] == "?" ? random_token() : std::string(words[1]),
                 words.size() > 2 ? std::string(words[2]) : ""};
     if (!tokens.insert(guest.token).second) return Error{where, "another line has this token"};
@@ -111,7 +111,7 @@ GuestBook::GuestBook(std::vector<Guest> guests, Clock clock) : book_(std::make_s
 
 std::optional<Guest> GuestBook::admit(const std::string& token, const std::string& peer) const {
   if (is_sent_out(token, peer)) return std::nullopt;
-  if (guests().empty()) return Guest{Role::kAdmin, "*", {}};
+  if (guests().empty()) return Guest{GuestRole::kAdmin, "*", {}};
   const auto guest = std::ranges::find(guests(), token, &Guest::token);
   const bool is_known = guest != guests().end();
   if (token == "*") return is_known ? std::optional<Guest>(*guest) : std::nullopt;
@@ -141,7 +141,7 @@ bool GuestBook::may_guess(Book& book, const std::string& network) {
   if (found == book.guesses.end()) return true;
   Guesses& guesses = found->second;
   const auto now = book.clock();
-  guesses.count = std::max(0.0, guesses.count - std::chrono::duration<double>(now - guesses.at).count());
+  guesses.count = std::max(0.0, guesses.count - (now - guesses.at));
   guesses.at = now;
   return guesses.count <= kGuesses - 1;
 }

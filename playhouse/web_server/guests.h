@@ -3,7 +3,6 @@
 /// Guests: access control of the page: roles, tokens and their rights. A guest file has a
 /// line for each: role, token and name; a guest's link contains the token. docs/guests.md.
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -17,25 +16,26 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/base/monotonic.h"
 #include "playhouse/base/result.h"
 
 namespace playhouse::web_server {
 
-enum class Role : std::uint8_t { kObserver, kDriver, kHuman, kAdmin };
+enum class GuestRole : std::uint8_t { kObserver, kDriver, kHuman, kAdmin };
 
-std::string_view name_of(Role role);
+std::string_view name_of(GuestRole role);
 
 /// Permissions beyond watching.
-struct Rights {
+struct GuestRights {
   bool drives = false;   // any robot
   bool joins = false;    // has an avatar, drives it and speaks
   bool manages = false;  // pauses, rewinds, adds, moves, removes, saves; mutes and kicks others
 };
 
-Rights rights_of(Role role);
+GuestRights rights_of(GuestRole role);
 
 struct Guest {
-  Role role = Role::kObserver;
+  GuestRole role = GuestRole::kObserver;
   std::string token;  // "*": guests without a token
   std::string name;   // display name; empty: chosen by the guest
 };
@@ -44,10 +44,10 @@ struct Guest {
 /// that a kick, and who guesses, count on all transports. Any thread.
 class GuestBook {
  public:
-  using Clock = std::function<std::chrono::steady_clock::time_point()>;
+  using Clock = std::function<double()>;  // monotonic seconds; any thread
 
   /// Without guests everybody is admitted, as an admin.
-  GuestBook(std::vector<Guest> guests = {}, Clock clock = std::chrono::steady_clock::now);
+  GuestBook(std::vector<Guest> guests = {}, Clock clock = monotonic_seconds);
   GuestBook(std::initializer_list<Guest> guests) : GuestBook(std::vector<Guest>(guests)) {}
 
   /// The guest with this token ("*": none) from this peer, "address:port"; none if not admitted.
@@ -67,7 +67,7 @@ class GuestBook {
   /// Wrong tokens of a network that count yet, at this time; one is forgotten a second.
   struct Guesses {
     double count = 0;
-    std::chrono::steady_clock::time_point at;
+    double at = 0;  // s
   };
   struct Book {
     std::vector<Guest> guests;

@@ -37,8 +37,7 @@ void WatchedSensors::reconcile() {
     return ended;
   });
   if (done) return;
-  retry_ =
-      network_.after(std::chrono::duration<double>(replicate::kFramePeriod).count(), [this] { reconcile(); });
+  retry_ = network_.after(replicate::kFramePeriod, [this] { reconcile(); });
 }
 
 bool WatchedSensors::begin(world::ModelId robot) {

@@ -6,7 +6,6 @@
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
 #include <boost/json/serialize.hpp>
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -37,9 +36,9 @@ namespace playhouse::web_server {
 namespace {
 
 /// Minimum interval between history updates.
-constexpr std::chrono::seconds kPastPeriod{1};
+constexpr double kPastPeriod = 1;  // s
 
-bool has_right(const Rights& rights, replicate::May may) {
+bool has_right(const GuestRights& rights, replicate::May may) {
   switch (may) {
     case replicate::May::kAnybody:
       return true;
@@ -59,9 +58,9 @@ class WebServer::Impl final : public net::HttpService,
                               public WebViewerOwner,
                               public std::enable_shared_from_this<WebServer::Impl> {
  public:
-  Impl(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world,
+  Impl(net::Network& network, WebOptions options, world::Control& control, const world::World& world,
        replicate::DeviceNames devices)
-      : loop_(loop),
+      : network_(network),
         options_(std::move(options)),
         names_(options_.host_name, options_.further_names),
         control_(control),
@@ -69,18 +68,18 @@ class WebServer::Impl final : public net::HttpService,
         light_(replicate::light_text(world)),
         prototypes_(scene_),
         mesh_files_(prototypes_.meshes()),
-        feed_(world, prototypes_, std::move(devices)),
+        feed_(world, prototypes_, std::move(devices), [&network] { return network.now(); }),
         newest_(feed_.first_layout()),
-        bodies_(std::make_shared<Bodies>(loop, control, scene_, prototypes_, world.engine,
+        bodies_(std::make_shared<Bodies>(network, control, scene_, prototypes_, world.engine,
                                          options_.join_period, options_.place_of_body,
                                          [this](std::uint32_t viewer, world::ModelId body,
                                                 const std::string& walk) { joined(viewer, body, walk); })),
-        sensors_(loop, control),
-        driven_(loop, control),
+        sensors_(network, control),
+        driven_(network, control),
         ids_given_(newest_->ids_given) {}
 
   Result<std::uint16_t> listen() {
-    auto listener = net::listen_http(loop_, options_.bind, options_.port, *this);
+    auto listener = network_.listen_http(options_.bind, options_.port, *this);
     if (!listener) return listener.error();
     listener_ = std::move(*listener);
     return listener_->port();
@@ -90,7 +89,7 @@ class WebServer::Impl final : public net::HttpService,
 
   void show(const world::World& world, const world::Pace& pace) {
     if (!feed_.show(world, pace)) return;
-    loop_.post([weak = weak_from_this()] {
+    network_.post([weak = weak_from_this()] {
       if (const auto self = weak.lock()) self->serve();
     });
   }
@@ -125,7 +124,7 @@ class WebServer::Impl final : public net::HttpService,
 
   /// At most once a second.
   void look_at_past() {
-    const auto now = std::chrono::steady_clock::now();
+    const double now = network_.now();
     if (now - past_time_ < kPastPeriod) return;
     auto timeline = control_.timeline();
     if (timeline == timeline_ || (timeline->ticks.empty() && timeline->why_none.empty())) return;
@@ -183,7 +182,7 @@ class WebServer::Impl final : public net::HttpService,
         !(rights_of(guest->role).manages && make_room_for_admin()))
       return refuse(*socket);
     viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), newest_, *this, ++viewers_ever_, *guest,
-                                                   options_.bytes_per_second));
+                                                   options_.bytes_per_second, network_));
     log::info("web: {} watches{} ({} now)", viewers_.back()->peer(), as_whom(*guest), viewers_.size());
     feed_.watch(true);
     if (viewers_.size() == 1) control_.record(true);
@@ -334,7 +333,7 @@ class WebServer::Impl final : public net::HttpService,
     }
     const bool is_fixed = !control_.why_fixed().empty();
     for (const auto& viewer : viewers_) {
-      const Rights rights = viewer->rights();
+      const GuestRights rights = viewer->rights();
       viewer->tell_people(
           boost::json::serialize(boost::json::object{{"people", people},
                                                      {"you", viewer->number()},
@@ -359,7 +358,7 @@ class WebServer::Impl final : public net::HttpService,
         std::ranges::min_element(holders, {}, &net::Holder::quiet_since) - holders.begin());
     if (net::places_of(holders, networks[of_largest]) > net::places_of(holders, network) + 1)
       return close_for_another(*viewers_[of_largest]);
-    if (std::chrono::steady_clock::now() - holders[quietest].quiet_since >= options_.viewer_quiet)
+    if (network_.now() - holders[quietest].quiet_since >= options_.viewer_quiet)
       return close_for_another(*viewers_[quietest]);
     return false;
   }
@@ -554,9 +553,9 @@ class WebServer::Impl final : public net::HttpService,
   /// Returns a function that runs a task for a viewer on the web thread,
   /// if it still exists. Any thread, even after the server's destruction.
   std::function<void(std::function<void(WebViewer&)>)> reacher(const WebViewer& viewer) {
-    return [&loop = loop_, weak = weak_from_this(),
+    return [&network = network_, weak = weak_from_this(),
             number = viewer.number()](std::function<void(WebViewer&)> task) {
-      loop.post([weak, number, task = std::move(task)] {
+      network.post([weak, number, task = std::move(task)] {
         const auto self = weak.lock();
         WebViewer* const found = self ? self->viewer(number) : nullptr;
         if (found) task(*found);
@@ -583,7 +582,7 @@ class WebServer::Impl final : public net::HttpService,
 
   void waits() override {
     if (offer_timer_) return;
-    offer_timer_ = loop_.after(std::chrono::duration<double>(replicate::kFramePeriod).count(), [this] {
+    offer_timer_ = network_.after(replicate::kFramePeriod, [this] {
       offer_timer_.reset();
       offer();
     });
@@ -630,7 +629,7 @@ class WebServer::Impl final : public net::HttpService,
     sensors_.select(std::move(selected));
   }
 
-  net::IoLoop& loop_;
+  net::Network& network_;
   WebOptions options_;
   const HostNames names_;
   world::Control& control_;
@@ -655,7 +654,7 @@ class WebServer::Impl final : public net::HttpService,
   replicate::ChangesTexts changes_texts_;
   std::uint32_t ids_given_;  // maximum so far: a rewound run had used more
   std::shared_ptr<const world::Timeline> timeline_;
-  std::chrono::steady_clock::time_point past_time_;
+  double past_time_ = -kPastPeriod;
   std::shared_ptr<const std::string> history_text_;  // of timeline_
   WebStatus status_;
   std::uint64_t hosts_refused_ = 0, origins_refused_ = 0, turned_away_ = 0, forwarded_ignored_ = 0;
@@ -663,9 +662,9 @@ class WebServer::Impl final : public net::HttpService,
   std::set<Person> muted_;
 };
 
-WebServer::WebServer(net::IoLoop& loop, WebOptions options, world::Control& control,
+WebServer::WebServer(net::Network& network, WebOptions options, world::Control& control,
                      const world::World& world, replicate::DeviceNames devices)
-    : impl_(std::make_shared<Impl>(loop, std::move(options), control, world, std::move(devices))) {}
+    : impl_(std::make_shared<Impl>(network, std::move(options), control, world, std::move(devices))) {}
 WebServer::~WebServer() {
   impl_->close();
 }

@@ -4,9 +4,8 @@
 /// sends every viewer the scene and then deltas (replicate), and executes viewers' commands
 /// through world::Control. No cost without viewers. docs/viewer.md, docs/viewer-protocol.md.
 /// Threads: wants_show() and show() are for the tick thread or one that works for it, all
-/// else for the thread of the loop (the web thread), or before that runs.
+/// else for the io thread (the web thread), or before that runs.
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -18,7 +17,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/net/forwarded.h"
-#include "playhouse/net/io_loop.h"
+#include "playhouse/net/network.h"
 #include "playhouse/replicate/scene_text.h"
 #include "playhouse/web_server/bodies.h"
 #include "playhouse/web_server/guests.h"
@@ -30,17 +29,17 @@
 namespace playhouse::web_server {
 
 struct WebOptions {
-  std::string bind = "127.0.0.1";  // numeric address
-  std::uint16_t port = 8080;       // 0: any free one
-  std::span<const PageFile> page;  // usually page_files()
-  std::string host_name;           // of this machine; empty: ask the system
-  std::chrono::milliseconds viewer_quiet = std::chrono::seconds(limits::kViewerQuietSeconds);  // for tests
-  std::chrono::milliseconds join_period = std::chrono::seconds(1);  // between two bodies; for tests
-  std::vector<std::string> further_names;                           // further allowed host names
-  GuestBook guests;                                                 // access list
-  net::TrustedProxies proxies;     // in front of the page, which name its clients
-  std::function<void()> sent_out;  // called after somebody was sent out, on the loop's thread; or empty
-  std::size_t viewers = limits::kViewers;                        // limit on simultaneous viewers
+  std::string bind = "127.0.0.1";                     // numeric address
+  std::uint16_t port = 8080;                          // 0: any free one
+  std::span<const PageFile> page;                     // usually page_files()
+  std::string host_name;                              // of this machine; empty: ask the system
+  double viewer_quiet = limits::kViewerQuietSeconds;  // s; for tests
+  double join_period = 1;                             // s between two bodies; for tests
+  std::vector<std::string> further_names;             // further allowed host names
+  GuestBook guests;                                   // access list
+  net::TrustedProxies proxies;                        // in front of the page, which name its clients
+  std::function<void()> sent_out;          // called after somebody was sent out, on the io thread; or empty
+  std::size_t viewers = limits::kViewers;  // limit on simultaneous viewers
   std::uint32_t bytes_per_second = limits::kPageBytesPerSecond;  // of state, to each page
   /// Current collision shapes; tick thread. Empty: not available.
   std::function<world::PhysicsShapes()> physics_shapes;
@@ -62,10 +61,10 @@ struct WebStatus {
 class WebServer {
  public:
   /// Reads the world at once, so construct it before the first tick; `devices` is called now,
-  /// and later by show() for new models. The scene, the loop and the control must outlive the
-  /// server; destroy it when the loop has stopped and show() is no longer called. Changes
-  /// queued in the control may run later: they touch only the world and the loop.
-  WebServer(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world,
+  /// and later by show() for new models. The scene, the network and the control must outlive the
+  /// server; destroy it when the network has stopped and show() is no longer called. Changes
+  /// queued in the control may run later: they touch only the world and the network.
+  WebServer(net::Network& network, WebOptions options, world::Control& control, const world::World& world,
             replicate::DeviceNames devices);
   ~WebServer();
   WebServer(const WebServer&) = delete;

@@ -9,13 +9,6 @@
 #include "playhouse/base/limits.h"
 
 namespace playhouse::web_server {
-namespace {
-
-/// A page that gets nothing for a second assumes that the program hangs; the present world is offered every
-/// 0.25 s at least (run/simulation.cc).
-constexpr std::chrono::milliseconds kSignOfLife{750};
-
-}  // namespace
 
 void WebViewer::start(std::shared_ptr<const std::string> scene, std::shared_ptr<const std::string> said) {
   socket_->start(*this);
@@ -65,11 +58,19 @@ void WebViewer::received(std::string_view text) {
   // Back-pressure: excess commands stay in the socket; nothing is lost, and only the sender is delayed.
   if (++commands_ >= limits::kViewerCommandsPerTurn) socket_->pause();
   const Result<replicate::Command> command = replicate::parse_command(text);
-  const Result<void> done = command ? execute(*command) : Result<void>(command.error());
-  if (done) return;
-  owner_.refused(*this, done.error().text);
-  if (++faults_ < limits::kViewerFaults) return notice(done.error().text);
-  socket_->close("too many invalid commands: " + done.error().text);
+  if (!command) return reject(command.error().text);
+  if (const Result<void> done = execute(*command); !done) {
+    owner_.refused(*this, done.error().text);
+    notice(done.error().text);
+  }
+}
+
+/// What no page of ours sends. A command that cannot be carried out now is none of these: whoever tries things
+/// for an hour is not sent away.
+void WebViewer::reject(const std::string& why) {
+  owner_.refused(*this, why);
+  if (++faults_ < limits::kViewerFaults) return notice(why);
+  socket_->close("too many invalid commands: " + why);
   owner_.left(*this, "too many invalid commands");
 }
 
@@ -77,7 +78,7 @@ Result<void> WebViewer::execute(const replicate::Command& command) {
   if (const auto* acknowledge = std::get_if<replicate::Acknowledge>(&command)) {
     const Result<void> known = viewer_.acknowledge(acknowledge->frame);
     if (!known) return known;
-    quiet_since_ = std::chrono::steady_clock::now();
+    quiet_since_ = network_.now();
     send_frame();
     return {};
   }
@@ -88,10 +89,10 @@ Result<void> WebViewer::execute(const replicate::Command& command) {
 
 void WebViewer::send_frame() {
   if (!newest_ || socket_->messages_in_flight() > 0 || !viewer_.ready()) return;
-  const auto now = std::chrono::steady_clock::now();
+  const double now = network_.now();
   // Rows deferred to the next frame must not advance it.
   if (now - frame_time_ < replicate::kFramePeriod * 3 / 4) return owner_.waits();
-  bucket_.refill(seconds_of(now));
+  bucket_.refill(now);
   const bool is_due = now - frame_time_ >= kSignOfLife;
   if (bucket_.left() < replicate::kLeastPacket && !is_due) return owner_.waits();
   const auto budget =

@@ -2,7 +2,6 @@
 
 /// WebViewer: the connection of one page: its socket and what was sent. Thread: web.
 
-#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -41,13 +40,16 @@ class WebViewerOwner {
 class WebViewer final : public net::WebSocketEvents {
  public:
   WebViewer(std::unique_ptr<net::WebSocket> socket, std::shared_ptr<const replicate::Layout> layout,
-            WebViewerOwner& owner, std::uint32_t number, Guest guest, std::uint32_t bytes_per_second)
+            WebViewerOwner& owner, std::uint32_t number, Guest guest, std::uint32_t bytes_per_second,
+            const net::Network& network)
       : socket_(std::move(socket)),
         viewer_(std::move(layout)),
         owner_(owner),
         number_(number),
         guest_(std::move(guest)),
-        bucket_(bytes_per_second, replicate::kLeastPacket, seconds_of(quiet_since_)) {}
+        network_(network),
+        quiet_since_(network.now()),
+        bucket_(bytes_per_second, replicate::kLeastPacket, quiet_since_) {}
 
   /// Sends the scene, which describes the layout, the list of viewers, and
   /// what was said before (null: nothing); starts reading.
@@ -63,8 +65,8 @@ class WebViewer final : public net::WebSocketEvents {
   /// Closes the connection with a reason.
   void close(std::string why) { socket_->close(std::move(why)); }
 
-  /// Time of the page's last acknowledgement, or of the connection.
-  std::chrono::steady_clock::time_point quiet_since() const { return quiet_since_; }
+  /// Time of the page's last acknowledgement, or of the connection [s].
+  double quiet_since() const { return quiet_since_; }
 
   /// A line of text for the user; dropped if many are queued.
   void notice(std::string_view text);
@@ -87,25 +89,28 @@ class WebViewer final : public net::WebSocketEvents {
   const std::string& peer() const { return socket_->peer(); }
   std::uint32_t number() const { return number_; }  // never reused
   const Guest& guest() const { return guest_; }
-  Rights rights() const { return rights_of(guest_.role); }
+  GuestRights rights() const { return rights_of(guest_.role); }
 
  private:
+  /// A page that gets nothing for a second assumes that the program hangs; the present world is offered every
+  /// 0.25 s at least (run/simulation.cc).
+  static constexpr double kSignOfLife = 0.75;  // s
+
   void received(std::string_view text) override;
   void drained() override;
   void closed(const std::string& why) override { owner_.left(*this, why); }
 
+  void reject(const std::string& why);
   Result<void> execute(const replicate::Command& command);
   void send_frame();
-  static double seconds_of(std::chrono::steady_clock::time_point time) {
-    return std::chrono::duration<double>(time.time_since_epoch()).count();
-  }
 
   std::unique_ptr<net::WebSocket> socket_;
   replicate::Viewer viewer_;
   WebViewerOwner& owner_;
   const std::uint32_t number_;
   const Guest guest_;
-  std::chrono::steady_clock::time_point quiet_since_ = std::chrono::steady_clock::now();
+  const net::Network& network_;    // its clock
+  double quiet_since_;             // s
   replicate::TokenBucket bucket_;  // for packets and population updates
   const replicate::Snapshot* newest_ = nullptr;
   std::shared_ptr<const std::string> told_history_;
@@ -113,8 +118,8 @@ class WebViewer final : public net::WebSocketEvents {
   bool awaits_text_ = false, text_is_under_way_ = false;
   // Owned by the socket while a frame is being sent, otherwise by us, and reused.
   std::shared_ptr<std::vector<std::byte>> frame_ = std::make_shared<std::vector<std::byte>>();
-  std::chrono::steady_clock::time_point frame_time_;
-  std::size_t commands_ = 0;  // since new_turn()
+  double frame_time_ = -kSignOfLife;  // s
+  std::size_t commands_ = 0;          // since new_turn()
   std::size_t faults_ = 0;
 };
 

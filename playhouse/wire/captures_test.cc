@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "playhouse/base/packing.h"
 #include "playhouse/base/testing_reference.h"
 #include "playhouse/wire/messages.h"
 
@@ -16,7 +17,6 @@ namespace playhouse::wire {
 namespace {
 
 namespace fs = std::filesystem;
-using Bytes = std::vector<std::byte>;
 
 const fs::path kFolder = reference() / "player/captures";
 

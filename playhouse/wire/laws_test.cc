@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <map>
 
+#include "playhouse/base/packing.h"
 #include "playhouse/base/rng.h"
 #include "playhouse/wire/messages.h"
 #include "playhouse/wire/samples.h"
 
 namespace playhouse::wire {
 namespace {
-
-using Bytes = std::vector<std::byte>;
 
 const std::map<std::string_view, const MessageDef*>& rows_by_name() {
   static const auto rows = [] {

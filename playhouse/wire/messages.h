@@ -33,7 +33,7 @@ struct MessageDef {
   /// "" if the body is valid, else the error. Requests and replies may
   /// have an empty body whatever their payload, data and commands may not.
   std::string (*check)(std::span<const std::byte> body);
-  /// Decodes and re-encodes: canonical padding, counts and unused
+  /// Decodes and re-encodes: canonical pad, counts and unused
   /// bits; no trailing bytes. Empty if the body is empty or invalid.
   std::vector<std::byte> (*reencode)(std::span<const std::byte> body);
   /// Appends a JSON object with all fields by name; null without a payload or if the body is invalid.

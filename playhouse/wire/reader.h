@@ -48,7 +48,7 @@ class Reader {
     for (Number& number : out) read(number);
   }
 
-  /// Reads bytes of known length, and padding to a multiple of four.
+  /// Reads bytes of known length, and their pad to a multiple of four.
   void read_bytes(std::string& out, std::size_t length);
   void read_bytes(std::vector<std::uint8_t>& out, std::size_t length);
   void read_bytes(std::vector<std::int8_t>& out, std::size_t length);

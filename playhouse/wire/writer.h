@@ -47,7 +47,7 @@ class Writer {
 
   /// Writes bytes, padded with zeros to a multiple of four.
   void write_bytes(std::span<const std::byte> bytes);
-  /// Writes exactly `length` bytes plus padding: short text is filled with zeros; longer text is an error.
+  /// Writes exactly `length` bytes plus the pad: short text is filled with zeros; longer text is an error.
   void write_fixed_text(std::string_view name, std::string_view text, std::size_t length);
 
  private:

@@ -9,6 +9,11 @@
 
 namespace playhouse::world {
 
+struct EngineOptions {
+  std::uint64_t seed = 1;
+  unsigned workers = 1;  // threads; the result does not depend on it
+};
+
 /// The interface of an engine to the program. Thread: the tick thread.
 class Engine {
  public:
@@ -24,7 +29,7 @@ class Engine {
   /// The state; change it only between steps, with the functions of world.h.
   virtual World& world() = 0;
 
-  /// The thread pool of the phases; between steps also for other expensive work on the state.
+  /// The workers of the phases; between steps also for other expensive work on the state.
   virtual Workers& workers() = 0;
 
   /// Shares work of the following ticks with other nodes of a cluster, which have the same state; null: no

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Workers: the thread pool of a phase. A phase passes a body that fills rows [begin,
+/// Workers: the threads of a phase. A phase passes a body that fills rows [begin,
 /// end) of its own columns from frozen ones; the result must not depend on which thread
 /// gets which range. Thread: the tick thread calls run(); the body runs on any worker.
 

@@ -9,21 +9,21 @@ import signal
 import socket
 import struct
 import subprocess
+import sys
 import tempfile
 import threading
-import time
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests"))
+from waiting import PATIENCE, wait_for_any, wait_until  # noqa: E402, F401
+
 PROGRAM = os.environ.get("PLAYHOUSE_PROGRAM", str(ROOT / "build" / "playhouse"))
 RELEASE = os.environ.get("PLAYHOUSE_RELEASE", "")
 HEAP_REPORT = os.environ.get("PLAYHOUSE_HEAP_REPORT", "")
 # Recordings of the original programs.
 REFERENCE = ROOT / "tests" / "reference"
-
-# Seconds after which a wait is a failure; generous, for slow machines with sanitizers.
-PATIENCE = 60.0
 
 DATA, CMD, REQ, ACK, SYNCH, NACK = 1, 2, 3, 4, 5, 6
 PLAYER, POSITION2D, SONAR, LASER, FIDUCIAL, SPEECH, POSITION3D, SIMULATION, SPEECH_RECOGNITION, RANGER = 1, 4, 5, 6, 10, 12, 30, 31, 50, 62
@@ -47,6 +47,7 @@ class House:
         self.process = subprocess.Popen([program or PROGRAM, *map(str, arguments)], stdin=stdin,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=env)
         self.lines: list[str] = []
+        self._ended = False  # the last line is there
         self._changed = threading.Condition()
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
@@ -58,6 +59,7 @@ class House:
                 self._changed.notify_all()
         with self._changed:
             self.lines.append("")
+            self._ended = True
             self._changed.notify_all()
 
     def log(self) -> str:
@@ -65,17 +67,23 @@ class House:
 
     def wait_for_line(self, pattern: str, seen=0) -> re.Match:
         """The first line of standard error that matches, but for the `seen` first ones."""
-        deadline = time.monotonic() + PATIENCE
+        return self.wait_for_lines(pattern, 1, seen)[0]
+
+    def wait_for_lines(self, pattern: str, count: int, seen=0) -> list[re.Match]:
+        """The same of so many lines that match."""
+        found: list[re.Match] = []
+
+        def come() -> bool:
+            nonlocal seen
+            found.extend(filter(None, (re.search(pattern, line) for line in self.lines[seen:])))
+            seen = len(self.lines)
+            return len(found) >= count
+
         with self._changed:
-            while True:
-                for line in self.lines[seen:]:
-                    if found := re.search(pattern, line):
-                        return found
-                seen = len(self.lines)
-                left = deadline - time.monotonic()
-                if left <= 0 or (self.process.poll() is not None and not self._reader.is_alive()):
-                    raise AssertionError(f"no line {pattern!r} in:\n{self.log()}")
-                self._changed.wait(min(left, 0.2))
+            self._changed.wait_for(lambda: come() or self._ended, PATIENCE)
+        if len(found) < count:
+            raise AssertionError(f"{count} lines {pattern!r} are not in:\n{self.log()}")
+        return found
 
     def port(self) -> int:
         return int(self.wait_for_line(r"^Player clients: 127\.0\.0\.1:(\d+)$").group(1))

@@ -6,7 +6,6 @@ import signal
 import socket
 import struct
 import sys
-import time
 import unittest
 
 from house import ACK, PATIENCE, POSITION2D, RANGER, ROOT, Client, House, HouseTest, finish
@@ -85,24 +84,18 @@ class Cluster(HouseTest):
             self.assertEqual(drive(head), alone, head.log())
             self.assertEqual(one.wait(), 0, one.log())
 
-    def wait_for_lines(self, head: House, pattern: str, count: int):
-        deadline = time.monotonic() + PATIENCE
-        while sum(re.search(pattern, line) is not None for line in list(head.lines)) < count:
-            self.assertLess(time.monotonic(), deadline, head.log())
-            time.sleep(0.01)
-
     def test_nodes_join_and_are_lost_and_the_run_goes_on(self):
         world = self.world(SWARM)
         joined, lost = "takes part from", r"cluster: 127\.0\.0\.1:\d+ is lost: "
         with self.head(world, "--speed", 20) as head, Client(head.port()) as client:
             with self.node(head) as killed, self.node(head) as ended:
-                self.wait_for_lines(head, joined, 2)
+                head.wait_for_lines(joined, 2)
                 killed.end(signal.SIGKILL)
-                self.wait_for_lines(head, lost, 1)
+                head.wait_for_lines(lost, 1)
                 self.assertEqual(ended.end(signal.SIGTERM), 128 + signal.SIGTERM)
-                self.wait_for_lines(head, lost, 2)
+                head.wait_for_lines(lost, 2)
             with self.node(head) as late:
-                self.wait_for_lines(head, joined, 3)
+                head.wait_for_lines(joined, 3)
                 self.assertEqual(client.open(POSITION2D, 0).type, ACK)
                 self.assertEqual(client.open(RANGER, 0).type, ACK)
                 client.next_data(RANGER, 0)

@@ -5,11 +5,10 @@ import math
 import socket
 import struct
 import sys
-import time
 import unittest
 import zlib
 
-from house import ACK, CMD, DATA, NACK, PATIENCE, POSITION2D, REQ, ROOT, SIMULATION, Client, House, HouseTest
+from house import ACK, CMD, DATA, NACK, POSITION2D, REQ, ROOT, SIMULATION, Client, House, HouseTest, wait_until
 
 sys.path.insert(0, str(ROOT / "clients/python"))
 from playhouse_client import GoalRefused, Mode, connect  # noqa: E402
@@ -143,8 +142,7 @@ driver( name "vfh" provides ["position2d:1"] requires ["{port}:position2d:0" "{p
                     Client(port) as truth:
                 self.assertRegex(house.log(), f'"{port}:laser:0" is taken from the server at localhost:{port}')
                 for index in (1, 2):  # refused until the servers are connected
-                    while struct.unpack_from(">I", client.open(POSITION2D, index).body, 16)[0] != 1:
-                        time.sleep(0.01)
+                    wait_until(lambda: struct.unpack_from(">I", client.open(POSITION2D, index).body, 16)[0] == 1, "connected")
                 start = truth.pose("r0")
                 client.send(POSITION2D, 1, CMD, 2, struct.pack(">ddddddI", 2, 0, 0, 0, 0, 0, 1))
                 way = [start[:2]]  # what is believed was so a while ago: how long depends on the machine
@@ -250,10 +248,7 @@ class Planned(HouseTest):
                         requires ["output:::position2d:0" "input:::position2d:0" "{maps.port}:map:0"] )
                 """)
             with House("serve", cfg, "--port", 0, "--headless") as house, connect(f"127.0.0.1:{house.port()}") as client:
-                deadline = time.monotonic() + PATIENCE
-                while not all(server.peer and server.peer.received for server in (maps, lasers)):  # it is connected to both
-                    self.assertLess(time.monotonic(), deadline)
-                    time.sleep(0.01)
+                wait_until(lambda: all(server.peer and server.peer.received for server in (maps, lasers)), "connected to both")
                 guide, base = client.planner(0), client.position2d(1)
                 with self.assertRaises(GoalRefused) as refused:
                     guide.drive_to(1, 0, 0)

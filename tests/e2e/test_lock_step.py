@@ -1,14 +1,14 @@
 """Runs in lock-step: outside clients say when each tick is done, and every run of them is the same run."""
 
+import contextlib
 import json
 import random
 import struct
 import sys
 import threading
-import time
 import unittest
 
-from house import (ACK, CMD, DATA, LASER, NACK, POSITION2D, ROOT, SIMULATION, Client, House, HouseTest, text)
+from house import (ACK, CMD, DATA, LASER, NACK, PLAYER, POSITION2D, ROOT, SIMULATION, Client, House, HouseTest, text)
 from viewer import Viewer
 
 sys.path.insert(0, str(ROOT / "clients/python"))
@@ -33,22 +33,27 @@ def ask_world(client: Client, prop: str, value: bytes = b"", name: str = "world"
 
 def drive(port: int, name: str, index: int, seed: int, faults: list):
     """One client: goes where its laser sees room, moves a robot that the other moves as well, and adds robots as the
-    other does; all of it after waits that differ from run to run."""
+    other does; all of it after questions whose number differs from run to run, and with it who is first."""
     waits = random.Random(seed)
     try:
         with connect(f":{port}", mode=Mode.PUSH, timeout=60) as client:
             world, base, laser = client.simulation(0), client.position2d(index), client.laser(index)
             other = client.position2d(0)
             world.join(name)
+
+            def wait(answers: int):
+                for _ in range(answers):
+                    world.pose("r0")
+
             for tick in range(TICKS):
-                time.sleep(waits.choice((0, 0, 0.001, 0.004)))
+                wait(waits.choice((0, 0, 5, 20)))
                 if tick > 0:
                     room = min(laser.ranges)
                     base.drive(0.5 if room > 0.8 else 0.0, 0.1 if room > 0.8 else 0.7)
                 if tick % 20 == 5:
                     other.drive(0.1 * len(name), 0.2)
                 if tick % 50 == 10:
-                    time.sleep(waits.choice((0, 0.002)))
+                    wait(waits.choice((0, 10)))
                     world.set_pose("r0", -2.0 + index, 1.0, 0.5)
                     world.spawn("r1", -4.0 + 2 * index, -4.0 + tick / 50, 0.0)
                 world.step()
@@ -87,7 +92,8 @@ class LockStep(HouseTest):
     def test_nothing_moves_before_a_step_and_its_answer_comes_behind_the_data_of_its_ticks(self):
         with self.run_house("--lock-step", world=self.world(ARENA)) as house, Client(house.port()) as client:
             self.assertEqual(client.open(LASER, 0).type, ACK)
-            time.sleep(0.3)
+            for _ in range(300):
+                client.pose("r0")  # between two ticks
             self.assertEqual([each for each in client.data if each.type == DATA], [])
             self.assertEqual(ask_world(client, "step", struct.pack("<I", 5)).type, ACK)
             times = [each.time for each in client.data if each.interf == LASER]
@@ -250,7 +256,7 @@ class LockStep(HouseTest):
                 world.pose("extra")
 
     def test_without_lock_step_a_running_world_refuses_to_step_and_a_paused_one_stays_paused(self):
-        with self.run_house(world=self.world(ARENA)) as house, \
+        with self.run_house("--fast", world=self.world(ARENA)) as house, \
                 connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
             world, laser = client.simulation(0), client.laser(0)
             with self.assertRaisesRegex(RequestRefused, "the world is running: pause it first, or start it with --lock-step"):
@@ -262,7 +268,8 @@ class LockStep(HouseTest):
             before = laser.timestamp
             world.step(4)
             self.assertAlmostEqual(laser.timestamp, before + 0.4)
-            time.sleep(0.5)
+            for _ in range(300):
+                world.pose("r0")  # many ticks of a world that runs
             world.step()
             self.assertAlmostEqual(laser.timestamp, before + 0.5, msg="it stood still meanwhile")
 
@@ -295,8 +302,10 @@ class End(HouseTest):
             times = []
             laser.on_data(lambda kind, value, timestamp: times.append(timestamp))
             world = client.simulation(0)
-            world.pause()
-            time.sleep(1.0)
+            with contextlib.suppress(ConnectionError), Client(house.port()) as other:
+                world.pause()
+                while other.request(PLAYER, 0, 1).time < ticks / 10:
+                    pass
             with self.assertRaises(RunEnded):
                 while True:
                     client.read(60)

@@ -6,7 +6,6 @@ import re
 import select
 import socket
 import threading
-import time
 import unittest
 
 from house import ACK, CMD, PATIENCE, SIMULATION, SPEECH, Client, House, HouseTest, text
@@ -210,12 +209,9 @@ class Seen:
                 self._changed.notify_all()
 
     def wait_for(self, holds):
-        deadline = time.monotonic() + PATIENCE
         with self._changed:
-            while not holds(self.by):
-                if time.monotonic() > deadline:
-                    raise AssertionError(f"never so: {self.by}")
-                self._changed.wait(0.1)
+            if not self._changed.wait_for(lambda: holds(self.by), PATIENCE):
+                raise AssertionError(f"never so: {self.by}")
 
     def join(self):
         self._thread.join()

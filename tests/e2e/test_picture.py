@@ -6,12 +6,11 @@ import shutil
 import signal
 import struct
 import subprocess
-import time
 import unittest
 import zlib
 from pathlib import Path
 
-from house import PATIENCE, PROGRAM, ROOT, HouseTest, finish
+from house import PATIENCE, PROGRAM, ROOT, HouseTest, finish, wait_until
 
 # A square of red, 2 m wide, half of it under blue that is higher, and a driving robot, in 8 m by 8 m.
 WORLD = """
@@ -522,16 +521,11 @@ position( name "r" pose [-3 0 0 0] size [1 1 0.3] color "green"
                                 stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=self.environment())
         with film:
             self.assertIn("Chromium draws", film.stderr.readline())
-            while not self.browsers():
-                self.assertIsNone(film.poll())
-                time.sleep(0.05)
+            wait_until(lambda: self.browsers() or film.poll() is not None, "drawn by a browser")
             film.send_signal(signal.SIGINT)
             self.assertEqual((film.stderr.read(), film.wait(PATIENCE)), ("", 130))
         self.assertEqual(list(self.left.iterdir()), [])
-        deadline = time.monotonic() + PATIENCE
-        while self.browsers() and time.monotonic() < deadline:
-            time.sleep(0.05)
-        self.assertEqual(self.browsers(), [])
+        wait_until(lambda: not self.browsers(), "left by its processes")
 
     def browsers(self):
         """Processes that have the folder of temporary files among their words."""

@@ -1,10 +1,9 @@
 """Robots that come and go in a running program, under Player clients and viewers."""
 
 import os
-import time
 import unittest
 
-from house import ACK, HEAP_REPORT, LASER, PLAYER, POSITION2D, Client, House, HouseTest
+from house import ACK, HEAP_REPORT, LASER, PLAYER, POSITION2D, Client, House, HouseTest, wait_until
 from viewer import Viewer
 
 ROBOT = 1   # of the list of what can be added: the wall is the first
@@ -29,9 +28,7 @@ class Population(HouseTest):
 
     def devices_until(self, client: Client, done) -> list[tuple[int, int]]:
         """Devices are made known by another thread than the one that the viewer hears."""
-        while not done(devices := client.devices()):
-            time.sleep(0.01)
-        return devices
+        return wait_until(lambda: devices if done(devices := client.devices()) else [], "so many devices")
 
     def test_a_robot_that_comes_has_devices_and_drives_and_one_that_goes_is_told_of(self):
         house = self.start()
@@ -111,8 +108,8 @@ class Population(HouseTest):
                 self.churn(robots, [viewer], reader)
             self.devices_until(player, lambda devices: devices == at_first)
             gone = player.request(PLAYER, 0, 1).time
-            while player.request(PLAYER, 0, 1).time < gone + HISTORY_SECONDS:
-                time.sleep(0.01)   # the last keyframe with these robots is dropped
+            wait_until(lambda: player.request(PLAYER, 0, 1).time >= gone + HISTORY_SECONDS,
+                       "dropped: the last keyframe with these robots")
             return house.heap_in_use()
 
         before = memory_after(500)

@@ -5,20 +5,18 @@ import json
 import os
 import pty
 import re
-import select
 import shutil
 import signal
 import socket
 import struct
 import subprocess
 import threading
-import time
 import tomllib
 import unittest
 from pathlib import Path
 from xml.etree import ElementTree
 
-from house import (PATIENCE, POSITION2D, PROGRAM, ROOT, WORLD, Client, House, HouseTest, finish)
+from house import (PATIENCE, POSITION2D, PROGRAM, ROOT, WORLD, Client, House, HouseTest, finish, wait_for_any, wait_until)
 
 
 class Faults(HouseTest):
@@ -390,8 +388,7 @@ class Ending(HouseTest):
     def test_a_bench_of_the_server_ends_with_the_code_and_without_figures(self):
         with House("bench", "server", "--robots", "1") as bench:
             threads = Path(f"/proc/{bench.process.pid}/task")
-            while bench.process.poll() is None and len(list(threads.iterdir())) < 4:     # it serves its clients
-                time.sleep(0.01)
+            wait_until(lambda: bench.process.poll() is not None or len(list(threads.iterdir())) >= 4, "serving its clients")
             self.assertEqual(bench.end(), 143, bench.log())
             self.assertEqual((bench.output(), bench.log().strip()), ("", ""))
 
@@ -638,24 +635,18 @@ class Tools(HouseTest):
 
     def exit_code(self, pid: int, terminal) -> int:
         """Of a child that may have to say something before it ends."""
-        deadline = time.monotonic() + PATIENCE
-        while time.monotonic() < deadline:
-            if terminal is not None and select.select([terminal], [], [], 0.01)[0]:
-                try:
-                    os.read(terminal, 4096)
-                except OSError:
-                    pass     # it is gone
-            ended, status = os.waitpid(pid, os.WNOHANG)
-            if ended:
-                return os.waitstatus_to_exitcode(status)
-        os.kill(pid, signal.SIGKILL)
-        os.waitpid(pid, 0)
-        self.fail("it never ended")
+        end = os.pidfd_open(pid)
+        self.addCleanup(os.close, end)
+        heard = [end] if terminal is None else [end, terminal]
+        while end not in wait_for_any(heard, "ended"):
+            try:
+                os.read(terminal, 4096)
+            except OSError:
+                heard = [end]    # the terminal is gone
+        return os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
 
     def wait_for_speed(self, client, speed):
-        deadline = time.monotonic() + PATIENCE
-        seen = None
-        while time.monotonic() < deadline:
+        for _ in range(600):
             seen = struct.unpack(">d", client.next_data(POSITION2D, 0).body[24:32])[0]
             if abs(seen - speed) < 1e-9:
                 return

@@ -7,12 +7,17 @@ import unittest
 from unittest import mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+import boundaries  # noqa: E402
+import captions  # noqa: E402
 import corpus  # noqa: E402
+import limits  # noqa: E402
 import links  # noqa: E402
 import messages  # noqa: E402
 import module_graph  # noqa: E402
+import names  # noqa: E402
 import threads  # noqa: E402
 import versions  # noqa: E402
+import waits  # noqa: E402
 
 MAP = """
 | folder | contents | links |
@@ -36,13 +41,15 @@ class Tree(unittest.TestCase):
         self.write("chimney/CMakeLists.txt", "playhouse_module(chimney)")
         (self.root / "ARCHITECTURE.md").write_text(MAP)
         (self.root / "docs").mkdir()
-        for module in (links, module_graph, threads):
+        for module in (captions, links, module_graph, names, threads):
             self.replace(module, "ROOT", self.root)
-        for module in (module_graph, threads):
+        for module in (captions, module_graph, names, threads):
             self.replace(module, "SOURCE", self.root / "playhouse")
+        for module in (module_graph, threads):
             self.replace(module, "MAP", self.root / "ARCHITECTURE.md")
         self.replace(threads, "PAGE", self.root / "docs/locks.md")
         self.replace(messages, "ROOT", self.root)
+        self.replace(waits, "ROOT", self.root)
         for cached in (module_graph.links, module_graph.reachable):
             cached.cache_clear()
             self.addCleanup(cached.cache_clear)
@@ -98,6 +105,172 @@ class Messages(Tree):
                                   'return "there is none";', 'return "this none";', 'is none ("key")'), [])
         self.assertEqual(self.odd("house/door_test.cc", '"the key is none"'), [])
         self.assertEqual(self.odd("house/testing_doors.h", '"the key is none"'), [])
+
+
+class Waits(Tree):
+    """Words are put together here, for this file is a test as well."""
+
+    WRONG = {
+        "clients/c/tests/link_test.c": "u{}(100);",
+        "clients/java/tests/LinkTest.java": "Thread.{}(100);",
+        "clients/lisp/tests/link.lisp": "({} 10)",
+        "playhouse/house/door_test.cc": "std::this_thread::{}_for(10ms);",
+        "playhouse/house/testing/hinges.h": "std::this_thread::{}_for(10ms);",
+        "tests/e2e/test_door.py": "time.{}(1)",
+    }
+    CLOCKS = {
+        "clients/tcl/tests/link.test": ("after ", "20 {set late 1}"),
+        "clients/typescript/tests/link.test.ts": ("set", "Timeout(done, 20)"),
+        "playhouse/house/testing_doors.h": ("std::chrono::steady_clock", "::now()"),
+        "web/e2e/door.test.mjs": ("await page.waitFor", "Timeout(20)"),
+    }
+
+    def found(self, name, line):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f"\n{line}\n")
+        return list(waits.findings([name]))
+
+    def test_for_a_time_are_found_in_tests_of_every_language(self):
+        lines = {**{name: line.format("sleep") for name, line in self.WRONG.items()}, **{name: "".join(parts) for name, parts in self.CLOCKS.items()}}
+        for name, line in lines.items():
+            with self.subTest(name):
+                found = self.found(name, line)
+                self.assertEqual(len(found), 1)
+                self.assertTrue(found[0].startswith(f"{name}:2: "), found)
+
+    def test_are_the_business_of_helpers_and_of_the_program(self):
+        for name in ("tests/waiting.py", "playhouse/base/testing/wait.h", "tools/waiting.py", "playhouse/house/door.cc", "playhouse/house/door_bench.cc"):
+            line = ("time.{}(1)" if name.endswith("py") else "std::this_thread::{}_for(10ms);").format("sleep")
+            self.assertEqual(self.found(name, line), [], name)
+
+
+class Limits(Tree):
+    HEADER = """// Doors; heeded by hall.
+inline constexpr std::size_t kDoors = 4u << 10;  // of a house
+inline constexpr int kLeast = 2, kMost = 9;
+// Tiles; heeded by ground, roof.
+inline constexpr std::size_t kTiles = kDoors - 6;
+"""
+
+    def setUp(self):
+        super().setUp()
+        for name in ("ROOT", "SOURCE"):
+            self.replace(limits, name, self.root / ("playhouse" if name == "SOURCE" else ""))
+        self.write("base/limits.h", self.HEADER)
+        self.write("base/mesh_limits.h", "")
+        self.write("hall/door.cc", "kDoors kLeast kMost")
+        self.write("roof/tile.cc", "limits::kTiles")
+        self.write("ground/tile.h", "limits::kTiles")
+
+    def test_are_numbers(self):
+        self.assertEqual(limits.values(), {"kDoors": 4096, "kLeast": 2, "kMost": 9, "kTiles": 4090})
+
+    def test_that_others_heed_or_nobody_are_found(self):
+        self.assertEqual([*limits.unused(), *limits.wrong_owners()], [])
+        self.write("roof/tile.cc", "kMost")
+        self.assertEqual(list(limits.wrong_owners()), ["playhouse/base/limits.h:1: these limits are heeded by hall, roof",
+                                                       "playhouse/base/limits.h:4: these limits are heeded by ground"])
+        self.write("ground/tile.h", "// none")
+        self.assertEqual(list(limits.unused()), ["playhouse/base/limits.h:5: nothing heeds kTiles"])
+
+    def test_that_a_document_gives_otherwise_are_found(self):
+        page = self.root / "page.md"
+        page.write_text("`kDoors` 4 KiB, `kLeast` (2) to 9 of them (`kMost`)\n| `kTiles`, `kMost` | 4,090 tiles; 9 of one house |\n")
+        self.assertEqual(list(limits.wrong_values("page.md")), [])
+        page.write_text("`kDoors` 4 MiB, `kLeast` (3) to 10 of them (`kMost`)\n| `kTiles`, `kMost` | 9 tiles; 9 |\n`kWalls`\n")
+        self.assertEqual(list(limits.wrong_values("page.md")), ["page.md:1: kDoors is 4096", "page.md:1: kLeast is 2", "page.md:1: kMost is 9",
+                                                                "page.md:2: kTiles is 4090", "page.md:3: there is no kWalls"])
+
+
+class Boundaries(Tree):
+    def setUp(self):
+        super().setUp()
+        for name in ("ROOT", "SOURCE"):
+            self.replace(boundaries, name, self.root / ("playhouse" if name == "SOURCE" else ""))
+
+    def test_between_modules_hold_through_others_too(self):
+        self.replace(boundaries, "APART", {("roof",): ("ground", "chimney")})
+        self.assertEqual(list(boundaries.near()), ["playhouse/roof/CMakeLists.txt:1: roof links ground, and is to stay apart from it (ARCHITECTURE.md)"])
+
+    def test_around_libraries_hold_but_for_tests(self):
+        self.replace(boundaries, "ALONE", {"#include <smoke": ("chimney",), r"\bshout\(": ()})
+        for name in ("chimney/smoke.cc", "roof/tile.cc", "roof/tile_test.cc"):
+            self.write(name, "#include <smoke/ring.h>\nshout();  // shout()" if name != "chimney/smoke.cc" else "#include <smoke/ring.h>")
+        self.assertEqual(list(boundaries.strangers()), ["playhouse/roof/tile.cc:1: #include <smoke is for chimney (tools/boundaries.py)",
+                                                        "playhouse/roof/tile.cc:2: shout( is for no module (tools/boundaries.py)"])
+
+    def test_files_that_a_document_names_are_there(self):
+        self.write("roof/tile.h", "")
+        (self.root / "docs/page.md").write_text("`roof/tile.h` `playhouse/roof/tile.h` `roof/NAME.h`\n`roof/slate.h`\n")
+        self.assertEqual(list(boundaries.missing_files("docs/page.md")), ["docs/page.md:2: there is no roof/slate.h"])
+class Names(Tree):
+    def twice(self, **texts):
+        for name, text in texts.items():
+            self.write(f"{name}/{name}.h", text)
+        return list(names.defined_twice())
+
+    def test_of_types_that_two_headers_define_are_found(self):
+        for kind in ("class Door final : public Wall {", "struct Door {};", "struct alignas(32) Door : Wall {", "enum class Door : std::uint8_t { kOpen };",
+                     "enum Door {", "union Door {", "using Door = std::vector<int>;"):
+            with self.subTest(kind):
+                self.assertEqual(self.twice(house="namespace playhouse::house {\nclass Door {\n};", roof=f"// Door\n\n{kind}"),
+                                 ["playhouse/roof/roof.h:3: Door is another thing in playhouse/house/house.h:2: a name that says which (docs/conventions.md)"])
+
+    def test_may_be_declared_nested_or_defined_once_more_for_other_arguments(self):
+        self.assertEqual(self.twice(house="class Door {\n};\ntemplate <>\nclass Door<int> {\n};\nclass Door;",
+                                    roof="class Door;\nenum class Door : int;\nclass Tile {\n  struct Door {};\n};\nusing house::Door;\nstruct Door* open();",
+                                    chimney="// class Door {\nDoor door() {\n}"), [])
+
+
+class Glossary(Tree):
+    def setUp(self):
+        super().setUp()
+        self.write("house/house.h", "struct Door {\n};")
+        self.page("| *door* | what closes, `Door`, of a `wall` |")
+
+    def page(self, *rows):
+        (self.root / "docs/conventions.md").write_text("\n".join([
+            "| `Roof` |", "## Words", "", "| a house | |", "|---|---|", *rows, "", "| not | but |", "|---|---|", "| lattice, window pane | pane |", "", "## Errors", "| `Roof` | |"]))
+
+    def test_names_types_that_headers_define(self):
+        self.assertEqual(list(names.unknown_types()), [])
+        self.page("| *door* | what closes, `Door` |", "| *gate* | another: `Gate`, `Door` |")
+        self.assertEqual(list(names.unknown_types()), ["docs/conventions.md:7: no header defines Gate"])
+
+    def refused(self, *lines):
+        return [each.partition(".cc:")[2] for each in names.refused_words(self.write("house/door.cc", "\n".join(lines)), names.refused())]
+
+    def test_refuses_words_in_identifiers_and_comments(self):
+        self.assertEqual(self.refused("int kLattice = 0;", "// A Lattice.", "class WindowPane;", "window_pane_", "  /// of the window pane"),
+                         [f"{line}: {word}: say pane (docs/conventions.md)" for line, word in
+                          enumerate(("lattice", "lattice", "window pane", "window pane", "window pane"), 1)])
+
+    def test_does_not_refuse_texts_other_words_and_names_of_libraries(self):
+        self.assertEqual(self.refused('say("a lattice", \'"\');', "lattices pane window.pane", "// a window; pane", "btLattice.getLattice(m_lattice)",
+                                      "btWall::Lattice"), [])
+
+
+class Captions(Tree):
+    def missing(self, name, *lines):
+        path = self.write(name, "\n".join(lines))
+        found = list(captions.missing())
+        path.unlink()
+        return found
+
+    def test_of_headers_and_kernels_that_compute_say_what_goes_in_what_comes_out_and_its_cost(self):
+        self.assertEqual(self.missing("rays/cast.h", "/// In: rays. Out: hits.", "void cast();  // Cost: little"),
+                         ["playhouse/rays/cast.h:1: says nothing of Cost (docs/conventions.md)"])
+        self.assertEqual(self.missing("rays/cast_kernels.inc", "// Indeed: rays."),
+                         ["playhouse/rays/cast_kernels.inc:1: says nothing of In, Out, Cost (docs/conventions.md)"])
+        self.assertEqual(self.missing("rays/cast.h", "/// In: rays.", "/// Out: hits.", "/// Cost: little."), [])
+        self.assertEqual(self.missing("rays/cast_kernels.inc", "// In, Out, Cost: as in cast.h."), [])
+
+    def test_of_values_and_tests_and_of_other_modules_need_not(self):
+        self.assertEqual(self.missing("rays/ray.h", "/// Rays. Values."), [])
+        for name in ("rays/testing_rays.h", "rays/fuzz_rays.h", "rays/generated/rays.h", "rays/cast.cc", "rays/float8_plain.inc", "roof/tile.h"):
+            with self.subTest(name):
+                self.assertEqual(self.missing(name, "int tile;"), [])
 
 
 class Folders(Tree):
@@ -196,13 +369,16 @@ class Locks(Tree):
 
 class Threads(Tree):
     def test_are_found_where_the_table_lacks_the_file_that_starts_them(self):
-        (self.root / "ARCHITECTURE.md").write_text("| thread | does |\n|---|---|\n| sweep | `roof/sweep.h` |\n\n`house/door.h`\n")
+        table = "| thread | does |\n|---|---|\n| sweep | `roof/sweep.h` |\n| guest | |\n\n`house/door.h`\n"
+        (self.root / "ARCHITECTURE.md").write_text(f"There are two kinds of threads:\n\n{table}")
         self.write("roof/sweep.cc", "thread_ = std::thread([this] { run(); });")
         self.write("house/door.cc", "\nstd::thread bell([] {});")
         self.write("house/bench_door.cc", "std::thread bell([] {});")
         self.write("house/wall.cc", "std::thread::id id = std::this_thread::get_id();  std::thread thread_;")
         self.assertEqual(list(threads.thread_findings()),
                          ["playhouse/house/door.cc:2: house/door.h is not in the table of threads in ARCHITECTURE.md"])
+        (self.root / "ARCHITECTURE.md").write_text(f"There are three kinds of threads:\n\n{table}")
+        self.assertIn("ARCHITECTURE.md:1: the table has two kinds of threads", list(threads.thread_findings()))
 
 
 class Versions(Tree):

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
 import { join } from 'node:path';
-import { chooseRobot, results, startBrowser, startProgram, watch } from './program.mjs';
+import { chooseRobot, pictures, results, startBrowser, startProgram, watch } from './program.mjs';
 
 let program;
 let browser;
@@ -131,11 +131,19 @@ test('a page that hangs leaves no robot running', async () => {
   await choose('guest');
   await other.page.keyboard.down('a');
   await moves('left');
+  let answer;
+  const answered = new Promise((done) => (answer = done));
+  await other.page.route('**/answered-late', async (route) => {
+    await answered;
+    await route.fulfill({ body: '' });
+  });
   const hangs = other.page.evaluate(() => {
-    const end = performance.now() + 4000;
-    while (performance.now() < end);
+    const ask = new XMLHttpRequest();
+    ask.open('GET', 'answered-late', false); // nothing else runs in the page until then
+    ask.send();
   });
   await moves('still');
+  answer();
   await hangs;
   await other.page.close();
 });
@@ -146,7 +154,7 @@ test('a gamepad drives, and its stick may rest a little beside its middle', asyn
     window.pad = { connected: true, axes: [0.08, -0.06, 0, 0], buttons: [] };
     navigator.getGamepads = () => [null, window.pad];
   });
-  await page.waitForTimeout(200);
+  await pictures(page, 3); // each looks at the stick
   assert.equal(await driven(), null);
   await page.evaluate(() => (window.pad.axes = [-0.9, 0.1, 0, 0]));
   await moves('left');

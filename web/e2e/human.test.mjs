@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { join } from 'node:path';
 import { startDelayingProxy } from './delaying_proxy.mjs';
-import { finish, results, startBrowser, startProgram, watch } from './program.mjs';
+import { finish, results, startBrowser, startProgram, ticks, watch } from './program.mjs';
 
 const kDelayMs = 400; // each way
 
@@ -99,7 +99,7 @@ test('what a person types is heard by the programs of robots', async () => {
     await page.keyboard.press('Enter');
     await page.getByTestId('say').fill(`follow me, green ${k}`);
     await page.keyboard.press('Enter');
-    await Promise.race([listening, page.waitForTimeout(1000)]);
+    await Promise.race([listening, ticks(page, 10)]);
   }
   assert.match(heard, /"follow me, green \d+"/);
 });

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { join } from 'node:path';
-import { chooseRobot, results, startBrowser, startProgram, watch } from './program.mjs';
+import { chooseRobot, pictures, results, startBrowser, startProgram, watch } from './program.mjs';
 
 let program;
 let browser;
@@ -88,7 +88,7 @@ test('a paused run stays paused, and later moments wait until it goes on', async
   await at(left);
   assert.deepEqual(await pose('azure'), where, 'the moment that was left is there again');
   assert.equal(await page.evaluate(() => window.playhouse.paused), true);
-  await page.waitForTimeout(900);
+  await pictures(page, 10);
   assert.equal(await page.evaluate(() => window.playhouse.paused), true);
 });
 

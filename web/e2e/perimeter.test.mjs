@@ -27,21 +27,12 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** Waits for what the experiment says. */
-async function says(pattern) {
-  const end = Date.now() + 90000;
-  while (!pattern.test(scenario.said())) {
-    assert.ok(Date.now() < end, `${pattern} is not in:\n${scenario.said()}`);
-    await new Promise((done) => setTimeout(done, 50));
-  }
-}
-
 test('who joins begins outside the fence', async () => {
   const { page } = human;
   await page.getByTestId('join').click();
   await page.getByTestId('answer').fill('Ada');
   await page.keyboard.press('Enter');
-  await says(/Ada joined/);
+  await scenario.says(/Ada joined/);
   await observer.page.waitForFunction(() => {
     const pose = window.playhouse.robots.includes('Ada') && window.playhouse.pose('Ada');
     return pose && Math.hypot(pose.x - 5, pose.y - 11) < 0.5;
@@ -57,10 +48,10 @@ test('she walks in through a gap, until she has what is in the middle or a robot
   await observer.page.screenshot({ path: join(results, 'perimeter-observer.png') });
   await page.screenshot({ path: join(results, 'perimeter-human.png') });
   const isIn = observer.page.waitForFunction(() => window.playhouse.pose('Ada').y < 0.3).catch(() => undefined);
-  await Promise.race([isIn, says(/Ada (was caught|reached)/)]);
+  await Promise.race([isIn, scenario.says(/Ada (was caught|reached)/)]);
   await page.keyboard.up('d');
   await page.keyboard.down('s');
-  await says(/Ada (was caught by guard\d|reached the cargo)/);
+  await scenario.says(/Ada (was caught by guard\d|reached the cargo)/);
   await page.keyboard.up('s');
 });
 

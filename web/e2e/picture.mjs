@@ -2,7 +2,7 @@
 
 import { mkdirSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
-import { startBrowser, startProgram, watch } from './program.mjs';
+import { startBrowser, startProgram, ticks, watch } from './program.mjs';
 
 const file = resolve(process.argv[2] ?? '../docs/images/viewer.png');
 const scheme = process.argv[3] ?? 'light';
@@ -15,7 +15,7 @@ await page.waitForFunction(() => window.playhouse.tick > 350, null, { timeout: 1
 await page.getByTestId('speed').selectOption('1');
 await page.locator('[data-robot=coral]').click();
 await page.keyboard.press('f');
-await page.waitForTimeout(4000);
+await ticks(page, 40);
 await page.evaluate(() => document.activeElement?.blur());
 await page.mouse.move(720, 120);
 await page.screenshot({ path: file });

@@ -1,6 +1,7 @@
 // Starts the program and a browser for the tests of the page.
 
 import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { existsSync, mkdirSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -19,7 +20,7 @@ const program = process.env.PLAYHOUSE_PROGRAM ?? join(root, 'build/playhouse');
  * @param {string} world its path, from the source root
  * @param {string[]} options
  * @param {string} port of the page; '0': any free one
- * @returns {Promise<{page: string, port: number, said: () => string, stop: () => Promise<number | null>}>}
+ * @returns {Promise<{page: string, port: number, says: (pattern: RegExp) => Promise<void>, stop: () => Promise<number | null>}>}
  */
 export async function startProgram(world, options = [], port = '0') {
   if (!existsSync(program)) throw new Error(`no program at ${program} (make build, or set PLAYHOUSE_PROGRAM)`);
@@ -36,12 +37,16 @@ async function started(command, words, env = process.env) {
   const child = spawn(command, words, { cwd: root, env, stdio: ['ignore', 'pipe', 'pipe'] });
   const exit = new Promise((done) => child.once('exit', (code) => done(code)));
   let said = '';
-  child.stdout.on('data', (bytes) => (said += bytes));
+  const hear = (bytes) => {
+    said += bytes;
+    child.emit('said');
+  };
+  child.stdout.on('data', hear);
   const [page, clients] = await new Promise((found, fail) => {
     child.once('error', fail);
     child.once('exit', (code) => fail(new Error(`${command} ended with ${code}:\n${said}`)));
     child.stderr.on('data', (bytes) => {
-      said += bytes;
+      hear(bytes);
       const places = [/web page: (http:\S+)/, /Player clients: \S+:(\d+)/].map((place) => said.match(place)?.[1]);
       if (places.every(Boolean)) found(places);
     });
@@ -50,7 +55,14 @@ async function started(command, words, env = process.env) {
     child.kill('SIGTERM');
     return exit;
   };
-  return { page, port: Number(clients), said: () => said, stop };
+  const says = async (pattern) => {
+    const signal = AbortSignal.timeout(kPatienceMs);
+    const fail = () => {
+      throw new Error(`${pattern} is not in:\n${said}`);
+    };
+    while (!pattern.test(said)) await once(child, 'said', { signal }).catch(fail);
+  };
+  return { page, port: Number(clients), says, stop };
 }
 
 /** What `playhouse check` makes of a file. */
@@ -96,6 +108,24 @@ export async function watch(browser, url, options = {}, leastTick = 1) {
   await page.goto(url);
   await page.waitForFunction((tick) => window.playhouse?.tick >= tick, leastTick);
   return { page, errors };
+}
+
+/** Waits until a page has drawn so many pictures: what was under way, and whatever else should not be, shows by then. */
+export function pictures(page, count) {
+  return page.evaluate(
+    (count) =>
+      new Promise((done) => {
+        const next = () => (--count < 0 ? done() : requestAnimationFrame(next));
+        next();
+      }),
+    count,
+  );
+}
+
+/** Waits until a page shows the running world so many ticks later. */
+export async function ticks(page, count) {
+  const from = await page.evaluate(() => window.playhouse.tick);
+  await page.waitForFunction((tick) => window.playhouse.tick >= tick, from + count);
 }
 
 /** Selects a robot in the list of a page. */

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createServer } from 'node:http';
 import { join } from 'node:path';
-import { openPage, results, startBrowser, startProgram, watch } from './program.mjs';
+import { openPage, pictures, results, startBrowser, startProgram, ticks, watch } from './program.mjs';
 
 let program;
 let browser;
@@ -96,7 +96,7 @@ test('pause stops every robot', async () => {
   await pause();
   const names = await page.evaluate(() => window.playhouse.robots);
   const [t, start] = [await tick(), await Promise.all(names.map((name) => pose(name)))];
-  await page.waitForTimeout(700);
+  await pictures(page, 10);
   assert.equal(await tick(), t);
   assert.deepEqual(await Promise.all(names.map((name) => pose(name))), start);
   assert.equal(await by('mode').textContent(), 'paused');
@@ -106,7 +106,7 @@ test('step advances one tick', async () => {
   const t = await tick();
   await by('step').click();
   await page.waitForFunction((before) => window.playhouse.tick > before, t);
-  await page.waitForTimeout(300);
+  await pictures(page, 5);
   assert.equal(await tick(), t + 1);
   await page.keyboard.press('.');
   await page.waitForFunction((before) => window.playhouse.tick > before, t + 1);
@@ -227,7 +227,7 @@ test('two viewers see the same and either may pause', async () => {
   const other = await watch(browser, program.page);
   await pause(other.page);
   await page.waitForFunction(() => window.playhouse.paused);
-  await page.waitForTimeout(300);
+  await pictures(page, 5);
   assert.equal(await tick(), await tick(other.page));
   assert.deepEqual(await pose('coral'), await pose('coral', other.page));
   await goOn(other.page);
@@ -283,7 +283,7 @@ test('the page works on a phone', async () => {
   await phone.page.touchscreen.tap(at.x, at.y);
   await phone.page.waitForFunction((name) => document.querySelector('#panel').dataset.robot === name, robot);
   await goOn(phone.page);
-  await phone.page.waitForTimeout(500);
+  await ticks(phone.page, 5);
   await phone.page.screenshot({ path: join(results, 'phone.png') });
   assert.deepEqual(phone.errors, []);
   await phone.page.close();
@@ -339,7 +339,7 @@ test('a page of another port of this machine can neither control nor frame the p
 });
 
 test('the page says so when the program is gone, and comes back with it', async () => {
-  await page.waitForTimeout(1500);
+  await ticks(page, 15);
   await page.screenshot({ path: join(results, 'viewer.png') });
   assert.deepEqual(viewer.errors, []);
   const port = new URL(program.page).port;

@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { Motion, turn } from './motion';
 import { Replica } from './protocol/replica';
 import type { Model, Scene } from './protocol/scene';
@@ -107,7 +107,8 @@ describe('Motion', () => {
     const moving = new Motion(scene, before);
     before.tick = 1;
     before.x[1] = 600;
-    moving.aim(performance.now());
+    const clock = vi.spyOn(performance, 'now').mockReturnValue(1000);
+    moving.aim(1000);
     const other: Scene = { ...scene, models: [{ ...model(1, 'hat', -1, 0), parentId: null }, model(7, 'new', -1, 3000)] };
     const grown: Scene = { ...scene, models: [...scene.models, model(7, 'new', -1, 3000)] };
     const gone = new Motion(other, before.followedBy(other, new Set([1, 7])), moving);
@@ -115,7 +116,8 @@ describe('Motion', () => {
     const stays = new Motion(grown, before.followedBy(grown, new Set([7])), moving);
     expect(stays.x[2]).toBe(3);
     expect(stays.x[1]).toBeLessThan(0.6);
-    stays.update(performance.now() + 1000);
+    stays.update(2000);
+    clock.mockRestore();
     expect(stays.x[1]).toBeCloseTo(0.6);
   });
 

@@ -8,7 +8,7 @@
 (defun send-signal (number)
   "Sends this process a signal, and waits for what comes of it."
   (sb-unix:unix-kill (sb-unix:unix-getpid) number)
-  (sleep 10)
+  (sb-thread:wait-on-semaphore (sb-thread:make-semaphore) :timeout 60) ; until the signal
   (error "signal ~d has not arrived" number))
 
 (deftest a-signal-stops-the-robot-and-is-the-exit-code

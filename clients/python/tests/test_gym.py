@@ -10,12 +10,12 @@ import struct
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 from typing import Dict, Sequence, cast
 
 from package import ROOT
 from server_program import HANG, PROGRAM, needed
+from waiting import wait_for_any
 
 try:
     import numpy as np
@@ -41,14 +41,6 @@ class WithWorld(unittest.TestCase):
         env = VectorEnv(self.world, program=PROGRAM, **more)
         self.addCleanup(env.close)
         return env
-
-
-def is_there(process: int) -> bool:
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    return True
 
 
 @needed
@@ -158,17 +150,16 @@ class TheArena(WithWorld):
             "from playhouse_gym import Arena\n"
             f"arena = Arena({self.world!r}, program={PROGRAM!r})\n"
             "print(arena._process.pid, flush=True)\n"
-            "import time\ntime.sleep(60)\n"
+            "sys.stdin.read()\n"
         )
-        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+        child = subprocess.Popen([sys.executable, "-c", script], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
         assert child.stdout is not None
         program = int(child.stdout.readline())
+        end = os.pidfd_open(program)
+        self.addCleanup(os.close, end)
         child.kill()
         child.communicate()
-        deadline = time.monotonic() + 30
-        while is_there(program) and time.monotonic() < deadline:
-            time.sleep(0.02)
-        self.assertFalse(is_there(program))
+        wait_for_any([end], "ended")
         self.assertEqual(set(os.listdir("/dev/shm")), before)
 
 

@@ -90,11 +90,13 @@ class Navigation(unittest.TestCase):
 @languages.needed
 class RobotsOfOtherLanguages(unittest.TestCase):
     def check(self, use: str, file: str = "", speed: str = SPEED, options: Sequence[str] = ()) -> None:
-        for language, program in languages.programs("robots").items():
-            with self.subTest(language), World(file or f"{use}.world", *options, speed=speed) as world:
+        def run(program: str) -> None:
+            with World(file or f"{use}.world", *options, speed=speed) as world:
                 command = [program, use, world.address]
                 done = subprocess.run(command, stderr=subprocess.PIPE, text=True, timeout=HANG)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+        languages.check_each(self, languages.programs("robots"), run)
 
     def test_radios_take_messages_and_give_them(self) -> None:
         self.check("radio")

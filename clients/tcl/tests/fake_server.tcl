@@ -5,6 +5,7 @@ package require Tcl 8.6-
 package require tcltest
 lappend auto_path [file dirname [file dirname [file normalize [info script]]]]
 package require playhouse
+source [file join [file dirname [file normalize [info script]]] waiting.tcl]
 namespace import tcltest::test
 
 namespace eval fake {

@@ -45,7 +45,7 @@ constexpr const char* kExamples = R"(Examples:
   playhouse bench laser --robots 1000                print one line of figures
 `playhouse COMMAND --help` lists all options. Documentation: docs/cli.md)";
 
-int print(const Answer& answer) {
+int print(const HelpText& answer) {
   fmt::print("{}", answer.text);
   return kDone;
 }
@@ -125,7 +125,7 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
     added.emplace_back(sub, command.add(*sub));
   }
 
-  if (words.empty()) return CommandLine(Answer{app.help()}, print);
+  if (words.empty()) return CommandLine(HelpText{app.help()}, print);
   if (const Result<void> known = check_words(app, words); !known) return known.error();
   try {
     // CLI11 expects reversed arguments.
@@ -133,9 +133,10 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
     app.parse(reversed);
   } catch (const CLI::CallForHelp&) {
     const std::vector<CLI::App*> commands = app.get_subcommands();
-    return CommandLine(Answer{commands.empty() ? app.help() : commands.front()->help(app.get_name())}, print);
+    return CommandLine(HelpText{commands.empty() ? app.help() : commands.front()->help(app.get_name())},
+                       print);
   } catch (const CLI::CallForVersion& version) {
-    return CommandLine(Answer{std::string(version.what()) + "\n"}, print);
+    return CommandLine(HelpText{std::string(version.what()) + "\n"}, print);
   } catch (const CLI::ArgumentMismatch& error) {
     // E.g. "--port: 1 required UINT missing", "--port: At Most 1 required but received 2"
     const std::string_view text = error.what();

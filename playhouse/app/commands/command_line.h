@@ -13,11 +13,11 @@
 namespace playhouse::app {
 
 /// Text requested on the command line: help or the version.
-struct Answer {
+struct HelpText {
   std::string text;
 };
 
-/// The parsed command: its options (options.h), or an Answer, and its function.
+/// The parsed command: its options (options.h), or a HelpText, and its function.
 class CommandLine {
  public:
   template <typename Options>

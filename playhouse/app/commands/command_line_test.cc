@@ -269,11 +269,11 @@ TEST(CommandLine, a_letter_has_no_nearest_option_and_two_dashes_end_the_options)
 }
 
 TEST(CommandLine, help_has_examples_and_version_has_the_number) {
-  EXPECT_THAT(parsed<Answer>({"--help"}).text, HasSubstr("playhouse run worlds/cave.world"));
-  EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("--duration"));
-  EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("playhouse run [OPTIONS] [WORLD]"));
-  EXPECT_THAT(parsed<Answer>({"--version"}).text, HasSubstr(std::string(version())));
-  EXPECT_EQ(parsed<Answer>({"-V"}).text, parsed<Answer>({"--version"}).text);
+  EXPECT_THAT(parsed<HelpText>({"--help"}).text, HasSubstr("playhouse run worlds/cave.world"));
+  EXPECT_THAT(parsed<HelpText>({"run", "--help"}).text, HasSubstr("--duration"));
+  EXPECT_THAT(parsed<HelpText>({"run", "--help"}).text, HasSubstr("playhouse run [OPTIONS] [WORLD]"));
+  EXPECT_THAT(parsed<HelpText>({"--version"}).text, HasSubstr(std::string(version())));
+  EXPECT_EQ(parsed<HelpText>({"-V"}).text, parsed<HelpText>({"--version"}).text);
 }
 
 TEST(CommandLine, watch_needs_a_server_and_a_device) {

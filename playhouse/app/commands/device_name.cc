@@ -55,9 +55,9 @@ Result<DeviceName> parse_device_name(std::string_view text) {
   return device;
 }
 
-Result<WantedDevice> parse_wanted_device(const std::string& text) {
+Result<DeviceArgument> parse_wanted_device(const std::string& text) {
   const Result<DeviceName> address = parse_device_name(text);
-  if (address) return WantedDevice{*address, {}};
+  if (address) return DeviceArgument{*address, {}};
   const std::size_t colon = text.find(':');
   const std::string_view word = std::string_view(text).substr(0, colon);
   const bool is_interface = wire::find_interface(word) != nullptr;
@@ -65,10 +65,10 @@ Result<WantedDevice> parse_wanted_device(const std::string& text) {
                          text.find_first_not_of("0123456789", colon + 1) == std::string::npos;
   const bool is_part = word.find('.') != std::string_view::npos;  // r0.ranger:0 is a model name
   if (is_interface || (has_index && !is_part)) return address.error();
-  return WantedDevice{{}, text};
+  return DeviceArgument{{}, text};
 }
 
-Result<DeviceName> find_device(client::Client& client, const WantedDevice& wanted,
+Result<DeviceName> find_device(client::Client& client, const DeviceArgument& wanted,
                                bool (*fits)(std::uint16_t interf)) {
   if (wanted.address) return *wanted.address;
   const Result<client::Robot> robot = client.robot(wanted.model);

@@ -22,17 +22,17 @@ struct DeviceName {
 Result<DeviceName> parse_device_name(std::string_view text);
 
 /// A device on the command line: an address, or the name of its model.
-struct WantedDevice {
+struct DeviceArgument {
   std::optional<DeviceName> address;
   std::string model;  // if there is no address
 };
 
 /// Text in the form of an address fails with the nearest interface name; other text is a model name.
-Result<WantedDevice> parse_wanted_device(const std::string& text);
+Result<DeviceArgument> parse_wanted_device(const std::string& text);
 
 /// The address itself, or the first device of the model, otherwise of its parts, whose interface
 /// `fits`. Fails if the server does not know the model or has no names, or if there is no such device.
-Result<DeviceName> find_device(client::Client& client, const WantedDevice& wanted,
+Result<DeviceName> find_device(client::Client& client, const DeviceArgument& wanted,
                                bool (*fits)(std::uint16_t interf));
 
 /// Parses "HOST", "HOST:PORT", "" for localhost; a number

@@ -107,7 +107,7 @@ bool drives(std::uint16_t interf) {
 }  // namespace
 
 int drive(const DriveOptions& options) {
-  const Result<WantedDevice> wanted = parse_wanted_device(options.device);
+  const Result<DeviceArgument> wanted = parse_wanted_device(options.device);
   if (!wanted) return fail(wanted.error(), kUsage);
   if (wanted->address && !drives(wanted->address->interf))
     return fail({"", "drive needs a position2d device or a robot's name"}, kUsage);

@@ -16,7 +16,7 @@ void warn_if_cut(bool is_cut, const std::string& file) {
   if (is_cut) warn(escaped(file) + ": was not finished; what follows its last whole chunk is lost");
 }
 
-int print_changes(const record::Source& source, const std::string& file) {
+int print_changes(const record::ByteSource& source, const std::string& file) {
   const Result<record::ChangeCount> listed = record::list_changes(
       source, [](std::string_view line) { std::fwrite(line.data(), 1, line.size(), stdout); });
   if (!listed) return fail_in_file({escaped(file), listed.error().text});
@@ -28,7 +28,7 @@ int print_changes(const record::Source& source, const std::string& file) {
 
 int export_tables(const ExportOptions& options) {
   if (!options.csv && !options.changes) return fail({"export", "needs --csv or --changes"}, kUsage);
-  const Result<std::unique_ptr<record::Source>> source = record::open_source(options.file);
+  const Result<std::unique_ptr<record::ByteSource>> source = record::open_source(options.file);
   if (!source) return fail_in_file(source.error());
   if (options.changes) return print_changes(**source, options.file);
   std::string folder = options.folder;

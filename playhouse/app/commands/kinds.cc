@@ -19,7 +19,7 @@ using scene::Word;
 
 constexpr std::array<std::string_view, 4> kUses = {"read", "silent", "later", "old"};
 
-std::string_view name_of(scene::Use use) {
+std::string_view name_of(scene::Support use) {
   return kUses.at(static_cast<std::size_t>(use));
 }
 
@@ -85,7 +85,7 @@ std::string meaning_of(const Word& word) {
   return otherwise.empty() ? text : fmt::format("{} Default: {}.", text, otherwise);
 }
 
-void print_words(const Kind& kind, scene::Use use, std::string_view title) {
+void print_words(const Kind& kind, scene::Support use, std::string_view title) {
   std::size_t width = 0;
   for (const Word& word : kind.words) width = std::max(width, word.use == use ? word.name.size() : 0);
   if (width == 0) return;
@@ -104,10 +104,10 @@ void print_words(const Kind& kind, scene::Use use, std::string_view title) {
 void print_page(const Kind& kind) {
   print_line(kind);
   for (const KindInterface& interf : kind.interfaces) fmt::print("{:<15} interface {}\n", "", interf.name);
-  print_words(kind, scene::Use::kRead, "Words");
-  print_words(kind, scene::Use::kLater, "Words that are not simulated yet");
-  print_words(kind, scene::Use::kSilent, "Words without effect");
-  print_words(kind, scene::Use::kOld, "Words of older versions, and what to write");
+  print_words(kind, scene::Support::kRead, "Words");
+  print_words(kind, scene::Support::kLater, "Words that are not simulated yet");
+  print_words(kind, scene::Support::kSilent, "Words without effect");
+  print_words(kind, scene::Support::kOld, "Words of older versions, and what to write");
   if (!scene::common_words(kind).empty())
     fmt::print("\nBesides, it has the words of every model: playhouse kinds model\n");
   for (const Kind& part : scene::kinds()) {

@@ -24,12 +24,12 @@ constexpr std::chrono::milliseconds kRetry{100};
 constexpr Seconds kWorldArrives{60};  // for a run that has begun to send its world
 
 /// Connects, also if the run begins within `patience` only: jobs of a cluster start in any order.
-Result<cluster::Stream> connect(const client::Address& head, Seconds patience) {
+Result<cluster::MessageStream> connect(const client::Address& head, Seconds patience) {
   const auto start = std::chrono::steady_clock::now();
   for (bool told = false;; told = true) {
     const Seconds left = patience - (std::chrono::steady_clock::now() - start);
-    Result<cluster::Stream> stream =
-        cluster::Stream::connect(head.host, head.port, std::max(left, Seconds{1}));
+    Result<cluster::MessageStream> stream =
+        cluster::MessageStream::connect(head.host, head.port, std::max(left, Seconds{1}));
     if (stream || left <= Seconds{0}) return stream;
     if (!told) log::info("waiting for a run at {}:{}", head.host, head.port);
     std::this_thread::sleep_for(kRetry);
@@ -70,7 +70,7 @@ int node(const NodeOptions& options) {
   const auto failed = [&](const Error& error) {
     return fail({fmt::format("{}:{}", head->host, head->port), error.text});
   };
-  Result<cluster::Stream> stream = connect(*head, Seconds{options.wait});
+  Result<cluster::MessageStream> stream = connect(*head, Seconds{options.wait});
   if (!stream) return failed(stream.error());
   Replica replica(options.running);
   cluster::Node node(std::move(*stream), options.token, Seconds{options.wait} + kWorldArrives);

@@ -113,7 +113,7 @@ struct Shots {
 /// One film by one renderer.
 class Filming {
  public:
-  Filming(const FilmOptions& options, const Shots& shots, DrawnRun& run, Renderer& renderer,
+  Filming(const FilmOptions& options, const Shots& shots, DrawnRun& run, WorldRenderer& renderer,
           const Interrupt& interrupt)
       : options_(options), shots_(shots), run_(run), renderer_(renderer), interrupt_(interrupt) {}
   ~Filming() {
@@ -127,22 +127,23 @@ class Filming {
     if (const Result<void> begun = run_.begin(); !begun) return fail_in_file(begun.error());
     Result<Sight> sight = Sight::of(options_.sight, run_.world());
     if (!sight) return fail(sight.error(), kUsage);
-    const Result<View> view = sight->at(run_.world(), options_.width);
+    const Result<Viewport> view = sight->at(run_.world(), options_.width);
     if (!view) return fail_at({escaped(options_.world), view.error().text}, kUsage);
     const auto each = [&](const PictureTaker& take) { return take_all(*sight, *view, take); };
     if (!is_png(options_.output)) return ended(film_by_ffmpeg(options_.output, *view, shots_.period, each));
     AnimatedPng animation(shots_.count, shots_.period);
-    const Result<int> code = ended(each([&](const Picture& picture) { return animation.add(picture); }));
+    const Result<int> code =
+        ended(each([&](const scene::RgbImage& picture) { return animation.add(picture); }));
     return code && *code == kDone ? write(options_.output, animation.take()) : code;
   }
 
  private:
-  Result<void> take_all(Sight& sight, View view, const PictureTaker& take) {
+  Result<void> take_all(Sight& sight, Viewport view, const PictureTaker& take) {
     for (std::uint64_t k = 0; k < shots_.count; ++k) {
       const Result<void> ran = run_.advance(run_.first_tick() + k * shots_.ticks, renderer_, interrupt_);
       if (!ran) return refuse(ran.error());
       if (!sight.is_fixed()) view = *sight.at(run_.world(), options_.width);
-      const Result<Picture> drawn = renderer_.draw(run_.world(), view);
+      const Result<scene::RgbImage> drawn = renderer_.draw(run_.world(), view);
       if (!drawn) return refuse(drawn.error());
       if (const Result<void> taken = take(*drawn); !taken) return taken;
       if (shows_progress_) log::show_progress(fmt::format("{} of {} pictures ", k + 1, shots_.count));
@@ -164,7 +165,7 @@ class Filming {
   const FilmOptions& options_;
   const Shots& shots_;
   DrawnRun& run_;
-  Renderer& renderer_;
+  WorldRenderer& renderer_;
   const Interrupt& interrupt_;
   const bool shows_progress_ = isatty(STDERR_FILENO) == 1;
   std::optional<Error> not_drawn_;  // error of the renderer, or a signal
@@ -191,16 +192,16 @@ int picture(const PictureOptions& options) {
   const Result<std::uint64_t> tick = tick_of(options, *run);
   if (!tick) return fail(tick.error(), kUsage);
   const Interrupt interrupt;
-  return drawing.run(*run, interrupt, [&](Renderer& renderer) -> Result<int> {
+  return drawing.run(*run, interrupt, [&](WorldRenderer& renderer) -> Result<int> {
     if (const Result<void> ran = run->advance(*tick, renderer, interrupt); !ran) {
       if (run->differs()) return fail_different(options.world, *run->differs());
       return ran.error();
     }
     Result<Sight> sight = Sight::of(options.sight, run->world());
     if (!sight) return fail(sight.error(), kUsage);
-    const Result<View> view = sight->at(run->world(), options.width);
+    const Result<Viewport> view = sight->at(run->world(), options.width);
     if (!view) return fail_at({escaped(options.world), view.error().text}, kUsage);
-    const Result<Picture> drawn = renderer.draw(run->world(), *view);
+    const Result<scene::RgbImage> drawn = renderer.draw(run->world(), *view);
     if (!drawn) return drawn.error();
     const Result<std::string> png = scene::png_of(drawn->width, drawn->height, drawn->rgb);
     return png ? write(options.output, *png) : fail_at({escaped(options.output), png.error().text});
@@ -215,7 +216,7 @@ int film(const FilmOptions& options) {
   const Result<Shots> shots = Shots::of(options, *run);
   if (!shots) return fail(shots.error(), kUsage);
   const Interrupt interrupt;
-  return drawing.run(*run, interrupt, [&](Renderer& renderer) {
+  return drawing.run(*run, interrupt, [&](WorldRenderer& renderer) {
     return Filming(options, *shots, *run, renderer, interrupt).film();
   });
 }

@@ -61,7 +61,7 @@ bool sends_data(std::uint16_t interf) {
 }  // namespace
 
 int watch(const WatchOptions& options) {
-  const Result<WantedDevice> wanted = parse_wanted_device(options.device);
+  const Result<DeviceArgument> wanted = parse_wanted_device(options.device);
   if (!wanted) return fail(wanted.error(), kUsage);
   if (wanted->address && !sends_data(wanted->address->interf))
     return fail({"", "a device of this interface sends no data to watch"}, kUsage);

@@ -52,7 +52,7 @@ void AnimatedPng::add_chunk(std::string_view type, std::string_view content) {
 }
 
 /// Frame control: the full image, replacing the previous one, for the period in milliseconds.
-void AnimatedPng::add_frame(const Picture& picture) {
+void AnimatedPng::add_frame(const scene::RgbImage& picture) {
   std::string content;
   append(content, sequence_++);
   for (const int number : {picture.width, picture.height, 0, 0})
@@ -63,7 +63,7 @@ void AnimatedPng::add_frame(const Picture& picture) {
   add_chunk("fcTL", content);
 }
 
-Result<void> AnimatedPng::add(const Picture& picture) {
+Result<void> AnimatedPng::add(const scene::RgbImage& picture) {
   PLAYHOUSE_ASSERT(added_ < pictures_);
   const Result<std::string> png = scene::png_of(picture.width, picture.height, picture.rgb);
   if (!png) return png.error();

@@ -18,13 +18,13 @@ class AnimatedPng {
   AnimatedPng(std::uint64_t pictures, double period) : pictures_(pictures), period_(period) {}
 
   /// Fails if the file would exceed limits::kFilmBytes.
-  Result<void> add(const Picture& picture);
+  Result<void> add(const scene::RgbImage& picture);
   /// The file, once all frames were added.
   std::string take();
 
  private:
   void add_chunk(std::string_view type, std::string_view content);
-  void add_frame(const Picture& picture);
+  void add_frame(const scene::RgbImage& picture);
 
   std::uint64_t pictures_, added_ = 0;
   double period_;

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "playhouse/app/pictures/devtools.h"
+#include "playhouse/base/testing/wait.h"
 #include "playhouse/base/testing_folder.h"
 
 namespace playhouse::app {
@@ -27,10 +28,6 @@ namespace {
 using testing::HasSubstr;
 
 constexpr double kLong = 60;  // s; of waits that end by themselves
-
-Browser::Deadline in_a_minute() {
-  return std::chrono::steady_clock::now() + std::chrono::minutes(1);
-}
 
 class ABrowser : public testing::Test {
  protected:
@@ -66,9 +63,9 @@ class ABrowser : public testing::Test {
 TEST_F(ABrowser, sends_and_receives_messages_that_a_zero_byte_ends) {
   start(R"(printf 'one\0tw' >&4; printf 'o\0' >&4; head -c 6 <&3 > heard; printf 'three\0' >&4; sleep 600)");
   for (const char* const message : {"one", "two"})
-    EXPECT_EQ(fault(browser_->receive(in_a_minute())), std::string("received: ") + message);
+    EXPECT_EQ(fault(browser_->receive(patience())), std::string("received: ") + message);
   browser_->send("hello");
-  EXPECT_EQ(fault(browser_->receive(in_a_minute())), "received: three");
+  EXPECT_EQ(fault(browser_->receive(patience())), "received: three");
   EXPECT_EQ(file("heard"), std::string("hello\0", 6));
 }
 
@@ -76,33 +73,32 @@ TEST_F(ABrowser, takes_messages_that_are_larger_than_a_pipe_both_ways_at_once) {
   start(R"(head -c 3000000 /dev/zero | tr '\0' a >&4; printf '\0' >&4; head -c 2000001 <&3 | wc -c > count
     printf 'done\0' >&4; sleep 600)");
   browser_->send(std::string(2000000, 'b'));
-  const Result<std::string> large = browser_->receive(in_a_minute());
+  const Result<std::string> large = browser_->receive(patience());
   ASSERT_TRUE(large) << large.error().text;
   EXPECT_EQ(large->size(), 3000000u);
-  EXPECT_EQ(fault(browser_->receive(in_a_minute())), "received: done");
+  EXPECT_EQ(fault(browser_->receive(patience())), "received: done");
   EXPECT_EQ(std::stoi(file("count")), 2000001);
 }
 
 TEST_F(ABrowser, that_ends_early_is_told_with_its_exit_code) {
   start("exit 7");
-  EXPECT_EQ(fault(browser_->receive(in_a_minute())), "ended with exit code 7");
+  EXPECT_EQ(fault(browser_->receive(patience())), "ended with exit code 7");
 }
 
 TEST_F(ABrowser, that_is_killed_is_told_with_the_signal) {
   start("kill -9 $$");
-  EXPECT_EQ(fault(browser_->receive(in_a_minute())), "ended by signal 9");
+  EXPECT_EQ(fault(browser_->receive(patience())), "ended by signal 9");
 }
 
 TEST_F(ABrowser, that_says_nothing_is_waited_for_no_longer_than_wanted) {
   start("exec sleep 600");
-  EXPECT_EQ(fault(browser_->receive(std::chrono::steady_clock::now() + std::chrono::milliseconds(50))),
-            "does not answer in time");
+  EXPECT_EQ(fault(browser_->receive(Browser::Deadline())), "does not answer in time");
 }
 
 TEST_F(ABrowser, that_is_waited_for_is_left_when_a_signal_comes) {
   start("exec sleep 600");
   std::raise(SIGINT);
-  EXPECT_EQ(fault(browser_->receive(in_a_minute())), "was interrupted");
+  EXPECT_EQ(fault(browser_->receive(patience())), "was interrupted");
 }
 
 TEST_F(ABrowser, that_is_no_program_does_not_start) {
@@ -119,7 +115,7 @@ TEST_F(ABrowser, leaves_neither_processes_nor_files_behind) {
   start(R"(for word in "$@"; do case "$word" in --user-data-dir=*) folder="${word#*=}";; esac; done
     mkdir -p "$folder" && echo much > "$folder/cache" && echo "$folder" > profile && echo "$TMPDIR" > temporary
     exec 5> held; sleep 600 & printf 'ready\0' >&4; exec sleep 600)");
-  EXPECT_EQ(fault(browser_->receive(in_a_minute())), "received: ready");
+  EXPECT_EQ(fault(browser_->receive(patience())), "received: ready");
   const std::filesystem::path profile = file("profile").substr(0, file("profile").size() - 1);
   EXPECT_TRUE(std::filesystem::exists(profile / "cache"));
   EXPECT_EQ(profile.parent_path().string() + "\n", file("temporary"));
@@ -134,7 +130,7 @@ TEST_F(ABrowser, leaves_neither_processes_nor_files_behind) {
 TEST_F(ABrowser, prints_into_nothing) {
   start(R"(all=; for k in 0 1 2; do all="$all$(readlink /proc/$$/fd/$k) "; done; echo "$all" > streams
     printf 'ready\0' >&4; exec sleep 600)");
-  EXPECT_EQ(fault(browser_->receive(in_a_minute())), "received: ready");
+  EXPECT_EQ(fault(browser_->receive(patience())), "received: ready");
   EXPECT_EQ(file("streams"), "/dev/null /dev/null /dev/null \n");
 }
 

@@ -62,7 +62,7 @@ json::array list_of(json::object only) {
   return list;
 }
 
-std::string view_text(const View& view) {
+std::string view_text(const Viewport& view) {
   std::string eye;
   if (view.eye)
     eye = fmt::format(R"(,"eye":{{"x":{},"y":{},"z":{},"yaw":{},"pitch":{},"fov":{}}},"hides":{})",
@@ -74,7 +74,7 @@ std::string view_text(const View& view) {
 
 /// JSON of an Area of the page (web/src/view/areas.ts). Sensor
 /// shapes have one loop, star-shaped about its first corner.
-std::string area_text(const Shape& shape) {
+std::string area_text(const FilledShape& shape) {
   std::string outline;
   for (const geom::Vec2 p : shape.loops.front())
     outline +=
@@ -193,9 +193,9 @@ Result<void> ChromiumRenderer::see(const world::World& world) {
   return {};
 }
 
-Result<Picture> ChromiumRenderer::draw(const world::World& world, const View& view) {
+Result<scene::RgbImage> ChromiumRenderer::draw(const world::World& world, const Viewport& view) {
   if (const Result<void> told = see(world); !told) return told.error();
-  std::vector<Shape> shapes;
+  std::vector<FilledShape> shapes;
   seen_.add_to(shapes, world, view.line_width());
   const Result<json::value> drawn = tools_.evaluate(
       fmt::format("playhousePicture.draw({},{})", view_text(view), replicate::list(shapes, area_text)),
@@ -208,7 +208,7 @@ Result<Picture> ChromiumRenderer::draw(const world::World& world, const View& vi
   if (!image) return Error{"", "gives a picture that " + image.error().text};
   if (image->width != view.width || image->height != view.height)
     return Error{"", fmt::format("gives a picture of {} x {} pixels", image->width, image->height)};
-  return Picture{image->width, image->height, std::move(image->rgb)};
+  return scene::RgbImage{image->width, image->height, std::move(image->rgb)};
 }
 
 }  // namespace playhouse::app

@@ -25,7 +25,7 @@ std::optional<std::string> find_chromium();
 /// Those names, for messages.
 std::string chromium_names();
 
-class ChromiumRenderer final : public Renderer {
+class ChromiumRenderer final : public WorldRenderer {
  public:
   /// Renders the world with the sensor data in `seen`; `program` is started on first use. Signals
   /// noted by `interrupt` end every wait. The world's scene, `seen` and `interrupt` must outlive it.
@@ -34,7 +34,7 @@ class ChromiumRenderer final : public Renderer {
 
   double memory() const override { return 20; }
   Result<void> see(const world::World& world) override;
-  Result<Picture> draw(const world::World& world, const View& view) override;
+  Result<scene::RgbImage> draw(const world::World& world, const Viewport& view) override;
 
  private:
   Result<void> start();

@@ -16,7 +16,7 @@ constexpr const char* kWorld = R"(
 model( name "edge" size [8 8 0.1] color "white" obstacle_return 0 ranger_return -1 )
 position( name "r" pose [-2 -2 0 0] size [1 1 0.3] color "green" )
 )";
-constexpr View kView{.width = 160, .height = 160, .left = -4, .top = 4, .pixels_per_metre = 20};
+constexpr Viewport kView{.width = 160, .height = 160, .left = -4, .top = 4, .pixels_per_metre = 20};
 
 class AChromium : public testing::Test {
  protected:
@@ -27,7 +27,7 @@ class AChromium : public testing::Test {
   }
 
   /// Whether there is something green below the middle of a place. [m]
-  static bool is_green(const Picture& picture, double x, double y) {
+  static bool is_green(const scene::RgbImage& picture, double x, double y) {
     const auto column = static_cast<std::size_t>((x - kView.left) * kView.pixels_per_metre);
     const auto row = static_cast<std::size_t>((kView.top - y + 0.2) * kView.pixels_per_metre);
     const std::uint8_t* const at = &picture.rgb[3 * (row * static_cast<std::size_t>(kView.width) + column)];
@@ -46,7 +46,7 @@ TEST_F(AChromium, draws_who_came_and_draws_no_more_who_has_gone) {
   const SensorShapes nothing;
   ChromiumRenderer chromium(*program_, world, nothing, interrupt_);
 
-  const Result<Picture> before = chromium.draw(world, kView);
+  const Result<scene::RgbImage> before = chromium.draw(world, kView);
   ASSERT_TRUE(before) << before.error().text;
   EXPECT_EQ(before->rgb.size(), 3u * 160 * 160);
   EXPECT_TRUE(is_green(*before, -2, -2));
@@ -54,13 +54,13 @@ TEST_F(AChromium, draws_who_came_and_draws_no_more_who_has_gone) {
 
   const world::ModelRow first = world.find("r");
   ASSERT_TRUE(world::spawn(world, world.models.desc[first.index], {2, 1, 0, 0}));
-  const Result<Picture> both = chromium.draw(world, kView);
+  const Result<scene::RgbImage> both = chromium.draw(world, kView);
   ASSERT_TRUE(both) << both.error().text;
   EXPECT_TRUE(is_green(*both, -2, -2));
   EXPECT_TRUE(is_green(*both, 2, 1));
 
   ASSERT_TRUE(world::despawn(world, world.id(world.find("r"))));
-  const Result<Picture> after = chromium.draw(world, kView);
+  const Result<scene::RgbImage> after = chromium.draw(world, kView);
   ASSERT_TRUE(after) << after.error().text;
   EXPECT_FALSE(is_green(*after, -2, -2));
   EXPECT_TRUE(is_green(*after, 2, 1));

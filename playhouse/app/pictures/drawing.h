@@ -19,7 +19,7 @@ class Drawing {
  public:
   /// Draws everything with a renderer and returns the exit code, after reporting
   /// errors. Fails if the renderer does; it may then be called again with another one.
-  using Draw = std::function<Result<int>(Renderer&)>;
+  using Draw = std::function<Result<int>(WorldRenderer&)>;
 
   /// `wanted` is the value of --renderer.
   Drawing(std::string command, const std::string& wanted);

@@ -29,7 +29,7 @@ Result<void> DrawnRun::begin(std::vector<Error>* others) {
   return {};
 }
 
-Result<void> DrawnRun::advance(std::uint64_t tick, Renderer& renderer, const Interrupt& interrupt) {
+Result<void> DrawnRun::advance(std::uint64_t tick, WorldRenderer& renderer, const Interrupt& interrupt) {
   const std::uint64_t step = world::ticks_of(kSeePeriod, interval());
   const double remembered = renderer.memory() / interval();
   for (std::uint64_t now = world().tick(); now < tick; now = world().tick()) {

@@ -35,7 +35,7 @@ class DrawnRun {
 
   /// Advances to a tick, calling the renderer's see() as it
   /// requests. Fails if the renderer does, on a signal, and if differs().
-  Result<void> advance(std::uint64_t tick, Renderer& renderer, const Interrupt& interrupt);
+  Result<void> advance(std::uint64_t tick, WorldRenderer& renderer, const Interrupt& interrupt);
 
   const world::World& world() const {
     return recording_ ? recording_->rerun->world() : simulation_->engine().world();

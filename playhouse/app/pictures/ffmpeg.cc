@@ -95,7 +95,7 @@ class Ffmpeg {
 
 }  // namespace
 
-Result<void> film_by_ffmpeg(const std::string& file, const View& view, double period,
+Result<void> film_by_ffmpeg(const std::string& file, const Viewport& view, double period,
                             const std::function<Result<void>(const PictureTaker&)>& each) {
   Ffmpeg ffmpeg;
   // Most players need even sizes and 4:2:0 chroma. "file:"
@@ -106,7 +106,7 @@ Result<void> film_by_ffmpeg(const std::string& file, const View& view, double pe
        "pipe:0", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-y", "file:" + file});
   if (!started) return started;
   bool ended_early = false;
-  const Result<void> drawn = each([&](const Picture& picture) -> Result<void> {
+  const Result<void> drawn = each([&](const scene::RgbImage& picture) -> Result<void> {
     ended_early = !ffmpeg.write(picture.rgb);
     return ended_early ? Error{"", ""} : Result<void>();
   });

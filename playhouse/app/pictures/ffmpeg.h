@@ -11,12 +11,12 @@
 namespace playhouse::app {
 
 /// Consumes the next frame of a film.
-using PictureTaker = std::function<Result<void>(const Picture&)>;
+using PictureTaker = std::function<Result<void>(const scene::RgbImage&)>;
 
 /// Pipes frames to ffmpeg, each shown for `period` seconds; ffmpeg chooses the format by
 /// the file's extension. `each` calls its argument with one frame after the other. Fails,
 /// without a file name, if there is no ffmpeg, or if it fails, which it reports itself.
-Result<void> film_by_ffmpeg(const std::string& file, const View& view, double period,
+Result<void> film_by_ffmpeg(const std::string& file, const Viewport& view, double period,
                             const std::function<Result<void>(const PictureTaker&)>& each);
 
 }  // namespace playhouse::app

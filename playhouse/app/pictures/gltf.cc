@@ -41,7 +41,7 @@ Vec3 at(double x, double y, double z) {
   return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
 }
 
-void add_side(Triangles& mesh, Vec2 a, Vec2 b, const Prism& prism) {
+void add_side(Triangles& mesh, Vec2 a, Vec2 b, const Extrusion& prism) {
   const double length = std::sqrt(geom::dot(b - a, b - a));
   if (length == 0) return;
   mesh.add_quad({at(a.x, a.y, prism.z_min), at(b.x, b.y, prism.z_min), at(b.x, b.y, prism.z_max),
@@ -51,7 +51,7 @@ void add_side(Triangles& mesh, Vec2 a, Vec2 b, const Prism& prism) {
 
 Triangles triangles_of(const scene::ModelDesc& desc) {
   Triangles mesh;
-  for (const Prism& prism : prisms_of(desc)) {
+  for (const Extrusion& prism : prisms_of(desc)) {
     for (const std::vector<Vec2>& loop : prism.loops)
       for (std::size_t i = 0; i < loop.size(); ++i)
         add_side(mesh, loop[i], loop[(i + 1) % loop.size()], prism);

@@ -18,7 +18,7 @@ constexpr int kSubpixels = 2;                      // of a pixel's side, against
 constexpr int kMostSide = 16384;                   // px of a picture of the renderer
 
 /// The camera of a view, with `times` as many pixels to a side.
-render::View camera_of(const world::World& world, const View& view, int times) {
+render::View camera_of(const world::World& world, const Viewport& view, int times) {
   const Eye& eye = *view.eye;
   render::View camera;
   camera.eye = eye.p;
@@ -35,8 +35,8 @@ render::View camera_of(const world::World& world, const View& view, int times) {
 }
 
 /// The mean of `times` x `times` samples, 0xRRGGBB, for each pixel.
-Picture mean_of(const std::vector<std::uint32_t>& samples, const View& view, int times) {
-  Picture picture{view.width, view.height, {}};
+scene::RgbImage mean_of(const std::vector<std::uint32_t>& samples, const Viewport& view, int times) {
+  scene::RgbImage picture{view.width, view.height, {}};
   picture.rgb.reserve(3 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
   const auto across = static_cast<std::size_t>(times) * static_cast<std::size_t>(view.width);
   const auto side = static_cast<std::size_t>(times);
@@ -56,8 +56,8 @@ Picture mean_of(const std::vector<std::uint32_t>& samples, const View& view, int
 
 }  // namespace
 
-Result<Picture> OwnRenderer::draw(const world::World& world, const View& view) {
-  return view.eye ? draw_by_camera(world, view) : Result<Picture>(picture_of(world, view, seen_));
+Result<scene::RgbImage> OwnRenderer::draw(const world::World& world, const Viewport& view) {
+  return view.eye ? draw_by_camera(world, view) : Result<scene::RgbImage>(picture_of(world, view, seen_));
 }
 
 Result<void> OwnRenderer::begin() {
@@ -79,7 +79,7 @@ void OwnRenderer::find_bodies(const world::World& world) {
   bodies_.find(world, solids, *renderer_);
 }
 
-Result<Picture> OwnRenderer::draw_by_camera(const world::World& world, const View& view) {
+Result<scene::RgbImage> OwnRenderer::draw_by_camera(const world::World& world, const Viewport& view) {
   if (const Result<void> begun = begin(); !begun) return begun.error();
   find_bodies(world);
   const double time = static_cast<double>(world.tick()) * world.scene().interval;

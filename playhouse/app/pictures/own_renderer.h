@@ -14,16 +14,16 @@
 
 namespace playhouse::app {
 
-class OwnRenderer final : public Renderer {
+class OwnRenderer final : public WorldRenderer {
  public:
   /// `seen` must outlive it.
   explicit OwnRenderer(const SensorShapes& seen) : seen_(seen) {}
 
   /// Fails for a camera in the world, if there is no OpenGL.
-  Result<Picture> draw(const world::World& world, const View& view) override;
+  Result<scene::RgbImage> draw(const world::World& world, const Viewport& view) override;
 
  private:
-  Result<Picture> draw_by_camera(const world::World& world, const View& view);
+  Result<scene::RgbImage> draw_by_camera(const world::World& world, const Viewport& view);
   Result<void> begin();
   void find_bodies(const world::World& world);
 

@@ -32,46 +32,48 @@ class Bodies {
   explicit Bodies(const world::World& world) : world_(world) {}
 
   /// In model order.
-  std::vector<Shape> shapes() {
-    std::vector<Shape> shapes;
+  std::vector<FilledShape> shapes() {
+    std::vector<FilledShape> shapes;
     for (std::uint32_t row = 0; row < world_.models.size(); ++row) add(row, shapes);
     return shapes;
   }
 
  private:
-  void add(std::uint32_t row, std::vector<Shape>& shapes) {
+  void add(std::uint32_t row, std::vector<FilledShape>& shapes) {
     const std::uint32_t desc = world_.models.desc[row];
     const auto [entry, is_new] = prisms_.try_emplace(desc);
     if (is_new) entry->second = prisms_of(world_.scene().models[desc]);
-    for (const Prism& prism : entry->second) shapes.push_back(placed(prism, row, world_.models.color[row]));
+    for (const Extrusion& prism : entry->second)
+      shapes.push_back(placed(prism, row, world_.models.color[row]));
     if (world_.models.kind[row] == scene::ModelKind::kPosition && !entry->second.empty())
       shapes.push_back(placed(nose_of(world_.scene().models[desc]), row, kNose));
   }
 
   /// A triangle on the front half of the top of the body.
-  static Prism nose_of(const scene::ModelDesc& desc) {
+  static Extrusion nose_of(const scene::ModelDesc& desc) {
     const double x = desc.size.x / 2, y = desc.size.y / 2, top = desc.X_MB.z + desc.size.z;
-    Prism nose{{{{0.9 * x, 0}, {0.3 * x, 0.5 * y}, {0.3 * x, -0.5 * y}}}, top, top};
+    Extrusion nose{{{{0.9 * x, 0}, {0.3 * x, 0.5 * y}, {0.3 * x, -0.5 * y}}}, top, top};
     for (Vec2& p : nose.loops.front()) p = geom::transform(desc.X_MB, p);
     return nose;
   }
 
-  Shape placed(const Prism& prism, std::uint32_t row, const scene::Color& color) const {
+  FilledShape placed(const Extrusion& prism, std::uint32_t row, const scene::Color& color) const {
     const geom::SpatialPose X = world::pose_in_world(world_.models, world::ModelRow{row});
     const bool stands = std::hypot(X.tilt.x, X.tilt.y) < kStanding;
     return stands ? upright(prism, X.X, color) : tilted(prism, X, color);
   }
 
-  static Shape upright(const Prism& prism, const geom::Pose& X_WM, const scene::Color& color) {
+  static FilledShape upright(const Extrusion& prism, const geom::Pose& X_WM, const scene::Color& color) {
     const geom::Rotation turn = geom::Rotation::of(X_WM.a);
-    Shape shape{prism.loops, X_WM.z + prism.z_max, color};
+    FilledShape shape{prism.loops, X_WM.z + prism.z_max, color};
     for (std::vector<Vec2>& loop : shape.loops)
       for (Vec2& p : loop) p = X_WM.xy() + turn * p;
     return shape;
   }
 
   /// Projection of a tilted prism: that of its convex hull.
-  static Shape tilted(const Prism& prism, const geom::SpatialPose& X_WM, const scene::Color& color) {
+  static FilledShape tilted(const Extrusion& prism, const geom::SpatialPose& X_WM,
+                            const scene::Color& color) {
     const geom::Quaternion q = geom::orientation(X_WM.X.a, X_WM.tilt);
     double top = -1e300;
     std::vector<Vec2> points;
@@ -88,13 +90,13 @@ class Bodies {
   }
 
   const world::World& world_;
-  std::map<std::uint32_t, std::vector<Prism>> prisms_;  // by description
+  std::map<std::uint32_t, std::vector<Extrusion>> prisms_;  // by description
 };
 
 /// Painter's algorithm.
 class Painter {
  public:
-  explicit Painter(const View& view) : view_(view) {
+  explicit Painter(const Viewport& view) : view_(view) {
     picture_ = {view.width, view.height, {}};
     const std::size_t pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
     picture_.rgb.reserve(3 * pixels);
@@ -102,7 +104,7 @@ class Painter {
       picture_.rgb.insert(picture_.rgb.end(), std::begin(kFloor), std::end(kFloor));
   }
 
-  void paint(const Shape& shape) {
+  void paint(const FilledShape& shape) {
     std::vector<std::vector<Vec2>> loops = shape.loops;
     for (std::vector<Vec2>& loop : loops)
       for (Vec2& p : loop) p = in_picture(p);
@@ -122,7 +124,7 @@ class Painter {
       if (cover_[k] > 0) mix(static_cast<std::size_t>(low) * width() + k, shape.color, cover_[k]);
   }
 
-  Picture take() { return std::move(picture_); }
+  scene::RgbImage take() { return std::move(picture_); }
 
  private:
   std::size_t width() const { return static_cast<std::size_t>(view_.width); }
@@ -164,16 +166,16 @@ class Painter {
     }
   }
 
-  View view_;
-  Picture picture_;
+  Viewport view_;
+  scene::RgbImage picture_;
   std::vector<float> cover_;  // coverage of a row's pixels by a shape, 0 to 1
 };
 
 }  // namespace
 
-Result<View> view_of(const world::World& world, int width) {
+Result<Viewport> view_of(const world::World& world, int width) {
   geom::Box box;
-  for (const Shape& shape : Bodies(world).shapes())
+  for (const FilledShape& shape : Bodies(world).shapes())
     for (const std::vector<Vec2>& loop : shape.loops)
       for (const Vec2 p : loop) box.add(p);
   if (box.empty()) box = {-kEmpty / 2, -kEmpty / 2, kEmpty / 2, kEmpty / 2};
@@ -184,16 +186,16 @@ Result<View> view_of(const world::World& world, int width) {
     return Error{
         "", fmt::format("would be {} x {:.0f} pixels, and a picture has at most {}: choose a smaller --width",
                         width, height, limits::kPicturePixels)};
-  return View{width, static_cast<int>(height), box.x_min, box.y_max, width / across, {}};
+  return Viewport{width, static_cast<int>(height), box.x_min, box.y_max, width / across, {}};
 }
 
 /// Sorted by top height; ties: bodies first, in model order.
-Picture picture_of(const world::World& world, const View& view, const SensorShapes& seen) {
-  std::vector<Shape> shapes = Bodies(world).shapes();
+scene::RgbImage picture_of(const world::World& world, const Viewport& view, const SensorShapes& seen) {
+  std::vector<FilledShape> shapes = Bodies(world).shapes();
   seen.add_to(shapes, world, view.line_width());
-  std::ranges::stable_sort(shapes, {}, &Shape::z_max);
+  std::ranges::stable_sort(shapes, {}, &FilledShape::z_max);
   Painter painter(view);
-  for (const Shape& shape : shapes) painter.paint(shape);
+  for (const FilledShape& shape : shapes) painter.paint(shape);
   return painter.take();
 }
 

@@ -12,15 +12,10 @@
 #include "playhouse/app/pictures/sensor_shapes.h"
 #include "playhouse/base/result.h"
 #include "playhouse/geom/orientation.h"
+#include "playhouse/scene/images/read_png.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::app {
-
-/// 8-bit RGB, rows from the top.
-struct Picture {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgb;
-};
 
 /// A camera in the world, without roll.
 struct Eye {
@@ -31,7 +26,7 @@ struct Eye {
 };
 
 /// A viewport: pixel (0, 0) has the world coordinates `left`, `top` at its corner; x goes right and y up.
-struct View {
+struct Viewport {
   int width = 0, height = 0;  // pixels
   double left = 0, top = 0;   // m
   double pixels_per_metre = 1;
@@ -44,9 +39,9 @@ struct View {
 
 /// A viewport of this width in pixels around all bodies, with a margin; ten metres
 /// around the origin if there are none. Fails beyond limits::kPicturePixels.
-Result<View> view_of(const world::World& world, int width);
+Result<Viewport> view_of(const world::World& world, int width);
 
 /// `seen` selects the sensor data to draw.
-Picture picture_of(const world::World& world, const View& view, const SensorShapes& seen);
+scene::RgbImage picture_of(const world::World& world, const Viewport& view, const SensorShapes& seen);
 
 }  // namespace playhouse::app

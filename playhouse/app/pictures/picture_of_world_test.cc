@@ -31,7 +31,7 @@ struct Lying {
 
 TEST(PictureOfWorld, frames_bodies_as_they_lie) {
   const Lying lying;
-  const Result<View> view = view_of(lying.engine->world(), 400);
+  const Result<Viewport> view = view_of(lying.engine->world(), 400);
   ASSERT_TRUE(view);
   // From 0 m to 1.6 m along x, but for the post, and from -0.3 m to 2.1 m along y; 3 % of the longer side
   // beside it.
@@ -42,8 +42,8 @@ TEST(PictureOfWorld, frames_bodies_as_they_lie) {
 
 TEST(PictureOfWorld, shows_bodies_as_they_lie) {
   const Lying lying;
-  const View view{200, 200, -1, 1, 100};
-  const Picture picture = picture_of(lying.engine->world(), view, {});
+  const Viewport view{200, 200, -1, 1, 100};
+  const scene::RgbImage picture = picture_of(lying.engine->world(), view, {});
   const auto is_green = [&](double x, double y) {
     const auto column = static_cast<std::size_t>((x + 1) * 100),
                row = static_cast<std::size_t>((1 - y) * 100);

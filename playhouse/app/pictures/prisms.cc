@@ -22,8 +22,8 @@ std::vector<Vec2> in_model(const scene::ModelDesc& desc, const std::vector<Vec2>
 
 }  // namespace
 
-std::vector<Prism> prisms_of(const scene::ModelDesc& desc) {
-  std::vector<Prism> prisms;
+std::vector<Extrusion> prisms_of(const scene::ModelDesc& desc) {
+  std::vector<Extrusion> prisms;
   for (const scene::Block& block : desc.blocks) {
     if (block.points.size() < 3) continue;
     prisms.push_back({{in_model(desc, block.points)}, block.z_min + desc.X_MB.z, block.z_max + desc.X_MB.z});
@@ -38,7 +38,7 @@ std::vector<Prism> prisms_of(const scene::ModelDesc& desc) {
   return prisms;
 }
 
-std::vector<geom::Trapezoid> top_of(const Prism& prism) {
+std::vector<geom::Trapezoid> top_of(const Extrusion& prism) {
   const std::vector<geom::Outline> outlines(prism.loops.begin(), prism.loops.end());
   return geom::trapezoids(outlines);
 }

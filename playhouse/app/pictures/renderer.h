@@ -1,6 +1,6 @@
 #pragma once
 
-/// Renderer: draws pictures of a world's present state. Implementations: our
+/// WorldRenderer: draws pictures of a world's present state. Implementations: our
 /// own (picture_of_world.h), and the page in Chromium (chromium_renderer.h).
 
 #include "playhouse/app/pictures/picture_of_world.h"
@@ -11,9 +11,9 @@ namespace playhouse::app {
 
 inline constexpr double kSeePeriod = 0.2;  // s
 
-class Renderer {
+class WorldRenderer {
  public:
-  virtual ~Renderer() = default;
+  virtual ~WorldRenderer() = default;
 
   /// Time before a picture during which see() has to be called
   /// every kSeePeriod, to accumulate trails. 0: not needed. [s]
@@ -21,7 +21,7 @@ class Renderer {
   virtual Result<void> see(const world::World&) { return {}; }
 
   /// Fails with a predicate for its name.
-  virtual Result<Picture> draw(const world::World& world, const View& view) = 0;
+  virtual Result<scene::RgbImage> draw(const world::World& world, const Viewport& view) = 0;
 };
 
 }  // namespace playhouse::app

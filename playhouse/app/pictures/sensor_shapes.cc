@@ -30,7 +30,7 @@ struct Sketch {
   const world::World& world;
   world::ModelRow model;
   double line_width;  // m
-  std::vector<Shape>& shapes;
+  std::vector<FilledShape>& shapes;
 
   Pose X_WB() const { return geom::compose(world.models.X_WM[model.index], world.desc(model).X_MB); }
   std::uint32_t row() const { return world.models.part[model.index]; }
@@ -175,7 +175,8 @@ void SensorShapes::watch(world::World& world) const {
       if (world.models.kind[row] == kDrawn[place].kind) world::watch(world, {row});
 }
 
-void SensorShapes::add_to(std::vector<Shape>& shapes, const world::World& world, double line_width) const {
+void SensorShapes::add_to(std::vector<FilledShape>& shapes, const world::World& world,
+                          double line_width) const {
   for (const std::size_t place : drawn_)
     for (std::uint32_t row = 0; row < world.models.size(); ++row)
       if (world.models.kind[row] == kDrawn[place].kind &&

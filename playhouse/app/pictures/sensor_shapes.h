@@ -32,7 +32,7 @@ class SensorShapes {
 
   /// Appends the latest measurements as star-shaped loops,
   /// visible from their first corner. `line_width` in metres.
-  void add_to(std::vector<Shape>& shapes, const world::World& world, double line_width) const;
+  void add_to(std::vector<FilledShape>& shapes, const world::World& world, double line_width) const;
 
  private:
   std::vector<std::size_t> drawn_;  // indices in the list, ascending

@@ -8,7 +8,7 @@
 namespace playhouse::app {
 
 /// A filled shape in a picture from above: the even-odd inside of the loops, in one colour.
-struct Shape {
+struct FilledShape {
   std::vector<std::vector<geom::Vec2>> loops;  // m, in W
   double z_max = 0;                            // m, in W: painting order
   scene::Color color;

@@ -47,7 +47,7 @@ Eye eye_towards(const Vec3& from, const Vec3& target) {
 
 /// The middle of what the view from above shows, on the floor.
 Vec3 middle_of(const world::World& world) {
-  const Result<View> view = view_of(world, 16);
+  const Result<Viewport> view = view_of(world, 16);
   if (!view) return {};
   return {view->left + 0.5 * view->width / view->pixels_per_metre,
           view->top - 0.5 * view->height / view->pixels_per_metre, 0};
@@ -91,10 +91,10 @@ Result<Sight> Sight::of(const SightOptions& options, const world::World& world) 
   return sight;
 }
 
-Result<View> Sight::at(const world::World& world, int width) {
+Result<Viewport> Sight::at(const world::World& world, int width) {
   if (from_ == From::kAbove) return view_of(world, width);
   if (!last_ || !model_ || world.row(*model_)) last_ = eye_of(world);
-  View view;
+  Viewport view;
   view.width = width;
   view.height = std::max(1, static_cast<int>(std::lround(width * kShape)));
   view.eye = last_;

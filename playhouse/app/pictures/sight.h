@@ -16,7 +16,7 @@ class Sight {
 
   /// The view of this width at a moment; from above that of view_of(). A model that is gone is seen, or
   /// sees, from where it last was. Fails like view_of().
-  Result<View> at(const world::World& world, int width);
+  Result<Viewport> at(const world::World& world, int width);
   /// True if the view of a run stays as it is at first.
   bool is_fixed() const { return !model_; }
 

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Conversion of vectors and rotations to and from Bullet's types.
+///
+/// In: a vector or a rotation.
+/// Out: the same in the other type.
+/// Cost: a copy.
 
 #include <btBulletDynamicsCommon.h>
 

@@ -155,7 +155,7 @@ SurfaceShape::SurfaceShape(const Triangles& triangles) : folds_(folds_of(triangl
   shape_->setUserPointer(this);
 }
 
-std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, const Surface& surface) {
+std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, const ContactSurface& surface) {
   btVector3 inertia(0, 0, 0);
   if (mass > 0) shape.calculateLocalInertia(mass, inertia);
   btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape, inertia);

@@ -1,6 +1,11 @@
 #pragma once
 
 /// Collision shapes and rigid bodies of Bullet.
+///
+/// In: hulls, or the triangles of a static mesh.
+/// Out: collision shapes; the folds at edges of triangles.
+/// Cost: once for the hulls of a body; of a mesh, a hierarchy over its triangles and a search for those
+///   beyond each edge.
 
 #include <array>
 #include <memory>
@@ -60,6 +65,6 @@ class SurfaceShape {
 };
 
 /// A body at the origin. `mass` in kg; 0: static or kinematic.
-std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, const Surface& surface);
+std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, const ContactSurface& surface);
 
 }  // namespace playhouse::arena

@@ -22,7 +22,7 @@ Hull box(const Vec3& size, const Vec3& middle = {}) {
   return hull;
 }
 
-BodyDesc crate(const Vec3& size, const Surface& surface = {}, double mass = 1) {
+RigidBodyDesc crate(const Vec3& size, const ContactSurface& surface = {}, double mass = 1) {
   return {.hulls = {box(size)}, .mass = mass, .center = {}, .surface = surface, .wheels = {}};
 }
 
@@ -66,7 +66,7 @@ TEST(Contacts, a_rebound_is_of_the_height_that_restitution_says) {
 }
 
 TEST(Contacts, equal_masses_exchange_their_velocities) {
-  const Surface surface{.friction = 1, .restitution = 1};
+  const ContactSurface surface{.friction = 1, .restitution = 1};
   for (const double tick : kTicks)
     for (const double gravity : {0.0, kG}) {
       Trial trial(tick, {.friction = 1e-9}, gravity);
@@ -206,7 +206,7 @@ TEST(Contacts, a_light_crate_bears_a_thousand_times_its_mass) {
   for (const double ratio : {10., 100., 1000.})
     for (const double tick : kTicks) {
       Trial trial(tick, {.friction = 0.6});
-      const Surface wood{.friction = 0.6};
+      const ContactSurface wood{.friction = 0.6};
       const std::uint32_t light = trial.add(crate({0.5, 0.5, 0.5}, wood, 1), {.p = {0, 0, 0.25}}),
                           heavy = trial.add(crate({0.5, 0.5, 0.5}, wood, ratio), {.p = {0, 0, 0.75}});
       trial.run(10);

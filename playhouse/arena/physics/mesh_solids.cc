@@ -55,7 +55,7 @@ Hull box(const Vec3& half) {
 }
 
 /// The hull of a collision shape, in B.
-Hull hull_of(const mesh::Shape& shape) {
+Hull hull_of(const mesh::CollisionShape& shape) {
   Hull hull;
   switch (shape.kind) {
     case mesh::ShapeKind::kBox:
@@ -120,7 +120,7 @@ const std::vector<Hull>& MeshHulls::of(const mesh::Mesh& mesh) {
   std::vector<Hull>& hulls = entry->second;
   if (!is_new) return hulls;
   if (mesh.physics && !mesh.physics->shapes.empty()) {
-    for (const mesh::Shape& shape : mesh.physics->shapes) hulls.push_back(hull_of(shape));
+    for (const mesh::CollisionShape& shape : mesh.physics->shapes) hulls.push_back(hull_of(shape));
   } else {
     for (const auto& part : mesh::parts_of(mesh, limits::kMeshParts)) hulls.push_back(simplified(part));
   }
@@ -145,7 +145,7 @@ FixedParts fixed_parts(const mesh::Mesh& mesh, const geom::Pose& X_FB) {
     add_surfaces(parts.triangles, mesh, X_FB);
     return parts;
   }
-  for (const mesh::Shape& shape : mesh.physics->shapes) {
+  for (const mesh::CollisionShape& shape : mesh.physics->shapes) {
     if (shape.kind != mesh::ShapeKind::kTriangles) {
       Hull hull = hull_of(shape);
       if (!has_area(hull)) continue;

@@ -2,6 +2,10 @@
 
 /// Meshes of models: convex hulls for physics, triangles for rays.
 /// Frames: B body of the model, F any frame chosen by the caller.
+///
+/// In: meshes as read from their files.
+/// Out: hulls and triangles.
+/// Cost: hulls of movable meshes once for each mesh; those of static ones in each call.
 
 #include <map>
 #include <vector>

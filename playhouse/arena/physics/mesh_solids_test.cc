@@ -127,8 +127,8 @@ TEST_F(MeshTest, the_file_says_how_it_rubs_where_the_world_does_not) {
   start(
       "model( mesh \"barrel.dae\" ) model( mesh \"barrel.dae\" friction 0.9 ) model( mesh \"barrel.dae\" "
       "material \"ice\" )");
-  EXPECT_EQ(surface_of(scene_->models.at(0)), (Surface{0.5, 0.2}));
-  EXPECT_EQ(surface_of(scene_->models.at(1)), (Surface{0.9, 0.2}));
+  EXPECT_EQ(surface_of(scene_->models.at(0)), (ContactSurface{0.5, 0.2}));
+  EXPECT_EQ(surface_of(scene_->models.at(1)), (ContactSurface{0.9, 0.2}));
   EXPECT_LT(surface_of(scene_->models.at(2)).friction, 0.1);
 }
 
@@ -204,10 +204,10 @@ TEST(MeshHulls, of_round_shapes_hold_nearly_as_much_as_they) {
   EXPECT_EQ(hulls.of(of)[2].round, Round::kCapsule);
 }
 
-mesh::Mesh with_shapes(std::initializer_list<mesh::Shape> shapes) {
+mesh::Mesh with_shapes(std::initializer_list<mesh::CollisionShape> shapes) {
   mesh::Mesh mesh;
   mesh.physics.emplace();
-  for (const mesh::Shape& shape : shapes) mesh.physics->shapes.push_back(shape);
+  for (const mesh::CollisionShape& shape : shapes) mesh.physics->shapes.push_back(shape);
   return mesh;
 }
 

@@ -13,7 +13,7 @@ constexpr double kForesight = 0.1;  // s of look-ahead between two calls of Phys
 
 }  // namespace
 
-Moving::Moving(const BodyDesc& of)
+Moving::Moving(const RigidBodyDesc& of)
     : desc(of), solids(std::make_unique<ConvexShapes>(of.hulls, of.center)), cores(of.hulls, of.center) {
   body = make_body(desc.mass, solids->shape(), desc.surface);
   body->setUserPointer(this);
@@ -34,14 +34,14 @@ Moving::Moving(const BodyDesc& of)
   write();
 }
 
-Box Moving::box() const {
+Aabb Moving::box() const {
   btVector3 low, high;
   body->getAabb(low, high);
   return {from(low), from(high)};
 }
 
-Box Moving::footprint() const {
-  Box box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+Aabb Moving::footprint() const {
+  Aabb box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
   for (const Wheel& wheel : desc.wheels) {
     const Vec3 p = state.p + state.q * wheel.p_B;
     const double reach = std::max(wheel.rise + kOverlap, kWheelDrop);

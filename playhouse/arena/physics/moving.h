@@ -1,6 +1,10 @@
 #pragma once
 
 /// Moving: a movable body with its Bullet objects and, if a vehicle, the ground below its wheels.
+///
+/// In: a description; the state of the body in W.
+/// Out: its Bullet objects with that state, and after a step the state with what Bullet made of it.
+/// Cost: its hulls when it is made or bent; afterwards some products a step, and some for each wheel.
 
 #include <cstdint>
 #include <memory>
@@ -15,7 +19,7 @@ namespace playhouse::arena {
 inline constexpr std::uint32_t kNobody = 0xffffffff;
 
 struct Moving {
-  BodyDesc desc;
+  RigidBodyDesc desc;
   std::unique_ptr<ConvexShapes> solids;
   Cores cores;
   std::unique_ptr<btRigidBody> body;
@@ -30,13 +34,13 @@ struct Moving {
   std::vector<std::uint32_t> supports;  // the body below each wheel, or kNobody
   bool is_held = false;                 // wheels as Bullet constraints: it pushes a support or is one
 
-  explicit Moving(const BodyDesc& of);
+  explicit Moving(const RigidBodyDesc& of);
   bool is_guided() const { return desc.mass == 0; }
   bool is_vehicle() const { return !desc.wheels.empty(); }
 
-  Box box() const;
+  Aabb box() const;
   /// The box in which the ground below its wheels may be.
-  Box footprint() const;
+  Aabb footprint() const;
   /// The velocity of its material point at p.  [m/s, both in W]
   Vec3 velocity_at(const Vec3& p) const { return state.v + cross(state.w, p - state.p); }
 

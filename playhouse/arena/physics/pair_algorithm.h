@@ -2,6 +2,10 @@
 
 /// What Bullet's dispatcher asks of our own contact algorithms: manifolds of their own for a pair of a shape
 /// of theirs and another one, in either order.
+///
+/// In: a pair of shapes whose boxes overlap.
+/// Out: its contacts, in N manifolds.
+/// Cost: N manifolds for each pair, and that of meet().
 
 #include <array>
 #include <cstddef>

@@ -90,9 +90,9 @@ struct Physics::Impl {
   RoundContacts of_round{false}, with_round{true};
   CylinderContacts of_cylinder{false}, with_cylinder{true};
   btCollisionDispatcher dispatcher{&configuration};
-  btDbvtBroadphase broadphase;
+  btDbvtBroadphase broad_phase;
   ContactSolver solver;
-  SweptWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  SweptWorld world{&dispatcher, &broad_phase, &solver, &configuration};
   btStaticPlaneShape plane{btVector3(0, 0, 1), 0};
   std::unique_ptr<btRigidBody> ground;
   double gravity;  // m/s^2
@@ -109,7 +109,8 @@ struct Physics::Impl {
   std::vector<std::unique_ptr<Moving>> bodies;
   bool is_in = false;
 
-  Impl(const Surface& surface, double gravity) : ground(make_body(0, plane, surface)), gravity(gravity) {
+  Impl(const ContactSurface& surface, double gravity)
+      : ground(make_body(0, plane, surface)), gravity(gravity) {
     // Bullet would multiply: on concrete, a ball of rubber would not bounce.
     [[maybe_unused]] static const auto set_once =
         gCalculateCombinedRestitutionCallback = [](const btCollisionObject* a, const btCollisionObject* b) {
@@ -158,7 +159,7 @@ struct Physics::Impl {
     struct Every final : btOverlapCallback {
       bool processOverlap(btBroadphasePair&) override { return true; }
     } every;
-    broadphase.getOverlappingPairCache()->processAllOverlappingPairs(&every, &dispatcher);
+    broad_phase.getOverlappingPairCache()->processAllOverlappingPairs(&every, &dispatcher);
   }
   /// Removes all bodies from Bullet's world, and with them cached contacts.
   void take_out() {
@@ -173,7 +174,7 @@ struct Physics::Impl {
   void put_in() {
     if (is_in) return;
     is_in = true;
-    broadphase.resetPool(&dispatcher);
+    broad_phase.resetPool(&dispatcher);
     solver.reset();
     each_body([this](btRigidBody& body, int group, int mask) { world.addRigidBody(&body, group, mask); });
     for (const auto& moving : bodies)
@@ -185,15 +186,15 @@ struct Physics::Impl {
     drop_pairs();
     const btCollisionObjectArray& objects = world.getCollisionObjectArray();
     for (int i = 0; i < objects.size(); ++i)
-      broadphase.destroyProxy(objects[i]->getBroadphaseHandle(), &dispatcher);
-    broadphase.resetPool(&dispatcher);
+      broad_phase.destroyProxy(objects[i]->getBroadphaseHandle(), &dispatcher);
+    broad_phase.resetPool(&dispatcher);
     solver.reset();
     each_body([this](btRigidBody& body, int group, int mask) {
       const btCollisionShape& shape = *body.getCollisionShape();
       btVector3 low, high;
       shape.getAabb(body.getWorldTransform(), low, high);
       body.setBroadphaseHandle(
-          broadphase.createProxy(low, high, shape.getShapeType(), &body, group, mask, &dispatcher));
+          broad_phase.createProxy(low, high, shape.getShapeType(), &body, group, mask, &dispatcher));
     });
   }
   void find_footing(Moving& moving, std::size_t i) const;
@@ -210,7 +211,7 @@ struct Physics::Impl {
 
   std::vector<WheelConstraint> held;  // constraints of a step; Bullet keeps pointers to them
   Supports supports;
-  std::vector<Box> boxes;           // scratch
+  std::vector<Aabb> boxes;          // scratch
   std::vector<std::uint32_t> near;  // scratch
 };
 
@@ -249,7 +250,7 @@ void Physics::Impl::find_footings(std::uint32_t number) {
 
 /// Wakes sleeping bodies on or beside a kinematic body, before it leaves them.
 void Physics::Impl::wake_neighbours(const Moving& guided) {
-  Box box = guided.box();
+  Aabb box = guided.box();
   box.low = box.low - Vec3{kBeside, kBeside, kBeside};
   box.high = box.high + Vec3{kBeside, kBeside, kBeside};
   supports.find(box, near);
@@ -265,12 +266,12 @@ void Physics::Impl::wake_neighbours(const Moving& guided) {
 void Physics::Impl::find_loads() {
   for (const auto& load : bodies) {
     if (load->is_guided() || load->is_vehicle() || load->is_sleeping) continue;
-    const Box box = load->box();
+    const Aabb box = load->box();
     supports.find(box, near);
     for (const std::uint32_t number : near) {
       Moving& below = *bodies[number];
       if (!below.is_vehicle() || below.is_sleeping) continue;
-      const Box under = below.box();
+      const Aabb under = below.box();
       if (box.low.z > 0.5 * (under.low.z + under.high.z)) below.is_held = true;
     }
   }
@@ -300,8 +301,8 @@ void Physics::Impl::wake() {
 
 /// Applies gravity and wheel impulses to a vehicle.
 void Physics::Impl::roll(Moving& moving, double dt) const {
-  Motion motion{moving.state.q, from(moving.body->getLinearVelocity()),
-                from(moving.body->getAngularVelocity())};
+  ChassisMotion motion{moving.state.q, from(moving.body->getLinearVelocity()),
+                       from(moving.body->getAngularVelocity())};
   motion.v.z -= gravity * dt;
   solve_wheels(moving.desc, moving.inertia, moving.velocity, dt, moving.footings, moving.impulses, motion);
   if (moving.desc.is_upright) motion.w = {0, 0, moving.velocity.a};
@@ -365,14 +366,15 @@ void Physics::Impl::let_wheels_go() {
   held.clear();
 }
 
-Physics::Physics(const Surface& ground, double gravity) : impl_(std::make_unique<Impl>(ground, gravity)) {}
+Physics::Physics(const ContactSurface& ground, double gravity)
+    : impl_(std::make_unique<Impl>(ground, gravity)) {}
 Physics::~Physics() = default;
 
 void Physics::set_fixed(std::span<const FixedSolid> solids) {
   impl_->take_out();
   impl_->fixed.clear();
   struct Alike {
-    Surface surface;
+    ContactSurface surface;
     double heading = 0;
     std::vector<Hull> hulls;  // in a frame of that heading
   };
@@ -407,7 +409,7 @@ void Physics::set_fixed(std::span<const FixedSolid> solids) {
   }
 }
 
-std::uint32_t Physics::add(const BodyDesc& desc) {
+std::uint32_t Physics::add(const RigidBodyDesc& desc) {
   impl_->take_out();
   const auto number = static_cast<std::uint32_t>(impl_->bodies.size());
   impl_->bodies.push_back(std::make_unique<Moving>(desc));

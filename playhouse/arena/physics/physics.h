@@ -4,6 +4,11 @@
 /// solver of our own (wheels.h). A step is a function of body states alone: clear_contacts() drops
 /// Bullet's cached contacts, so that a run resumed from a saved state is bit-identical.
 /// Frames: W world, B body. Call from one thread at a time; step() runs on workers.
+///
+/// In: bodies with their states, static solids, commanded velocities of vehicles.
+/// Out: states after a step; penetrations.
+/// Cost: a step grows with the pairs of bodies whose boxes overlap, and with their contacts, times the
+///   iterations that stacks need (stacks.h).
 
 #include <cstdint>
 #include <memory>
@@ -19,7 +24,7 @@ namespace playhouse::arena {
 /// A static solid: a convex hull, or a triangle mesh if `hull` is empty.
 struct FixedSolid {
   Hull hull;  // in W
-  Surface surface;
+  ContactSurface surface;
   double heading = 0;     // rad, of the x axis of the anisotropic friction
   Triangles triangles{};  // in W
 };
@@ -39,7 +44,7 @@ double correction(double dt);
 class Physics {
  public:
   /// `gravity` in m/s^2, downwards.
-  explicit Physics(const Surface& ground = {}, double gravity = 9.81);
+  explicit Physics(const ContactSurface& ground = {}, double gravity = 9.81);
   ~Physics();
   Physics(const Physics&) = delete;
   Physics& operator=(const Physics&) = delete;
@@ -47,7 +52,7 @@ class Physics {
   /// Replaces the static solids by the ground, the plane z = 0, and these.
   void set_fixed(std::span<const FixedSolid> solids);
   /// Adds a movable body, at rest at the origin; bodies are numbered from 0.
-  std::uint32_t add(const BodyDesc& desc);
+  std::uint32_t add(const RigidBodyDesc& desc);
   /// Removes all movable bodies.
   void clear();
   std::size_t size() const;

@@ -18,8 +18,8 @@ Hull box(double x, double y, double z_low, double z_high) {
   return hull;
 }
 
-BodyDesc rover() {
-  BodyDesc desc;
+RigidBodyDesc rover() {
+  RigidBodyDesc desc;
   desc.hulls = {box(0.44, 0.38, 0.05, 0.22)};
   desc.mass = 9;
   desc.center = {-0.02, 0, 0.1};
@@ -73,7 +73,7 @@ TEST_F(PhysicsTest, drives_five_metres_and_turns_ten_radians_as_its_wheels_say) 
 TEST_F(PhysicsTest, a_vehicle_of_any_height_speeds_up_as_its_grip_lets_it) {
   const double mu = 0.8, d = 0.16;
   for (const double height : {0.2, 0.5, 1.0, 1.5}) {
-    BodyDesc desc;
+    RigidBodyDesc desc;
     desc.hulls = {box(0.4, 0.4, 0.03, height)};
     desc.mass = 10;
     desc.center = {0, 0, 0.3 * height};
@@ -95,7 +95,7 @@ TEST_F(PhysicsTest, a_vehicle_of_any_height_speeds_up_as_its_grip_lets_it) {
 
 // A box that slides at v0 stops after v0^2 / (2 mu g).
 TEST_F(PhysicsTest, a_box_slides_as_far_as_friction_lets_it) {
-  BodyDesc desc;
+  RigidBodyDesc desc;
   desc.hulls = {box(0.3, 0.3, 0, 0.1)};
   desc.center = {0, 0, 0.05};
   desc.surface.friction = 0.4;
@@ -128,7 +128,7 @@ TEST_F(PhysicsTest, slopes_hold_vehicles_and_boxes_as_friction_says) {
   const Vec3 &along = ramp.along, &up = ramp.up;
   const FixedSolid solid{ramp.hull, {}};
   physics_.set_fixed({&solid, 1});
-  BodyDesc icy;
+  RigidBodyDesc icy;
   icy.hulls = {box(0.3, 0.3, 0, 0.1)};
   icy.center = {0, 0, 0.05};
   icy.surface.friction = 0.1;
@@ -143,8 +143,8 @@ TEST_F(PhysicsTest, slopes_hold_vehicles_and_boxes_as_friction_says) {
   EXPECT_NEAR(dot(5 * along - physics_.state(box_body).p, along), slid, 0.03 * slid);
 }
 
-BodyDesc slab(double mass, double length, double height, double friction) {
-  BodyDesc desc;
+RigidBodyDesc slab(double mass, double length, double height, double friction) {
+  RigidBodyDesc desc;
   desc.hulls = {box(length, 1, 0, height)};
   desc.mass = mass;
   desc.center = {0, 0, 0.5 * height};
@@ -155,7 +155,7 @@ BodyDesc slab(double mass, double length, double height, double friction) {
 /// How far a vehicle of a height, with wheels and casters of a `diff` base, slides down a ramp of 20 degrees.
 double slides(double height, double friction, double heading) {
   const Ramp ramp(20 * M_PI / 180);
-  BodyDesc desc;
+  RigidBodyDesc desc;
   desc.hulls = {box(0.4, 0.4, 0.03, height)};
   desc.mass = 10;
   desc.center = {0, 0, 0.3 * height};
@@ -190,7 +190,7 @@ TEST(Physics, a_body_bounces_as_high_as_restitution_lets_it) {
   for (const auto& [own, floor] : {std::pair(0.6, 0.1), {0.1, 0.6}, {0.8, 0.0}, {0.0, 0.0}}) {
     Physics physics({.restitution = floor});
     world::Workers workers{1};
-    BodyDesc desc = slab(5, 1, 0.2, 1);
+    RigidBodyDesc desc = slab(5, 1, 0.2, 1);
     desc.surface.restitution = own;
     const std::uint32_t body = physics.add(desc);
     physics.put(body, {.p = {0, 0, 1}}, false);
@@ -209,10 +209,10 @@ TEST(Physics, a_body_bounces_as_high_as_restitution_lets_it) {
 }
 
 /// How far a box slides that begins with 2 m/s along d.  [m]
-double slide(const Surface& ground, const Surface& surface, double gravity, const Vec3& d) {
+double slide(const ContactSurface& ground, const ContactSurface& surface, double gravity, const Vec3& d) {
   Physics physics(ground, gravity);
   world::Workers workers{1};
-  BodyDesc desc = slab(5, 1, 0.2, 0);
+  RigidBodyDesc desc = slab(5, 1, 0.2, 0);
   desc.surface = surface;
   const std::uint32_t body = physics.add(desc);
   physics.put(body, {.v = 2 * d}, false);
@@ -226,17 +226,17 @@ double slide(const Surface& ground, const Surface& surface, double gravity, cons
 
 // v^2 / (2 mu g)
 TEST(Physics, a_box_slides_as_far_as_ground_gravity_and_its_grain_let_it) {
-  const Surface half{.friction = 0.5}, icy{.friction = 0.2};
+  const ContactSurface half{.friction = 0.5}, icy{.friction = 0.2};
   EXPECT_NEAR(slide({}, half, 9.81, {1, 0, 0}), 2 / (0.5 * 9.81), 0.02);
   EXPECT_NEAR(slide({}, half, 1.62, {1, 0, 0}), 2 / (0.5 * 1.62), 0.05);
   EXPECT_NEAR(slide(icy, half, 9.81, {1, 0, 0}), 2 / (0.1 * 9.81), 0.05);
-  const Surface sledge{.friction = 0.5, .share_x = 0.2};
+  const ContactSurface sledge{.friction = 0.5, .share_x = 0.2};
   EXPECT_NEAR(slide({}, sledge, 9.81, {1, 0, 0}), 2 / (0.1 * 9.81), 0.1 * 2.04);
   EXPECT_NEAR(slide({}, sledge, 9.81, {0, 1, 0}), 2 / (0.5 * 9.81), 0.1 * 0.41);
 }
 
 TEST_F(PhysicsTest, wheels_slip_along_the_grain_of_a_floor) {
-  const Surface grain{.friction = 1, .share_x = 0.02};
+  const ContactSurface grain{.friction = 1, .share_x = 0.02};
   const std::vector<FixedSolid> floor{{box(40, 40, -1, 0.01), grain, 0.5 * std::numbers::pi}};
   physics_.set_fixed(floor);
   const std::uint32_t along = physics_.add(rover()), across = physics_.add(rover());
@@ -292,8 +292,8 @@ TEST_F(PhysicsTest, a_vehicle_that_rests_falls_when_what_it_stands_on_is_pulled_
   EXPECT_NEAR(physics_.state(body).p.z, 0, 5e-3);
 }
 
-BodyDesc walker() {
-  BodyDesc person;
+RigidBodyDesc walker() {
+  RigidBodyDesc person;
   person.hulls = {box(0.3, 0.4, 0.3, 1.7)};
   person.mass = 70;
   person.center = {0, 0, 0.8};
@@ -343,7 +343,7 @@ TEST_F(PhysicsTest, what_is_light_bears_who_stands_on_it) {
 }
 
 TEST_F(PhysicsTest, a_light_vehicle_bears_a_heavy_one) {
-  BodyDesc heavy = rover();
+  RigidBodyDesc heavy = rover();
   heavy.mass = 50;
   const std::uint32_t below = physics_.add(rover()), above = physics_.add(heavy);
   physics_.put(above, {.p = {0, 0, 0.22}}, false);
@@ -372,7 +372,7 @@ TEST_F(PhysicsTest, seven_boxes_stand_on_each_other) {
   std::vector<std::uint32_t> boxes;
   constexpr int kBoxes = 7;
   for (int i = 0; i < kBoxes; ++i) {
-    BodyDesc box_desc;
+    RigidBodyDesc box_desc;
     box_desc.hulls = {box(0.4, 0.4, 0, 0.4)};
     box_desc.mass = 10;
     box_desc.center = {0, 0, 0.2};
@@ -386,7 +386,7 @@ TEST_F(PhysicsTest, seven_boxes_stand_on_each_other) {
 }
 
 TEST_F(PhysicsTest, a_vehicle_that_is_woken_from_above_goes_on_whatever_was_before) {
-  BodyDesc small = rover();
+  RigidBodyDesc small = rover();
   small.hulls = {box(0.2, 0.2, 0.05, 0.2)};
   small.mass = 1;
   for (Wheel& wheel : small.wheels) wheel.p_B = 0.4 * wheel.p_B;

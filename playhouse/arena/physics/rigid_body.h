@@ -1,6 +1,6 @@
 #pragma once
 
-/// Description and state of a rigid body. Frames: W world, B body.
+/// Description and state of a rigid body. Frames: W world, B body. Values.
 
 #include <cstdint>
 #include <limits>
@@ -28,12 +28,12 @@ struct Hull : std::vector<Vec3> {
 
 /// Surface properties. Friction coefficients of two surfaces in contact
 /// are multiplied; of the coefficients of restitution the larger one applies.
-struct Surface {
+struct ContactSurface {
   double friction = 1;
   double restitution = 0;
   double share_x = 1, share_y = 1;  // factors of friction along the owner's x and y
   constexpr bool has_grain() const { return share_x != 1 || share_y != 1; }
-  friend constexpr bool operator==(const Surface&, const Surface&) = default;
+  friend constexpr bool operator==(const ContactSurface&, const ContactSurface&) = default;
 };
 
 /// Contact point of a wheel or caster of a vehicle with level ground.
@@ -54,11 +54,11 @@ struct Motors {
   constexpr bool have_limits() const { return max_force < kNoLimit || max_power < kNoLimit; }
 };
 
-struct BodyDesc {
+struct RigidBodyDesc {
   std::vector<Hull> hulls;  // in B
   double mass = 1;          // kg; 0: kinematic
   Vec3 center;              // of mass  [m, in B]
-  Surface surface;
+  ContactSurface surface;
   std::vector<Wheel> wheels;  // none: no vehicle
   bool is_upright = false;    // a vehicle with no roll, pitch or yaw from contacts: it heads where driven
   Motors motors;              // of a vehicle

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Spheres and capsules, the points within a radius of an axis; and cylinders, the points between two discs.
+///
+/// In: radius and half length of a round solid, or its hull.
+/// Out: its hull, or its axis; moments of inertia.
+/// Cost: the corners of a hull.
 
 #include <span>
 

@@ -20,7 +20,7 @@ constexpr double kHalf = 0.2;                                                 //
 const Quaternion kAcross = Quaternion{std::sqrt(0.5), std::sqrt(0.5), 0, 0};  // z to -y
 
 /// A ball, capsule or cylinder, its axis across the way that it rolls.
-BodyDesc roller(Round round, const Surface& surface = {}) {
+RigidBodyDesc roller(Round round, const ContactSurface& surface = {}) {
   Hull hull = round == Round::kCylinder ? cylinder_hull(kRadius, kHalf)
                                         : round_hull(kRadius, round == Round::kSphere ? 0 : kHalf);
   for (Vec3& p : hull) p = kAcross * p;
@@ -48,7 +48,7 @@ std::vector<FixedSolid> plate(double height, double slope) {
 }
 
 /// Speed downhill after a second from rest on a slope.
-double speed_after_a_second(double tick, const BodyDesc& body, const std::vector<FixedSolid>& slope,
+double speed_after_a_second(double tick, const RigidBodyDesc& body, const std::vector<FixedSolid>& slope,
                             double angle) {
   Trial trial(tick);
   trial.physics.set_fixed(slope);
@@ -137,7 +137,7 @@ TEST(RoundSolids, of_equal_mass_exchange_their_velocities) {
   for (const double tick : kRollTicks)
     for (const Round round : kAll) {
       Trial trial(tick, {.friction = 0}, 0);
-      const BodyDesc body = roller(round, {.friction = 0, .restitution = 1});
+      const RigidBodyDesc body = roller(round, {.friction = 0, .restitution = 1});
       const std::uint32_t moving = trial.add(body, {.p = {0, 0, 1}, .v = {3, 0, 0}}),
                           standing = trial.add(body, {.p = {1, 0, 1}});
       trial.run(0.5);
@@ -181,7 +181,7 @@ TEST(RoundSolids, at_rest_stay_where_they_are) {
 }
 
 TEST(RoundSolids, stand_on_their_discs) {
-  const BodyDesc drum{
+  const RigidBodyDesc drum{
       .hulls = {cylinder_hull(0.3, 0.4)}, .mass = 20, .center = {}, .surface = {}, .wheels = {}};
   for (const double tick : kRollTicks)
     for (const auto& floor : {square(3, 0.5, 0), plate(0.5, 0)}) {
@@ -197,7 +197,7 @@ TEST(RoundSolids, stand_on_their_discs) {
 }
 
 TEST(RoundSolids, stand_on_each_other) {
-  const BodyDesc drum{
+  const RigidBodyDesc drum{
       .hulls = {cylinder_hull(0.3, 0.4)}, .mass = 20, .center = {}, .surface = {}, .wheels = {}};
   for (const double tick : kRollTicks) {
     Trial trial(tick);
@@ -214,14 +214,14 @@ bool is_finite(const BodyState& state) {
 
 // Neither their axes nor their middles say in which direction.
 TEST(RoundSolids, on_one_axis_come_apart) {
-  const BodyDesc drum{
+  const RigidBodyDesc drum{
       .hulls = {cylinder_hull(0.3, 0.4)}, .mass = 20, .center = {}, .surface = {}, .wheels = {}};
   struct Pair {
-    BodyDesc body;
+    RigidBodyDesc body;
     double radius;
     Vec3 first, second;
   };
-  const BodyDesc log = roller(Round::kCylinder);
+  const RigidBodyDesc log = roller(Round::kCylinder);
   const Pair pairs[] = {{drum, 0.3, {0, 0, 0.4}, {0, 0, 0.4}},
                         {drum, 0.3, {0, 0, 0.4}, {0, 0, 0.45}},
                         {log, kRadius, {0, 0, kRadius}, {0, 0, kRadius}},
@@ -259,7 +259,7 @@ std::vector<FixedSolid> well(double floor) {
 }
 
 TEST(RoundSolids, stand_on_the_floor_of_a_well_whose_walls_are_near) {
-  const BodyDesc drum{
+  const RigidBodyDesc drum{
       .hulls = {cylinder_hull(0.3, 0.4)}, .mass = 20, .center = {}, .surface = {}, .wheels = {}};
   for (const double tick : kRollTicks) {
     Trial trial(tick);
@@ -316,7 +316,7 @@ TEST(RoundSolids, are_carried_by_crates) {
     for (const double x : {-0.5, 0.5})
       for (const double y : {-0.5, 0.5})
         for (const double z : {-0.2, 0.2}) box.push_back({x, y, z});
-    const BodyDesc crate{.hulls = {box}, .mass = 4, .center = {}, .surface = {}, .wheels = {}};
+    const RigidBodyDesc crate{.hulls = {box}, .mass = 4, .center = {}, .surface = {}, .wheels = {}};
     trial.add(crate, {.p = {0, 0, 0.2}});
     const std::uint32_t log = trial.add(roller(Round::kCapsule), {.p = {0.1, 0.1, 0.4 + kRadius}});
     trial.add(crate, {.p = {3, 0, 0.2}});

@@ -28,7 +28,7 @@ bool is_level(const btPersistentManifold& contact) {
   return false;
 }
 
-struct Body {
+struct Stacked {
   double mass;         // kg
   double height = 1;   // bodies on top of each other, up to this one
   double bearers = 0;  // bodies below
@@ -69,8 +69,8 @@ class Stacks {
     std::ranges::stable_sort(bearings_, std::greater(), &Bearing::z_upper);
     double largest = 0;
     for (const Bearing& bearing : bearings_) {
-      const Body& upper = bodies_[bearing.upper];
-      Body& lower = bodies_[bearing.lower];
+      const Stacked& upper = bodies_[bearing.upper];
+      Stacked& lower = bodies_[bearing.lower];
       lower.load += (upper.mass + upper.load) / upper.bearers;
       largest = std::max(largest, lower.load / lower.mass);
     }
@@ -85,7 +85,7 @@ class Stacks {
   }
 
   std::map<const btRigidBody*, std::size_t> row_;  // looked up, never in its order
-  std::vector<Body> bodies_;
+  std::vector<Stacked> bodies_;
   std::vector<Bearing> bearings_;
 };
 

@@ -7,14 +7,14 @@ namespace {
 
 constexpr double kWide = 2;  // m along x; wider boxes are tested by brute force
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap(const Aabb& a, const Aabb& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
          a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
 }  // namespace
 
-void Supports::set(std::span<const Box> boxes) {
+void Supports::set(std::span<const Aabb> boxes) {
   narrow_.clear();
   wide_.clear();
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
@@ -22,7 +22,7 @@ void Supports::set(std::span<const Box> boxes) {
   std::ranges::sort(narrow_, {}, [](const Entry& entry) { return std::pair(entry.box.low.x, entry.body); });
 }
 
-void Supports::find(const Box& box, std::vector<std::uint32_t>& bodies) const {
+void Supports::find(const Aabb& box, std::vector<std::uint32_t>& bodies) const {
   bodies.clear();
   for (const Entry& entry : wide_)
     if (overlap(entry.box, box)) bodies.push_back(entry.body);

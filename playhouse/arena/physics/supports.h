@@ -19,20 +19,20 @@
 
 namespace playhouse::arena {
 
-struct Box {
+struct Aabb {
   Vec3 low, high;  // m, in W
 };
 
 class Supports {
  public:
   /// `boxes` has one for each body.
-  void set(std::span<const Box> boxes);
+  void set(std::span<const Aabb> boxes);
   /// Replaces `bodies` by the bodies whose boxes overlap `box`.
-  void find(const Box& box, std::vector<std::uint32_t>& bodies) const;
+  void find(const Aabb& box, std::vector<std::uint32_t>& bodies) const;
 
  private:
   struct Entry {
-    Box box;
+    Aabb box;
     std::uint32_t body = 0;
   };
   std::vector<Entry> narrow_;  // sorted by the low side in x

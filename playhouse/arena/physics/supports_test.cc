@@ -7,7 +7,7 @@
 namespace playhouse::arena {
 namespace {
 
-Box around(const Vec3& middle, const Vec3& half) {
+Aabb around(const Vec3& middle, const Vec3& half) {
   return {middle - half, middle + half};
 }
 
@@ -18,17 +18,17 @@ TEST(Supports, finds_what_comparing_each_with_each_finds) {
     const Vec3 half{rng.uniform(0, most), rng.uniform(0, 1), rng.uniform(0, 0.5)};
     return around(middle, half);  // drawn in this order by every compiler
   };
-  std::vector<Box> boxes;
+  std::vector<Aabb> boxes;
   for (int i = 0; i < 200; ++i) boxes.push_back(any(i % 20 == 0 ? 6 : 0.9));
   Supports supports;
   supports.set(boxes);
   std::vector<std::uint32_t> found;
   std::size_t overlaps = 0;
   for (int i = 0; i < 300; ++i) {
-    const Box box = any(i % 10 == 0 ? 5 : 0.5);
+    const Aabb box = any(i % 10 == 0 ? 5 : 0.5);
     std::vector<std::uint32_t> expected;
     for (std::uint32_t body = 0; body < boxes.size(); ++body) {
-      const Box& b = boxes[body];
+      const Aabb& b = boxes[body];
       if (b.high.x < box.low.x || box.high.x < b.low.x || b.high.y < box.low.y || box.high.y < b.low.y ||
           b.high.z < box.low.z || box.high.z < b.low.z)
         continue;

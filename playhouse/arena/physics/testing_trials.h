@@ -19,12 +19,12 @@ inline constexpr double kG = 9.81;  // m/s^2
 /// Bodies in ticks of one length, divided into steps as ArenaEngine does.
 class Trial {
  public:
-  explicit Trial(double tick, const Surface& ground = {}, double gravity = kG)
+  explicit Trial(double tick, const ContactSurface& ground = {}, double gravity = kG)
       : physics(ground, gravity),
         tick_(tick),
         trace_(__FILE__, __LINE__, testing::Message() << "tick " << tick) {}
 
-  std::uint32_t add(const BodyDesc& desc, const BodyState& state) {
+  std::uint32_t add(const RigidBodyDesc& desc, const BodyState& state) {
     const std::uint32_t body = physics.add(desc);
     physics.put(body, state, false);
     return body;

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Wheels as Bullet constraints (wheels.h solves wheels on static ground).
+///
+/// In: where a wheel touches its support, and what solve_wheels() found for it.
+/// Out: rows for Bullet's solver.
+/// Cost: three rows, of a wheel without grip one.
 
 #include "playhouse/arena/physics/bullet.h"
 #include "playhouse/arena/physics/wheels.h"

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Ground detection below a wheel: a downward ray cast.
+///
+/// In: a vertical ray, and a body.
+/// Out: the nearest footing so far.
+/// Cost: a ray test of Bullet for each body.
 
 #include "playhouse/arena/physics/bullet.h"
 #include "playhouse/arena/physics/wheels.h"

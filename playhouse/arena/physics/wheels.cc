@@ -9,7 +9,7 @@
 namespace playhouse::arena {
 namespace {
 
-using simd::Four;
+using simd::Double4;
 using simd::kFour;
 using simd::load;
 using simd::store;
@@ -41,7 +41,7 @@ struct Contact {
 /// matrix is computed once, so that an iteration does not update the motion.
 class Rows {
  public:
-  PLAYHOUSE_INLINE Rows(const Inertia& inertia, Motion& motion)
+  PLAYHOUSE_INLINE Rows(const Inertia& inertia, ChassisMotion& motion)
       : per_mass_(inertia.per_mass), motion_(motion) {
     const Vec3 x = motion.q * Vec3{1, 0, 0}, y = motion.q * Vec3{0, 1, 0}, z = motion.q * Vec3{0, 0, 1};
     const auto column = [&](double of_x, double of_y, double of_z) {
@@ -74,15 +74,15 @@ class Rows {
       const Vec3 pushed = per_mass_ * direction_.at(j), turned = turned_.at(j);
       double* const change = change_[j];
       for (std::size_t i = 0; i < end_; i += kFour) {
-        Four dx, dy, dz, ax, ay, az;
+        Double4 dx, dy, dz, ax, ay, az;
         load(dx, direction_.x + i);
         load(dy, direction_.y + i);
         load(dz, direction_.z + i);
         load(ax, arm_.x + i);
         load(ay, arm_.y + i);
         load(az, arm_.z + i);
-        store<Four>(change + i, dx * pushed.x + dy * pushed.y + dz * pushed.z + ax * turned.x +
-                                    ay * turned.y + az * turned.z);
+        store<Double4>(change + i, dx * pushed.x + dy * pushed.y + dz * pushed.z + ax * turned.x +
+                                       ay * turned.y + az * turned.z);
       }
       effective_[j] = 1 / change[j];
       add_change(change, impulse_[j]);
@@ -112,7 +112,7 @@ class Rows {
   };
   PLAYHOUSE_INLINE void couple(Together& together) const {
     for (std::size_t i = 0; i < end_; i += kFour) {
-      Four sum = {0, 0, 0, 0}, change;
+      Double4 sum = {0, 0, 0, 0}, change;
       for (std::size_t k = 0; k < together.rows.size(); ++k) {
         load(change, change_[together.rows[k]] + i);
         sum += together.shares[k] * change;
@@ -158,15 +158,15 @@ class Rows {
   }
   PLAYHOUSE_INLINE void add_change(const double* per_impulse, double impulse) {
     for (std::size_t i = 0; i < end_; i += kFour) {
-      Four missing, change;
+      Double4 missing, change;
       load(missing, missing_ + i);
       load(change, per_impulse + i);
-      store<Four>(missing_ + i, missing - impulse * change);
+      store<Double4>(missing_ + i, missing - impulse * change);
     }
   }
 
   double per_mass_;
-  Motion& motion_;
+  ChassisMotion& motion_;
   Vec3 turn_x_, turn_y_, turn_z_;     // columns of the inverse of the moment of inertia, in W
   std::size_t count_ = 0, end_ = 0;   // of rows, and of those that are worked on, four at a time
   Vectors direction_, arm_, turned_;  // arm: of the direction; turned: rad/s per N s
@@ -345,9 +345,9 @@ Motor motor_of(const Motors& motors, std::span<const Contact> contacts, double m
           motors.push_sideways};
 }
 
-PLAYHOUSE_INLINE void solve(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity,
+PLAYHOUSE_INLINE void solve(const RigidBodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity,
                             double dt, std::span<const Footing> footings, std::span<WheelImpulse> impulses,
-                            Motion& motion) {
+                            ChassisMotion& motion) {
   Rows rows(inertia, motion);
   std::array<Contact, kMostWheels> contacts;
   std::size_t count = 0;
@@ -404,7 +404,7 @@ WheelTarget wheel_target(const Wheel& wheel, const Footing& footing, const Quate
   return target_of(wheel, footing, q * Vec3{1, 0, 0}, velocity, dt);
 }
 
-void let_casters_give_way(const BodyDesc& desc, std::span<Footing> footings) {
+void let_casters_give_way(const RigidBodyDesc& desc, std::span<Footing> footings) {
   // wheels_of() lists the driven wheels of an axle first, then its casters.
   const std::vector<Wheel>& wheels = desc.wheels;
   if (wheels.size() != 4 || wheels[0].is_caster() || wheels[1].is_caster() || !wheels[2].is_caster() ||
@@ -421,8 +421,9 @@ void let_casters_give_way(const BodyDesc& desc, std::span<Footing> footings) {
   for (Footing& footing : footings.subspan(2)) footing.gap += std::min(hollow, kTravel);
 }
 
-void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity, double dt,
-                  std::span<const Footing> footings, std::span<WheelImpulse> impulses, Motion& motion) {
+void solve_wheels(const RigidBodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity, double dt,
+                  std::span<const Footing> footings, std::span<WheelImpulse> impulses,
+                  ChassisMotion& motion) {
   simd::in_vectors<solve>(desc, inertia, velocity, dt, footings, impulses, motion);
 }
 

@@ -66,20 +66,20 @@ WheelTarget wheel_target(const Wheel& wheel, const Footing& footing, const Quate
 /// Emulates sprung casters for a vehicle with two driven wheels: adds to
 /// the gaps of its casters what keeps its wheels on the ground in a hollow,
 /// such as the foot of a ramp. No effect on even ground or on a crest.
-void let_casters_give_way(const BodyDesc& desc, std::span<Footing> footings);
+void let_casters_give_way(const RigidBodyDesc& desc, std::span<Footing> footings);
 
 /// Inverse inertia of a vehicle, and the motion of its centre of mass. Frame: W, moments along B's axes.
 struct Inertia {
   double per_mass = 0;  // 1/kg
   Vec3 per_moment;      // about the centre of mass, along B's axes  [1/(kg m^2)]
 };
-struct Motion {
+struct ChassisMotion {
   Quaternion q;  // B to W
   Vec3 v, w;     // m/s, rad/s
 };
 
 /// Changes motion.v and motion.w. `velocity` is the commanded velocity, in B.
-void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity, double dt,
-                  std::span<const Footing> footings, std::span<WheelImpulse> impulses, Motion& motion);
+void solve_wheels(const RigidBodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity, double dt,
+                  std::span<const Footing> footings, std::span<WheelImpulse> impulses, ChassisMotion& motion);
 
 }  // namespace playhouse::arena

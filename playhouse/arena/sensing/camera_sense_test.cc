@@ -439,10 +439,10 @@ TEST(Looks, a_person_walks_as_fast_as_it_moves_and_stands_when_it_does_not) {
 
 TEST(Looks, days_get_dark_when_the_sun_sets) {
   scene::WorldDesc world;
-  const render::Surroundings day = surroundings_of(world, 0);
+  const render::Environment day = surroundings_of(world, 0);
   EXPECT_GT(day.to_sun.z, 0.7);
   world.sun_elevation = -0.1;
-  const render::Surroundings night = surroundings_of(world, 0);
+  const render::Environment night = surroundings_of(world, 0);
   EXPECT_LT(night.ambient, 0.2 * day.ambient);
   EXPECT_LT(night.sky[2], 0.2 * day.sky[2]);
 }

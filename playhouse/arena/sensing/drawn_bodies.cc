@@ -54,11 +54,12 @@ void DrawnBodies::add_body(const world::World& world, std::uint32_t model, const
                            std::size_t begin, std::size_t end, render::Renderer& renderer) {
   const auto [entry, is_new] = shapes_of_.try_emplace(world.models.desc[model]);
   if (is_new) add_shapes(world.desc({model}), solids, begin, end, renderer, entry->second);
-  for (const Shape& each : entry->second) bodies_.push_back({model, each.shape, each.is_tinted});
+  for (const DrawnShape& each : entry->second) bodies_.push_back({model, each.shape, each.is_tinted});
 }
 
 void DrawnBodies::add_shapes(const scene::ModelDesc& desc, const bodies::Solids& solids, std::size_t begin,
-                             std::size_t end, render::Renderer& renderer, std::vector<Shape>& shapes) const {
+                             std::size_t end, render::Renderer& renderer,
+                             std::vector<DrawnShape>& shapes) const {
   if (!desc.look)
     return shapes.push_back({renderer.add_shape(mesh_of(desc, solids, begin, end)), !desc.mesh});
   for (const bool painted : {true, false}) {
@@ -77,7 +78,7 @@ void DrawnBodies::place(const world::World& world, double time) {
 void DrawnBodies::place_bodies(const world::World& world) {
   const world::Models& models = world.models;
   instances_.clear();
-  for (const Body& body : bodies_) {
+  for (const DrawnModel& body : bodies_) {
     const std::array<float, 4> color = light_of(models.color[body.model]);
     const std::array<float, 4> tint = body.is_tinted ? color : std::array<float, 4>{1, 1, 1, 1};
     // A transparent look is so as a whole.

@@ -36,18 +36,18 @@ class DrawnBodies {
 
  private:
   /// A body that cameras may see, by one of its shapes.
-  struct Body {
+  struct DrawnModel {
     std::uint32_t model = 0;  // row
     std::uint32_t shape = 0;  // of the renderer
     bool is_tinted = false;   // by the colour of the model; a mesh has its own colours
   };
-  struct Shape {
+  struct DrawnShape {
     std::uint32_t shape = 0;
     bool is_tinted = false;
   };
 
   void add_shapes(const scene::ModelDesc& desc, const bodies::Solids& solids, std::size_t begin,
-                  std::size_t end, render::Renderer& renderer, std::vector<Shape>& shapes) const;
+                  std::size_t end, render::Renderer& renderer, std::vector<DrawnShape>& shapes) const;
   /// The model with its solids [begin, end), in the shapes of its description.
   void add_body(const world::World& world, std::uint32_t model, const bodies::Solids& solids,
                 std::size_t begin, std::size_t end, render::Renderer& renderer);
@@ -56,8 +56,8 @@ class DrawnBodies {
   void place_smoke(const world::World& world);
   void place_lamps(const world::World& world);
 
-  std::map<std::uint32_t, std::vector<Shape>> shapes_of_;  // by row of SceneDesc::models
-  std::vector<Body> bodies_;
+  std::map<std::uint32_t, std::vector<DrawnShape>> shapes_of_;  // by row of SceneDesc::models
+  std::vector<DrawnModel> bodies_;
   std::vector<std::uint32_t> people_, smokes_, shining_;  // rows of world::Models
   std::vector<render::Instance> instances_;
   std::vector<render::Figure> figures_;

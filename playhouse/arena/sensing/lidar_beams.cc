@@ -36,7 +36,8 @@ std::uint32_t steps_of(double half, double range_max) {
 }
 
 /// A level fan, then a ray on the upper and one on the lower rim. `ray` has what they share.
-void add_cone(LidarBeams& all, LidarBeams::Ray ray, double bearing, const scene::RangerSensorDesc& sensor) {
+void add_cone(LidarBeams& all, LidarBeams::BeamRay ray, double bearing,
+              const scene::RangerSensorDesc& sensor) {
   const double half = std::min(0.5 * sensor.fov, 0.5 * geom::kPi);
   const std::uint32_t steps = steps_of(half, sensor.range_max);
   for (std::uint32_t i = 0; i <= steps; ++i) {
@@ -57,11 +58,11 @@ void add_sensor(LidarBeams& all, const scene::RangerSensorDesc& sensor, const ge
                 std::uint32_t number) {
   const geom::Pose X_MS = geom::compose(X_MB, sensor.X_BS);
   const auto first = static_cast<std::uint32_t>(all.beams());
-  LidarBeams::Ray ray{.p = {X_MS.x, X_MS.y, X_MS.z + 0.5 * sensor.size.z},
-                      .d = {},
-                      .range_max = static_cast<float>(sensor.range_max),
-                      .is_turned = sensor.noise_angular > 0,
-                      .sensor = number};
+  LidarBeams::BeamRay ray{.p = {X_MS.x, X_MS.y, X_MS.z + 0.5 * sensor.size.z},
+                          .d = {},
+                          .range_max = static_cast<float>(sensor.range_max),
+                          .is_turned = sensor.noise_angular > 0,
+                          .sensor = number};
   for (std::uint32_t ring = 0; ring < sensor.rings; ++ring)
     for (std::uint32_t sample = 0; sample < sensor.samples; ++sample) {
       ray.sample = ring * sensor.samples + sample;

@@ -3,6 +3,10 @@
 /// The rays of a ranger: for a scanner one per beam and ring, for a single-beam transducer
 /// a cone of rays (a level fan, one above, one below), of which the nearest echo counts.
 /// Frame: M the ranger's model.
+///
+/// In: the sensors of a ranger, from its description.
+/// Out: their rays, in M.
+/// Cost: the rays, once for each description.
 
 #include <cstdint>
 #include <vector>
@@ -13,7 +17,7 @@
 namespace playhouse::arena {
 
 struct LidarBeams {
-  struct Ray {
+  struct BeamRay {
     geom::Vec3 p, d;                       // origin [m], unit vector, in M
     float range_max = 0;                   // m
     std::uint32_t beam = 0;                // of the ranger, over all rings
@@ -29,7 +33,7 @@ struct LidarBeams {
     double noise_weak = 0;  // m, range noise at the threshold
   };
   std::vector<Sensor> sensors;
-  std::vector<Ray> rays;
+  std::vector<BeamRay> rays;
   std::vector<double> range_min, range_max;  // m (beams)
   bool is_noisy = false;                     // any sensor has range noise
   bool is_light = false;                     // any sensor has a lidar's error model

@@ -25,7 +25,7 @@ void add_bodies(Triangles& triangles, const world::World& world, const bodies::S
   const std::uint32_t model = solids.model[begin];
   if (const mesh::Mesh* mesh = mesh_of(world, model))
     return add_surfaces(triangles, *mesh, body_in(world, model, X_FM));
-  each_body(solids, begin, end, bodies::Observer::kRanger, [&](std::size_t first, std::size_t last) {
+  each_body(solids, begin, end, bodies::SeenBy::kRanger, [&](std::size_t first, std::size_t last) {
     const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, first, last, X_FM);
     const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
     add_extrusion(triangles, all, X_FM.z + solids.z_min_M[first], X_FM.z + solids.z_max_M[first]);
@@ -39,7 +39,7 @@ void each_model(const bodies::Solids& solids, std::size_t first, std::size_t las
     std::size_t end = begin;
     bool is_seen = false;
     for (; end < last && solids.model[end] == solids.model[begin]; ++end)
-      is_seen = is_seen || (solids.seen_by[end] & bodies::bit(bodies::Observer::kRanger)) != 0;
+      is_seen = is_seen || (solids.seen_by[end] & bodies::bit(bodies::SeenBy::kRanger)) != 0;
     if (is_seen) visit(solids.model[begin], begin, end);
     begin = end;
   }
@@ -143,12 +143,12 @@ void LidarSense::measure(world::World& world, std::uint32_t ranger, std::uint64_
   std::ranges::copy(beams.range_max, scratch.range.begin());
   std::fill_n(scratch.intensity.begin(), beams.beams(), 0.0f);
   RayBatch& batch = scratch.rays;
-  const Look look{world, model, tick, beams};
+  const Measurement look{world, model, tick, beams};
   batch.group = world.models.root[model.index];
   batch.wants_normals = beams.is_light;
   batch.count = 0;
   for (std::size_t i = 0; i < beams.rays.size(); ++i) {
-    const LidarBeams::Ray& ray = beams.rays[i];
+    const LidarBeams::BeamRay& ray = beams.rays[i];
     if (batch.count == RayBatch::kMost || ray.begins_fan) cast(look, scratch);
     if (batch.count == 0) batch.p = Vec3{X_WM.x, X_WM.y, X_WM.z} + q * ray.p;
     Vec3 d_M = ray.d;
@@ -166,12 +166,12 @@ void LidarSense::measure(world::World& world, std::uint32_t ranger, std::uint64_
 }
 
 /// Casts the batch, and keeps the nearest hit of each beam.
-void LidarSense::cast(const Look& look, Scratch& scratch) const {
+void LidarSense::cast(const Measurement& look, Scratch& scratch) const {
   RayBatch& batch = scratch.rays;
   if (batch.count == 0) return;
   scene_.cast(batch);
   for (std::size_t k = 0; k < batch.count; ++k) {
-    const LidarBeams::Ray& ray = look.beams.rays[scratch.ray[k]];
+    const LidarBeams::BeamRay& ray = look.beams.rays[scratch.ray[k]];
     if (look.beams.sensors[ray.sensor].weakest > 0) {
       keep_echo(look, k, scratch);
     } else {
@@ -183,7 +183,7 @@ void LidarSense::cast(const Look& look, Scratch& scratch) const {
 
 void LidarSense::keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& scratch) const {
   const RayBatch& batch = scratch.rays;
-  const LidarBeams::Ray& ray = beams.rays[scratch.ray[k]];
+  const LidarBeams::BeamRay& ray = beams.rays[scratch.ray[k]];
   float range = batch.range[k], facing = batch.facing[k];
   float intensity = batch.met[k] == RayBatch::kNobody ? 0 : returns_[batch.met[k]];
   bool met = batch.met[k] != RayBatch::kNobody;
@@ -201,9 +201,9 @@ void LidarSense::keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& s
 }
 
 /// With a lidar's error model; intensities are percent of a white sheet's echo.
-void LidarSense::keep_echo(const Look& look, std::size_t k, Scratch& scratch) const {
+void LidarSense::keep_echo(const Measurement& look, std::size_t k, Scratch& scratch) const {
   const RayBatch& batch = scratch.rays;
-  const LidarBeams::Ray& ray = look.beams.rays[scratch.ray[k]];
+  const LidarBeams::BeamRay& ray = look.beams.rays[scratch.ray[k]];
   const LidarBeams::Sensor& sensor = look.beams.sensors[ray.sensor];
   const Beam beam{batch.p, {batch.dx[k], batch.dy[k], batch.dz[k]}, ray.range_max, batch.group};
   Met met{batch.range[k], batch.met[k], batch.facing[k], {batch.nx[k], batch.ny[k], batch.nz[k]}};

@@ -4,6 +4,11 @@
 /// rings, and hit bodies in their full orientation and the ground. A single-beam
 /// transducer sees a cone: the nearest of the hit on its axis and the off-axis hits
 /// that face it. Noise is that of the stage engine, plus a lidar's (lidar_echo.h).
+///
+/// In: poses and tilts of models; the population's surfaces and optics.
+/// Out: ranges and intensities of the rangers that are due.
+/// Cost: in each tick with a due ranger an index of the movable bodies (RayScene::commit()), and
+///   RayScene::cast() for each ray.
 
 #include <map>
 #include <vector>
@@ -39,15 +44,15 @@ class LidarSense final : public senses::SensePhase {
   const LidarBeams& beams(const world::World& world, std::uint32_t ranger) const;
   void measure(world::World& world, std::uint32_t ranger, std::uint64_t tick, Scratch& scratch) const;
   /// One measurement.
-  struct Look {
+  struct Measurement {
     const world::World& world;
     world::ModelRow model;
     std::uint64_t tick;
     const LidarBeams& beams;
   };
-  void cast(const Look& look, Scratch& scratch) const;
+  void cast(const Measurement& look, Scratch& scratch) const;
   void keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& scratch) const;
-  void keep_echo(const Look& look, std::size_t k, Scratch& scratch) const;
+  void keep_echo(const Measurement& look, std::size_t k, Scratch& scratch) const;
   static void store(world::World& world, const LidarBeams& beams, std::uint32_t ranger, Scratch& scratch);
 
   RayScene scene_;

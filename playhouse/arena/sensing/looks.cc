@@ -23,7 +23,7 @@ constexpr double kTurning = 0.2;            // rad/s, from standing to stepping 
 constexpr double kMostCandela = 1e9;        // upper bound, to fit a float
 
 mesh::Material mesh_material_of(const scene::ModelDesc& desc) {
-  const scene::Material known = scene::material_of(desc);
+  const scene::NamedMaterial known = scene::material_of(desc);
   mesh::Material material;
   material.metallic = known.metallic;
   material.roughness = known.roughness;
@@ -83,7 +83,7 @@ mesh::Mesh mesh_of(const scene::ModelDesc& desc, const bodies::Solids& solids, s
                    std::size_t end) {
   if (desc.mesh) return mesh_in_model(*desc.mesh, desc.X_MB);
   Triangles triangles;
-  each_body(solids, begin, end, bodies::Observer::kImage, [&](std::size_t first, std::size_t last) {
+  each_body(solids, begin, end, bodies::SeenBy::kImage, [&](std::size_t first, std::size_t last) {
     const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, first, last, {});
     const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
     add_extrusion(triangles, all, solids.z_min_M[first], solids.z_max_M[first]);
@@ -156,9 +156,9 @@ render::Gait gait_of(const Walker& walker, double time) {
   return gait;
 }
 
-render::Surroundings surroundings_of(const scene::WorldDesc& world, double time) {
+render::Environment surroundings_of(const scene::WorldDesc& world, double time) {
   const scene::Daylight daylight = scene::daylight_of(world);
-  render::Surroundings around;
+  render::Environment around;
   around.to_sun = daylight.to_sun;
   around.sun = daylight.sun;
   around.ambient = daylight.ambient;

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Appearance of models to cameras of the arena: meshes and lights. Pure functions.
+///
+/// In: the description of a model, its colour and pose.
+/// Out: its mesh, lights and gait.
+/// Cost: the triangles of a mesh; the rest is constant.
 
 #include <string_view>
 
@@ -50,6 +54,6 @@ void add_lamps(const mesh::Mesh& mesh, const geom::Pose& X_MB, const geom::Vec3&
                std::vector<render::Lamp>& lamps);
 
 /// Sun, sky and fog of a world file at a time. [s]
-render::Surroundings surroundings_of(const scene::WorldDesc& world, double time);
+render::Environment surroundings_of(const scene::WorldDesc& world, double time);
 
 }  // namespace playhouse::arena

@@ -12,7 +12,7 @@ constexpr double kDarkest = 0.02, kBrightest = 0.9;  // limits of diffuse reflec
 }  // namespace
 
 Optics optics_of(std::string_view material) {
-  const scene::Material& known = scene::material_named(material);
+  const scene::NamedMaterial& known = scene::material_named(material);
   return {known.scatters, known.mirrors, known.passes};
 }
 

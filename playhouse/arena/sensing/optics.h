@@ -6,6 +6,8 @@
 ///
 /// Out: shares of light scattered, reflected and transmitted; the power of the echo.
 ///
+/// Cost: some products for each hit; a search for the name of a material once for each model.
+///
 /// Source: Lambert's law and the lidar equation for surfaces larger than the beam, P ~ rho cos(theta) / r^2
 /// (Kashani et al., "A review of LiDAR radiometric processing", Sensors 2015); glass by Schlick, "An
 /// inexpensive BRDF model for physically-based rendering", 1994; reflectances at 0.9 um:

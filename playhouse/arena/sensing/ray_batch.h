@@ -1,6 +1,6 @@
 #pragma once
 
-/// Rays from one point, cast together (ray_scene.h).
+/// Rays from one point, cast together (ray_scene.h). Values.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@ struct alignas(64) RayBatch {
   static constexpr std::uint32_t kNobody = 0xffffffff;
 
   std::size_t count = 0;
-  std::uint32_t group = kNobody;                         // of the observer
+  std::uint32_t group = kNobody;                         // of the sensor
   geom::Vec3 p;                                          // origin  [m, in W]
   float dx[kMost] = {}, dy[kMost] = {}, dz[kMost] = {};  // unit vectors
   float range[kMost] = {};        // in: largest distance; out: distance of the hit  [m]

@@ -25,7 +25,7 @@ struct Discs {
   std::vector<Disc> all;
 };
 
-class DiscRanger final : public SensePhase<Discs> {
+class DiscRanger final : public SensePhaseOf<Discs> {
  public:
   SensorTable table(world::World& world) const override {
     return {world.rangers.model, world.rangers.measured_tick};
@@ -169,7 +169,7 @@ class SpringEngine final : public PhasedEngine {
     }
   }
 
-  Senses<Discs> senses_;
+  SensesOf<Discs> senses_;
   Discs discs_;
   std::uint64_t rays_ = 0;
   std::size_t ingested_ = 0;

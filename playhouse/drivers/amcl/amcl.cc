@@ -5,19 +5,14 @@
 #include <utility>
 
 #include "playhouse/base/log.h"
-#include "playhouse/base/rng.h"
 #include "playhouse/drivers/amcl/amcl_options.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/map_reader.h"
-#include "playhouse/drivers/in_ticks.h"
 #include "playhouse/drivers/interfaces/shapes.h"
-#include "playhouse/drivers/section_devices.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/laser.h"
-#include "playhouse/wire/generated/map.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/wire/generated/sonar.h"
-#include "playhouse/wire/header.h"
 
 namespace playhouse::drivers {
 
@@ -28,13 +23,7 @@ namespace snr = wire::sonar;
 
 namespace {
 
-// Indices of the client's devices.
-constexpr std::size_t kOdometry = 0;
-constexpr std::size_t kSensor = 1;
-constexpr std::size_t kMap = 2;
-
 constexpr std::size_t kHistory = 4096;  // estimates, some minutes of driving
-constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq);
 
 /// Where beams end that hit something, in R: evenly spread ones of a laser, or all sonars.
 class Hits {
@@ -51,13 +40,6 @@ class Hits {
   std::vector<geom::Vec2> out_;
 };
 
-/// A text's own seed.
-std::uint64_t seed_of(std::string_view text) {
-  std::uint64_t seed = 0;
-  for (const char c : text) seed = mix64(seed ^ static_cast<unsigned char>(c));
-  return seed;
-}
-
 /// True if the odometry was set between two of its states: it moved by more than twice its velocity.
 bool was_set(const geom::Pose& X_O0O1, const wire::Pose2d& velocity, double seconds) {
   constexpr double kLength = 0.5, kAngle = 0.5;  // m, rad; beyond that
@@ -68,44 +50,43 @@ bool was_set(const geom::Pose& X_O0O1, const wire::Pose2d& velocity, double seco
 
 }  // namespace
 
-Amcl::Amcl(device::Opener& opener, const AmclOptions& options, Sensor sensor)
-    : options_(options),
+Amcl::Amcl(Shell& shell, const AmclOptions& options, ScanSensor sensor)
+    : shell_(shell),
+      options_(options),
       sensor_(sensor),
-      client_(opener, *this, 3),
-      odometry_(client_.queue(kOdometry, kStatesKept)),
-      scans_(client_.latest(kSensor, sensor == Sensor::kLaser ? lsr::kDataScan : snr::kDataRanges)),
+      odometry_(shell.client().queue(kOdometry, kStatesKept)),
+      scans_(
+          shell.client().latest(kSensor, sensor == ScanSensor::kLaser ? lsr::kDataScan : snr::kDataRanges)),
       start_(options.start) {
-  client_.when_news([this](std::vector<device::Publication>& more) { take_news(more); });
+  shell.on_request(
+      lcl::kReqGetParticles,
+      [this](const device::Message&, device::Replier replier) { replier.ack(wire::encode(particles())); },
+      kLocalize);
+  shell.on_request<lcl::SetPose>(
+      lcl::kReqSetPose, [this](const lcl::SetPose& pose) { return set_pose(pose); }, kLocalize);
+  shell.forward_request(p2d::kReqGetGeom, kOdometry, kPosition);
 }
 
-// --- its devices
-
-Result<void> Amcl::start(device::DeviceId) {
-  if (open_ == 0) {
-    if (const Result<void> opened = client_.open(); !opened) return opened;
-    begin_anew(options_.start, std::nullopt);
-    ask_geometry();
-    ask_map();
-  }
-  ++open_;
-  return {};
+void Amcl::opened() {
+  begin_anew(options_.start, std::nullopt);
+  ask_places(shell_.client(), kSensor, sensor_, [this](std::vector<geom::Pose> X_RS) {
+    if (X_RS.empty())
+      return log::warn("driver amcl: its sensor does not tell its place: it does not localize");
+    const std::lock_guard lock(mutex_);
+    X_RS_ = std::move(X_RS);
+  });
+  read_map(shell_.client(), kMap, [this](Result<GridMap> map) {
+    if (!map) return log::warn("driver amcl: it does not localize, as of its map {}", map.error().text);
+    const std::lock_guard lock(mutex_);
+    map_ = std::make_shared<const GridMap>(std::move(*map));
+  });
 }
 
-void Amcl::stop(device::DeviceId) {
-  if (--open_ == 0) client_.close();
-}
-
-void Amcl::retired(device::DeviceId) {
-  client_.close();
-}
-
-void Amcl::rewound(double time, std::uint64_t seed) {
-  thread_.clear();
+void Amcl::rewound(const Moment& moment) {
   std::optional<Estimate> then;
   {
     const std::lock_guard lock(mutex_);
-    seed_ = seed;
-    while (!history_.empty() && history_.back().time > time) history_.pop_back();
+    while (!history_.empty() && history_.back().time > moment.time) history_.pop_back();
     if (!history_.empty()) then = history_.back();
   }
   begin_anew(then ? then->belief : options_.start, then);
@@ -116,65 +97,12 @@ void Amcl::placed() {
   placed_ = true;
 }
 
-void Amcl::ask_geometry() {
-  const auto know = [this](std::vector<geom::Pose> X_RS) {
-    if (X_RS.empty())
-      return log::warn("driver amcl: its sensor does not tell its place: it does not localize");
-    const std::lock_guard lock(mutex_);
-    X_RS_ = std::move(X_RS);
-  };
-  const auto add = [](const wire::Pose3d& pose, std::vector<geom::Pose>& X_RS) {
-    const std::optional<geom::Pose> place = planar(pose);
-    return place ? X_RS.push_back(*place) : X_RS.clear();
-  };
-  if (sensor_ == Sensor::kLaser) {
-    client_.ask(kSensor, lsr::kReqGetGeom, {}, [know, add](const AnswerBody& body) {
-      std::vector<geom::Pose> X_RS;
-      if (const std::optional<lsr::Geom> geom = decoded<lsr::Geom>(body)) add(geom->pose, X_RS);
-      know(std::move(X_RS));
-    });
-  } else {
-    client_.ask(kSensor, snr::kReqGetGeom, {}, [know, add](const AnswerBody& body) {
-      std::vector<geom::Pose> X_RS;
-      if (const std::optional<snr::Geom> geom = decoded<snr::Geom>(body))
-        for (const wire::Pose3d& pose : geom->poses) add(pose, X_RS);
-      know(std::move(X_RS));
-    });
-  }
-}
-
-void Amcl::ask_map() {
-  read_map(client_, kMap, [this](Result<GridMap> map) {
-    if (!map) return log::warn("driver amcl: it does not localize, as of its map {}", map.error().text);
-    const std::lock_guard lock(mutex_);
-    map_ = std::make_shared<const GridMap>(std::move(*map));
-  });
-}
-
-void Amcl::request(const device::Message& message, device::Replier replier) {
-  if (message.device != localize_) {
-    if (message.subtype == p2d::kReqGetGeom)
-      client_.forward(kOdometry, message.subtype, message.body, std::move(replier));
-  } else if (message.subtype == lcl::kReqGetParticles) {
-    replier.ack(wire::encode(particles()));
-  } else if (message.subtype == lcl::kReqSetPose && set_pose(message)) {
-    replier.ack();
-  }
-}
-
-bool Amcl::capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const {
-  if (type != kReq) return false;
-  if (device != localize_) return subtype == p2d::kReqGetGeom && client_.capable(kOdometry, type, subtype);
-  return subtype == lcl::kReqGetParticles || subtype == lcl::kReqSetPose;
-}
-
-bool Amcl::set_pose(const device::Message& message) {
-  const Result<lcl::SetPose> pose = wire::decode<lcl::SetPose>(message.body);
-  if (!pose || !is_usable(pose->mean)) return false;
-  const PoseBelief belief{pose_of(pose->mean), pose->cov};
-  if (!is_possible(belief)) return false;
+AnswerBody Amcl::set_pose(const lcl::SetPose& pose) {
+  if (!is_usable(pose.mean)) return std::nullopt;
+  const PoseBelief belief{pose_of(pose.mean), pose.cov};
+  if (!is_possible(belief)) return std::nullopt;
   begin_anew(belief, std::nullopt);
-  return true;
+  return std::vector<std::byte>();
 }
 
 /// The filter's next step begins with `start`, that `estimate` was believed with; none: believed now.
@@ -205,11 +133,12 @@ void Amcl::take_state(const device::Publication& message, std::vector<device::Pu
   const std::lock_guard lock(mutex_);
   take_odometry(pose_of(state->pos), state->vel, message.timestamp);
   if (!estimate_) estimate_ = {message.timestamp, X_OS_, *X_OR_, start_};
-  more.push_back({localize_, lcl::kDataHypoths, message.timestamp, wire::encode(hypotheses())});
-  if (!position_) return;
+  more.push_back(
+      {shell_.device(kLocalize), lcl::kDataHypoths, message.timestamp, wire::encode(hypotheses())});
+  if (!shell_.provides(kPosition)) return;
   p2d::Data corrected = *state;
   corrected.pos = pose2d(moved(estimate_->belief.mean));
-  more.push_back({*position_, p2d::kDataState, message.timestamp, wire::encode(corrected)});
+  more.push_back({shell_.device(kPosition), p2d::kDataState, message.timestamp, wire::encode(corrected)});
 }
 
 /// X_OR_ goes on as if nobody had set the odometry. Locked.
@@ -247,14 +176,14 @@ void Amcl::take_scan(const device::Publication& message) {
     const std::lock_guard lock(mutex_);
     if (!map_ || X_RS_.empty() || !X_OR_ || !is_due()) return;
     in.hits_R = hits_of(message);
-    in.seed = seed_;
+    in.seed = shell_.seed();
     in.number = steps_++;
     at = {message.timestamp, X_OS_, *X_OR_, {moved(estimate_->belief.mean), start_.cov}};
     X_OR_stepped_ = X_OR_;
     run = run_;
     map = map_;
   }
-  thread_.post([this, run, at, map, in = std::move(in)](bool) mutable -> AlgorithmThread::Delivery {
+  shell_.post([this, run, at, map, in = std::move(in)](bool) mutable -> AlgorithmThread::Delivery {
     FilterOut out = step(run, at.belief, at.X_OR, map, std::move(in));
     return [this, run, at, out = std::move(out)]() mutable { deliver(run, at, std::move(out)); };
   });
@@ -262,7 +191,7 @@ void Amcl::take_scan(const device::Publication& message) {
 
 /// In R, of the beams that count. Locked.
 std::vector<geom::Vec2> Amcl::hits_of(const device::Publication& message) const {
-  if (sensor_ == Sensor::kLaser) {
+  if (sensor_ == ScanSensor::kLaser) {
     const Result<lsr::Data> scan = wire::decode<lsr::Data>(message.body);
     if (!scan) return {};
     Hits hits(options_, static_cast<double>(scan->max_range));
@@ -339,45 +268,13 @@ lcl::GetParticles Amcl::particles() const {
 // --- sections of configuration files
 
 Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& section, Site& site) {
-  const bool corrects = names_device(section, "provides", "position2d");
-  const std::vector<WantedDevice> shown = corrects ? std::vector<WantedDevice>{{"localize"}, {"position2d"}}
-                                                   : std::vector<WantedDevice>{{"localize"}};
-  const auto provided = section_devices(section, site, "provides", shown);
-  if (!provided) return provided.error();
-  const Amcl::Sensor sensor =
-      names_device(section, "requires", "sonar") ? Amcl::Sensor::kSonar : Amcl::Sensor::kLaser;
-  const std::string_view word = sensor == Amcl::Sensor::kSonar ? "sonar" : "laser";
-  const auto required = section_devices(section, site, "requires", {"position2d", word, "map"});
-  if (!required) return required.error();
-  const Result<AmclOptions> options = amcl_options(section, word);
-  if (!options) return options.error();
-
-  auto driver = std::make_unique<Amcl>(site.surroundings(), *options, sensor);
-  std::vector<device::DeviceId> ids;
-  for (const device::Address& address : *provided) {
-    const Result<device::DeviceId> id = site.add_device(address, *driver);
-    if (!id) return Error{section.at("provides"), id.error().text};
-    ids.push_back(*id);
-  }
-  driver->set_devices(ids.front(), corrects ? std::optional(ids.back()) : std::nullopt);
-  const std::uint64_t own = seed_of(site.shown(provided->front()));
-  driver->set_seed(own);
-  const auto connected = [&site, shown = *provided, odometry = required->front(), own,
-                          &amcl = *driver]() -> Result<void> {
-    run::Simulation* const simulation = site.simulation();
-    if (simulation == nullptr) return {};
-    amcl.set_seed(own ^ mix64(simulation->world().seed()));
-    run_in_ticks(site, shown, odometry, amcl.thread(), [&amcl, own](const world::World& world) {
-      amcl.rewound(world.time(), own ^ mix64(world.seed()));
-    });
-    const world::ModelId robot = site.model_devices()->directory().model_of(odometry);
-    simulation->follow(run::on_event([&amcl, robot](const world::World&, const world::Event& event) {
-      if (event.kind == world::Event::Kind::kPlace && event.model == robot) amcl.placed();
-    }));
-    return {};
-  };
-  site.add_user({driver.get(), &driver->client(), *provided, *required, section.at("requires"), connected});
-  return std::unique_ptr<device::Driver>(std::move(driver));
+  const bool has_sonar = names_device(section, "requires", "sonar");
+  const std::string_view sensor = has_sonar ? "sonar" : "laser";
+  WantedDevices wanted{.provides = {{"localize"}}, .uses = {{"position2d"}, {sensor}, {"map"}}};
+  if (names_device(section, "provides", "position2d")) wanted.provides.push_back({"position2d"});
+  const auto options = [sensor](const scene::CfgSection& from) { return amcl_options(from, sensor); };
+  return make_algorithm<Amcl>(section, site, wanted, options,
+                              has_sonar ? ScanSensor::kSonar : ScanSensor::kLaser);
 }
 
 }  // namespace playhouse::drivers

@@ -4,18 +4,18 @@
 /// localize, the hypotheses and particles, and position2d, the odometry corrected to the map.
 /// The filter (particle_filter.h) runs on a thread of its own, whenever the robot has moved.
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "playhouse/base/result.h"
-#include "playhouse/device/client.h"
 #include "playhouse/device/driver.h"
-#include "playhouse/drivers/algorithm_thread.h"
+#include "playhouse/drivers/algorithm/sensor_places.h"
+#include "playhouse/drivers/algorithm/shell.h"
 #include "playhouse/drivers/amcl/particle_filter.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/scene/cfg.h"
@@ -25,38 +25,22 @@ namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& section, Site& site);
 
-class Amcl final : public device::Driver {
+/// Provides localize and maybe position2d; uses the odometry, the sensor and the map, in this order.
+class Amcl final : public Algorithm {
  public:
-  enum class Sensor : std::uint8_t { kLaser, kSonar };
+  Amcl(Shell& shell, const AmclOptions& options, ScanSensor sensor);
 
-  /// Its client opens the odometry, the sensor and the map, in this order, while a device is open.
-  Amcl(device::Opener& opener, const AmclOptions& options, Sensor sensor);
-
-  /// Its devices; position2d may be missing.
-  void set_devices(device::DeviceId localize, std::optional<device::DeviceId> position) {
-    localize_ = localize;
-    position_ = position;
-  }
-  /// Of random numbers.
-  void set_seed(std::uint64_t seed) { seed_ = seed; }
-  device::Client& client() { return client_; }
-  AlgorithmThread& thread() { return thread_; }
-
-  std::string_view name() const override { return "amcl"; }
-  Result<void> start(device::DeviceId device) override;
-  void stop(device::DeviceId device) override;
-  void retired(device::DeviceId device) override;
-  /// The world was rewound to `time` [s] or restarted with a seed: goes on with what was believed then.
-  /// Tick thread.
-  void rewound(double time, std::uint64_t seed);
-  /// The world put the robot elsewhere, as by its RESET: if its odometry changes, it is right. Tick thread.
-  void placed();
-  device::Taken command(const device::Message&) override { return device::Taken::kNo; }
-  void request(const device::Message& message, device::Replier replier) override;
-  bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
-  void barrier(device::Replier replier) override { client_.barrier(std::move(replier)); }
+  void opened() override;
+  void take_news(std::vector<device::Publication>& more) override;
+  /// Goes on with what was believed then.
+  void rewound(const Moment& moment) override;
+  /// If the odometry changes now, it is right.
+  void placed() override;
 
  private:
+  static constexpr std::size_t kLocalize = 0, kPosition = 1;          // provided devices
+  static constexpr std::size_t kOdometry = 0, kSensor = 1, kMap = 2;  // used devices
+
   /// What was believed when the odometry was at X_OR.
   struct Estimate {
     double time = 0;  // s
@@ -65,9 +49,6 @@ class Amcl final : public device::Driver {
     PoseBelief belief;  // the heaviest hypothesis
   };
 
-  void ask_geometry();
-  void ask_map();
-  void take_news(std::vector<device::Publication>& more);
   void take_state(const device::Publication& message, std::vector<device::Publication>& more);
   void take_odometry(const geom::Pose& X_SR, const wire::Pose2d& velocity, double time);
   void take_scan(const device::Publication& message);
@@ -78,18 +59,15 @@ class Amcl final : public device::Driver {
   void deliver(std::uint64_t run, Estimate at, FilterOut out);
   void begin_anew(const PoseBelief& start, std::optional<Estimate> estimate);
   geom::Pose moved(const geom::Pose& X_WR) const;
-  bool set_pose(const device::Message& message);
+  AnswerBody set_pose(const wire::localize::SetPose& pose);
   wire::localize::Data hypotheses() const;
   wire::localize::GetParticles particles() const;
 
+  Shell& shell_;
   const AmclOptions options_;
-  const Sensor sensor_;
-  device::Client client_;
+  const ScanSensor sensor_;
   device::Subscription& odometry_;
   device::Subscription& scans_;
-  device::DeviceId localize_;
-  std::optional<device::DeviceId> position_;
-  int open_ = 0;  // own devices; io thread
 
   // Of the thread.
   FilterMemory memory_;
@@ -98,8 +76,7 @@ class Amcl final : public device::Driver {
   std::shared_ptr<const GridMap> field_map_;
   std::optional<LikelihoodField> field_;  // of that map
 
-  mutable std::mutex mutex_;  // guards what follows
-  std::uint64_t seed_ = 0;
+  mutable std::mutex mutex_;                // guards what follows
   std::shared_ptr<const GridMap> map_;      // once it is known
   std::vector<geom::Pose> X_RS_;            // laser or sonars; empty until they are known
   std::optional<geom::Pose> X_OR_;          // latest odometry, without jumps
@@ -114,8 +91,6 @@ class Amcl final : public device::Driver {
   std::optional<Estimate> estimate_;        // once the odometry is known
   FilterOut out_;                           // of the latest step; empty before the first of this run
   std::deque<Estimate> history_;            // for rewinds, oldest first
-
-  AlgorithmThread thread_;  // last member: joined before what it uses is destroyed
 };
 
 }  // namespace playhouse::drivers

@@ -49,7 +49,7 @@ std::string fault(const std::string& cfg) {
 
 class AmclTest : public ::testing::Test {
  protected:
-  AmclTest() : site(kWorld) {
+  explicit AmclTest(bool has_threads = true) : site(kWorld, has_threads) {
     EXPECT_EQ(site.build(chain("init_pose [1 0 90] init_pose_var [0.1 0.1 5]")), "");
     // What a robot at (1, 0) that looks along y sees of the wall, and nothing beyond it.
     for (int i = 0; i <= 180; ++i) {
@@ -71,8 +71,8 @@ class AmclTest : public ::testing::Test {
     EXPECT_NE(found, site.recorder.published.rend());
     return *wire::decode<T>(found->body);
   }
-  testing::Recorder::Answer ask(device::Address address, std::uint8_t subtype,
-                                const std::vector<std::byte>& body) {
+  testing::OutputRecorder::Answer ask(device::Address address, std::uint8_t subtype,
+                                      const std::vector<std::byte>& body) {
     driver().request({site.id(address), kReq, subtype, body}, device::Replier(site.recorder, 1));
     site.run(0);
     return site.recorder.answers.at(1);
@@ -128,11 +128,11 @@ TEST_F(AmclTest, goes_on_after_a_rewind_with_what_it_believed_then) {
   move({0.3, 0.3, 0, 0});
   site.run(3);
   EXPECT_DOUBLE_EQ(newest<lcl::Data>(kLocalize).pending_time, 0.4);
-  static_cast<Amcl&>(driver()).rewound(0.35, 1);
+  static_cast<Shell&>(driver()).rewound({4, 0.35, 1});
   move({0, 0, 0, 0});
   site.run(1);
   EXPECT_EQ(newest<p2d::Data>(kCorrected).pos, then);
-  static_cast<Amcl&>(driver()).rewound(0, 1);
+  static_cast<Shell&>(driver()).rewound({0, 0, 1});
   site.run(1);
   EXPECT_EQ(newest<p2d::Data>(kCorrected).pos, (wire::Pose2d{1, 0, geom::radians(90)})) << "as configured";
 }
@@ -202,6 +202,35 @@ TEST_F(AmclTest, retires_with_its_robot) {
   site.run(0);
   EXPECT_FALSE(site.site().find(kLocalize).has_value());
   EXPECT_FALSE(site.site().find(kCorrected).has_value());
+}
+
+class AmclWithoutThreads : public AmclTest {
+ protected:
+  AmclWithoutThreads() : AmclTest(false) {}
+};
+
+TEST_F(AmclWithoutThreads, believes_the_same_at_the_same_ticks) {
+  MemorySite threaded(kWorld);
+  ASSERT_EQ(threaded.build(chain("init_pose [1 0 90] init_pose_var [0.1 0.1 5]")), "");
+  ASSERT_TRUE(threaded.hold(threaded.id(kLocalize)));
+  world::World& other = threaded.site().simulation()->engine().world();
+  std::ranges::copy(world().sensors.ranges, other.sensors.ranges.begin());
+  for (int step = 0; step < 8; ++step) {
+    other.positions.X_OM[0] = {0.15 * step, 0, 0, 0};
+    move({0.15 * step, 0, 0, 0});
+    threaded.run(1);
+    site.run(1);
+  }
+  const auto published = [](MemorySite& of) {
+    std::vector<std::vector<std::byte>> bodies;
+    for (device::Publication& each : of.recorder.published)
+      if (each.device == of.id(kLocalize)) bodies.push_back(std::move(each.body));
+    return bodies;
+  };
+  const std::vector<std::vector<std::byte>> bodies = published(site);
+  EXPECT_EQ(bodies.size(), 8u);
+  EXPECT_DOUBLE_EQ(wire::decode<lcl::Data>(bodies.back())->pending_time, 0.5) << "it took steps";
+  EXPECT_EQ(bodies, published(threaded));
 }
 
 TEST(AmclSection, says_what_is_wrong_and_where) {

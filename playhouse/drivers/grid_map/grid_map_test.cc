@@ -66,7 +66,7 @@ class MapDevice final : public device::Driver, private device::Opener {
   Result<void> hold(device::DeviceId, device::Driver*) override { return {}; }
   void release(device::DeviceId, device::Driver*) override {}
 
-  device::Client client_;
+  device::DeviceClient client_;
 };
 
 TEST(ReadMap, gets_maps_of_several_tiles_as_they_are) {

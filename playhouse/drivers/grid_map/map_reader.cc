@@ -49,7 +49,7 @@ std::string fault_of(const wire::map::Info& info) {
 /// Keeps itself alive through the request that it waits for.
 class Reading : public std::enable_shared_from_this<Reading> {
  public:
-  Reading(device::Client& client, std::size_t device, std::function<void(Result<GridMap>)> read)
+  Reading(device::DeviceClient& client, std::size_t device, std::function<void(Result<GridMap>)> read)
       : client_(client), device_(device), read_(std::move(read)) {}
 
   void begin() {
@@ -100,7 +100,7 @@ class Reading : public std::enable_shared_from_this<Reading> {
 
   void fail(std::string why) { read_(Error{"", std::move(why)}); }
 
-  device::Client& client_;
+  device::DeviceClient& client_;
   const std::size_t device_;
   const std::function<void(Result<GridMap>)> read_;
   GridMap map_;
@@ -109,7 +109,7 @@ class Reading : public std::enable_shared_from_this<Reading> {
 
 }  // namespace
 
-void read_map(device::Client& client, std::size_t device, std::function<void(Result<GridMap>)> read) {
+void read_map(device::DeviceClient& client, std::size_t device, std::function<void(Result<GridMap>)> read) {
   std::make_shared<Reading>(client, device, std::move(read))->begin();
 }
 

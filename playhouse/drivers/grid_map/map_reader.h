@@ -15,6 +15,6 @@ namespace playhouse::drivers {
 /// thread, maybe before it returns. Fails with what is wrong if the device refuses a request,
 /// answers with another size than asked for, or has no cells or too many. A cell is occupied
 /// or free if its value is beyond half of `data_range`.
-void read_map(device::Client& client, std::size_t device, std::function<void(Result<GridMap>)> read);
+void read_map(device::DeviceClient& client, std::size_t device, std::function<void(Result<GridMap>)> read);
 
 }  // namespace playhouse::drivers

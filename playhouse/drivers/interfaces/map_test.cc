@@ -18,7 +18,7 @@ namespace {
 namespace map = wire::map;
 using ::testing::ElementsAreArray;
 using testing::MemorySite;
-using testing::Recorder;
+using testing::OutputRecorder;
 
 constexpr device::Address kMap{6665, map::kCode, 0};
 constexpr std::uint8_t kReq = 3;
@@ -43,7 +43,7 @@ class MapOfModelTest : public ::testing::Test {
               "");
     ASSERT_TRUE(site->hold(site->id(kMap)));
   }
-  testing::Recorder::Answer ask(std::uint8_t subtype, const std::vector<std::byte>& body) {
+  testing::OutputRecorder::Answer ask(std::uint8_t subtype, const std::vector<std::byte>& body) {
     site->driver(kMap).request({site->id(kMap), kReq, subtype, body}, device::Replier(site->recorder, 1));
     site->run(0);
     return site->recorder.answers.at(1);

@@ -1,10 +1,12 @@
 #include "playhouse/drivers/nd/nd.h"
 
 #include <cmath>
+#include <string_view>
 #include <utility>
 
+#include "playhouse/drivers/algorithm/sensor_places.h"
+#include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/nd/nd_options.h"
-#include "playhouse/drivers/section_devices.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -16,22 +18,30 @@ namespace lsr = wire::laser;
 namespace p2d = wire::position2d;
 namespace snr = wire::sonar;
 
-Nd::Nd(device::Opener& opener, const Devices& devices, NdOptions options)
-    : GoalDriver(opener, devices.count, devices.output, devices.input),
-      devices_(devices),
-      options_(std::move(options)) {
-  if (devices.laser) laser_ = &client_.latest(*devices.laser, lsr::kDataScan);
-  if (devices.sonar) sonar_ = &client_.latest(*devices.sonar, snr::kDataRanges);
+Nd::Nd(Shell& shell, const NdOptions& options, const Sensors& sensors)
+    : GoalAlgorithm(shell, kOutput, kInput), options_(options), sensors_(sensors) {
+  if (sensors.laser) laser_ = &shell.client().latest(*sensors.laser, lsr::kDataScan);
+  if (sensors.sonar) sonar_ = &shell.client().latest(*sensors.sonar, snr::kDataRanges);
 }
 
 void Nd::ask_geometry() {
-  client_.ask(devices_.output, p2d::kReqGetGeom, {}, [this](const AnswerBody& body) { take_body(body); });
-  if (devices_.laser)
-    client_.ask(*devices_.laser, lsr::kReqGetGeom, {},
-                [this](const AnswerBody& body) { take_laser_geometry(body); });
-  if (devices_.sonar)
-    client_.ask(*devices_.sonar, snr::kReqGetGeom, {},
-                [this](const AnswerBody& body) { take_sonar_geometry(body); });
+  device::DeviceClient& client = shell_.client();
+  client.ask(kOutput, p2d::kReqGetGeom, {}, [this](const AnswerBody& body) { take_body(body); });
+  if (sensors_.laser) {
+    ask_places(client, *sensors_.laser, ScanSensor::kLaser, [this](std::vector<geom::Pose> X_RS) {
+      if (X_RS.empty()) return drives_to_none("its laser does not tell its place, so it drives to no goals");
+      const std::lock_guard lock(mutex_);
+      X_RS_ = X_RS.front();
+    });
+  }
+  if (sensors_.sonar) {
+    ask_places(client, *sensors_.sonar, ScanSensor::kSonar, [this](std::vector<geom::Pose> X_RS) {
+      if (X_RS.empty())
+        return drives_to_none("its sonars do not tell their places, so it drives to no goals");
+      const std::lock_guard lock(mutex_);
+      sonars_ = std::move(X_RS);
+    });
+  }
 }
 
 void Nd::take_body(const AnswerBody& body) {
@@ -44,28 +54,9 @@ void Nd::take_body(const AnswerBody& body) {
   body_ = box;
 }
 
-void Nd::take_laser_geometry(const AnswerBody& body) {
-  const std::optional<lsr::Geom> geom = decoded<lsr::Geom>(body);
-  const std::optional<geom::Pose> X_RS = geom ? planar(geom->pose) : std::nullopt;
-  if (!X_RS) return drives_to_none("its laser does not tell its place, so it drives to no goals");
-  const std::lock_guard lock(mutex_);
-  X_RS_ = X_RS;
-}
-
-void Nd::take_sonar_geometry(const AnswerBody& body) {
-  const snr::Geom geom = decoded<snr::Geom>(body).value_or(snr::Geom{});
-  std::vector<geom::Pose> sonars;
-  for (const wire::Pose3d& pose : geom.poses)
-    if (const std::optional<geom::Pose> X_RS = planar(pose)) sonars.push_back(*X_RS);
-  if (sonars.empty() || sonars.size() < geom.poses.size())
-    return drives_to_none("its sonars do not tell their places, so it drives to no goals");
-  const std::lock_guard lock(mutex_);
-  sonars_ = std::move(sonars);
-}
-
 /// Constants of the robot, once all are known. With mutex_ held.
 std::optional<NdRobot> Nd::robot() const {
-  if (!body_ || (devices_.laser && !X_RS_) || (devices_.sonar && !sonars_)) return std::nullopt;
+  if (!body_ || (sensors_.laser && !X_RS_) || (sensors_.sonar && !sonars_)) return std::nullopt;
   return NdRobot{*body_, X_RS_.value_or(geom::Pose{}), sonars_.value_or(std::vector<geom::Pose>{})};
 }
 
@@ -99,8 +90,8 @@ void Nd::take_scans() {
     in.time = sonar->timestamp;
     in.sonar = scan->ranges;
   }
-  thread_.post([this, trip = *trip, robot = std::move(*robot),
-                in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
+  shell_.post([this, trip = *trip, robot = std::move(*robot),
+               in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
     if (fresh) memory_ = {};
     const NdOut out = nd_step(options_, robot, in, memory_);
     const End end = out.done ? End::kAtGoal : out.stuck ? End::kStuck : End::kNot;
@@ -108,50 +99,18 @@ void Nd::take_scans() {
   });
 }
 
-namespace {
-
-struct Required {
-  Nd::Devices devices;
-  std::vector<device::Address> addresses;  // of the client, by index
-};
-
-/// Input and output may be one device, which the client has once then.
-Result<Required> required_devices(const scene::CfgSection& section, const Site& site) {
-  std::vector<WantedDevice> wanted = {{"position2d", "output"}, {"position2d", "input"}};
-  const bool has_sonar = names_device(section, "requires", "sonar");
-  const bool has_laser = names_device(section, "requires", "laser") || !has_sonar;
-  if (has_laser) wanted.push_back({"laser"});
-  if (has_sonar) wanted.push_back({"sonar"});
-  const auto named = section_devices(section, site, "requires", wanted);
-  if (!named) return named.error();
-
-  Required required{{}, *named};
-  std::vector<device::Address>& addresses = required.addresses;
-  if (addresses[0] == addresses[1]) {
-    addresses.erase(addresses.begin() + 1);
-  } else {
-    required.devices.input = 1;
-  }
-  std::size_t& count = required.devices.count;
-  count = required.devices.input + 1;
-  if (has_laser) required.devices.laser = count++;
-  if (has_sonar) required.devices.sonar = count++;
-  return required;
-}
-
-}  // namespace
-
 Result<std::unique_ptr<device::Driver>> make_nd(const scene::CfgSection& section, Site& site) {
-  const auto provided = section_devices(section, site, "provides", {"position2d"});
-  if (!provided) return provided.error();
-  const Result<Required> required = required_devices(section, site);
-  if (!required) return required.error();
-  const Result<NdOptions> options = nd_options(section);
-  if (!options) return options.error();
-
-  return add_goal_driver(section, site,
-                         std::make_unique<Nd>(site.surroundings(), required->devices, *options),
-                         provided->front(), required->addresses);
+  WantedDevices wanted{.provides = {{"position2d"}},
+                       .uses = {{"position2d", "output"}, {"position2d", "input"}}};
+  Nd::Sensors sensors;
+  const auto use = [&wanted](std::string_view interf) {
+    wanted.uses.push_back({interf});
+    return wanted.uses.size() - 1;
+  };
+  const bool has_sonar = names_device(section, "requires", "sonar");
+  if (!has_sonar || names_device(section, "requires", "laser")) sensors.laser = use("laser");
+  if (has_sonar) sensors.sonar = use("sonar");
+  return make_algorithm<Nd>(section, site, wanted, nd_options, sensors);
 }
 
 }  // namespace playhouse::drivers

@@ -5,13 +5,11 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
-#include "playhouse/drivers/decoded.h"
-#include "playhouse/drivers/goal_driver.h"
+#include "playhouse/drivers/algorithm/goal_algorithm.h"
 #include "playhouse/drivers/nd/nd_step.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/scene/cfg.h"
@@ -20,32 +18,26 @@ namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_nd(const scene::CfgSection& section, Site& site);
 
-class Nd final : public GoalDriver {
+/// Uses the robot that gets the velocities, the one that gives the pose, maybe the same, and the sensors.
+class Nd final : public GoalAlgorithm {
  public:
-  /// Indices of the client's devices.
-  struct Devices {
-    std::size_t output = 0;                   // gets the velocities
-    std::size_t input = 0;                    // gives the pose; may be the output
-    std::optional<std::size_t> laser, sonar;  // one of them at least
-    std::size_t count = 1;
+  /// Their numbers; one of them at least.
+  struct Sensors {
+    std::optional<std::size_t> laser, sonar;
   };
 
-  /// Its client opens the devices while the device is open.
-  Nd(device::Opener& opener, const Devices& devices, NdOptions options);
-
-  AlgorithmThread& thread() override { return thread_; }
-  std::string_view name() const override { return "nd"; }
+  Nd(Shell& shell, const NdOptions& options, const Sensors& sensors);
 
  private:
+  static constexpr std::size_t kOutput = 0, kInput = 1;  // used devices, before the sensors
+
   void ask_geometry() override;
   void take_scans() override;
   void take_body(const AnswerBody& body);
-  void take_laser_geometry(const AnswerBody& body);
-  void take_sonar_geometry(const AnswerBody& body);
   std::optional<NdRobot> robot() const;
 
-  const Devices devices_;
   const NdOptions options_;
+  const Sensors sensors_;
   device::Subscription* laser_ = nullptr;  // null: not used
   device::Subscription* sonar_ = nullptr;
   NdMemory memory_;  // of the thread
@@ -54,8 +46,6 @@ class Nd final : public GoalDriver {
   std::optional<geom::Box> body_;
   std::optional<geom::Pose> X_RS_;
   std::optional<std::vector<geom::Pose>> sonars_;
-
-  AlgorithmThread thread_;
 };
 
 }  // namespace playhouse::drivers

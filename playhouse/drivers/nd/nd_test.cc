@@ -199,7 +199,7 @@ TEST_F(NdTest, keeps_its_goal_when_the_run_is_taken_back) {
   go_to(0, 3);
   site.run(3);
   EXPECT_NE(told().a, 0);
-  static_cast<Nd&>(driver()).rewound(false);
+  static_cast<Shell&>(driver()).rewound({1, 0.1, 1});
   world().positions.command[0] = {};
   EXPECT_EQ(told(), geom::Twist()) << "what was computed before is not said";
   site.run(2);

@@ -9,6 +9,7 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
+#include "playhouse/base/packing.h"
 #include "playhouse/device/device_table.h"
 #include "playhouse/wire/auth_key.h"
 #include "playhouse/wire/codec.h"
@@ -20,8 +21,6 @@ namespace {
 
 constexpr double kFirstWait = 0.5, kLongestWait = 30;  // s between attempts (back-off)
 constexpr std::uint16_t kPlayerPort = 6665;            // default port of a remote host
-
-using Bytes = std::vector<std::byte>;
 
 std::string describe(RemoteDevice device) {
   const std::string whole = device::describe({0, device.interf, device.index});

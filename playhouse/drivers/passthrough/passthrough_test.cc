@@ -23,7 +23,6 @@ namespace {
 
 namespace lsr = wire::laser;
 namespace p2d = wire::position2d;
-using server::Bytes;
 using server::FakeDriver;
 using server::message;
 using server::Received;
@@ -37,7 +36,7 @@ constexpr const char* kKept =
     "driver( name \"passthrough\" provides [\"position2d:0\"] requires [\"lab:7000:position2d:5\"] reconnect "
     "1 )";
 
-class Relay : public ::testing::Test, public Surroundings {
+class Relay : public ::testing::Test, public Host {
  protected:
   Relay() {
     site.data_flow().pass_to(here);

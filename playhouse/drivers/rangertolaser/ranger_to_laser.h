@@ -32,7 +32,7 @@ class RangerToLaser final : public device::Driver {
   explicit RangerToLaser(device::Opener& opener);
 
   void set_laser(device::DeviceId laser) { laser_ = laser; }
-  device::Client& client() { return client_; }
+  device::DeviceClient& client() { return client_; }
 
   std::string_view name() const override { return "rangertolaser"; }
   Result<void> start(device::DeviceId device) override;
@@ -46,7 +46,7 @@ class RangerToLaser final : public device::Driver {
  private:
   void convert(std::vector<device::Publication>& more);
 
-  device::Client client_;
+  device::DeviceClient client_;
   device::Subscription& ranges_;
   device::Subscription& intensities_;
   device::DeviceId laser_;

@@ -39,7 +39,7 @@ std::vector<Solid> solids_of(const world::World& world, std::uint32_t prototype,
 /// True if an edge of the loops penetrates the outline, or if that is inside by the even-odd rule.
 bool meets_contours(const Solid& solid, const scene::Contours& contours, const geom::Pose& X_WB) {
   if (!bodies::share_heights(solid, X_WB.z + contours.z_min, X_WB.z + contours.z_max)) return false;
-  const bodies::Outline outline = bodies::outline_of(solid);
+  const bodies::Polygon outline = bodies::outline_of(solid);
   const geom::Vec2 inner = solid.p.front();
   bool inside = false;
   for (const std::vector<geom::Vec2>& loop : contours.loops) {

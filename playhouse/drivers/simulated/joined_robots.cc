@@ -70,7 +70,7 @@ std::shared_ptr<JoinedRobots::Owned> JoinedRobots::owned_by(device::Caller& call
 void JoinedRobots::join(const wire::simulation::PropertyReq& request, device::Caller* caller,
                         device::Replier replier) {
   if (caller == nullptr) return replier.nack(answer(request, "clients alone bring robots"));
-  Result<JoinRequest> wanted = parse_join_request(wire::text(request.name), request.value);
+  Result<RobotRequest> wanted = parse_join_request(wire::text(request.name), request.value);
   if (!wanted) return replier.nack(answer(request, wanted.error().text));
   const std::shared_ptr<Owned> owned = owned_by(*caller);
   if (owned->asked_for >= kRobotsOfClient)

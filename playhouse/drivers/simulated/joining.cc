@@ -26,9 +26,9 @@ using world::World;
 constexpr std::size_t kMostSensors = 64;  // limit for one robot
 
 /// "TYPE" or "TYPE X Y HEADING" [m, rad].
-Result<JoinRequest::Sensor> parse_sensor(const std::string& text) {
+Result<RobotRequest::Sensor> parse_sensor(const std::string& text) {
   std::istringstream words(text);
-  JoinRequest::Sensor sensor;
+  RobotRequest::Sensor sensor;
   words >> sensor.type;
   std::vector<double> numbers;
   for (std::string word; words >> word;) {
@@ -94,7 +94,7 @@ Result<scene::Color> color_of(const std::string& name) {
 
 /// Pose of a sensor on a robot: as in world files, on its top if that stacks.
 geom::Pose place_on(const World& world, const Joined& joined, const Type& type,
-                    const JoinRequest::Sensor& sensor) {
+                    const RobotRequest::Sensor& sensor) {
   const scene::ModelDesc& robot = world.desc(world.row(joined.robot));
   const geom::Pose said = world.scene().models[type.prototype].X_PM;
   geom::Pose X_RS = sensor.X_RS.value_or(said);
@@ -103,8 +103,8 @@ geom::Pose place_on(const World& world, const Joined& joined, const Type& type,
 }
 
 /// Spawns a sensor, not attached yet. Returns where it goes.
-Result<world::Attachment> make_sensor(world::Journal& journal, Joined& joined,
-                                      const JoinRequest::Sensor& sensor) {
+Result<world::AttachedChild> make_sensor(world::Journal& journal, Joined& joined,
+                                         const RobotRequest::Sensor& sensor) {
   const World& world = journal.world();
   const Result<Type> type = find_type(world, sensor.type, false);
   if (!type) return type.error();
@@ -114,14 +114,14 @@ Result<world::Attachment> make_sensor(world::Journal& journal, Joined& joined,
                     world.find(wanted) ? world::fresh_name(world, wanted) : wanted);
   if (!came) return came.error();
   joined.sensors.push_back(*came);
-  return world::Attachment{*came, place_on(world, joined, *type, sensor)};
+  return world::AttachedChild{*came, place_on(world, joined, *type, sensor)};
 }
 
 Result<void> add_sensors(world::Journal& journal, Joined& joined,
-                         std::span<const JoinRequest::Sensor> sensors) {
+                         std::span<const RobotRequest::Sensor> sensors) {
   world::changes::Attach attach{{}, joined.robot, {}};
-  for (const JoinRequest::Sensor& sensor : sensors) {
-    const Result<world::Attachment> made = make_sensor(journal, joined, sensor);
+  for (const RobotRequest::Sensor& sensor : sensors) {
+    const Result<world::AttachedChild> made = make_sensor(journal, joined, sensor);
     if (!made) return made.error();
     attach.children.push_back(made->child);
     attach.X_PC.push_back(made->X_PC);
@@ -131,11 +131,11 @@ Result<void> add_sensors(world::Journal& journal, Joined& joined,
 
 }  // namespace
 
-Result<JoinRequest> parse_join_request(std::string_view type, std::string_view value) {
+Result<RobotRequest> parse_join_request(std::string_view type, std::string_view value) {
   double place[3];
   if (value.size() < sizeof place) return Error{"", "x, y and heading are needed, as three float64"};
   std::memcpy(place, value.data(), sizeof place);
-  JoinRequest request;
+  RobotRequest request;
   request.type = type;
   request.X_WR = {place[0], place[1], 0, place[2]};
   if (!world::is_place(request.X_WR)) return Error{"", "invalid pose: not finite, or too far away"};
@@ -152,20 +152,20 @@ Result<JoinRequest> parse_join_request(std::string_view type, std::string_view v
   if (texts.size() > 2 + kMostSensors)
     return Error{"", fmt::format("a robot brings {} sensors at most", kMostSensors)};
   for (std::size_t i = 2; i < texts.size(); ++i) {
-    Result<JoinRequest::Sensor> sensor = parse_sensor(texts[i]);
+    Result<RobotRequest::Sensor> sensor = parse_sensor(texts[i]);
     if (!sensor) return sensor.error();
     request.sensors.push_back(std::move(*sensor));
   }
   return request;
 }
 
-Result<Joined> join(world::Journal& journal, const JoinRequest& request) {
+Result<Joined> join(world::Journal& journal, const RobotRequest& request) {
   const World& world = journal.world();
   if (const Result<void> room = world::check_budget(world); !room) return room.error();
   const Result<Type> type = find_type(world, request.type, true);
   if (!type) return type.error();
   // Validates everything before the first spawn: atomic.
-  for (const JoinRequest::Sensor& sensor : request.sensors)
+  for (const RobotRequest::Sensor& sensor : request.sensors)
     if (const Result<Type> known = find_type(world, sensor.type, false); !known) return known.error();
   std::optional<scene::Color> color;
   if (!request.color.empty()) {

@@ -18,7 +18,7 @@
 namespace playhouse::drivers {
 
 /// Wire format: docs/robot-client.md.
-struct JoinRequest {
+struct RobotRequest {
   struct Sensor {
     std::string type;
     std::optional<geom::Pose> X_RS;  // in the robot; z counts from its top. None: from the type.
@@ -31,7 +31,7 @@ struct JoinRequest {
 };
 
 /// Parses a client's request. Fails with a message for the client.
-Result<JoinRequest> parse_join_request(std::string_view type, std::string_view value);
+Result<RobotRequest> parse_join_request(std::string_view type, std::string_view value);
 
 /// A spawned robot and its attached sensors.
 struct Joined {
@@ -42,7 +42,7 @@ struct Joined {
 
 /// Atomic. Fails with a message for the client: unknown
 /// type, name in use, place occupied, world full.
-Result<Joined> join(world::Journal& journal, const JoinRequest& request);
+Result<Joined> join(world::Journal& journal, const RobotRequest& request);
 
 /// Removes robots and their sensors as far as they still exist, at the cost of one.
 void leave(world::Journal& journal, std::span<const Joined> joined);

@@ -37,10 +37,11 @@ std::string wire_value(double x, double y, const std::vector<std::string>& texts
   return value;
 }
 
-JoinRequest request(const std::string& type, double x, double y, const std::vector<std::string>& texts = {}) {
-  const Result<JoinRequest> parsed = parse_join_request(type, wire_value(x, y, texts));
+RobotRequest request(const std::string& type, double x, double y,
+                     const std::vector<std::string>& texts = {}) {
+  const Result<RobotRequest> parsed = parse_join_request(type, wire_value(x, y, texts));
   EXPECT_TRUE(parsed) << (parsed ? "" : parsed.error().text);
-  return parsed ? *parsed : JoinRequest{};
+  return parsed ? *parsed : RobotRequest{};
 }
 
 class Joining : public ::testing::Test {
@@ -53,7 +54,7 @@ class Joining : public ::testing::Test {
   run::Simulation& simulation() { return *site.site().simulation(); }
   const world::World& world() { return simulation().world(); }
   /// The name of what came, or why nothing did.
-  std::string come(const JoinRequest& wanted) {
+  std::string come(const RobotRequest& wanted) {
     std::string told;
     EXPECT_TRUE(simulation().requests().post([&](world::Journal& journal) {
       const std::size_t before = journal.world().models.size();
@@ -190,7 +191,7 @@ TEST_F(Joining, what_cannot_be_is_told_and_nothing_comes) {
 
 TEST(JoinRequests, are_read_with_care) {
   const auto fault = [](const std::string& value) {
-    const Result<JoinRequest> read = parse_join_request("cart", value);
+    const Result<RobotRequest> read = parse_join_request("cart", value);
     return read ? "" : read.error().text;
   };
   EXPECT_EQ(fault("short"), "x, y and heading are needed, as three float64");
@@ -226,7 +227,7 @@ wire::simulation::PropertyReq property(const std::string& type, std::string valu
 
 TEST_F(Joining, robots_leave_with_the_client_that_brought_them) {
   JoinedRobots joined(simulation());
-  testing::Recorder answers;
+  testing::OutputRecorder answers;
   {
     device::Caller student("10.0.0.1:1"), other("10.0.0.2:1");
     int expected = 0;
@@ -252,7 +253,7 @@ TEST_F(Joining, robots_leave_with_the_client_that_brought_them) {
 
 TEST_F(Joining, the_sensors_of_a_robot_go_with_it_whoever_takes_it_out) {
   JoinedRobots joined(simulation());
-  testing::Recorder answers;
+  testing::OutputRecorder answers;
   device::Caller student("10.0.0.1:1");
   joined.join(property("cart", wire_value(0, 0, {"bob", "", "scanner", "scanner 0.2 0 3"})), &student,
               {answers, 1});
@@ -269,7 +270,7 @@ TEST_F(Joining, the_sensors_of_a_robot_go_with_it_whoever_takes_it_out) {
 
 TEST_F(Joining, robots_and_their_sensors_are_of_the_share_of_the_client) {
   JoinedRobots joined(simulation());
-  testing::Recorder answers;
+  testing::OutputRecorder answers;
   device::Caller student("10.0.0.1:1"), same("10.0.0.1:2"), other("10.0.0.2:1");
   for (device::Caller* each : {&student, &same}) each->set_holder("blue-chair-7");
   // As if it had brought what is here already so often that two models are left of its share.
@@ -293,7 +294,7 @@ TEST_F(Joining, robots_and_their_sensors_are_of_the_share_of_the_client) {
 
 TEST_F(Joining, who_is_no_client_and_who_asks_for_what_is_not_gets_a_reason) {
   JoinedRobots joined(simulation());
-  testing::Recorder answers;
+  testing::OutputRecorder answers;
   const auto reason = [&](std::uint64_t ticket) {
     EXPECT_FALSE(answers.answers[ticket].ack);
     const auto body = wire::decode<wire::simulation::PropertyReq>(answers.answers[ticket].body);

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/base/packing.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/simulated/sources.h"
 #include "playhouse/run/simulation.h"
@@ -22,16 +23,13 @@
 
 namespace playhouse::drivers {
 
-/// An encoded message body.
-using Bytes = std::vector<std::byte>;
-
 /// A message type that a device handles.
 struct Served {
   wire::MessageType type;
   std::uint8_t subtype;
 };
 
-class SimulatedDevice : public Source {
+class SimulatedDevice : public DataSource {
  public:
   /// `model` is watched while the device is open, and used from a client's first command on: whoever reads
   /// draws no power and changes nothing. None for a device of the whole world.

@@ -12,7 +12,7 @@ constexpr std::size_t kRange = 64;
 
 }  // namespace
 
-void Sources::add(std::shared_ptr<Source> source) {
+void Sources::add(std::shared_ptr<DataSource> source) {
   all_.push_back(std::move(source));
   if (parts_.size() < ranges()) parts_.emplace_back();
 }

@@ -15,9 +15,9 @@
 namespace playhouse::drivers {
 
 /// Publishes data after a tick: an open simulated device.
-class Source {
+class DataSource {
  public:
-  virtual ~Source() = default;
+  virtual ~DataSource() = default;
   /// Appends this tick's new data, encoded. Called on any thread, in parallel with others:
   /// it may write only its own state, and take no lock. The world does not change meanwhile.
   virtual void emit(const world::World& world, std::vector<device::Publication>& out) = 0;
@@ -25,9 +25,9 @@ class Source {
 
 class Sources {
  public:
-  void add(std::shared_ptr<Source> source);
-  void remove(const Source& source) {
-    std::erase_if(all_, [&](const std::shared_ptr<Source>& each) { return each.get() == &source; });
+  void add(std::shared_ptr<DataSource> source);
+  void remove(const DataSource& source) {
+    std::erase_if(all_, [&](const std::shared_ptr<DataSource>& each) { return each.get() == &source; });
   }
   std::size_t size() const { return all_.size(); }
 
@@ -43,7 +43,7 @@ class Sources {
  private:
   using Batch = std::vector<device::Publication>;
 
-  std::vector<std::shared_ptr<Source>> all_;
+  std::vector<std::shared_ptr<DataSource>> all_;
   std::vector<Batch> parts_;  // of each range, reused
 };
 

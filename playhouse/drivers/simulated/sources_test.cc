@@ -90,7 +90,7 @@ TEST(Sources, of_many_devices_give_the_same_batch_for_any_number_of_workers) {
 }
 
 /// Says its number, in ticks that it divides.
-struct Number final : Source {
+struct Number final : DataSource {
   explicit Number(std::uint32_t number) : number(number) {}
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     if (world.tick() % number == 0) out.push_back({{number}, 0, world.time(), {}});

@@ -42,7 +42,7 @@ class WorldRequests : public ::testing::Test {
   }
 
   const scene::SceneDesc scene_ = run::testing::scene_of("interval_sim 100\nposition( name \"r0\" )\n");
-  testing::Recorder recorder_;
+  testing::OutputRecorder recorder_;
   device::Caller client_{"somebody"};
   OverlapWarnings overlaps_;
   std::unique_ptr<run::Simulation> simulation_;

@@ -31,9 +31,10 @@ inline std::string build_drivers(const std::string& cfg, Site& site,
   return "";
 }
 
-class MemorySite final : public Surroundings {
+class MemorySite final : public Host {
  public:
-  explicit MemorySite(std::string world) : world_text_(std::move(world)), site_(*this, 6665) {
+  explicit MemorySite(std::string world, bool has_threads = true)
+      : has_threads_(has_threads), world_text_(std::move(world)), site_(*this, 6665) {
     site_.data_flow().pass_to(recorder);
   }
   ~MemorySite() override {
@@ -97,6 +98,7 @@ class MemorySite final : public Surroundings {
     return {};
   }
   void post(std::function<void()> task) override { posted_.push_back(std::move(task)); }
+  bool has_threads() const override { return has_threads_; }
   net::Network& network() override { return network_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override {
     opened.push_back(path);
@@ -107,7 +109,7 @@ class MemorySite final : public Surroundings {
             .speed = 0, .paused = false, .duration = 0, .clock = run::testing::no_time_passes});
   }
 
-  Recorder recorder;
+  OutputRecorder recorder;
   std::map<std::uint32_t, std::vector<device::Driver*>> held;  // once per hold; null: nobody hears of its end
   std::vector<std::uint32_t> retired;                          // in this order
   std::vector<std::string> opened;
@@ -115,6 +117,7 @@ class MemorySite final : public Surroundings {
   std::uint32_t last_port = 65535;   // further ones are in use
 
  private:
+  const bool has_threads_;
   net::SimulatedNetwork network_{1};
   std::string world_text_;
   scene::SceneDesc scene_;

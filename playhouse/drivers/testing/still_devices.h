@@ -14,7 +14,7 @@
 namespace playhouse::drivers::testing {
 
 /// Remembers what drivers answer and publish.
-class Recorder final : public device::Outlet, public device::Publisher {
+class OutputRecorder final : public device::Outlet, public device::Publisher {
  public:
   struct Answer {
     bool ack = false;
@@ -36,7 +36,7 @@ class Recorder final : public device::Outlet, public device::Publisher {
 struct StillDevices : run::testing::StillSimulation {
   explicit StillDevices(const std::string& text, unsigned workers = 1) : StillSimulation(text, workers) {}
 
-  Recorder recorder;
+  OutputRecorder recorder;
   ModelDevices devices{simulation, recorder};
 };
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "playhouse/drivers/algorithm/sensor_places.h"
 #include "playhouse/drivers/decoded.h"
-#include "playhouse/drivers/section_devices.h"
 #include "playhouse/drivers/vfh/vfh_options.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/laser.h"
@@ -16,37 +16,27 @@ namespace playhouse::drivers {
 namespace lsr = wire::laser;
 namespace p2d = wire::position2d;
 
-namespace {
-
-// Indices of the client's devices.
-constexpr std::size_t kRobot = 0;
-constexpr std::size_t kLaser = 1;
-
-}  // namespace
-
-Vfh::Vfh(device::Opener& opener, const VfhOptions& options)
-    : GoalDriver(opener, 2, kRobot, kRobot),
+Vfh::Vfh(Shell& shell, const VfhOptions& options)
+    : GoalAlgorithm(shell, kRobot, kRobot),
       options_(options),
-      scans_(client_.latest(kLaser, lsr::kDataScan)) {}
+      scans_(shell.client().latest(kLaser, lsr::kDataScan)) {}
 
 void Vfh::ask_geometry() {
-  client_.ask(kRobot, p2d::kReqGetGeom, {}, [this](const AnswerBody& body) {
+  shell_.client().ask(kRobot, p2d::kReqGetGeom, {}, [this](const AnswerBody& body) {
     const std::optional<p2d::Geom> geom = decoded<p2d::Geom>(body);
     if (!geom) return drives_to_none("its robot does not tell its size, so it drives to no goals");
     const std::lock_guard lock(mutex_);
     radius_ = std::max(geom->size.sl, geom->size.sw) / 2;
   });
-  client_.ask(kLaser, lsr::kReqGetGeom, {}, [this](const AnswerBody& body) {
-    const std::optional<lsr::Geom> geom = decoded<lsr::Geom>(body);
-    const std::optional<geom::Pose> X_RS = geom ? planar(geom->pose) : std::nullopt;
-    if (!X_RS) return drives_to_none("its laser does not tell its place, so it drives to no goals");
+  ask_places(shell_.client(), kLaser, ScanSensor::kLaser, [this](std::vector<geom::Pose> X_RS) {
+    if (X_RS.empty()) return drives_to_none("its laser does not tell its place, so it drives to no goals");
     const std::lock_guard lock(mutex_);
-    X_RS_ = X_RS;
+    X_RS_ = X_RS.front();
   });
 }
 
 bool Vfh::is_usable_state(const p2d::Data& state) const {
-  return GoalDriver::is_usable_state(state) && std::isfinite(state.vel.px);
+  return GoalAlgorithm::is_usable_state(state) && std::isfinite(state.vel.px);
 }
 
 void Vfh::take_scans() {
@@ -72,7 +62,7 @@ void Vfh::take_scans() {
   in.first_angle = scan->min_angle;
   in.angle_step = scan->resolution;
   in.ranges = scan->ranges;
-  thread_.post([this, trip = *trip, robot, in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
+  shell_.post([this, trip = *trip, robot, in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
     if (fresh) memory_ = {};
     const VfhOut out = vfh_step(options_, robot, in, memory_);
     return [this, trip, out] { steer(trip, out.speed, out.turn_rate, out.done ? End::kAtGoal : End::kNot); };
@@ -80,15 +70,8 @@ void Vfh::take_scans() {
 }
 
 Result<std::unique_ptr<device::Driver>> make_vfh(const scene::CfgSection& section, Site& site) {
-  const auto provided = section_devices(section, site, "provides", {"position2d"});
-  if (!provided) return provided.error();
-  const auto required = section_devices(section, site, "requires", {"position2d", "laser"});
-  if (!required) return required.error();
-  const Result<VfhOptions> options = vfh_options(section);
-  if (!options) return options.error();
-
-  return add_goal_driver(section, site, std::make_unique<Vfh>(site.surroundings(), *options),
-                         provided->front(), *required);
+  return make_algorithm<Vfh>(
+      section, site, {.provides = {{"position2d"}}, .uses = {{"position2d"}, {"laser"}}}, vfh_options);
 }
 
 }  // namespace playhouse::drivers

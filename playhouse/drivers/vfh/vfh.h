@@ -2,13 +2,13 @@
 
 /// The .cfg driver "vfh": drives a robot to goals with obstacle avoidance by laser (vfh_step.h).
 
+#include <cstddef>
 #include <memory>
 #include <optional>
-#include <string_view>
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
-#include "playhouse/drivers/goal_driver.h"
+#include "playhouse/drivers/algorithm/goal_algorithm.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/drivers/vfh/vfh_step.h"
 #include "playhouse/scene/cfg.h"
@@ -17,15 +17,14 @@ namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_vfh(const scene::CfgSection& section, Site& site);
 
-class Vfh final : public GoalDriver {
+/// Uses the robot and its laser, in this order.
+class Vfh final : public GoalAlgorithm {
  public:
-  /// Its client opens the robot and its laser, in this order, while the device is open.
-  Vfh(device::Opener& opener, const VfhOptions& options);
-
-  AlgorithmThread& thread() override { return thread_; }
-  std::string_view name() const override { return "vfh"; }
+  Vfh(Shell& shell, const VfhOptions& options);
 
  private:
+  static constexpr std::size_t kRobot = 0, kLaser = 1;  // used devices
+
   void ask_geometry() override;
   void take_scans() override;
   bool is_usable_state(const wire::position2d::Data& state) const override;
@@ -37,8 +36,6 @@ class Vfh final : public GoalDriver {
   // Guarded by mutex_.
   std::optional<double> radius_;    // m; once the robot's geometry is known
   std::optional<geom::Pose> X_RS_;  // once the laser's geometry is known
-
-  AlgorithmThread thread_;
 };
 
 }  // namespace playhouse::drivers

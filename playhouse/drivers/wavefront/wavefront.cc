@@ -5,14 +5,11 @@
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/map_reader.h"
-#include "playhouse/drivers/in_ticks.h"
 #include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/drivers/refusal.h"
-#include "playhouse/drivers/section_devices.h"
 #include "playhouse/drivers/wavefront/wavefront_options.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
-#include "playhouse/wire/header.h"
 
 namespace playhouse::drivers {
 
@@ -20,11 +17,6 @@ namespace p2d = wire::position2d;
 namespace planner = wire::planner;
 
 namespace {
-
-// Indices of the client's devices.
-constexpr std::size_t kOutput = 0;
-constexpr std::size_t kInput = 1;
-constexpr std::size_t kMap = 2;
 
 constexpr double kElsewhere = 0.1;  // m
 constexpr std::string_view kDisabled = "it is disabled: ENABLE 1 lets it drive on";
@@ -37,18 +29,24 @@ std::optional<geom::Pose> pose_in(const device::Publication& message) {
 
 }  // namespace
 
-Wavefront::Wavefront(device::Opener& opener, const WavefrontOptions& options)
-    : options_(options),
-      client_(opener, *this, 3),
-      output_states_(client_.latest(kOutput, p2d::kDataState)),
-      input_states_(client_.latest(kInput, p2d::kDataState)) {
-  client_.when_news([this](std::vector<device::Publication>& more) { take_news(more); });
-}
-
-Result<void> Wavefront::start(device::DeviceId) {
-  if (const Result<void> opened = client_.open(); !opened) return opened;
-  read_map_again();
-  return {};
+Wavefront::Wavefront(Shell& shell, const WavefrontOptions& options)
+    : shell_(shell),
+      options_(options),
+      output_states_(shell.client().latest(kOutput, p2d::kDataState)),
+      input_states_(shell.client().latest(kInput, p2d::kDataState)) {
+  for (const std::uint8_t subtype : {planner::kCmdGoal, planner::kCmdStart}) {
+    shell.on_command<planner::Cmd>(subtype, [this, subtype](const planner::Cmd& command) {
+      return take_command(command, subtype == planner::kCmdStart);
+    });
+  }
+  shell.on_request(planner::kReqGetWaypoints, [this](const device::Message&, device::Replier replier) {
+    replier.ack(wire::encode(waypoints()));
+  });
+  shell.on_request<planner::EnableReq>(planner::kReqEnable, [this](const planner::EnableReq& asked) {
+    enable(asked.state != 0);
+    return std::vector<std::byte>();
+  });
+  shell.on_refusal_asked([this] { return refusal(); });
 }
 
 void Wavefront::read_map_again() {
@@ -58,7 +56,8 @@ void Wavefront::read_map_again() {
     reading = ++readings_;
     reading_ = true;
   }
-  read_map(client_, kMap, [this, reading](Result<GridMap> map) { take_map(reading, std::move(map)); });
+  read_map(shell_.client(), kMap,
+           [this, reading](Result<GridMap> map) { take_map(reading, std::move(map)); });
 }
 
 void Wavefront::take_map(std::uint64_t reading, Result<GridMap> map) {
@@ -70,9 +69,11 @@ void Wavefront::take_map(std::uint64_t reading, Result<GridMap> map) {
   map_ = map ? std::make_shared<const GridMap>(std::move(*map)) : nullptr;
 }
 
-void Wavefront::stop(device::DeviceId) {
+void Wavefront::closing() {
   if (end_drive()) halt();  // the robot may stay open for others
-  client_.close();
+}
+
+void Wavefront::closed() {
   const std::lock_guard lock(mutex_);
   ++readings_;
   map_.reset();
@@ -91,35 +92,29 @@ bool Wavefront::end_drive() {
     unusable_.clear();
     progress_ = {};
   }
-  thread_.clear();
+  shell_.drop_steps();
   return was_driving;
 }
 
-void Wavefront::rewound(bool to_start) {
-  if (to_start) end_drive();
-  thread_.clear();
+void Wavefront::rewound(const Moment& moment) {
+  if (moment.tick == 0) end_drive();
   const std::lock_guard lock(mutex_);
   if (!progress_.done()) progress_ = {};
   X_WR_.reset();
   X_OR_.reset();
 }
 
-device::Taken Wavefront::command(const device::Message& message) {
-  if (!client_.is_open()) return device::Taken::kNo;  // a goal must not wait for the next client
-  if (message.subtype != planner::kCmdGoal && message.subtype != planner::kCmdStart)
-    return device::Taken::kNo;
-  const Result<planner::Cmd> command = wire::decode<planner::Cmd>(message.body);
-  if (!command) return device::Taken::kNo;
-  if (!is_usable(command->goal)) {
+device::Taken Wavefront::take_command(const planner::Cmd& command, bool start) {
+  if (!is_usable(command.goal)) {
     bool is_news = false;
     {
       const std::lock_guard lock(mutex_);
       is_news = keep_refusal(unusable_, std::string(kUnusableGoal));
     }
-    if (is_news) log_refusal(name(), kUnusableGoal);
+    if (is_news) log_refusal(shell_.name(), kUnusableGoal);
     return device::Taken::kNo;
   }
-  set_goal(pose_of(command->goal), message.subtype == planner::kCmdStart);
+  set_goal(pose_of(command.goal), start);
   return device::Taken::kLatest;
 }
 
@@ -152,26 +147,8 @@ void Wavefront::enable(bool enabled) {
     enabled_ = enabled;
     if (!enabled) was_driving = std::exchange(driving_, false);
   }
-  thread_.clear();
+  shell_.drop_steps();
   if (was_driving) halt();
-}
-
-void Wavefront::request(const device::Message& message, device::Replier replier) {
-  if (asks_for_refusal(message)) return answer_refusal(refusal(), std::move(replier));
-  if (message.subtype == planner::kReqGetWaypoints) return replier.ack(wire::encode(waypoints()));
-  if (message.subtype != planner::kReqEnable) return;
-  const Result<planner::EnableReq> asked = wire::decode<planner::EnableReq>(message.body);
-  if (!asked) return;
-  enable(asked->state != 0);
-  replier.ack();
-}
-
-bool Wavefront::capable(device::DeviceId, std::uint8_t type, std::uint8_t subtype) const {
-  if (type == static_cast<std::uint8_t>(wire::MessageType::kCmd))
-    return subtype == planner::kCmdGoal || subtype == planner::kCmdStart;
-  return type == static_cast<std::uint8_t>(wire::MessageType::kReq) &&
-         (subtype == planner::kReqGetWaypoints || subtype == planner::kReqEnable ||
-          may_ask_for_refusal(type, subtype));
 }
 
 void Wavefront::take_news(std::vector<device::Publication>& more) {
@@ -185,7 +162,7 @@ void Wavefront::take_news(std::vector<device::Publication>& more) {
     if (X_OR) X_OR_ = X_OR;
     if (!X_WR) return;
     X_WR_ = X_WR;
-    more.push_back({device_, planner::kDataState, input->timestamp, wire::encode(state())});
+    more.push_back({shell_.device(0), planner::kDataState, input->timestamp, wire::encode(state())});
     next = next_step(input->timestamp);
   }
   if (next) post(std::move(*next));
@@ -198,7 +175,7 @@ std::optional<FollowIn> Wavefront::next_step(double time) const {
 }
 
 void Wavefront::post(FollowIn in) {
-  thread_.post([this, in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
+  shell_.post([this, in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
     if (fresh) memory_.goal = 0;  // plan again
     FollowOut out = follow_path(options_, in, memory_);
     return [this, goal = in.goal, out = std::move(out)] { take_step(goal, out); };
@@ -226,10 +203,10 @@ void Wavefront::take_step(std::uint64_t goal, const FollowOut& out) {
     if (must_go) driving_ = true;
     if (progress_.done()) driving_ = false;  // the output goes on to the goal itself
   }
-  if (!no_path.empty()) log_refusal(name(), no_path);
+  if (!no_path.empty()) log_refusal(shell_.name(), no_path);
   if (must_halt) halt();
   if (must_go && out.again) {
-    ask_for_refusal(client_, kOutput, [this, current](const std::string& why) {
+    ask_for_refusal(shell_.client(), kOutput, [this, current](const std::string& why) {
       if (!why.empty()) take_drive(current, "its output gave up: " + why);
     });
   }
@@ -239,12 +216,12 @@ void Wavefront::take_step(std::uint64_t goal, const FollowOut& out) {
 /// A waypoint that is told again may be given up again: until another one is told, the reason is kept.
 void Wavefront::go_to(std::uint64_t goal, const geom::Pose& X_OP, bool again) {
   const p2d::CmdPos command{pose2d(X_OP), {}, 1};
-  const device::Taken taken = client_.command(kOutput, p2d::kCmdPos, wire::encode(command));
+  const device::Taken taken = shell_.client().command(kOutput, p2d::kCmdPos, wire::encode(command));
   if (taken == device::Taken::kLatest || taken == device::Taken::kQueued) {
     if (!again) take_drive(goal, "");
     return;
   }
-  ask_for_refusal(client_, kOutput, [this, goal](const std::string& why) {
+  ask_for_refusal(shell_.client(), kOutput, [this, goal](const std::string& why) {
     const std::string no_drive = "its output does not go to poses";
     take_drive(goal, why.empty() ? no_drive : no_drive + ": " + why);
   });
@@ -256,7 +233,7 @@ void Wavefront::take_drive(std::uint64_t goal, const std::string& no_drive) {
     const std::lock_guard lock(mutex_);
     if (!goal_ || goal_->number != goal || !keep_refusal(goal_->no_drive, no_drive)) return;
   }
-  log_refusal(name(), no_drive);
+  log_refusal(shell_.name(), no_drive);
 }
 
 std::string Wavefront::refusal() {
@@ -267,7 +244,7 @@ std::string Wavefront::refusal() {
 }
 
 void Wavefront::halt() {
-  client_.command(kOutput, p2d::kCmdVel, wire::encode(p2d::CmdVel{{0, 0, 0}, 1}));
+  shell_.client().command(kOutput, p2d::kCmdVel, wire::encode(p2d::CmdVel{{0, 0, 0}, 1}));
 }
 
 /// Call with the mutex held.
@@ -298,26 +275,9 @@ planner::WaypointsReq Wavefront::waypoints() {
 }
 
 Result<std::unique_ptr<device::Driver>> make_wavefront(const scene::CfgSection& section, Site& site) {
-  const auto provided = section_devices(section, site, "provides", {"planner"});
-  if (!provided) return provided.error();
-  constexpr WantedDevice kWanted[] = {{"position2d", "output"}, {"position2d", "input"}, {"map"}};
-  const auto required = section_devices(section, site, "requires", kWanted);
-  if (!required) return required.error();
-  const Result<WavefrontOptions> options = wavefront_options(section);
-  if (!options) return options.error();
-
-  auto driver = std::make_unique<Wavefront>(site.surroundings(), *options);
-  const device::Address shown = provided->front(), robot = (*required)[kOutput];
-  const Result<device::DeviceId> id = site.add_device(shown, *driver);
-  if (!id) return Error{section.at("provides"), id.error().text};
-  driver->set_device(*id);
-  const auto connected = [&site, shown, robot, &wavefront = *driver]() -> Result<void> {
-    run_in_ticks(site, {&shown, 1}, robot, wavefront.thread(),
-                 [&wavefront](const world::World& world) { wavefront.rewound(world.tick() == 0); });
-    return {};
-  };
-  site.add_user({driver.get(), &driver->client(), *provided, *required, section.at("requires"), connected});
-  return std::unique_ptr<device::Driver>(std::move(driver));
+  const WantedDevices wanted{.provides = {{"planner"}},
+                             .uses = {{"position2d", "output"}, {"position2d", "input"}, {"map"}}};
+  return make_algorithm<Wavefront>(section, site, wanted, wavefront_options);
 }
 
 }  // namespace playhouse::drivers

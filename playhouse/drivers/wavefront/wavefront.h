@@ -4,18 +4,17 @@
 /// it, by giving its waypoints to a position2d that goes to them (follow_path.h, on a thread of
 /// its own). Frames: W of the map and of the input's poses, O of the output's poses.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "playhouse/base/result.h"
-#include "playhouse/device/client.h"
 #include "playhouse/device/driver.h"
-#include "playhouse/drivers/algorithm_thread.h"
+#include "playhouse/drivers/algorithm/shell.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/drivers/wavefront/follow_path.h"
 #include "playhouse/scene/cfg.h"
@@ -25,27 +24,21 @@ namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_wavefront(const scene::CfgSection& section, Site& site);
 
-class Wavefront final : public device::Driver {
+/// Uses output, input and map, in this order.
+class Wavefront final : public Algorithm {
  public:
-  /// Its client opens output, input and map, in this order, while the device is open.
-  Wavefront(device::Opener& opener, const WavefrontOptions& options);
+  Wavefront(Shell& shell, const WavefrontOptions& options);
 
-  void set_device(device::DeviceId device) { device_ = device; }
-  device::Client& client() { return client_; }
-  AlgorithmThread& thread() { return thread_; }
-
-  std::string_view name() const override { return "wavefront"; }
-  Result<void> start(device::DeviceId device) override;
-  void stop(device::DeviceId device) override;
-  void retired(device::DeviceId) override { stop(device_); }
-  /// The world was rewound: plans again, keeps the goal unless it starts again. Tick thread.
-  void rewound(bool to_start);
-  device::Taken command(const device::Message& message) override;
-  void request(const device::Message& message, device::Replier replier) override;
-  bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
-  void barrier(device::Replier replier) override { client_.barrier(std::move(replier)); }
+  void opened() override { read_map_again(); }
+  void closing() override;
+  void closed() override;
+  void take_news(std::vector<device::Publication>& more) override;
+  /// Plans again, keeps the goal unless the run starts again.
+  void rewound(const Moment& moment) override;
 
  private:
+  static constexpr std::size_t kOutput = 0, kInput = 1, kMap = 2;  // used devices
+
   struct Goal {
     geom::Pose X_WT;
     std::uint64_t number = 0;
@@ -54,11 +47,11 @@ class Wavefront final : public device::Driver {
   };
   void read_map_again();
   void take_map(std::uint64_t reading, Result<GridMap> map);
+  device::Taken take_command(const wire::planner::Cmd& command, bool start);
   void set_goal(const geom::Pose& X_WT, bool start);
   bool may_have_path_now() const;
   void enable(bool enabled);
   bool end_drive();
-  void take_news(std::vector<device::Publication>& more);
   std::optional<FollowIn> next_step(double time) const;
   void post(FollowIn in);
   void take_step(std::uint64_t goal, const FollowOut& out);
@@ -69,11 +62,10 @@ class Wavefront final : public device::Driver {
   wire::planner::Data state() const;
   wire::planner::WaypointsReq waypoints();
 
+  Shell& shell_;
   const WavefrontOptions options_;
-  device::Client client_;
   device::Subscription& output_states_;
   device::Subscription& input_states_;
-  device::DeviceId device_;
   FollowMemory memory_;  // of the thread
 
   std::mutex mutex_;  // guards what follows
@@ -88,8 +80,6 @@ class Wavefront final : public device::Driver {
   std::string map_fault_;       // why there is no map, after it was read
   bool reading_ = false;        // the map
   std::uint64_t readings_ = 0;  // so far
-
-  AlgorithmThread thread_;  // last member: joined before what it uses is destroyed
 };
 
 }  // namespace playhouse::drivers

@@ -654,7 +654,7 @@ TEST(Wavefront, rewound_it_plans_again_to_its_goal) {
   Planned test;
   test.begin({3, 1, 0, 0});
   test.forget();
-  static_cast<Wavefront&>(test.driver()).rewound(false);
+  static_cast<Shell&>(test.driver()).rewound({1, 0.1, 1});
   test.site.run(1);
   EXPECT_EQ(test.state().valid, 0);
   EXPECT_EQ(test.state().goal, (wire::Pose2d{3, 1, 0}));

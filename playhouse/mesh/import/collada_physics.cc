@@ -34,7 +34,7 @@ class PhysicsReader {
  public:
   explicit PhysicsReader(const ColladaDocument& document) : document_(document) {}
 
-  Result<std::optional<Physics>> read();
+  Result<std::optional<PhysicalProperties>> read();
 
  private:
   void add_instances(const pugi::xml_node& model_instance);
@@ -52,12 +52,12 @@ class PhysicsReader {
   }
 
   const ColladaDocument& document_;
-  Physics physics_;
+  PhysicalProperties physics_;
   std::optional<Error> error_;
   bool is_any_dynamic_ = false;
 };
 
-Result<std::optional<Physics>> PhysicsReader::read() {
+Result<std::optional<PhysicalProperties>> PhysicsReader::read() {
   const pugi::xml_node root = document_.root();
   bool has_instances = false;
   for (const pugi::xml_node& scene : root.child("library_physics_scenes").children("physics_scene"))
@@ -70,9 +70,9 @@ Result<std::optional<Physics>> PhysicsReader::read() {
     for (const pugi::xml_node& model : root.child("library_physics_models").children("physics_model"))
       for (const pugi::xml_node& body : model.children("rigid_body")) add_body(body, document_.X_FC(), {});
   if (error_) return *error_;
-  if (physics_.shapes.empty()) return std::optional<Physics>();
+  if (physics_.shapes.empty()) return std::optional<PhysicalProperties>();
   physics_.is_fixed = !is_any_dynamic_;
-  return std::optional<Physics>(std::move(physics_));
+  return std::optional<PhysicalProperties>(std::move(physics_));
 }
 
 void PhysicsReader::add_instances(const pugi::xml_node& model_instance) {
@@ -239,7 +239,7 @@ void PhysicsReader::add_triangles(const pugi::xml_node& primitive, Geometry& geo
 
 }  // namespace
 
-Result<std::optional<Physics>> collada_physics(std::string_view bytes) {
+Result<std::optional<PhysicalProperties>> collada_physics(std::string_view bytes) {
   const Result<ColladaDocument> document = ColladaDocument::parse(bytes);
   if (!document) return document.error();
   return PhysicsReader(*document).read();

@@ -192,7 +192,7 @@ Result<MeshFile> import(const std::string& path, std::string_view bytes, const R
   for (const std::string& missing : obj.missing)
     file.warnings.push_back("material file " + in_quotes(missing) +
                             " is not beside the mesh; its materials are grey");
-  const Look look(**scene, colors, std::move(obj.colored), bytes.size());
+  const LookImport look(**scene, colors, std::move(obj.colored), bytes.size());
   look.add_materials(file.mesh);
   look.add_textures(file, folder, read);
   look.dim_emission(file, folder, read);

@@ -109,14 +109,14 @@ std::array<float, 3> mean_of(const Image& image) {
 
 }  // namespace
 
-float Look::light(float channel) const {
+float LookImport::light(float channel) const {
   if (colors_ == Colors::kGltf) return channel;
   return static_cast<float>(linear_of_srgb(channel));
 }
 
 /// glTF: by alphaMode; other formats: blending if the
 /// material is not opaque, otherwise alpha test for textures.
-void Look::set_opacity(const aiMaterial& from, Material& to) const {
+void LookImport::set_opacity(const aiMaterial& from, Material& to) const {
   if (colors_ != Colors::kGltf) to.base[3] = number(from, AI_MATKEY_OPACITY).value_or(1);
   to.base[3] = std::clamp(to.base[3], 0.0f, 1.0f);
   // Nobody models what cannot be seen: old exporters of Blender write a transparency of 0 for opaque
@@ -135,12 +135,12 @@ void Look::set_opacity(const aiMaterial& from, Material& to) const {
 }
 
 /// Assimp's default color, 0.6 in sRGB, is reported if the file has none.
-bool Look::has_color(const aiMaterial& from, const std::string& name) const {
+bool LookImport::has_color(const aiMaterial& from, const std::string& name) const {
   if (colors_ == Colors::kObj) return colored_.contains(name);
   return colors_ == Colors::kGltf || name != AI_DEFAULT_MATERIAL_NAME || texture(from);
 }
 
-std::array<float, 4> Look::base_of(const aiMaterial& from, const std::string& name) const {
+std::array<float, 4> LookImport::base_of(const aiMaterial& from, const std::string& name) const {
   int shading = 0;
   from.Get(AI_MATKEY_SHADING_MODEL, shading);
   // COLLADA's <constant> has emission only; a <diffuse> is a color or a texture.
@@ -156,7 +156,7 @@ std::array<float, 4> Look::base_of(const aiMaterial& from, const std::string& na
   return {light(base->r), light(base->g), light(base->b), base->a};
 }
 
-Material Look::material(const aiMaterial& from) const {
+Material LookImport::material(const aiMaterial& from) const {
   Material to;
   aiString name;
   if (from.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) to.name = name.C_Str();
@@ -178,12 +178,12 @@ Material Look::material(const aiMaterial& from) const {
   return to;
 }
 
-void Look::add_materials(Mesh& mesh) const {
+void LookImport::add_materials(Mesh& mesh) const {
   for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
     mesh.materials.push_back(material(*scene_.mMaterials[i]));
 }
 
-void Look::add_textures(MeshFile& file, const std::string& folder, const ReadFile& read) const {
+void LookImport::add_textures(MeshFile& file, const std::string& folder, const ReadFile& read) const {
   std::map<std::string, std::uint32_t> rows;
   PixelBudget pixels(bytes_);
   for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
@@ -205,13 +205,13 @@ void Look::add_textures(MeshFile& file, const std::string& folder, const ReadFil
   }
 }
 
-Result<Image> Look::load(const std::string& name, const std::string& folder, const ReadFile& read,
-                         PixelBudget& pixels) const {
+Result<Image> LookImport::load(const std::string& name, const std::string& folder, const ReadFile& read,
+                               PixelBudget& pixels) const {
   const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str());
   return embedded ? image_of(*embedded, pixels) : image_beside(name, folder, read, pixels);
 }
 
-void Look::dim_emission(MeshFile& file, const std::string& folder, const ReadFile& read) const {
+void LookImport::dim_emission(MeshFile& file, const std::string& folder, const ReadFile& read) const {
   std::map<std::string, std::array<float, 3>> means;
   PixelBudget pixels(bytes_);
   for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
@@ -234,7 +234,7 @@ void Look::dim_emission(MeshFile& file, const std::string& folder, const ReadFil
 /// Intensity of a light in candela, as in glTF. A COLLADA light of color 1 is taken
 /// as 1 W, as in Blender, which writes color times power, and exports the same light
 /// to glTF so: an isotropic 683 lm per watt. Only the hue is decoded from sRGB.
-Light3 Look::candela(const aiColor3D& color) const {
+Light3 LookImport::candela(const aiColor3D& color) const {
   constexpr float kCandela = 683 / (4 * static_cast<float>(geom::kPi));
   if (colors_ == Colors::kGltf) return {color.r, color.g, color.b};
   const float most = std::max({color.r, color.g, color.b});
@@ -243,11 +243,11 @@ Light3 Look::candela(const aiColor3D& color) const {
           kCandela * most * light(color.b / most)};
 }
 
-void Look::add_lights(const Nodes& nodes, Mesh& mesh) const {
+void LookImport::add_lights(const Nodes& nodes, Mesh& mesh) const {
   for (unsigned i = 0; i < scene_.mNumLights && i < limits::kMeshLights; ++i) {
     const aiLight& from = *scene_.mLights[i];
     const auto node =
-        std::ranges::find_if(nodes, [&](const Node& one) { return one.node->mName == from.mName; });
+        std::ranges::find_if(nodes, [&](const SceneNode& one) { return one.node->mName == from.mName; });
     if (node == nodes.end()) continue;
     Light to;
     switch (from.mType) {

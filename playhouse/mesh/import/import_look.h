@@ -21,10 +21,10 @@ namespace playhouse::mesh {
 /// has no colours, like an OBJ file without materials.
 enum class Colors : std::uint8_t { kGltf, kCollada, kObj };
 
-class Look {
+class LookImport {
  public:
   /// `colored`: for OBJ, the materials that define a color. `bytes`: of the mesh file, for its textures.
-  Look(const aiScene& scene, Colors colors, std::set<std::string> colored, std::size_t bytes)
+  LookImport(const aiScene& scene, Colors colors, std::set<std::string> colored, std::size_t bytes)
       : scene_(scene), colors_(colors), colored_(std::move(colored)), bytes_(bytes) {}
 
   /// In the order of the scene, without textures.

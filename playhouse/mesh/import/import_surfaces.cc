@@ -57,7 +57,7 @@ using Joints = std::map<std::string_view, Affine>;
 
 Joints joints_of(const Nodes& nodes) {
   Joints joints;
-  for (const Node& node : nodes)
+  for (const SceneNode& node : nodes)
     joints.try_emplace({node.node->mName.data, node.node->mName.length}, node.X_FN);
   return joints;
 }
@@ -150,7 +150,7 @@ Result<void> add_surfaces(const aiScene& scene, const Nodes& nodes, Skins skins,
   const Joints joints = joints_of(nodes);
   std::map<unsigned, Surface> by_material;
   std::size_t corners = 0, triangles = 0;
-  for (const Node& node : nodes)
+  for (const SceneNode& node : nodes)
     for (unsigned i = 0; i < node.node->mNumMeshes; ++i) {
       if (node.node->mMeshes[i] >= scene.mNumMeshes)
         return Error{{}, "is broken: a node has a mesh that is not there"};

@@ -16,11 +16,11 @@
 
 namespace playhouse::mesh {
 
-struct Node {
+struct SceneNode {
   const aiNode* node = nullptr;
   Affine X_FN;
 };
-using Nodes = std::vector<Node>;
+using Nodes = std::vector<SceneNode>;
 
 /// All nodes, parents first; X_FS turns the axes of the scene. Fails beyond limits.h on number and depth.
 Result<Nodes> nodes_of(const aiScene& scene, const Affine& X_FS);

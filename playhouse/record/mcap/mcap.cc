@@ -42,7 +42,7 @@ void put(Bytes& out, const Channel& channel) {
   put_record(out, Op::kChannel, content);
 }
 
-void put(Bytes& out, const Message& message) {
+void put(Bytes& out, const MessageRecord& message) {
   Packer to(out);
   to.u8(static_cast<std::uint8_t>(Op::kMessage));
   to.u64(22 + message.body.size());

@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/base/packing.h"
+
 namespace playhouse::record {
 
 inline constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
@@ -68,7 +70,7 @@ struct Channel {
   std::string encoding;  // of the messages: "cdr"
 };
 
-struct Message {
+struct MessageRecord {
   std::uint16_t channel = 0;
   std::uint32_t sequence = 0;
   std::uint64_t log_time = 0;      // ns
@@ -82,8 +84,6 @@ struct Attachment {
   std::vector<std::byte> body;
 };
 
-using Bytes = std::vector<std::byte>;
-
 /// Appends a length-prefixed string.
 void put_text(Bytes& out, std::string_view text);
 /// Appends raw bytes.
@@ -92,7 +92,7 @@ void put_bytes(Bytes& out, std::span<const std::byte> bytes);
 void put_record(Bytes& out, Op op, std::span<const std::byte> content);
 void put(Bytes& out, const Schema& schema);
 void put(Bytes& out, const Channel& channel);
-void put(Bytes& out, const Message& message);
+void put(Bytes& out, const MessageRecord& message);
 /// With its trailing checksum.
 void put(Bytes& out, const Attachment& attachment);
 

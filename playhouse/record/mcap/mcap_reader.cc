@@ -18,7 +18,7 @@
 namespace playhouse::record {
 namespace {
 
-class FileSource final : public Source {
+class FileSource final : public ByteSource {
  public:
   FileSource(int file, std::uint64_t size) : file_(file), size_(size) {}
   ~FileSource() override { close(file_); }
@@ -75,7 +75,7 @@ std::size_t most_bytes(Op op) {
 
 }  // namespace
 
-Result<std::unique_ptr<Source>> open_source(const std::string& path) {
+Result<std::unique_ptr<ByteSource>> open_source(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   struct stat status {};
   if (file < 0 || fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
@@ -83,7 +83,7 @@ Result<std::unique_ptr<Source>> open_source(const std::string& path) {
     if (file >= 0) close(file);
     return Error{escaped(path), "cannot be read: " + std::generic_category().message(code)};
   }
-  return std::unique_ptr<Source>(
+  return std::unique_ptr<ByteSource>(
       std::make_unique<FileSource>(file, static_cast<std::uint64_t>(status.st_size)));
 }
 
@@ -208,7 +208,7 @@ Result<void> McapReader::take_channel(std::span<const std::byte> content) {
 
 Result<void> McapReader::take_message(std::span<const std::byte> content, const Listener& listener) {
   Fields in(content);
-  Message message;
+  MessageRecord message;
   message.channel = in.u16();
   message.sequence = in.u32();
   message.log_time = in.u64();

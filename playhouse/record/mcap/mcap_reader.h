@@ -17,29 +17,30 @@
 namespace playhouse::record {
 
 /// Random access to the bytes of a file.
-class Source {
+class ByteSource {
  public:
-  virtual ~Source() = default;
+  virtual ~ByteSource() = default;
   virtual std::uint64_t size() const = 0;
   /// False on a read error.
   virtual bool read_at(std::uint64_t offset, std::span<std::byte> out) const = 0;
 };
 
 /// Errors include the file name.
-Result<std::unique_ptr<Source>> open_source(const std::string& path);
+Result<std::unique_ptr<ByteSource>> open_source(const std::string& path);
 
 class McapReader {
  public:
   /// Callbacks in file order; an error aborts reading and is returned.
   struct Listener {
-    std::function<Result<void>(const Channel&, const Message&)> message = {};
+    std::function<Result<void>(const Channel&, const MessageRecord&)> message = {};
     std::function<Result<void>(const Attachment&)> attachment = {};
   };
   /// Whether the file ends properly or is truncated.
   enum class End : std::uint8_t { kWhole, kCut };
 
   /// The source must outlive the reader.
-  explicit McapReader(const Source& source, const UnpackedRoom& room = {}) : source_(&source), room_(room) {}
+  explicit McapReader(const ByteSource& source, const UnpackedRoom& room = {})
+      : source_(&source), room_(room) {}
 
   /// Reads everything. Fails, without a file name, on data that
   /// is not MCAP or damaged, and at limits; not on truncation.
@@ -58,7 +59,7 @@ class McapReader {
   Result<void> take_attachment(std::span<const std::byte> content, const Listener& listener);
   Error damaged(const std::string& what) const;
 
-  const Source* source_;
+  const ByteSource* source_;
   UnpackedRoom room_;
   std::uint64_t at_ = 0;        // offset of the current record
   std::uint64_t unpacked_ = 0;  // bytes of all chunks so far

@@ -36,7 +36,7 @@ std::string text_of(std::span<const std::byte> bytes) {
 Bytes message(std::uint16_t channel, std::uint64_t time, const std::string& body) {
   Bytes out;
   const Bytes bytes = bytes_of(body);
-  put(out, Message{channel, 0, time, time, bytes});
+  put(out, MessageRecord{channel, 0, time, time, bytes});
   return out;
 }
 
@@ -60,7 +60,7 @@ class Mcap : public testing::Test {
     said_.clear();
     const MemorySource source(bytes);
     McapReader reader(source, room);
-    return reader.read({.message = [&](const Channel& channel, const Message& heard) -> Result<void> {
+    return reader.read({.message = [&](const Channel& channel, const MessageRecord& heard) -> Result<void> {
                           said_.push_back(channel.topic + " " + text_of(heard.body));
                           return {};
                         },
@@ -306,7 +306,7 @@ TEST_F(Mcap, ends_with_the_listener_s_error) {
   const Bytes bytes = file();
   const MemorySource source(bytes);
   McapReader reader(source);
-  const auto end = reader.read({.message = [](const Channel&, const Message&) -> Result<void> {
+  const auto end = reader.read({.message = [](const Channel&, const MessageRecord&) -> Result<void> {
     return Error{{}, "no"};
   }});
   ASSERT_FALSE(end.ok());

@@ -9,7 +9,7 @@
 
 namespace playhouse::record {
 
-class MemorySource final : public Source {
+class MemorySource final : public ByteSource {
  public:
   /// The bytes must outlive it.
   explicit MemorySource(std::span<const std::byte> bytes) : bytes_(bytes) {}

@@ -33,7 +33,7 @@ std::vector<geom::Vec2> thin_wall(const std::vector<geom::Vec2>& points) {
 /// Maps the joint bounding box of a shape onto a size.
 struct Stretch {
   geom::Box box;
-  Bounds z{0, 0};  // including the floor
+  Interval z{0, 0};  // including the floor
   geom::Size size;
 
   /// True if all points are on a line parallel to an axis.
@@ -44,7 +44,7 @@ struct Stretch {
     };
     return {onto(p.x, box.x_min, box.x_max, size.x), onto(p.y, box.y_min, box.y_max, size.y)};
   }
-  Bounds operator()(const std::optional<Bounds>& b) const {
+  Interval operator()(const std::optional<Interval>& b) const {
     if (!b) return {0, size.z};
     return {b->min / (z.max - z.min) * size.z, b->max / (z.max - z.min) * size.z};
   }
@@ -56,9 +56,9 @@ struct Stretch {
   }
 };
 
-Stretch stretch_of(const Shape& shape, const geom::Size& size) {
+Stretch stretch_of(const UnscaledBody& shape, const geom::Size& size) {
   Stretch stretch{{}, {}, size};
-  const auto widen = [&stretch](Bounds z) {
+  const auto widen = [&stretch](Interval z) {
     stretch.z = {std::min(stretch.z.min, z.min), std::max(stretch.z.max, z.max)};
   };
   for (const Prism& prism : shape.prisms) {
@@ -99,7 +99,7 @@ Prism read_block(const Properties& properties) {
   properties.tuple("z", "LL", z, "[min max]");
   if (z[1] < z[0]) state.fail(properties.where("z"), "the block ends below its start: z [min max]");
   if (z[1] > z[0]) {
-    prism.z = Bounds{z[0], z[1]};
+    prism.z = Interval{z[0], z[1]};
   } else if (!state.error) {
     state.warnings.add(
         Warning::kShape, prism.where,
@@ -109,11 +109,11 @@ Prism read_block(const Properties& properties) {
   return prism;
 }
 
-void fit_shape(const Shape& shape, const geom::Size& size, LoadState& state, ModelDesc& model) {
+void fit_shape(const UnscaledBody& shape, const geom::Size& size, LoadState& state, ModelDesc& model) {
   const Stretch stretch = stretch_of(shape, size);
   if (stretch.box.empty()) return;
   for (const Prism& prism : shape.prisms) {
-    const Bounds z = stretch(prism.z);
+    const Interval z = stretch(prism.z);
     Block block{stretch(prism.points), z.min, z.max};
     if (stretch.flat() || block.points.size() == 2) {
       block.points = thin_wall(block.points);
@@ -126,7 +126,7 @@ void fit_shape(const Shape& shape, const geom::Size& size, LoadState& state, Mod
     model.blocks.push_back(std::move(block));
   }
   if (shape.contours.empty()) return;
-  const Bounds z = stretch(Bounds{0, 1});
+  const Interval z = stretch(Interval{0, 1});
   Contours contours{{}, z.min, z.max};
   for (const auto& loop : shape.contours) contours.loops.push_back(stretch(loop));
   model.bitmaps.push_back(std::move(contours));
@@ -148,7 +148,7 @@ void check_body_size(const geom::Size& size, const Properties& properties) {
   if (size.z == 0) warn("z, so the body collides with nothing");
 }
 
-Block rectangle(double x_min, double y_min, double x_max, double y_max, Bounds z) {
+Block rectangle(double x_min, double y_min, double x_max, double y_max, Interval z) {
   return {{{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}}, z.min, z.max};
 }
 
@@ -159,7 +159,7 @@ Block box_block(const geom::Size& size) {
 std::vector<Block> boundary_walls(const geom::Size& size) {
   const double x = size.x / 2, y = size.y / 2;
   const double tx = std::min(kWall, x), ty = std::min(kWall, y);
-  const Bounds z{0, size.z};
+  const Interval z{0, size.z};
   return {rectangle(-x, -y, -x + tx, y, z), rectangle(x - tx, -y, x, y, z), rectangle(-x, -y, x, -y + ty, z),
           rectangle(-x, y - ty, x, y, z)};
 }

@@ -11,7 +11,7 @@
 namespace playhouse::scene {
 
 /// Blocks and contours in file units, before scaling.
-struct Shape {
+struct UnscaledBody {
   std::vector<Prism> prisms;
   std::vector<std::vector<geom::Vec2>> contours;  // of one bitmap, in pixels; z from 0 to 1
 };
@@ -23,7 +23,7 @@ Prism read_block(const Properties& properties);
 /// Scales `shape` to the bounding box `size`, centred on the origin in x and y. In z
 /// the interval from the floor, z = 0, to the highest point is scaled, so that floating
 /// parts stay above the floor. A degenerate block becomes a thin wall, with a warning.
-void fit_shape(const Shape& shape, const geom::Size& size, LoadState& state, ModelDesc& model);
+void fit_shape(const UnscaledBody& shape, const geom::Size& size, LoadState& state, ModelDesc& model);
 
 /// The size for a body to fill: `size`, with zero x or y
 /// replaced by a wall's thickness; none if both are 0.
@@ -32,7 +32,7 @@ std::optional<geom::Size> body_size(const geom::Size& size);
 void check_body_size(const geom::Size& size, const Properties& properties);
 
 /// An axis-aligned block in B. [m]
-Block rectangle(double x_min, double y_min, double x_max, double y_max, Bounds z);
+Block rectangle(double x_min, double y_min, double x_max, double y_max, Interval z);
 
 /// One block of this size.
 Block box_block(const geom::Size& size);

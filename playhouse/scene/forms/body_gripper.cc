@@ -13,7 +13,7 @@ void make_gripper_body(const geom::Size& size, ModelDesc& model) {
   const double inside = paddle_face(gripper, size, gripper.paddles == Paddles::kClosed ? 1 : 0);
   const double outside = inside + std::min(0.5, gripper.paddle_width) * size.y;
   const double bottom = gripper.lift == Lift::kUp ? (1 - gripper.paddle_height) * size.z : 0;
-  const Bounds z{bottom, bottom + gripper.paddle_height * size.z};
+  const Interval z{bottom, bottom + gripper.paddle_height * size.z};
   model.blocks.push_back(rectangle(root, inside, x, outside, z));
   model.blocks.push_back(rectangle(root, -outside, x, -inside, z));
   model.moving_blocks = 2;

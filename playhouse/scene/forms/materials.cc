@@ -14,31 +14,31 @@ constexpr double kAsColor = -1;
 // 200. Glass of index 1.52 reflects 4.3 % per face (Fresnel), plus some dust; silvered glass
 // about 90 %; that brushed steel scatters half of the 60 % that it returns is our assumption.
 constexpr std::array kMaterials = {
-    Material{"concrete", 1, 0.1, 0, 0.95f, 0.24, 0, 0},
-    Material{"asphalt", 1, 0.1, 0, 0.95f, 0.17, 0, 0},
-    Material{"carpet", 1, 0, 0, 1, kAsColor, 0, 0},
-    Material{"rubber", 1, 0.6, 0, 0.85f, 0.02, 0, 0},
-    Material{"wood", 0.6, 0.3, 0, 0.7f, 0.25, 0, 0},
-    Material{"plastic", 0.5, 0.4, 0, 0.4f, 0.5, 0, 0},
-    Material{"steel", 0.4, 0.3, 0.85f, 0.35f, 0.3, 0.3, 0},
-    Material{"glass", 0.4, 0.3, 0, 0.05f, 0.002, 0.043, 1},
-    Material{"mirror", 0.4, 0.3, 0.9f, 0.05f, 0.002, 0.9, 0},
-    Material{"ice", 0.05, 0, 0, 0.12f, kAsColor, 0, 0},
-    Material{"paper", 0.6, 0, 0, 0.6f, 0.9, 0, 0},
-    Material{"neoprene", 0.6, 0, 0, 0.6f, 0.05, 0, 0},
+    NamedMaterial{"concrete", 1, 0.1, 0, 0.95f, 0.24, 0, 0},
+    NamedMaterial{"asphalt", 1, 0.1, 0, 0.95f, 0.17, 0, 0},
+    NamedMaterial{"carpet", 1, 0, 0, 1, kAsColor, 0, 0},
+    NamedMaterial{"rubber", 1, 0.6, 0, 0.85f, 0.02, 0, 0},
+    NamedMaterial{"wood", 0.6, 0.3, 0, 0.7f, 0.25, 0, 0},
+    NamedMaterial{"plastic", 0.5, 0.4, 0, 0.4f, 0.5, 0, 0},
+    NamedMaterial{"steel", 0.4, 0.3, 0.85f, 0.35f, 0.3, 0.3, 0},
+    NamedMaterial{"glass", 0.4, 0.3, 0, 0.05f, 0.002, 0.043, 1},
+    NamedMaterial{"mirror", 0.4, 0.3, 0.9f, 0.05f, 0.002, 0.9, 0},
+    NamedMaterial{"ice", 0.05, 0, 0, 0.12f, kAsColor, 0, 0},
+    NamedMaterial{"paper", 0.6, 0, 0, 0.6f, 0.9, 0, 0},
+    NamedMaterial{"neoprene", 0.6, 0, 0, 0.6f, 0.05, 0, 0},
 };
-constexpr Material kUnknown{"", 0.6, 0, 0, 0.6f, kAsColor, 0, 0};
+constexpr NamedMaterial kUnknown{"", 0.6, 0, 0, 0.6f, kAsColor, 0, 0};
 
 }  // namespace
 
-const Material& material_named(std::string_view name) {
-  for (const Material& material : kMaterials)
+const NamedMaterial& material_named(std::string_view name) {
+  for (const NamedMaterial& material : kMaterials)
     if (material.name == name) return material;
   return kUnknown;
 }
 
-Material material_of(const ModelDesc& model) {
-  Material material = material_named(model.material);
+NamedMaterial material_of(const ModelDesc& model) {
+  NamedMaterial material = material_named(model.material);
   material.restitution = model.restitution.value_or(material.restitution);
   material.roughness = static_cast<float>(model.roughness.value_or(material.roughness));
   return material;
@@ -50,7 +50,7 @@ bool is_material(std::string_view name) {
 
 std::vector<std::string_view> material_names() {
   std::vector<std::string_view> names;
-  for (const Material& material : kMaterials) names.push_back(material.name);
+  for (const NamedMaterial& material : kMaterials) names.push_back(material.name);
   return names;
 }
 

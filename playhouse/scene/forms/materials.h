@@ -11,7 +11,7 @@
 
 namespace playhouse::scene {
 
-struct Material {
+struct NamedMaterial {
   std::string_view name;
   double friction;            // against concrete, which has 1
   double restitution;         // 0 to 1
@@ -21,10 +21,10 @@ struct Material {
 };
 
 /// The default for unknown materials has an empty name.
-const Material& material_named(std::string_view name);
+const NamedMaterial& material_named(std::string_view name);
 
 /// That of a model, with its words `restitution` and `roughness`.
-Material material_of(const ModelDesc& model);
+NamedMaterial material_of(const ModelDesc& model);
 
 bool is_material(std::string_view name);
 std::vector<std::string_view> material_names();

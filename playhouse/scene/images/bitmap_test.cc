@@ -139,7 +139,7 @@ std::string bmp_of(int width, int height, int depth, std::optional<int> told_hei
 }
 
 TEST(Bitmap, a_bmp_that_ends_before_its_last_pixel_is_no_image) {
-  const std::string whole = bmp_of(5, 40, 24);  // 15 bytes of pixels and 1 of padding in a row
+  const std::string whole = bmp_of(5, 40, 24);  // 15 bytes of pixels and a pad of 1 in a row
   EXPECT_EQ(solid_of(whole).size(), 200u);
   EXPECT_EQ(solid_of(whole.substr(0, whole.size() - 1)).size(), 200u) << "padding is no pixel";
   for (const std::size_t bytes : {whole.size() - 2, whole.size() - 16, whole.size() / 2, std::size_t{54}}) {

@@ -256,7 +256,7 @@ Result<Image> read_pnm(std::string_view bytes, std::size_t most_pixels) {
 }
 
 /// Input of stb_image, which silently reads zeros past the end: this records
-/// it. Skipped bytes, such as the padding after the last row, may be missing.
+/// it. Skipped bytes, such as the pad after the last row, may be missing.
 struct BmpReading {
   std::string_view bytes;
   std::size_t at = 0;

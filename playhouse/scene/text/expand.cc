@@ -39,8 +39,8 @@ std::vector<std::string_view> Macros::names() const {
   return names;
 }
 
-Result<Instance> Macros::instance(const Section& section) const {
-  Instance instance{section.name, {&section}, section.where};
+Result<ExpandedSection> Macros::instance(const Section& section) const {
+  ExpandedSection instance{section.name, {&section}, section.where};
   while (const Statement* macro = find(instance.type)) {
     if (instance.parts.size() > static_cast<std::size_t>(limits::kEntityDepth)) {
       return document_.error(section.where, "macro " + in_quotes(section.name) +
@@ -54,7 +54,7 @@ Result<Instance> Macros::instance(const Section& section) const {
   return instance;
 }
 
-FieldSet::FieldSet(const Instance& instance)
+FieldSet::FieldSet(const ExpandedSection& instance)
     : FieldSet(instance.now ? std::span(&instance.now, 1) : std::span(instance.parts)) {}
 
 FieldSet::FieldSet(std::span<const Section* const> parts) {

@@ -16,7 +16,7 @@
 namespace playhouse::scene {
 
 /// A section with its macros resolved.
-struct Instance {
+struct ExpandedSection {
   std::string_view type;              // the base type, not a macro
   std::vector<const Section*> parts;  // macro bodies, base first; the instance's own body last
   SourceLine where;                   // of the instance
@@ -36,7 +36,7 @@ class Macros {
   std::vector<std::string_view> names() const;
 
   /// Fails on recursive macros.
-  Result<Instance> instance(const Section& section) const;
+  Result<ExpandedSection> instance(const Section& section) const;
 
  private:
   const Document& document_;
@@ -46,7 +46,7 @@ class Macros {
 /// The fields of an instance by key; of duplicates the last one counts.
 class FieldSet {
  public:
-  explicit FieldSet(const Instance& instance);
+  explicit FieldSet(const ExpandedSection& instance);
   explicit FieldSet(std::span<const Section* const> parts);
   explicit FieldSet(std::span<const Field> fields);
 

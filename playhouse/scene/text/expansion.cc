@@ -23,7 +23,7 @@ Result<void> Expansion::check_cycle(const Section& section) const {
 }
 
 Result<void> Expansion::add(const Section& section, SourceLine top, int depth) {
-  const Result<Instance> instance = macros_.instance(section);
+  const Result<ExpandedSection> instance = macros_.instance(section);
   if (!instance) return instance.error();
   const auto too_many = [&](std::size_t limit, const char* what) {
     return document_.error(top, "the world holds more than " + std::to_string(limit) + " " + what);

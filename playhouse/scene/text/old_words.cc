@@ -78,7 +78,7 @@ OldWords::OldWords(LoadState& state, const Macros& macros) : state_(state), macr
       if (word.meaning) old_names_.insert(word.name);
 }
 
-Instance OldWords::now(Instance entity) {
+ExpandedSection OldWords::now(ExpandedSection entity) {
   const OldType* const type = old_type_of(entity);
   if (type) entity.type = type->type;
   const Kind* const kind = find_entity(entity.type);
@@ -98,7 +98,7 @@ std::span<const Field> OldWords::now_of_world(std::span<const Field> fields) {
   return world_.fields;
 }
 
-const OldType* OldWords::old_type_of(const Instance& entity) {
+const OldType* OldWords::old_type_of(const ExpandedSection& entity) {
   if (find_entity(entity.type)) return nullptr;
   const auto type = std::ranges::find(old_types(), entity.type, &OldType::name);
   if (type == old_types().end() || !type->is_read) return nullptr;
@@ -118,7 +118,7 @@ bool OldWords::has_old_words(std::span<const Field> fields, const Kind& kind) co
   });
 }
 
-Section OldWords::rewritten(const Instance& entity, const Kind& kind, const OldType* type) {
+Section OldWords::rewritten(const ExpandedSection& entity, const Kind& kind, const OldType* type) {
   Rewriting to{entity, FieldSet(entity.parts), kind, type, {&kind, {}}, {}};
   Section now{kind.name, entity.where, {}, {}};
   if (type) say(to.own, type->words, entity.where);
@@ -200,7 +200,7 @@ bool OldWords::apply_to_parts(const Field& field, const Meaning& meaning, Rewrit
     if (meaning.how == Meaning::How::kWords) {
       apply_words(field, meaning, part);
     } else if (const Word* const word = find_word(*part.kind, key_of(key.rest).word);
-               word && word->use == Use::kRead) {
+               word && word->use == Support::kRead) {
       if (part.words.empty()) say(part, meaning.part_words, field.where);
       word_of(part, key.rest, field.where).values = field.values;
     }
@@ -273,10 +273,11 @@ std::size_t OldWords::count_parts(std::string_view part, const Rewriting& of) {
   return static_cast<std::size_t>(count);
 }
 
-bool OldWords::has_parts(const Instance& entity, std::string_view part) const {
+bool OldWords::has_parts(const ExpandedSection& entity, std::string_view part) const {
   for (const Section* body : entity.parts)
     for (const Section& section : body->sections)
-      if (const Result<Instance> inner = macros_.instance(section); inner && inner->type == part) return true;
+      if (const Result<ExpandedSection> inner = macros_.instance(section); inner && inner->type == part)
+        return true;
   return false;
 }
 

@@ -24,7 +24,7 @@ class OldWords {
   OldWords(LoadState& state, const Macros& macros);
 
   /// The entity in current words. Its type is "" if it is dropped.
-  Instance now(Instance entity);
+  ExpandedSection now(ExpandedSection entity);
   /// The words of the world, translated.
   std::span<const Field> now_of_world(std::span<const Field> fields);
 
@@ -35,7 +35,7 @@ class OldWords {
     std::vector<Field> words;
   };
   struct Rewriting {
-    const Instance& entity;
+    const ExpandedSection& entity;
     const FieldSet fields;
     const Kind& kind;
     const OldType* type;
@@ -44,9 +44,9 @@ class OldWords {
     std::map<std::string_view, std::optional<std::vector<Entity>>> parts;
   };
 
-  const OldType* old_type_of(const Instance& entity);
+  const OldType* old_type_of(const ExpandedSection& entity);
   bool has_old_words(std::span<const Field> fields, const Kind& kind) const;
-  Section rewritten(const Instance& entity, const Kind& kind, const OldType* type);
+  Section rewritten(const ExpandedSection& entity, const Kind& kind, const OldType* type);
   /// False: the field is left as it is.
   bool apply(const Field& field, Rewriting& to);
   /// Warns of parts that `count` announces but that have no pose.
@@ -57,7 +57,7 @@ class OldWords {
   std::optional<Field> by_hand(const Field& field, const Rewriting& to);
   std::optional<std::vector<Entity>>& parts_of(std::string_view part, Rewriting& to);
   std::size_t count_parts(std::string_view part, const Rewriting& of);
-  bool has_parts(const Instance& entity, std::string_view part) const;
+  bool has_parts(const ExpandedSection& entity, std::string_view part) const;
 
   /// The word of that name, added if missing.
   Field& word_of(Entity& entity, std::string_view name, SourceLine where);

@@ -140,7 +140,7 @@ geom::Twist read_twist(const Properties& properties, std::string_view key, std::
 }
 
 void read_bounds(const Properties& properties, std::string_view key, std::string_view scales,
-                 Bounds (&bounds)[4]) {
+                 Interval (&bounds)[4]) {
   std::array<double, 8> v;
   for (std::size_t axis = 0; axis < 4; ++axis) {
     v[2 * axis] = bounds[axis].min;

@@ -66,7 +66,7 @@ geom::Twist read_twist(const Properties& properties, std::string_view key, std::
 
 /// Minimum and maximum of each axis; a minimum above the maximum is an error.
 void read_bounds(const Properties& properties, std::string_view key, std::string_view scales,
-                 Bounds (&bounds)[4]);
+                 Interval (&bounds)[4]);
 
 /// The key word[index].
 std::string numbered(std::string_view word, std::size_t index);

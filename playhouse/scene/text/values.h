@@ -10,9 +10,9 @@ struct Color {
 };
 
 /// A closed interval.
-struct Bounds {
+struct Interval {
   double min = 0, max = 0;
-  friend bool operator==(const Bounds&, const Bounds&) = default;
+  friend bool operator==(const Interval&, const Interval&) = default;
 };
 
 }  // namespace playhouse::scene

@@ -15,7 +15,7 @@ std::string hint(const Kind& kind, std::string_view word) {
   if (kind.entity == EntityForm::kWorld) candidates.push_back("define");
   for (const std::span<const Word> words : {common_words(kind), kind.words}) {
     for (const Word& known : words) {
-      if (known.use != Use::kOld) candidates.push_back(known.name);
+      if (known.use != Support::kOld) candidates.push_back(known.name);
     }
   }
   return did_you_mean(word, candidates);
@@ -47,7 +47,8 @@ std::vector<KeptWord> kept_words(const Kind& kind, const Properties& properties)
   std::vector<KeptWord> kept;
   for (const Field* field : properties.fields().all()) {
     const Word* word = find_word(kind, without_index(field->key));
-    if (!word || (word->use != Use::kSilent && word->use != Use::kLater) || field->values.empty()) continue;
+    if (!word || (word->use != Support::kSilent && word->use != Support::kLater) || field->values.empty())
+      continue;
     std::vector<std::string> values;
     for (const Value& value : field->values) {
       const std::optional<double> number =
@@ -65,14 +66,14 @@ void VocabularyCheck::check(const Kind& kind, const Properties& properties) {
     if (!checked_.insert(field).second) continue;  // a macro's field is checked once
     const std::string_view name = without_index(field->key);
     const Word* word = find_word(kind, name);
-    if (word && word->use != Use::kLater && word->use != Use::kOld) continue;
-    if (word && word->use == Use::kLater && !words_.insert(name).second) continue;
+    if (word && word->use != Support::kLater && word->use != Support::kOld) continue;
+    if (word && word->use == Support::kLater && !words_.insert(name).second) continue;
     const std::string subject = in_quotes(name);
     const std::string whose = " of " + owner_of(kind);
     if (!word) {
       state.warnings.add(Warning::kUnknownWord, field->where, "unknown property " + subject + whose,
                          [&] { return hint(kind, name); });
-    } else if (word->use == Use::kLater) {
+    } else if (word->use == Support::kLater) {
       state.warnings.add(Warning::kNoEffect, field->where,
                          subject + " is not simulated yet and has no effect");
     } else {

@@ -160,9 +160,9 @@ void Words::twist(std::string_view key, std::string_view scales, const geom::Twi
   tuple(key, scales, std::array{value.x, value.y, value.z, value.a});
 }
 
-void Words::bounds(std::string_view key, std::string_view scales, std::span<const Bounds> values) {
+void Words::bounds(std::string_view key, std::string_view scales, std::span<const Interval> values) {
   std::vector<double> numbers;
-  for (const Bounds& axis : values) numbers.insert(numbers.end(), {axis.min, axis.max});
+  for (const Interval& axis : values) numbers.insert(numbers.end(), {axis.min, axis.max});
   tuple(key, scales, numbers);
 }
 

@@ -51,7 +51,7 @@ class Words {
   void size(std::string_view key, const geom::Size& value);
   void point(std::string_view key, geom::Vec2 value);
   void twist(std::string_view key, std::string_view scales, const geom::Twist& value);
-  void bounds(std::string_view key, std::string_view scales, std::span<const Bounds> values);
+  void bounds(std::string_view key, std::string_view scales, std::span<const Interval> values);
   /// `scales` as in Properties::tuple(), and D for degrees regardless of the file's unit.
   void tuple(std::string_view key, std::string_view scales, std::span<const double> values);
   void kept(const KeptWord& word) { add(word.key, word.value); }

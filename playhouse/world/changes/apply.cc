@@ -226,7 +226,7 @@ Result<void> apply(World& world, const Despawn& change) {
 
 Result<void> apply(World& world, const Attach& change) {
   if (change.children.size() != change.X_PC.size()) return Error{"", "a pose for each child is needed"};
-  std::vector<Attachment> attachments;
+  std::vector<AttachedChild> attachments;
   for (std::size_t i = 0; i < change.children.size(); ++i)
     attachments.push_back({change.children[i], change.X_PC[i]});
   return attach(world, attachments, change.parent);

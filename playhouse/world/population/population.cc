@@ -563,7 +563,7 @@ Result<void> despawn(World& world, std::span<const ModelId> models) {
 namespace {
 
 /// Why a model cannot be attached to the parent at this pose, if it can't.
-Result<void> check_attachment(const World& world, const Attachment& attachment, ModelRow parent) {
+Result<void> check_attachment(const World& world, const AttachedChild& attachment, ModelRow parent) {
   const ModelRow child = world.row(attachment.child);
   if (!child) return no_model();
   const Models& models = world.models;
@@ -578,23 +578,23 @@ Result<void> check_attachment(const World& world, const Attachment& attachment, 
 }  // namespace
 
 Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pose& X_PC) {
-  const Attachment attachment{child, X_PC};
+  const AttachedChild attachment{child, X_PC};
   return attach(world, std::span(&attachment, 1), parent);
 }
 
-Result<void> attach(World& world, std::span<const Attachment> children, ModelId parent) {
+Result<void> attach(World& world, std::span<const AttachedChild> children, ModelId parent) {
   const ModelRow parent_row = world.row(parent);
   if (!parent_row) return no_model();
   std::vector<ModelId> named;
-  for (const Attachment& each : children) named.push_back(each.child);
+  for (const AttachedChild& each : children) named.push_back(each.child);
   if (is_any_named_twice(std::move(named))) return named_twice();
-  for (const Attachment& each : children)
+  for (const AttachedChild& each : children)
     if (const Result<void> checked = check_attachment(world, each, parent_row); !checked) return checked;
   if (children.empty()) return {};
   Models& models = world.models;
   const Mobility parents = models.mobility[parent_row.index];
   const auto set_parents = [&](ModelId to) {
-    for (const Attachment& each : children) models.parent_id[world.row(each.child).index] = to;
+    for (const AttachedChild& each : children) models.parent_id[world.row(each.child).index] = to;
   };
   set_parents(parent);
   Population population(world);

@@ -55,11 +55,11 @@ Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pos
 
 /// Attaches several to one parent, at their poses in it, at the cost of one. Atomic. Fails as attach(), and
 /// if one is named twice.
-struct Attachment {
+struct AttachedChild {
   ModelId child;
   geom::Pose X_PC;
 };
-Result<void> attach(World& world, std::span<const Attachment> children, ModelId parent);
+Result<void> attach(World& world, std::span<const AttachedChild> children, ModelId parent);
 
 /// Detaches an attached model: it becomes a root at its present pose. Fails for any other model.
 Result<void> detach(World& world, ModelId child);

@@ -269,7 +269,7 @@ TEST_F(PopulationTest, the_smallest_free_number_is_given_whoever_went) {
 TEST_F(PopulationTest, several_are_attached_and_detached_as_they_would_be_one_by_one) {
   World other(scene, 1);
   std::vector<ModelId> pucks;
-  std::vector<Attachment> attachments;
+  std::vector<AttachedChild> attachments;
   for (int i = 0; i < 3; ++i) {
     pucks.push_back(spawned(4, {1.0 * i, 0, 0, 0}));
     ASSERT_TRUE(spawn(other, 4, {1.0 * i, 0, 0, 0}).ok());

@@ -6,13 +6,12 @@
 #include <bit>
 #include <limits>
 
+#include "playhouse/base/packing.h"
 #include "playhouse/scene/text/source_text.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::world {
 namespace {
-
-using Bytes = std::vector<std::byte>;
 
 constexpr const char* kWorld = R"(
 define eye sensor( range [0 5] samples 40 )

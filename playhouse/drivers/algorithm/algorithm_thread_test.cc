@@ -1,19 +1,18 @@
 // Results come at their tick, whatever the threads do; without ticks they come when they are ready.
 
-#include "playhouse/drivers/algorithm_thread.h"
+#include "playhouse/drivers/algorithm/algorithm_thread.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <future>
+#include <thread>
 #include <vector>
 
 namespace playhouse::drivers {
 namespace {
 
-using namespace std::chrono_literals;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
@@ -44,7 +43,7 @@ TEST(AlgorithmThread, the_tick_waits_for_a_slow_step) {
   AlgorithmThread thread;
   thread.follow_ticks(0, 0);
   thread.post([&out](bool) {
-    std::this_thread::sleep_for(50ms);
+    for (int i = 0; i < 1000; ++i) std::this_thread::yield();  // time for a tick that does not wait
     return [&out] { out.push_back(1); };
   });
   thread.ticked(1);
@@ -143,6 +142,43 @@ TEST(AlgorithmThread, ends_with_results_that_nobody_waits_for) {
     thread.ticked(1);
   }
   EXPECT_THAT(out, IsEmpty());
+}
+
+// As in the simulation of the whole program.
+TEST(AlgorithmThread, on_the_caller_a_step_runs_at_the_tick_that_its_result_is_due) {
+  std::vector<int> out;
+  std::vector<std::thread::id> threads;
+  AlgorithmThread thread(AlgorithmThread::Steps::kOnCaller);
+  thread.follow_ticks(0, 1);
+  const auto step = [&](int value) {
+    return [&, value](bool fresh) {
+      threads.push_back(std::this_thread::get_id());
+      return [&, value, fresh] { out.push_back(fresh ? -value : value); };
+    };
+  };
+  thread.post(step(1));
+  thread.ticked(1);
+  EXPECT_THAT(threads, IsEmpty());
+  thread.post(step(2));
+  thread.ticked(2);
+  EXPECT_THAT(out, ElementsAre(-1));
+  thread.clear();
+  thread.post(step(3));
+  thread.ticked(4);
+  EXPECT_THAT(out, ElementsAre(-1, -3));
+  EXPECT_THAT(threads, ElementsAre(std::this_thread::get_id(), std::this_thread::get_id()));
+}
+
+TEST(AlgorithmThread, on_the_caller_without_ticks_what_a_delivery_posts_runs_after_it) {
+  std::vector<int> out;
+  AlgorithmThread thread(AlgorithmThread::Steps::kOnCaller);
+  thread.post([&](bool) {
+    return [&] {
+      thread.post(appends(out, 2));
+      out.push_back(1);
+    };
+  });
+  EXPECT_THAT(out, ElementsAre(1, 2));
 }
 
 // For the thread sanitizer, and for the promise of clear(): when it returns, no delivery that began before is

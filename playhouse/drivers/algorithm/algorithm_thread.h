@@ -1,9 +1,11 @@
 #pragma once
 
-/// AlgorithmThread: a worker thread for a driver's computations, with a mailbox of steps.
+/// AlgorithmThread: a worker thread for a driver's computations, with a queue of steps.
 /// With a simulated world a step's result is due at a fixed tick, which waits for it, so
 /// that runs are reproducible under any load. Without one a step runs as soon as possible,
 /// a newer step replaces one that has not begun, and results are delivered when ready.
+/// In a simulation of the whole program there is no thread: a step runs on the one that calls, with the same
+/// results at the same ticks.
 
 #include <condition_variable>
 #include <cstdint>
@@ -22,8 +24,10 @@ class AlgorithmThread {
   /// Runs on this thread, sequentially. `fresh`: discard state of
   /// earlier steps, as none has run since the start or since clear().
   using Step = std::function<Delivery(bool fresh)>;
+  /// Where steps run: on this thread, or inside of ticked() once they are due, without ticks inside of post().
+  enum class Steps : std::uint8_t { kOnThread, kOnCaller };
 
-  AlgorithmThread() = default;
+  explicit AlgorithmThread(Steps steps = Steps::kOnThread) : steps_(steps) {}
   /// Joins the thread after its current step; pending results are dropped.
   ~AlgorithmThread();
   AlgorithmThread(const AlgorithmThread&) = delete;
@@ -50,18 +54,20 @@ class AlgorithmThread {
   };
   using Lock = std::unique_lock<std::mutex>;
   void run();
+  void run_posted(Lock& lock);
   void run_step(Lock& lock, Job& job);
   Job* next_to_begin();
   Job* find(std::uint64_t number);
   void deliver_first(Lock& lock);
 
+  const Steps steps_;
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
   std::deque<Job> jobs_;  // in the order of posting
   std::uint64_t last_number_ = 0;
   std::optional<std::uint64_t> tick_;  // last tick; none without a simulated world
   std::uint64_t delay_ = 0;
-  bool fresh_ = true, delivering_ = false, ending_ = false;
+  bool fresh_ = true, running_ = false, delivering_ = false, ending_ = false;
   std::thread thread_;  // started by the first step
 };
 

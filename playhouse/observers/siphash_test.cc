@@ -1,10 +1,10 @@
-#include "playhouse/base/siphash.h"
+#include "playhouse/observers/siphash.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace playhouse {
+namespace playhouse::observers {
 namespace {
 
 constexpr SipKey kKey = {0x0706050403020100u, 0x0f0e0d0c0b0a0908u};
@@ -26,4 +26,4 @@ TEST(SipHash, depends_on_the_key) {
 }
 
 }  // namespace
-}  // namespace playhouse
+}  // namespace playhouse::observers

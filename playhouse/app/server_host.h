@@ -1,6 +1,6 @@
 #pragma once
 
-/// ServerSurroundings: the environment of drivers whose devices are served
+/// ServerHost: the environment of drivers whose devices are served
 /// by a Server on an event loop. Derived classes own both, and open worlds.
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace playhouse::app {
 
-class ServerSurroundings : public drivers::Surroundings {
+class ServerHost : public drivers::Host {
  private:
   virtual server::Server& the_server() = 0;
   virtual net::IoLoop& the_loop() = 0;

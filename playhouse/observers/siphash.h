@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-namespace playhouse {
+namespace playhouse::observers {
 
 using SipKey = std::array<std::uint64_t, 2>;
 
@@ -45,4 +45,4 @@ inline std::uint64_t siphash(const SipKey& key, std::span<const std::byte> bytes
   return a ^ b ^ c ^ d;
 }
 
-}  // namespace playhouse
+}  // namespace playhouse::observers

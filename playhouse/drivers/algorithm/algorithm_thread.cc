@@ -1,4 +1,4 @@
-#include "playhouse/drivers/algorithm_thread.h"
+#include "playhouse/drivers/algorithm/algorithm_thread.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,9 +25,10 @@ void AlgorithmThread::follow_ticks(std::uint64_t tick, std::uint64_t delay) {
 
 void AlgorithmThread::post(Step step) {
   {
-    const Lock lock(mutex_);
+    Lock lock(mutex_);
     if (!tick_) std::erase_if(jobs_, [](const Job& job) { return job.step != nullptr; });
     jobs_.push_back({++last_number_, tick_.value_or(0) + 1 + delay_, std::move(step), std::nullopt});
+    if (steps_ == Steps::kOnCaller) return tick_ ? void() : run_posted(lock);
     if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
   }
   changed_.notify_all();
@@ -46,6 +47,7 @@ void AlgorithmThread::ticked(std::uint64_t tick) {
   tick_ = tick;
   while (!jobs_.empty() && jobs_.front().due <= tick) {
     const std::uint64_t number = jobs_.front().number;
+    if (steps_ == Steps::kOnCaller) run_step(lock, jobs_.front());
     changed_.wait(lock, [&] {
       const Job* job = find(number);
       return job == nullptr || job->result.has_value();
@@ -61,6 +63,13 @@ void AlgorithmThread::run() {
     if (ending_) return;
     run_step(lock, *next_to_begin());
   }
+}
+
+/// On the thread that posts. What a delivery posts, it leaves to the call that delivers.
+void AlgorithmThread::run_posted(Lock& lock) {
+  if (std::exchange(running_, true)) return;
+  while (Job* const job = next_to_begin()) run_step(lock, *job);
+  running_ = false;
 }
 
 void AlgorithmThread::run_step(Lock& lock, Job& job) {

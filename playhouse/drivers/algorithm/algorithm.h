@@ -1,0 +1,44 @@
+#pragma once
+
+/// Algorithm: what one driver of algorithms computes, and nothing else. It registers in its constructor what it
+/// reads, takes and answers with its shell (shell.h), which calls it.
+
+#include <cstdint>
+#include <vector>
+
+#include "playhouse/device/driver.h"
+
+namespace playhouse::drivers {
+
+/// Of a run, after it went back or started again.
+struct Moment {
+  std::uint64_t tick = 0;
+  double time = 0;         // s
+  std::uint64_t seed = 0;  // of the driver's random numbers
+};
+
+class Algorithm {
+ public:
+  virtual ~Algorithm() = default;
+
+  // Io thread.
+
+  /// The first of its devices was opened, and all that it uses are open.
+  virtual void opened() {}
+  /// The last was closed, or one that it uses has retired. What it uses is still open: it stops what it moves.
+  virtual void closing() {}
+  /// What it uses is closed.
+  virtual void closed() {}
+
+  /// There are new data of its subscriptions; data appended to `more` join the batch. Publishing thread.
+  virtual void take_news(std::vector<device::Publication>& more) = 0;
+
+  // Tick thread.
+
+  /// The run goes on from there; steps posted before were dropped.
+  virtual void rewound(const Moment&) {}
+  /// The world put its robot elsewhere, as by RESET.
+  virtual void placed() {}
+};
+
+}  // namespace playhouse::drivers

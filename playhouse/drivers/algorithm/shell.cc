@@ -1,0 +1,149 @@
+#include "playhouse/drivers/algorithm/shell.h"
+
+#include <algorithm>
+
+#include "playhouse/base/rng.h"
+#include "playhouse/drivers/refusal.h"
+#include "playhouse/wire/header.h"
+
+namespace playhouse::drivers {
+namespace {
+
+/// A text's own seed.
+std::uint64_t seed_of(std::string_view text) {
+  std::uint64_t seed = 0;
+  for (const char c : text) seed = mix64(seed ^ static_cast<unsigned char>(c));
+  return seed;
+}
+
+/// In a simulated world: its devices belong to the model of the device `robot`.
+void follow(Site& site, const Wired& devices, Shell& shell) {
+  const std::uint64_t own = seed_of(site.shown(devices.provides.front()));
+  shell.set_seed(own);
+  run::Simulation* const simulation = site.simulation();
+  if (simulation == nullptr) return;
+  shell.set_seed(own ^ mix64(simulation->world().seed()));
+  Directory& directory = site.model_devices()->directory();
+  const world::ModelId robot = directory.model_of(devices.uses.front());
+  for (const device::Address& device : devices.provides) directory.add(robot, device);
+  shell.follow_ticks(simulation->world().tick());
+  simulation->follow(
+      run::on_event([&shell, own, robot](const world::World& world, const world::Event& event) {
+        if (event.kind == world::Event::Kind::kReload)
+          shell.rewound({world.tick(), world.time(), own ^ mix64(world.seed())});
+        if (event.kind == world::Event::Kind::kPlace && event.model == robot) shell.placed();
+      }));
+  simulation->follow(
+      run::on_show([&shell](const world::World& world, const world::Pace&) { shell.ticked(world.tick()); }));
+}
+
+}  // namespace
+
+Shell::Shell(std::string name, device::Opener& opener, std::size_t uses, AlgorithmThread::Steps steps)
+    : name_(std::move(name)), client_(opener, *this, uses), thread_(steps) {
+  client_.when_news([this](std::vector<device::Publication>& more) { algorithm_->take_news(more); });
+}
+
+void Shell::on_command(std::uint8_t subtype, Command take, std::size_t device) {
+  commands_[{device, subtype}] = std::move(take);
+}
+
+void Shell::on_request(std::uint8_t subtype, Request take, std::size_t device) {
+  answers_[{device, subtype}] = {std::move(take), std::nullopt};
+}
+
+void Shell::forward_request(std::uint8_t subtype, std::size_t to, std::size_t device) {
+  answers_[{device, subtype}] = {[this, to](const device::Message& message, device::Replier replier) {
+                                   client_.forward(to, message.subtype, message.body, std::move(replier));
+                                 },
+                                 to};
+}
+
+void Shell::forward_others(std::size_t to, Command take) {
+  others_ = {to, std::move(take)};
+}
+
+Result<void> Shell::start(device::DeviceId) {
+  if (open_ == 0) {
+    if (const Result<void> opened = client_.open(); !opened) return opened;
+    algorithm_->opened();
+  }
+  ++open_;
+  return {};
+}
+
+void Shell::stop(device::DeviceId) {
+  if (--open_ == 0) close();
+}
+
+void Shell::close() {
+  if (!client_.is_open()) return;  // one that it uses has retired
+  algorithm_->closing();
+  client_.close();
+  algorithm_->closed();
+}
+
+std::size_t Shell::number_of(device::DeviceId device) const {
+  const auto found = std::ranges::find(provided_, device);
+  return found == provided_.end() ? 0 : static_cast<std::size_t>(found - provided_.begin());
+}
+
+device::Taken Shell::command(const device::Message& message) {
+  if (!client_.is_open()) return device::Taken::kNo;  // it must not wait for the next client
+  const auto found = commands_.find({number_of(message.device), message.subtype});
+  if (found != commands_.end()) return found->second(message);
+  return others_ ? others_->take(message) : device::Taken::kNo;
+}
+
+void Shell::request(const device::Message& message, device::Replier replier) {
+  if (refusal_ && asks_for_refusal(message)) return answer_refusal(refusal_(), std::move(replier));
+  const auto found = answers_.find({number_of(message.device), message.subtype});
+  if (found != answers_.end()) return found->second.take(message, std::move(replier));
+  if (others_) client_.forward(others_->to, message.subtype, message.body, std::move(replier));
+}
+
+bool Shell::capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const {
+  const Key key{number_of(device), subtype};
+  if (type == static_cast<std::uint8_t>(wire::MessageType::kCmd) && commands_.contains(key)) return true;
+  if (refusal_ && may_ask_for_refusal(type, subtype)) return true;
+  if (type == static_cast<std::uint8_t>(wire::MessageType::kReq)) {
+    const auto found = answers_.find(key);
+    if (found != answers_.end())
+      return !found->second.by || client_.capable(*found->second.by, type, subtype);
+  }
+  return others_ && client_.capable(others_->to, type, subtype);
+}
+
+void Shell::rewound(const Moment& moment) {
+  seed_ = moment.seed;
+  thread_.clear();
+  algorithm_->rewound(moment);
+}
+
+Result<Wired> wired(const scene::CfgSection& section, const Site& site, const WantedDevices& wanted) {
+  const auto provides = section_devices(section, site, "provides", wanted.provides);
+  if (!provides) return provides.error();
+  const auto uses = section_devices(section, site, "requires", wanted.uses);
+  if (!uses) return uses.error();
+  return Wired{*provides, *uses};
+}
+
+Result<std::unique_ptr<device::Driver>> registered(const scene::CfgSection& section, Site& site,
+                                                   const Wired& devices, std::unique_ptr<Shell> shell) {
+  std::vector<device::DeviceId> ids;
+  for (const device::Address& address : devices.provides) {
+    const Result<device::DeviceId> id = site.add_device(address, *shell);
+    if (!id) return Error{section.at("provides"), id.error().text};
+    ids.push_back(*id);
+  }
+  shell->provide(std::move(ids));
+  const auto connected = [&site, devices, &shell = *shell]() -> Result<void> {
+    follow(site, devices, shell);
+    return {};
+  };
+  site.add_user(
+      {shell.get(), &shell->client(), devices.provides, devices.uses, section.at("requires"), connected});
+  return std::unique_ptr<device::Driver>(std::move(shell));
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,172 @@
+#pragma once
+
+/// Shell: the driver around an Algorithm. It has its devices, uses those that the section requires while one of
+/// its own is open, runs its steps on a thread, passes commands and requests on, and follows the run. Devices
+/// are numbered as the section's WantedDevices has them.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/device/client.h"
+#include "playhouse/device/driver.h"
+#include "playhouse/drivers/algorithm/algorithm.h"
+#include "playhouse/drivers/algorithm/algorithm_thread.h"
+#include "playhouse/drivers/decoded.h"
+#include "playhouse/drivers/section_devices.h"
+#include "playhouse/drivers/site.h"
+#include "playhouse/scene/cfg.h"
+#include "playhouse/wire/codec.h"
+
+namespace playhouse::drivers {
+
+class Shell final : public device::Driver {
+ public:
+  /// For an algorithm that uses so many devices.
+  Shell(std::string name, device::Opener& opener, std::size_t uses,
+        AlgorithmThread::Steps steps = AlgorithmThread::Steps::kOnThread);
+  /// Makes the algorithm, from the shell and what else it takes.
+  template <typename A, typename... Parts>
+  A& begin(Parts&&... parts) {
+    auto made = std::make_unique<A>(*this, std::forward<Parts>(parts)...);
+    A& algorithm = *made;
+    algorithm_ = std::move(made);
+    return algorithm;
+  }
+  void provide(std::vector<device::DeviceId> devices) { provided_ = std::move(devices); }
+
+  // For constructors of algorithms. A command or request that is not registered is refused.
+
+  using Command = std::function<device::Taken(const device::Message&)>;
+  using Request = std::function<void(const device::Message&, device::Replier)>;
+  void on_command(std::uint8_t subtype, Command take, std::size_t device = 0);
+  void on_request(std::uint8_t subtype, Request take, std::size_t device = 0);
+  /// A body that is no T is refused.
+  template <typename T>
+  void on_command(std::uint8_t subtype, std::function<device::Taken(const T&)> take, std::size_t device = 0) {
+    on_command(
+        subtype,
+        [take = std::move(take)](const device::Message& message) {
+          const Result<T> value = wire::decode<T>(message.body);
+          return value ? take(*value) : device::Taken::kNo;
+        },
+        device);
+  }
+  /// A request of body T is answered with a body, or NACK if there is none.
+  template <typename T>
+  void on_request(std::uint8_t subtype, std::function<AnswerBody(const T&)> answer, std::size_t device = 0) {
+    on_request(
+        subtype,
+        [answer = std::move(answer)](const device::Message& message, device::Replier replier) {
+          const Result<T> value = wire::decode<T>(message.body);
+          if (!value) return;
+          if (AnswerBody body = answer(*value)) replier.ack(std::move(*body));
+        },
+        device);
+  }
+  /// A request that a device which it uses answers.
+  void forward_request(std::uint8_t subtype, std::size_t to, std::size_t device = 0);
+  /// So are all that are not registered; what becomes of such commands is up to `take`.
+  void forward_others(std::size_t to, Command take);
+  /// The property "refusal" (refusal.h).
+  void on_refusal_asked(std::function<std::string()> why) { refusal_ = std::move(why); }
+
+  // For algorithms. Any thread.
+
+  device::DeviceClient& client() { return client_; }
+  device::DeviceId device(std::size_t provided) const { return provided_[provided]; }
+  bool provides(std::size_t provided) const { return provided < provided_.size(); }
+  void post(AlgorithmThread::Step step) { thread_.post(std::move(step)); }
+  /// Drops steps (AlgorithmThread::clear()).
+  void drop_steps() { thread_.clear(); }
+  /// Of random numbers: of the run's seed and its first device.
+  std::uint64_t seed() const { return seed_; }
+
+  // device::Driver
+
+  std::string_view name() const override { return name_; }
+  Result<void> start(device::DeviceId device) override;
+  void stop(device::DeviceId device) override;
+  void retired(device::DeviceId) override { close(); }
+  device::Taken command(const device::Message& message) override;
+  void request(const device::Message& message, device::Replier replier) override;
+  bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
+  void barrier(device::Replier replier) override { client_.barrier(std::move(replier)); }
+
+  // For the run that it follows. Tick thread.
+
+  /// Results of steps are due one tick after the step was posted.
+  void follow_ticks(std::uint64_t tick) { thread_.follow_ticks(tick, 1); }
+  void ticked(std::uint64_t tick) { thread_.ticked(tick); }
+  void rewound(const Moment& moment);
+  void placed() { algorithm_->placed(); }
+  void set_seed(std::uint64_t seed) { seed_ = seed; }
+
+ private:
+  struct Answer {
+    Request take;
+    std::optional<std::size_t> by;  // the device that answers
+  };
+  struct Others {
+    std::size_t to = 0;
+    Command take;
+  };
+  using Key = std::pair<std::size_t, std::uint8_t>;  // device and subtype
+  std::size_t number_of(device::DeviceId device) const;
+  void close();
+
+  const std::string name_;
+  device::DeviceClient client_;
+  std::vector<device::DeviceId> provided_;
+  int open_ = 0;  // own devices; io thread
+  std::atomic<std::uint64_t> seed_ = 0;
+
+  // Not changed once the algorithm is made.
+  std::map<Key, Command> commands_;
+  std::map<Key, Answer> answers_;
+  std::optional<Others> others_;
+  std::function<std::string()> refusal_;
+
+  std::unique_ptr<Algorithm> algorithm_;
+  AlgorithmThread thread_;  // last member: joined before what its steps use is destroyed
+};
+
+/// The devices of a section, of its fields "provides" and "requires".
+struct WantedDevices {
+  std::vector<WantedDevice> provides, uses;
+};
+struct Wired {
+  std::vector<device::Address> provides, uses;  // as wanted
+};
+Result<Wired> wired(const scene::CfgSection& section, const Site& site, const WantedDevices& wanted);
+/// Registers the devices of a section's driver. The model of the first device that it uses is its robot.
+Result<std::unique_ptr<device::Driver>> registered(const scene::CfgSection& section, Site& site,
+                                                   const Wired& devices, std::unique_ptr<Shell> shell);
+
+/// The driver of a section: A in a shell, made from the section's options and `more`.
+template <typename A, typename ReadOptions, typename... More>
+Result<std::unique_ptr<device::Driver>> make_algorithm(const scene::CfgSection& section, Site& site,
+                                                       const WantedDevices& wanted, ReadOptions read_options,
+                                                       const More&... more) {
+  const Result<Wired> devices = wired(section, site, wanted);
+  if (!devices) return devices.error();
+  const auto options = read_options(section);
+  if (!options) return options.error();
+  const AlgorithmThread::Steps steps = site.surroundings().has_threads() ? AlgorithmThread::Steps::kOnThread
+                                                                         : AlgorithmThread::Steps::kOnCaller;
+  auto shell = std::make_unique<Shell>(section.name(), site.surroundings(), devices->uses.size(), steps);
+  shell->begin<A>(*options, more...);
+  return registered(section, site, *devices, std::move(shell));
+}
+
+}  // namespace playhouse::drivers
