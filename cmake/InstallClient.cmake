@@ -13,7 +13,7 @@ endif()
 install(TARGETS playhouse_client playhouse_wire playhouse_base EXPORT playhouse_client
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
-install(DIRECTORY ${PLAYHOUSE_ROOT}/clients/cpp/include/playhouse_client DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${PLAYHOUSE_ROOT}/clients/cpp/include/playhouse_client ${PLAYHOUSE_ROOT}/clients/cpp/generated/playhouse_client DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PLAYHOUSE_ROOT}/playhouse/base ${PLAYHOUSE_ROOT}/playhouse/wire
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse FILES_MATCHING PATTERN "*.h"
   PATTERN "log*.h" EXCLUDE PATTERN "line_*.h" EXCLUDE PATTERN "version.h" EXCLUDE  # of the program

@@ -12,22 +12,21 @@ import sys
 from pathlib import Path
 
 from codegen import (emit_c, emit_changes, emit_commands, emit_cpp, emit_cpp_fields, emit_docs, emit_engine_words, emit_java,
-                     emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_lisp, emit_looks, emit_proxies_java, emit_proxies_python,
-                     emit_proxies_tcl, emit_proxies_typescript, emit_python, emit_stage_words,
+                     emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_lisp, emit_looks, emit_python, emit_stage_words,
                      emit_tables, emit_tcl, emit_typescript, emit_views)
 from codegen.checks import SchemaError
 from codegen.commands import load_commands
 from codegen.kinds import load_kinds
 from codegen.model import load
-from codegen.proxies import build_proxies
+from codegen.proxies import build_proxies, cpp, java, python, tcl, typescript
 
 ROOT = Path(__file__).resolve().parent.parent
 EMITTERS = [emit_c, emit_cpp, emit_cpp_fields, emit_docs, emit_java, emit_lisp, emit_python, emit_tcl, emit_typescript]  # of interfaces/
-PROXY_EMITTERS = [emit_proxies_java, emit_proxies_python, emit_proxies_tcl, emit_proxies_typescript]
+PROXY_EMITTERS = [cpp, java, python, tcl, typescript]
 KIND_EMITTERS = [emit_changes, emit_engine_words, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_tables, emit_views]
 # Folders owned by the emitters: other files there are left over, also of emitters that are no more.
-OWNED = ["playhouse/*/generated", emit_c.FOLDER, emit_c.SOURCES, emit_docs.FOLDER, emit_java.FOLDER, emit_kinds_docs.FOLDER, emit_lisp.FOLDER, emit_looks.FOLDER,
-         emit_python.FOLDER, emit_tcl.FOLDER, emit_typescript.FOLDER, emit_views.WEB_FOLDER]
+OWNED = ["playhouse/*/generated", emit_c.FOLDER, emit_c.SOURCES, emit_docs.FOLDER, emit_java.FOLDER, emit_kinds_docs.FOLDER, emit_lisp.FOLDER,
+         emit_looks.FOLDER, cpp.FOLDER, emit_python.FOLDER, emit_tcl.FOLDER, emit_typescript.FOLDER, emit_views.WEB_FOLDER]
 
 
 def wanted() -> dict[str, str]:

@@ -196,7 +196,7 @@ class Interface:
     structs: list[Struct] = field(default_factory=list)
     constants: list[Constants] = field(default_factory=list)
     reserved: list[int] = field(default_factory=list)   # request subtypes that must not be reused
-    value_rows: list[dict] = field(default_factory=list)    # [[value]] and [proxy], which codegen/proxies.py reads
+    value_rows: list[dict] = field(default_factory=list)    # [[value]] and [proxy], which codegen/proxies/ reads
     proxy_row: dict = field(default_factory=dict)
 
     def struct(self, name: str) -> Struct | None:

@@ -4,10 +4,9 @@ import ast
 import unittest
 from pathlib import Path
 
-from codegen import emit_proxies_python, emit_proxies_typescript
 from codegen.checks import SchemaError
 from codegen.model import build, load
-from codegen.proxies import build_proxies, spelled
+from codegen.proxies import build_proxies, python, spelled, typescript
 
 ROOT = Path(__file__).resolve().parent.parent
 COMMON = {"name": "common", "doc": "Shared.", "struct": [
@@ -150,12 +149,12 @@ class Tree(unittest.TestCase):
         self.assertEqual(factors, {"latitude": "1e-7", "longitude": "1e-7", "altitude": "1e-3"})
 
     def test_python_of_every_proxy_can_be_read(self):
-        for path, text in emit_proxies_python.emit(self.proxies).items():
+        for path, text in python.emit(self.proxies).items():
             ast.parse(text, path)
             self.assertLessEqual(max(map(len, text.splitlines())), 120, path)
 
     def test_lines_of_typescript_fit(self):
-        for path, text in emit_proxies_typescript.emit(self.proxies).items():
+        for path, text in typescript.emit(self.proxies).items():
             self.assertLessEqual(max(map(len, text.splitlines())), 125, path)
 
 

@@ -40,7 +40,7 @@ BUILD += subprocess.run(["pkg-config", "--cflags", "bullet"], capture_output=Tru
 # What Debian 12's node, 18, lacks, though the machine may have a newer one.
 NEWER_NODE = re.compile(r"import\.meta\.(?:dirname|filename|resolve)|\bwithResolvers\b|\.(?:toSorted|toReversed|toSpliced)\(|\bgroupBy\(|\bstyleText\b|"
                         r"node:sqlite")
-CLIENT = ROOT / "clients/cpp/include"  # which the command line is made of
+CLIENT = [ROOT / "clients/cpp/include", ROOT / "clients/cpp/generated"]  # which the command line is made of
 
 
 def sources():
@@ -63,7 +63,7 @@ def check_file(path):
             yield f"{where}: {empty[1]} is a name that says nothing"
         if module in REPRODUCIBLE and not is_test and UNREPRODUCIBLE.search(code):
             yield f"{where}: {UNREPRODUCIBLE.search(code)[0]} makes a run depend on more than its seed"
-    for number, name, header in includes.missing(path, (ROOT, CLIENT)):
+    for number, name, header in includes.missing(path, (ROOT, *CLIENT)):
         yield f"{path.relative_to(ROOT)}:{number}: {name} needs #include <{header}>"
 
 
@@ -71,7 +71,7 @@ def check_header(path):
     with tempfile.NamedTemporaryFile("w", suffix=".cc") as alone:
         alone.write(f'#include "{path.relative_to(ROOT)}"\n')
         alone.flush()
-        done = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", *BUILD, f"-I{ROOT}", f"-I{CLIENT}", alone.name], capture_output=True, text=True)
+        done = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", *BUILD, f"-I{ROOT}", *(f"-I{folder}" for folder in CLIENT), alone.name], capture_output=True, text=True)
     if done.returncode:
         first = next((line for line in done.stderr.splitlines() if "error" in line), done.stderr[:200])
         yield f"{path.relative_to(ROOT)}:1: does not compile alone: {first}"

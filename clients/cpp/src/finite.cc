@@ -29,4 +29,14 @@ Result<void> finite_floats(const Device& device, std::string_view what,
   return at_most(std::numeric_limits<float>::max(), device, what, numbers);
 }
 
+Result<std::vector<float>> floats(const Device& device, std::string_view what,
+                                  std::span<const double> numbers) {
+  std::vector<float> floats;
+  for (const double number : numbers) {
+    if (const auto sound = finite_floats(device, what, {number}); !sound) return sound.error();
+    floats.push_back(static_cast<float>(number));
+  }
+  return floats;
+}
+
 }  // namespace playhouse::client

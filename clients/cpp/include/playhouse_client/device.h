@@ -111,10 +111,9 @@ class Device {
   Result<void> close();
 
  private:
-  friend class Opaque;
+  friend class Keeping;
   friend class Robot;
   friend class Simulation;
-  friend class SpeechRecognition;
   static Result<Device> open(const std::shared_ptr<Session>& session, std::uint16_t interf,
                              std::uint16_t index, Access access);
   Device(std::shared_ptr<Session> session, std::unique_ptr<Slot> slot);

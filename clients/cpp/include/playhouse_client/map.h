@@ -45,7 +45,7 @@ class Map {
   Device& device() { return device_; }
 
  private:
-  friend class Robot;
+  friend class RobotDevices;
   explicit Map(Device device) : device_(std::move(device)) {}
   /// All cells of the rows from `row` on, as high as a tile.
   Result<Rows> band(std::uint32_t row, std::uint32_t width, std::uint32_t height);

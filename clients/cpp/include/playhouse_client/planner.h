@@ -65,7 +65,7 @@ class Planner {
   Device& device() { return device_; }
 
  private:
-  friend class Robot;
+  friend class RobotDevices;
   explicit Planner(Device device) : device_(std::move(device)) {}
   Result<void> next_data(Client& client, Seconds patience);
 

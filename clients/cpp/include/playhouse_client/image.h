@@ -1,14 +1,11 @@
 #pragma once
 
-/// A camera.
+/// A picture of a camera.
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "playhouse/wire/generated/camera.h"
-#include "playhouse_client/client.h"
+#include "playhouse/base/result.h"
 
 namespace playhouse::client {
 
@@ -25,22 +22,6 @@ struct Image {
   /// Channels of one pixel: red, green and blue; or grey level; or depth in mm. An error for JPEG data, for
   /// other formats, outside the image, and if the data are shorter than the pixels.
   Result<std::vector<std::uint16_t>> pixel(std::uint32_t column, std::uint32_t row) const;
-};
-
-class Camera {
- public:
-  static Result<Camera> open(Client& client, std::uint16_t index, Access access = Access::kAll);
-
-  /// The newest image; none before the first data.
-  std::optional<Image> image() const;
-
-  Device& device() { return device_; }
-
- private:
-  friend class Robot;
-  explicit Camera(Device device) : device_(std::move(device)) {}
-
-  Device device_;
 };
 
 }  // namespace playhouse::client

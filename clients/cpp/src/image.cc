@@ -1,7 +1,8 @@
-#include "playhouse_client/camera.h"
+#include "playhouse_client/image.h"
 
 #include <string>
-#include <utility>
+
+#include "playhouse/wire/generated/camera.h"
 
 namespace playhouse::client {
 
@@ -42,23 +43,6 @@ Result<std::vector<std::uint16_t>> Image::pixel(std::uint32_t column, std::uint3
     values.push_back(static_cast<std::uint16_t>(layout.bytes == 2 ? at[0] | at[1] << 8 : at[0]));
   }
   return values;
-}
-
-Result<Camera> Camera::open(Client& client, std::uint16_t index, Access access) {
-  Result<Device> device = Device::open(client, camera::kCode, index, access);
-  if (!device) return device.error();
-  return Camera(std::move(*device));
-}
-
-std::optional<Image> Camera::image() const {
-  auto data = device_.latest<camera::Data>(camera::kDataState);
-  if (!data) return std::nullopt;
-  return Image{data->width,
-               data->height,
-               data->format,
-               data->compression == camera::kCompressJpeg,
-               std::move(data->image),
-               device_.timestamp()};
 }
 
 }  // namespace playhouse::client
