@@ -26,7 +26,7 @@ constexpr std::size_t kBannerBytes = 32;
 constexpr double kInterval = 0.1;      // s, of the world
 constexpr std::uint32_t kIndices = 8;  // of an interface that clients name; fewer exist, at first
 /// And of what drivers provide, from there on.
-constexpr std::uint32_t kOfDrivers = 20, kDriverIndices = 2;
+constexpr std::uint32_t kOfDrivers = 40000, kDriverIndices = 2;
 constexpr std::size_t kBodyBytes = 64;
 constexpr std::uint8_t kPull = 2;    // data mode
 constexpr std::uint8_t kGone = 'e';  // access in a notice of a device that has retired

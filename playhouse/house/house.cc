@@ -57,14 +57,15 @@ position( name "ada" pose [2 -3 0 0] size [0.3 0.5 1.75] drive "walk" velocity_b
 position( name "r2" pose [0 0 0 0] size [0.4 0.4 0.3] ranger( sensor( range [0 6] fov 90 samples 5 ) ) )
 )";
 
-/// The robot r0 knows where it is, and finds its way past what is not on the map.
+/// The robot r0 knows where it is, and finds its way past what is not on the map. Far from the indices of robots
+/// that come.
 constexpr const char* kDrivers = R"(
-driver ( name "stage" provides ["map:20"] model "walls" )
-driver ( name "amcl" provides ["localize:0" "position2d:20"]
-  requires ["odometry:::position2d:0" "laser:0" "laser:::map:20"] pf_min_samples 20 pf_max_samples 100 )
-driver ( name "vfh" provides ["position2d:21"] requires ["position2d:0" "laser:0"] )
+driver ( name "stage" provides ["map:40000"] model "walls" )
+driver ( name "amcl" provides ["localize:0" "position2d:40000"]
+  requires ["odometry:::position2d:0" "laser:0" "laser:::map:40000"] pf_min_samples 20 pf_max_samples 100 )
+driver ( name "vfh" provides ["position2d:40001"] requires ["position2d:0" "laser:0"] )
 driver ( name "wavefront" provides ["planner:0"]
-  requires ["output:::position2d:21" "input:::position2d:20" "map:20"] )
+  requires ["output:::position2d:40001" "input:::position2d:40000" "map:40000"] )
 )";
 
 /// Lets time pass in each tick, so that it does even in a run that waits for nobody.

@@ -98,7 +98,7 @@ void SimulatedViewer::act() {
   if (manner_ == PageManner::kStalls && draw(30) == 0) {
     (stalled_ ? page_.read_on() : page_.stall());
     stalled_ = !stalled_;
-    heard_ = network_.now();
+    excuse_until(network_.now());
   }
   if (manner_ == PageManner::kVanishes && draw(100) == 0) {
     page_.vanish();
