@@ -5,9 +5,10 @@ import re
 import unittest
 from pathlib import Path
 
+from codegen import emit_c
 from codegen.checks import SchemaError
 from codegen.model import build, load
-from codegen.proxies import build_proxies, lisp, python, spelled, typescript
+from codegen.proxies import build_proxies, c, lisp, python, spelled, typescript
 
 ROOT = Path(__file__).resolve().parent.parent
 COMMON = {"name": "common", "doc": "Shared.", "struct": [
@@ -153,6 +154,14 @@ class Tree(unittest.TestCase):
         for path, text in python.emit(self.proxies).items():
             ast.parse(text, path)
             self.assertLessEqual(max(map(len, text.splitlines())), 120, path)
+
+    def test_names_of_c_are_there_once(self):
+        headers = "".join(text for path, text in c.emit(self.proxies).items() if path.endswith(".h"))
+        headers += "".join(text for path, text in emit_c.emit(self.proxies.schema).items() if path.endswith(".h"))
+        names = re.findall(r"^} (ph_\w+);|^(?:ph_status|const \w+|bool|ph_geometry) \*?(ph_\w+)\(", headers, re.M)
+        names = [one or other for one, other in names]
+        self.assertEqual([name for name in names if names.count(name) > 1], [])
+        self.assertIn("ph_laser_get_config", names)  # ph_laser_config is the struct
 
     def test_parentheses_of_lisp_match(self):
         for path, text in lisp.emit(self.proxies).items():
