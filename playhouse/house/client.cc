@@ -23,7 +23,7 @@ namespace {
 using wire::MessageType;
 
 constexpr std::size_t kBannerBytes = 32;
-constexpr double kTickSeconds = 0.1;   // of the world
+constexpr double kInterval = 0.1;      // s, of the world
 constexpr std::uint32_t kIndices = 8;  // of an interface that clients name; fewer exist, at first
 /// And of what drivers provide, from there on.
 constexpr std::uint32_t kOfDrivers = 20, kDriverIndices = 2;
@@ -185,7 +185,7 @@ void SimulatedClient::look_at_data(const wire::Header& header) {
   const double passed = header.timestamp - last->second;
   const bool is_steady =
       header.index < kOfDrivers && std::ranges::find(kSteady, header.interf) != std::end(kSteady);
-  const bool is_late = is_steady && passed > 1.5 * kTickSeconds;
+  const bool is_late = is_steady && passed > 1.5 * kInterval;
   if (manner_ == Manner::kReads && is_late && now_ >= excused_until_)
     wrong(fmt::format("a client gets data of interface {}:{} of {:.1f} s, and those before of {:.1f} s",
                       header.interf, header.index, header.timestamp, last->second));
