@@ -24,7 +24,7 @@ BY_HAND = {"Marker": "marker", "Image": "image", "Covariance": "covariance", "Ch
 SPREAD = {"Attitude": ("roll", "pitch", "yaw")}
 ARRAYS = {"Attitude": ("double", 3), "Vector": ("double", 3), "Quaternion": ("double", 4), "rgb": ("uint8_t", 3), "rgba": ("uint8_t", 4)}
 # What stands for a value that is missing.
-NONE = {"float": "NAN", "Charging": "PH_CHARGING_UNKNOWN"}
+NONE = {"float": "(double)NAN", "Charging": "PH_CHARGING_UNKNOWN"}
 MISSING = {"float": "NAN if it is missing.", "Charging": "PH_CHARGING_UNKNOWN if it is missing."}
 
 
