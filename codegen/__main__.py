@@ -18,14 +18,14 @@ from codegen.checks import SchemaError
 from codegen.commands import load_commands
 from codegen.kinds import load_kinds
 from codegen.model import load
-from codegen.proxies import build_proxies, cpp, java, python, tcl, typescript
+from codegen.proxies import build_proxies, c, cpp, java, lisp, python, tcl, typescript
 
 ROOT = Path(__file__).resolve().parent.parent
 EMITTERS = [emit_c, emit_cpp, emit_cpp_fields, emit_docs, emit_java, emit_lisp, emit_python, emit_tcl, emit_typescript]  # of interfaces/
-PROXY_EMITTERS = [cpp, java, python, tcl, typescript]
+PROXY_EMITTERS = [c, cpp, java, lisp, python, tcl, typescript]
 KIND_EMITTERS = [emit_changes, emit_engine_words, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_tables, emit_views]
 # Folders owned by the emitters: other files there are left over, also of emitters that are no more.
-OWNED = ["playhouse/*/generated", emit_c.FOLDER, emit_c.SOURCES, emit_docs.FOLDER, emit_java.FOLDER, emit_kinds_docs.FOLDER, emit_lisp.FOLDER,
+OWNED = ["playhouse/*/generated", emit_c.FOLDER, emit_c.SOURCES, emit_docs.FOLDER, emit_java.FOLDER, emit_kinds_docs.FOLDER, emit_lisp.FOLDER, c.FOLDER,
          emit_looks.FOLDER, cpp.FOLDER, emit_python.FOLDER, emit_tcl.FOLDER, emit_typescript.FOLDER, emit_views.WEB_FOLDER]
 
 

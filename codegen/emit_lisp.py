@@ -20,22 +20,22 @@ MACROS = ("define-constants", "define-interface", "define-message", "define-stru
 
 def emit(schema: Schema) -> dict[str, str]:
     """Path from the root of the tree -> content."""
-    files = {f"{FOLDER}/{_lisp(i.name)}.lisp": _file(schema, i) for i in schema.all()}
+    files = {f"{FOLDER}/{lisp(i.name)}.lisp": _file(schema, i) for i in schema.all()}
     files[f"{FOLDER}/files.lisp-expr"] = _list_of_files(schema)
     return files
 
 
-def _lisp(name: str) -> str:
+def lisp(name: str) -> str:
     """CmdVel, CMD_VEL and cmd_vel become cmd-vel."""
     return re.sub(r"(?<=[a-z])(?=[A-Z])|(?<=[0-9])(?=[A-Z][a-z])", "-", name).lower().replace("_", "-")
 
 
 def _constant(name: str) -> str:
-    return f"+{_lisp(name)}+"
+    return f"+{lisp(name)}+"
 
 
-def _package(name: str) -> str:
-    return f"playhouse.{_lisp(name)}"
+def package(name: str) -> str:
+    return f"playhouse.{lisp(name)}"
 
 
 def _file(schema: Schema, interface: Interface) -> str:
@@ -57,14 +57,14 @@ def _defpackage(interface: Interface) -> str:
     listed = textwrap.wrap(" ".join(f"#:{name}" for name in names), WIDTH - 13, break_long_words=False, break_on_hyphens=False)
     macros = " ".join(f"#:{macro}" for macro in MACROS)
     exports = "\n           ".join(listed)
-    package = _package(interface.name)
-    return (f"(cl:defpackage #:{package}\n  (:use)\n  (:import-from #:playhouse.wire {macros})\n"
-            f"  (:export {exports}))\n\n(cl:in-package #:{package})\n")
+    own = package(interface.name)
+    return (f"(cl:defpackage #:{own}\n  (:use)\n  (:import-from #:playhouse.wire {macros})\n"
+            f"  (:export {exports}))\n\n(cl:in-package #:{own})\n")
 
 
 def _exports(interface: Interface) -> list[str]:
     """Every name that the file defines. A name may stand for a type and for a function, which Lisp keeps apart."""
-    types = [_lisp(s.name) for s in interface.structs]
+    types = [lisp(s.name) for s in interface.structs]
     functions = [name for s in interface.structs for name in _functions(s)]
     variables = ["+code+"] if interface.code is not None else []
     variables += [_constant(n) for c in interface.constants for n in c.values]
@@ -77,8 +77,8 @@ def _exports(interface: Interface) -> list[str]:
 
 
 def _functions(s: Struct) -> list[str]:
-    name = _lisp(s.name)
-    return [f"make-{name}", f"copy-{name}", f"{name}-p", *(f"{name}-{_lisp(f.name)}" for f in s.fields)]
+    name = lisp(s.name)
+    return [f"make-{name}", f"copy-{name}", f"{name}-p", *(f"{name}-{lisp(f.name)}" for f in s.fields)]
 
 
 def _constants(constants: Constants) -> str:
@@ -88,11 +88,11 @@ def _constants(constants: Constants) -> str:
 
 def _struct(schema: Schema, interface: Interface, s: Struct) -> str:
     doc = _string("\n  ".join(textwrap.wrap(f"{s.doc.strip()} ({s.c_name})", WIDTH - 6)))
-    lines = [f'(define-struct ({_lisp(s.name)} "{interface.name}.{s.name}")', f"  {doc}"]
+    lines = [f'(define-struct ({lisp(s.name)} "{interface.name}.{s.name}")', f"  {doc}"]
     for f in s.fields:
         lines += [f"  ;; {line}" for line in textwrap.wrap(f.described(), WIDTH - 6)]
-        moved = f" :count-before {_lisp(f.count_before)}" if f.count_before else ""
-        lines.append(f'  ({_lisp(f.name)} "{f.name}" {_type(schema, interface, f)}{moved})')
+        moved = f" :count-before {lisp(f.count_before)}" if f.count_before else ""
+        lines.append(f'  ({lisp(f.name)} "{f.name}" {_type(schema, interface, f)}{moved})')
     return "\n".join(lines) + ")\n"
 
 
@@ -107,7 +107,7 @@ def _type(schema: Schema, interface: Interface, f: Field) -> str:
 
 
 def _name_of(interface: Interface, owner: str, name: str) -> str:
-    return _lisp(name) if owner == interface.name else f"{_package(owner)}:{_lisp(name)}"
+    return lisp(name) if owner == interface.name else f"{package(owner)}:{lisp(name)}"
 
 
 def _message(interface: Interface, m: Message) -> str:
@@ -132,7 +132,7 @@ def _list_of_files(schema: Schema) -> str:
 
     for interface in schema.all():
         add(interface)
-    rows = "\n ".join(f'"{_lisp(name)}"' for name in done)
+    rows = "\n ".join(f'"{lisp(name)}"' for name in done)
     return f";;;; The files of this folder, in the order of loading.\n;;;;\n;;;; Generated from interfaces/ by codegen; do not edit.\n\n({rows})\n"
 
 

@@ -1,12 +1,14 @@
 """What the definitions of proxies may not say, and what follows from units."""
 
 import ast
+import re
 import unittest
 from pathlib import Path
 
+from codegen import emit_c
 from codegen.checks import SchemaError
 from codegen.model import build, load
-from codegen.proxies import build_proxies, python, spelled, typescript
+from codegen.proxies import build_proxies, c, lisp, python, spelled, typescript
 
 ROOT = Path(__file__).resolve().parent.parent
 COMMON = {"name": "common", "doc": "Shared.", "struct": [
@@ -152,6 +154,25 @@ class Tree(unittest.TestCase):
         for path, text in python.emit(self.proxies).items():
             ast.parse(text, path)
             self.assertLessEqual(max(map(len, text.splitlines())), 120, path)
+
+    def test_names_of_c_are_there_once(self):
+        headers = "".join(text for path, text in c.emit(self.proxies).items() if path.endswith(".h"))
+        headers += "".join(text for path, text in emit_c.emit(self.proxies.schema).items() if path.endswith(".h"))
+        names = re.findall(r"^} (ph_\w+);|^(?:ph_status|const \w+|bool|ph_geometry) \*?(ph_\w+)\(", headers, re.M)
+        names = [one or other for one, other in names]
+        self.assertEqual([name for name in names if names.count(name) > 1], [])
+        self.assertIn("ph_laser_get_config", names)  # ph_laser_config is the struct
+
+    def test_parentheses_of_lisp_match(self):
+        for path, text in lisp.emit(self.proxies).items():
+            code = re.sub(r'"(?:\\\\.|[^"\\\\])*"|;.*', "", text)
+            for form in filter(None, re.split(r"\n(?=\()", code)):
+                self.assertEqual(form.count("("), form.count(")"), f"{path}: {form}")
+
+    def test_a_function_of_lisp_that_classes_share_takes_the_same_arguments(self):
+        drive = [line for text in lisp.emit(self.proxies).values() for line in text.splitlines() if re.match(r"\((define-operation|defmethod) drive ", line)]
+        self.assertEqual(sorted(drive), ["(define-operation drive (device vx &key)", "(defmethod drive ((device position2d) vx &key (va 0) (vy 0))",
+                                         "(defmethod drive ((device position3d) vx &key (va 0) (vy 0) (vz 0))"])
 
     def test_lines_of_typescript_fit(self):
         for path, text in typescript.emit(self.proxies).items():

@@ -11,12 +11,19 @@
    (:module "generated" :serial t :depends-on ("src/base")
     :components #.(loop for name in (uiop:read-file-form (merge-pathnames "generated/files.lisp-expr" *load-truename*))
                         collect `(:file ,name)))
-   (:module "src" :serial t :depends-on ("generated")
+   (:module "src/device" :pathname "src/" :serial t :depends-on ("generated")
     :components ((:file "numbers") (:file "spelling") (:file "queue") (:file "connection") (:file "session")
-                 (:file "device") (:file "values") (:file "scan") (:file "image")
-                 (:file "bases") (:file "rangefinders") (:file "cameras") (:file "measurements")
-                 (:file "messages") (:file "navigation") (:file "grid-map") (:file "simulation")
-                 (:file "models") (:file "robot") (:file "client"))))
+                 (:file "device")))
+   (:module "proxies/index" :pathname "generated/proxies/" :depends-on ("src/device") :components ((:file "index")))
+   (:module "src/values" :pathname "src/" :serial t :depends-on ("proxies/index")
+    :components ((:file "values") (:file "scan") (:file "image") (:file "marker") (:file "covariance") (:file "bases")))
+   (:module "proxies" :pathname "generated/proxies/" :serial t :depends-on ("src/values")
+    :components #.(loop for name in (uiop:read-file-form (merge-pathnames "generated/proxies/files.lisp-expr"
+                                                                          *load-truename*))
+                        collect `(:file ,name)))
+   (:module "src" :serial t :depends-on ("proxies")
+    :components ((:file "sonar") (:file "planner") (:file "grid-map") (:file "simulation") (:file "models")
+                 (:file "robot") (:file "client"))))
   :in-order-to ((test-op (test-op "playhouse-client/tests"))))
 
 (defsystem "playhouse-client/examples"
@@ -32,7 +39,7 @@
   :pathname "tests/"
   :serial t
   :components ((:file "deftest") (:file "fake-server") (:file "wire-test") (:file "session-test") (:file "proxies-test")
-               (:file "robots-test") (:file "retire-test") (:file "signals-test") (:file "readme-test")
+               (:file "equipment-test") (:file "robots-test") (:file "retire-test") (:file "signals-test") (:file "readme-test")
                (:file "scenarios") (:file "dump") (:file "robots") (:file "main"))
   :perform (test-op (operation system)
              (unless (uiop:symbol-call '#:playhouse-client.tests '#:run-tests)

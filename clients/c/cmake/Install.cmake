@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS playhouse_c EXPORT playhouse_c)
-install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY include/ generated/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 set(PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/playhouse_c)
 install(EXPORT playhouse_c NAMESPACE playhouse:: DESTINATION ${PACKAGE_DIR} FILE playhouse_c-targets.cmake)

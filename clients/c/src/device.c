@@ -13,19 +13,11 @@
 #include "proxy.h"
 #include "value.h"
 
-static const ph_class *const kClasses[] = {
-    &ph_aio_class,        &ph_bumper_class,     &ph_camera_class,  &ph_fiducial_class,
-    &ph_gps_class,        &ph_imu_class,        &ph_laser_class,   &ph_localize_class,
-    &ph_map_class,        &ph_opaque_class,     &ph_planner_class, &ph_pointcloud3d_class,
-    &ph_position2d_class, &ph_position3d_class, &ph_ptz_class,     &ph_ranger_class,
-    &ph_simulation_class, &ph_sonar_class,      &ph_speech_class,  &ph_speech_recognition_class,
-};
-
 static const ph_class kAnyClass = {.interface_name = "", .size = sizeof(ph_device)};
 
 static const ph_class *class_for(const char *interface_name) {
-  for (size_t i = 0; i < sizeof kClasses / sizeof *kClasses; ++i) {
-    if (strcmp(kClasses[i]->interface_name, interface_name) == 0) return kClasses[i];
+  for (size_t i = 0; i < PH_CLASS_COUNT; ++i) {
+    if (strcmp(ph_classes[i]->interface_name, interface_name) == 0) return ph_classes[i];
   }
   return &kAnyClass;
 }

@@ -1,29 +1,10 @@
-;;;; Bases: position2d and position3d. Closing one while it moves stops it first.
+;;;; What the proxies are derived from, beside device: base, keeping and selecting.
 
 (in-package #:playhouse-client)
 
 (defclass base (device)
   ((moving :initform nil :accessor movingp :documentation "Whether the last command was a motion."))
-  (:documentation "What drives."))
-
-(defclass position2d (base) ()
-  (:documentation "A mobile base."))
-
-(defclass position3d (base) ()
-  (:documentation "A mobile base in space."))
-
-(define-operation drive (base vx &key)
-  "Forward and to the left (vx, :vy) in m/s, turning (:va) in rad/s, until the next command; a
-position3d also upwards (:vz) in m/s.")
-
-(define-operation set-motor-power (base on)
-  "Switches the motors on or off.")
-
-(define-operation set-odometry (base pose)
-  "Sets the pose estimate; the robot does not move.")
-
-(define-operation reset-odometry (base)
-  "Makes the current pose the origin of the pose estimate.")
+  (:documentation "What drives. Closing it while it moves stops it first."))
 
 (defmethod close-device :before ((base base))
   (when (and (device-open-p base) (movingp base) (not (device-gone-p base)) (reachablep base))
@@ -32,97 +13,59 @@ position3d also upwards (:vz) in m/s.")
 (defmethod stop ((base base))
   (drive base 0))
 
-(define-updates base state)
+;;; Queues
 
-;;; In the plane
+(defparameter *kept-limit* 1024 "Limit of a queue of messages; the oldest are dropped.")
 
-(defmethod state ((base position2d))
-  (multiple-value-bind (data time) (newest base playhouse.position2d:+data-state+)
-    (let ((velocity (playhouse.position2d:data-vel data)))
-      (make-state (pose-of (playhouse.position2d:data-pos data))
-                  (make-velocity :x (playhouse.common:pose2d-px velocity) :y (playhouse.common:pose2d-py velocity)
-                                 :a (playhouse.common:pose2d-pa velocity))
-                  (/= 0 (playhouse.position2d:data-stall data))
-                  time))))
+(defclass keeping (device)
+  ((kept :initform (make-queue) :reader kept))
+  (:documentation "Base of devices whose data messages are queued until the program takes them."))
 
-(defmethod pose ((base position2d))
-  (state-pose (state base)))
+(defgeneric meaning (device value)
+  (:documentation "What is kept of a data message."))
 
-(defmethod velocity ((base position2d))
-  (state-velocity (state base)))
+(defmethod take :before ((device keeping) message value timestamp)
+  (declare (ignore message timestamp))
+  (let ((queue (kept device)))
+    (when (= (queue-count queue) *kept-limit*)
+      (dequeue queue))
+    (enqueue (meaning device value) queue)))
 
-(define-operation stalled-p ((base position2d))
-  "Whether a position2d is blocked. Signals no-data."
-  (state-stalled-p (state base)))
+(defmethod forget-data :before ((device keeping))
+  (take-all (kept device)))
 
-(defmethod drive ((base position2d) vx &key (va 0) (vy 0))
-  (insist-on-finite base "vx" vx "va" va "vy" vy)
-  (setf (movingp base) (notevery #'zerop (list vx vy va)))
-  (command base playhouse.position2d:+cmd-vel+
-           (playhouse.position2d:make-cmd-vel :vel (playhouse.common:make-pose2d :px vx :py vy :pa va) :state 1)))
+(defmethod next-update ((device keeping) &key timeout)
+  (loop while (queue-empty-p (kept device))
+        do (next-data device :timeout timeout))
+  (dequeue (kept device)))
 
-(define-operation drive-car ((base position2d) speed steering)
-  "For a position2d with car steering: speed in m/s, and steering angle in rad, positive to the left."
-  (insist-on-finite base "speed" speed "steering" steering)
-  (setf (movingp base) (not (zerop speed)))
-  (command base playhouse.position2d:+cmd-car+
-           (playhouse.position2d:make-cmd-car :velocity speed :angle steering)))
+;;; Selected data
 
-(defmethod go-to ((base position2d) pose &key (speed 0))
-  (insist-on-pose base pose)
-  (insist-on-finite base "speed" speed)
-  (setf (movingp base) t)
-  (command base playhouse.position2d:+cmd-pos+
-           (playhouse.position2d:make-cmd-pos :pos (wire-pose pose) :vel (playhouse.common:make-pose2d :px speed)
-                                              :state 1)))
+(defclass selecting (device) ()
+  (:documentation "Base of devices whose data are of one of several messages, which send selects."))
 
-(defmethod set-motor-power ((base position2d) on)
-  (request base playhouse.position2d:+req-motor-power+
-           (playhouse.position2d:make-power-config :state (if on 1 0))))
+(defmethod send ((imu selecting) datatype)
+  (insist-on-message imu datatype)
+  (request imu playhouse.imu:+req-set-datatype+
+           (playhouse.imu:make-datatype-config :value (message-type-subtype datatype))))
 
-(defmethod set-odometry ((base position2d) pose)
-  (insist-on-pose base pose)
-  (request base playhouse.position2d:+req-set-odom+ (playhouse.position2d:make-set-odom-req :pose (wire-pose pose))))
+(defmethod lack-of ((imu selecting) message)
+  (let ((name (message-type-name message)))
+    (format nil "~a~@[; (send imu playhouse.imu:+~a+) selects it~]" (call-next-method)
+            (and (device-has-data-p imu) (substitute #\- #\. (subseq name (1+ (position #\. name))))))))
 
-(defmethod reset-odometry ((base position2d))
-  (request base playhouse.position2d:+req-reset-odom+))
+(defun newest-of (device &rest messages)
+  "The newest value of several data messages. Signals no-data before the first."
+  (let ((best nil) (best-time nil))
+    (dolist (message messages (or best (newest device (first messages))))
+      (multiple-value-bind (value time) (latest device message)
+        (when (and value (or (null best) (> time best-time)))
+          (setf best value best-time time))))))
 
-(define-geometry position2d playhouse.position2d:+req-get-geom+
-  playhouse.position2d:geom-pose playhouse.position2d:geom-size)
+;;; Updates
 
-;;; In space
-
-(defmethod state ((base position3d))
-  (multiple-value-bind (data time) (newest base playhouse.position3d:+data-state+)
-    (make-state3d (pose3d-of (playhouse.position3d:data-pos data))
-                  (pose3d-of (playhouse.position3d:data-vel data))
-                  (/= 0 (playhouse.position3d:data-stall data))
-                  time)))
-
-(defmethod drive ((base position3d) vx &key (va 0) (vy 0) (vz 0))
-  (insist-on-finite base "vx" vx "va" va "vy" vy "vz" vz)
-  (setf (movingp base) (notevery #'zerop (list vx vy vz va)))
-  (command base playhouse.position3d:+cmd-set-vel+
-           (playhouse.position3d:make-cmd-vel
-            :vel (playhouse.common:make-pose3d :px vx :py vy :pz vz :pyaw va) :state 1)))
-
-(defmethod go-to ((base position3d) pose &key)
-  (insist-on-pose3d base pose)
-  (setf (movingp base) t)
-  (command base playhouse.position3d:+cmd-set-pos+
-           (playhouse.position3d:make-cmd-pos :pos (wire-pose3d pose) :state 1)))
-
-(defmethod set-motor-power ((base position3d) on)
-  (request base playhouse.position3d:+req-motor-power+
-           (playhouse.position3d:make-power-config :state (if on 1 0))))
-
-(defmethod set-odometry ((base position3d) pose)
-  (insist-on-pose3d base pose)
-  (request base playhouse.position3d:+req-set-odom+
-           (playhouse.position3d:make-set-odom-req :pos (wire-pose3d pose))))
-
-(defmethod reset-odometry ((base position3d))
-  (request base playhouse.position3d:+req-reset-odom+))
-
-(define-geometry position3d playhouse.position3d:+req-get-geom+
-  playhouse.position3d:geom-pose playhouse.position3d:geom-size)
+(defmacro define-updates (class reader)
+  "next-update of a proxy: waits for new data, then calls READER."
+  `(defmethod next-update ((device ,class) &key timeout)
+     (next-data device :timeout timeout)
+     (,reader device)))

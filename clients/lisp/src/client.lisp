@@ -7,13 +7,6 @@
 (defconstant +closing-seconds+ 1)
 (defconstant +token-bytes+ 32)
 
-(defparameter *proxies*
-  '(("map" . grid-map) ("speech_recognition" . speech-recognition) ("position2d" . position2d) ("ranger" . ranger)
-    ("laser" . laser) ("sonar" . sonar) ("fiducial" . fiducial) ("aio" . aio) ("bumper" . bumper) ("camera" . camera)
-    ("ptz" . ptz) ("opaque" . opaque) ("simulation" . simulation) ("position3d" . position3d) ("imu" . imu)
-    ("gps" . gps) ("pointcloud3d" . pointcloud3d) ("speech" . speech) ("localize" . localize) ("planner" . planner))
-  "The class of the proxy of each interface that has one.")
-
 (defgeneric mode (client)
   (:documentation "How data are delivered: :push or :pull. The initial mode of a server is :push."))
 

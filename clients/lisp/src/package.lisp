@@ -64,33 +64,16 @@
    #:pose3d #:make-pose3d #:pose3d-x #:pose3d-y #:pose3d-z #:pose3d-roll #:pose3d-pitch #:pose3d-yaw
    #:size #:size-x #:size-y #:size-z
    #:velocity #:velocity-x #:velocity-y #:velocity-a
-   #:geometry #:geometry-pose #:geometry-size
-   #:state #:state-pose #:state-velocity #:state-stalled-p #:state-time
-   #:state3d #:state3d-pose #:state3d-velocity #:state3d-stalled-p #:state3d-time
-   #:scan #:scan-ranges #:scan-angles #:scan-max-range #:scan-time #:nearest #:points
+   #:scan #:scan-ranges #:scan-angles #:scan-max-range #:scan-time #:nearest
    #:marker #:marker-id #:marker-pose #:marker-distance #:marker-bearing
-   #:face #:face-pose #:face-length #:face-radius
    #:image #:image-width #:image-height #:image-format #:image-jpeg-p #:image-data #:image-time #:pixel #:model-at
-   #:view #:view-pan #:view-tilt #:view-zoom #:view-pan-speed #:view-tilt-speed
-   #:inertia #:inertia-acceleration #:inertia-turn-rate #:inertia-field
-   #:fix #:fix-latitude #:fix-longitude #:fix-altitude #:fix-easting #:fix-northing #:fix-speed #:fix-course
-   #:fix-quality #:fix-satellites #:fix-horizontal-error #:fix-vertical-error #:fix-time
-   #:point #:point-x #:point-y #:point-z #:point-color
    #:covariance #:make-covariance #:covariance-xx #:covariance-yy #:covariance-aa #:covariance-xy #:covariance-ya
    #:covariance-xa #:covariance-of-deviations
-   #:hypothesis #:hypothesis-pose #:hypothesis-covariance #:hypothesis-weight
-   #:particle #:particle-pose #:particle-weight
    #:planner-state #:planner-state-valid-p #:planner-state-done-p #:planner-state-pose #:planner-state-goal
    #:planner-state-waypoint #:planner-state-index #:planner-state-count #:planner-state-time
    #:path #:path-waypoints #:path-length
    #:grid #:make-grid #:grid-cell-size #:grid-width #:grid-height #:grid-origin #:cell-of
-   ;; Proxies and what they do
-   #:position2d #:position3d #:ranger #:laser #:sonar #:fiducial #:camera #:ptz #:bumper #:imu #:gps #:pointcloud3d
-   #:aio #:opaque #:speech #:speech-recognition #:localize #:planner #:grid-map #:simulation
-   #:stalled-p #:drive #:stop #:drive-car #:go-to #:set-motor-power #:set-odometry #:reset-odometry
-   #:ranges #:intensities #:config #:set-config #:set-power #:set-intensities #:poses #:markers #:field-of-view
-   #:set-field-of-view #:look #:turn #:set-velocity-control #:pressed #:faces #:send #:attitude #:quaternion
-   #:reset-orientation #:reset-attitude #:voltages #:set-voltage #:send-to #:take-messages #:say #:take-texts
-   #:hypotheses #:set-pose #:particles #:arrivedp #:resume #:cells
+   ;; Proxies by hand; generated/proxies/index.lisp exports the others, with their values
+   #:arrivedp #:resume #:cells
    #:model-pose #:set-model-pose #:model-pose3d #:set-model-pose3d #:pause #:save-world #:reset-world #:join
    #:step-world #:spawn #:remove-model))

@@ -34,3 +34,9 @@ HIGH."
            (angles (make-array count :element-type 'double-float)))
       (dotimes (i count angles)
         (setf (aref angles i) (+ first (* i step)))))))
+
+(defun directions (low high ranges &optional elements)
+  "The direction of each range: those of the elements if there is one per range, else spread from LOW to HIGH."
+  (if (and (= (length elements) (length ranges)) (> (length ranges) 1))
+      (map 'vector #'playhouse.common:pose3d-pyaw elements)
+      (spread low high (length ranges))))

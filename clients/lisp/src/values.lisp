@@ -21,21 +21,6 @@ then about the new x by roll. The frame is documented where a pose is returned."
   "x and y in m/s, a in rad/s, in the robot's frame."
   x y a)
 
-(defstruct geometry
-  "Pose of a device on its robot (for a base: its own centre), a pose3d, and its size."
-  pose size)
-
-(defstruct (state (:constructor make-state (pose velocity stalled-p time)))
-  "The data of a base: pose estimate, velocity, and whether it is blocked. `pose' is in the frame of the estimate: with
-odometry that of the start pose, or as set by set-odometry; with localization by gps the world. `time' is the server's,
-in s."
-  pose velocity stalled-p time)
-
-(defstruct (state3d (:constructor make-state3d (pose velocity stalled-p time)))
-  "The data of a base that moves in space: pose estimate, velocity (a pose3d; m/s and rad/s along and about its own
-axes), and whether it is blocked. `time' is the server's, in s."
-  pose velocity stalled-p time)
-
 ;;; From and to the structures of the wire
 
 (defun pose-of (wire)
@@ -59,6 +44,54 @@ axes), and whether it is blocked. `time' is the server's, in s."
   (make-size :x (playhouse.common:bbox3d-sl wire) :y (playhouse.common:bbox3d-sw wire)
              :z (playhouse.common:bbox3d-sh wire)))
 
+(defun velocity-of (wire)
+  (make-velocity :x (playhouse.common:pose2d-px wire) :y (playhouse.common:pose2d-py wire)
+                 :a (playhouse.common:pose2d-pa wire)))
+
+(defun attitude-of (wire)
+  (list (playhouse.common:orientation3d-proll wire) (playhouse.common:orientation3d-ppitch wire)
+        (playhouse.common:orientation3d-pyaw wire)))
+
+(defun vector-of (wire)
+  (list (playhouse.common:point3d-px wire) (playhouse.common:point3d-py wire) (playhouse.common:point3d-pz wire)))
+
+(defun pose3d-at (point orientation)
+  (destructuring-bind ((x y z) (roll pitch yaw)) (list (vector-of point) (attitude-of orientation))
+    (make-pose3d :x x :y y :z z :roll roll :pitch pitch :yaw yaw)))
+
+(defun rgb-of (wire)
+  (list (playhouse.common:color-red wire) (playhouse.common:color-green wire) (playhouse.common:color-blue wire)))
+
+(defun rgba-of (wire)
+  (append (rgb-of wire) (list (playhouse.common:color-alpha wire))))
+
+(defun wire-rgb (rgb)
+  (destructuring-bind (red green blue) (coerce rgb 'list)
+    (playhouse.common:make-color :alpha 255 :red red :green green :blue blue)))
+
+(defun packed-rgb (color)
+  (list (ldb (byte 8 16) color) (ldb (byte 8 8) color) (ldb (byte 8 0) color)))
+
+(defun charging (state)
+  ":yes, :no, or :impossible."
+  (cond ((plusp state) :yes) ((minusp state) :impossible) (t :no)))
+
+(defun level (value unit)
+  "Levels in dBm are signed, all others are not."
+  (if (= unit playhouse.wifi:+qual-dbm+) value (ldb (byte 32 0) value)))
+
+(defun unless-number (absent value)
+  "VALUE, nil if it is the number that stands for none."
+  (unless (and (finitep value) (= value absent))
+    value))
+
+(defun first-of (device values what)
+  "The first of VALUES. Signals no-data if there is none."
+  (or (first values)
+      (fail 'no-data "~a: ~a has no ~a" (peer device) (device-name device) what)))
+
+;;; Checks of arguments
+
 (defun insist-on-type (device value type)
   (unless (typep value type)
     (fail 'invalid-value "~a: ~s is not a ~(~a~)" (device-name device) value type)))
@@ -72,64 +105,16 @@ axes), and whether it is blocked. `time' is the server's, in s."
   (insist-on-finite device "x" (pose3d-x pose) "y" (pose3d-y pose) "z" (pose3d-z pose)
                            "roll" (pose3d-roll pose) "pitch" (pose3d-pitch pose) "yaw" (pose3d-yaw pose)))
 
-;;; What several interfaces have
+(defun insist-on-numbers (device name numbers)
+  (unless (typep numbers 'sequence)
+    (fail 'invalid-value "~a: ~s is no sequence of numbers" (device-name device) numbers))
+  (map nil (lambda (number) (insist-on-finite device name number)) numbers))
 
-(define-operation state (device)
-  "The newest data of a base or a planner. Signals no-data before the first.")
+(defun insist-on-octets (device message)
+  (unless (and (typep message 'sequence) (every (lambda (octet) (typep octet '(unsigned-byte 8))) message))
+    (fail 'invalid-value "~a: a message is a sequence of bytes, not ~s" (device-name device) message)))
 
-(define-operation pose (device)
-  "The newest pose estimate: of position2d its state's, of imu a pose3d, of localize that of the most
-likely hypothesis, on the map. Signals no-data.")
-
-(define-operation velocity (device)
-  "The newest velocity estimate: of position2d its state's, of imu a pose3d. Signals no-data.")
-
-(define-operation geometry (device)
-  "Where the device is on its robot, and its size.")
-
-(define-operation ranges (device)
-  "The newest ranges in m, in the order of measurement. Signals no-data.")
-
-(define-operation intensities (device)
-  "The newest intensities, one per range, in the device's unit. Signals no-data, of a ranger also if it
-measures none; of a laser they are then empty.")
-
-(define-operation scan (device)
-  "The newest ranges with their directions. Signals no-data.")
-
-(define-operation set-power (device on)
-  "Switches a ranger or sonar on or off.")
-
-(define-operation set-config (device config)
-  "Requests another configuration of a laser or ranger.")
-
-(define-operation config (device)
-  "The configuration of a laser (a playhouse.laser:config) or ranger (a playhouse.ranger:config).")
-
-(define-operation stop (device)
-  "Stops a base; of a planner: stops the robot until resume, the planner keeps its goal.")
-
-(define-operation go-to (device pose &key)
-  "Drives to a pose: position2d in the frame of its pose, by the driver's position control (:speed 0:
-the driver's choice); position3d the same with a pose3d; planner by a path on the map, after stop from resume on.")
-
-(define-operation points (thing)
-  "Of a scan the end points of its beams, a list of x and y in the sensor's frame each; of a
-pointcloud3d its newest points. Signals no-data.")
-
-(define-operation send (device message)
-  "Of an opaque device: sends bytes to the driver; a radio broadcasts them to all radios in range. Of an
-imu: selects the data message, one of playhouse.imu:+data-state+ (pose), +data-calib+ (inertia), +data-quat+ (inertia
-and quaternion), +data-euler+ (inertia and attitude) and +data-fullstate+ (pose and velocity), for all subscribers.")
-
-(defmacro define-updates (class reader)
-  "next-update of a proxy: waits for new data, then calls READER."
-  `(defmethod next-update ((device ,class) &key timeout)
-     (next-data device :timeout timeout)
-     (,reader device)))
-
-(defmacro define-geometry (class message pose size)
-  "The geometry of a proxy, from the answer to a request."
-  `(defmethod geometry ((device ,class))
-     (let ((answer (answer-of device ,message)))
-       (make-geometry :pose (pose3d-of (,pose answer)) :size (size-of (,size answer))))))
+(defun insist-on-rgb (device color)
+  (insist-on-octets device color)
+  (unless (= (length color) 3)
+    (fail 'invalid-value "~a: a color is red, green and blue, not ~s" (device-name device) color)))

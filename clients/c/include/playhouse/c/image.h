@@ -1,15 +1,16 @@
-#ifndef PLAYHOUSE_C_CAMERA_H
-#define PLAYHOUSE_C_CAMERA_H
+#ifndef PLAYHOUSE_C_IMAGE_H
+#define PLAYHOUSE_C_IMAGE_H
 
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "playhouse/c/error.h"
 #include "playhouse/c/generated/camera.h"
-#include "playhouse/c/proxy.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/** A camera. */
-PH_PROXY(camera)
 
 /** An image: rows from the top, pixels from the left. `format` is one of PH_CAMERA_FORMAT_MONO8,
  * FORMAT_MONO16 (of Playhouse: depth in mm, little-endian, 0 if nothing is in range), FORMAT_RGB565 and
@@ -23,8 +24,6 @@ typedef struct ph_image {
   double time;
 } ph_image;
 
-/** The newest image. */
-ph_status ph_camera_image(ph_camera *camera, ph_image *image, ph_error *error);
 /** The channels of a pixel and their number: red, green and blue, or brightness, or depth in mm.
  * PH_INVALID_VALUE for a JPEG file, for other formats, outside the image, and if the data are shorter than
  * the image. */
@@ -40,4 +39,4 @@ ph_status ph_image_model_id(const ph_image *image, uint32_t column, uint32_t row
 }
 #endif
 
-#endif /* PLAYHOUSE_C_CAMERA_H */
+#endif /* PLAYHOUSE_C_IMAGE_H */

@@ -1,77 +1,11 @@
-;;;; Localization of a robot on a map, and planners that drive it there.
+;;;; Planners, which drive robots to goals on a map.
 
 (in-package #:playhouse-client)
-
-(defclass localize (device) ()
-  (:documentation "Localization of a robot on a map."))
 
 (defclass planner (device)
   ((goal :initform nil :accessor goal-of))
   (:documentation "A planner, which drives a robot to goals on a map. It goes on while any client has it open; wavefront
 cancels the goal when the last one closes it."))
-
-;;; localize
-
-(defstruct covariance
-  "Covariance of a pose in the plane: of x, y (m) and a (rad). xx, yy, aa are variances."
-  (xx 0d0 :type real) (yy 0d0 :type real) (aa 0d0 :type real)
-  (xy 0d0 :type real) (ya 0d0 :type real) (xa 0d0 :type real))
-
-(defun covariance-of-deviations (x y a)
-  "That of independent errors with these standard deviations, in m, m and rad."
-  (make-covariance :xx (* x x) :yy (* y y) :aa (* a a)))
-
-(defstruct (hypothesis (:constructor make-hypothesis (pose covariance weight)))
-  "A hypothesis about where the robot is: the mean pose on the map, its covariance, and its weight; the weights of all
-sum to 1."
-  pose covariance weight)
-
-(defstruct (particle (:constructor make-particle (pose weight)))
-  "A particle of the localization's filter: a possible pose of the robot on the map, and its weight."
-  pose weight)
-
-(defun numbers-of (covariance)
-  "Those of the wire, in its order."
-  (list (covariance-xx covariance) (covariance-yy covariance) (covariance-aa covariance)
-        (covariance-xy covariance) (covariance-ya covariance) (covariance-xa covariance)))
-
-(defun covariance-of (numbers)
-  (destructuring-bind (xx yy aa xy ya xa) (coerce numbers 'list)
-    (make-covariance :xx xx :yy yy :aa aa :xy xy :ya ya :xa xa)))
-
-(define-operation hypotheses ((localize localize))
-  "Where the robot may be, a list, the most likely first. Signals no-data."
-  (map 'list (lambda (one)
-               (make-hypothesis (pose-of (playhouse.localize:hypoth-mean one))
-                                (covariance-of (playhouse.localize:hypoth-cov one))
-                                (playhouse.localize:hypoth-alpha one)))
-       (playhouse.localize:data-hypoths (newest localize playhouse.localize:+data-hypoths+))))
-
-(define-updates localize hypotheses)
-
-(defmethod pose ((localize localize))
-  (let ((hypotheses (hypotheses localize)))
-    (unless hypotheses
-      (fail 'no-data "~a: ~a has no hypothesis" (peer localize) (device-name localize)))
-    (hypothesis-pose (first hypotheses))))
-
-(define-operation set-pose ((localize localize) pose covariance)
-  "Sets the estimate of the pose on the map; the robot does not move. Signals request-refused if the driver takes none
-of this covariance."
-  (insist-on-pose localize pose)
-  (insist-on-type localize covariance 'covariance)
-  (apply #'insist-on-finite localize
-         (mapcan #'list (list "xx" "yy" "aa" "xy" "ya" "xa") (numbers-of covariance)))
-  (request localize playhouse.localize:+req-set-pose+
-           (playhouse.localize:make-set-pose :mean (wire-pose pose) :cov (numbers-of covariance))))
-
-(define-operation particles ((localize localize))
-  "All particles of the filter, a list; none before its first step."
-  (map 'list (lambda (one)
-               (make-particle (pose-of (playhouse.localize:particle-pose one)) (playhouse.localize:particle-alpha one)))
-       (playhouse.localize:get-particles-particles (answer-of localize playhouse.localize:+req-get-particles+))))
-
-;;; planner
 
 (defstruct planner-state
   "The data of a planner, poses on the map: whether there is a path to the goal (`valid-p'), whether the goal is reached

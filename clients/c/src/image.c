@@ -1,23 +1,6 @@
-#include "playhouse/c/camera.h"
+#include "playhouse/c/image.h"
 
-#include "proxy.h"
-
-struct ph_camera {
-  ph_device device;
-};
-
-const ph_class ph_camera_class = {.interface_name = "camera", .size = sizeof(ph_camera)};
-PH_DEFINE_PROXY(camera)
-
-ph_status ph_camera_image(ph_camera *camera, ph_image *image, ph_error *error) {
-  const ph_value *value = NULL;
-  PH_TRY(ph_device_stamped(&camera->device, PH_CAMERA_DATA_STATE, &value, error));
-  const ph_camera_data *data = value->data;
-  *image = (ph_image){
-      data->width, data->height,      data->format,    data->compression == PH_CAMERA_COMPRESS_JPEG,
-      data->image, data->image_count, value->timestamp};
-  return PH_OK;
-}
+#include "fail.h"
 
 /** Bytes of a pixel, 0 of formats that are not told apart by channels. */
 static size_t pixel_bytes(const ph_image *image) {
