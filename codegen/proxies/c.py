@@ -441,10 +441,11 @@ class _Class:
 
     def _list(self, to: str, count: str, name: str, e: Expr, at: str, failed: list[str]) -> list[str]:
         assert e.one is not None
-        self.lists[name] = None
+        memory = re.sub(r"\W+", "_", to).strip("_")  # of its own for each value: one stays valid when another is read
+        self.lists[memory] = None
         made, items = f"made_{name}", self._path(e.path, at)
         no_memory = "return ph_fail_no_memory(error);"
-        lines = [f"{self._plain_type(e.one)} *{made} = ph_list_new(&proxy->{name}, {items}_count, sizeof *{made});"]
+        lines = [f"{self._plain_type(e.one)} *{made} = ph_list_new(&proxy->{memory}, {items}_count, sizeof *{made});"]
         lines += [f"if ({made} == NULL) {{", *(f"  {line}" for line in [*failed, no_memory]), "}"] if failed else [f"if ({made} == NULL) {no_memory}"]
         one = Expr(e.one.how, e.one.type, e.one.paths, parts=e.one.parts)
         inner = self._filled(f"{made}[i]", one, f"{items}[i].", failed)

@@ -178,13 +178,13 @@ void SimulatedClient::take(const wire::Header& header, std::span<const std::byte
 /// Who gets data as they come gets those of every tick.
 void SimulatedClient::look_at_data(const wire::Header& header) {
   const auto [last, is_first] = data_times_.try_emplace({header.interf, header.index}, header.timestamp);
-  if (loses_tick_ && !is_first && now_ >= excused_until_) {
-    loses_tick_ = false;
-    return;
-  }
   const double passed = header.timestamp - last->second;
   const bool is_steady =
       header.index < kOfDrivers && std::ranges::find(kSteady, header.interf) != std::end(kSteady);
+  if (loses_tick_ && is_steady && manner_ == Manner::kReads && !is_first && now_ >= excused_until_) {
+    loses_tick_ = false;
+    return;
+  }
   const bool is_late = is_steady && passed > 1.5 * kInterval;
   if (manner_ == Manner::kReads && is_late && now_ >= excused_until_)
     wrong(fmt::format("a client gets data of interface {}:{} of {:.1f} s, and those before of {:.1f} s",

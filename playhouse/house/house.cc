@@ -320,7 +320,7 @@ void House::change_clients() {
     ++report_.clients;
     if (options_.sabotage == Sabotage::kLosesAnswer && report_.clients == kClients)
       for (const auto& client : clients_) client->lose_an_answer();
-    if (options_.sabotage == Sabotage::kLosesTick && report_.clients == kClients)
+    if (options_.sabotage == Sabotage::kLosesTick && report_.clients >= kClients)
       for (const auto& client : clients_) client->lose_a_tick();
   }
   if (leaving_.empty() && draw(100) == 0) {

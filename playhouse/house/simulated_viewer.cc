@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/json/parse.hpp>
 #include <boost/json/value.hpp>
+#include <cmath>
 #include <exception>
 #include <iterator>
 #include <utility>
@@ -67,7 +68,9 @@ std::uint32_t SimulatedViewer::any_model() {
 }
 
 std::string SimulatedViewer::any_command() {
-  const std::uint32_t model = any_model();
+  // One draw at a time: compilers differ in the order of arguments, and random numbers must not.
+  const std::uint32_t model = any_model(), number = draw(100);
+  const double x = draw_place();
   switch (draw(10)) {
     case 0:
       return fmt::format(R"({{"do":"look","x_min":-9,"y_min":-9,"x_max":9,"y_max":9,"sensors":{}}})",
@@ -75,20 +78,20 @@ std::string SimulatedViewer::any_command() {
     case 1:
       return fmt::format(R"({{"do":"select","model":{}}})", model);
     case 2:
-      return fmt::format(R"({{"do":"join","name":"p{}","x":{},"y":1,"a":0}})", draw(3), draw_place());
+      return fmt::format(R"({{"do":"join","name":"p{}","x":{},"y":1,"a":0}})", number % 3, x);
     case 3:
-      return fmt::format(R"({{"do":"say","text":"hello {}"}})", draw(10));
+      return fmt::format(R"({{"do":"say","text":"hello {}"}})", number);
     case 4:
-      return fmt::format(R"({{"do":"drag","model":{},"x":{},"y":2,"a":1}})", model, draw_place());
+      return fmt::format(R"({{"do":"drag","model":{},"x":{},"y":2,"a":1}})", model, x);
     case 5:
-      return fmt::format(R"({{"do":"speed","times_real_time":{}}})", 1 + draw(3));
+      return fmt::format(R"({{"do":"speed","times_real_time":{}}})", 1 + number % 3);
     case 6:
       return draw(5) == 0 ? R"({"do":"physics"})" : R"({"do":"resume"})";
     case 7:
       return draw(5) == 0 ? R"({"do":"step"})" : R"({"do":"resume"})";
     default:
       return fmt::format(R"({{"do":"drive","model":{},"forward":{},"sideways":0,"turn":0.5,"input":{}}})",
-                         model, draw(10) / 10.0, 1 + draw(100));
+                         model, std::abs(x) / 5, 1 + number);
   }
 }
 
