@@ -318,7 +318,7 @@ void House::change_clients() {
     clients_.push_back(std::make_unique<SimulatedClient>(network_, kPort, manner, random_()));
     clients_.back()->excuse_until(whole_at_ + kSettling);
     ++report_.clients;
-    if (options_.sabotage == Sabotage::kLosesAnswer && report_.clients == kClients)
+    if (options_.sabotage == Sabotage::kLosesAnswer && report_.clients >= kClients)
       for (const auto& client : clients_) client->lose_an_answer();
     if (options_.sabotage == Sabotage::kLosesTick && report_.clients >= kClients)
       for (const auto& client : clients_) client->lose_a_tick();
@@ -343,7 +343,7 @@ void House::change_pages() {
     pages_.push_back(
         std::make_unique<SimulatedViewer>(network_, kWebPort, address, *shown_, manner, random_()));
     pages_.back()->excuse_until(whole_at_);
-    if (options_.sabotage == Sabotage::kLosesFrame && report_.pages == kPages) pages_.back()->lose_changes();
+    if (options_.sabotage == Sabotage::kLosesFrame && report_.pages >= kPages) pages_.back()->lose_changes();
     ++report_.pages;
   }
   if (!pages_.empty() && draw(300) == 0) pages_[draw(static_cast<std::uint32_t>(pages_.size()))]->leave();

@@ -49,7 +49,7 @@ TEST_F(House, finds_changes_that_a_page_did_not_get) {
 }
 
 TEST_F(House, finds_a_change_that_is_missing_in_the_recording) {
-  const Report report = run({.seed = 1, .seconds = 100, .sabotage = Sabotage::kLosesChange});
+  const Report report = run({.seed = 1, .seconds = 50, .sabotage = Sabotage::kLosesChange});
   EXPECT_THAT(report.fault.value_or(""), HasSubstr("run again, at "));
 }
 
