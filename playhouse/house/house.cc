@@ -41,8 +41,8 @@ constexpr double kSlice = 0.02;        // s of the network, while the tick sleep
 constexpr double kTickSeconds = 1e-3;  // that a tick takes
 constexpr double kPatience = 5;        // s until a client has all its answers
 constexpr double kSettling = 3;        // s until nothing is on its way that was before
-constexpr double kSignOfLife =
-    1.5;  // s; a page assumes that the program hangs if it hears nothing for longer
+/// A page assumes that the program hangs if it hears nothing for longer. [s]
+constexpr double kSignOfLife = 1.5;
 constexpr std::uint64_t kRewindTicks = 200;
 
 constexpr const char* kWorld = R"(
@@ -223,9 +223,8 @@ void House::open_page_server() {
                                  .physics_shapes = [this] { return simulation().engine().physics_shapes(); },
                                  .place_of_body = drivers::free_place,
                                  .shares = simulation().shares()};
-  web_ =
-      std::make_unique<web_server::WebServer>(network_, std::move(options), simulation().requests(), world(),
-                                              [](world::ModelId) { return std::vector<std::string>(); });
+  web_ = std::make_unique<web_server::WebServer>(network_, std::move(options), simulation().requests(),
+                                                 world(), replicate::DeviceNames());
   shown_.emplace(world());
   PLAYHOUSE_ASSERT(web_->listen().ok());
   simulation().follow(run::on_show([this](const world::World& world, const world::Pace& pace) {

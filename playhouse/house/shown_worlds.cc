@@ -16,8 +16,8 @@ ShownWorlds::ShownWorlds(const world::World& world) : prototypes_(world.scene())
 void ShownWorlds::show(const world::World& world, const world::Pace& pace) {
   std::shared_ptr<const replicate::Layout> layout = snapshots_.empty() ? nullptr : snapshots_.back().layout;
   if (!layout || layout->population != world.population())
-    layout = std::make_shared<const replicate::Layout>(
-        world, prototypes_, [](world::ModelId) { return std::vector<std::string>(); }, layout.get());
+    layout =
+        std::make_shared<const replicate::Layout>(world, prototypes_, replicate::DeviceNames(), layout.get());
   if (snapshots_.size() >= kKept) snapshots_.pop_front();
   replicate::capture(world, pace, std::move(layout), {}, snapshots_.emplace_back());
 }

@@ -14,18 +14,10 @@
 #include "playhouse/net/asio_loop.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/net/simulated.h"
+#include "playhouse/net/testing_bytes.h"
 
 namespace playhouse::net {
 namespace {
-
-SharedBytes shared(std::string_view text) {
-  const auto bytes = std::as_bytes(std::span(text));
-  return std::make_shared<std::vector<std::byte>>(bytes.begin(), bytes.end());
-}
-
-std::string text(std::span<const std::byte> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// Keeps what a connection tells it.
 struct Log final : ConnectionEvents {

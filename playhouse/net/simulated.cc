@@ -252,9 +252,7 @@ std::unique_ptr<Attempt> SimulatedNetwork::connect(const std::string& host, std:
 
 /// In the next run, or after the cut.
 void SimulatedNetwork::after_cut(Task task) {
-  if (!is_cut()) return post(std::move(task));
-  const auto always = std::make_shared<int>(0);
-  alarms_.emplace(cut_until_, Alarm{always, [always, task = std::move(task)] { task(); }});
+  is_cut() ? run_at(cut_until_, std::move(task)) : post(std::move(task));
 }
 
 void SimulatedNetwork::make_connection(const std::string& host, std::uint16_t port,
@@ -380,9 +378,13 @@ double SimulatedNetwork::arrival(double last) {
   return std::max(last, time);
 }
 
+void SimulatedNetwork::run_at(double time, Task task) {
+  const auto always = std::make_shared<int>(0);  // owned by its alarm: never cancelled
+  alarms_.emplace(time, Alarm{always, [always, task = std::move(task)] { task(); }});
+}
+
 void SimulatedNetwork::wake_at(double time) {
-  const auto always = std::make_shared<int>(0);
-  alarms_.emplace(time, Alarm{always, [always] {}});
+  run_at(time, [] {});
 }
 
 void SimulatedNetwork::cut(double seconds) {

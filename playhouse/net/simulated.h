@@ -109,6 +109,7 @@ class SimulatedNetwork final : public Network {
   friend class SimulatedPage;
   /// When what is sent now will have arrived, after `last`, when what was sent before it will have.
   double arrival(double last);
+  void run_at(double time, Task task);
   /// Has run_for() look at all connections then.
   void wake_at(double time);
   bool step();

@@ -39,13 +39,11 @@ void SimulatedNetwork::carry(const Endpoint& from, const Endpoint& to, std::span
       (rng_.uniform() < datagrams.loss ? 0 : 1) + (rng_.uniform() < datagrams.duplication ? 1 : 0);
   for (int copy = 0; copy < copies; ++copy) {
     const double arrives = now_ + datagrams.delay + datagrams.jitter * rng_.uniform();
-    const auto on_its_way = std::make_shared<int>(0);  // owned by its alarm: never cancelled
-    alarms_.emplace(arrives, Alarm{on_its_way, [this, on_its_way, from, to,
-                                                bytes = std::vector(bytes.begin(), bytes.end())] {
-                                     const auto port = datagram_ports_.find(to);
-                                     if (port == datagram_ports_.end()) return;
-                                     if (const auto receiver = port->second.lock()) (*receiver)(from, bytes);
-                                   }});
+    run_at(arrives, [this, from, to, bytes = std::vector(bytes.begin(), bytes.end())] {
+      const auto port = datagram_ports_.find(to);
+      if (port == datagram_ports_.end()) return;
+      if (const auto receiver = port->second.lock()) (*receiver)(from, bytes);
+    });
   }
 }
 

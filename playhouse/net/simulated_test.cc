@@ -7,18 +7,10 @@
 #include <utility>
 
 #include "playhouse/net/http.h"
+#include "playhouse/net/testing_bytes.h"
 
 namespace playhouse::net {
 namespace {
-
-SharedBytes shared(std::string_view text) {
-  const auto bytes = std::as_bytes(std::span(text));
-  return std::make_shared<std::vector<std::byte>>(bytes.begin(), bytes.end());
-}
-
-std::string text(std::span<const std::byte> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// A server that keeps what its one client sends.
 struct Sink final : ConnectionEvents {
