@@ -112,7 +112,6 @@ void SimulatedViewer::act() {
 void SimulatedViewer::hear(double patience) {
   if (over_) return;
   for (const net::SimulatedPage::Message& message : page_.take()) {
-    for (const std::byte byte : message.bytes) digest_.add(static_cast<std::uint64_t>(byte));
     heard_ = std::max(heard_, network_.now());
     if (message.is_text) {
       take_text({reinterpret_cast<const char*>(message.bytes.data()), message.bytes.size()});
@@ -151,6 +150,7 @@ void SimulatedViewer::take_models(const json::object& text) {
   for (const json::value& model : text.at("models").as_array()) {
     came.push_back(model.at("id").to_number<std::uint32_t>());
     starts_[came.back()] = start_of(model.as_object());
+    digest_.add(std::uint64_t{came.back()});
   }
   has_scene_ = true;
   const auto population = shown_.population([&](const replicate::Layout& layout) {
@@ -171,6 +171,7 @@ void SimulatedViewer::take_models(const json::object& text) {
 
 void SimulatedViewer::take_frame(std::span<const std::byte> packet) {
   if (!replica_) return wrong("gets a frame before the scene");
+  for (const std::byte byte : packet) digest_.add(static_cast<std::uint64_t>(byte));
   const std::vector<replicate::ModelState> before = replica_->models;
   const Result<std::uint32_t> frame = replicate::apply_packet(packet, *replica_);
   if (!frame) return wrong("gets a frame that cannot be applied: " + frame.error().text);

@@ -48,7 +48,7 @@ class SimulatedViewer {
   std::size_t frames() const { return frames_; }
   /// Frames that held a whole world.
   std::size_t whole_frames() const { return whole_frames_; }
-  /// Of all that it has got.
+  /// Of the frames and models that it has got; not of the scene, which names the commit of the program.
   std::uint64_t digest() const { return digest_.value(); }
   /// Does as if the next frame with changes had none, for tests of what is found.
   void lose_changes() { loses_changes_ = true; }
