@@ -9,6 +9,7 @@ import textwrap
 from codegen.emit_c import SCALAR_TYPES, WIDTH, struct_name
 from codegen.model import Field, Message
 from codegen.proxies import Argument, Call, Expr, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Value, made_by, spelled
+from codegen.proxies.spelling import Spelling
 
 FOLDER = "clients/c/generated"
 HEADERS = f"{FOLDER}/include/playhouse/c"
@@ -79,7 +80,11 @@ def _fitted(line: str, indent: int) -> list[str]:
                                                              break_on_hyphens=False)]
 
 
-class _Class:
+class _Class(Spelling):
+    TEXTS = {"truth": "{one} != 0", "equals": "{one} == {constant}", "bit": "({one} & {constant}) != 0", "convert": "{type}({one})",
+             "unpack": "{type}({one})", "gather": "ph_pose3d_at({all})", "call": "ph_{function}_of({all})", "time": "value->timestamp",
+             "whole": "{one}"}
+
     def __init__(self, proxies: Proxies, proxy: Proxy) -> None:
         self.proxies, self.proxy, self.schema = proxies, proxy, proxies.schema
         self.wire, self.type = proxy.interface.name, f"ph_{proxy.interface.name}"
@@ -505,24 +510,19 @@ class _Class:
             return f"({self._path(flags, at)} & {self._constant(constant)}) != 0 ? {text} : {NONE[e.type.name]}"
         return f"{self._path(e.path, at)} == {e.absent} ? {NONE[e.type.name]} : {text}" if e.absent else text
 
-    def _plain(self, e: Expr, at: str) -> str:
-        paths = [self._path(p, at) for p in e.paths]
-        one = paths[0] if paths else at[:-1]
-        if e.how == "is":
-            return f"{one} * {e.factor}" if e.factor else f"(double){one}" if e.path.last.type == "float32" else one
-        if e.how == "truth":
-            return f"{one} != 0"
-        if e.how == "equals":
-            return f"{one} == {self._constant(e.constant)}"
-        if e.how == "bit":
-            return f"({one} & {self._constant(e.constant)}) != 0"
-        if e.how in ("convert", "unpack"):
-            return f"{self._converter(e)}({one})"
-        if e.how == "gather":
-            return f"ph_pose3d_at({', '.join(paths)})"
-        if e.how == "call":
-            return f"ph_{e.function}_of({', '.join(paths)})"
-        return "value->timestamp" if e.how == "time" else one
+    def _at_hand(self, at: str) -> str:
+        return at[:-1]
+
+    def _type_name(self, e: Expr) -> str:
+        return self._converter(e)
+
+    def way_is(self, e: Expr, one: str, at: str) -> str:
+        return f"(double){one}" if e.path.last.type == "float32" and not e.factor else super().way_is(e, one, at)
+
+    def way_make(self, e: Expr, one: str, at: str) -> str:
+        raise ValueError(f"{e.how} takes statements in C, and _filled() writes them")
+
+    way_text = way_each = way_make
 
 
 def _text_size(f: Field) -> int:

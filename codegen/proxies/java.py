@@ -10,6 +10,7 @@ from codegen.emit_java import WIDTH, component
 from codegen.model import Field, Message
 from codegen.proxies import (Argument, Call, Expr, Kept, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value,
                              spelled)
+from codegen.proxies.spelling import Spelling
 
 FOLDER = f"{emit_java.FOLDER}/playhouse/client"
 
@@ -96,7 +97,11 @@ def _value(proxies: Proxies, value: Value) -> str:
     return _file(proxies.schema.interface(value.interface).source, _needed("\n".join(body)), lines)
 
 
-class _Class:
+class _Class(Spelling):
+    TEXTS = {"truth": "{one} != 0", "equals": "{one} == {constant}", "bit": "({one} & {constant}) != 0", "text": "Text.of({one})",
+             "convert": "{type}.of({one})", "unpack": "{type}.of({one})", "call": "Convert.{function}({all})", "time": "stamped.time()",
+             "whole": "{one}"}
+
     def __init__(self, proxies: Proxies, proxy: Proxy) -> None:
         self.proxies, self.proxy, self.name = proxies, proxy, _renamed(proxy.name)
         self.wire = emit_java.class_name(proxy.interface)
@@ -271,36 +276,26 @@ class _Class:
             return f"Convert.onlyIf({self._path(flags, at)}, {self.wire}.{constant}, {text})"
         return f"Convert.unless({e.absent}, {text})"
 
-    def _plain(self, e: Expr, at: str) -> str:
-        paths = [self._number(p, at) for p in e.paths]
-        one = paths[0] if paths else at
-        if e.how == "is":
-            return f"{one} * {e.factor}" if e.factor else one
-        if e.how == "truth":
-            return f"{one} != 0"
-        if e.how == "equals":
-            return f"{one} == {self.wire}.{e.constant}"
-        if e.how == "bit":
-            return f"({one} & {self.wire}.{e.constant}) != 0"
-        if e.how == "text":
-            return f"Text.of({one})"
-        if e.how in ("convert", "unpack"):
-            return f"{_type(e.type)}.of({one})"
-        if e.how == "gather":
-            return f"{_type(e.type)}.of({', '.join(paths)})" if e.type.name == "Pose3d" else f"new {_type(e.type)}({', '.join(paths)})"
-        if e.how == "each":
-            return self._each(e, one)
-        if e.how == "call":
-            return f"Convert.{camel(e.function)}({', '.join(paths)})"
-        if e.how == "time":
-            return "stamped.time()"
-        if e.how == "make":
-            parts = [self._expr(part, at) for _, part in e.parts]
-            by_hand = self.proxies.values[e.type.name].by_hand
-            return f"{e.type.name}.of({', '.join(parts)})" if by_hand else f"new {_type(e.type)}({', '.join(parts)})"
-        return one
+    def _paths(self, e: Expr, at: str) -> list[str]:
+        return [self._number(p, at) for p in e.paths]
 
-    def _each(self, e: Expr, one: str) -> str:
+    def _function(self, name: str) -> str:
+        return camel(name)
+
+    def _type_name(self, e: Expr) -> str:
+        return _type(e.type)
+
+    def way_gather(self, e: Expr, one: str, at: str) -> str:
+        of = f"{_type(e.type)}.of" if e.type.name == "Pose3d" else f"new {_type(e.type)}"
+        return f"{of}({', '.join(self._paths(e, at))})"
+
+    def way_make(self, e: Expr, one: str, at: str) -> str:
+        return f"{self._made(e)}({', '.join(self._expr(part, at) for _, part in e.parts)})"
+
+    def _made(self, e: Expr) -> str:
+        return f"{e.type.name}.of" if self.proxies.values[e.type.name].by_hand else f"new {_type(e.type)}"
+
+    def way_each(self, e: Expr, one: str, at: str) -> str:
         assert e.one is not None
         if e.path.last.is_raw:
             return f"Convert.truths({one})"
@@ -329,9 +324,7 @@ class _Class:
         if e.how == "each":
             start, end = made.split(".stream()")
             return [f"{start}.stream()", f"    .{end[1:]}"]
-        by_hand = self.proxies.values[e.type.name].by_hand
-        start = f"return {e.type.name}.of(" if by_hand else f"return new {_type(e.type)}("
-        return [start, *_filled(",\n".join(self._expr(part, at) for _, part in e.parts) + ");", 4)]
+        return [f"return {self._made(e)}(", *_filled(",\n".join(self._expr(part, at) for _, part in e.parts) + ");", 4)]
 
 
 def _zero(f: Field) -> str:

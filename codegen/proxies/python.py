@@ -9,6 +9,7 @@ from codegen import emit_python
 from codegen.model import Interface, Message
 from codegen.proxies import (Argument, Call, Expr, Kept, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value,
                              spelled)
+from codegen.proxies.spelling import Spelling
 
 FOLDER = f"{emit_python.FOLDER}/proxies"
 WIDTH = 110
@@ -30,7 +31,10 @@ def emit(proxies: Proxies) -> dict[str, str]:
     return files
 
 
-class _Module:
+class _Module(Spelling):
+    TEXTS = {"truth": "{one} != 0", "equals": "{one} == {constant}", "bit": "bool({one} & {constant})", "text": "text({one})",
+             "unpack": "{type}(*{one})", "call": "{function}({all})", "time": "time", "whole": "{one}"}
+
     def __init__(self, proxies: Proxies, interface: Interface) -> None:
         self.proxies, self.interface, self.wire, self.proxy = proxies, interface, interface.name, proxies.proxy_of(interface)
         self.makers: dict[str, str] = {}  # functions that make a value of an element of a list
@@ -240,37 +244,18 @@ class _Module:
             text = f"{text} if {self._path(flags, at)} & {self.wire}.{constant} else None"
         return text
 
-    def _plain(self, e: Expr, at: str) -> str:
-        paths = [self._path(p, at) for p in e.paths]
-        one = paths[0] if paths else at
-        if e.how == "is":
-            return f"{one} * {e.factor}" if e.factor else one
-        if e.how == "truth":
-            return f"{one} != 0"
-        if e.how == "equals":
-            return f"{one} == {self.wire}.{e.constant}"
-        if e.how == "bit":
-            return f"bool({one} & {self.wire}.{e.constant})"
-        if e.how == "text":
-            return f"text({one})"
-        if e.how == "convert":
-            return f"{FROM_WIRE[e.type.name]}({one})"
-        if e.how == "gather" and e.type.name == "Pose3d":
-            return f"Pose3d(*vector_of({paths[0]}), *attitude_of({paths[1]}))"
-        if e.how == "gather":
-            return f"({', '.join(paths)})"
-        if e.how == "unpack":
-            return f"{e.type.name}(*{one})"
-        if e.how == "each":
-            assert e.one is not None
-            return f"[{self._element(e)} for one in {one}]"
-        if e.how == "call":
-            return f"{e.function}({', '.join(paths)})"
-        if e.how == "time":
-            return "time"
-        if e.how == "make":
-            return f"{e.type.name}({', '.join(self._parts(e, at))})"
-        return one
+    def way_convert(self, e: Expr, one: str, at: str) -> str:
+        return f"{FROM_WIRE[e.type.name]}({one})"
+
+    def way_gather(self, e: Expr, one: str, at: str) -> str:
+        paths = self._paths(e, at)
+        return f"Pose3d(*vector_of({paths[0]}), *attitude_of({paths[1]}))" if e.type.name == "Pose3d" else f"({', '.join(paths)})"
+
+    def way_each(self, e: Expr, one: str, at: str) -> str:
+        return f"[{self._element(e)} for one in {one}]"
+
+    def way_make(self, e: Expr, one: str, at: str) -> str:
+        return f"{e.type.name}({', '.join(self._parts(e, at))})"
 
     def _element(self, e: Expr) -> str:
         """Of `one`: by a function of the module if it takes more than a few words."""

@@ -8,6 +8,7 @@ from codegen import emit_tcl
 from codegen.emit_tcl import WIDTH
 from codegen.model import Field, Interface, Message
 from codegen.proxies import (Argument, Call, Expr, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value, spelled)
+from codegen.proxies.spelling import Spelling
 
 FOLDER = f"{emit_tcl.FOLDER}/proxies"
 
@@ -69,7 +70,11 @@ def _comment(doc: str, indent: int, constants: dict[str, int] | None = None) -> 
     return [" " * indent + f"# {line}" for line in textwrap.wrap(_spelled(doc, constants), WIDTH - indent - 2)] if doc else []
 
 
-class _Class:
+class _Class(Spelling):
+    TEXTS = {"truth": "[expr {{{one} != 0}}]", "equals": "[expr {{{one} == {constant}}}]", "bit": "[expr {{({one} & {constant}) != 0}}]",
+             "text": "[text {one}]", "unpack": "[{type} {{*}}{one}]", "call": "[from::{function} {all}]", "time": "$time", "whole": "{one}"}
+    SEPARATOR = " "
+
     def __init__(self, proxies: Proxies, proxy: Proxy) -> None:
         self.proxies, self.proxy, self.wire = proxies, proxy, proxy.interface.name
         self.constants = {c.name: c.value for c in proxy.constants}
@@ -214,41 +219,33 @@ class _Class:
             text = f"[from::onlyIf {self._path(flags, at)} {self._constant(constant)} {text}]"
         return text
 
-    def _plain(self, e: Expr, at: str) -> str:
-        paths = [self._path(p, at) for p in e.paths]
-        one = paths[0] if paths else f"${at}"
-        if e.how == "is":
-            return f"[expr {{{one} * {e.factor}}}]" if e.factor else one
-        if e.how == "truth":
-            return f"[expr {{{one} != 0}}]"
-        if e.how == "equals":
-            return f"[expr {{{one} == {self._constant(e.constant)}}}]"
-        if e.how == "bit":
-            return f"[expr {{({one} & {self._constant(e.constant)}) != 0}}]"
-        if e.how == "text":
-            return f"[text {one}]"
-        if e.how == "convert":
-            return f"[{FROM_WIRE[e.type.name]} {one}]"
-        if e.how == "gather" and e.type.name == "Pose3d":
-            return f"[from::pose3d [dict merge {' '.join(paths)}]]"
-        if e.how == "gather":
-            return f"[list {' '.join(paths)}]"
-        if e.how == "unpack":
-            return f"[{_lower(e.type.name)} {{*}}{one}]"
-        if e.how == "each":
-            assert e.one is not None
-            if e.path.last.is_raw:
-                return f"[from::truths {one}]"
-            return f"[lmap one {one} {{{self._element(e.one)}}}]"
-        if e.how == "call":
-            return f"[from::{camel(e.function)} {' '.join(paths)}]"
-        if e.how == "time":
-            return "$time"
-        if e.how == "make":
-            if self.proxies.values[e.type.name].by_hand:
-                return f"[from::{_lower(e.type.name)} {' '.join(self._expr(part, at) for _, part in e.parts)}]"
-            return f"[dict create {' '.join(f'{camel(name)} {self._expr(part, at)}' for name, part in e.parts)}]"
-        return one
+    def _at_hand(self, at: str) -> str:
+        return f"${at}"
+
+    def _function(self, name: str) -> str:
+        return camel(name)
+
+    def _type_name(self, e: Expr) -> str:
+        return _lower(e.type.name)
+
+    def way_is(self, e: Expr, one: str, at: str) -> str:
+        return f"[expr {{{one} * {e.factor}}}]" if e.factor else one
+
+    def way_convert(self, e: Expr, one: str, at: str) -> str:
+        return f"[{FROM_WIRE[e.type.name]} {one}]"
+
+    def way_gather(self, e: Expr, one: str, at: str) -> str:
+        paths = " ".join(self._paths(e, at))
+        return f"[from::pose3d [dict merge {paths}]]" if e.type.name == "Pose3d" else f"[list {paths}]"
+
+    def way_each(self, e: Expr, one: str, at: str) -> str:
+        assert e.one is not None
+        return f"[from::truths {one}]" if e.path.last.is_raw else f"[lmap one {one} {{{self._element(e.one)}}}]"
+
+    def way_make(self, e: Expr, one: str, at: str) -> str:
+        if self.proxies.values[e.type.name].by_hand:
+            return f"[from::{_lower(e.type.name)} {' '.join(self._expr(part, at) for _, part in e.parts)}]"
+        return f"[dict create {' '.join(f'{camel(name)} {self._expr(part, at)}' for name, part in e.parts)}]"
 
     def _element(self, e: Expr) -> str:
         """A command that makes the value of `one`: a method if it takes more than a few words."""

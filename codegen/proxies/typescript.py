@@ -11,6 +11,7 @@ from codegen.emit_typescript import TYPED_ARRAYS, WIDTH
 from codegen.model import Field, Interface, Message
 from codegen.proxies import (Argument, Call, Expr, Kept, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value,
                              spelled)
+from codegen.proxies.spelling import Spelling
 
 FOLDER = f"{emit_typescript.FOLDER}/proxies"
 
@@ -35,7 +36,14 @@ def camel(name: str) -> str:
     return first + "".join(part[:1].upper() + part[1:] for part in rest)
 
 
-class _Module:
+def _maker_of(named: Type | Value) -> str:
+    return f"{named.name[0].lower()}{named.name[1:]}Of"
+
+
+class _Module(Spelling):
+    TEXTS = {"truth": "{one} !== 0", "equals": "{one} === {constant}", "bit": "({one} & {constant}) !== 0", "text": "text({one})",
+             "call": "{function}({all})", "time": "time", "whole": "{one}"}
+
     def __init__(self, proxies: Proxies, interface: Interface) -> None:
         self.proxies, self.interface, self.wire, self.proxy = proxies, interface, interface.name, proxies.proxy_of(interface)
         self.makers: dict[str, str] = {}  # functions that make a value of an element of a list
@@ -56,7 +64,7 @@ class _Module:
             base = self.proxy.base
             lines.append(f"import {{ {base} }} from '../../{'device' if base == 'Device' else 'proxies/bases'}.js';")
         convert = {*FROM_WIRE.values(), "contents", "wireColor", *map(camel, self.proxies.functions())}
-        convert |= {f"{v.name[0].lower()}{v.name[1:]}Of" for v in self.proxies.values.values() if v.by_hand}
+        convert |= {_maker_of(v) for v in self.proxies.values.values() if v.by_hand}
         if convert & words - set(self.makers):
             lines.append(f"import {{ {', '.join(sorted(convert & words - set(self.makers)))} }} from '../../proxies/convert.js';")
         texts = sorted(set(re.findall(r"(?<![.])\b(cString|text)\(", code)))
@@ -254,45 +262,30 @@ class _Module:
             text = f"{self._path(flags, at)} & {self.wire}.{constant} ? {text} : undefined"
         return text
 
-    def _plain(self, e: Expr, at: str) -> str:
-        paths = [self._path(p, at) for p in e.paths]
-        one = paths[0] if paths else at
-        if e.how == "is":
-            return f"{one} * {e.factor}" if e.factor else one
-        if e.how == "truth":
-            return f"{one} !== 0"
-        if e.how == "equals":
-            return f"{one} === {self.wire}.{e.constant}"
-        if e.how == "bit":
-            return f"({one} & {self.wire}.{e.constant}) !== 0"
-        if e.how == "text":
-            return f"text({one})"
-        if e.how == "convert":
-            return f"{FROM_WIRE[e.type.name]}({one})"
-        if e.how == "gather" and e.type.name == "Pose3d":
-            return f"pose3dOf({{ ...{paths[0]}, ...{paths[1]} }})"
-        if e.how == "gather":
-            return f"[{', '.join(paths)}]"
-        if e.how == "unpack":
-            return f"{e.type.name[0].lower()}{e.type.name[1:]}Of({one})"
-        if e.how == "each":
-            assert e.one is not None
-            is_raw = e.path.last.is_raw
-            made = self._element(e)
-            made = f"({made})" if made.startswith("{") else made
-            call = re.fullmatch(r"(\w+)\(one\)", made)
-            mapped = call[1] if call else f"(one) => {made}"
-            return f"Array.from({one}, {mapped})" if is_raw else f"{one}.map({mapped})"
-        if e.how == "call":
-            return f"{camel(e.function)}({', '.join(paths)})"
-        if e.how == "time":
-            return "time"
-        if e.how == "make":
-            parts = self._parts(e, at)
-            if self.proxies.values[e.type.name].by_hand:
-                return f"new {e.type.name}({', '.join(self._expr(part, at) for _, part in e.parts)})"
-            return f"{{ {', '.join(parts)} }}"
-        return one
+    def _function(self, name: str) -> str:
+        return camel(name)
+
+    def way_convert(self, e: Expr, one: str, at: str) -> str:
+        return f"{FROM_WIRE[e.type.name]}({one})"
+
+    def way_gather(self, e: Expr, one: str, at: str) -> str:
+        paths = self._paths(e, at)
+        return f"pose3dOf({{ ...{paths[0]}, ...{paths[1]} }})" if e.type.name == "Pose3d" else f"[{', '.join(paths)}]"
+
+    def way_unpack(self, e: Expr, one: str, at: str) -> str:
+        return f"{_maker_of(e.type)}({one})"
+
+    def way_each(self, e: Expr, one: str, at: str) -> str:
+        made = self._element(e)
+        made = f"({made})" if made.startswith("{") else made
+        call = re.fullmatch(r"(\w+)\(one\)", made)
+        mapped = call[1] if call else f"(one) => {made}"
+        return f"Array.from({one}, {mapped})" if e.path.last.is_raw else f"{one}.map({mapped})"
+
+    def way_make(self, e: Expr, one: str, at: str) -> str:
+        if self.proxies.values[e.type.name].by_hand:
+            return f"new {e.type.name}({', '.join(self._expr(part, at) for _, part in e.parts)})"
+        return f"{{ {', '.join(self._parts(e, at))} }}"
 
     def _element(self, e: Expr) -> str:
         """Of `one`: by a function of the module if it takes more than a few words."""
@@ -300,7 +293,7 @@ class _Module:
         made = self._expr(e.one, "one")
         if e.one.how != "make" or len(made) < 70:
             return made
-        name, f = f"{e.one.type.name[0].lower()}{e.one.type.name[1:]}Of", e.path.last
+        name, f = _maker_of(e.one.type), e.path.last
         typed = f"one: {f.owner}.{f.type}" + (f", value: {self.wire}.Data" if e.one.has_outer else "")
         self.makers[name] = "\n".join([f"function {name}({typed}): {e.one.type.name} {{", *_indented(self._return(e.one, "one", 2), 2), "}"])
         return f"{name}({'one, value' if e.one.has_outer else 'one'})"
