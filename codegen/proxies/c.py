@@ -9,7 +9,7 @@ import textwrap
 from codegen.emit_c import SCALAR_TYPES, WIDTH, struct_name
 from codegen.model import Field, Message
 from codegen.proxies import Argument, Call, Expr, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Value, made_by, spelled
-from codegen.proxies.spelling import Spelling
+from codegen.proxies.spelling import Spelling, snake
 
 FOLDER = "clients/c/generated"
 HEADERS = f"{FOLDER}/include/playhouse/c"
@@ -42,12 +42,8 @@ def emit(proxies: Proxies) -> dict[str, str]:
 BANNER = "Generated from {} by codegen; do not edit."
 
 
-def _snake(name: str) -> str:
-    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
-
-
 def _value_type(name: str) -> str:
-    return f"ph_{VALUES.get(name, _snake(name))}"
+    return f"ph_{VALUES.get(name, snake(name))}"
 
 
 def _function(proxy: Proxy, name: str) -> str:
@@ -241,7 +237,7 @@ class _Class(Spelling):
                               f"  return proxy->{k.name} != NULL ? proxy->{k.name}->data : &none;", "}"])
         for m in p.members:
             if self._is_given(m):
-                body = {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(m)](m)
+                body = self._member(m)
                 functions.append([*self._signature(m, " {"), *(part for line in body for part in _fitted(f"  {line}", 6)), "}"])
         if p.base == "Mobile":
             drive = next(m for m in p.members if isinstance(m, Call) and m.name == "drive")
@@ -389,7 +385,7 @@ class _Class(Spelling):
                 first.append(f'PH_TRY(ph_insist_on_size("{next(f.name for f, v in c.payload.entries if v is a or (isinstance(v, list) and a in v))}", '  # type: ignore[union-attr]
                              "size, error));")
             elif a.type.name != "int":
-                first.append(f"PH_TRY(ph_insist_on_{_snake(a.type.name)}(&proxy->device, {a.name}, error));")
+                first.append(f"PH_TRY(ph_insist_on_{snake(a.type.name)}(&proxy->device, {a.name}, error));")
         named = ", ".join(f'{{"{name}", {name}}}' for name in finite)
         return first + ([f"PH_INSIST_ON_FINITE(&proxy->device, error, {named});"] if finite else [])
 
@@ -429,8 +425,8 @@ class _Class(Spelling):
         if kind == "bytes":
             return [f"{to} = bytes;", f"{to}_count = (uint32_t)size;"]
         if kind in self.proxies.values:
-            return [f"ph_wire_{_snake(kind)}({a.name}, {to});"]
-        return [f"{to} = {a.name if kind in ('float', 'int', 'bool') else f'ph_wire_{_snake(kind)}({a.name})'};"]
+            return [f"ph_wire_{snake(kind)}({a.name}, {to});"]
+        return [f"{to} = {a.name if kind in ('float', 'int', 'bool') else f'ph_wire_{snake(kind)}({a.name})'};"]
 
     # What is given
 
@@ -501,7 +497,7 @@ class _Class(Spelling):
         return ("data->" if path.root == "message" else at) + ".".join(path.names)
 
     def _converter(self, e: Expr) -> str:
-        return f"ph_{_snake(e.type.name)}_of"
+        return f"ph_{snake(e.type.name)}_of"
 
     def _expr(self, e: Expr, at: str) -> str:
         text = self._plain(e, at)

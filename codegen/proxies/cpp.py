@@ -9,7 +9,7 @@ import textwrap
 from codegen.emit_cpp import SCALAR_TYPES, WIDTH, banner, constant_name
 from codegen.model import COMMON, Field, Message
 from codegen.proxies import (Argument, Call, Expr, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value, spelled)
-from codegen.proxies.spelling import Spelling
+from codegen.proxies.spelling import Spelling, snake, indented
 
 FOLDER = "clients/cpp/generated"
 HEADERS = f"{FOLDER}/playhouse_client"
@@ -39,10 +39,6 @@ def emit(proxies: Proxies) -> dict[str, str]:
     files[f"{HEADERS}/robot_devices.h"] = _robot_header(proxies)
     files[f"{FOLDER}/robot_devices.cc"] = _robot_source(proxies)
     return files
-
-
-def _snake(name: str) -> str:
-    return "".join("_" + c.lower() if c.isupper() and i else c.lower() for i, c in enumerate(name))
 
 
 def _value_name(name: str) -> str:
@@ -215,7 +211,7 @@ class _Class(Spelling):
         self.inside = "client::"
         functions = [self._open(), *self._mobile()]
         for member in p.members:
-            functions += {Read: self._read, Shortcut: self._shortcut, Take: self._take, Call: self._call}[type(member)](member)
+            functions += self._member(member)
         makers = [line for maker in self.makers.values() for line in [*maker, ""]]
         hidden = ["namespace {", "", *makers, "}  // namespace", ""] if makers else []
         body = "\n".join([f"namespace {self.wire} = wire::{self.wire};", "", *hidden, *("\n".join(f) + "\n" for f in functions)])
@@ -364,7 +360,7 @@ class _Class(Spelling):
             if names:
                 check = f'{function}(device_, "{call.name}", {{{", ".join(names)}}});'
                 line = f"  if (const auto sound = {check} !sound) return sound;"
-                lines += [line] if len(line) <= WIDTH else ["  if (const auto sound =", *_indented(textwrap.wrap(check, WIDTH - 14), 10),
+                lines += [line] if len(line) <= WIDTH else ["  if (const auto sound =", *indented(textwrap.wrap(check, WIDTH - 14), 10),
                                                             "      !sound)", "    return sound;"]
         return lines
 
@@ -456,7 +452,7 @@ class _Class(Spelling):
 
     def _converter(self, type_: Type) -> str:
         return {"Pose": "pose", "Pose3d": "pose", "Velocity": "velocity", "Size": "size", "Vector": "vector", "Attitude": "attitude", "rgb": "rgb",
-                "rgba": "rgba"}.get(type_.name, _snake(type_.name))
+                "rgba": "rgba"}.get(type_.name, snake(type_.name))
 
     def way_each(self, e: Expr, one: str, at: str) -> str:
         assert e.one is not None
@@ -473,7 +469,7 @@ class _Class(Spelling):
 
     def _maker(self, e: Expr, struct: str) -> str:
         """A call, with {} for the struct, of a function that makes the value."""
-        name = f"{_snake(_value_name(e.type.name))}_of"
+        name = f"{snake(_value_name(e.type.name))}_of"
         outer = f", const {self.wire}::Data& data" if e.has_outer else ""
         self.makers[name] = [f"{_value_name(e.type.name)} {name}(const {struct}& one{outer}) {{", *_return(self._expr(e, "one.")), "}"]
         return f"{name}({{}}{', data' if outer else ''})"
@@ -506,10 +502,6 @@ def _broken(line: str, opening: str, indent: int) -> list[str]:
         else:
             lines.append(" " * indent + one + more)
     return lines
-
-
-def _indented(lines: list[str], indent: int) -> list[str]:
-    return [" " * indent + line if line else line for line in lines]
 
 
 def _fitted_declaration(text: str, indent: str = "  ") -> list[str]:

@@ -10,7 +10,7 @@ from codegen.emit_java import WIDTH, component
 from codegen.model import Field, Message
 from codegen.proxies import (Argument, Call, Expr, Kept, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value,
                              spelled)
-from codegen.proxies.spelling import Spelling
+from codegen.proxies.spelling import Spelling, camel, lower_first, indented
 
 FOLDER = f"{emit_java.FOLDER}/playhouse/client"
 
@@ -33,10 +33,6 @@ def emit(proxies: Proxies) -> dict[str, str]:
     files[f"{FOLDER}/Openers.java"] = _openers(proxies)
     files[f"{FOLDER}/Devices.java"] = _devices(proxies)
     return files
-
-
-def camel(name: str) -> str:
-    return re.sub(r"_(\w)", lambda found: found[1].upper(), name)
 
 
 def _renamed(name: str) -> str:
@@ -121,7 +117,7 @@ class _Class(Spelling):
             parts += [[*_javadoc(f"{k.doc[:-1]}; all zero if the driver tells none."), f"  public {self._struct(k)} {camel(k.name)}() {{",
                        f"    return {camel(k.name)};", "  }"] for k in p.kept]
         for member in p.members:
-            parts += {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(member)](member)
+            parts += self._member(member)
         if updates:
             parts.append(["  @Override", f"  {_boxed(updates.expr.type)} newest() {{", f"    return {camel(updates.name)}();", "  }"])
         parts += list(self.makers.values())
@@ -144,7 +140,7 @@ class _Class(Spelling):
             doc = read.doc or f"The newest {read.name.replace('_', ' ')}."
             doc += "" if "{raises NoData}" in doc else " {raises NoData}."
             body = self._variants(read) if read.variants else self._of_message(read)
-        return [[*_javadoc(doc), f"  public {_type(read.expr.type)} {camel(read.name)}() {{", *_indented(body, 4), "  }"]]
+        return [[*_javadoc(doc), f"  public {_type(read.expr.type)} {camel(read.name)}() {{", *indented(body, 4), "  }"]]
 
     def _of_message(self, read: Read) -> list[str]:
         message = read.messages[0]
@@ -181,7 +177,7 @@ class _Class(Spelling):
         type_, kind = _boxed(take.expr.type), f"{self.wire}.{take.message.payload}"
         return [[*_javadoc(take.doc), f"  public List<{type_}> {camel(take.name)}() {{", "    return takeKept();", "  }"],
                 ["  @Override", f"  {type_} meaning(Struct value) {{", f"    {kind} data = ({kind}) value;",
-                 *_indented(self._return(take.expr, "data"), 4), "  }"]]
+                 *indented(self._return(take.expr, "data"), 4), "  }"]]
 
     # Commands and requests
 
@@ -201,7 +197,7 @@ class _Class(Spelling):
             body += _fitted("command(" if call.is_command else "request(", sent, ");", 4)
         body += [self._keep(k) for k in self.proxy.kept if k.name in call.then]
         head = _fitted(f"  public {answer} {camel(call.name)}(", [self._parameter(a) for a in call.arguments], ") {", 0)
-        return [*self._overloads(call, answer), [*_javadoc(call.doc), *head, *_indented(body, 4), "  }"]]
+        return [*self._overloads(call, answer), [*_javadoc(call.doc), *head, *indented(body, 4), "  }"]]
 
     def _overloads(self, call: Call, answer: str) -> list[list[str]]:
         """With defaults for the last arguments."""
@@ -311,10 +307,10 @@ class _Class(Spelling):
 
     def _maker(self, e: Expr, struct: str) -> str:
         """A call, with {} for the struct, of a function that makes the value."""
-        name = f"{e.type.name[0].lower()}{e.type.name[1:]}Of"
+        name = f"{lower_first(e.type.name)}Of"
         outer = f", {self.wire}.Data data" if e.has_outer else ""
         made = self._return(e, "one")
-        self.makers[name] = [f"  private static {_type(e.type)} {name}({struct} one{outer}) {{", *_indented(made, 4), "  }"]
+        self.makers[name] = [f"  private static {_type(e.type)} {name}({struct} one{outer}) {{", *indented(made, 4), "  }"]
         return f"{name}({{}}{', data' if outer else ''})"
 
     def _return(self, e: Expr, at: str) -> list[str]:
@@ -344,11 +340,7 @@ def _filled(text: str, indent: int) -> list[str]:
         if lines[-1] and len(lines[-1]) + 1 + len(part) + indent + 4 > WIDTH:
             lines.append("")
         lines[-1] += (" " if lines[-1] else "") + part
-    return _indented(lines, indent)
-
-
-def _indented(lines: list[str], indent: int) -> list[str]:
-    return [" " * indent + line if line else line for line in lines]
+    return indented(lines, indent)
 
 
 def _fitted(start: str, parts: list[str], end: str, offset: int) -> list[str]:
@@ -362,12 +354,8 @@ def _fitted(start: str, parts: list[str], end: str, offset: int) -> list[str]:
 # What opens them
 
 
-def _lower(name: str) -> str:
-    return name[0].lower() + name[1:]
-
-
 def _plural(proxy: Proxy) -> str:
-    name = _lower(proxy.name)
+    name = lower_first(proxy.name)
     return name + proxy.plural[len(proxy.interface.name):]
 
 
@@ -378,7 +366,7 @@ def _openers(proxies: Proxies) -> str:
     lines += [",\n".join(rows) + ");", "",
               "  abstract <D extends Device> D open(Function<Opening, D> proxy, String interfaceName, int index, Access access);"]
     for p in proxies.proxies:
-        name, method = _renamed(p.name), _lower(p.name)
+        name, method = _renamed(p.name), lower_first(p.name)
         lines += ["", f"  public {name} {method}(int index) {{", f"    return {method}(index, Access.ALL);", "  }", "",
                   f"  public {name} {method}(int index, Access access) {{", f'    return open({name}::new, "{p.interface.name}", index, access);', "  }"]
     return _file("interfaces/", {"java.util.Map", "java.util.function.Function"}, [*lines, "}"])
@@ -391,6 +379,6 @@ def _devices(proxies: Proxies) -> str:
     for p in proxies.proxies:
         if p.of_robot:
             name = _renamed(p.name)
-            lines += ["", f"  public {name} {_lower(p.name)}() {{", f'    return ({name}) device("{p.interface.name}");', "  }", "",
+            lines += ["", f"  public {name} {lower_first(p.name)}() {{", f'    return ({name}) device("{p.interface.name}");', "  }", "",
                       f"  public List<{name}> {_plural(p)}() {{", f'    return all({name}.class, "{p.interface.name}");', "  }"]
     return _file("interfaces/", {"java.util.List"}, [*lines, "}"])

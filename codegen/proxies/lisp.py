@@ -196,7 +196,7 @@ class _Class(Spelling):
             body = ["slot-value", "device", f"'{lisp(k.name)}"]
             self.functions.append(_Function(lisp(k.name), self.name, f"{self._said(k.doc[:-1])}: a {self._type(k.struct, k.message.owner)}.", [body]))
         for member in proxy.members:
-            made = {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(member)](member)
+            made = self._member(member)
             self.functions.append(made)
 
     def forms(self, shared: dict[str, list[_Function]]) -> list[str]:

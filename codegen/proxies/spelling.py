@@ -2,9 +2,27 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any, ClassVar
 
-from codegen.proxies import WAYS, Expr
+from codegen.proxies import WAYS, Call, Expr, Read, Shortcut, Take
+
+
+def camel(name: str) -> str:
+    first, *rest = name.split("_")
+    return first + "".join(part[:1].upper() + part[1:] for part in rest)
+
+
+def snake(name: str) -> str:
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+
+
+def lower_first(name: str) -> str:
+    return name[0].lower() + name[1:]
+
+
+def indented(lines: list[str], indent: int) -> list[str]:
+    return [" " * indent + line if line else line for line in lines]
 
 
 class Spelling:
@@ -22,6 +40,9 @@ class Spelling:
         missing = [way for way in WAYS if way not in cls.TEXTS and not hasattr(cls, f"way_{way}")]
         if missing:
             raise TypeError(f"{cls.__module__} does not spell {', '.join(missing)}")
+
+    def _member(self, member: Read | Shortcut | Call | Take) -> Any:
+        return {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(member)](member)
 
     def _plain(self, e: Expr, at: Any) -> Any:
         if e.how not in WAYS:

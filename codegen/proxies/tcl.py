@@ -7,8 +7,8 @@ import textwrap
 from codegen import emit_tcl
 from codegen.emit_tcl import WIDTH
 from codegen.model import Field, Interface, Message
-from codegen.proxies import (Argument, Call, Expr, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value, spelled)
-from codegen.proxies.spelling import Spelling
+from codegen.proxies import (Argument, Call, Expr, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Value, spelled)
+from codegen.proxies.spelling import Spelling, camel, lower_first
 
 FOLDER = f"{emit_tcl.FOLDER}/proxies"
 
@@ -26,15 +26,6 @@ def emit(proxies: Proxies) -> dict[str, str]:
     return files
 
 
-def camel(name: str) -> str:
-    first, *rest = name.split("_")
-    return first + "".join(part[:1].upper() + part[1:] for part in rest)
-
-
-def _lower(name: str) -> str:
-    return name[0].lower() + name[1:]
-
-
 def _file(proxies: Proxies, interface: Interface) -> str:
     proxy = proxies.proxy_of(interface)
     lines = [f"# {'The proxy of' if proxy else 'Values of'} {interface.name}. Generated from {interface.source} by codegen; do not edit."]
@@ -45,7 +36,7 @@ def _file(proxies: Proxies, interface: Interface) -> str:
 
 def _value(value: Value) -> list[str]:
     """Its keys, in a comment."""
-    lines = _comment(f"{_lower(value.name)}, a dictionary: {value.doc[0].lower()}{value.doc[1:]}", 0)
+    lines = _comment(f"{lower_first(value.name)}, a dictionary: {value.doc[0].lower()}{value.doc[1:]}", 0)
     width = max(len(camel(f.name)) for f in value.fields) + 3
     for f in value.fields:
         text = textwrap.wrap(_spelled(f.doc), WIDTH - width - 6) or [""]
@@ -60,7 +51,7 @@ def _spelled(doc: str, constants: dict[str, int] | None = None) -> str:
             return str((constants or {})[last])
         given = call.strip("()").replace("true", "1")
         said = camel(last) + (f" {given}" if given else "")
-        return f"{said} of the {_lower(outer[0])}" if outer and not call else said
+        return f"{said} of the {lower_first(outer[0])}" if outer and not call else said
 
     kinds = {"NoData": "NODATA", "RequestRefused": "REFUSED"}
     return spelled(doc, name, lambda what: f"An error of kind {kinds[what]}")
@@ -94,7 +85,7 @@ class _Class(Spelling):
                        f"    method {camel(k.name)} {{}} {{return ${self._kept(k.name)}}}"] for k in p.kept]
             parts.append(["    method prepare {} {", *(f"        {self._ask_again(k)}" for k in p.kept), "    }"])
         for member in p.members:
-            parts += {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(member)](member)
+            parts += self._member(member)
         if updates:
             parts.append([f"    method Value {{}} {{return [my {camel(updates.name)}]}}"])
         parts += list(self.makers.values())
@@ -178,7 +169,7 @@ class _Class(Spelling):
                 finite.append(f"{{*}}${name}")
                 last.append(f"set {name} [to::pose3d ${name}]")
             elif a.type.name in self.proxies.values:
-                first.append(f"set {name} [to::complete {_lower(a.type.name)} ${name}]")
+                first.append(f"set {name} [to::complete {lower_first(a.type.name)} ${name}]")
                 finite.append(f"{{*}}${name}")
         return first + ([f"my InsistOnFinite {' '.join(finite)}"] if finite else []) + last
 
@@ -226,7 +217,7 @@ class _Class(Spelling):
         return camel(name)
 
     def _type_name(self, e: Expr) -> str:
-        return _lower(e.type.name)
+        return lower_first(e.type.name)
 
     def way_is(self, e: Expr, one: str, at: str) -> str:
         return f"[expr {{{one} * {e.factor}}}]" if e.factor else one
@@ -244,7 +235,7 @@ class _Class(Spelling):
 
     def way_make(self, e: Expr, one: str, at: str) -> str:
         if self.proxies.values[e.type.name].by_hand:
-            return f"[from::{_lower(e.type.name)} {' '.join(self._expr(part, at) for _, part in e.parts)}]"
+            return f"[from::{lower_first(e.type.name)} {' '.join(self._expr(part, at) for _, part in e.parts)}]"
         return f"[dict create {' '.join(f'{camel(name)} {self._expr(part, at)}' for name, part in e.parts)}]"
 
     def _element(self, e: Expr) -> str:

@@ -11,7 +11,7 @@ from codegen.emit_typescript import TYPED_ARRAYS, WIDTH
 from codegen.model import Field, Interface, Message
 from codegen.proxies import (Argument, Call, Expr, Kept, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value,
                              spelled)
-from codegen.proxies.spelling import Spelling
+from codegen.proxies.spelling import Spelling, camel, indented, lower_first
 
 FOLDER = f"{emit_typescript.FOLDER}/proxies"
 
@@ -31,13 +31,8 @@ def emit(proxies: Proxies) -> dict[str, str]:
     return files
 
 
-def camel(name: str) -> str:
-    first, *rest = name.split("_")
-    return first + "".join(part[:1].upper() + part[1:] for part in rest)
-
-
 def _maker_of(named: Type | Value) -> str:
-    return f"{named.name[0].lower()}{named.name[1:]}Of"
+    return f"{lower_first(named.name)}Of"
 
 
 class _Module(Spelling):
@@ -107,7 +102,7 @@ class _Module(Spelling):
         if p.kept:
             parts.append(["  override async prepare(): Promise<void> {", *(f"    {self._keep(k)}" for k in p.kept), "  }"])
         for member in p.members:
-            parts += {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(member)](member)
+            parts += self._member(member)
         head = [*_comment(_spelled(p.doc), 0), f"export class {p.name} extends {base} {{"]
         return "\n".join(head) + "\n" + "\n\n".join("\n".join(part) for part in parts) + "\n}"
 
@@ -127,7 +122,7 @@ class _Module(Spelling):
             stamped = f"this.stamped({self._message(read.messages[0])})"
             body = [f"const {{ value, time }} = {stamped};"] if read.expr.has_time else [f"const {{ value }} = {stamped};"]
             body += self._return(read.expr, "value")
-        made = [*_comment(_spelled(read.doc), 2), head, *_indented(body, 4), "  }"]
+        made = [*_comment(_spelled(read.doc), 2), head, *indented(body, 4), "  }"]
         return [made] + (self._updates(read) if read.updates else [])
 
     def _variants(self, read: Read) -> list[str]:
@@ -160,7 +155,7 @@ class _Module(Spelling):
         type_ = self._type(take.expr.type)
         return [[*_comment(_spelled(take.doc), 2), f"  {camel(take.name)}(): {type_}[] {{", "    return this.takeKept();", "  }"],
                 [f"  protected override meaning(value: {self.wire}.{take.message.payload}): {type_} {{",
-                 *_indented(self._return(take.expr, "value"), 4), "  }"]]
+                 *indented(self._return(take.expr, "value"), 4), "  }"]]
 
     def _call(self, call: Call) -> list[list[str]]:
         answer = self._type(call.answer.type) if call.answer else "void"
@@ -179,7 +174,7 @@ class _Module(Spelling):
         body += [self._keep(k) for k in self.proxy.kept if k.name in call.then] if self.proxy else []
         head = _fitted(f"  {'' if body[0].startswith('return') else 'async '}{camel(call.name)}(",
                        [self._parameter(a) for a in call.arguments], f"): Promise<{answer}> {{", 0)
-        return [[*_comment(_spelled(call.doc), 2), *head, *_indented(body, 4), "  }"]]
+        return [[*_comment(_spelled(call.doc), 2), *head, *indented(body, 4), "  }"]]
 
     def _apart(self, type_: Type) -> tuple[str, ...]:
         if type_.name in APART:
@@ -295,7 +290,7 @@ class _Module(Spelling):
             return made
         name, f = _maker_of(e.one.type), e.path.last
         typed = f"one: {f.owner}.{f.type}" + (f", value: {self.wire}.Data" if e.one.has_outer else "")
-        self.makers[name] = "\n".join([f"function {name}({typed}): {e.one.type.name} {{", *_indented(self._return(e.one, "one", 2), 2), "}"])
+        self.makers[name] = "\n".join([f"function {name}({typed}): {e.one.type.name} {{", *indented(self._return(e.one, "one", 2), 2), "}"])
         return f"{name}({'one, value' if e.one.has_outer else 'one'})"
 
     def _parts(self, e: Expr, at: str) -> list[str]:
@@ -328,10 +323,6 @@ def _comment(doc: str, indent: int) -> list[str]:
     if not doc:
         return []
     return emit_typescript._comment(textwrap.wrap(doc, WIDTH - indent - 7), indent).split("\n")
-
-
-def _indented(lines: list[str], indent: int) -> list[str]:
-    return [" " * indent + line if line else line for line in lines]
 
 
 def _fitted(start: str, parts: list[str], end: str, offset: int) -> list[str]:
