@@ -8,7 +8,8 @@ from pathlib import Path
 from codegen import emit_c
 from codegen.checks import SchemaError
 from codegen.model import build, load
-from codegen.proxies import build_proxies, c, lisp, python, spelled, typescript
+from codegen.proxies import Expr, Type, build_proxies, c, cpp, java, lisp, python, spelled, tcl, typescript
+from codegen.proxies.spelling import Spelling
 
 ROOT = Path(__file__).resolve().parent.parent
 COMMON = {"name": "common", "doc": "Shared.", "struct": [
@@ -136,6 +137,17 @@ class Made(unittest.TestCase):
         text = "As {go_to()} with {set_power(true)}, {State.pose}; {raises NoData}."
         self.assertEqual(spelled(text, lambda name, call: name.upper() + call, lambda what: f"throws {what}"),
                          "As GO_TO() with SET_POWER(true), STATE.POSE; throws NoData.")
+
+
+class Ways(unittest.TestCase):
+    def test_a_language_that_lacks_one_is_refused(self):
+        with self.assertRaisesRegex(TypeError, "does not spell convert, .*, each$"):
+            type("Short", (Spelling,), {"TEXTS": dict.fromkeys(("truth", "equals", "bit", "text", "call", "time", "whole"), "")})
+
+    def test_one_that_nobody_knows_is_refused_by_every_language(self):
+        for emitter in (c._Class, cpp._Class, java._Class, lisp._Class, python._Module, tcl._Class, typescript._Module):
+            with self.assertRaisesRegex(ValueError, "a value is made by 'guess', which is none of is, "):
+                emitter._plain(emitter.__new__(emitter), Expr("guess", Type("int")), "data")
 
 
 class Tree(unittest.TestCase):

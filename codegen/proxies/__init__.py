@@ -26,6 +26,8 @@ BASES = {
     "Mobile": "Knows whether the last command was a motion; stop(), and a stop before closing.",
     "Selecting": "Its data are of one of several messages, selected by send().",
 }
+# How a value is made: Expr.how, which tells what each means.
+WAYS = ("is", "truth", "equals", "bit", "text", "convert", "gather", "make", "unpack", "each", "call", "time", "whole")
 PLAIN = ("float", "int", "bool", "text", "bytes", "rgb", "rgba")
 
 

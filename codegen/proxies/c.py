@@ -9,6 +9,7 @@ import textwrap
 from codegen.emit_c import SCALAR_TYPES, WIDTH, struct_name
 from codegen.model import Field, Message
 from codegen.proxies import Argument, Call, Expr, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Value, made_by, spelled
+from codegen.proxies.spelling import Spelling, snake
 
 FOLDER = "clients/c/generated"
 HEADERS = f"{FOLDER}/include/playhouse/c"
@@ -41,12 +42,8 @@ def emit(proxies: Proxies) -> dict[str, str]:
 BANNER = "Generated from {} by codegen; do not edit."
 
 
-def _snake(name: str) -> str:
-    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
-
-
 def _value_type(name: str) -> str:
-    return f"ph_{VALUES.get(name, _snake(name))}"
+    return f"ph_{VALUES.get(name, snake(name))}"
 
 
 def _function(proxy: Proxy, name: str) -> str:
@@ -79,7 +76,11 @@ def _fitted(line: str, indent: int) -> list[str]:
                                                              break_on_hyphens=False)]
 
 
-class _Class:
+class _Class(Spelling):
+    TEXTS = {"truth": "{one} != 0", "equals": "{one} == {constant}", "bit": "({one} & {constant}) != 0", "convert": "{type}({one})",
+             "unpack": "{type}({one})", "gather": "ph_pose3d_at({all})", "call": "ph_{function}_of({all})", "time": "value->timestamp",
+             "whole": "{one}"}
+
     def __init__(self, proxies: Proxies, proxy: Proxy) -> None:
         self.proxies, self.proxy, self.schema = proxies, proxy, proxies.schema
         self.wire, self.type = proxy.interface.name, f"ph_{proxy.interface.name}"
@@ -236,7 +237,7 @@ class _Class:
                               f"  return proxy->{k.name} != NULL ? proxy->{k.name}->data : &none;", "}"])
         for m in p.members:
             if self._is_given(m):
-                body = {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(m)](m)
+                body = self._member(m)
                 functions.append([*self._signature(m, " {"), *(part for line in body for part in _fitted(f"  {line}", 6)), "}"])
         if p.base == "Mobile":
             drive = next(m for m in p.members if isinstance(m, Call) and m.name == "drive")
@@ -384,7 +385,7 @@ class _Class:
                 first.append(f'PH_TRY(ph_insist_on_size("{next(f.name for f, v in c.payload.entries if v is a or (isinstance(v, list) and a in v))}", '  # type: ignore[union-attr]
                              "size, error));")
             elif a.type.name != "int":
-                first.append(f"PH_TRY(ph_insist_on_{_snake(a.type.name)}(&proxy->device, {a.name}, error));")
+                first.append(f"PH_TRY(ph_insist_on_{snake(a.type.name)}(&proxy->device, {a.name}, error));")
         named = ", ".join(f'{{"{name}", {name}}}' for name in finite)
         return first + ([f"PH_INSIST_ON_FINITE(&proxy->device, error, {named});"] if finite else [])
 
@@ -424,8 +425,8 @@ class _Class:
         if kind == "bytes":
             return [f"{to} = bytes;", f"{to}_count = (uint32_t)size;"]
         if kind in self.proxies.values:
-            return [f"ph_wire_{_snake(kind)}({a.name}, {to});"]
-        return [f"{to} = {a.name if kind in ('float', 'int', 'bool') else f'ph_wire_{_snake(kind)}({a.name})'};"]
+            return [f"ph_wire_{snake(kind)}({a.name}, {to});"]
+        return [f"{to} = {a.name if kind in ('float', 'int', 'bool') else f'ph_wire_{snake(kind)}({a.name})'};"]
 
     # What is given
 
@@ -496,7 +497,7 @@ class _Class:
         return ("data->" if path.root == "message" else at) + ".".join(path.names)
 
     def _converter(self, e: Expr) -> str:
-        return f"ph_{_snake(e.type.name)}_of"
+        return f"ph_{snake(e.type.name)}_of"
 
     def _expr(self, e: Expr, at: str) -> str:
         text = self._plain(e, at)
@@ -505,24 +506,19 @@ class _Class:
             return f"({self._path(flags, at)} & {self._constant(constant)}) != 0 ? {text} : {NONE[e.type.name]}"
         return f"{self._path(e.path, at)} == {e.absent} ? {NONE[e.type.name]} : {text}" if e.absent else text
 
-    def _plain(self, e: Expr, at: str) -> str:
-        paths = [self._path(p, at) for p in e.paths]
-        one = paths[0] if paths else at[:-1]
-        if e.how == "is":
-            return f"{one} * {e.factor}" if e.factor else f"(double){one}" if e.path.last.type == "float32" else one
-        if e.how == "truth":
-            return f"{one} != 0"
-        if e.how == "equals":
-            return f"{one} == {self._constant(e.constant)}"
-        if e.how == "bit":
-            return f"({one} & {self._constant(e.constant)}) != 0"
-        if e.how in ("convert", "unpack"):
-            return f"{self._converter(e)}({one})"
-        if e.how == "gather":
-            return f"ph_pose3d_at({', '.join(paths)})"
-        if e.how == "call":
-            return f"ph_{e.function}_of({', '.join(paths)})"
-        return "value->timestamp" if e.how == "time" else one
+    def _at_hand(self, at: str) -> str:
+        return at[:-1]
+
+    def _type_name(self, e: Expr) -> str:
+        return self._converter(e)
+
+    def way_is(self, e: Expr, one: str, at: str) -> str:
+        return f"(double){one}" if e.path.last.type == "float32" and not e.factor else super().way_is(e, one, at)
+
+    def way_make(self, e: Expr, one: str, at: str) -> str:
+        raise ValueError(f"{e.how} takes statements in C, and _filled() writes them")
+
+    way_text = way_each = way_make
 
 
 def _text_size(f: Field) -> int:

@@ -9,6 +9,7 @@ import textwrap
 from codegen.emit_cpp import SCALAR_TYPES, WIDTH, banner, constant_name
 from codegen.model import COMMON, Field, Message
 from codegen.proxies import (Argument, Call, Expr, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value, spelled)
+from codegen.proxies.spelling import Spelling, snake, indented
 
 FOLDER = "clients/cpp/generated"
 HEADERS = f"{FOLDER}/playhouse_client"
@@ -38,10 +39,6 @@ def emit(proxies: Proxies) -> dict[str, str]:
     files[f"{HEADERS}/robot_devices.h"] = _robot_header(proxies)
     files[f"{FOLDER}/robot_devices.cc"] = _robot_source(proxies)
     return files
-
-
-def _snake(name: str) -> str:
-    return "".join("_" + c.lower() if c.isupper() and i else c.lower() for i, c in enumerate(name))
 
 
 def _value_name(name: str) -> str:
@@ -85,7 +82,11 @@ def _includes(text: str, own: set[str]) -> list[str]:
     return [*standard, *([""] if standard else []), *(f'#include "{path}"' for path in sorted(own))]
 
 
-class _Class:
+class _Class(Spelling):
+    TEXTS = {"truth": "{one} != 0", "equals": "{one} == {constant}", "bit": "({one} & {constant}) != 0", "text": "client::text_of({one})",
+             "convert": "client::{type}({one})", "unpack": "client::{type}({one})", "call": "client::{function}({all})",
+             "time": "device_.timestamp()", "whole": "{one}"}
+
     def __init__(self, proxies: Proxies, proxy: Proxy) -> None:
         self.proxies, self.proxy, self.wire = proxies, proxy, proxy.interface.name
         self.makers: dict[str, list[str]] = {}  # functions that make a value of a struct of the wire
@@ -210,7 +211,7 @@ class _Class:
         self.inside = "client::"
         functions = [self._open(), *self._mobile()]
         for member in p.members:
-            functions += {Read: self._read, Shortcut: self._shortcut, Take: self._take, Call: self._call}[type(member)](member)
+            functions += self._member(member)
         makers = [line for maker in self.makers.values() for line in [*maker, ""]]
         hidden = ["namespace {", "", *makers, "}  // namespace", ""] if makers else []
         body = "\n".join([f"namespace {self.wire} = wire::{self.wire};", "", *hidden, *("\n".join(f) + "\n" for f in functions)])
@@ -359,7 +360,7 @@ class _Class:
             if names:
                 check = f'{function}(device_, "{call.name}", {{{", ".join(names)}}});'
                 line = f"  if (const auto sound = {check} !sound) return sound;"
-                lines += [line] if len(line) <= WIDTH else ["  if (const auto sound =", *_indented(textwrap.wrap(check, WIDTH - 14), 10),
+                lines += [line] if len(line) <= WIDTH else ["  if (const auto sound =", *indented(textwrap.wrap(check, WIDTH - 14), 10),
                                                             "      !sound)", "    return sound;"]
         return lines
 
@@ -416,40 +417,32 @@ class _Class:
         text = self._plain(e, at)
         if e.only_if:
             flags, constant = e.only_if
-            some = f"({self._path(flags, at)} & {self.wire}::{constant_name(constant)}) != 0"
+            some = f"({self._path(flags, at)} & {self._constant(constant)}) != 0"
             return f"{some} ? {_type(e.type)}({text}) : std::nullopt"
         return f"{text} == {e.absent} ? std::nullopt : {_type(e.type)}({text})" if e.absent else text
 
-    def _plain(self, e: Expr, at: str) -> str:
-        paths = [self._path(p, at) for p in e.paths]
-        one = paths[0] if paths else f"*{at[:-2]}" if at.endswith("->") else at[:-1]
-        if e.how == "is":
-            if e.type.is_list and e.type.wire == "float32":
-                return f"std::vector<double>({one}.begin(), {one}.end())"
-            if e.type.name == "bytes" and at == "data->":
-                return f"std::move({one})"
-            return f"{one} * {e.factor}" if e.factor else one
-        if e.how == "truth":
-            return f"{one} != 0"
-        if e.how == "equals":
-            return f"{one} == {self.wire}::{constant_name(e.constant)}"
-        if e.how == "bit":
-            return f"({one} & {self.wire}::{constant_name(e.constant)}) != 0"
-        if e.how == "text":
-            return f"client::text_of({one})"
-        if e.how in ("convert", "unpack"):
-            return f"client::{self._converter(e.type)}({one})"
-        if e.how == "gather":
-            return f"client::pose({', '.join(paths)})" if e.type.name == "Pose3d" else f"{_type(e.type)}{{{', '.join(paths)}}}"
-        if e.how == "each":
-            return self._each(e, one, at)
-        if e.how == "call":
-            return f"client::{e.function}({', '.join(paths)})"
-        if e.how == "time":
-            return "device_.timestamp()"
-        if e.how == "make":
-            return f"{_value_name(e.type.name)}{{{', '.join(f'.{name} = {self._part(part, at)}' for name, part in e.parts)}}}"
-        return one
+    def _at_hand(self, at: str) -> str:
+        return f"*{at[:-2]}" if at.endswith("->") else at[:-1]
+
+    def _constant(self, name: str) -> str:
+        return f"{self.wire}::{constant_name(name)}"
+
+    def _type_name(self, e: Expr) -> str:
+        return self._converter(e.type)
+
+    def way_is(self, e: Expr, one: str, at: str) -> str:
+        if e.type.is_list and e.type.wire == "float32":
+            return f"std::vector<double>({one}.begin(), {one}.end())"
+        if e.type.name == "bytes" and at == "data->":
+            return f"std::move({one})"
+        return super().way_is(e, one, at)
+
+    def way_gather(self, e: Expr, one: str, at: str) -> str:
+        paths = ", ".join(self._paths(e, at))
+        return f"client::pose({paths})" if e.type.name == "Pose3d" else f"{_type(e.type)}{{{paths}}}"
+
+    def way_make(self, e: Expr, one: str, at: str) -> str:
+        return f"{_value_name(e.type.name)}{{{', '.join(f'.{name} = {self._part(part, at)}' for name, part in e.parts)}}}"
 
     def _part(self, e: Expr, at: str) -> str:
         """Of a value, which has the angles of an orientation as an array."""
@@ -459,9 +452,9 @@ class _Class:
 
     def _converter(self, type_: Type) -> str:
         return {"Pose": "pose", "Pose3d": "pose", "Velocity": "velocity", "Size": "size", "Vector": "vector", "Attitude": "attitude", "rgb": "rgb",
-                "rgba": "rgba"}.get(type_.name, _snake(type_.name))
+                "rgba": "rgba"}.get(type_.name, snake(type_.name))
 
-    def _each(self, e: Expr, one: str, at: str) -> str:
+    def way_each(self, e: Expr, one: str, at: str) -> str:
         assert e.one is not None
         f = e.path.last
         struct = f"wire::{f.type}" if f.owner == COMMON else f"{self.wire}::{f.type}" if not f.is_scalar else SCALAR_TYPES[f.type]
@@ -476,7 +469,7 @@ class _Class:
 
     def _maker(self, e: Expr, struct: str) -> str:
         """A call, with {} for the struct, of a function that makes the value."""
-        name = f"{_snake(_value_name(e.type.name))}_of"
+        name = f"{snake(_value_name(e.type.name))}_of"
         outer = f", const {self.wire}::Data& data" if e.has_outer else ""
         self.makers[name] = [f"{_value_name(e.type.name)} {name}(const {struct}& one{outer}) {{", *_return(self._expr(e, "one.")), "}"]
         return f"{name}({{}}{', data' if outer else ''})"
@@ -509,10 +502,6 @@ def _broken(line: str, opening: str, indent: int) -> list[str]:
         else:
             lines.append(" " * indent + one + more)
     return lines
-
-
-def _indented(lines: list[str], indent: int) -> list[str]:
-    return [" " * indent + line if line else line for line in lines]
 
 
 def _fitted_declaration(text: str, indent: str = "  ") -> list[str]:

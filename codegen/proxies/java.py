@@ -10,6 +10,7 @@ from codegen.emit_java import WIDTH, component
 from codegen.model import Field, Message
 from codegen.proxies import (Argument, Call, Expr, Kept, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value,
                              spelled)
+from codegen.proxies.spelling import Spelling, camel, lower_first, indented
 
 FOLDER = f"{emit_java.FOLDER}/playhouse/client"
 
@@ -32,10 +33,6 @@ def emit(proxies: Proxies) -> dict[str, str]:
     files[f"{FOLDER}/Openers.java"] = _openers(proxies)
     files[f"{FOLDER}/Devices.java"] = _devices(proxies)
     return files
-
-
-def camel(name: str) -> str:
-    return re.sub(r"_(\w)", lambda found: found[1].upper(), name)
 
 
 def _renamed(name: str) -> str:
@@ -96,7 +93,11 @@ def _value(proxies: Proxies, value: Value) -> str:
     return _file(proxies.schema.interface(value.interface).source, _needed("\n".join(body)), lines)
 
 
-class _Class:
+class _Class(Spelling):
+    TEXTS = {"truth": "{one} != 0", "equals": "{one} == {constant}", "bit": "({one} & {constant}) != 0", "text": "Text.of({one})",
+             "convert": "{type}.of({one})", "unpack": "{type}.of({one})", "call": "Convert.{function}({all})", "time": "stamped.time()",
+             "whole": "{one}"}
+
     def __init__(self, proxies: Proxies, proxy: Proxy) -> None:
         self.proxies, self.proxy, self.name = proxies, proxy, _renamed(proxy.name)
         self.wire = emit_java.class_name(proxy.interface)
@@ -116,7 +117,7 @@ class _Class:
             parts += [[*_javadoc(f"{k.doc[:-1]}; all zero if the driver tells none."), f"  public {self._struct(k)} {camel(k.name)}() {{",
                        f"    return {camel(k.name)};", "  }"] for k in p.kept]
         for member in p.members:
-            parts += {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(member)](member)
+            parts += self._member(member)
         if updates:
             parts.append(["  @Override", f"  {_boxed(updates.expr.type)} newest() {{", f"    return {camel(updates.name)}();", "  }"])
         parts += list(self.makers.values())
@@ -139,7 +140,7 @@ class _Class:
             doc = read.doc or f"The newest {read.name.replace('_', ' ')}."
             doc += "" if "{raises NoData}" in doc else " {raises NoData}."
             body = self._variants(read) if read.variants else self._of_message(read)
-        return [[*_javadoc(doc), f"  public {_type(read.expr.type)} {camel(read.name)}() {{", *_indented(body, 4), "  }"]]
+        return [[*_javadoc(doc), f"  public {_type(read.expr.type)} {camel(read.name)}() {{", *indented(body, 4), "  }"]]
 
     def _of_message(self, read: Read) -> list[str]:
         message = read.messages[0]
@@ -176,7 +177,7 @@ class _Class:
         type_, kind = _boxed(take.expr.type), f"{self.wire}.{take.message.payload}"
         return [[*_javadoc(take.doc), f"  public List<{type_}> {camel(take.name)}() {{", "    return takeKept();", "  }"],
                 ["  @Override", f"  {type_} meaning(Struct value) {{", f"    {kind} data = ({kind}) value;",
-                 *_indented(self._return(take.expr, "data"), 4), "  }"]]
+                 *indented(self._return(take.expr, "data"), 4), "  }"]]
 
     # Commands and requests
 
@@ -196,7 +197,7 @@ class _Class:
             body += _fitted("command(" if call.is_command else "request(", sent, ");", 4)
         body += [self._keep(k) for k in self.proxy.kept if k.name in call.then]
         head = _fitted(f"  public {answer} {camel(call.name)}(", [self._parameter(a) for a in call.arguments], ") {", 0)
-        return [*self._overloads(call, answer), [*_javadoc(call.doc), *head, *_indented(body, 4), "  }"]]
+        return [*self._overloads(call, answer), [*_javadoc(call.doc), *head, *indented(body, 4), "  }"]]
 
     def _overloads(self, call: Call, answer: str) -> list[list[str]]:
         """With defaults for the last arguments."""
@@ -271,36 +272,26 @@ class _Class:
             return f"Convert.onlyIf({self._path(flags, at)}, {self.wire}.{constant}, {text})"
         return f"Convert.unless({e.absent}, {text})"
 
-    def _plain(self, e: Expr, at: str) -> str:
-        paths = [self._number(p, at) for p in e.paths]
-        one = paths[0] if paths else at
-        if e.how == "is":
-            return f"{one} * {e.factor}" if e.factor else one
-        if e.how == "truth":
-            return f"{one} != 0"
-        if e.how == "equals":
-            return f"{one} == {self.wire}.{e.constant}"
-        if e.how == "bit":
-            return f"({one} & {self.wire}.{e.constant}) != 0"
-        if e.how == "text":
-            return f"Text.of({one})"
-        if e.how in ("convert", "unpack"):
-            return f"{_type(e.type)}.of({one})"
-        if e.how == "gather":
-            return f"{_type(e.type)}.of({', '.join(paths)})" if e.type.name == "Pose3d" else f"new {_type(e.type)}({', '.join(paths)})"
-        if e.how == "each":
-            return self._each(e, one)
-        if e.how == "call":
-            return f"Convert.{camel(e.function)}({', '.join(paths)})"
-        if e.how == "time":
-            return "stamped.time()"
-        if e.how == "make":
-            parts = [self._expr(part, at) for _, part in e.parts]
-            by_hand = self.proxies.values[e.type.name].by_hand
-            return f"{e.type.name}.of({', '.join(parts)})" if by_hand else f"new {_type(e.type)}({', '.join(parts)})"
-        return one
+    def _paths(self, e: Expr, at: str) -> list[str]:
+        return [self._number(p, at) for p in e.paths]
 
-    def _each(self, e: Expr, one: str) -> str:
+    def _function(self, name: str) -> str:
+        return camel(name)
+
+    def _type_name(self, e: Expr) -> str:
+        return _type(e.type)
+
+    def way_gather(self, e: Expr, one: str, at: str) -> str:
+        of = f"{_type(e.type)}.of" if e.type.name == "Pose3d" else f"new {_type(e.type)}"
+        return f"{of}({', '.join(self._paths(e, at))})"
+
+    def way_make(self, e: Expr, one: str, at: str) -> str:
+        return f"{self._made(e)}({', '.join(self._expr(part, at) for _, part in e.parts)})"
+
+    def _made(self, e: Expr) -> str:
+        return f"{e.type.name}.of" if self.proxies.values[e.type.name].by_hand else f"new {_type(e.type)}"
+
+    def way_each(self, e: Expr, one: str, at: str) -> str:
         assert e.one is not None
         if e.path.last.is_raw:
             return f"Convert.truths({one})"
@@ -316,10 +307,10 @@ class _Class:
 
     def _maker(self, e: Expr, struct: str) -> str:
         """A call, with {} for the struct, of a function that makes the value."""
-        name = f"{e.type.name[0].lower()}{e.type.name[1:]}Of"
+        name = f"{lower_first(e.type.name)}Of"
         outer = f", {self.wire}.Data data" if e.has_outer else ""
         made = self._return(e, "one")
-        self.makers[name] = [f"  private static {_type(e.type)} {name}({struct} one{outer}) {{", *_indented(made, 4), "  }"]
+        self.makers[name] = [f"  private static {_type(e.type)} {name}({struct} one{outer}) {{", *indented(made, 4), "  }"]
         return f"{name}({{}}{', data' if outer else ''})"
 
     def _return(self, e: Expr, at: str) -> list[str]:
@@ -329,9 +320,7 @@ class _Class:
         if e.how == "each":
             start, end = made.split(".stream()")
             return [f"{start}.stream()", f"    .{end[1:]}"]
-        by_hand = self.proxies.values[e.type.name].by_hand
-        start = f"return {e.type.name}.of(" if by_hand else f"return new {_type(e.type)}("
-        return [start, *_filled(",\n".join(self._expr(part, at) for _, part in e.parts) + ");", 4)]
+        return [f"return {self._made(e)}(", *_filled(",\n".join(self._expr(part, at) for _, part in e.parts) + ");", 4)]
 
 
 def _zero(f: Field) -> str:
@@ -351,11 +340,7 @@ def _filled(text: str, indent: int) -> list[str]:
         if lines[-1] and len(lines[-1]) + 1 + len(part) + indent + 4 > WIDTH:
             lines.append("")
         lines[-1] += (" " if lines[-1] else "") + part
-    return _indented(lines, indent)
-
-
-def _indented(lines: list[str], indent: int) -> list[str]:
-    return [" " * indent + line if line else line for line in lines]
+    return indented(lines, indent)
 
 
 def _fitted(start: str, parts: list[str], end: str, offset: int) -> list[str]:
@@ -369,12 +354,8 @@ def _fitted(start: str, parts: list[str], end: str, offset: int) -> list[str]:
 # What opens them
 
 
-def _lower(name: str) -> str:
-    return name[0].lower() + name[1:]
-
-
 def _plural(proxy: Proxy) -> str:
-    name = _lower(proxy.name)
+    name = lower_first(proxy.name)
     return name + proxy.plural[len(proxy.interface.name):]
 
 
@@ -385,7 +366,7 @@ def _openers(proxies: Proxies) -> str:
     lines += [",\n".join(rows) + ");", "",
               "  abstract <D extends Device> D open(Function<Opening, D> proxy, String interfaceName, int index, Access access);"]
     for p in proxies.proxies:
-        name, method = _renamed(p.name), _lower(p.name)
+        name, method = _renamed(p.name), lower_first(p.name)
         lines += ["", f"  public {name} {method}(int index) {{", f"    return {method}(index, Access.ALL);", "  }", "",
                   f"  public {name} {method}(int index, Access access) {{", f'    return open({name}::new, "{p.interface.name}", index, access);', "  }"]
     return _file("interfaces/", {"java.util.Map", "java.util.function.Function"}, [*lines, "}"])
@@ -398,6 +379,6 @@ def _devices(proxies: Proxies) -> str:
     for p in proxies.proxies:
         if p.of_robot:
             name = _renamed(p.name)
-            lines += ["", f"  public {name} {_lower(p.name)}() {{", f'    return ({name}) device("{p.interface.name}");', "  }", "",
+            lines += ["", f"  public {name} {lower_first(p.name)}() {{", f'    return ({name}) device("{p.interface.name}");', "  }", "",
                       f"  public List<{name}> {_plural(p)}() {{", f'    return all({name}.class, "{p.interface.name}");', "  }"]
     return _file("interfaces/", {"java.util.List"}, [*lines, "}"])

@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 import textwrap
 from dataclasses import dataclass, field
+from typing import Any
 
 from codegen import emit_lisp
 from codegen.checks import SchemaError
 from codegen.emit_lisp import WIDTH, lisp, package
 from codegen.model import Field, Interface, Message, Struct
 from codegen.proxies import Argument, Call, Expr, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Value, spelled
+from codegen.proxies.spelling import Spelling
 
 FOLDER = f"{emit_lisp.FOLDER}/proxies"
 
@@ -178,7 +180,11 @@ def _said(proxies: Proxies, interface: str, doc: str) -> str:
     return text
 
 
-class _Class:
+class _Class(Spelling):
+    TEXTS = {"truth": ["/=", "0", "{one}"], "equals": ["=", "{one}", "{constant}"], "bit": ["logtest", "{constant}", "{one}"],
+             "text": ["text", "{one}"], "convert": ["{type}-of", "{one}"], "unpack": ["{type}-of", "{one}"], "call": ["{function}", "{all}"],
+             "time": "time", "whole": "{one}"}
+
     def __init__(self, proxies: Proxies, proxy: Proxy) -> None:
         self.proxies, self.proxy, self.schema = proxies, proxy, proxies.schema
         self.wire, self.name = proxy.interface.name, _class(proxy.interface)
@@ -190,7 +196,7 @@ class _Class:
             body = ["slot-value", "device", f"'{lisp(k.name)}"]
             self.functions.append(_Function(lisp(k.name), self.name, f"{self._said(k.doc[:-1])}: a {self._type(k.struct, k.message.owner)}.", [body]))
         for member in proxy.members:
-            made = {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(member)](member)
+            made = self._member(member)
             self.functions.append(made)
 
     def forms(self, shared: dict[str, list[_Function]]) -> list[str]:
@@ -234,7 +240,7 @@ class _Class:
     def _message(self, message: Message) -> str:
         return f"{package(self.wire)}:+{lisp(message.constant)}+"
 
-    def _wire_constant(self, name: str) -> str:
+    def _constant(self, name: str) -> str:
         return f"{package(self.wire)}:+{lisp(name)}+"
 
     def _asked(self, kept) -> list[Form]:
@@ -369,7 +375,7 @@ class _Class:
         kind, name = value.type.name, lisp(value.name)
         if value.choice:
             no, yes = value.choice
-            return ["if", name, self._wire_constant(yes), self._wire_constant(no)]
+            return ["if", name, self._constant(yes), self._constant(no)]
         if kind in SPREAD:
             struct = self.schema.struct_of(f)
             return [self._maker(struct, f.owner), *(word for part in SPREAD[kind] for word in (f":p{part}", part))]
@@ -392,47 +398,46 @@ class _Class:
         return made
 
     def _expr(self, e: Expr, at: str, struct: Struct) -> Form:
-        made = self._plain(e, at, struct)
+        made = self._plain(e, (at, struct))
         if e.absent:
             made = ["unless-number", e.absent, made]
         if e.only_if:
             flags, constant = e.only_if
-            made = ["and", ["logtest", self._wire_constant(constant), self._path(flags, at, struct)], made]
+            made = ["and", ["logtest", self._constant(constant), self._path(flags, at, struct)], made]
         return made
 
-    def _plain(self, e: Expr, at: str, struct: Struct) -> Form:
-        paths = [self._path(p, at, struct) for p in e.paths]
-        one = paths[0] if paths else at
-        if e.how == "is":
-            return ["*", one, e.factor.replace("e", "d") if "e" in e.factor else f"{e.factor}d0"] if e.factor else one
-        if e.how == "truth":
-            return ["/=", "0", one]
-        if e.how == "equals":
-            return ["=", one, self._wire_constant(e.constant)]
-        if e.how == "bit":
-            return ["logtest", self._wire_constant(e.constant), one]
-        if e.how == "text":
-            return ["text", one]
-        if e.how == "convert":
-            return [f"{lisp(e.type.name)}-of", one]
-        if e.how == "gather":
-            return ["pose3d-at", *paths] if e.type.name == "Pose3d" else ["list", *paths]
-        if e.how == "unpack":
-            return [f"{lisp(e.type.name)}-of", one]
-        if e.how == "each":
-            assert e.one is not None
-            f = e.path.last
-            inner = struct if f.is_scalar else self.schema.struct_of(f)
-            made = self._expr(e.one, "one", inner)
-            bare = isinstance(made, list) and len(made) == 2 and made[1] == "one"
-            return ["map", "'list", f"#'{made[0]}" if bare else ["lambda", ["one"], made], one]
-        if e.how == "call":
-            return [lisp(e.function), *paths]
-        if e.how == "time":
-            return "time"
-        if e.how == "make":
-            return [f"make-{lisp(e.type.name)}", *(self._expr(part, at, struct) for _, part in e.parts)]
-        return one
+    def _paths(self, e: Expr, at: tuple[str, Struct]) -> list[Form]:
+        return [self._path(p, *at) for p in e.paths]
+
+    def _at_hand(self, at: tuple[str, Struct]) -> Form:
+        return at[0]
+
+    def _function(self, name: str) -> str:
+        return lisp(name)
+
+    def _type_name(self, e: Expr) -> str:
+        return lisp(e.type.name)
+
+    def _filled_in(self, text: Form, given: dict[str, Any]) -> Form:
+        if isinstance(text, str):
+            return text.format(**given) if text != "{one}" else given["one"]
+        return [part for word in text for part in (given["all"] if word == "{all}" else [self._filled_in(word, given)])]
+
+    def way_is(self, e: Expr, one: Form, at: tuple[str, Struct]) -> Form:
+        return ["*", one, e.factor.replace("e", "d") if "e" in e.factor else f"{e.factor}d0"] if e.factor else one
+
+    def way_gather(self, e: Expr, one: Form, at: tuple[str, Struct]) -> Form:
+        return ["pose3d-at" if e.type.name == "Pose3d" else "list", *self._paths(e, at)]
+
+    def way_each(self, e: Expr, one: Form, at: tuple[str, Struct]) -> Form:
+        assert e.one is not None
+        f = e.path.last
+        made = self._expr(e.one, "one", at[1] if f.is_scalar else self.schema.struct_of(f))
+        bare = isinstance(made, list) and len(made) == 2 and made[1] == "one"
+        return ["map", "'list", f"#'{made[0]}" if bare else ["lambda", ["one"], made], one]
+
+    def way_make(self, e: Expr, one: Form, at: tuple[str, Struct]) -> Form:
+        return [f"make-{lisp(e.type.name)}", *(self._expr(part, *at) for _, part in e.parts)]
 
 
 def _index(proxies: Proxies, functions: list[_Function], shared: dict[str, list[_Function]]) -> str:

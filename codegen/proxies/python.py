@@ -9,6 +9,7 @@ from codegen import emit_python
 from codegen.model import Interface, Message
 from codegen.proxies import (Argument, Call, Expr, Kept, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value,
                              spelled)
+from codegen.proxies.spelling import Spelling, snake, indented
 
 FOLDER = f"{emit_python.FOLDER}/proxies"
 WIDTH = 110
@@ -30,7 +31,10 @@ def emit(proxies: Proxies) -> dict[str, str]:
     return files
 
 
-class _Module:
+class _Module(Spelling):
+    TEXTS = {"truth": "{one} != 0", "equals": "{one} == {constant}", "bit": "bool({one} & {constant})", "text": "text({one})",
+             "unpack": "{type}(*{one})", "call": "{function}({all})", "time": "time", "whole": "{one}"}
+
     def __init__(self, proxies: Proxies, interface: Interface) -> None:
         self.proxies, self.interface, self.wire, self.proxy = proxies, interface, interface.name, proxies.proxy_of(interface)
         self.makers: dict[str, str] = {}  # functions that make a value of an element of a list
@@ -98,7 +102,7 @@ class _Module:
             parts.append("\n".join(f"    {k.name} = {self.wire}.{k.struct.name}()  # {k.doc[0].lower()}{k.doc[1:-1]}" for k in p.kept))
             parts.append("\n".join(["    def prepare(self) -> None:", *(f"        {self._keep(k)}" for k in p.kept)]))
         for member in p.members:
-            parts += {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(member)](member)
+            parts += self._member(member)
         return "\n\n".join(parts)
 
     def _keep(self, kept: Kept) -> str:
@@ -120,7 +124,7 @@ class _Module:
             stamp = "data, time" if read.expr.has_time else "data, _"
             body.append(f"{stamp} = self._stamped({self._message(read.messages[0])})")
             body += self._return(read.expr, "data")
-        made = ["\n".join(head + _indented(body, 8))]
+        made = ["\n".join(head + indented(body, 8))]
         return made + (self._updates(read) if read.updates else [])
 
     def _variants(self, read: Read) -> list[str]:
@@ -148,12 +152,12 @@ class _Module:
             body.append(f'return self._first_of({read}, "{shortcut.none}").{shortcut.field}')
         else:
             body.append(f"return {read}.{shortcut.field}")
-        return ["\n".join(head + _indented(body, 8))]
+        return ["\n".join(head + indented(body, 8))]
 
     def _take(self, take: Take) -> list[str]:
         type_ = self._type(take.expr.type)
-        taken = [f"    def {take.name}(self) -> List[{type_}]:", *_indented([*self._doc(take.doc), "return self._take_kept()"], 8)]
-        meaning = [f"    def _meaning(self, data: Any) -> {type_}:", *_indented(self._return(take.expr, "data"), 8)]
+        taken = [f"    def {take.name}(self) -> List[{type_}]:", *indented([*self._doc(take.doc), "return self._take_kept()"], 8)]
+        meaning = [f"    def _meaning(self, data: Any) -> {type_}:", *indented(self._return(take.expr, "data"), 8)]
         return ["\n".join(taken), "\n".join(meaning)]
 
     def _call(self, call: Call) -> list[str]:
@@ -175,7 +179,7 @@ class _Module:
         else:
             body += _fitted("self.request(", sent, ")", 8, 8)
         body += [self._keep(k) for k in self.proxy.kept if k.name in call.then]
-        return ["\n".join(head + _indented(body, 8))]
+        return ["\n".join(head + indented(body, 8))]
 
     def _parameters(self, a: Argument) -> list[tuple[str, str, str]]:
         if a.type.name in SPREAD:
@@ -240,37 +244,18 @@ class _Module:
             text = f"{text} if {self._path(flags, at)} & {self.wire}.{constant} else None"
         return text
 
-    def _plain(self, e: Expr, at: str) -> str:
-        paths = [self._path(p, at) for p in e.paths]
-        one = paths[0] if paths else at
-        if e.how == "is":
-            return f"{one} * {e.factor}" if e.factor else one
-        if e.how == "truth":
-            return f"{one} != 0"
-        if e.how == "equals":
-            return f"{one} == {self.wire}.{e.constant}"
-        if e.how == "bit":
-            return f"bool({one} & {self.wire}.{e.constant})"
-        if e.how == "text":
-            return f"text({one})"
-        if e.how == "convert":
-            return f"{FROM_WIRE[e.type.name]}({one})"
-        if e.how == "gather" and e.type.name == "Pose3d":
-            return f"Pose3d(*vector_of({paths[0]}), *attitude_of({paths[1]}))"
-        if e.how == "gather":
-            return f"({', '.join(paths)})"
-        if e.how == "unpack":
-            return f"{e.type.name}(*{one})"
-        if e.how == "each":
-            assert e.one is not None
-            return f"[{self._element(e)} for one in {one}]"
-        if e.how == "call":
-            return f"{e.function}({', '.join(paths)})"
-        if e.how == "time":
-            return "time"
-        if e.how == "make":
-            return f"{e.type.name}({', '.join(self._parts(e, at))})"
-        return one
+    def way_convert(self, e: Expr, one: str, at: str) -> str:
+        return f"{FROM_WIRE[e.type.name]}({one})"
+
+    def way_gather(self, e: Expr, one: str, at: str) -> str:
+        paths = self._paths(e, at)
+        return f"Pose3d(*vector_of({paths[0]}), *attitude_of({paths[1]}))" if e.type.name == "Pose3d" else f"({', '.join(paths)})"
+
+    def way_each(self, e: Expr, one: str, at: str) -> str:
+        return f"[{self._element(e)} for one in {one}]"
+
+    def way_make(self, e: Expr, one: str, at: str) -> str:
+        return f"{e.type.name}({', '.join(self._parts(e, at))})"
 
     def _element(self, e: Expr) -> str:
         """Of `one`: by a function of the module if it takes more than a few words."""
@@ -278,10 +263,10 @@ class _Module:
         made = self._expr(e.one, "one")
         if e.one.how != "make" or len(made) < 60:
             return made
-        name, f = f"_{_snake(e.one.type.name)}", e.path.last
+        name, f = f"_{snake(e.one.type.name)}", e.path.last
         given = "one, data" if e.one.has_outer else "one"
         typed = given.replace("one", f"one: {f.owner}.{f.type}").replace("data", f"data: {self.wire}.Data")
-        self.makers[name] = "\n".join([f"def {name}({typed}) -> {e.one.type.name}:", *_indented(self._return(e.one, "one", 4), 4)])
+        self.makers[name] = "\n".join([f"def {name}({typed}) -> {e.one.type.name}:", *indented(self._return(e.one, "one", 4), 4)])
         return f"{name}({given})"
 
     def _parts(self, e: Expr, at: str) -> list[str]:
@@ -317,10 +302,6 @@ def _words(text: str):
         word = ""
 
 
-def _snake(name: str) -> str:
-    return "".join("_" + c.lower() if c.isupper() and i else c.lower() for i, c in enumerate(name))
-
-
 def _number(text: str, type_: Type) -> str:
     if type_.name == "bool":
         return text.capitalize()
@@ -339,11 +320,7 @@ def _docstring(lines: list[str], indent: int) -> list[str]:
     *most, last = lines
     quoted = ['"""' + line if i == 0 else line for i, line in enumerate([*most, last])]
     quoted[-1] += '"""' if not quoted[-1].endswith('"') or quoted[-1] == '"""' else ' """'
-    return _indented(quoted, indent)
-
-
-def _indented(lines: list[str], indent: int) -> list[str]:
-    return [" " * indent + line if line else line for line in lines]
+    return indented(quoted, indent)
 
 
 def _fitted(start: str, parts: list[str], end: str, indent: int, offset: int = 0) -> list[str]:
@@ -367,7 +344,7 @@ def _index(proxies: Proxies) -> str:
     for module, names in made.items():
         lines += _fitted(f"from .{module} import (" if len(names) > 6 else f"from .{module} import ", names, ")" if len(names) > 6 else "", 0)
     everything = sorted([*by_hand, *(n for names in made.values() for n in names)])
-    lines += ["", "__all__ = [", *_indented(textwrap.wrap(", ".join(f'"{n}"' for n in everything) + ",", WIDTH - 4), 4), "]", ""]
+    lines += ["", "__all__ = [", *indented(textwrap.wrap(", ".join(f'"{n}"' for n in everything) + ",", WIDTH - 4), 4), "]", ""]
     lines += ["# Interface -> its proxy.", "PROXIES: Dict[str, Type[Device]] = {"]
     lines += [f'    "{p.interface.name}": {p.name},' for p in proxies.proxies] + ["}", ""]
     lines += ["", "class Openers:", '    """Opens a device by the method of its interface: base of Client."""', "",

@@ -7,7 +7,8 @@ import textwrap
 from codegen import emit_tcl
 from codegen.emit_tcl import WIDTH
 from codegen.model import Field, Interface, Message
-from codegen.proxies import (Argument, Call, Expr, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value, spelled)
+from codegen.proxies import (Argument, Call, Expr, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Value, spelled)
+from codegen.proxies.spelling import Spelling, camel, lower_first
 
 FOLDER = f"{emit_tcl.FOLDER}/proxies"
 
@@ -25,15 +26,6 @@ def emit(proxies: Proxies) -> dict[str, str]:
     return files
 
 
-def camel(name: str) -> str:
-    first, *rest = name.split("_")
-    return first + "".join(part[:1].upper() + part[1:] for part in rest)
-
-
-def _lower(name: str) -> str:
-    return name[0].lower() + name[1:]
-
-
 def _file(proxies: Proxies, interface: Interface) -> str:
     proxy = proxies.proxy_of(interface)
     lines = [f"# {'The proxy of' if proxy else 'Values of'} {interface.name}. Generated from {interface.source} by codegen; do not edit."]
@@ -44,7 +36,7 @@ def _file(proxies: Proxies, interface: Interface) -> str:
 
 def _value(value: Value) -> list[str]:
     """Its keys, in a comment."""
-    lines = _comment(f"{_lower(value.name)}, a dictionary: {value.doc[0].lower()}{value.doc[1:]}", 0)
+    lines = _comment(f"{lower_first(value.name)}, a dictionary: {value.doc[0].lower()}{value.doc[1:]}", 0)
     width = max(len(camel(f.name)) for f in value.fields) + 3
     for f in value.fields:
         text = textwrap.wrap(_spelled(f.doc), WIDTH - width - 6) or [""]
@@ -59,7 +51,7 @@ def _spelled(doc: str, constants: dict[str, int] | None = None) -> str:
             return str((constants or {})[last])
         given = call.strip("()").replace("true", "1")
         said = camel(last) + (f" {given}" if given else "")
-        return f"{said} of the {_lower(outer[0])}" if outer and not call else said
+        return f"{said} of the {lower_first(outer[0])}" if outer and not call else said
 
     kinds = {"NoData": "NODATA", "RequestRefused": "REFUSED"}
     return spelled(doc, name, lambda what: f"An error of kind {kinds[what]}")
@@ -69,7 +61,11 @@ def _comment(doc: str, indent: int, constants: dict[str, int] | None = None) -> 
     return [" " * indent + f"# {line}" for line in textwrap.wrap(_spelled(doc, constants), WIDTH - indent - 2)] if doc else []
 
 
-class _Class:
+class _Class(Spelling):
+    TEXTS = {"truth": "[expr {{{one} != 0}}]", "equals": "[expr {{{one} == {constant}}}]", "bit": "[expr {{({one} & {constant}) != 0}}]",
+             "text": "[text {one}]", "unpack": "[{type} {{*}}{one}]", "call": "[from::{function} {all}]", "time": "$time", "whole": "{one}"}
+    SEPARATOR = " "
+
     def __init__(self, proxies: Proxies, proxy: Proxy) -> None:
         self.proxies, self.proxy, self.wire = proxies, proxy, proxy.interface.name
         self.constants = {c.name: c.value for c in proxy.constants}
@@ -89,7 +85,7 @@ class _Class:
                        f"    method {camel(k.name)} {{}} {{return ${self._kept(k.name)}}}"] for k in p.kept]
             parts.append(["    method prepare {} {", *(f"        {self._ask_again(k)}" for k in p.kept), "    }"])
         for member in p.members:
-            parts += {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(member)](member)
+            parts += self._member(member)
         if updates:
             parts.append([f"    method Value {{}} {{return [my {camel(updates.name)}]}}"])
         parts += list(self.makers.values())
@@ -173,7 +169,7 @@ class _Class:
                 finite.append(f"{{*}}${name}")
                 last.append(f"set {name} [to::pose3d ${name}]")
             elif a.type.name in self.proxies.values:
-                first.append(f"set {name} [to::complete {_lower(a.type.name)} ${name}]")
+                first.append(f"set {name} [to::complete {lower_first(a.type.name)} ${name}]")
                 finite.append(f"{{*}}${name}")
         return first + ([f"my InsistOnFinite {' '.join(finite)}"] if finite else []) + last
 
@@ -214,41 +210,33 @@ class _Class:
             text = f"[from::onlyIf {self._path(flags, at)} {self._constant(constant)} {text}]"
         return text
 
-    def _plain(self, e: Expr, at: str) -> str:
-        paths = [self._path(p, at) for p in e.paths]
-        one = paths[0] if paths else f"${at}"
-        if e.how == "is":
-            return f"[expr {{{one} * {e.factor}}}]" if e.factor else one
-        if e.how == "truth":
-            return f"[expr {{{one} != 0}}]"
-        if e.how == "equals":
-            return f"[expr {{{one} == {self._constant(e.constant)}}}]"
-        if e.how == "bit":
-            return f"[expr {{({one} & {self._constant(e.constant)}) != 0}}]"
-        if e.how == "text":
-            return f"[text {one}]"
-        if e.how == "convert":
-            return f"[{FROM_WIRE[e.type.name]} {one}]"
-        if e.how == "gather" and e.type.name == "Pose3d":
-            return f"[from::pose3d [dict merge {' '.join(paths)}]]"
-        if e.how == "gather":
-            return f"[list {' '.join(paths)}]"
-        if e.how == "unpack":
-            return f"[{_lower(e.type.name)} {{*}}{one}]"
-        if e.how == "each":
-            assert e.one is not None
-            if e.path.last.is_raw:
-                return f"[from::truths {one}]"
-            return f"[lmap one {one} {{{self._element(e.one)}}}]"
-        if e.how == "call":
-            return f"[from::{camel(e.function)} {' '.join(paths)}]"
-        if e.how == "time":
-            return "$time"
-        if e.how == "make":
-            if self.proxies.values[e.type.name].by_hand:
-                return f"[from::{_lower(e.type.name)} {' '.join(self._expr(part, at) for _, part in e.parts)}]"
-            return f"[dict create {' '.join(f'{camel(name)} {self._expr(part, at)}' for name, part in e.parts)}]"
-        return one
+    def _at_hand(self, at: str) -> str:
+        return f"${at}"
+
+    def _function(self, name: str) -> str:
+        return camel(name)
+
+    def _type_name(self, e: Expr) -> str:
+        return lower_first(e.type.name)
+
+    def way_is(self, e: Expr, one: str, at: str) -> str:
+        return f"[expr {{{one} * {e.factor}}}]" if e.factor else one
+
+    def way_convert(self, e: Expr, one: str, at: str) -> str:
+        return f"[{FROM_WIRE[e.type.name]} {one}]"
+
+    def way_gather(self, e: Expr, one: str, at: str) -> str:
+        paths = " ".join(self._paths(e, at))
+        return f"[from::pose3d [dict merge {paths}]]" if e.type.name == "Pose3d" else f"[list {paths}]"
+
+    def way_each(self, e: Expr, one: str, at: str) -> str:
+        assert e.one is not None
+        return f"[from::truths {one}]" if e.path.last.is_raw else f"[lmap one {one} {{{self._element(e.one)}}}]"
+
+    def way_make(self, e: Expr, one: str, at: str) -> str:
+        if self.proxies.values[e.type.name].by_hand:
+            return f"[from::{lower_first(e.type.name)} {' '.join(self._expr(part, at) for _, part in e.parts)}]"
+        return f"[dict create {' '.join(f'{camel(name)} {self._expr(part, at)}' for name, part in e.parts)}]"
 
     def _element(self, e: Expr) -> str:
         """A command that makes the value of `one`: a method if it takes more than a few words."""

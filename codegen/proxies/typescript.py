@@ -11,6 +11,7 @@ from codegen.emit_typescript import TYPED_ARRAYS, WIDTH
 from codegen.model import Field, Interface, Message
 from codegen.proxies import (Argument, Call, Expr, Kept, Node, Path, Proxies, Proxy, Read, Shortcut, Take, Type, Value,
                              spelled)
+from codegen.proxies.spelling import Spelling, camel, indented, lower_first
 
 FOLDER = f"{emit_typescript.FOLDER}/proxies"
 
@@ -30,12 +31,14 @@ def emit(proxies: Proxies) -> dict[str, str]:
     return files
 
 
-def camel(name: str) -> str:
-    first, *rest = name.split("_")
-    return first + "".join(part[:1].upper() + part[1:] for part in rest)
+def _maker_of(named: Type | Value) -> str:
+    return f"{lower_first(named.name)}Of"
 
 
-class _Module:
+class _Module(Spelling):
+    TEXTS = {"truth": "{one} !== 0", "equals": "{one} === {constant}", "bit": "({one} & {constant}) !== 0", "text": "text({one})",
+             "call": "{function}({all})", "time": "time", "whole": "{one}"}
+
     def __init__(self, proxies: Proxies, interface: Interface) -> None:
         self.proxies, self.interface, self.wire, self.proxy = proxies, interface, interface.name, proxies.proxy_of(interface)
         self.makers: dict[str, str] = {}  # functions that make a value of an element of a list
@@ -56,7 +59,7 @@ class _Module:
             base = self.proxy.base
             lines.append(f"import {{ {base} }} from '../../{'device' if base == 'Device' else 'proxies/bases'}.js';")
         convert = {*FROM_WIRE.values(), "contents", "wireColor", *map(camel, self.proxies.functions())}
-        convert |= {f"{v.name[0].lower()}{v.name[1:]}Of" for v in self.proxies.values.values() if v.by_hand}
+        convert |= {_maker_of(v) for v in self.proxies.values.values() if v.by_hand}
         if convert & words - set(self.makers):
             lines.append(f"import {{ {', '.join(sorted(convert & words - set(self.makers)))} }} from '../../proxies/convert.js';")
         texts = sorted(set(re.findall(r"(?<![.])\b(cString|text)\(", code)))
@@ -99,7 +102,7 @@ class _Module:
         if p.kept:
             parts.append(["  override async prepare(): Promise<void> {", *(f"    {self._keep(k)}" for k in p.kept), "  }"])
         for member in p.members:
-            parts += {Read: self._read, Shortcut: self._shortcut, Call: self._call, Take: self._take}[type(member)](member)
+            parts += self._member(member)
         head = [*_comment(_spelled(p.doc), 0), f"export class {p.name} extends {base} {{"]
         return "\n".join(head) + "\n" + "\n\n".join("\n".join(part) for part in parts) + "\n}"
 
@@ -119,7 +122,7 @@ class _Module:
             stamped = f"this.stamped({self._message(read.messages[0])})"
             body = [f"const {{ value, time }} = {stamped};"] if read.expr.has_time else [f"const {{ value }} = {stamped};"]
             body += self._return(read.expr, "value")
-        made = [*_comment(_spelled(read.doc), 2), head, *_indented(body, 4), "  }"]
+        made = [*_comment(_spelled(read.doc), 2), head, *indented(body, 4), "  }"]
         return [made] + (self._updates(read) if read.updates else [])
 
     def _variants(self, read: Read) -> list[str]:
@@ -152,7 +155,7 @@ class _Module:
         type_ = self._type(take.expr.type)
         return [[*_comment(_spelled(take.doc), 2), f"  {camel(take.name)}(): {type_}[] {{", "    return this.takeKept();", "  }"],
                 [f"  protected override meaning(value: {self.wire}.{take.message.payload}): {type_} {{",
-                 *_indented(self._return(take.expr, "value"), 4), "  }"]]
+                 *indented(self._return(take.expr, "value"), 4), "  }"]]
 
     def _call(self, call: Call) -> list[list[str]]:
         answer = self._type(call.answer.type) if call.answer else "void"
@@ -171,7 +174,7 @@ class _Module:
         body += [self._keep(k) for k in self.proxy.kept if k.name in call.then] if self.proxy else []
         head = _fitted(f"  {'' if body[0].startswith('return') else 'async '}{camel(call.name)}(",
                        [self._parameter(a) for a in call.arguments], f"): Promise<{answer}> {{", 0)
-        return [[*_comment(_spelled(call.doc), 2), *head, *_indented(body, 4), "  }"]]
+        return [[*_comment(_spelled(call.doc), 2), *head, *indented(body, 4), "  }"]]
 
     def _apart(self, type_: Type) -> tuple[str, ...]:
         if type_.name in APART:
@@ -254,45 +257,30 @@ class _Module:
             text = f"{self._path(flags, at)} & {self.wire}.{constant} ? {text} : undefined"
         return text
 
-    def _plain(self, e: Expr, at: str) -> str:
-        paths = [self._path(p, at) for p in e.paths]
-        one = paths[0] if paths else at
-        if e.how == "is":
-            return f"{one} * {e.factor}" if e.factor else one
-        if e.how == "truth":
-            return f"{one} !== 0"
-        if e.how == "equals":
-            return f"{one} === {self.wire}.{e.constant}"
-        if e.how == "bit":
-            return f"({one} & {self.wire}.{e.constant}) !== 0"
-        if e.how == "text":
-            return f"text({one})"
-        if e.how == "convert":
-            return f"{FROM_WIRE[e.type.name]}({one})"
-        if e.how == "gather" and e.type.name == "Pose3d":
-            return f"pose3dOf({{ ...{paths[0]}, ...{paths[1]} }})"
-        if e.how == "gather":
-            return f"[{', '.join(paths)}]"
-        if e.how == "unpack":
-            return f"{e.type.name[0].lower()}{e.type.name[1:]}Of({one})"
-        if e.how == "each":
-            assert e.one is not None
-            is_raw = e.path.last.is_raw
-            made = self._element(e)
-            made = f"({made})" if made.startswith("{") else made
-            call = re.fullmatch(r"(\w+)\(one\)", made)
-            mapped = call[1] if call else f"(one) => {made}"
-            return f"Array.from({one}, {mapped})" if is_raw else f"{one}.map({mapped})"
-        if e.how == "call":
-            return f"{camel(e.function)}({', '.join(paths)})"
-        if e.how == "time":
-            return "time"
-        if e.how == "make":
-            parts = self._parts(e, at)
-            if self.proxies.values[e.type.name].by_hand:
-                return f"new {e.type.name}({', '.join(self._expr(part, at) for _, part in e.parts)})"
-            return f"{{ {', '.join(parts)} }}"
-        return one
+    def _function(self, name: str) -> str:
+        return camel(name)
+
+    def way_convert(self, e: Expr, one: str, at: str) -> str:
+        return f"{FROM_WIRE[e.type.name]}({one})"
+
+    def way_gather(self, e: Expr, one: str, at: str) -> str:
+        paths = self._paths(e, at)
+        return f"pose3dOf({{ ...{paths[0]}, ...{paths[1]} }})" if e.type.name == "Pose3d" else f"[{', '.join(paths)}]"
+
+    def way_unpack(self, e: Expr, one: str, at: str) -> str:
+        return f"{_maker_of(e.type)}({one})"
+
+    def way_each(self, e: Expr, one: str, at: str) -> str:
+        made = self._element(e)
+        made = f"({made})" if made.startswith("{") else made
+        call = re.fullmatch(r"(\w+)\(one\)", made)
+        mapped = call[1] if call else f"(one) => {made}"
+        return f"Array.from({one}, {mapped})" if e.path.last.is_raw else f"{one}.map({mapped})"
+
+    def way_make(self, e: Expr, one: str, at: str) -> str:
+        if self.proxies.values[e.type.name].by_hand:
+            return f"new {e.type.name}({', '.join(self._expr(part, at) for _, part in e.parts)})"
+        return f"{{ {', '.join(self._parts(e, at))} }}"
 
     def _element(self, e: Expr) -> str:
         """Of `one`: by a function of the module if it takes more than a few words."""
@@ -300,9 +288,9 @@ class _Module:
         made = self._expr(e.one, "one")
         if e.one.how != "make" or len(made) < 70:
             return made
-        name, f = f"{e.one.type.name[0].lower()}{e.one.type.name[1:]}Of", e.path.last
+        name, f = _maker_of(e.one.type), e.path.last
         typed = f"one: {f.owner}.{f.type}" + (f", value: {self.wire}.Data" if e.one.has_outer else "")
-        self.makers[name] = "\n".join([f"function {name}({typed}): {e.one.type.name} {{", *_indented(self._return(e.one, "one", 2), 2), "}"])
+        self.makers[name] = "\n".join([f"function {name}({typed}): {e.one.type.name} {{", *indented(self._return(e.one, "one", 2), 2), "}"])
         return f"{name}({'one, value' if e.one.has_outer else 'one'})"
 
     def _parts(self, e: Expr, at: str) -> list[str]:
@@ -335,10 +323,6 @@ def _comment(doc: str, indent: int) -> list[str]:
     if not doc:
         return []
     return emit_typescript._comment(textwrap.wrap(doc, WIDTH - indent - 7), indent).split("\n")
-
-
-def _indented(lines: list[str], indent: int) -> list[str]:
-    return [" " * indent + line if line else line for line in lines]
 
 
 def _fitted(start: str, parts: list[str], end: str, offset: int) -> list[str]:

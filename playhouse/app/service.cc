@@ -39,19 +39,18 @@
 namespace playhouse::app {
 namespace {
 
-/// A server of viewers, which copies of the world what it sends.
-template <typename Server>
-class Viewers final : public run::Follower {
+/// Copies of the world what viewers and observers are sent.
+class FeedLink final : public run::Follower {
  public:
-  explicit Viewers(Server& server) : server_(server) {}
+  explicit FeedLink(replicate::SnapshotFeed& feed) : feed_(feed) {}
   std::optional<run::Work> work(const world::World& world, const world::Pace& pace) override {
-    if (!server_.wants_show()) return {};
+    if (!feed_.wants_show()) return {};
     pace_ = pace;
-    return run::Work{.run = [this, &world](std::size_t) { server_.show(world, pace_); }};
+    return run::Work{.run = [this, &world](std::size_t) { feed_.show(world, pace_); }};
   }
 
  private:
-  Server& server_;
+  replicate::SnapshotFeed& feed_;
   world::Pace pace_;
 };
 
@@ -390,6 +389,19 @@ void Service::close_clients_sent_out() {
   });
 }
 
+/// Made for the first server that shows the world.
+replicate::SnapshotFeed& Service::feed() {
+  if (feed_) return *feed_;
+  const auto device_names = [this](world::ModelId model) {
+    if (playback_) return std::vector<std::string>();
+    return drivers::device_names(site_->model_devices()->directory(), model, player_ports_.front());
+  };
+  feed_ = std::make_unique<replicate::SnapshotFeed>(simulation().world(), device_names,
+                                                    [this] { return web_loop_.now(); });
+  simulation().follow(std::make_shared<FeedLink>(*feed_));
+  return *feed_;
+}
+
 Result<void> Service::open_page() {
   if (!serving_.web) return {};
   std::function<world::PhysicsShapes()> physics_shapes;
@@ -407,17 +419,11 @@ Result<void> Service::open_page() {
                                        .physics_shapes = std::move(physics_shapes),
                                        .place_of_body = drivers::free_place,
                                        .shares = simulation().shares()};
-  const auto device_names = [this](world::ModelId model) {
-    if (playback_) return std::vector<std::string>();
-    return drivers::device_names(site_->model_devices()->directory(), model, player_ports_.front());
-  };
   world::Control& control = playback_ ? static_cast<world::Control&>(*playback_) : simulation().requests();
-  web_ = std::make_unique<web_server::WebServer>(web_loop_, options, control, simulation().world(),
-                                                 device_names);
+  web_ = std::make_unique<web_server::WebServer>(web_loop_, options, control, simulation().world(), feed());
   const Result<std::uint16_t> port = web_->listen();
   if (!port) return Error{port.error().where, port.error().text + "; --web takes another port, or off"};
   web_port_ = *port;
-  simulation().follow(std::make_shared<Viewers<web_server::WebServer>>(*web_));
   return {};
 }
 
@@ -428,12 +434,10 @@ Result<void> Service::open_observers() {
                                      .guests = guests_,
                                      .observers = serving_.viewers,
                                      .bytes_per_second = serving_.observer_bytes};
-  observers_ = std::make_unique<observers::ObserverServer>(web_loop_, std::move(options),
-                                                           simulation().world(), replicate::DeviceNames());
+  observers_ = std::make_unique<observers::ObserverServer>(web_loop_, std::move(options), feed());
   const Result<std::uint16_t> port = observers_->listen();
   if (!port) return Error{port.error().where, port.error().text + "; --observers takes another port"};
   observer_port_ = *port;
-  simulation().follow(std::make_shared<Viewers<observers::ObserverServer>>(*observers_));
   return {};
 }
 

@@ -27,6 +27,7 @@
 #include "playhouse/net/io_loop.h"
 #include "playhouse/observers/observer_server.h"
 #include "playhouse/record/recorder.h"
+#include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/scene/scene_desc.h"
 #include "playhouse/scene/text/source_text.h"
@@ -141,6 +142,7 @@ class Service final : private ServerHost {
   Result<void> open_playback();
   Result<void> add_robots();
   Result<void> make_drivers();
+  replicate::SnapshotFeed& feed();
   void fail_run(const Error& why);
   void catch_signals();
   void show_progress();
@@ -180,6 +182,7 @@ class Service final : private ServerHost {
   std::unique_ptr<drivers::AutoDevices> robots_;          // without a configuration file
   std::unique_ptr<server::Server> server_;
   web_server::GuestBook guests_;
+  std::unique_ptr<replicate::SnapshotFeed> feed_;  // of the page and of observers
   std::unique_ptr<web_server::WebServer> web_;
   std::unique_ptr<observers::ObserverServer> observers_;
   std::unique_ptr<net::Timer> progress_;

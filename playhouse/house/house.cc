@@ -95,6 +95,7 @@ class House final : private drivers::Host {
 
   void begin_recording(const std::string& folder);
   void make_drivers();
+  void open_feed();
   void open_observers();
   void open_page_server();
   void follow_rewinds();
@@ -142,6 +143,7 @@ class House final : private drivers::Host {
   std::string file_;
   std::unique_ptr<record::RecordThread> record_thread_;
   std::unique_ptr<record::Recorder> recorder_;
+  std::unique_ptr<replicate::SnapshotFeed> feed_;
   std::unique_ptr<observers::ObserverServer> observers_;
   std::unique_ptr<observers::ObserverClient> observer_;
   std::optional<ShownWorlds> shown_;
@@ -188,6 +190,7 @@ House::House(const Options& options, const std::string& folder)
   PLAYHOUSE_ASSERT(robots_->add_all().ok());
   make_drivers();
   begin_recording(folder);
+  open_feed();
   open_observers();
   open_page_server();
   follow_rewinds();
@@ -208,12 +211,8 @@ void House::open_observers() {
   observers::ObserverOptions served;
   served.bind = kObserverHost;
   served.port = kObserverPort;
-  observers_ = std::make_unique<observers::ObserverServer>(network_, std::move(served), world(),
-                                                           replicate::DeviceNames());
+  observers_ = std::make_unique<observers::ObserverServer>(network_, std::move(served), *feed_);
   PLAYHOUSE_ASSERT(observers_->listen().ok());
-  simulation().follow(run::on_show([this](const world::World& world, const world::Pace& pace) {
-    if (observers_->wants_show()) observers_->show(world, pace);
-  }));
 }
 
 void House::open_page_server() {
@@ -224,12 +223,17 @@ void House::open_page_server() {
                                  .place_of_body = drivers::free_place,
                                  .shares = simulation().shares()};
   web_ = std::make_unique<web_server::WebServer>(network_, std::move(options), simulation().requests(),
-                                                 world(), replicate::DeviceNames());
-  shown_.emplace(world());
+                                                 world(), *feed_);
   PLAYHOUSE_ASSERT(web_->listen().ok());
+}
+
+void House::open_feed() {
+  feed_ = std::make_unique<replicate::SnapshotFeed>(world(), replicate::DeviceNames(),
+                                                    [this] { return network_.now(); });
+  shown_.emplace(world());
   simulation().follow(run::on_show([this](const world::World& world, const world::Pace& pace) {
-    if (!web_->wants_show()) return;
-    web_->show(world, pace);
+    if (!feed_->wants_show()) return;
+    feed_->show(world, pace);
     shown_->show(world, pace);
   }));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// ShownWorlds: what pages were shown of the world of a house, kept for some time: what a page holds must be one of
+/// ShownWorlds: what viewers were shown of the world of a house, kept for some time: what a page holds must be one of
 /// these instants. Thread: one for the whole house.
 
 #include <cstdint>
@@ -16,10 +16,10 @@ namespace playhouse::house {
 
 class ShownWorlds {
  public:
-  /// Made at the same time as the server of the pages; the world's scene must outlive it.
+  /// Made at the same time as the feed of the servers; the world's scene must outlive it.
   explicit ShownWorlds(const world::World& world);
 
-  /// Whenever the server of the pages shows the world.
+  /// Whenever the feed shows the world.
   void show(const world::World& world, const world::Pace& pace);
   /// The newest population for which `fits`; null: none.
   std::shared_ptr<const replicate::Layout> population(

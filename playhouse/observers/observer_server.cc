@@ -11,8 +11,6 @@
 #include "playhouse/net/fair_share.h"
 #include "playhouse/observers/cookie.h"
 #include "playhouse/replicate/datagrams/datagram_viewer.h"
-#include "playhouse/replicate/scene_text.h"
-#include "playhouse/replicate/snapshot_feed.h"
 
 namespace playhouse::observers {
 namespace {
@@ -21,18 +19,15 @@ constexpr int kGoodbyes = 3;  // sent repeatedly against loss
 
 }  // namespace
 
-class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverServer::Impl> {
+class ObserverServer::Impl final {
  public:
-  Impl(net::Network& network, ObserverOptions options, const world::World& world,
-       replicate::DeviceNames devices)
+  Impl(net::Network& network, ObserverOptions options, replicate::SnapshotFeed& feed)
       : network_(network),
         options_(std::move(options)),
-        scene_(world.scene()),
-        light_(replicate::light_text(world)),
-        prototypes_(scene_),
-        feed_(world, prototypes_, std::move(devices), [&network] { return network.now(); }) {
-    replicate::capture(world, {}, feed_.first_layout(), {}, front_);
-  }
+        feed_(feed),
+        reader_(
+            feed, [&network](std::function<void()> task) { network.post(std::move(task)); },
+            [this] { reader_.take(); }) {}
 
   Result<std::uint16_t> listen() {
     auto socket = network_.open_datagrams(
@@ -41,15 +36,6 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
     if (!socket) return socket.error();
     socket_ = std::move(*socket);
     return socket_->port();
-  }
-
-  bool wants_show() const { return feed_.wants_show(); }
-
-  void show(const world::World& world, const world::Pace& pace) {
-    if (!feed_.show(world, pace)) return;
-    network_.post([weak = weak_from_this()] {
-      if (const auto self = weak.lock()) self->feed_.take(self->front_);
-    });
   }
 
   void end_sent_out() {
@@ -164,10 +150,11 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
                    options_.bytes_per_second),
         std::clamp<std::uint32_t>(join.wanted.frames_per_second, 1, limits::kObserverFrames)};
     const std::uint64_t session = random_number();
+    if (observers_.empty()) reader_.take();  // others may have watched meanwhile
     Observer observer{join.nonce, guest.token,
                       replicate::encode(replicate::Welcome{join.nonce, session, terms}),
-                      std::make_unique<replicate::DatagramViewer>(session, terms, front_.layout, scene_text(),
-                                                                  network_.now())};
+                      std::make_unique<replicate::DatagramViewer>(session, terms, reader_.snapshot().layout,
+                                                                  scene_text(), network_.now())};
     send(from, observer.welcome);
     observers_[from] = std::move(observer);
     log::info("observers: {} observes as {}{}{} ({} now)", net::to_text(from), name_of(guest.role),
@@ -211,9 +198,9 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
         send_goodbye(observer->first, observer->second.viewer->session(), "nothing was heard of you");
         end(observer, "nothing was heard of it for long");
       } else {
-        observer->second.viewer->offer(front_, changes_, now, [&](std::span<const std::byte> datagram) {
-          send(observer->first, datagram);
-        });
+        observer->second.viewer->offer(
+            reader_.snapshot(), changes_, now,
+            [&](std::span<const std::byte> datagram) { send(observer->first, datagram); });
       }
       observer = next;
     }
@@ -237,49 +224,39 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
     socket_->send(to, datagram);
   }
 
-  void watch() { feed_.watch(!observers_.empty()); }
+  void watch() { reader_.watch(!observers_.empty()); }
 
   /// The scene text for the newest snapshot's population, cached.
   std::shared_ptr<const replicate::PackedText> scene_text() {
-    if (scene_layout_ != front_.layout) {
-      scene_layout_ = front_.layout;
-      scene_text_ = replicate::pack_text(replicate::scene_text(scene_, light_, prototypes_, *front_.layout));
+    if (scene_layout_ != reader_.snapshot().layout) {
+      scene_layout_ = reader_.snapshot().layout;
+      scene_text_ = replicate::pack_text(feed_.scene_text(*scene_layout_, replicate::TellDevices::kNo));
     }
     return scene_text_;
   }
 
   net::Network& network_;
   ObserverOptions options_;
-  const scene::SceneDesc& scene_;
-  const std::string light_;  // see replicate::light_text()
-  const replicate::Prototypes prototypes_;
-  replicate::SnapshotFeed feed_;
+  const replicate::SnapshotFeed& feed_;
+  replicate::SnapshotReader reader_;
   const Cookies cookies_;
   std::unique_ptr<net::DatagramSocket> socket_;
   Observers observers_;
   std::unique_ptr<net::Timer> frame_timer_;
-  replicate::Snapshot front_;
-  replicate::ChangesTexts changes_;
+  replicate::ChangesTexts changes_{replicate::TellDevices::kNo};
   std::shared_ptr<const replicate::Layout> scene_layout_;  // of scene_text_
   std::shared_ptr<const replicate::PackedText> scene_text_;
   ObserverStatus status_;
 };
 
-ObserverServer::ObserverServer(net::Network& network, ObserverOptions options, const world::World& world,
-                               replicate::DeviceNames devices)
-    : impl_(std::make_shared<Impl>(network, std::move(options), world, std::move(devices))) {}
+ObserverServer::ObserverServer(net::Network& network, ObserverOptions options, replicate::SnapshotFeed& feed)
+    : impl_(std::make_unique<Impl>(network, std::move(options), feed)) {}
 ObserverServer::~ObserverServer() {
   impl_->close();
 }
 
 Result<std::uint16_t> ObserverServer::listen() {
   return impl_->listen();
-}
-bool ObserverServer::wants_show() const {
-  return impl_->wants_show();
-}
-void ObserverServer::show(const world::World& world, const world::Pace& pace) {
-  impl_->show(world, pace);
 }
 void ObserverServer::end_sent_out() {
   impl_->end_sent_out();

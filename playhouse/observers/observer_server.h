@@ -2,8 +2,7 @@
 
 /// ObserverServer: read-only replication of the world over datagrams (replicate/datagrams/datagram.h). Admits
 /// observers after address validation and a check of their token, and sends each one deltas within its
-/// budget. No cost without observers. docs/observers.md. Threads: wants_show() and show() are for the
-/// tick thread or one that works for it, all else for the thread of the network, or before that runs.
+/// budget. No cost without observers. docs/observers.md. Thread: that of the network, or before that runs.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,9 +12,8 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/net/network.h"
-#include "playhouse/replicate/layout.h"
+#include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/web_server/guests.h"
-#include "playhouse/world/control.h"
 
 namespace playhouse::observers {
 
@@ -36,21 +34,15 @@ struct ObserverStatus {
 
 class ObserverServer {
  public:
-  /// Reads the world at once, so construct it before the first tick; `devices` is called
-  /// now, and later by show() for new models. The network and the scene must outlive the
-  /// server; destroy it when the network has stopped and show() is no longer called.
-  ObserverServer(net::Network& network, ObserverOptions options, const world::World& world,
-                 replicate::DeviceNames devices);
+  /// The network and the feed must outlive the server. Construct it before the first tick; destroy it when the
+  /// network has stopped and the feed is no longer shown.
+  ObserverServer(net::Network& network, ObserverOptions options, replicate::SnapshotFeed& feed);
   ~ObserverServer();
   ObserverServer(const ObserverServer&) = delete;
   ObserverServer& operator=(const ObserverServer&) = delete;
 
   /// Opens the socket; returns the port.
   Result<std::uint16_t> listen();
-
-  /// As in web_server::WebServer.
-  bool wants_show() const;
-  void show(const world::World& world, const world::Pace& pace);
 
   /// Ends the sessions of guests who were sent out.
   void end_sent_out();
@@ -61,7 +53,7 @@ class ObserverServer {
 
  private:
   class Impl;
-  std::shared_ptr<Impl> impl_;  // shared with tasks posted to the network, which may outlive the server
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace playhouse::observers

@@ -24,15 +24,14 @@ class Observers : public testing::Test {
   void open(ObserverOptions options = {}) {
     options.bind = "10.0.0.1";
     options.port = 7000;
-    server_ = std::make_unique<ObserverServer>(network_, std::move(options), small_.world,
-                                               replicate::DeviceNames());
+    server_ = std::make_unique<ObserverServer>(network_, std::move(options), feed_);
     ASSERT_EQ(*server_->listen(), 7000);
   }
 
   void run_for(double seconds, bool moves = true) {
     for (const double end = network_.now() + seconds; network_.now() < end;) {
       if (moves) small_.tick();
-      server_->show(small_.world, {});
+      if (feed_.wants_show()) feed_.show(small_.world, {});
       network_.run_for(0.05);
     }
   }
@@ -63,6 +62,7 @@ class Observers : public testing::Test {
 
   net::SimulatedNetwork network_{42};
   SmallWorld small_{20};
+  replicate::SnapshotFeed feed_{small_.world, {}, [this] { return network_.now(); }};
   std::unique_ptr<ObserverServer> server_;
   std::vector<std::vector<std::byte>> heard_;
 };
@@ -96,7 +96,7 @@ TEST_F(Observers, come_late_leave_and_are_gone_when_they_vanish) {
   network_.datagrams.loss = 1;
   run_for(limits::kObserverQuietSeconds + 1);
   EXPECT_EQ(server_->status().observers, 0u);
-  EXPECT_FALSE(server_->wants_show());
+  EXPECT_FALSE(feed_.wants_show());
   EXPECT_EQ(late->observer().ended(), "nothing was heard of it for 10 s");
 }
 

@@ -336,6 +336,13 @@ class PacketWriter {
 
 }  // namespace
 
+Interest interest_of(const Wish& wish) {
+  Interest interest;
+  if (wish.sensors) interest.view = wish.view;
+  if (wish.selected) interest.selected.push_back(*wish.selected);
+  return interest;
+}
+
 Replica::Replica(std::shared_ptr<const Layout> of)
     : layout(std::move(of)), models(layout->start), scans(layout->sensors.size()) {}
 

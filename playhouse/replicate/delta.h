@@ -64,6 +64,9 @@ struct Wish {
   std::optional<world::ModelId> selected;  // include sensors and devices of this robot, wherever it is
 };
 
+/// What has to be captured for it.
+Interest interest_of(const Wish& wish);
+
 /// The state that one viewer holds.
 struct Replica {
   explicit Replica(std::shared_ptr<const Layout> layout);

@@ -84,13 +84,6 @@ void speak(world::World& world) {
   }
 }
 
-Interest interest_of(const Wish& wish) {
-  Interest interest;
-  if (wish.sensors) interest.view = wish.view;
-  if (wish.selected) interest.selected = {*wish.selected};
-  return interest;
-}
-
 /// The oracle: what a viewer with this wish must hold in the end.
 void expect_whole(const Snapshot& snapshot, const Wish& wish, const Replica& replica) {
   const Layout& layout = *snapshot.layout;

@@ -185,6 +185,21 @@ TEST(SceneText, tells_each_model_with_its_devices) {
   EXPECT_EQ(devices(SmallWorld::robot(1)), R"(["position2d:1"])");
 }
 
+TEST(SceneText, without_devices_is_that_of_a_run_that_has_none) {
+  SmallWorld small(2);
+  const auto named = small.layout(small_devices), nameless = small.layout();
+  const auto text = [&](const Layout& layout, TellDevices devices) {
+    return scene_text(small.world.scene(), light_text(small.world), small.prototypes, layout, devices);
+  };
+  EXPECT_NE(text(*named, TellDevices::kYes), text(*nameless, TellDevices::kYes));
+  EXPECT_EQ(text(*named, TellDevices::kNo), text(*nameless, TellDevices::kYes));
+  ASSERT_TRUE(world::spawn(small.world, SmallWorld::robot(0), {1, 1, 0, 0}).ok());
+  const DeviceNames devices = [](world::ModelId) { return std::vector<std::string>{"position2d:7"}; };
+  const auto more = small.layout(devices, named.get()), more_nameless = small.layout({}, nameless.get());
+  EXPECT_NE(changes_text(*named, *more), changes_text(*nameless, *more_nameless));
+  EXPECT_EQ(changes_text(*named, *more, TellDevices::kNo), changes_text(*nameless, *more_nameless));
+}
+
 TEST(SceneText, names_from_files_cannot_break_it) {
   scene::SceneDesc desc;
   desc.name = "a \"quoted\" \\ name\n\x01";

@@ -32,16 +32,16 @@ std::uint8_t traits_of(const world::World& world, world::ModelRow row) {
   return static_cast<std::uint8_t>(traits);
 }
 
-/// The constant properties of this model: names, devices, fiducial.
-std::string words_of(const world::World& world, world::ModelRow row, const DeviceNames& devices) {
+ModelWords words_of(const world::World& world, world::ModelRow row, const DeviceNames& devices) {
   const std::string name = world.name(row), alias = world.alias(row);
-  std::string text = R"("name":)" + quoted(name);
-  if (alias != name) text += R"(,"alias":)" + quoted(alias);
+  ModelWords words;
+  words.names = R"("name":)" + quoted(name);
+  if (alias != name) words.names += R"(,"alias":)" + quoted(alias);
   const std::vector<std::string> names = devices ? devices(world.id(row)) : std::vector<std::string>();
-  if (!names.empty()) text += R"(,"devices":)" + list(names, quoted);
+  if (!names.empty()) words.devices = R"(,"devices":)" + list(names, quoted);
   const std::int32_t fiducial = world.models.fiducial_return[row.index];
-  if (fiducial != 0) text += fmt::format(R"(,"fiducial":{})", fiducial);
-  return text;
+  if (fiducial != 0) words.fiducial = fmt::format(R"(,"fiducial":{})", fiducial);
+  return words;
 }
 
 }  // namespace
@@ -81,8 +81,8 @@ Layout::Layout(const world::World& world, const Prototypes& prototypes, const De
     start[row] = model_state(world, row);
     while (before && known < before->id.size() && before->id[known] < id[row]) ++known;
     const bool is_known = before && known < before->id.size() && before->id[known] == id[row];
-    words[row] = is_known ? before->words[known]
-                          : std::make_shared<const std::string>(words_of(world, {row}, devices));
+    words[row] =
+        is_known ? before->words[known] : std::make_shared<const ModelWords>(words_of(world, {row}, devices));
     for (std::size_t view = 0; view < views().size(); ++view)
       if (views()[view].row_of(world, row) != world::ModelRow::kNone) viewed[view].push_back(row);
   }

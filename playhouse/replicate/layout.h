@@ -44,22 +44,27 @@ inline constexpr std::uint8_t kDrives = 4;    // it has a drive
 /// model, for display. Called between two ticks.
 using DeviceNames = std::function<std::vector<std::string>(world::ModelId)>;
 
+/// The constant properties of a model, as fields of a JSON object, in this order; the last two may be empty.
+struct ModelWords {
+  std::string names, devices, fiducial;
+};
+
 struct Layout {
   /// Reuses what is known of models that are in `before` too, if given.
   Layout(const world::World& world, const Prototypes& prototypes, const DeviceNames& devices,
          const Layout* before = nullptr);
 
-  std::uint64_t population = 0;                           // World::population()
-  std::uint32_t ids_given = 0;                            // exclusive upper bound on ids assigned so far
-  std::vector<world::ModelId> id;                         // per model, ascending
-  std::vector<std::uint32_t> parent;                      // per model: row, or world::ModelRow::kNone
-  std::vector<std::uint32_t> root;                        // per model
-  std::vector<std::uint32_t> prototype;                   // per model, of Prototypes
-  std::vector<std::uint8_t> traits;                       // per model: kMovable, kAlwaysOn, kDrives
-  std::vector<std::shared_ptr<const std::string>> words;  // per model: fields of a JSON object
-  std::vector<ModelState> start;                          // per model
-  std::vector<SensorLayout> sensors;                      // per sensor row
-  std::vector<std::vector<std::uint32_t>> viewed;         // per view, rows of the models with that view
+  std::uint64_t population = 0;                          // World::population()
+  std::uint32_t ids_given = 0;                           // exclusive upper bound on ids assigned so far
+  std::vector<world::ModelId> id;                        // per model, ascending
+  std::vector<std::uint32_t> parent;                     // per model: row, or world::ModelRow::kNone
+  std::vector<std::uint32_t> root;                       // per model
+  std::vector<std::uint32_t> prototype;                  // per model, of Prototypes
+  std::vector<std::uint8_t> traits;                      // per model: kMovable, kAlwaysOn, kDrives
+  std::vector<std::shared_ptr<const ModelWords>> words;  // per model
+  std::vector<ModelState> start;                         // per model
+  std::vector<SensorLayout> sensors;                     // per sensor row
+  std::vector<std::vector<std::uint32_t>> viewed;        // per view, rows of the models with that view
 
   /// Row of a model; none if it does not exist.
   std::optional<std::uint32_t> row(world::ModelId model) const;

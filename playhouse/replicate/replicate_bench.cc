@@ -1,10 +1,11 @@
-// What watching costs the tick thread (capture) and the thread that serves viewers (a packet each), while
-// every robot moves.
+// What watching costs the tick thread (a capture; a frame of pages and observers together) and the thread that
+// serves viewers (a packet each), while every robot moves.
 
 #include <benchmark/benchmark.h>
 
 #include "playhouse/base/limits.h"
 #include "playhouse/replicate/small_world.h"
+#include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/replicate/viewer.h"
 
 namespace playhouse::replicate {
@@ -32,6 +33,24 @@ void BM_capture(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK(BM_capture)->Arg(100)->Arg(10000)->Unit(benchmark::kMicrosecond);
+
+/// With and without the sensors of all robots.
+void BM_show(benchmark::State& state) {
+  Show show(static_cast<int>(state.range(0)));
+  SnapshotFeed feed(show.small.world, {}, [] { return 0.0; });
+  const auto post = [](const std::function<void()>&) {};
+  SnapshotReader pages(feed, post, [] {}), observers(feed, post, [] {});
+  if (state.range(1) != 0) pages.set_interest(show.interest);
+  for (auto _ : state) {
+    state.PauseTiming();
+    show.small.tick();
+    pages.take();
+    observers.take();
+    state.ResumeTiming();
+    feed.show(show.small.world, {});
+  }
+}
+BENCHMARK(BM_show)->Args({10000, 0})->Args({10000, 1})->Unit(benchmark::kMicrosecond);
 
 void BM_packet(benchmark::State& state) {
   Show show(static_cast<int>(state.range(0)));

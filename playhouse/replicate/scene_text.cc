@@ -17,7 +17,7 @@ std::string window(const scene::WindowDesc& window) {
                      number(window.pitch), number(window.yaw), window.show_data, quoted(window.follow_model));
 }
 
-void add_model(const Layout& layout, std::uint32_t row, std::string& text) {
+void add_model(const Layout& layout, std::uint32_t row, TellDevices devices, std::string& text) {
   if (!text.empty()) text += ",\n";
   auto out = std::back_inserter(text);
   fmt::format_to(out, R"({{"id":{},"prototype":{})", layout.id[row].value, layout.prototype[row]);
@@ -28,7 +28,9 @@ void add_model(const Layout& layout, std::uint32_t row, std::string& text) {
                  start.color, start.flags);
   if (start.tilt_x != 0 || start.tilt_y != 0)
     fmt::format_to(out, R"("tilt":[{},{}],)", start.tilt_x, start.tilt_y);
-  fmt::format_to(out, "{}}}", *layout.words[row]);
+  const ModelWords& words = *layout.words[row];
+  fmt::format_to(out, "{}{}{}}}", words.names,
+                 devices == TellDevices::kYes ? words.devices : std::string_view(), words.fiducial);
 }
 
 }  // namespace
@@ -45,9 +47,9 @@ std::string light_text(const world::World& world) {
 }
 
 std::string scene_text(const scene::SceneDesc& scene, std::string_view light, const Prototypes& prototypes,
-                       const Layout& layout) {
+                       const Layout& layout, TellDevices devices) {
   std::string models;
-  for (std::uint32_t row = 0; row < layout.id.size(); ++row) add_model(layout, row, models);
+  for (std::uint32_t row = 0; row < layout.id.size(); ++row) add_model(layout, row, devices, models);
   return fmt::format(
       "{{\"protocol\":{},\"build\":{},\"name\":{},\"interval\":{:.9g},\"window\":{},\"light\":{},"
       "\n\"shapes\":[{}],\n"
@@ -75,14 +77,14 @@ std::string world_file_text(std::string_view name, std::string_view text) {
   return fmt::format("{{\"world\":{{\"file\":{},\"text\":{}}}}}\n", quoted(name), quoted(text));
 }
 
-std::string changes_text(const Layout& from, const Layout& to) {
+std::string changes_text(const Layout& from, const Layout& to, TellDevices devices) {
   std::string gone, models;
   compare(
       from, to,
       [&](std::uint32_t row) {
         fmt::format_to(std::back_inserter(gone), "{}{}", gone.empty() ? "" : ",", from.id[row].value);
       },
-      [](std::uint32_t, std::uint32_t) {}, [&](std::uint32_t row) { add_model(to, row, models); });
+      [](std::uint32_t, std::uint32_t) {}, [&](std::uint32_t row) { add_model(to, row, devices, models); });
   if (gone.empty() && models.empty()) return {};
   return fmt::format("{{\"gone\":[{}],\n\"models\":[{}]}}\n", gone, models);
 }

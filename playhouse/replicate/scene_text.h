@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -11,15 +12,18 @@ namespace playhouse::replicate {
 /// Sun, sky and fog as rendered by the world's cameras, as JSON; "null" if they render none.
 std::string light_text(const world::World& world);
 
+/// Whether a text names the Player devices of models: pages show them, observers do not.
+enum class TellDevices : std::uint8_t { kNo, kYes };
+
 /// The scene as the JSON text that every viewer gets first: light, shapes,
 /// prototypes, and the models of a layout with their start state (exactly
 /// `layout.start`, the first baseline). docs/viewer-protocol.md specifies it.
 std::string scene_text(const scene::SceneDesc& scene, std::string_view light, const Prototypes& prototypes,
-                       const Layout& layout);
+                       const Layout& layout, TellDevices devices = TellDevices::kYes);
 
 /// The update that takes a viewer from one population to another: removed models, and models that are new or
 /// have another parent, with their start state. Both layouts are of one run. Empty if there is no difference.
-std::string changes_text(const Layout& from, const Layout& to);
+std::string changes_text(const Layout& from, const Layout& to, TellDevices devices = TellDevices::kYes);
 
 /// The instants to which a viewer can rewind, or why there are none.
 std::string history_text(const world::Timeline& timeline);

@@ -121,6 +121,21 @@ class Capture {
 
 }  // namespace
 
+void Interest::add(const Interest& other) {
+  if (!other.view.empty()) {
+    view.add({other.view.x_min, other.view.y_min});
+    view.add({other.view.x_max, other.view.y_max});
+  }
+  selected.insert(selected.end(), other.selected.begin(), other.selected.end());
+  std::ranges::sort(selected);
+  selected.erase(std::unique(selected.begin(), selected.end()), selected.end());
+}
+
+void Interest::clear() {
+  view = {};
+  selected.clear();
+}
+
 void capture(const world::World& world, const world::Pace& pace, std::shared_ptr<const Layout> layout,
              const Interest& interest, Snapshot& out) {
   const bool says_the_same = out.layout == layout && out.said == world.said();

@@ -15,10 +15,15 @@
 
 namespace playhouse::replicate {
 
-/// The union of all viewers' interests.
+/// What is captured beyond the state of models.
 struct Interest {
   geom::Box view;                        // sensors of robots in here are captured  [m, W]; empty: none
   std::vector<world::ModelId> selected;  // ascending; all sensors of their robots are captured
+
+  /// Becomes the union of both.
+  void add(const Interest& other);
+  /// None; keeps its memory.
+  void clear();
 };
 
 /// One sensor's scan: beams[first .. first + layout.sensors[sensor].beam_count).

@@ -1,16 +1,20 @@
 #pragma once
 
-/// SnapshotFeed: hands snapshots from the tick thread to a thread that serves viewers, without
-/// blocking (triple buffer): one is written, one is ready, one is read. Threads: wants_show()
-/// and show() are for the tick thread or one that works for it, all else for the serving thread.
+/// SnapshotFeed: what all servers of viewers show of one run. The world is captured once for all of them,
+/// with what any of their viewers wants, and every SnapshotReader sees that same snapshot. Nobody waits:
+/// a reader keeps its snapshot as long as it likes, because for R readers there are R + 2: one each, the
+/// newest, and the one that is written. Threads: wants_show() and show() are for the tick thread or one that
+/// works for it; a reader is for the thread that serves its viewers.
 
 #include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <utility>
+#include <string>
+#include <vector>
 
+#include "playhouse/replicate/scene_text.h"
 #include "playhouse/replicate/snapshot.h"
 
 namespace playhouse::replicate {
@@ -18,73 +22,91 @@ namespace playhouse::replicate {
 /// The minimum period of frames to one viewer, and of captures.
 inline constexpr double kFramePeriod = 0.033;  // s
 
+class SnapshotReader;
+
 class SnapshotFeed {
  public:
   /// Monotonic seconds; any thread.
   using Clock = std::function<double()>;
 
-  /// Makes the first layout; `devices` is called then, and by show() for new models.
-  SnapshotFeed(const world::World& world, const Prototypes& prototypes, DeviceNames devices, Clock clock)
-      : prototypes_(prototypes),
-        clock_(std::move(clock)),
-        devices_(std::move(devices)),
-        layout_(std::make_shared<const Layout>(world, prototypes, devices_)),
-        first_(layout_) {}
+  /// Makes the first layout and snapshot, so construct it before the first tick; `devices` is called then, and
+  /// by show() for new models. The world's scene must outlive it.
+  SnapshotFeed(const world::World& world, DeviceNames devices, Clock clock);
+  SnapshotFeed(const SnapshotFeed&) = delete;
+  SnapshotFeed& operator=(const SnapshotFeed&) = delete;
 
-  /// True if there are viewers and the last capture is at least kFramePeriod ago.
-  bool wants_show() const {
-    return watched_.load(std::memory_order_relaxed) && clock_() - capture_time_ >= kFramePeriod;
-  }
+  const Prototypes& prototypes() const { return prototypes_; }
+  /// See replicate::scene_text().
+  std::string scene_text(const Layout& layout, TellDevices devices) const;
 
-  /// Captures the world, which must not change meanwhile. True: the serving thread has to be notified.
-  bool show(const world::World& world, const world::Pace& pace) {
-    capture_time_ = clock_();
-    {
-      const std::lock_guard lock(mutex_);
-      tick_interest_ = interest_;
-    }
-    if (layout_->population != world.population())
-      layout_ = std::make_shared<const Layout>(world, prototypes_, devices_, layout_.get());
-    capture(world, pace, layout_, tick_interest_, back_);
-    {
-      const std::lock_guard lock(mutex_);
-      std::swap(back_, ready_);
-      fresh_ = true;
-    }
-    return !told_.exchange(true);
-  }
-
-  /// Tells whether there are viewers.
-  void watch(bool anybody) { watched_ = anybody; }
-  /// The interest of all viewers, for the next capture.
-  void set_interest(Interest interest) {
-    const std::lock_guard lock(mutex_);
-    interest_ = std::move(interest);
-  }
-  /// Swaps the newest snapshot, if there is one, into `front`. Called by the serving thread when notified.
-  void take(Snapshot& front) {
-    told_ = false;
-    const std::lock_guard lock(mutex_);
-    if (std::exchange(fresh_, false)) std::swap(ready_, front);
-  }
-  /// The layout at construction.
-  const std::shared_ptr<const Layout>& first_layout() const { return first_; }
+  /// True if a capture is due: a server has viewers, and the last one is at least kFramePeriod ago. Call it
+  /// after each tick, and while paused at 10 Hz or more, so that dragging is visible and connections stay
+  /// alive. One atomic load for each reader without viewers.
+  bool wants_show() const;
+  /// Captures the world, which must not change meanwhile, and notifies the readers that have viewers.
+  void show(const world::World& world, const world::Pace& pace);
 
  private:
-  const Prototypes& prototypes_;
+  friend class SnapshotReader;
+
+  struct Buffer {
+    Snapshot snapshot;
+    std::size_t readers = 0;  // guarded by mutex_
+  };
+
+  Buffer& free_buffer();
+
+  const scene::SceneDesc& scene_;
+  const std::string light_;  // see light_text()
+  const Prototypes prototypes_;
   const Clock clock_;
   const DeviceNames devices_;
-  std::shared_ptr<const Layout> layout_;  // of the newest capture
-  const std::shared_ptr<const Layout> first_;
-  double capture_time_ = -kFramePeriod;
-  Interest tick_interest_;
-  Snapshot back_;
+  std::vector<SnapshotReader*> readers_;  // as long as show() is called always the same
+  std::vector<std::unique_ptr<Buffer>> buffers_;
 
-  std::atomic<bool> watched_ = false, told_ = false;
-  std::mutex mutex_;  // guards the next three; held for a swap only
-  Interest interest_;
-  Snapshot ready_;
-  bool fresh_ = false;
+  // Thread: that of show().
+  std::shared_ptr<const Layout> layout_;  // of the newest capture
+  double capture_time_ = -kFramePeriod;
+  Interest interest_;  // of all readers
+
+  std::mutex mutex_;  // guards newest_, Buffer::readers and SnapshotReader::interest_
+  Buffer* newest_;    // whose snapshot is the newest
+};
+
+/// A server's access to the snapshots. Construct it before the first show() of its feed and destroy it after the
+/// last one.
+class SnapshotReader {
+ public:
+  /// Runs a task on the thread that serves viewers; any thread.
+  using Post = std::function<void(std::function<void()>)>;
+
+  /// Posts `serve` whenever there is a newer snapshot, once before the next take(). What is posted does nothing
+  /// after the reader's end.
+  SnapshotReader(SnapshotFeed& feed, Post post, std::function<void()> serve);
+  ~SnapshotReader();
+  SnapshotReader(const SnapshotReader&) = delete;
+  SnapshotReader& operator=(const SnapshotReader&) = delete;
+
+  /// Tells whether there are viewers.
+  void watch(bool anybody) { watches_ = anybody; }
+  /// What all viewers of this server want, for the next capture.
+  void set_interest(Interest interest);
+  /// Makes the newest snapshot the one that snapshot() returns.
+  void take();
+  /// The snapshot taken last, at first that of the feed's construction. It changes with take() alone.
+  const Snapshot& snapshot() const { return taken_->snapshot; }
+
+ private:
+  friend class SnapshotFeed;
+
+  void notify();
+
+  SnapshotFeed& feed_;
+  const Post post_;
+  const std::shared_ptr<const std::function<void()>> serve_;  // posted tasks have a weak one
+  std::atomic<bool> watches_ = false, told_ = false;
+  Interest interest_;            // guarded by the feed's mutex
+  SnapshotFeed::Buffer* taken_;  // this thread's
 };
 
 }  // namespace playhouse::replicate

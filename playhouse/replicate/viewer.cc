@@ -1,7 +1,5 @@
 #include "playhouse/replicate/viewer.h"
 
-#include "playhouse/replicate/scene_text.h"
-
 namespace playhouse::replicate {
 
 std::shared_ptr<const std::string> ChangesTexts::text(const std::shared_ptr<const Layout>& from,
@@ -9,7 +7,7 @@ std::shared_ptr<const std::string> ChangesTexts::text(const std::shared_ptr<cons
   if (from != from_ || to != to_) {
     from_ = from;
     to_ = to;
-    std::string text = changes_text(*from, *to);
+    std::string text = changes_text(*from, *to, devices_);
     text_ = text.empty() ? nullptr : std::make_shared<const std::string>(std::move(text));
   }
   return text_;

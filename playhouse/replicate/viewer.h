@@ -7,6 +7,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/replicate/command.h"
 #include "playhouse/replicate/delta.h"
+#include "playhouse/replicate/scene_text.h"
 
 namespace playhouse::replicate {
 
@@ -22,10 +23,13 @@ struct NextFrame {
 /// need the same one. Null if the models are the same.
 class ChangesTexts {
  public:
+  explicit ChangesTexts(TellDevices devices = TellDevices::kYes) : devices_(devices) {}
+
   std::shared_ptr<const std::string> text(const std::shared_ptr<const Layout>& from,
                                           const std::shared_ptr<const Layout>& to);
 
  private:
+  const TellDevices devices_;
   std::shared_ptr<const Layout> from_, to_;
   std::shared_ptr<const std::string> text_;
 };

@@ -59,39 +59,30 @@ class WebServer::Impl final : public net::HttpService,
                               public std::enable_shared_from_this<WebServer::Impl> {
  public:
   Impl(net::Network& network, WebOptions options, world::Control& control, const world::World& world,
-       replicate::DeviceNames devices)
+       replicate::SnapshotFeed& feed)
       : network_(network),
         options_(std::move(options)),
         names_(options_.host_name, options_.further_names),
         control_(control),
         scene_(world.scene()),
-        light_(replicate::light_text(world)),
-        prototypes_(scene_),
-        mesh_files_(prototypes_.meshes()),
-        feed_(world, prototypes_, std::move(devices), [&network] { return network.now(); }),
-        newest_(feed_.first_layout()),
-        bodies_(std::make_shared<Bodies>(network, control, scene_, prototypes_, world.engine,
+        feed_(feed),
+        mesh_files_(feed.prototypes().meshes()),
+        reader_(
+            feed, [&network](std::function<void()> task) { network.post(std::move(task)); },
+            [this] { serve(); }),
+        bodies_(std::make_shared<Bodies>(network, control, scene_, feed.prototypes(), world.engine,
                                          options_.join_period, options_.place_of_body,
                                          [this](std::uint32_t viewer, world::ModelId body,
                                                 const std::string& walk) { joined(viewer, body, walk); })),
         sensors_(network, control),
         driven_(network, control),
-        ids_given_(newest_->ids_given) {}
+        ids_given_(newest().ids_given) {}
 
   Result<std::uint16_t> listen() {
     auto listener = network_.listen_http(options_.bind, options_.port, *this);
     if (!listener) return listener.error();
     listener_ = std::move(*listener);
     return listener_->port();
-  }
-
-  bool wants_show() const { return feed_.wants_show(); }
-
-  void show(const world::World& world, const world::Pace& pace) {
-    if (!feed_.show(world, pace)) return;
-    network_.post([weak = weak_from_this()] {
-      if (const auto self = weak.lock()) self->serve();
-    });
   }
 
   void close() {
@@ -113,13 +104,17 @@ class WebServer::Impl final : public net::HttpService,
   /// One turn: offers the newest snapshot to all viewers, and resumes their commands.
   void serve() {
     for (const auto& viewer : viewers_) viewer->new_turn();
-    feed_.take(front_);
-    speech_.note(front_);
-    ids_given_ = std::max(ids_given_, front_.layout->ids_given);
+    const std::shared_ptr<const replicate::Layout> before = snapshot().layout;
+    take();
     look_at_past();
     offer();
-    if (std::exchange(newest_, front_.layout) != front_.layout)
-      interest_changed();  // a selected model may be gone
+    if (before != snapshot().layout) interest_changed();  // a selected model may be gone
+  }
+
+  void take() {
+    reader_.take();
+    speech_.note(snapshot());
+    ids_given_ = std::max(ids_given_, newest().ids_given);
   }
 
   /// At most once a second.
@@ -134,7 +129,7 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   void offer() {
-    for (const auto& viewer : viewers_) viewer->offer(front_);
+    for (const auto& viewer : viewers_) viewer->offer();
   }
 
   // HttpService
@@ -181,16 +176,21 @@ class WebServer::Impl final : public net::HttpService,
     if (viewers_.size() >= options_.viewers && !make_room(net::network_of(socket->peer())) &&
         !(rights_of(guest->role).manages && make_room_for_admin()))
       return refuse(*socket);
-    viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), newest_, *this, ++viewers_ever_, *guest,
-                                                   options_.bytes_per_second, network_));
+    if (viewers_.empty()) take();  // others may have watched meanwhile
+    viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), snapshot().layout, *this,
+                                                   ++viewers_ever_, *guest, options_.bytes_per_second,
+                                                   network_));
     log::info("web: {} watches{} ({} now)", viewers_.back()->peer(), as_whom(*guest), viewers_.size());
-    feed_.watch(true);
+    reader_.watch(true);
     if (viewers_.size() == 1) control_.record(true);
     tell_people();
     viewers_.back()->start(scene_text(), speech_.text());
   }
 
   // WebViewerOwner
+
+  const replicate::Snapshot& snapshot() const override { return reader_.snapshot(); }
+  const replicate::Layout& newest() const { return *snapshot().layout; }
 
   Result<void> carry_out(const replicate::Command& command, WebViewer& from) override {
     ++status_.commands;
@@ -259,7 +259,7 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   bool is_body(world::ModelId model, const WebViewer& of) const {
-    return bodies_->of(of.number(), *newest_) == model;
+    return bodies_->of(of.number(), newest()) == model;
   }
 
   WebViewer* viewer(std::uint32_t number) const {
@@ -390,7 +390,7 @@ class WebServer::Impl final : public net::HttpService,
   template <typename Then>
   Result<void> with_row(world::ModelId model, const Then& then) const {
     if (model.value >= ids_given_) return Error{"", "no such model"};
-    const std::optional<std::uint32_t> row = newest_->row(model);
+    const std::optional<std::uint32_t> row = newest().row(model);
     return row ? then(*row) : Result<void>{};
   }
 
@@ -427,7 +427,7 @@ class WebServer::Impl final : public net::HttpService,
     };
     if (is_body(drive.model, from)) return turn_wheels();  // may be newer than the latest layout
     return with_row(drive.model, [&](std::uint32_t row) -> Result<void> {
-      if (!(newest_->traits[row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
+      if (!(newest().traits[row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
       return turn_wheels();
     });
   }
@@ -441,11 +441,11 @@ class WebServer::Impl final : public net::HttpService,
     if (!control_.post(tell, drive.model)) log::info("web: {} is not told of a command", from.peer());
   }
 
-  bool may_be_moved(std::uint32_t row) const { return newest_->traits[row] & replicate::kMovable; }
+  bool may_be_moved(std::uint32_t row) const { return newest().traits[row] & replicate::kMovable; }
 
   Result<void> execute(const replicate::Copy& copy, WebViewer& from) {
     return with_row(copy.model, [&](std::uint32_t row) -> Result<void> {
-      if (!may_be_moved(newest_->root[row])) return Error{"", "this model may not be copied"};
+      if (!may_be_moved(newest().root[row])) return Error{"", "this model may not be copied"};
       return post_spawn(from, [copy](world::Journal& journal) -> std::optional<Result<world::ModelId>> {
         if (!journal.world().row(copy.model)) return std::nullopt;
         return journal.spawn_copy(copy.model, {copy.x, copy.y, 0, copy.a});
@@ -454,8 +454,9 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   Result<void> execute(const replicate::Add& add, WebViewer& from) {
-    if (add.robot >= prototypes_.addable().size()) return Error{"", "there is no such robot to add"};
-    const std::uint32_t desc = prototypes_.addable()[add.robot].desc;
+    const auto& addable = feed_.prototypes().addable();
+    if (add.robot >= addable.size()) return Error{"", "there is no such robot to add"};
+    const std::uint32_t desc = addable[add.robot].desc;
     return post_spawn(from, [add, desc](world::Journal& journal) -> std::optional<Result<world::ModelId>> {
       const geom::Pose X_WM{add.x, add.y, journal.world().scene().models[desc].X_PM.z, add.a};
       return journal.spawn(desc, X_WM);
@@ -487,7 +488,7 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   Result<void> execute(const replicate::Say& say, WebViewer& from) {
-    const std::optional<world::ModelId> body = bodies_->of(from.number(), *newest_);
+    const std::optional<world::ModelId> body = bodies_->of(from.number(), newest());
     if (!body) return Error{"", "only who has joined can say something"};
     return post_change([say, model = *body](world::Journal& journal) {
       journal.apply(world::changes::Say{model, say.text});
@@ -496,7 +497,7 @@ class WebServer::Impl final : public net::HttpService,
 
   Result<void> execute(const replicate::Remove& remove, WebViewer&) {
     return with_row(remove.model, [&](std::uint32_t row) -> Result<void> {
-      if (!may_be_moved(newest_->root[row])) return Error{"", "this model may not be removed"};
+      if (!may_be_moved(newest().root[row])) return Error{"", "this model may not be removed"};
       return post_change([remove](world::Journal& journal) {
         const world::World& world = journal.world();
         const world::ModelRow model = world.row(remove.model);
@@ -594,7 +595,7 @@ class WebServer::Impl final : public net::HttpService,
     bodies_->leave(viewer.number());
     if (viewer.guest().token == "*") muted_.erase(person_at(viewer));
     std::erase_if(viewers_, [&](const auto& other) { return other.get() == &viewer; });
-    feed_.watch(!viewers_.empty());
+    reader_.watch(!viewers_.empty());
     if (viewers_.empty()) control_.record(false);
     interest_changed();
     tell_people();
@@ -602,10 +603,10 @@ class WebServer::Impl final : public net::HttpService,
 
   /// The scene text for the present population, cached.
   std::shared_ptr<const std::string> scene_text() {
-    if (newest_ != scene_layout_) {
-      scene_layout_ = newest_;
+    if (scene_layout_ != snapshot().layout) {
+      scene_layout_ = snapshot().layout;
       scene_text_ =
-          std::make_shared<const std::string>(replicate::scene_text(scene_, light_, prototypes_, *newest_));
+          std::make_shared<const std::string>(feed_.scene_text(*scene_layout_, replicate::TellDevices::kYes));
     }
     return scene_text_;
   }
@@ -616,17 +617,9 @@ class WebServer::Impl final : public net::HttpService,
   /// Updates the union of interests for captures, and the selected sensors.
   void interest_changed() {
     replicate::Interest interest;
-    std::set<world::ModelId> selected;
-    for (const auto& viewer : viewers_) {
-      const replicate::Wish& wish = viewer->wish();
-      if (wish.selected) selected.insert(*wish.selected);
-      if (!wish.sensors || wish.view.empty()) continue;
-      interest.view.add({wish.view.x_min, wish.view.y_min});
-      interest.view.add({wish.view.x_max, wish.view.y_max});
-    }
-    interest.selected.assign(selected.begin(), selected.end());
-    feed_.set_interest(std::move(interest));
-    sensors_.select(std::move(selected));
+    for (const auto& viewer : viewers_) interest.add(replicate::interest_of(viewer->wish()));
+    sensors_.select({interest.selected.begin(), interest.selected.end()});
+    reader_.set_interest(std::move(interest));
   }
 
   net::Network& network_;
@@ -634,20 +627,17 @@ class WebServer::Impl final : public net::HttpService,
   const HostNames names_;
   world::Control& control_;
   const scene::SceneDesc& scene_;
-  const std::string light_;  // see replicate::light_text()
-  const replicate::Prototypes prototypes_;
+  const replicate::SnapshotFeed& feed_;
   MeshFiles mesh_files_;
-  replicate::SnapshotFeed feed_;
+  replicate::SnapshotReader reader_;
 
   // web thread
-  std::shared_ptr<const replicate::Layout> newest_;  // announced to viewers
   std::unique_ptr<net::Listener> listener_;
   std::vector<std::unique_ptr<WebViewer>> viewers_;
   std::unique_ptr<net::Timer> offer_timer_;
   std::shared_ptr<Bodies> bodies_;
   WatchedSensors sensors_;
   DrivenRobots driven_;
-  replicate::Snapshot front_;
   SpeechLog speech_;
   std::shared_ptr<const replicate::Layout> scene_layout_;  // of scene_text_
   std::shared_ptr<const std::string> scene_text_;
@@ -663,20 +653,14 @@ class WebServer::Impl final : public net::HttpService,
 };
 
 WebServer::WebServer(net::Network& network, WebOptions options, world::Control& control,
-                     const world::World& world, replicate::DeviceNames devices)
-    : impl_(std::make_shared<Impl>(network, std::move(options), control, world, std::move(devices))) {}
+                     const world::World& world, replicate::SnapshotFeed& feed)
+    : impl_(std::make_shared<Impl>(network, std::move(options), control, world, feed)) {}
 WebServer::~WebServer() {
   impl_->close();
 }
 
 Result<std::uint16_t> WebServer::listen() {
   return impl_->listen();
-}
-bool WebServer::wants_show() const {
-  return impl_->wants_show();
-}
-void WebServer::show(const world::World& world, const world::Pace& pace) {
-  impl_->show(world, pace);
 }
 WebStatus WebServer::status() const {
   return impl_->status();

@@ -3,8 +3,7 @@
 /// WebServer: the page at http://bind:port/ and its viewers. Serves the page from memory,
 /// sends every viewer the scene and then deltas (replicate), and executes viewers' commands
 /// through world::Control. No cost without viewers. docs/viewer.md, docs/viewer-protocol.md.
-/// Threads: wants_show() and show() are for the tick thread or one that works for it, all
-/// else for the io thread (the web thread), or before that runs.
+/// Thread: io (the web thread), or before that runs.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +17,7 @@
 #include "playhouse/base/result.h"
 #include "playhouse/net/forwarded.h"
 #include "playhouse/net/network.h"
-#include "playhouse/replicate/scene_text.h"
+#include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/web_server/bodies.h"
 #include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
@@ -60,25 +59,17 @@ struct WebStatus {
 
 class WebServer {
  public:
-  /// Reads the world at once, so construct it before the first tick; `devices` is called now,
-  /// and later by show() for new models. The scene, the network and the control must outlive the
-  /// server; destroy it when the network has stopped and show() is no longer called. Changes
-  /// queued in the control may run later: they touch only the world and the network.
+  /// Reads the world at once, so construct it before the first tick. The scene, the network, the control and
+  /// the feed, of the same world, must outlive the server; destroy it when the network has stopped and the feed
+  /// is no longer shown. Changes queued in the control may run later: they touch only the world and the network.
   WebServer(net::Network& network, WebOptions options, world::Control& control, const world::World& world,
-            replicate::DeviceNames devices);
+            replicate::SnapshotFeed& feed);
   ~WebServer();
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 
   /// Starts listening; returns the port.
   Result<std::uint16_t> listen();
-
-  /// True if a capture is due: there are viewers, and 33 ms of wall time have passed since
-  /// the last one. Call it after each tick, and while paused at 10 Hz or more, so that
-  /// dragging is visible and the connection stays alive. One atomic load without viewers.
-  bool wants_show() const;
-  /// Captures the world for viewers. The world must not change meanwhile.
-  void show(const world::World& world, const world::Pace& pace);
 
   WebStatus status() const;
 

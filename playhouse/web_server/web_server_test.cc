@@ -144,10 +144,15 @@ class WebServerTest : public testing::Test {
  protected:
   explicit WebServerTest(
       const std::function<void(WebOptions&)>& change = [](WebOptions&) {}, int people = 0)
-      : small_(3, 0, people), server_(loop_, options(change), notes_, small_.world, [](world::ModelId model) {
-          return model == SmallWorld::id(0) ? std::vector<std::string>{"position2d:0"}
-                                            : std::vector<std::string>();
-        }) {
+      : small_(3, 0, people),
+        feed_(
+            small_.world,
+            [](world::ModelId model) {
+              return model == SmallWorld::id(0) ? std::vector<std::string>{"position2d:0"}
+                                                : std::vector<std::string>();
+            },
+            [this] { return loop_.now(); }),
+        server_(loop_, options(change), notes_, small_.world, feed_) {
     const Result<std::uint16_t> port = server_.listen();
     EXPECT_TRUE(port.ok());
     port_ = *port;
@@ -170,7 +175,7 @@ class WebServerTest : public testing::Test {
   void turn() {
     notes_.carry_out(small_.world);
     small_.tick();
-    if (server_.wants_show()) server_.show(small_.world, {});
+    if (feed_.wants_show()) feed_.show(small_.world, {});
   }
   std::function<void()> turning() {
     return [this] { turn(); };
@@ -186,6 +191,7 @@ class WebServerTest : public testing::Test {
   SmallWorld small_;
   Notes notes_;
   net::IoLoop loop_;
+  replicate::SnapshotFeed feed_;
   WebServer server_;  // what a slow machine could cross waits an hour: who is to see its end changes it
   std::uint16_t port_ = 0;
   std::thread io_;
@@ -790,15 +796,16 @@ TEST(Budget, a_page_gets_no_more_bytes_a_second) {
   SmallWorld small(3);
   Notes notes;
   net::SimulatedNetwork network(1);
+  replicate::SnapshotFeed feed(small.world, {}, [&network] { return network.now(); });
   WebServer server(network, {.page = kPage, .host_name = "here", .bytes_per_second = kBytes}, notes,
-                   small.world, [](world::ModelId) { return std::vector<std::string>(); });
+                   small.world, feed);
   ASSERT_TRUE(server.listen());
   net::SimulatedPage page = network.open_page(8080, {.path = "/live", .host = "here", .peer = "127.0.0.1:1"});
   network.run();
   std::size_t bytes = 0, largest = 0;
   for (double seconds = kTurn; seconds < kSeconds; seconds += kTurn) {
     small.tick();
-    if (server.wants_show()) server.show(small.world, {});
+    if (feed.wants_show()) feed.show(small.world, {});
     network.run_for(kTurn);
     for (const net::SimulatedPage::Message& message : page.take()) {
       if (message.is_text) continue;

@@ -17,8 +17,8 @@ void WebViewer::start(std::shared_ptr<const std::string> scene, std::shared_ptr<
   if (said) socket_->send_text(std::move(said));
 }
 
-void WebViewer::offer(const replicate::Snapshot& snapshot) {
-  newest_ = &snapshot;
+void WebViewer::offer() {
+  was_offered_ = true;
   send_frame();
 }
 
@@ -88,7 +88,7 @@ Result<void> WebViewer::execute(const replicate::Command& command) {
 }
 
 void WebViewer::send_frame() {
-  if (!newest_ || socket_->messages_in_flight() > 0 || !viewer_.ready()) return;
+  if (!was_offered_ || socket_->messages_in_flight() > 0 || !viewer_.ready()) return;
   const double now = network_.now();
   // Rows deferred to the next frame must not advance it.
   if (now - frame_time_ < replicate::kFramePeriod * 3 / 4) return owner_.waits();
@@ -99,7 +99,7 @@ void WebViewer::send_frame() {
       static_cast<std::size_t>(std::clamp<double>(bucket_.left(), 0, limits::kViewerFrameBytes));
   const auto emit = is_due ? replicate::Emit::kAlways : replicate::Emit::kIfChanged;
   const replicate::NextFrame next =
-      viewer_.next_frame(*newest_, emit, owner_.changes_texts(), *frame_, budget);
+      viewer_.next_frame(owner_.snapshot(), emit, owner_.changes_texts(), *frame_, budget);
   if (!next.packet) return;
   frame_time_ = now;
   bucket_.spend(static_cast<double>(frame_->size() + (next.changes ? next.changes->size() : 0)));

@@ -23,6 +23,8 @@ class WebViewer;
 class WebViewerOwner {
  public:
   virtual ~WebViewerOwner() = default;
+  /// The newest snapshot; valid until the owner's next turn.
+  virtual const replicate::Snapshot& snapshot() const = 0;
   /// Executes a command that affects others (view and selection
   /// are handled by the viewer). An error is sent to the viewer.
   virtual Result<void> carry_out(const replicate::Command& command, WebViewer& from) = 0;
@@ -55,9 +57,9 @@ class WebViewer final : public net::WebSocketEvents {
   /// what was said before (null: nothing); starts reading.
   void start(std::shared_ptr<const std::string> scene, std::shared_ptr<const std::string> said);
 
-  /// Offers the newest snapshot, valid until the next call. Sends a frame now, or,
-  /// under back-pressure, once the page has caught up, from the newest snapshot then.
-  void offer(const replicate::Snapshot& snapshot);
+  /// From the first call on it sends frames: one now, of the newest snapshot, or, under back-pressure, once the
+  /// page has caught up, of the newest one then.
+  void offer();
 
   /// Resets the rate limit of commands: the previous ones have been executed.
   void new_turn();
@@ -112,7 +114,7 @@ class WebViewer final : public net::WebSocketEvents {
   const net::Network& network_;    // its clock
   double quiet_since_;             // s
   replicate::TokenBucket bucket_;  // for packets and population updates
-  const replicate::Snapshot* newest_ = nullptr;
+  bool was_offered_ = false;
   std::shared_ptr<const std::string> told_history_;
   std::shared_ptr<const std::string> people_, told_people_;
   bool awaits_text_ = false, text_is_under_way_ = false;

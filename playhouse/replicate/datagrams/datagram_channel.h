@@ -41,8 +41,6 @@ class DatagramChannel {
   /// Writes a packet without its state, which the caller may append, into `out`,
   /// with at most `text_room` bytes of text; returns its seq. It counts as sent.
   Seq write(double now, std::size_t text_room, std::vector<std::byte>& out);
-  /// True if the last write() included text.
-  bool carries_text() const { return !flights_.empty() && flights_.back().piece.size > 0; }
 
   /// Processes a packet of the session. Fails on a protocol violation.
   Result<Heard> receive(std::span<const std::byte> rest, double now);
