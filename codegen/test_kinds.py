@@ -122,6 +122,11 @@ class Refused(unittest.TestCase):
     def test_units(self):
         self.refuse_word('a number needs a unit ("1" for a plain one)', type="number")
         self.refuse_word("unknown unit 'meter'", type="number", unit="meter")
+        self.refuse_word("unknown unit 'meter'", type="number", unit="1/sqrt(meter)")
+        self.refuse_word("unknown unit 'm^^2'", type="number", unit="m^^2")
+        self.refuse_word("unknown unit 'sqrt(s'", type="number", unit="m/sqrt(s")
+        for unit in ("degC", "K/m", "m/s^2/sqrt(Hz)", "m/s or rad/s"):
+            build_kinds(tables(word=[word(type="number", unit=unit)]), SCHEMA)
         self.refuse_word("a length has no unit of its own", unit="m")
         self.refuse_word("unknown unit ''", type="twist", default=[0, 0, 0, 0])
 
