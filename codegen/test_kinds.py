@@ -6,7 +6,7 @@ import tomllib
 import unittest
 from pathlib import Path
 
-from codegen import emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_views
+from codegen import emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_views
 from codegen.checks import SchemaError
 from codegen.kinds import build_kinds, load_kinds
 from codegen.model import load
@@ -241,6 +241,18 @@ class Refused(unittest.TestCase):
         parsed[2][1]["inside"] = "amr"
         self.refuse_tables("kinds/joint.toml: unknown inside 'amr' (did you mean 'arm'?)", parsed)
 
+    def test_voltages(self):
+        def refuse(text, *voltages, name="aio", measured="measured_tick"):
+            columns = [column(), column(name=measured, type="uint64", unit="ticks"), column(name="all", list=True)]
+            self.refuse(f"interface {name}: voltages: {text}", column=columns,
+                        interface=[{"name": name, "index": "count", "voltages": list(voltages)}])
+
+        refuse("unknown from 'angel' (did you mean 'angle'?)", {"from": "angel", "volts": 1})
+        refuse("unknown from 'all'", {"from": "all", "volts": 1})
+        refuse("volts is missing", {"from": "angle"})
+        refuse("they are for the aio of a sensor", {"from": "angle", "volts": 1}, name="gripper")
+        refuse("they are for the aio of a sensor", {"from": "angle", "volts": 1}, measured="moved_tick")
+
     def test_interfaces(self):
         self.refuse("interface griper: unknown name 'griper' (did you mean 'gripper'?)",
                     interface=[{"name": "griper", "index": "count"}])
@@ -416,6 +428,16 @@ class Generated(unittest.TestCase):
         self.assertIn("list(model.arm->reach, [](const auto& each) { return number(each); })",
                       files["playhouse/replicate/generated/views.cc"])
         self.assertIn("  reach?: number[];\n", files["web/src/protocol/generated/views.ts"])
+
+    def test_a_sensor_with_voltages_needs_no_device_of_its_own(self):
+        kinds = build_kinds(tables(column=[column(), column(name="measured_tick", type="uint64", unit="ticks")],
+                                   interface=[{"name": "aio", "index": "count", "voltages": [{"from": "angle", "volts": 0.5}]}]), SCHEMA)
+        files = emit_kind_lists.emit(kinds) | emit_kinds_docs.emit(kinds)
+        self.assertIn("std::unique_ptr<SimulatedDevice> make_aio_device(", files["playhouse/drivers/generated/voltages.cc"])
+        self.assertIn("    if (sensors.measured_tick[row] != world.tick()) return false;\n"
+                      "    voltages = {static_cast<float>(0.5 * sensors.angle[row])};\n", files["playhouse/drivers/generated/voltages.cc"])
+        self.assertIn("    {21, scene::ModelKind::kArm, make_aio_device},", files["playhouse/drivers/generated/device_makers.h"])
+        self.assertIn("| 0.5 V per rad of `angle` |", files["docs/kinds/arm.md"])
 
     def test_a_bar_in_a_table_of_a_page_is_escaped(self):
         page = emit_kinds_docs.emit(load_kinds(ROOT / "kinds", SCHEMA))["docs/kinds/position.md"]
