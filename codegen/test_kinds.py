@@ -447,6 +447,7 @@ class Generated(unittest.TestCase):
         text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
         example = tomllib.loads(text.split("```toml\n")[1].split("```")[0])
         files = [(f"kinds/{path.name}", tomllib.loads(path.read_text(encoding="utf-8"))) for path in sorted((ROOT / "kinds").glob("*.toml"))]
+        example["number"] = 1 + max(each.get("number", 0) for _, each in files)
         kinds = build_kinds([*files, ("kinds/altimeter.toml", example)], SCHEMA)
         self.assertTrue(kinds.find("altimeter").measures and kinds.find("altimeter").may_be_watched)
 
