@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from codegen.emit_kinds_cpp import BANNER, enumerator
-from codegen.kinds import BASE, Kinds
+from codegen.kinds import BASE, Kind, Kinds, Served
 
 SCENE = "playhouse/scene/generated"
 BEHAVIOUR = "playhouse/behaviour/generated"
@@ -16,7 +16,8 @@ DRIVERS = "playhouse/drivers/generated"
 def emit(kinds: Kinds) -> dict[str, str]:
     """Path from the root of the tree -> content."""
     return {f"{SCENE}/bodies.h": _bodies(kinds), f"{BEHAVIOUR}/acts.h": _acts(kinds), f"{BEHAVIOUR}/draws.h": _draws(kinds),
-            f"{SENSES}/senses.h": _senses(kinds), f"{BODIES}/moves.h": _moves(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds)}
+            f"{SENSES}/senses.h": _senses(kinds), f"{BODIES}/moves.h": _moves(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds),
+            f"{DRIVERS}/voltages.cc": _voltages(kinds)}
 
 
 def _bodies(kinds: Kinds) -> str:
@@ -83,15 +84,34 @@ def _moves(kinds: Kinds) -> str:
     return "\n".join([*lines, f"  return visit({enumerator(first.name)[1:]}Move{{}});", "}", "", "}  // namespace playhouse::bodies", ""])
 
 
-def _devices(kinds: Kinds) -> str:
-    found = []  # name of the maker, interface, kind
+def _makers(kinds: Kinds) -> list[tuple[str, Served, Kind]]:
+    """The name of each, for which interface and kind it is."""
+    found: list[tuple[str, Served, Kind]] = []
     for kind in kinds.simulated() + kinds.traits():
         for served in kind.interfaces:
             is_first = served.name not in {name for name, _, _ in found}
-            found.append((served.name if is_first else f"{kind.name}_{served.name}", served.code, kind))
+            found.append((served.name if is_first else f"{kind.name}_{served.name}", served, kind))
+    return found
+
+
+def _voltages(kinds: Kinds) -> str:
+    lines = [BANNER.rstrip(), '#include "playhouse/drivers/analog_sensor.h"', "", "namespace playhouse::drivers {", ""]
+    for name, served, kind in _makers(kinds):
+        if not served.voltages:
+            continue
+        values = ", ".join(f"static_cast<float>({v.volts!r} * sensors.{v.column}[row])" for v in served.voltages)
+        lines += [f"std::unique_ptr<SimulatedDevice> make_{name}_device(run::Simulation& simulation, world::ModelRow model) {{",
+                  "  return make_analog_sensor(simulation, model, [](const world::World& world, std::uint32_t row, std::vector<float>& voltages) {",
+                  f"    const auto& sensors = world.{kind.table};", "    if (sensors.measured_tick[row] != world.tick()) return false;",
+                  f"    voltages = {{{values}}};", "    return true;", "  });", "}", ""]
+    return "\n".join([*lines, "}  // namespace playhouse::drivers", ""])
+
+
+def _devices(kinds: Kinds) -> str:
+    found = _makers(kinds)
     lines = [BANNER.rstrip(), "#pragma once", "",
              "/// The device of each interface of simulated models, defined in playhouse/drivers/interfaces/NAME.cc,",
-             "/// and devices specific to a kind, with NAME of the kind.", "",
+             "/// and devices specific to a kind, with NAME of the kind. Those with `voltages` are in voltages.cc.", "",
              "#include <cstdint>", "#include <memory>", "#include <optional>", "", '#include "playhouse/drivers/simulated/simulated_device.h"', "",
              "namespace playhouse::drivers {", "", "/// `model` fits the interface (model_interfaces.h)."]
     lines += [f"std::unique_ptr<SimulatedDevice> make_{name}_device(run::Simulation& simulation, world::ModelRow model);" for name, _, _ in found]
@@ -99,7 +119,7 @@ def _devices(kinds: Kinds) -> str:
               "  std::optional<scene::ModelKind> kind;  // any kind, if empty",
               "  std::unique_ptr<SimulatedDevice> (*make)(run::Simulation& simulation, world::ModelRow model);", "};",
               "inline constexpr DeviceMaker kDeviceMakers[] = {"]
-    for name, code, kind in found:
+    for name, served, kind in found:
         of = f"scene::ModelKind::{enumerator(kind.kind)}" if kind.entity == "model" and kind.name != BASE else "std::nullopt"
-        lines.append(f"    {{{code}, {of}, make_{name}_device}},")
+        lines.append(f"    {{{served.code}, {of}, make_{name}_device}},")
     return "\n".join([*lines, "};", "", "}  // namespace playhouse::drivers", ""])

@@ -128,8 +128,13 @@ def _devices(kind: Kind) -> list[str]:
         names = ", ".join(f"[{s.name}](../interfaces/{s.code:03d}_{s.name}.md)" for s in kind.interfaces)
         return [*lines, f"Player interfaces: {names}.", ""]
     lines += ["`playhouse run` creates the devices of every model; a configuration file selects its own.", ""]
-    rows = [[f"[{s.name}](../interfaces/{s.code:03d}_{s.name}.md)", INDICES[s.index], _needs(s)] for s in kind.interfaces]
-    return [*lines, *_table(["interface", "index", "needs"], rows)]
+    rows = [[f"[{s.name}](../interfaces/{s.code:03d}_{s.name}.md)", INDICES[s.index], _needs(s), _voltages(kind, s)] for s in kind.interfaces]
+    return [*lines, *_table(["interface", "index", "needs", "voltages"], rows)]
+
+
+def _voltages(kind: Kind, served: Served) -> str:
+    units = {c.name: c.unit for c in kind.state.columns}
+    return "; ".join(f"{v.volts:g} V per {units[v.column]} of `{v.column}`" for v in served.voltages)
 
 
 def _needs(served: Served) -> str:

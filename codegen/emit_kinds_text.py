@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from codegen.kind_words import UNITS, Word
+from codegen.kind_words import Word
 
-SI = {"m": "m", "deg": "rad"}
+SI = {"ms": "s", "deg": "rad"}
 
 
 def form_text(word: Word) -> str:
@@ -30,7 +30,7 @@ def unit_text(word: Word, inside: bool = False) -> str:
 
 def _inside(unit: str) -> str:
     base, slash, rate = unit.partition("/")
-    return SI[base] + slash + rate if base in SI and slash else UNITS.get(unit, unit)
+    return SI.get(base, base) + slash + rate
 
 
 def default_text(word: Word) -> str:

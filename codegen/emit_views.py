@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from codegen.checks import SchemaError
 from codegen.emit_kinds_cpp import BANNER, enumerator
-from codegen.kind_state import Shown
+from codegen.kind_state import Shown, milli
 from codegen.kind_words import Word
 from codegen.kinds import BASE, Kind, Kinds
 
@@ -21,12 +21,9 @@ WEB_FOLDER = "web/src/protocol/generated"
 SUBSCRIBED = 1      # the lowest bit of a state, of any kind; those of its kind follow
 BITS = 8
 
-# Quantum -> (C++ that gives the whole number, what one is worth in SI units).
-QUANTA = {"mm": ("quantize({}, 1000)", 1e-3), "mm/s": ("quantize({}, 1000)", 1e-3), "mrad/s": ("quantize({}, 1000)", 1e-3),
-          "mrad": ("quantize({}, 1000)", 1e-3), "mW": ("quantize({}, 1000)", 1e-3), "ms": ("quantize({}, 1000)", 1e-3),
-          "mm or mrad": ("quantize({}, 1000)", 1e-3), "mm/s or mrad/s": ("quantize({}, 1000)", 1e-3),
-          "1/1000": ("quantize({}, 1000)", 1e-3), "J": ("quantize({}, 1)", 1), "px": ("static_cast<std::int32_t>({})", 1),
-          "1/65536 turn": ("quantize_angle({})", None)}
+# Quantum -> (C++ that gives the whole number, what one is worth in its unit, the unit).
+QUANTA = {"1/1000": ("quantize({}, 1000)", 1e-3, ""), "J": ("quantize({}, 1)", 1, "J"), "px": ("static_cast<std::int32_t>({})", 1, "px"),
+          "1/65536 turn": ("quantize_angle({})", 1, "rad")}
 CODES = {"varint": "kVarint", "zigzag": "kZigzag", "turn": "kTurn", "rgba": "kRgba"}
 # Type of a word -> C++ that writes the member as JSON (functions of playhouse/replicate/json_text.h), and its type there.
 JSON = {"length": ("number({})", "number"), "angle": ("number({})", "number"), "number": ("number({})", "number"),
@@ -63,6 +60,12 @@ def _view(kind: Kind) -> View | None:
     if len({s.when for s in fields}) > 1 or len(sources) > 1:
         raise SchemaError(f"{kind.source}: a viewer gets one record or one list of a kind, all of it at one time")
     return View(kind, fields[0].when, sources.pop(), fields)
+
+
+def _quantum(shown: Shown) -> tuple[str, float, str]:
+    if unit := milli(shown.quantum):
+        return "quantize({}, 1000)", 1e-3, unit
+    return QUANTA[shown.quantum] if shown.quantum else ("static_cast<std::int32_t>({})", 1, "")
 
 
 def _bits(kind: Kind) -> list[tuple[Shown, int]]:
@@ -123,7 +126,7 @@ def _value(view: View, shown: Shown) -> str:
         return f"static_cast<std::int32_t>({source}.value)"
     if types.get(part or column) == "color":
         return f"static_cast<std::int32_t>(scene::rgba8({source}))"
-    return QUANTA[shown.quantum][0].format(source) if shown.quantum else f"static_cast<std::int32_t>({source})"
+    return _quantum(shown)[0].format(source)
 
 
 def _capture(view: View) -> list[str]:
@@ -244,12 +247,12 @@ def _typescript(kinds: Kinds) -> str:
     lines += ["/** Per kind, the fields sent during a run. */", "export interface Views {"]
     lines += [f"  {v.kind.name}: {_pascal(v.kind)}View{'[]' if v.column else ''};" for v in shown] + ["}", ""]
     lines += ["export type Code = " + " | ".join(f"'{c}'" for c in CODES) + ";", "",
-              "/** Encoding of a view: the code of each number, and its quantum. */",
+              "/** Encoding of a view: the code of each number, what one on the way is worth, and in which unit. */",
               "export interface ViewFormat {", "  kind: keyof Views;", "  list: boolean;",
-              "  fields: readonly (readonly [name: string, code: Code, worth: number])[];", "}", "",
+              "  fields: readonly (readonly [name: string, code: Code, worth: number, unit: string])[];", "}", "",
               "export const kViews: readonly ViewFormat[] = ["]
     for view in shown:
-        fields = ", ".join(f"['{s.field}', '{s.code}', {_worth(s)}]" for s in view.fields)
+        fields = ", ".join(f"['{s.field}', '{s.code}', {_quantum(s)[1]!r}, '{_quantum(s)[2]}']" for s in view.fields)
         lines += [f"  {{ kind: '{view.kind.name}', list: {'true' if view.column else 'false'}, fields: [{fields}] }},"]
     lines += ["];", ""]
     lines += _starts(kinds)
@@ -261,13 +264,8 @@ def _pascal(kind: Kind) -> str:
 
 
 def _unit(shown: Shown) -> str:
-    units = {"mm": "m", "mm/s": "m/s", "mrad/s": "rad/s", "mrad": "rad", "mW": "W", "J": "J", "ms": "s", "px": "px",
-             "mm or mrad": "m or rad", "mm/s or mrad/s": "m/s or rad/s", "1/65536 turn": "rad, in (-pi, pi]"}
-    return f" // {units[shown.quantum]}" if shown.quantum in units else ""
-
-
-def _worth(shown: Shown) -> str:
-    return repr(QUANTA[shown.quantum][1] or 1) if shown.quantum else "1"
+    unit = _quantum(shown)[2]
+    return f" // {unit}{', in (-pi, pi]' if shown.code == 'turn' else ''}" if unit else ""
 
 
 def _starts(kinds: Kinds) -> list[str]:

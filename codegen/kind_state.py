@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, field
 
 from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
-from codegen.kind_words import Word
+from codegen.kind_words import Word, known_unit
 from codegen.model import FRAME, FRAME_LETTERS
 
 # Type of a column -> (how many numbers a unit may be told for, the names of its parts).
@@ -34,8 +34,8 @@ TIMES = ("start", "changed", "selected", "shown")
 # How a field travels: as JSON; as a zigzag varint of the difference; as 16 bits of a turn; as one of the bits of the
 # model's state; as a text of UTF-8; and as what the names say.
 CODES = ("json", "difference", "turn", "bit", "rgba", "fraction", "varint", "zigzag", "text")
-# What 1 stands for in the whole numbers that travel.
-QUANTA = ("mm", "mm/s", "mrad/s", "mrad", "mm or mrad", "mm/s or mrad/s", "mW", "J", "ms", "1/1000", "px", "1/65536 turn", "1/65535 of range_max")
+# What 1 stands for in the whole numbers that travel: one of these, or a thousandth of a unit, as mm/s.
+QUANTA = ("J", "1/1000", "px", "1/65536 turn", "1/65535 of range_max")
 QUANTIZED = {"difference", "turn", "fraction"}
 
 RECORD = re.compile(r"[A-Z][A-Za-z0-9]*$")
@@ -155,6 +155,12 @@ def _quantity(where: str, row: dict, records: list[str]) -> Quantity:
     return Quantity(row["name"], row["type"], unit, frame, row["doc"])
 
 
+def milli(quantum: str) -> str:
+    """The unit of a quantum that is a thousandth of it, else "": "m/s or rad/s" of "mm/s or mrad/s"."""
+    parts = quantum.split(" or ")
+    return " or ".join(part[1:] for part in parts) if all(part[:1] == "m" and part[1:] for part in parts) else ""
+
+
 def _shown(where: str, row: dict, known: State, words: list[Word]) -> Shown:
     keys(where, row, {"field", "from", "code", "when"}, {"unit", "quantum"})
     typed(where, row, KEY_TYPES)
@@ -165,7 +171,11 @@ def _shown(where: str, row: dict, known: State, words: list[Word]) -> Shown:
     if "unit" in row and row["code"] != "json":
         raise SchemaError(f"{where}: unit is for json; what travels as a whole number has a quantum")
     if "quantum" in row or row["code"] in QUANTIZED:
-        one_of(where, "quantum", row.get("quantum"), QUANTA)
+        quantum = row.get("quantum")
+        if quantum in QUANTA or not milli(quantum or ""):
+            one_of(where, "quantum", quantum, QUANTA)
+        else:
+            known_unit(where, "quantum", milli(quantum))
     name, _, part = row["from"].partition(".")
     columns = {c.name: c for c in known.columns}
     from_start = {w.name for w in words} if row["when"] == "start" else set()

@@ -25,12 +25,10 @@ NUMBERS = {"integer", "count", "number", "length", "angle"}
 PART_SCALES = {"number": "N", "length": "L", "angle": "A"}
 COUNTED = {"integer", "number", "length", "angle", "pose", "size", "point"}  # element types of counted words
 
-# Units of plain numbers in world files, and what the member behind the word is kept in.
-UNITS = {"1": "1", "m": "m", "s": "s", "ms": "s", "deg": "rad", "kg": "kg", "px": "px", "px/m": "px/m", "N": "N", "W": "W", "J": "J",
-         "kJ": "kJ", "cd": "cd", "dB": "dB", "dBm": "dBm", "MHz": "MHz", "bit/s": "bit/s", "m/s": "m/s", "m/s^2": "m/s^2", "rad/s": "rad/s",
-         "m/s^2/sqrt(Hz)": "m/s^2/sqrt(Hz)", "m/s^3/sqrt(Hz)": "m/s^3/sqrt(Hz)", "rad/s/sqrt(Hz)": "rad/s/sqrt(Hz)",
-         "rad/s^2/sqrt(Hz)": "rad/s^2/sqrt(Hz)",
-         "m or rad": "m or rad", "m/s or rad/s": "m/s or rad/s"}
+# What units of plain numbers in world files are made of: a quotient of these, of their powers and roots, as m/s^2/sqrt(Hz);
+# or several, as m or rad.
+UNITS = ("1", "m", "s", "ms", "deg", "rad", "kg", "px", "N", "W", "J", "kJ", "cd", "dB", "dBm", "Hz", "MHz", "bit", "V", "K", "degC")
+FACTOR = re.compile(r"(sqrt\()?(?P<unit>[^()^]*)(?(1)\))(\^[2-9])?$")
 # Of velocities and accelerations, and what stands behind "[x y z heading]" in an error. "1" is a fraction.
 RATES = {"m/s": "per second", "m/s^2": "per second squared", "1": ""}
 SCALED_UNITS = {"L": "m", "A": "deg"}
@@ -125,6 +123,13 @@ class Word:
         return [SCALED_UNITS[scale] for scale in self.scales if scale in SCALED_UNITS]
 
 
+def known_unit(where: str, what: str, text) -> None:
+    """Refuses what is not made of UNITS."""
+    for factor in re.split(r"/| or ", text) if text else [text]:
+        found = FACTOR.match(factor or "")
+        one_of(where, what, found["unit"] if found and factor else factor, UNITS)
+
+
 OPTIONAL = {"use", "unit", "default", "default_text", "min", "above", "max", "limit", "clamp", "ascending_from", "by_hand",
             "optional", "indexed", "counted_by", "member", "frame", "enum", "with", "parts", "values", "choices", "stage", "stage_why", "engine", "check"}
 
@@ -184,7 +189,7 @@ def _parts(where: str, out: Word, row: dict) -> None:
         typed(inner, entry, KEY_TYPES)
         one_of(inner, "type", entry["type"], PART_SCALES)
         if entry["type"] == "number":
-            one_of(inner, "unit", entry.get("unit"), UNITS)
+            known_unit(inner, "unit", entry.get("unit"))
         elif "unit" in entry:
             raise SchemaError(f"{inner}: a {entry['type']} has the file's unit")
         scale = PART_SCALES[entry["type"]]
@@ -234,7 +239,7 @@ def _unit(where: str, out: Word, simulated: bool) -> None:
     if out.type == "number":
         if not out.unit:
             raise SchemaError(f'{where}: a number needs a unit ("1" for a plain one)')
-        one_of(where, "unit", out.unit, UNITS)
+        known_unit(where, "unit", out.unit)
     elif out.type in ("twist", "bounds"):
         one_of(where, "unit", out.unit, RATES)
     elif out.unit:

@@ -44,9 +44,9 @@ NEEDS = {
     "never": "a section of a configuration file that names it",
 }
 
-KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "not_in_stage", "index", "when", "listed_when", "form")}
-KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "silent_why": dict, "size": list, "color": list, "solid": bool, "shared": bool, "watchable": bool}
-KEY_TYPES |= {key: list for key in ("given_by", "silent", "word", "interface", "record", "column", "viewer", "change")}
+KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "not_in_stage", "index", "when", "listed_when", "form", "from")}
+KEY_TYPES |= {"number": int, "watts": (int, float), "volts": (int, float), "body": dict, "old": dict, "old_types": dict, "silent_why": dict, "size": list, "color": list, "solid": bool, "shared": bool, "watchable": bool}
+KEY_TYPES |= {key: list for key in ("given_by", "silent", "word", "interface", "voltages", "record", "column", "viewer", "change")}
 
 
 @dataclass
@@ -55,6 +55,14 @@ class Body:
     color: list[float]      # red, green, blue, alpha from 0 to 1
     solid: bool             # it has a body, unless blocks or a bitmap say otherwise
     form: str               # what that is, if it is one of its own (playhouse/scene/forms/body_NAME.cc); "" a box
+
+
+@dataclass
+class Voltage:
+    """A voltage of an analog sensor: so many volts per unit of a column."""
+
+    column: str
+    volts: float
 
 
 @dataclass
@@ -67,6 +75,7 @@ class Served:
     when: str               # what the model must have; "" nothing
     listed_when: str        # the same, for the automatic map alone
     shared: bool            # several devices of a configuration file may be of one model
+    voltages: list[Voltage] = field(default_factory=list)  # of aio, from columns; without any, playhouse/drivers/interfaces/NAME.cc has the device
 
 
 @dataclass
@@ -200,6 +209,7 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
         kind.state = state(source, table, kind.words + (out.find(BASE).words if kind.entity in ("model", "trait") else []))
         if kind.state.columns and not kind.table:
             raise SchemaError(f"{source}: columns need a table")
+        _check_voltages(kind)
     return out
 
 
@@ -279,7 +289,7 @@ def _body(where: str, row: dict | None) -> Body | None:
 
 
 def _served(where: str, row: dict, schema: Schema) -> Served:
-    keys(where, row, {"name", "index"}, {"when", "listed_when", "shared"})
+    keys(where, row, {"name", "index"}, {"when", "listed_when", "shared", "voltages"})
     typed(where, row, KEY_TYPES)
     one_of(where, "name", row["name"], [i.name for i in schema.interfaces])
     one_of(where, "index", row["index"], INDICES)
@@ -288,7 +298,23 @@ def _served(where: str, row: dict, schema: Schema) -> Served:
             one_of(where, key, row[key], NEEDS)
     code = schema.interface(row["name"]).code
     assert code is not None
-    return Served(row["name"], code, row["index"], row.get("when", ""), row.get("listed_when", ""), row.get("shared", False))
+    return Served(row["name"], code, row["index"], row.get("when", ""), row.get("listed_when", ""), row.get("shared", False),
+                  [_voltage(where, entry) for entry in row.get("voltages", [])])
+
+
+def _voltage(where: str, entry: dict) -> Voltage:
+    keys(f"{where}: voltages", entry, {"from", "volts"}, set())
+    typed(f"{where}: voltages", entry, KEY_TYPES)
+    return Voltage(entry["from"], entry["volts"])
+
+
+def _check_voltages(kind: Kind) -> None:
+    for served in (s for s in kind.interfaces if s.voltages):
+        where = f"{kind.source}: interface {served.name}: voltages"
+        if served.name != "aio" or not kind.measures:
+            raise SchemaError(f"{where}: they are for the aio of a sensor")
+        for voltage in served.voltages:
+            one_of(where, "from", voltage.column, [c.name for c in kind.state.columns if c.type == "float64" and not (c.list or c.per)])
 
 
 def _check_neighbours(kinds: Kinds, kind: Kind) -> None:

@@ -6,7 +6,7 @@ import tomllib
 import unittest
 from pathlib import Path
 
-from codegen import emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_views
+from codegen import emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_views
 from codegen.checks import SchemaError
 from codegen.kinds import build_kinds, load_kinds
 from codegen.model import load
@@ -122,6 +122,11 @@ class Refused(unittest.TestCase):
     def test_units(self):
         self.refuse_word('a number needs a unit ("1" for a plain one)', type="number")
         self.refuse_word("unknown unit 'meter'", type="number", unit="meter")
+        self.refuse_word("unknown unit 'meter'", type="number", unit="1/sqrt(meter)")
+        self.refuse_word("unknown unit 'm^^2'", type="number", unit="m^^2")
+        self.refuse_word("unknown unit 'sqrt(s'", type="number", unit="m/sqrt(s")
+        for unit in ("degC", "K/m", "m/s^2/sqrt(Hz)", "m/s or rad/s"):
+            build_kinds(tables(word=[word(type="number", unit=unit)]), SCHEMA)
         self.refuse_word("a length has no unit of its own", unit="m")
         self.refuse_word("unknown unit ''", type="twist", default=[0, 0, 0, 0])
 
@@ -235,6 +240,18 @@ class Refused(unittest.TestCase):
         parsed = tables()
         parsed[2][1]["inside"] = "amr"
         self.refuse_tables("kinds/joint.toml: unknown inside 'amr' (did you mean 'arm'?)", parsed)
+
+    def test_voltages(self):
+        def refuse(text, *voltages, name="aio", measured="measured_tick"):
+            columns = [column(), column(name=measured, type="uint64", unit="ticks"), column(name="all", list=True)]
+            self.refuse(f"interface {name}: voltages: {text}", column=columns,
+                        interface=[{"name": name, "index": "count", "voltages": list(voltages)}])
+
+        refuse("unknown from 'angel' (did you mean 'angle'?)", {"from": "angel", "volts": 1})
+        refuse("unknown from 'all'", {"from": "all", "volts": 1})
+        refuse("volts is missing", {"from": "angle"})
+        refuse("they are for the aio of a sensor", {"from": "angle", "volts": 1}, name="gripper")
+        refuse("they are for the aio of a sensor", {"from": "angle", "volts": 1}, measured="moved_tick")
 
     def test_interfaces(self):
         self.refuse("interface griper: unknown name 'griper' (did you mean 'gripper'?)",
@@ -352,9 +369,10 @@ class Checked(unittest.TestCase):
         cls.kinds = load_kinds(ROOT / "kinds", SCHEMA)
 
     def test_the_kinds_of_the_tree_are_those_of_stage_and_our_own(self):
-        self.assertEqual(sorted(k.name for k in self.kinds.models()),
-                         ["actuator", "blinkenlight", "blobfinder", "bumper", "camera", "custom", "detector", "fiducial",
-                          "gps", "gripper", "imu", "lightindicator", "model", "position", "ranger", "wifi"])
+        ours = {path.stem for path in (ROOT / "kinds").glob("*.toml") if "not_in_stage" in tomllib.loads(path.read_text(encoding="utf-8"))}
+        self.assertEqual(sorted(k.name for k in self.kinds.models() if k.name not in ours),
+                         ["actuator", "blinkenlight", "blobfinder", "bumper", "camera", "fiducial",
+                          "gripper", "lightindicator", "model", "position", "ranger", "wifi"])
         self.assertEqual([k.name for k in self.kinds.all if k.entity != "model"], ["block", "sensor", "pack", "window", "world"])
 
     def test_columns_of_all_models_are_those_of_the_world(self):
@@ -411,6 +429,16 @@ class Generated(unittest.TestCase):
                       files["playhouse/replicate/generated/views.cc"])
         self.assertIn("  reach?: number[];\n", files["web/src/protocol/generated/views.ts"])
 
+    def test_a_sensor_with_voltages_needs_no_device_of_its_own(self):
+        kinds = build_kinds(tables(column=[column(), column(name="measured_tick", type="uint64", unit="ticks")],
+                                   interface=[{"name": "aio", "index": "count", "voltages": [{"from": "angle", "volts": 0.5}]}]), SCHEMA)
+        files = emit_kind_lists.emit(kinds) | emit_kinds_docs.emit(kinds)
+        self.assertIn("std::unique_ptr<SimulatedDevice> make_aio_device(", files["playhouse/drivers/generated/voltages.cc"])
+        self.assertIn("    if (sensors.measured_tick[row] != world.tick()) return false;\n"
+                      "    voltages = {static_cast<float>(0.5 * sensors.angle[row])};\n", files["playhouse/drivers/generated/voltages.cc"])
+        self.assertIn("    {21, scene::ModelKind::kArm, make_aio_device},", files["playhouse/drivers/generated/device_makers.h"])
+        self.assertIn("| 0.5 V per rad of `angle` |", files["docs/kinds/arm.md"])
+
     def test_a_bar_in_a_table_of_a_page_is_escaped(self):
         page = emit_kinds_docs.emit(load_kinds(ROOT / "kinds", SCHEMA))["docs/kinds/position.md"]
         self.assertIn('| `"diff" \\| "omni" \\| "walk" \\| "car"` |', page)
@@ -419,6 +447,7 @@ class Generated(unittest.TestCase):
         text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
         example = tomllib.loads(text.split("```toml\n")[1].split("```")[0])
         files = [(f"kinds/{path.name}", tomllib.loads(path.read_text(encoding="utf-8"))) for path in sorted((ROOT / "kinds").glob("*.toml"))]
+        example["number"] = 1 + max(each.get("number", 0) for _, each in files)
         kinds = build_kinds([*files, ("kinds/altimeter.toml", example)], SCHEMA)
         self.assertTrue(kinds.find("altimeter").measures and kinds.find("altimeter").may_be_watched)
 

@@ -40,6 +40,7 @@ enum class Purpose : std::uint64_t {
   kFix = 19,           // entity: a gps
   kLidarEcho = 20,     // entity: a ranger; part: which of its sensors; detail: beam of all its rings
   kParticle = 21,      // Rng(seed, step): of a filter, for a driver's seed
+  kReading = 22,       // entity: a sensor, for each measurement, where its kind has no stream above
   kCount
 };
 

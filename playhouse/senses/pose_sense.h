@@ -8,7 +8,7 @@ namespace playhouse::senses {
 
 class PoseSense : public SensePhase {
  public:
-  void populate(const world::World&, const bodies::Space&) final {}
+  void populate(const world::World&, const bodies::Space&) override {}
   std::uint64_t sense(world::World& world, const bodies::Space&, std::span<const std::uint32_t> due,
                       std::uint64_t tick, world::Workers& workers) final {
     workers.run(due.size(), 16, [&](std::size_t begin, std::size_t end) {

@@ -2,10 +2,13 @@
 // behind it is looked at.
 
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <span>
 
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
+#include "playhouse/stage/fuzz_saved_runs.h"
 #include "playhouse/world/saving/saved_run.h"
 #include "playhouse/world/saving/state.h"
 
@@ -40,6 +43,16 @@ void go_on(const world::SavedRun& run) {
 }
 
 }  // namespace
+
+/// Writes what it starts from to the last folder that it is given.
+extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
+  const std::filesystem::path folder = (*arguments)[*count - 1];
+  if (!std::filesystem::is_directory(folder)) return 0;
+  for (const auto& [name, bytes] : stage::fuzz::saved_runs())
+    std::ofstream(folder / name, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  return 0;
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const Result<world::SavedRun> run =

@@ -1,7 +1,9 @@
 """Sensors in space from outside: rings, light, inertia, places on the earth and attitudes, by the Python client."""
 
+import json
 import math
 import sys
+import tomllib
 import unittest
 
 from house import ROOT, HouseTest, finish
@@ -24,7 +26,32 @@ position( name "r0" pose [0 0 0 0] size [0.4 0.4 0.3] update_interval 20
 """
 
 
+WORDS = {"ranger": "sensor()"}  # without which a kind measures nothing
+
+
+def sensors_of_kinds() -> dict[str, tuple[str, int]]:
+    """The device of each kind of sensor on a robot that carries one of each: (interface, index), of the interface that stands first."""
+    found: dict[str, tuple[str, int]] = {}
+    for path in sorted((ROOT / "kinds").glob("*.toml")):
+        kind = tomllib.loads(path.read_text(encoding="utf-8"))
+        if kind["name"] != "custom" and any(each["name"] == "measured_tick" for each in kind.get("column", [])):
+            interface = kind["interface"][0]["name"]
+            found[kind["name"]] = interface, sum(name == interface for name, _ in found.values())
+    return found
+
+
 class Sensors(HouseTest):
+    def test_every_kind_of_sensor_is_read_in_both_engines(self) -> None:
+        kinds = sensors_of_kinds()
+        self.assertGreaterEqual(len(kinds), 10)
+        world = self.world("interval_sim 20\nposition( " + " ".join(f"{kind}( {WORDS.get(kind, '')} )" for kind in kinds) + " )")
+        for engine in ("stage", "arena"):
+            with self.run_house("--speed", 5, "--engine", engine, world=world) as house:
+                for kind, (interface, index) in kinds.items():
+                    done = finish("watch", f":{house.port()}", f"{interface}:{index}", "--count", 1)
+                    self.assertEqual(done.returncode, 0, f"{engine}, {kind}: {done.stderr}")
+                    self.assertTrue(json.loads(done.stdout.splitlines()[0]), f"{engine}, {kind}")
+
     def test_a_lidar_of_several_rings_sees_white_and_no_black(self) -> None:
         with self.run_house("--speed", 5, "--engine", "arena", world=self.world(ROOM)) as house, \
                 connect(f":{house.port()}") as client:

@@ -1,8 +1,9 @@
 import { kKindPages, type KindPage, type PanelTools } from '../kinds/kind_page';
+import { kViews } from '../protocol/generated/views';
 import { kStalled, kSubscribed, radiansOf, type Replica } from '../protocol/replica';
 import { devicesOf, type Model, type Scene } from '../protocol/scene';
 import { css, el, icon, setText } from './dom';
-import { degrees, metres, shortName } from './texts';
+import { degrees, metres, quantity, shortName } from './texts';
 
 export interface PanelEvents {
   close(): void;
@@ -54,8 +55,17 @@ export class DevicePanel {
 
   private part(model: Model): Node[] {
     const panelOf = (what: KindPage['kind']) => kKindPages.find(({ kind }) => kind === what)?.panel?.(model, this.tools);
-    const plain = () => (model.devices ? [el('h3', {}, shortName(model.name), ...codes(model))] : []);
+    const plain = () => (model.devices ? [el('h3', {}, shortName(model.name), ...codes(model)), ...this.numbers(model)] : []);
     return [...(panelOf(model.kind) ?? plain()), ...(model.traits ?? []).flatMap((trait) => panelOf(trait) ?? [])];
+  }
+
+  /** What a kind without a panel of its own measures, by the names and units of its definition. */
+  private numbers(model: Model): Node[] {
+    const format = kViews.find(({ kind, list }) => kind === model.kind && !list);
+    if (!format) return [];
+    const now = () => this.replica.views(format.kind).get(this.at(model.id)) as unknown as Record<string, number> | undefined;
+    const lines = format.fields.map(([name, , worth, unit]) => this.line(name, () => quantity(now()?.[name], worth, unit)));
+    return [el('table', { 'data-testid': format.kind }, ...lines)];
   }
 
   /** Current row of a model. */

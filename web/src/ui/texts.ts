@@ -8,6 +8,13 @@ export function degrees(radians: number): string {
   return `${((radians * 180) / Math.PI).toFixed(1)}°`;
 }
 
+/** A number that travels in steps of `worth`, in a unit of the definitions. */
+export function quantity(value: number | undefined, worth: number, unit: string): string {
+  if (value === undefined) return 'no data yet';
+  if (unit === 'rad') return degrees(value);
+  return `${value.toFixed(worth < 1 ? 2 : 0)} ${unit.replace('degC', '°C')}`.trimEnd();
+}
+
 /** "r0.ranger:1" to "ranger:1". */
 export function shortName(name: string): string {
   return name.slice(name.lastIndexOf('.') + 1);
