@@ -252,7 +252,7 @@ void ArenaEngine::store(bodies::TreeRow tree) {
   if (moved) {
     world::place_tree(world_, {top});
     bodies::turn(solids_, world_.models, trees_.models_of(tree));
-    bodies::place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
+    bodies::place(solids_, world_.models, trees_.solids_of(tree));
   }
   if (body.part == Part::kVehicle) store_drive(tree, before);
   for (const bodies::Mover& mover : parts_of(tree))

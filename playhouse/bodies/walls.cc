@@ -61,11 +61,11 @@ void Walls::rasterise(const Edge& edge, const Visit& visit) const {
 Walls::Walls(const Solids& solids) {
   std::vector<Edge> all;
   double total_length = 0;
-  for (std::size_t row = 0; row < solids.fixed; ++row) {
+  for (const SolidRow row : solids.fixed_rows()) {
     const std::span<const Vec2> polygon = solids.polygon(row);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      all.push_back({polygon[i], polygon[(i + 1) % polygon.size()], static_cast<std::uint32_t>(row),
-                     static_cast<std::uint32_t>(all.size())});
+      all.push_back(
+          {polygon[i], polygon[(i + 1) % polygon.size()], row, static_cast<std::uint32_t>(all.size())});
       total_length += length(all.back());
     }
   }
@@ -88,7 +88,8 @@ Walls::Walls(const Solids& solids) {
 void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   struct Last {
-    std::uint32_t solid = world::ModelRow::kNone, edges = 0, next = 0;  // of the open group
+    SolidRow solid;
+    std::uint32_t edges = 0, next = 0;  // of the open group
   };
   // Calls visit(edge, index, is_new) for each edge and each of its cells; is_new if it opens a group there.
   const auto each = [&](const auto& visit) {

@@ -23,8 +23,8 @@ namespace playhouse::bodies {
 class Walls {
  public:
   struct Edge {
-    Vec2 a, b;             // m, in W
-    std::uint32_t solid;   // row of Solids
+    Vec2 a, b;  // m, in W
+    SolidRow solid;
     std::uint32_t number;  // of this edge, equal in all cells that list it
 
     bool reaches(const geom::Box& box) const {
@@ -39,7 +39,7 @@ class Walls {
     double x[simd::kFour + 1];  // m, in W
     double z_min, z_max;        // m, in W
     double y[simd::kFour + 1];  // m, in W
-    std::uint32_t solid;        // row of Solids
+    SolidRow solid;
     std::uint32_t count;
     std::uint32_t number;  // of the first edge; consecutive
     SeenByBits seen_by;    // visibility mask of the solid

@@ -28,13 +28,13 @@ bodies::Solids posts(const std::vector<geom::Vec2>& corners, double side) {
     solids.seen_by.push_back(bit(bodies::SeenBy::kRanger));
   }
   solids.p.resize(solids.p.size() + bodies::Solids::kPad);
-  solids.fixed = solids.size();
+  solids.first_moving = solids.model.next();
   return solids;
 }
 
 /// Of posts with sides of `side`.
 double nearest(const bodies::Solids& solids, double side, geom::Vec2 p, geom::Vec2 d, double range) {
-  for (std::size_t row = 0; row < solids.size(); ++row) {
+  for (const bodies::SolidRow row : solids.rows()) {
     const std::span<const geom::Vec2> polygon = solids.polygon(row);
     if (std::fabs(geom::cross(polygon[0] - p, d)) > 2 * side)
       continue;  // off the line by more than its diagonal

@@ -26,10 +26,10 @@ struct RangerView {
   std::uint32_t root;
   bool is_wall;  // of a static tree: its own edges are in the walls
 
-  static bool sees(const bodies::Solids& solids, std::size_t row, std::uint32_t root, double z) {
+  static bool sees(const bodies::Solids& solids, bodies::SolidRow row, std::uint32_t root, double z) {
     return solids.root[row] != root && (solids.seen_by[row] & kBy) != 0 && at_height(solids, row, z);
   }
-  bool sees(const bodies::Solids& solids, std::size_t row, double z) const {
+  bool sees(const bodies::Solids& solids, bodies::SolidRow row, double z) const {
     return sees(solids, row, root, z);
   }
   bool sees(const bodies::DiscIndex::Disc& disc) const {

@@ -13,7 +13,7 @@ constexpr double kEndless = 1e300;  // m
 
 }  // namespace
 
-bool Slicer::shows(const bodies::Solids& solids, std::uint32_t solid) const {
+bool Slicer::shows(const bodies::Solids& solids, bodies::SolidRow solid) const {
   return (solids.seen_by[solid] & by_) != 0 && solids.root[solid] != root_;
 }
 
@@ -27,7 +27,7 @@ void Slicer::stand(const bodies::Space& space, geom::Vec2 p, double z, double re
   space.index.near(p, reach, -kEndless, kEndless, [&](const bodies::DiscIndex::Disc& disc) {
     const geom::Vec2 w = disc.center - p;
     const double least = disc.radius + reach;
-    if (geom::dot(w, w) <= least * least && shows(space.solids, disc.row)) near_.push_back(disc.row);
+    if (geom::dot(w, w) <= least * least && shows(space.solids, disc.solid())) near_.push_back(disc.solid());
   });
   // Bodies that contain p: those that a line to the edge of the world leaves before it enters.
   beneath_.clear();
@@ -40,7 +40,7 @@ void Slicer::stand(const bodies::Space& space, geom::Vec2 p, double z, double re
   beneath_.erase(std::unique(beneath_.begin(), beneath_.end()), beneath_.end());
 }
 
-void Slicer::cross(std::uint32_t body, geom::Vec2 w0, geom::Vec2 w1, bool hole, double reach, geom::Vec2 d,
+void Slicer::cross(bodies::SolidRow body, geom::Vec2 w0, geom::Vec2 w1, bool hole, double reach, geom::Vec2 d,
                    std::uint32_t number) {
   const bodies::Crossing<double> ends({d.x, d.y, w0.x, w0.y}, {d.x, d.y, w1.x, w1.y});
   if (!ends.crosses) return;
@@ -70,7 +70,7 @@ void Slicer::cross_walls(const bodies::Space& space, geom::Vec2 d, double reach)
 
 void Slicer::cross_bodies(const bodies::Space& space, geom::Vec2 d, double reach) {
   const bodies::Solids& solids = space.solids;
-  for (const std::uint32_t solid : near_) {
+  for (const bodies::SolidRow solid : near_) {
     const geom::Vec2 to = solids.center[solid] - p_;
     const double radius = solids.radius[solid] + bodies::kMargin;
     if (std::fabs(geom::cross(d, to)) > radius || geom::dot(d, to) < -radius) continue;
@@ -81,7 +81,7 @@ void Slicer::cross_bodies(const bodies::Space& space, geom::Vec2 d, double reach
   }
 }
 
-void Slicer::add(const bodies::Solids& solids, std::uint32_t body, double from, double to) {
+void Slicer::add(const bodies::Solids& solids, bodies::SolidRow body, double from, double to) {
   stretches_.push_back({from, to, solids.z_min[body] - z_, solids.z_max[body] - z_, body});
 }
 
@@ -91,7 +91,7 @@ void Slicer::pair_crossings(const bodies::Solids& solids) {
   });
   stretches_.clear();
   for (std::size_t i = 0; i < crossings_.size();) {
-    const std::uint32_t body = crossings_[i].body;
+    const bodies::SolidRow body = crossings_[i].body;
     int depth = crossings_[i].enters ? 0 : 1;
     double from = 0;
     for (; i < crossings_.size() && crossings_[i].body == body; ++i) {
@@ -108,7 +108,7 @@ const std::vector<Stretch>& Slicer::along(const bodies::Space& space, geom::Vec2
   cross_walls(space, d, reach);
   cross_bodies(space, d, reach);
   pair_crossings(space.solids);
-  for (const std::uint32_t body : beneath_)  // their exit is beyond the reach
+  for (const bodies::SolidRow body : beneath_)  // their exit is beyond the reach
     if (!std::ranges::binary_search(crossings_, body, {}, &Passage::body))
       add(space.solids, body, 0, kEndless);
   return stretches_;

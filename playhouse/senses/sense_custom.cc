@@ -26,17 +26,17 @@ class PlaneSurroundings final : public world::Surroundings {
     const bodies::Hit hit = bodies::cast(
         space_,
         {X_WS.xy(), {heading.c, heading.s}, X_WS.z, X_WS.z, range, bit(bodies::SeenBy::kRanger), root});
-    if (hit.solid == world::ModelRow::kNone) return {range, {}};
+    if (!hit.solid) return {range, {}};
     return {hit.range, {space_.solids.model[hit.solid]}};
   }
 
   void near(const geom::Pose& p_W, double radius, std::vector<world::ModelRow>& found) const override {
     found.clear();
     places_.near(p_W.xy(), radius, 0, 0, [&](const bodies::DiscIndex::Disc& disc) {
-      const geom::Pose& X_WM = world_.models.X_WM[disc.row];
+      const geom::Pose& X_WM = world_.models.X_WM[disc.model().index];
       const geom::Vec2 apart = X_WM.xy() - p_W.xy();
       const double above = X_WM.z - p_W.z;
-      if (geom::dot(apart, apart) + above * above <= radius * radius) found.push_back({disc.row});
+      if (geom::dot(apart, apart) + above * above <= radius * radius) found.push_back(disc.model());
     });
     std::ranges::sort(found);
   }

@@ -143,7 +143,7 @@ class WifiSense final : public SensePhase {
     const double reach = reach_[world.models.desc[model.index]];
     links.clear();
     stations.near(X_WM.xy(), reach, 0, 0, [&](const bodies::DiscIndex::Disc& disc) {
-      const world::ModelRow other{disc.row};
+      const world::ModelRow other = disc.model();
       if (other.index == model.index) return;
       const scene::WifiDesc& station = radio_of(world, other);
       if (station.essid != radio.essid) return;

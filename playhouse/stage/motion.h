@@ -103,16 +103,17 @@ class Motion {
   Circle circle_about(const bodies::Solids& solids, bodies::TreeRow tree,
                       const bodies::TreeShape& shape) const;
   bool meets(const Inputs& in, bodies::TreeRow tree, const bodies::TreeShape& shape, Sweep& sweep) const;
-  bool meets_wall(const Inputs& in, std::size_t solid, const PlacedSolid& now, const PlacedSolid& then) const;
-  bool meets_inside(const Inputs& in, std::size_t solid, const PlacedSolid& now,
+  bool meets_wall(const Inputs& in, bodies::SolidRow solid, const PlacedSolid& now,
+                  const PlacedSolid& then) const;
+  bool meets_inside(const Inputs& in, bodies::SolidRow solid, const PlacedSolid& now,
                     const PlacedSolid& then) const;
-  bool meets_other(const Inputs& in, std::size_t solid, const PlacedSolid& now, const PlacedSolid& then,
-                   std::size_t other, Sweep& sweep) const;
+  bool meets_other(const Inputs& in, bodies::SolidRow solid, const PlacedSolid& now, const PlacedSolid& then,
+                   bodies::SolidRow other, Sweep& sweep) const;
   /// A solid at its present place, and as its tree proposes it.
-  static PlacedSolid solid_now(const bodies::Solids& solids, std::size_t row);
-  PlacedSolid proposed(const bodies::Solids& solids, std::size_t row) const;
+  static PlacedSolid solid_now(const bodies::Solids& solids, bodies::SolidRow row);
+  PlacedSolid proposed(const bodies::Solids& solids, bodies::SolidRow row) const;
   /// By how much a proposal that changes heights raises or lowers a solid. [m]
-  double rise_of(const bodies::Solids& solids, std::size_t row) const {
+  double rise_of(const bodies::Solids& solids, bodies::SolidRow row) const {
     return std::fabs(z_[place_of(row)] + solids.z_min_M[row] - solids.z_min[row]);
   }
   void decide();
@@ -129,15 +130,16 @@ class Motion {
                                            : parent_[first + place];
   }
   /// Where the proposal of a movable solid, and of its vertices, begins.
-  std::size_t place_of(std::size_t solid) const { return solid - fixed_; }
-  std::size_t vertex_of(const bodies::Solids& solids, std::size_t solid) const {
+  std::size_t place_of(bodies::SolidRow solid) const { return solid - first_moving_; }
+  std::size_t vertex_of(const bodies::Solids& solids, bodies::SolidRow solid) const {
     return solids.first_vertex[solid] - fixed_vertices_;
   }
 
   const bodies::Trees* trees_ = nullptr;
   Headroom headroom_;
   bodies::FastBodies fast_;
-  std::size_t fixed_ = 0, fixed_vertices_ = 0;  // of Solids: static ones
+  bodies::SolidRow first_moving_;   // of Solids
+  std::size_t fixed_vertices_ = 0;  // of its static ones
   // Rows as in Trees.
   template <typename Value>
   using ByTree = ByRow<bodies::Trees, Value>;
