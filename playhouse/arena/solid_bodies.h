@@ -34,8 +34,7 @@ inline std::vector<std::vector<geom::Vec2>> outlines_of(const bodies::Solids& so
   std::vector<std::vector<geom::Vec2>> outlines;
   for (const bodies::SolidRow row : body) {
     std::vector<geom::Vec2>& outline = outlines.emplace_back();
-    for (std::uint32_t v = solids.first_vertex[row]; v + 1 < solids.first_vertex[row + 1]; ++v)
-      outline.push_back(X_FM.xy() + turn * solids.p_M[v]);
+    for (const geom::Vec2 p_M : solids.polygon_M(row)) outline.push_back(X_FM.xy() + turn * p_M);
     if (solids.hole[row] != 0) std::ranges::reverse(outline);
   }
   return outlines;

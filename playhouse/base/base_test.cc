@@ -82,6 +82,7 @@ TEST(Rows, index_columns_of_their_own_table_and_no_others) {
   EXPECT_EQ(seen, (std::vector<double>{1.2, 2.5}));
   EXPECT_EQ(width.rows().size(), 3u);
   EXPECT_EQ(width.next() - width.rows()[1], 2u);
+  EXPECT_EQ(*width.from(width.rows()[1]), 1.2);
   EXPECT_FALSE(Row<Doors>{});
   EXPECT_TRUE(Row<Doors>{0});
 }

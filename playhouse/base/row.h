@@ -60,6 +60,8 @@ struct ByRow : std::vector<Value> {
   Value& operator[](Row<Table> row) { return std::vector<Value>::operator[](row.index); }
   const Value& operator[](Row<Table> row) const { return std::vector<Value>::operator[](row.index); }
   RowsOf<Table> rows() const { return RowsOf<Table>(this->size()); }
+  /// The values from a row on, for kernels.
+  const Value* from(Row<Table> row) const { return this->data() + row.index; }
   /// The row that the next value pushed back gets.
   Row<Table> next() const { return {static_cast<std::uint32_t>(this->size())}; }
 };

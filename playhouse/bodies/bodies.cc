@@ -90,11 +90,11 @@ void add_solid(Solids& solids, const SolidShape& shape, const scene::ModelDesc& 
   solids.convex.push_back(shape.convex);
   solids.full.push_back(shape.full);
   solids.hole.push_back(shape.hole);
-  solids.body.push_back(first + shape.body);
+  solids.body.push_back(first + shape.body.index);
   solids.seen_by.push_back(seen_by_of(desc));
   solids.enclosed.push_back(0);
   solids.p_M.insert(solids.p_M.end(), shape.p_M.begin(), shape.p_M.end());
-  solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p_M.size()));
+  solids.first_vertex.push_back(solids.p_M.next());
 }
 
 void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes, std::uint32_t model,
@@ -109,28 +109,29 @@ void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes,
 void put_corners(Solids& solids, SolidRow row) {
   constexpr std::size_t kEight = EightCorners::kCorners;
   const std::size_t count = solids.convex_corners(row);
-  const Vec2* const p = solids.p.data() + solids.first_vertex[row];
+  const Vec2* const p = solids.p.from(solids.first_vertex[row]);
   const Vec2 center = solids.center[row];
-  EightCorners* eight = solids.corners.data() + solids.first_corners[solids.place_of(row)];
-  for (std::size_t first = 0; first < count; first += kEight, ++eight) {
+  CornersRow next = solids.first_corners[solids.place_of(row)];
+  for (std::size_t first = 0; first < count; first += kEight, ++next) {
+    EightCorners& eight = solids.corners[next];
     for (std::size_t i = 0; i < kEight; ++i) {
       const Vec2 corner = p[first + i < count ? first + i : 0];
-      eight->x[i] = static_cast<float>(corner.x - center.x);
-      eight->y[i] = static_cast<float>(corner.y - center.y);
+      eight.x[i] = static_cast<float>(corner.x - center.x);
+      eight.y[i] = static_cast<float>(corner.y - center.y);
     }
   }
 }
 
 /// Allocates the corner columns of movable solids.
 void make_room_for_corners(Solids& solids) {
-  std::uint32_t count = 0;
+  CornersRow next{0};
   solids.first_corners.clear();
   for (const SolidRow row : solids.moving_rows()) {
-    solids.first_corners.push_back(count);
-    count += static_cast<std::uint32_t>((solids.convex_corners(row) + EightCorners::kCorners - 1) /
-                                        EightCorners::kCorners);
+    solids.first_corners.push_back(next);
+    next = next + static_cast<std::uint32_t>((solids.convex_corners(row) + EightCorners::kCorners - 1) /
+                                             EightCorners::kCorners);
   }
-  solids.corners.resize(count);
+  solids.corners.resize(next.index);
 }
 
 /// Sizes the placement columns and places these solids, the last ones.
@@ -159,21 +160,20 @@ void add_tree(Trees& trees, const world::World& world, std::uint32_t row) {
 
 }  // namespace
 
-const std::vector<SolidShape>& Shapes::of(std::uint32_t row) {
+const ByRow<SolidShape, SolidShape>& Shapes::of(std::uint32_t row) {
   const auto [entry, is_new] = made_.try_emplace(row);
   if (!is_new) return entry->second;
   const scene::ModelDesc& desc = scene_.models[row];
-  std::vector<SolidShape>& shapes = entry->second;
-  const auto next = [&shapes] { return static_cast<std::uint32_t>(shapes.size()); };
+  ByRow<SolidShape, SolidShape>& shapes = entry->second;
   for (const scene::Block& block : desc.blocks) {
     if (block.points.size() < 3) continue;
     SolidShape shape = make_shape(block.points, block.z_min, block.z_max, desc);
     shape.full = true;
-    shape.body = next();
+    shape.body = shapes.next();
     shapes.push_back(std::move(shape));
   }
   for (const scene::Contours& bitmap : desc.bitmaps) {
-    const std::uint32_t body = next();
+    const Row<SolidShape> body = shapes.next();
     for (const std::vector<Vec2>& loop : bitmap.loops) {
       if (loop.size() < 3) continue;
       SolidShape shape = make_shape(loop, bitmap.z_min, bitmap.z_max, desc);
@@ -214,7 +214,7 @@ std::vector<StaticModel> static_models(const world::World& world) {
 
 Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
   Solids solids;
-  solids.first_vertex.push_back(0);
+  solids.first_vertex.push_back(solids.p_M.next());
   for (std::uint32_t row = 0; row < world.models.size(); ++row)
     if (stands_still(world.models, row)) add_model_solids(solids, world, shapes, row, TreeRow{});
   solids.first_moving = solids.model.next();
@@ -233,7 +233,7 @@ void replace_moving_solids(Solids& solids, const world::World& world, Shapes& sh
   solids.seen_by.resize(fixed);
   solids.center_M.resize(fixed);
   solids.first_vertex.resize(fixed + 1);
-  solids.p_M.resize(solids.first_vertex.back());
+  solids.p_M.resize(solids.first_vertex.back().index);
   trees.first_solid.assign(1, solids.first_moving);
   for (const TreeRow tree : trees.rows()) {
     for (std::uint32_t i = trees.first_model[tree]; i < trees.first_model[tree + 1]; ++i)
@@ -256,8 +256,7 @@ void place(Solids& solids, const world::Models& models, SolidRows rows) {
     solids.center[row] = X_WM.xy() + rotation * solids.center_M[row];
     solids.z_min[row] = X_WM.z + solids.z_min_M[row];
     solids.z_max[row] = X_WM.z + solids.z_max_M[row];
-    for (std::uint32_t v = solids.first_vertex[row]; v < solids.first_vertex[row + 1]; ++v)
-      solids.p[v] = X_WM.xy() + rotation * solids.p_M[v];
+    for (const VertexRow v : solids.vertices_of(row)) solids.p[v] = X_WM.xy() + rotation * solids.p_M[v];
     if (row >= solids.first_moving) put_corners(solids, row);
   }
 }

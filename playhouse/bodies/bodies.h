@@ -60,20 +60,20 @@ struct SolidShape {
   double radius = 0;                // bounding circle about the center                          [m]
   double width = 0;                 // smallest extent                                         [m]
   bool convex = false;
-  bool full = false;       // its inside is solid: a block, not a contour of a bitmap
-  bool hole = false;       // its inside is free: an inner contour of a bitmap
-  std::uint32_t body = 0;  // first shape of the same body: contours of one bitmap share it
-  std::vector<Vec2> p_M;   // counter-clockwise vertices, the first again at the end  [m]
+  bool full = false;      // its inside is solid: a block, not a contour of a bitmap
+  bool hole = false;      // its inside is free: an inner contour of a bitmap
+  Row<SolidShape> body;   // first shape of the same body: contours of one bitmap share it
+  std::vector<Vec2> p_M;  // counter-clockwise vertices, the first again at the end  [m]
 };
 
 class Shapes {
  public:
   explicit Shapes(const scene::SceneDesc& scene) : scene_(scene) {}
-  const std::vector<SolidShape>& of(std::uint32_t desc);
+  const ByRow<SolidShape, SolidShape>& of(std::uint32_t desc);
 
  private:
   const scene::SceneDesc& scene_;
-  std::map<std::uint32_t, std::vector<SolidShape>> made_;
+  std::map<std::uint32_t, ByRow<SolidShape, SolidShape>> made_;
 };
 
 /// Convex polygons with more corners take the code path of concave ones.
@@ -109,10 +109,9 @@ struct Solids {
   // Height of its lowest part that another solid of its tree encloses (enclosure.h), kAll if all of it.  [m]
   BySolid<double> enclosed;
   static constexpr double kAll = 1e300;  // above everything: enclosed all over
-  BySolid<std::uint32_t> first_vertex;   // (n + 1)
+  BySolid<VertexRow> first_vertex;       // (n + 1)
   // Counter-clockwise vertices, the first of each polygon again at its end.                            [m]
-  // (vertices)
-  std::vector<Vec2> p_M;
+  ByRow<Vertices, Vec2> p_M;
   SolidRow first_moving{0};  // those before it are static
 
   std::vector<Rotation> rotation;  // headings of models in W, written by: turn (models)
@@ -120,11 +119,11 @@ struct Solids {
   // Placement in W.                           written by: place
   BySolid<Vec2> center;          // in W                                                    [m]
   BySolid<double> z_min, z_max;  // in W                                                    [m]
-  std::vector<Vec2> p;           // vertices in W, padded by kPad for vector loads           [m] (vertices)
+  ByRow<Vertices, Vec2> p;       // vertices in W, padded by kPad for vector loads              [m]
   static constexpr std::size_t kPad = 32;
   // Corners of polygons with convex_corners(), polygon by polygon.
-  std::vector<EightCorners> corners;
-  std::vector<std::uint32_t> first_corners;  // rows of corners                      (by place_of(): movable)
+  ByRow<EightCorners, EightCorners> corners;
+  std::vector<CornersRow> first_corners;  // (movable solids: by place_of())
 
   std::size_t size() const { return model.size(); }
   SolidRows rows() const { return model.rows(); }
@@ -133,16 +132,20 @@ struct Solids {
   std::size_t moving() const { return moving_rows().size(); }
   /// Place of a movable solid among those.
   std::size_t place_of(SolidRow row) const { return row - first_moving; }
+  /// The vertices of a solid, with the first one again at the end.
+  VertexRows vertices_of(SolidRow row) const { return {first_vertex[row], first_vertex[row + 1]}; }
+  std::uint32_t corners_of(SolidRow row) const { return vertices_of(row).size() - 1; }
   /// The height from which on rays from other trees can hit it.  [m, in W]
   double z_free(SolidRow row) const { return z_min[row] + enclosed[row]; }
   /// Number of corners of a convex polygon; 0 if concave or more than kConvexCorners.
   std::size_t convex_corners(SolidRow row) const {
-    const std::size_t count = first_vertex[row + 1] - first_vertex[row] - 1;
+    const std::size_t count = corners_of(row);
     return convex[row] != 0 && count <= kConvexCorners ? count : 0;
   }
   bool is_obstacle(SolidRow row) const { return (seen_by[row] & bit(SeenBy::kMotion)) != 0; }
-  std::span<const Vec2> polygon(SolidRow row) const {
-    return {p.data() + first_vertex[row], first_vertex[row + 1] - first_vertex[row] - 1};
+  std::span<const Vec2> polygon(SolidRow row) const { return {p.from(first_vertex[row]), corners_of(row)}; }
+  std::span<const Vec2> polygon_M(SolidRow row) const {
+    return {p_M.from(first_vertex[row]), corners_of(row)};
   }
 };
 

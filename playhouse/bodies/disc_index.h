@@ -33,9 +33,10 @@ class DiscIndex {
     std::uint32_t row;    // of the indexed table: solid() or model()
     std::uint32_t root;   // model row of the root of its tree
     // Copied from Solids, which saves a lookup per visit.
-    std::uint32_t first_vertex = 0, vertices = 0;
-    std::uint32_t first_corners = 0;  // row of Solids::corners
-    std::uint8_t convex = 0;          // corners of a convex polygon, 0: concave or > kConvexCorners
+    VertexRow first_vertex{};
+    std::uint32_t vertices = 0;
+    CornersRow first_corners{};
+    std::uint8_t convex = 0;  // corners of a convex polygon, 0: concave or > kConvexCorners
     SeenByBits seen_by = 0;
 
     SolidRow solid() const { return {row}; }

@@ -31,18 +31,14 @@ Carried carried(const Solids& solids, const world::Models& models, SolidRow row)
           X_CM.z + solids.z_max_M[row]};
 }
 
-std::span<const Vec2> corners_M(const Solids& solids, SolidRow row) {
-  return {solids.p_M.data() + solids.first_vertex[row], solids.p_M.data() + solids.first_vertex[row + 1] - 1};
-}
-
 /// True if every corner of `inner` is inside every edge of `outer` by more than kMargin.
 bool is_within(const Solids& solids, SolidRow inner, const Carried& of_inner, SolidRow outer,
                const Carried& of_outer) {
   const Pose X_OI = geom::compose(geom::inverse(of_outer.X_CM), of_inner.X_CM);
   const Rotation turn = Rotation::of(X_OI.a);
-  const Vec2* const o = solids.p_M.data() + solids.first_vertex[outer];
-  const std::size_t edges = corners_M(solids, outer).size();
-  for (const Vec2 corner : corners_M(solids, inner)) {
+  const Vec2* const o = solids.p_M.from(solids.first_vertex[outer]);
+  const std::size_t edges = solids.corners_of(outer);
+  for (const Vec2 corner : solids.polygon_M(inner)) {
     const Vec2 p = X_OI.xy() + turn * corner;
     for (std::size_t i = 0; i < edges; ++i) {
       const Vec2 e = o[i + 1] - o[i];
@@ -53,7 +49,7 @@ bool is_within(const Solids& solids, SolidRow inner, const Carried& of_inner, So
 }
 
 bool can_enclose(const Solids& solids, SolidRow row) {
-  return solids.convex[row] != 0 && solids.full[row] != 0 && corners_M(solids, row).size() <= kConvexCorners;
+  return solids.convex[row] != 0 && solids.full[row] != 0 && solids.corners_of(row) <= kConvexCorners;
 }
 
 /// Height of the part of `inner`, from its bottom, that is within `outer`; kAll if all of it.  [m]

@@ -9,5 +9,9 @@ namespace playhouse::bodies {
 using TreeRow = Row<struct Trees>;
 using SolidRow = Row<struct Solids>;
 using SolidRows = RowsOf<struct Solids>;
+using VertexRow = Row<struct Vertices>;  // of Solids::p
+using VertexRows = RowsOf<struct Vertices>;
+using CornersRow = Row<struct EightCorners>;  // of Solids::corners
+using EdgeRow = Row<struct WallEdges>;        // edges of static solids, in the order of their vertices
 
 }  // namespace playhouse::bodies

@@ -22,7 +22,7 @@ Hit cast(const Space& space, const Ray& ray) {
       ray.p + half * ray.d, half + kMargin, ray.z_low, ray.z_high, [&](const DiscIndex::Disc& disc) {
         const Vec2 to_disc = disc.center - ray.p;
         if (std::fabs(geom::cross(ray.d, to_disc)) > disc.radius + kMargin || !is_seen(disc.solid())) return;
-        const double t = simd::in_vectors<body_hit_here>(solids.p.data() + disc.first_vertex, disc.vertices,
+        const double t = simd::in_vectors<body_hit_here>(solids.p.from(disc.first_vertex), disc.vertices,
                                                          disc.convex != 0, ray.p, ray.d);
         keep_first(t, number_of(disc.solid()), range, solid);
       });

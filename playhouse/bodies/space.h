@@ -24,16 +24,14 @@ inline constexpr double kMargin = 1e-6;
 
 /// The entry of a movable solid in the index.
 inline DiscIndex::Disc disc_of(const Solids& solids, SolidRow row) {
-  const std::uint32_t vertex = solids.first_vertex[row];
-  const std::uint32_t vertices = solids.first_vertex[row + 1] - vertex - 1;
   return {solids.center[row],
           solids.radius[row],
           solids.z_free(row),
           solids.z_max[row],
           row.index,
           solids.root[row],
-          vertex,
-          vertices,
+          solids.first_vertex[row],
+          solids.corners_of(row),
           solids.first_corners[solids.place_of(row)],
           static_cast<std::uint8_t>(solids.convex_corners(row)),
           solids.seen_by[row]};

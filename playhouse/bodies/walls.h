@@ -25,7 +25,7 @@ class Walls {
   struct Edge {
     Vec2 a, b;  // m, in W
     SolidRow solid;
-    std::uint32_t number;  // of this edge, equal in all cells that list it
+    EdgeRow row;  // equal in all cells that list it
 
     bool reaches(const geom::Box& box) const {
       return int{std::max(a.x, b.x) >= box.x_min} & int{std::min(a.x, b.x) <= box.x_max} &
@@ -41,10 +41,10 @@ class Walls {
     double y[simd::kFour + 1];  // m, in W
     SolidRow solid;
     std::uint32_t count;
-    std::uint32_t number;  // of the first edge; consecutive
-    SeenByBits seen_by;    // visibility mask of the solid
+    EdgeRow first;       // its edges are consecutive
+    SeenByBits seen_by;  // visibility mask of the solid
 
-    Edge edge(std::uint32_t i) const { return {{x[i], y[i]}, {x[i + 1], y[i + 1]}, solid, number + i}; }
+    Edge edge(std::uint32_t i) const { return {{x[i], y[i]}, {x[i + 1], y[i + 1]}, solid, first + i}; }
   };
 
   Walls() = default;

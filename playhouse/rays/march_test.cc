@@ -16,12 +16,12 @@ namespace {
 /// Square posts that stand still, by their lower left corners.
 bodies::Solids posts(const std::vector<geom::Vec2>& corners, double side) {
   bodies::Solids solids;
-  solids.first_vertex.push_back(0);
+  solids.first_vertex.push_back(solids.p.next());
   for (const geom::Vec2 p : corners) {
     for (const geom::Vec2 e : {geom::Vec2{0, 0}, geom::Vec2{side, 0}, geom::Vec2{side, side},
                                geom::Vec2{0, side}, geom::Vec2{0, 0}})
       solids.p.push_back(p + e);
-    solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p.size()));
+    solids.first_vertex.push_back(solids.p.next());
     solids.model.push_back(0);
     solids.z_min.push_back(0);
     solids.z_max.push_back(1);

@@ -48,9 +48,9 @@ struct Scratch {
   std::vector<double> x, y, distance, bearing, radius;  // m, m, m, rad, m
   std::vector<bodies::DiscIndex::Run> runs;             // of the index, near the ranger
   std::vector<std::uint32_t> place, order, cell;
-  std::vector<std::int32_t> ring, first, last;  // the last two: beams
-  std::vector<std::uint16_t> met_by;            // bit k: ray k of a bundle may hit it
-  std::vector<std::uint64_t> stamp;             // last scan that visited a wall edge (edges)
+  std::vector<std::int32_t> ring, first, last;    // the last two: beams
+  std::vector<std::uint16_t> met_by;              // bit k: ray k of a bundle may hit it
+  ByRow<bodies::WallEdges, std::uint64_t> stamp;  // last scan that visited an edge
   std::uint64_t scans = 0;
 
   /// For so many beams of a batch, and the bodies and walls of the space.

@@ -213,14 +213,14 @@ void scan_bodies(const bodies::Space& space, const geom::Pose& X_WS, geom::Rotat
     const bodies::DiscIndex::Disc& disc = discs[scratch.place[at]];
     if (i + kAhead < count) {
       const geom::Vec2* const soon =
-          solids.p.data() + discs[scratch.place[scratch.order[i + kAhead]]].first_vertex;
+          solids.p.from(discs[scratch.place[scratch.order[i + kAhead]]].first_vertex);
       __builtin_prefetch(soon);
       __builtin_prefetch(soon + 4);
       __builtin_prefetch(soon + 8);
     }
     if (!view.sees(disc)) continue;
     const double distance = scratch.distance[at], radius = scratch.radius[at];
-    const std::span<const geom::Vec2> polygon(solids.p.data() + disc.first_vertex, disc.vertices);
+    const std::span<const geom::Vec2> polygon(solids.p.from(disc.first_vertex), disc.vertices);
     const auto seen = bodies::number_of(disc.solid());
     if (disc.convex == 0) {
       project_edges(polygon, rotation, seen, row);
@@ -259,8 +259,8 @@ void scan_walls(const bodies::Space& space, const geom::Pose& X_WS, geom::Rotati
   if (space.walls.count_near(box) <= scan.count) {
     ++scratch.scans;
     space.walls.near(box, [&](const bodies::Walls::Edge& edge) {
-      if (scratch.stamp[edge.number] == scratch.scans) return;
-      scratch.stamp[edge.number] = scratch.scans;
+      if (scratch.stamp[edge.row] == scratch.scans) return;
+      scratch.stamp[edge.row] = scratch.scans;
       if (hides(edge.solid)) project_wall(edge);
     });
     return;

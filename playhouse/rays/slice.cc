@@ -41,11 +41,11 @@ void Slicer::stand(const bodies::Space& space, geom::Vec2 p, double z, double re
 }
 
 void Slicer::cross(bodies::SolidRow body, geom::Vec2 w0, geom::Vec2 w1, bool hole, double reach, geom::Vec2 d,
-                   std::uint32_t number) {
+                   bodies::EdgeRow wall) {
   const bodies::Crossing<double> ends({d.x, d.y, w0.x, w0.y}, {d.x, d.y, w1.x, w1.y});
   if (!ends.crosses) return;
   const double t = bodies::edge_hit(w0, w1, d);
-  if (t <= reach) crossings_.push_back({body, t, ends.enters != hole, number});
+  if (t <= reach) crossings_.push_back({body, t, ends.enters != hole, wall});
 }
 
 void Slicer::cross_walls(const bodies::Space& space, geom::Vec2 d, double reach) {
@@ -53,7 +53,7 @@ void Slicer::cross_walls(const bodies::Space& space, geom::Vec2 d, double reach)
   const auto meet = [&](const bodies::Walls::Edge& edge) {
     if (shows(solids, edge.solid))
       cross(solids.body[edge.solid], edge.a - p_, edge.b - p_, solids.hole[edge.solid] != 0, reach, d,
-            edge.number);
+            edge.row);
   };
   if (!space.walls.few().empty()) {
     for (const bodies::Walls::Edge& edge : space.walls.few()) meet(edge);
@@ -63,8 +63,8 @@ void Slicer::cross_walls(const bodies::Space& space, geom::Vec2 d, double reach)
   space.walls.along(p_, d, &reach, meet);
   // Removes duplicates: an edge is listed in each of its cells.
   const auto begin = crossings_.begin() + static_cast<std::ptrdiff_t>(before);
-  std::ranges::sort(begin, crossings_.end(), {}, &Passage::number);
-  const auto same = [](const Passage& a, const Passage& b) { return a.number == b.number; };
+  std::ranges::sort(begin, crossings_.end(), {}, &Passage::wall);
+  const auto same = [](const Passage& a, const Passage& b) { return a.wall == b.wall; };
   crossings_.erase(std::unique(begin, crossings_.end(), same), crossings_.end());
 }
 
@@ -74,10 +74,10 @@ void Slicer::cross_bodies(const bodies::Space& space, geom::Vec2 d, double reach
     const geom::Vec2 to = solids.center[solid] - p_;
     const double radius = solids.radius[solid] + bodies::kMargin;
     if (std::fabs(geom::cross(d, to)) > radius || geom::dot(d, to) < -radius) continue;
-    const geom::Vec2* const corner = solids.p.data() + solids.first_vertex[solid];
-    const std::uint32_t edges = solids.first_vertex[solid + 1] - solids.first_vertex[solid] - 1;
-    for (std::uint32_t i = 0; i < edges; ++i)
-      cross(solids.body[solid], corner[i] - p_, corner[i + 1] - p_, solids.hole[solid] != 0, reach, d, 0);
+    const bodies::VertexRows vertices = solids.vertices_of(solid);
+    for (std::uint32_t i = 0; i + 1 < vertices.size(); ++i)
+      cross(solids.body[solid], solids.p[vertices[i]] - p_, solids.p[vertices[i + 1]] - p_,
+            solids.hole[solid] != 0, reach, d, {});
   }
 }
 

@@ -40,13 +40,13 @@ class Slicer {
     bodies::SolidRow body;  // its first solid
     double t;               // m
     bool enters;
-    std::uint32_t number;  // of the edge, to drop duplicates from two cells
+    bodies::EdgeRow wall;  // none: a movable body
   };
 
   void cross_walls(const bodies::Space& space, geom::Vec2 d, double reach);
   void cross_bodies(const bodies::Space& space, geom::Vec2 d, double reach);
   void cross(bodies::SolidRow body, geom::Vec2 w0, geom::Vec2 w1, bool hole, double reach, geom::Vec2 d,
-             std::uint32_t number);
+             bodies::EdgeRow wall);
   void pair_crossings(const bodies::Solids& solids);
   void add(const bodies::Solids& solids, bodies::SolidRow body, double from, double to);
   bool shows(const bodies::Solids& solids, bodies::SolidRow solid) const;

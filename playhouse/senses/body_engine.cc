@@ -57,8 +57,8 @@ world::PhysicsShapes BodyEngine::shapes() const {
     const geom::Rotation turn = geom::Rotation::of(X_FM.a);
     world::SolidCorners corners;
     for (const double z : {solids_.z_min_M[row], solids_.z_max_M[row]})
-      for (std::uint32_t v = solids_.first_vertex[row]; v + 1 < solids_.first_vertex[row + 1]; ++v) {
-        const geom::Vec2 p = X_FM.xy() + turn * solids_.p_M[v];
+      for (const geom::Vec2 p_M : solids_.polygon_M(row)) {
+        const geom::Vec2 p = X_FM.xy() + turn * p_M;
         corners.push_back({p.x, p.y, X_FM.z + z});
       }
     return corners;

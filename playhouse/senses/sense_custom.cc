@@ -17,7 +17,7 @@ namespace {
 class PlaneSurroundings final : public world::Surroundings {
  public:
   PlaneSurroundings(const world::World& world, const bodies::Space& space, const bodies::DiscIndex& places,
-                    std::vector<std::uint32_t>& crossed)
+                    std::vector<bodies::EdgeRow>& crossed)
       : world_(world), space_(space), places_(places), crossed_(crossed) {}
 
   world::RayEnd cast(const geom::Pose& X_WS, double range, world::ModelRow own) const override {
@@ -49,7 +49,7 @@ class PlaneSurroundings final : public world::Surroundings {
   const world::World& world_;
   const bodies::Space& space_;
   const bodies::DiscIndex& places_;
-  std::vector<std::uint32_t>& crossed_;
+  std::vector<bodies::EdgeRow>& crossed_;
 };
 
 class CustomSense final : public SensePhase {
@@ -87,7 +87,7 @@ class CustomSense final : public SensePhase {
 
  private:
   struct Scratch {
-    std::vector<std::uint32_t> crossed;
+    std::vector<bodies::EdgeRow> crossed;
     std::vector<double> readings;
   };
 

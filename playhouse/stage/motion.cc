@@ -42,8 +42,7 @@ geom::Pose part_at(const geom::Pose& X_WP, geom::Rotation rotation, const geom::
 
 bodies::Polygon outline_at(const bodies::Solids& solids, bodies::SolidRow row, geom::Vec2 center,
                            const geom::Vec2* p) {
-  const std::size_t vertices = solids.first_vertex[row + 1] - solids.first_vertex[row] - 1;
-  return {{p, vertices}, center, solids.convex[row] != 0};
+  return {{p, solids.corners_of(row)}, center, solids.convex[row] != 0};
 }
 
 /// Height range of a solid in a configuration; `first` is its tree's first solid.
@@ -55,7 +54,7 @@ HeightRange heights_in(const bodies::Solids& solids, bodies::SolidRow row, const
 }
 
 bodies::Polygon outline_now(const bodies::Solids& solids, bodies::SolidRow row) {
-  return outline_at(solids, row, solids.center[row], solids.p.data() + solids.first_vertex[row]);
+  return outline_at(solids, row, solids.center[row], solids.p.from(solids.first_vertex[row]));
 }
 
 }  // namespace
@@ -75,7 +74,7 @@ Motion::PlacedSolid Motion::proposed(const bodies::Solids& solids, bodies::Solid
 void Motion::populate(const bodies::Trees& trees, const bodies::Solids& solids, const world::Models& models) {
   trees_ = &trees;
   first_moving_ = solids.first_moving;
-  fixed_vertices_ = solids.first_vertex[solids.first_moving];
+  first_moving_vertex_ = solids.first_vertex[solids.first_moving];
   headroom_.populate(trees, solids, models);
   proposes_.assign(trees.size(), 0);
   stalls_.assign(trees.size(), 0);
@@ -112,7 +111,7 @@ void Motion::populate(const bodies::Trees& trees, const bodies::Solids& solids, 
   rotation_.resize(trees.size());
   center_.resize(solids.moving());
   z_.resize(solids.moving());
-  p_.resize(solids.p_M.size() - fixed_vertices_);
+  p_.resize(solids.p_M.next() - first_moving_vertex_);
 }
 
 void Motion::add_parents(std::span<const std::uint32_t> rows, const world::Models& models,
@@ -176,8 +175,7 @@ void Motion::shape_at(const Inputs& in, bodies::TreeRow tree, double fraction,
     const geom::Rotation rotation = out.rotation[local];
     out.center[row - rows.front()] = p + rotation * solids.center_M[row];
     if (!out.z.empty()) out.z[row - rows.front()] = out.X_WM[local].z;
-    for (std::uint32_t v = solids.first_vertex[row]; v < solids.first_vertex[row + 1]; ++v)
-      out.p[vertex++] = p + rotation * solids.p_M[v];
+    for (const bodies::VertexRow v : solids.vertices_of(row)) out.p[vertex++] = p + rotation * solids.p_M[v];
   }
 }
 

@@ -132,14 +132,15 @@ class Motion {
   /// Where the proposal of a movable solid, and of its vertices, begins.
   std::size_t place_of(bodies::SolidRow solid) const { return solid - first_moving_; }
   std::size_t vertex_of(const bodies::Solids& solids, bodies::SolidRow solid) const {
-    return solids.first_vertex[solid] - fixed_vertices_;
+    return solids.first_vertex[solid] - first_moving_vertex_;
   }
 
   const bodies::Trees* trees_ = nullptr;
   Headroom headroom_;
   bodies::FastBodies fast_;
-  bodies::SolidRow first_moving_;   // of Solids
-  std::size_t fixed_vertices_ = 0;  // of its static ones
+  // As in Solids.
+  bodies::SolidRow first_moving_;
+  bodies::VertexRow first_moving_vertex_;
   // Rows as in Trees.
   template <typename Value>
   using ByTree = ByRow<bodies::Trees, Value>;
