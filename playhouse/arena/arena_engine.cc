@@ -101,7 +101,7 @@ void ArenaEngine::populated(bool fixed) {
 ArenaEngine::TreeBody ArenaEngine::make_body(bodies::TreeRow tree) {
   TreeBody body;
   body.part = part_of(world_, trees_, solids_, tree);
-  for (const bodies::Mover& mover : movers_of(tree))
+  for (const bodies::Mover& mover : trees_.movers_of(tree))
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
   auto [hulls, models] = hulls_of(world_, trees_, solids_, tree, body.part, Joints::kAtRest, mesh_hulls_);
   if (hulls.empty()) {
@@ -113,7 +113,7 @@ ArenaEngine::TreeBody ArenaEngine::make_body(bodies::TreeRow tree) {
   body.models = std::move(models);
   body.number = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
   // bend() moves its hulls to where the joints are.
-  for (const bodies::Mover& mover : movers_of(tree)) {
+  for (const bodies::Mover& mover : trees_.movers_of(tree)) {
     const scene::ModelDesc& desc = world_.desc({mover.model});
     body.joints.push_back(world::tilted(desc, desc.X_PM));
   }
@@ -133,18 +133,13 @@ world::PhysicsShapes ArenaEngine::shapes() const {
   return shapes;
 }
 
-std::span<const bodies::Mover> ArenaEngine::movers_of(bodies::TreeRow tree) const {
-  const std::uint32_t first = trees_.first_mover[tree];
-  return {trees_.movers.data() + first, trees_.first_mover[tree + 1] - first};
-}
-
 std::span<const bodies::Mover> ArenaEngine::parts_of(bodies::TreeRow tree) const {
-  const std::span<const bodies::Mover> movers = movers_of(tree);
+  const std::span<const bodies::Mover> movers = trees_.movers_of(tree);
   return bodies_[tree].part == Part::kVehicle ? movers.subspan(1) : movers;
 }
 
 bool ArenaEngine::is_driven(bodies::TreeRow tree) const {
-  return bodies_[tree].part == Part::kVehicle && is_moving(world_, movers_of(tree)[0]);
+  return bodies_[tree].part == Part::kVehicle && is_moving(world_, trees_.movers_of(tree)[0]);
 }
 
 void ArenaEngine::move() {
@@ -179,7 +174,7 @@ void ArenaEngine::load_guided(bodies::TreeRow tree) {
   BodyState state = state_of(world_.models, top);
   state.v = state.w = {};
   bool moves = false;
-  for (const bodies::Mover& mover : movers_of(tree)) {
+  for (const bodies::Mover& mover : trees_.movers_of(tree)) {
     moves = moves || is_moving(world_, mover);
     if (mover.model != top) continue;
     const Pose &now = world_.models.X_PM[top], then = moved_by(world_, mover).X;
@@ -193,7 +188,7 @@ void ArenaEngine::load_guided(bodies::TreeRow tree) {
 /// Updates hulls of an articulated body to its joint positions.
 void ArenaEngine::bend(bodies::TreeRow tree) {
   TreeBody& body = bodies_[tree];
-  const std::span<const bodies::Mover> movers = movers_of(tree);
+  const std::span<const bodies::Mover> movers = trees_.movers_of(tree);
   bool is_bent = false;
   for (std::size_t i = 0; i < movers.size(); ++i) {
     const geom::SpatialPose X_PM = world::pose_in_parent(world_.models, {movers[i].model});
@@ -221,7 +216,7 @@ void ArenaEngine::find_blocked(unsigned steps) {
         continue;
       const double closing = dot(way_of(penetration.p, mover), penetration.out);
       if (closing > 0 && penetration.depth > kPressed + kCare * lag * closing)
-        blocked_[&mover - trees_.movers.data()] = 1;
+        blocked_[trees_.row_of(mover)] = 1;
     }
   }
 }

@@ -192,13 +192,13 @@ Trees make_trees(const world::World& world) {
     if (!stands_still(models, row)) can_move[models.root[row]] = 1;
   Trees trees;
   trees.first_model.push_back(0);
-  trees.first_mover.push_back(0);
+  trees.first_mover.push_back(trees.movers.next());
   for (std::uint32_t row = 0; row < models.size(); ++row) {
     if (!can_move[row]) continue;
     trees.root.push_back(row);
     add_tree(trees, world, row);
     trees.first_model.push_back(static_cast<std::uint32_t>(trees.models.size()));
-    trees.first_mover.push_back(static_cast<std::uint32_t>(trees.movers.size()));
+    trees.first_mover.push_back(trees.movers.next());
   }
   return trees;
 }
@@ -236,9 +236,8 @@ void replace_moving_solids(Solids& solids, const world::World& world, Shapes& sh
   solids.p_M.resize(solids.first_vertex.back().index);
   trees.first_solid.assign(1, solids.first_moving);
   for (const TreeRow tree : trees.rows()) {
-    for (std::uint32_t i = trees.first_model[tree]; i < trees.first_model[tree + 1]; ++i)
-      if (!stands_still(world.models, trees.models[i]))
-        add_model_solids(solids, world, shapes, trees.models[i], tree);
+    for (const std::uint32_t model : trees.models_of(tree))
+      if (!stands_still(world.models, model)) add_model_solids(solids, world, shapes, model, tree);
     trees.first_solid.push_back(solids.model.next());
     find_enclosed(solids, world.models, trees.solids_of(tree));
   }

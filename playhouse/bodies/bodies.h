@@ -38,14 +38,18 @@ struct Trees {
   ByRow<Trees, std::uint32_t> root;         // root model row, ascending                     (t)
   ByRow<Trees, std::uint32_t> first_model;  // models[first_model[t] ..]
   std::vector<std::uint32_t> models;        // rows of world::Models, parents first
-  ByRow<Trees, std::uint32_t> first_mover;  // movers[first_mover[t] ..], in the order of models
-  std::vector<Mover> movers;
+  ByRow<Trees, MoverRow> first_mover;       // movers[first_mover[t] ..], in the order of models
+  ByRow<Mover, Mover> movers;
   ByRow<Trees, SolidRow> first_solid;  // solids first_solid[t] .. first_solid[t + 1] - 1
   std::size_t size() const { return root.size(); }
   RowsOf<Trees> rows() const { return RowsOf<Trees>(size()); }
   std::span<const std::uint32_t> models_of(Row<Trees> tree) const {
     return std::span(models).subspan(first_model[tree], first_model[tree + 1] - first_model[tree]);
   }
+  std::span<const Mover> movers_of(Row<Trees> tree) const {
+    return {movers.from(first_mover[tree]), first_mover[tree + 1] - first_mover[tree]};
+  }
+  MoverRow row_of(const Mover& mover) const { return {static_cast<std::uint32_t>(&mover - movers.data())}; }
   SolidRows solids_of(Row<Trees> tree) const { return {first_solid[tree], first_solid[tree + 1]}; }
   /// Row of the tree with this root.
   Row<Trees> of_root(std::uint32_t top) const {

@@ -7,6 +7,7 @@
 namespace playhouse::bodies {
 
 using TreeRow = Row<struct Trees>;
+using MoverRow = Row<struct Mover>;  // of Trees::movers
 using SolidRow = Row<struct Solids>;
 using SolidRows = RowsOf<struct Solids>;
 using VertexRow = Row<struct Vertices>;  // of Solids::p

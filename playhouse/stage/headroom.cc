@@ -16,8 +16,8 @@ double length(geom::Vec2 v) {
 }
 
 bool moves_as_a_whole(const bodies::Trees& trees, bodies::TreeRow tree) {
-  const std::uint32_t first = trees.first_mover[tree];
-  return trees.first_mover[tree + 1] == first + 1 && trees.movers[first].model == trees.root[tree];
+  const std::span<const bodies::Mover> movers = trees.movers_of(tree);
+  return movers.size() == 1 && movers[0].model == trees.root[tree];
 }
 
 }  // namespace

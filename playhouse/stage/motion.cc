@@ -87,10 +87,9 @@ void Motion::populate(const bodies::Trees& trees, const bodies::Solids& solids, 
   parent_.clear();
   std::size_t largest_tree = 0, most_solids = 0, most_vertices = 0;
   for (const bodies::TreeRow tree : trees.rows()) {
-    const std::uint32_t begin = trees.first_model[tree], end = trees.first_model[tree + 1];
     add_parents(trees.models_of(tree), models, tree);
     const bodies::SolidRow first = trees.first_solid[tree], last = trees.first_solid[tree + 1];
-    largest_tree = std::max<std::size_t>(largest_tree, end - begin);
+    largest_tree = std::max<std::size_t>(largest_tree, trees.models_of(tree).size());
     most_solids = std::max<std::size_t>(most_solids, last - first);
     most_vertices =
         std::max<std::size_t>(most_vertices, solids.first_vertex[last] - solids.first_vertex[first]);
@@ -128,9 +127,9 @@ void Motion::add_parents(std::span<const std::uint32_t> rows, const world::Model
 }
 
 bodies::TreeShape Motion::proposal(const bodies::Solids& solids, bodies::TreeRow tree, Sweep& sweep) {
-  const std::uint32_t models = trees_->first_model[tree + 1] - trees_->first_model[tree];
+  const std::size_t models = trees_->models_of(tree).size();
   const bodies::SolidRow solid = trees_->first_solid[tree], last = trees_->first_solid[tree + 1];
-  return {{moved_.data() + trees_->first_mover[tree], movers_of(tree).size()},
+  return {{moved_.data() + trees_->first_mover[tree].index, trees_->movers_of(tree).size()},
           {sweep.X_WM.data(), models},
           {sweep.rotation.data(), models},
           {center_.data() + place_of(solid), last - solid},
@@ -143,11 +142,11 @@ void Motion::shape_at(const Inputs& in, bodies::TreeRow tree, double fraction,
                       const bodies::TreeShape& out) const {
   const world::Models& models = in.world.models;
   const double dt = in.world.scene().interval * fraction;
-  const std::uint32_t first = trees_->first_model[tree];
-  const std::span<const bodies::Mover> movers = movers_of(tree);
+  const std::span<const std::uint32_t> rows = trees_->models_of(tree);
+  const std::span<const bodies::Mover> movers = trees_->movers_of(tree);
   std::size_t next = 0;  // of movers
   for (std::size_t i = 0; i < out.X_WM.size(); ++i) {
-    const std::uint32_t model = trees_->models[first + i];
+    const std::uint32_t model = rows[i];
     const geom::Pose* X_PM = &models.X_PM[model];
     if (next < movers.size() && movers[next].model == model) {
       const bodies::Mover& mover = movers[next];
@@ -167,14 +166,14 @@ void Motion::shape_at(const Inputs& in, bodies::TreeRow tree, double fraction,
   }
 
   const bodies::Solids& solids = in.solids;
-  const bodies::SolidRows rows = trees_->solids_of(tree);
+  const bodies::SolidRows own = trees_->solids_of(tree);
   std::size_t local = 0, vertex = 0;
-  for (const bodies::SolidRow row : rows) {
-    while (trees_->models[first + local] != solids.model[row]) ++local;
+  for (const bodies::SolidRow row : own) {
+    while (rows[local] != solids.model[row]) ++local;
     const geom::Vec2 p = out.X_WM[local].xy();
     const geom::Rotation rotation = out.rotation[local];
-    out.center[row - rows.front()] = p + rotation * solids.center_M[row];
-    if (!out.z.empty()) out.z[row - rows.front()] = out.X_WM[local].z;
+    out.center[row - own.front()] = p + rotation * solids.center_M[row];
+    if (!out.z.empty()) out.z[row - own.front()] = out.X_WM[local].z;
     for (const bodies::VertexRow v : solids.vertices_of(row)) out.p[vertex++] = p + rotation * solids.p_M[v];
   }
 }
@@ -183,7 +182,7 @@ void Motion::shape_at(const Inputs& in, bodies::TreeRow tree, double fraction,
 void Motion::propose(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   proposes_[tree] = stalls_[tree] = lifts_[tree] = free_[tree] = 0;
   reach_[tree] = 0;
-  for (const bodies::Mover& mover : movers_of(tree)) {
+  for (const bodies::Mover& mover : trees_->movers_of(tree)) {
     if (!is_moving(in.world, mover)) continue;
     proposes_[tree] = 1;
     if (bodies::with_move(mover.kind, [&](auto move) { return move.changes_height(in.world, mover.part); }))
@@ -193,7 +192,7 @@ void Motion::propose(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   if (headroom_.is_rigid(tree) && !lifts_[tree]) {
     const geom::Pose& X_WM = in.world.models.X_PM[trees_->root[tree]];
     const geom::Pose& moved = moved_[trees_->first_mover[tree]] =
-        moved_by(in.world, movers_of(tree)[0], X_WM);
+        moved_by(in.world, trees_->movers_of(tree)[0], X_WM);
     way_[tree] = distance(X_WM.xy(), moved.xy());
     reach_[tree] =
         way_[tree] + std::fabs(geom::normalize(moved.a - X_WM.a)) * headroom_.arm(tree) + kRounding;
@@ -233,13 +232,13 @@ void Motion::propose_rest(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) 
 unsigned Motion::steps_of(const Inputs& in, bodies::TreeRow tree) const {
   const double dt = in.world.scene().interval;
   double turn = 0;
-  for (const bodies::Mover& mover : movers_of(tree))
+  for (const bodies::Mover& mover : trees_->movers_of(tree))
     turn +=
         bodies::with_move(mover.kind, [&](auto move) { return move.turn_rate(in.world, mover.part); }) * dt;
   // A full turn of a joint in a tick has a large path but a small displacement.
   const auto swing = [&](geom::Vec2 center) {
     double way = 0;
-    for (const bodies::Mover& mover : movers_of(tree))
+    for (const bodies::Mover& mover : trees_->movers_of(tree))
       way +=
           bodies::with_move(mover.kind, [&](auto move) { return move.swing(in.world, mover.part, center); }) *
           dt;
@@ -422,13 +421,11 @@ void Motion::decide() {
 
 /// Recomputes the poses of the tree's models instead of storing them: saves most of the proposal's memory.
 void Motion::put(world::Models& models, bodies::Solids& solids, bodies::TreeRow tree) const {
-  const std::uint32_t first = trees_->first_model[tree];
-  for (std::uint32_t i = trees_->first_mover[tree]; i < trees_->first_mover[tree + 1]; ++i)
-    models.X_PM.own(trees_->movers[i].model) = moved_[i];
-  for (std::uint32_t i = first; i < trees_->first_model[tree + 1]; ++i) {
-    const std::uint32_t model = trees_->models[i];
+  for (const bodies::Mover& mover : trees_->movers_of(tree))
+    models.X_PM.own(mover.model) = moved_[trees_->row_of(mover)];
+  for (const std::uint32_t model : trees_->models_of(tree)) {
     const geom::Pose& X_PM = models.X_PM[model];
-    if (i == first) {
+    if (model == trees_->root[tree]) {
       models.X_WM[model] = X_PM;
       solids.rotation[model] = rotation_[tree];
       continue;
@@ -440,14 +437,14 @@ void Motion::put(world::Models& models, bodies::Solids& solids, bodies::TreeRow 
 }
 
 void Motion::commit(world::World& world, bodies::Solids& solids, bodies::TreeRow tree) const {
-  for (const bodies::Mover& mover : movers_of(tree)) {
+  for (const bodies::Mover& mover : trees_->movers_of(tree)) {
     const bool stalls = stalls_[tree] && is_moving(world, mover);
     bodies::with_move(mover.kind, [&](auto move) { move.stall(world, mover.part, stalls); });
   }
   if (!proposes_[tree] || stalls_[tree]) return;
   put(world.models, solids, tree);
   place(solids, world.models, trees_->solids_of(tree));
-  for (const bodies::Mover& mover : movers_of(tree))
+  for (const bodies::Mover& mover : trees_->movers_of(tree))
     bodies::with_move(mover.kind, [&](auto move) { move.arrive(world, mover.part); });
 }
 

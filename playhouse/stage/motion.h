@@ -88,10 +88,6 @@ class Motion {
   };
 
   void add_parents(std::span<const std::uint32_t> rows, const world::Models& models, bodies::TreeRow tree);
-  std::span<const bodies::Mover> movers_of(bodies::TreeRow tree) const {
-    const std::uint32_t first = trees_->first_mover[tree];
-    return {trees_->movers.data() + first, trees_->first_mover[tree + 1] - first};
-  }
   void propose(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
   bodies::TreeShape propose_shape(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
   void propose_rest(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
@@ -156,8 +152,8 @@ class Motion {
   std::vector<std::uint32_t> parent_;   // (models of such trees)
   double rise_max_ = 0;                 // m, bound for this tick: rise or drop
   // The proposals; rows as in Trees::movers, in Trees, and in Solids counted from the first movable one.
-  std::vector<geom::Pose> moved_;    // X_PM of the movers
-  ByTree<geom::Rotation> rotation_;  // of the root
+  ByRow<bodies::Mover, geom::Pose> moved_;  // X_PM
+  ByTree<geom::Rotation> rotation_;         // of the root
   std::vector<geom::Vec2> center_, p_;
   std::vector<double> z_;      // of the solid's model in W, if the tree lifts
   std::vector<Sweep> sweeps_;  // one per worker
