@@ -25,13 +25,12 @@ class ArenaEngine final : public senses::BodyEngine {
  private:
   /// The rigid body of a tree of models.
   struct TreeBody {
-    static constexpr std::uint32_t kNone = world::ModelRow::kNone;
     Part part = Part::kGuided;
-    std::uint32_t number = kNone;           // in Physics; kNone: it has no collision shape
+    RigidBodyRow row;                       // in Physics; none: it has no collision shape
     double radius = 0;                      // m, of its corners from B's upright axis, at most
     bool has_joints = false;                // parts of it have joints
     std::vector<geom::SpatialPose> joints;  // X_PM of those parts as last given to Physics
-    std::vector<std::uint32_t> models;      // model row of each hull (hulls)
+    ByRow<Hull, std::uint32_t> models;      // model row of each hull
   };
 
   void move() override;
@@ -58,7 +57,7 @@ class ArenaEngine final : public senses::BodyEngine {
   Physics physics_;
   mutable MeshHulls mesh_hulls_;
   ByRow<bodies::Trees, TreeBody> bodies_;
-  std::vector<bodies::TreeRow> tree_of_;        // (bodies of Physics)
+  ByRow<RigidBody, bodies::TreeRow> tree_of_;
   bool has_parts_ = false;                      // any tree has movers in the sense of parts_of()
   ByRow<bodies::Mover, std::uint8_t> blocked_;  // in this tick
 };

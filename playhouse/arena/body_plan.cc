@@ -105,13 +105,13 @@ std::map<std::uint32_t, geom::SpatialPose> poses_in_top(const world::World& worl
 /// Clips hulls at height `z`, keeping what is above.
 TreeHulls above(TreeHulls all, double z) {
   TreeHulls above;
-  for (std::size_t i = 0; i < all.hulls.size(); ++i) {
-    Hull& hull = all.hulls[i];
+  for (const HullRow row : all.hulls.rows()) {
+    Hull& hull = all.hulls[row];
     if (std::ranges::all_of(hull, [z](const Vec3& p) { return p.z <= z; })) continue;
     if (std::ranges::any_of(hull, [z](const Vec3& p) { return p.z < z; })) hull.round = Round::kNot;
     for (Vec3& p : hull) p.z = std::max(p.z, z);
     above.hulls.push_back(std::move(hull));
-    above.models.push_back(all.models[i]);
+    above.models.push_back(all.models[row]);
   }
   return above;
 }
