@@ -93,7 +93,7 @@ void ArenaEngine::populated(bool fixed) {
   has_parts_ = false;
   for (const bodies::TreeRow tree : trees_.rows()) {
     bodies_.push_back(make_body(tree));
-    if (bodies_.back().number != TreeBody::kNone) tree_of_.push_back(tree);
+    if (bodies_.back().row) tree_of_.push_back(tree);
     has_parts_ = has_parts_ || !parts_of(tree).empty();
   }
 }
@@ -101,7 +101,7 @@ void ArenaEngine::populated(bool fixed) {
 ArenaEngine::TreeBody ArenaEngine::make_body(bodies::TreeRow tree) {
   TreeBody body;
   body.part = part_of(world_, trees_, solids_, tree);
-  for (const bodies::Mover& mover : movers_of(tree))
+  for (const bodies::Mover& mover : trees_.movers_of(tree))
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
   auto [hulls, models] = hulls_of(world_, trees_, solids_, tree, body.part, Joints::kAtRest, mesh_hulls_);
   if (hulls.empty()) {
@@ -111,9 +111,9 @@ ArenaEngine::TreeBody ArenaEngine::make_body(bodies::TreeRow tree) {
   for (const Hull& hull : hulls)
     for (const Vec3& p : hull) body.radius = std::max(body.radius, std::sqrt(p.x * p.x + p.y * p.y));
   body.models = std::move(models);
-  body.number = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
+  body.row = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
   // bend() moves its hulls to where the joints are.
-  for (const bodies::Mover& mover : movers_of(tree)) {
+  for (const bodies::Mover& mover : trees_.movers_of(tree)) {
     const scene::ModelDesc& desc = world_.desc({mover.model});
     body.joints.push_back(world::tilted(desc, desc.X_PM));
   }
@@ -126,25 +126,20 @@ world::PhysicsShapes ArenaEngine::shapes() const {
   for (FixedSolid& solid : fixed_solids(world_, solids_))
     if (!solid.hull.empty()) shapes.fixed.push_back(std::move(solid.hull));
   for (const bodies::TreeRow tree : trees_.rows())
-    if (bodies_[tree].number != TreeBody::kNone)
+    if (bodies_[tree].row)
       shapes.bodies.push_back(
           {world_.id({trees_.root[tree]}),
            hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, Joints::kNow, mesh_hulls_).hulls});
   return shapes;
 }
 
-std::span<const bodies::Mover> ArenaEngine::movers_of(bodies::TreeRow tree) const {
-  const std::uint32_t first = trees_.first_mover[tree];
-  return {trees_.movers.data() + first, trees_.first_mover[tree + 1] - first};
-}
-
 std::span<const bodies::Mover> ArenaEngine::parts_of(bodies::TreeRow tree) const {
-  const std::span<const bodies::Mover> movers = movers_of(tree);
+  const std::span<const bodies::Mover> movers = trees_.movers_of(tree);
   return bodies_[tree].part == Part::kVehicle ? movers.subspan(1) : movers;
 }
 
 bool ArenaEngine::is_driven(bodies::TreeRow tree) const {
-  return bodies_[tree].part == Part::kVehicle && is_moving(world_, movers_of(tree)[0]);
+  return bodies_[tree].part == Part::kVehicle && is_moving(world_, trees_.movers_of(tree)[0]);
 }
 
 void ArenaEngine::move() {
@@ -163,14 +158,14 @@ void ArenaEngine::move() {
 /// Copies the state of a tree from columns to Physics: columns are authoritative.
 void ArenaEngine::load(bodies::TreeRow tree) {
   TreeBody& body = bodies_[tree];
-  if (body.number == TreeBody::kNone) return;
+  if (!body.row) return;
   if (body.has_joints) bend(tree);
   if (body.part == Part::kGuided) return load_guided(tree);
   const std::uint32_t top = trees_.root[tree];
   const double still = world_.models.still[top] * world_.scene().interval;
-  physics_.put(body.number, state_of(world_.models, top), still >= kSleepAfter && !is_driven(tree));
+  physics_.put(body.row, state_of(world_.models, top), still >= kSleepAfter && !is_driven(tree));
   if (body.part == Part::kVehicle)
-    physics_.drive(body.number, world_.positions.velocity[world_.models.part[top]]);
+    physics_.drive(body.row, world_.positions.velocity[world_.models.part[top]]);
 }
 
 /// A kinematic body moves through the tick with the velocity of its movers.
@@ -179,7 +174,7 @@ void ArenaEngine::load_guided(bodies::TreeRow tree) {
   BodyState state = state_of(world_.models, top);
   state.v = state.w = {};
   bool moves = false;
-  for (const bodies::Mover& mover : movers_of(tree)) {
+  for (const bodies::Mover& mover : trees_.movers_of(tree)) {
     moves = moves || is_moving(world_, mover);
     if (mover.model != top) continue;
     const Pose &now = world_.models.X_PM[top], then = moved_by(world_, mover).X;
@@ -187,13 +182,13 @@ void ArenaEngine::load_guided(bodies::TreeRow tree) {
     state.v = per_second * (Vec3{then.x, then.y, then.z} - state.p);
     state.w = (per_second * geom::normalize(then.a - now.a)) * (state.q * Vec3{0, 0, 1});
   }
-  physics_.put(bodies_[tree].number, state, !moves);
+  physics_.put(bodies_[tree].row, state, !moves);
 }
 
 /// Updates hulls of an articulated body to its joint positions.
 void ArenaEngine::bend(bodies::TreeRow tree) {
   TreeBody& body = bodies_[tree];
-  const std::span<const bodies::Mover> movers = movers_of(tree);
+  const std::span<const bodies::Mover> movers = trees_.movers_of(tree);
   bool is_bent = false;
   for (std::size_t i = 0; i < movers.size(); ++i) {
     const geom::SpatialPose X_PM = world::pose_in_parent(world_.models, {movers[i].model});
@@ -205,7 +200,7 @@ void ArenaEngine::bend(bodies::TreeRow tree) {
   TreeHulls now = hulls_of(world_, trees_, solids_, tree, body.part, Joints::kNow, mesh_hulls_);
   if (now.hulls.empty()) return;
   body.models = std::move(now.models);
-  physics_.set_hulls(body.number, now.hulls);
+  physics_.set_hulls(body.row, now.hulls);
 }
 
 /// Marks kinematic parts that penetrate deeply and would penetrate deeper.
@@ -221,7 +216,7 @@ void ArenaEngine::find_blocked(unsigned steps) {
         continue;
       const double closing = dot(way_of(penetration.p, mover), penetration.out);
       if (closing > 0 && penetration.depth > kPressed + kCare * lag * closing)
-        blocked_[&mover - trees_.movers.data()] = 1;
+        blocked_[trees_.row_of(mover)] = 1;
     }
   }
 }
@@ -252,7 +247,7 @@ void ArenaEngine::store(bodies::TreeRow tree) {
   if (moved) {
     world::place_tree(world_, {top});
     bodies::turn(solids_, world_.models, trees_.models_of(tree));
-    bodies::place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
+    bodies::place(solids_, world_.models, trees_.solids_of(tree));
   }
   if (body.part == Part::kVehicle) store_drive(tree, before);
   for (const bodies::Mover& mover : parts_of(tree))
@@ -265,10 +260,10 @@ void ArenaEngine::store(bodies::TreeRow tree) {
 /// Copies the state of a body to columns. False if it slept, or left the valid range: then it stays.
 bool ArenaEngine::store_state(bodies::TreeRow tree) {
   const TreeBody& body = bodies_[tree];
-  if (physics_.is_sleeping(body.number)) return false;
+  if (physics_.is_sleeping(body.row)) return false;
   world::Models& models = world_.models;
   const std::uint32_t top = trees_.root[tree];
-  const BodyState state = physics_.state(body.number);
+  const BodyState state = physics_.state(body.row);
   geom::SpatialPose X = geom::spatial_pose(state.p, state.q);
   if (std::fabs(X.tilt.x) < kLeastTilt && std::fabs(X.tilt.y) < kLeastTilt) X.tilt = {};
   if (!world::is_place(X.X) || !geom::is_tilt(X.tilt) || !std::isfinite(length(state.v) + length(state.w))) {
@@ -276,7 +271,7 @@ bool ArenaEngine::store_state(bodies::TreeRow tree) {
     return false;
   }
   const bool is_slow = length(state.v) < kSlow && length(state.w) < kSlowTurn && !is_driven(tree) &&
-                       physics_.may_sleep(body.number);
+                       physics_.may_sleep(body.row);
   const std::uint32_t still = is_slow ? models.still[top] + 1 : 0;
   const bool is_sleeping = still * world_.scene().interval >= kSleepAfter;
   models.still.set(top, still);

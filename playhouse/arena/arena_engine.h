@@ -25,13 +25,12 @@ class ArenaEngine final : public senses::BodyEngine {
  private:
   /// The rigid body of a tree of models.
   struct TreeBody {
-    static constexpr std::uint32_t kNone = world::ModelRow::kNone;
     Part part = Part::kGuided;
-    std::uint32_t number = kNone;           // in Physics; kNone: it has no collision shape
+    RigidBodyRow row;                       // in Physics; none: it has no collision shape
     double radius = 0;                      // m, of its corners from B's upright axis, at most
     bool has_joints = false;                // parts of it have joints
     std::vector<geom::SpatialPose> joints;  // X_PM of those parts as last given to Physics
-    std::vector<std::uint32_t> models;      // model row of each hull (hulls)
+    ByRow<Hull, std::uint32_t> models;      // model row of each hull
   };
 
   void move() override;
@@ -41,7 +40,6 @@ class ArenaEngine final : public senses::BodyEngine {
   void replaced(bodies::TreeRow) override {}
 
   TreeBody make_body(bodies::TreeRow tree);
-  std::span<const bodies::Mover> movers_of(bodies::TreeRow tree) const;
   /// Movers of the tree; the root is one only if the body is kinematic.
   std::span<const bodies::Mover> parts_of(bodies::TreeRow tree) const;
   void load(bodies::TreeRow tree);
@@ -49,7 +47,7 @@ class ArenaEngine final : public senses::BodyEngine {
   void bend(bodies::TreeRow tree);
   void find_blocked(unsigned steps);
   geom::Vec3 way_of(const geom::Vec3& p, const bodies::Mover& mover) const;
-  bool is_blocked(const bodies::Mover& mover) const { return blocked_[&mover - trees_.movers.data()] != 0; }
+  bool is_blocked(const bodies::Mover& mover) const { return blocked_[trees_.row_of(mover)] != 0; }
   void store(bodies::TreeRow tree);
   bool store_state(bodies::TreeRow tree);
   void store_drive(bodies::TreeRow tree, const geom::Pose& before);
@@ -59,9 +57,9 @@ class ArenaEngine final : public senses::BodyEngine {
   Physics physics_;
   mutable MeshHulls mesh_hulls_;
   ByRow<bodies::Trees, TreeBody> bodies_;
-  std::vector<bodies::TreeRow> tree_of_;  // (bodies of Physics)
-  bool has_parts_ = false;                // any tree has movers in the sense of parts_of()
-  std::vector<std::uint8_t> blocked_;     // (trees_.movers) in this tick
+  ByRow<RigidBody, bodies::TreeRow> tree_of_;
+  bool has_parts_ = false;                      // any tree has movers in the sense of parts_of()
+  ByRow<bodies::Mover, std::uint8_t> blocked_;  // in this tick
 };
 
 }  // namespace playhouse::arena

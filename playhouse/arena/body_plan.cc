@@ -61,12 +61,13 @@ void add_prisms(std::vector<Hull>& hulls, std::span<const geom::Outline> outline
   }
 }
 
-/// Appends the convex prisms, in F, of solids [begin, end) of one body (see Solids::body).
-void add_body(std::vector<Hull>& hulls, const bodies::Solids& solids, std::size_t begin, std::size_t end,
+/// Appends the convex prisms, in F, of the solids of one body (see Solids::body).
+void add_body(std::vector<Hull>& hulls, const bodies::Solids& solids, bodies::SolidRows body,
               const Pose& X_FM) {
-  const std::vector<std::vector<Vec2>> outlines = outlines_of(solids, begin, end, X_FM);
-  const double z_low = X_FM.z + solids.z_min_M[begin], z_high = X_FM.z + solids.z_max_M[begin];
-  if (outlines.size() == 1 && solids.convex[begin]) return add_prism(hulls, outlines[0], z_low, z_high);
+  const bodies::SolidRow first = body.front();
+  const std::vector<std::vector<Vec2>> outlines = outlines_of(solids, body, X_FM);
+  const double z_low = X_FM.z + solids.z_min_M[first], z_high = X_FM.z + solids.z_max_M[first];
+  if (outlines.size() == 1 && solids.convex[first]) return add_prism(hulls, outlines[0], z_low, z_high);
   const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
   add_prisms(hulls, all, z_low, z_high);
 }
@@ -104,13 +105,13 @@ std::map<std::uint32_t, geom::SpatialPose> poses_in_top(const world::World& worl
 /// Clips hulls at height `z`, keeping what is above.
 TreeHulls above(TreeHulls all, double z) {
   TreeHulls above;
-  for (std::size_t i = 0; i < all.hulls.size(); ++i) {
-    Hull& hull = all.hulls[i];
+  for (const HullRow row : all.hulls.rows()) {
+    Hull& hull = all.hulls[row];
     if (std::ranges::all_of(hull, [z](const Vec3& p) { return p.z <= z; })) continue;
     if (std::ranges::any_of(hull, [z](const Vec3& p) { return p.z < z; })) hull.round = Round::kNot;
     for (Vec3& p : hull) p.z = std::max(p.z, z);
     above.hulls.push_back(std::move(hull));
-    above.models.push_back(all.models[i]);
+    above.models.push_back(all.models[row]);
   }
   return above;
 }
@@ -204,8 +205,7 @@ Part part_of(const world::World& world, const bodies::Trees& trees, const bodies
              bodies::TreeRow tree) {
   const std::uint32_t top = trees.root[tree];
   bool is_solid = false;
-  for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row)
-    is_solid = is_solid || solids.is_obstacle(row);
+  for (const bodies::SolidRow row : trees.solids_of(tree)) is_solid = is_solid || solids.is_obstacle(row);
   if (!is_solid) return Part::kGuided;
   if (world.models.kind[top] == scene::ModelKind::kPosition) return Part::kVehicle;
   return world.models.mobility[top] == world::Mobility::kLoose ? Part::kLoose : Part::kGuided;
@@ -216,19 +216,18 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
   const std::map<std::uint32_t, geom::SpatialPose> X_BM = poses_in_top(world, trees, tree, joints);
   TreeHulls all;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
-  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], bodies::SeenBy::kMotion,
-            [&](std::size_t begin, std::size_t end) {
-              const std::uint32_t model = solids.model[begin];
-              const FrameOfBody frame(X_BM.at(model));
-              const std::size_t first = all.hulls.size();
-              const mesh::Mesh* mesh = mesh_of(world, model);
-              if (mesh == nullptr)
-                add_body(all.hulls, solids, begin, end, frame.X_FM());
-              else if (std::exchange(latest, model) != model)  // its outlines are for the 2D engine
-                add_hulls(all.hulls, meshes.of(*mesh), body_in(world, model, frame.X_FM()));
-              for (Hull& hull : std::span(all.hulls).subspan(first)) frame.turn(hull);
-              all.models.resize(all.hulls.size(), model);
-            });
+  each_body(solids, trees.solids_of(tree), bodies::SeenBy::kMotion, [&](bodies::SolidRows body) {
+    const std::uint32_t model = solids.model[body.front()];
+    const FrameOfBody frame(X_BM.at(model));
+    const std::size_t first = all.hulls.size();
+    const mesh::Mesh* mesh = mesh_of(world, model);
+    if (mesh == nullptr)
+      add_body(all.hulls, solids, body, frame.X_FM());
+    else if (std::exchange(latest, model) != model)  // its outlines are for the 2D engine
+      add_hulls(all.hulls, meshes.of(*mesh), body_in(world, model, frame.X_FM()));
+    for (Hull& hull : std::span(all.hulls).subspan(first)) frame.turn(hull);
+    all.models.resize(all.hulls.size(), model);
+  });
   if (part != Part::kVehicle) return all;
   const Extent extent = extent_of(all.hulls);
   const bool walks = world.desc({trees.root[tree]}).position->drive == scene::Drive::kWalk;
@@ -267,8 +266,8 @@ std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::So
   std::vector<FixedSolid> fixed;
   std::vector<Hull> hulls;
   std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
-  each_body(solids, 0, solids.fixed, bodies::SeenBy::kMotion, [&](std::size_t begin, std::size_t end) {
-    const std::uint32_t model = solids.model[begin];
+  each_body(solids, solids.fixed_rows(), bodies::SeenBy::kMotion, [&](bodies::SolidRows body) {
+    const std::uint32_t model = solids.model[body.front()];
     const FrameOfBody frame(world::pose_in_world(world.models, {model}));
     if (const mesh::Mesh* mesh = mesh_of(world, model)) {
       if (std::exchange(latest, model) == model) return;
@@ -284,7 +283,7 @@ std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::So
       return;
     }
     hulls.clear();
-    add_body(hulls, solids, begin, end, frame.X_FM());
+    add_body(hulls, solids, body, frame.X_FM());
     for (Hull& hull : hulls) {
       frame.turn(hull);
       fixed.push_back({std::move(hull), surface_of(world.desc({model})), world.models.X_WM[model].a, {}});

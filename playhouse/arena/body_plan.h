@@ -32,14 +32,14 @@ Part part_of(const world::World& world, const bodies::Trees& trees, const bodies
 enum class Joints : std::uint8_t { kNow, kAtRest };
 
 /// Hulls, which are corners alone for who draws them.
-struct Hulls : std::vector<Hull> {
+struct Hulls : ByRow<Hull, Hull> {
   operator std::vector<std::vector<Vec3>>() const { return {begin(), end()}; }
 };
 
 /// Hulls in B, and the model row of each.
 struct TreeHulls {
   Hulls hulls;
-  std::vector<std::uint32_t> models;
+  ByRow<Hull, std::uint32_t> models;
 };
 
 /// The obstacles of a tree as convex hulls at these joint positions; of a vehicle only

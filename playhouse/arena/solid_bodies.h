@@ -17,29 +17,24 @@
 
 namespace playhouse::arena {
 
-/// Calls visit(begin, end) for each body, a run of rows in [first,
-/// last) of one model (see Solids::body), that is visible to `by`.
+/// Calls visit(body) for each body, a run of these rows
+/// of one model (see Solids::body), that is visible to `by`.
 template <typename Visit>
-void each_body(const bodies::Solids& solids, std::size_t first, std::size_t last, bodies::SeenBy by,
-               const Visit& visit) {
-  for (std::size_t begin = first; begin < last;) {
-    std::size_t end = begin + 1;
-    while (end < last && solids.body[end] == solids.body[begin]) ++end;
-    if ((solids.seen_by[begin] & bodies::bit(by)) != 0) visit(begin, end);
-    begin = end;
-  }
+void each_body(const bodies::Solids& solids, bodies::SolidRows rows, bodies::SeenBy by, const Visit& visit) {
+  each_run(rows, solids.body, [&](bodies::SolidRows body) {
+    if ((solids.seen_by[body.front()] & bodies::bit(by)) != 0) visit(body);
+  });
 }
 
 /// The outlines of a body in F, a frame in which its
 /// model is upright; the solid side is on their left. [m]
-inline std::vector<std::vector<geom::Vec2>> outlines_of(const bodies::Solids& solids, std::size_t begin,
-                                                        std::size_t end, const geom::Pose& X_FM) {
+inline std::vector<std::vector<geom::Vec2>> outlines_of(const bodies::Solids& solids, bodies::SolidRows body,
+                                                        const geom::Pose& X_FM) {
   const geom::Rotation turn = geom::Rotation::of(X_FM.a);
   std::vector<std::vector<geom::Vec2>> outlines;
-  for (std::size_t row = begin; row < end; ++row) {
+  for (const bodies::SolidRow row : body) {
     std::vector<geom::Vec2>& outline = outlines.emplace_back();
-    for (std::uint32_t v = solids.first_vertex[row]; v + 1 < solids.first_vertex[row + 1]; ++v)
-      outline.push_back(X_FM.xy() + turn * solids.p_M[v]);
+    for (const geom::Vec2 p_M : solids.polygon_M(row)) outline.push_back(X_FM.xy() + turn * p_M);
     if (solids.hole[row] != 0) std::ranges::reverse(outline);
   }
   return outlines;

@@ -80,8 +80,22 @@ TEST(Rows, index_columns_of_their_own_table_and_no_others) {
   std::vector<double> seen;
   for (const Row<Doors> door : RowsOf<Doors>(width.size() - 1)) seen.push_back(width[door + 1]);
   EXPECT_EQ(seen, (std::vector<double>{1.2, 2.5}));
+  EXPECT_EQ(width.rows().size(), 3u);
+  EXPECT_EQ(width.next() - width.rows()[1], 2u);
+  EXPECT_EQ(*width.from(width.rows()[1]), 1.2);
   EXPECT_FALSE(Row<Doors>{});
   EXPECT_TRUE(Row<Doors>{0});
+}
+
+TEST(Rows, with_one_value_in_a_column_are_a_run) {
+  const ByRow<Doors, char> house{'a', 'b', 'b', 'a', 'a'};
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;
+  const auto add = [&](RowsOf<Doors> run) { runs.emplace_back(run.front().index, run.size()); };
+  each_run(RowsOf<Doors>(house.rows()[1], house.next()), house, add);
+  EXPECT_EQ(runs, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{1, 2}, {3, 2}}));
+  runs.clear();
+  each_run(RowsOf<Doors>(), house, add);
+  EXPECT_TRUE(runs.empty());
 }
 
 TEST(Rng, depends_on_each_of_its_inputs_and_on_nothing_else) {

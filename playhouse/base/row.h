@@ -18,9 +18,15 @@ struct Row {
   constexpr auto operator<=>(const Row&) const = default;
   /// The row that is `rows` behind it.
   constexpr Row operator+(std::uint32_t rows) const { return {index + rows}; }
+  /// By how many rows it is behind `first`.
+  constexpr std::uint32_t operator-(Row first) const { return index - first.index; }
+  constexpr Row& operator++() {
+    ++index;
+    return *this;
+  }
 };
 
-/// The rows of a table, in order.
+/// Consecutive rows of a table, in order: all of it, or those from `first` up to `end`, which is not one.
 template <typename Table>
 class RowsOf {
  public:
@@ -28,17 +34,23 @@ class RowsOf {
     Row<Table> row;
     constexpr Row<Table> operator*() const { return row; }
     constexpr Iterator& operator++() {
-      ++row.index;
+      ++row;
       return *this;
     }
     constexpr bool operator==(const Iterator&) const = default;
   };
-  constexpr explicit RowsOf(std::size_t size) : size_(static_cast<std::uint32_t>(size)) {}
-  constexpr Iterator begin() const { return {{0}}; }
-  constexpr Iterator end() const { return {{size_}}; }
+  constexpr RowsOf() : RowsOf(0) {}
+  constexpr explicit RowsOf(std::size_t size) : end_{static_cast<std::uint32_t>(size)} {}
+  constexpr RowsOf(Row<Table> first, Row<Table> end) : first_(first), end_(end) {}
+  constexpr Iterator begin() const { return {first_}; }
+  constexpr Iterator end() const { return {end_}; }
+  constexpr std::uint32_t size() const { return end_ - first_; }
+  constexpr bool empty() const { return first_ == end_; }
+  constexpr Row<Table> front() const { return first_; }
+  constexpr Row<Table> operator[](std::size_t i) const { return first_ + static_cast<std::uint32_t>(i); }
 
  private:
-  std::uint32_t size_;
+  Row<Table> first_{0}, end_;
 };
 
 /// A value for each row of a table, indexed by its rows alone.
@@ -47,6 +59,20 @@ struct ByRow : std::vector<Value> {
   using std::vector<Value>::vector;
   Value& operator[](Row<Table> row) { return std::vector<Value>::operator[](row.index); }
   const Value& operator[](Row<Table> row) const { return std::vector<Value>::operator[](row.index); }
+  RowsOf<Table> rows() const { return RowsOf<Table>(this->size()); }
+  /// The values from a row on, for kernels.
+  const Value* from(Row<Table> row) const { return this->data() + row.index; }
+  /// The row that the next value pushed back gets.
+  Row<Table> next() const { return {static_cast<std::uint32_t>(this->size())}; }
 };
+
+/// Calls visit(run) for each longest run of rows with one value in the column.
+template <typename Table, typename Value, typename Visit>
+void each_run(RowsOf<Table> rows, const ByRow<Table, Value>& column, const Visit& visit) {
+  for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
+    while (end < rows.size() && column[rows[end]] == column[rows[begin]]) ++end;
+    visit(RowsOf<Table>(rows[begin], rows[end]));
+  }
+}
 
 }  // namespace playhouse

@@ -78,7 +78,7 @@ SolidShape make_shape(std::span<const Vec2> points_B, double z_min, double z_max
 }
 
 void add_solid(Solids& solids, const SolidShape& shape, const scene::ModelDesc& desc, std::uint32_t model,
-               std::uint32_t root, TreeRow tree, std::uint32_t first) {
+               std::uint32_t root, TreeRow tree, SolidRow first) {
   solids.model.push_back(model);
   solids.root.push_back(root);
   solids.tree.push_back(tree);
@@ -90,51 +90,52 @@ void add_solid(Solids& solids, const SolidShape& shape, const scene::ModelDesc& 
   solids.convex.push_back(shape.convex);
   solids.full.push_back(shape.full);
   solids.hole.push_back(shape.hole);
-  solids.body.push_back(first + shape.body);
+  solids.body.push_back(first + shape.body.index);
   solids.seen_by.push_back(seen_by_of(desc));
   solids.enclosed.push_back(0);
   solids.p_M.insert(solids.p_M.end(), shape.p_M.begin(), shape.p_M.end());
-  solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p_M.size()));
+  solids.first_vertex.push_back(solids.p_M.next());
 }
 
 void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes, std::uint32_t model,
                       TreeRow tree) {
   const scene::ModelDesc& desc = world.desc({model});
-  const auto first = static_cast<std::uint32_t>(solids.size());
+  const SolidRow first = solids.model.next();
   for (const SolidShape& shape : shapes.of(world.models.desc[model]))
     add_solid(solids, shape, desc, model, world.models.root[model], tree, first);
 }
 
 /// Copies the corners of p relative to the center into columns.
-void put_corners(Solids& solids, std::size_t row) {
+void put_corners(Solids& solids, SolidRow row) {
   constexpr std::size_t kEight = EightCorners::kCorners;
   const std::size_t count = solids.convex_corners(row);
-  const Vec2* const p = solids.p.data() + solids.first_vertex[row];
+  const Vec2* const p = solids.p.from(solids.first_vertex[row]);
   const Vec2 center = solids.center[row];
-  EightCorners* eight = solids.corners.data() + solids.first_corners[row - solids.fixed];
-  for (std::size_t first = 0; first < count; first += kEight, ++eight) {
+  CornersRow next = solids.first_corners[solids.place_of(row)];
+  for (std::size_t first = 0; first < count; first += kEight, ++next) {
+    EightCorners& eight = solids.corners[next];
     for (std::size_t i = 0; i < kEight; ++i) {
       const Vec2 corner = p[first + i < count ? first + i : 0];
-      eight->x[i] = static_cast<float>(corner.x - center.x);
-      eight->y[i] = static_cast<float>(corner.y - center.y);
+      eight.x[i] = static_cast<float>(corner.x - center.x);
+      eight.y[i] = static_cast<float>(corner.y - center.y);
     }
   }
 }
 
 /// Allocates the corner columns of movable solids.
 void make_room_for_corners(Solids& solids) {
-  std::uint32_t count = 0;
+  CornersRow next{0};
   solids.first_corners.clear();
-  for (std::size_t row = solids.fixed; row < solids.size(); ++row) {
-    solids.first_corners.push_back(count);
-    count += static_cast<std::uint32_t>((solids.convex_corners(row) + EightCorners::kCorners - 1) /
-                                        EightCorners::kCorners);
+  for (const SolidRow row : solids.moving_rows()) {
+    solids.first_corners.push_back(next);
+    next = next + static_cast<std::uint32_t>((solids.convex_corners(row) + EightCorners::kCorners - 1) /
+                                             EightCorners::kCorners);
   }
-  solids.corners.resize(count);
+  solids.corners.resize(next.index);
 }
 
-/// Sizes the placement columns and places the solids from row `first` on.
-void put_in_place(Solids& solids, const world::Models& models, std::size_t first) {
+/// Sizes the placement columns and places these solids, the last ones.
+void put_in_place(Solids& solids, const world::Models& models, SolidRows rows) {
   solids.center.resize(solids.size());
   solids.z_min.resize(solids.size());
   solids.z_max.resize(solids.size());
@@ -142,7 +143,7 @@ void put_in_place(Solids& solids, const world::Models& models, std::size_t first
   make_room_for_corners(solids);
   solids.rotation.resize(models.size());
   for (std::uint32_t model = 0; model < models.size(); ++model) turn(solids, models, {&model, 1});
-  place(solids, models, first, solids.size());
+  place(solids, models, rows);
 }
 
 bool stands_still(const world::Models& models, std::uint32_t row) {
@@ -159,21 +160,20 @@ void add_tree(Trees& trees, const world::World& world, std::uint32_t row) {
 
 }  // namespace
 
-const std::vector<SolidShape>& Shapes::of(std::uint32_t row) {
+const ByRow<SolidShape, SolidShape>& Shapes::of(std::uint32_t row) {
   const auto [entry, is_new] = made_.try_emplace(row);
   if (!is_new) return entry->second;
   const scene::ModelDesc& desc = scene_.models[row];
-  std::vector<SolidShape>& shapes = entry->second;
-  const auto next = [&shapes] { return static_cast<std::uint32_t>(shapes.size()); };
+  ByRow<SolidShape, SolidShape>& shapes = entry->second;
   for (const scene::Block& block : desc.blocks) {
     if (block.points.size() < 3) continue;
     SolidShape shape = make_shape(block.points, block.z_min, block.z_max, desc);
     shape.full = true;
-    shape.body = next();
+    shape.body = shapes.next();
     shapes.push_back(std::move(shape));
   }
   for (const scene::Contours& bitmap : desc.bitmaps) {
-    const std::uint32_t body = next();
+    const Row<SolidShape> body = shapes.next();
     for (const std::vector<Vec2>& loop : bitmap.loops) {
       if (loop.size() < 3) continue;
       SolidShape shape = make_shape(loop, bitmap.z_min, bitmap.z_max, desc);
@@ -192,13 +192,13 @@ Trees make_trees(const world::World& world) {
     if (!stands_still(models, row)) can_move[models.root[row]] = 1;
   Trees trees;
   trees.first_model.push_back(0);
-  trees.first_mover.push_back(0);
+  trees.first_mover.push_back(trees.movers.next());
   for (std::uint32_t row = 0; row < models.size(); ++row) {
     if (!can_move[row]) continue;
     trees.root.push_back(row);
     add_tree(trees, world, row);
     trees.first_model.push_back(static_cast<std::uint32_t>(trees.models.size()));
-    trees.first_mover.push_back(static_cast<std::uint32_t>(trees.movers.size()));
+    trees.first_mover.push_back(trees.movers.next());
   }
   return trees;
 }
@@ -214,50 +214,49 @@ std::vector<StaticModel> static_models(const world::World& world) {
 
 Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
   Solids solids;
-  solids.first_vertex.push_back(0);
+  solids.first_vertex.push_back(solids.p_M.next());
   for (std::uint32_t row = 0; row < world.models.size(); ++row)
     if (stands_still(world.models, row)) add_model_solids(solids, world, shapes, row, TreeRow{});
-  solids.fixed = solids.size();
-  put_in_place(solids, world.models, 0);
+  solids.first_moving = solids.model.next();
+  put_in_place(solids, world.models, solids.fixed_rows());
   return solids;
 }
 
 void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees) {
-  const std::size_t fixed = solids.fixed, vertices = solids.first_vertex[fixed];
-  for (auto* column : {&solids.model, &solids.root, &solids.body}) column->resize(fixed);
+  const std::size_t fixed = solids.fixed_rows().size();
+  for (auto* column : {&solids.model, &solids.root}) column->resize(fixed);
   solids.tree.resize(fixed);
+  solids.body.resize(fixed);
   for (auto* column : {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width, &solids.enclosed})
     column->resize(fixed);
   for (auto* column : {&solids.convex, &solids.full, &solids.hole}) column->resize(fixed);
   solids.seen_by.resize(fixed);
   solids.center_M.resize(fixed);
   solids.first_vertex.resize(fixed + 1);
-  solids.p_M.resize(vertices);
-  trees.first_solid.assign(1, static_cast<std::uint32_t>(fixed));
+  solids.p_M.resize(solids.first_vertex.back().index);
+  trees.first_solid.assign(1, solids.first_moving);
   for (const TreeRow tree : trees.rows()) {
-    for (std::uint32_t i = trees.first_model[tree]; i < trees.first_model[tree + 1]; ++i)
-      if (!stands_still(world.models, trees.models[i]))
-        add_model_solids(solids, world, shapes, trees.models[i], tree);
-    find_enclosed(solids, world.models, trees.first_solid.back(), solids.size());
-    trees.first_solid.push_back(static_cast<std::uint32_t>(solids.size()));
+    for (const std::uint32_t model : trees.models_of(tree))
+      if (!stands_still(world.models, model)) add_model_solids(solids, world, shapes, model, tree);
+    trees.first_solid.push_back(solids.model.next());
+    find_enclosed(solids, world.models, trees.solids_of(tree));
   }
-  put_in_place(solids, world.models, fixed);
+  put_in_place(solids, world.models, solids.moving_rows());
 }
 
 void turn(Solids& solids, const world::Models& models, std::span<const std::uint32_t> tree) {
   for (const std::uint32_t model : tree) solids.rotation[model] = Rotation::of(models.X_WM[model].a);
 }
 
-void place(Solids& solids, const world::Models& models, std::size_t begin, std::size_t end) {
-  for (std::size_t row = begin; row < end; ++row) {
+void place(Solids& solids, const world::Models& models, SolidRows rows) {
+  for (const SolidRow row : rows) {
     const Pose& X_WM = models.X_WM[solids.model[row]];
     const Rotation rotation = solids.rotation[solids.model[row]];
     solids.center[row] = X_WM.xy() + rotation * solids.center_M[row];
     solids.z_min[row] = X_WM.z + solids.z_min_M[row];
     solids.z_max[row] = X_WM.z + solids.z_max_M[row];
-    for (std::uint32_t v = solids.first_vertex[row]; v < solids.first_vertex[row + 1]; ++v)
-      solids.p[v] = X_WM.xy() + rotation * solids.p_M[v];
-    if (row >= solids.fixed) put_corners(solids, row);
+    for (const VertexRow v : solids.vertices_of(row)) solids.p[v] = X_WM.xy() + rotation * solids.p_M[v];
+    if (row >= solids.first_moving) put_corners(solids, row);
   }
 }
 

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "playhouse/base/row.h"
+#include "playhouse/bodies/rows.h"
 #include "playhouse/bodies/seen_by.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/world/world.h"
@@ -38,21 +38,24 @@ struct Trees {
   ByRow<Trees, std::uint32_t> root;         // root model row, ascending                     (t)
   ByRow<Trees, std::uint32_t> first_model;  // models[first_model[t] ..]
   std::vector<std::uint32_t> models;        // rows of world::Models, parents first
-  ByRow<Trees, std::uint32_t> first_mover;  // movers[first_mover[t] ..], in the order of models
-  std::vector<Mover> movers;
-  ByRow<Trees, std::uint32_t> first_solid;  // solids first_solid[t] .. first_solid[t + 1] - 1
+  ByRow<Trees, MoverRow> first_mover;       // movers[first_mover[t] ..], in the order of models
+  ByRow<Mover, Mover> movers;
+  ByRow<Trees, SolidRow> first_solid;  // solids first_solid[t] .. first_solid[t + 1] - 1
   std::size_t size() const { return root.size(); }
   RowsOf<Trees> rows() const { return RowsOf<Trees>(size()); }
   std::span<const std::uint32_t> models_of(Row<Trees> tree) const {
     return std::span(models).subspan(first_model[tree], first_model[tree + 1] - first_model[tree]);
   }
+  std::span<const Mover> movers_of(Row<Trees> tree) const {
+    return {movers.from(first_mover[tree]), first_mover[tree + 1] - first_mover[tree]};
+  }
+  MoverRow row_of(const Mover& mover) const { return {static_cast<std::uint32_t>(&mover - movers.data())}; }
+  SolidRows solids_of(Row<Trees> tree) const { return {first_solid[tree], first_solid[tree + 1]}; }
   /// Row of the tree with this root.
   Row<Trees> of_root(std::uint32_t top) const {
     return {static_cast<std::uint32_t>(std::ranges::lower_bound(root, top) - root.begin())};
   }
 };
-
-using TreeRow = Row<Trees>;
 
 /// A solid in the frame of its model, made once per row of SceneDesc::models, shared by its instances.
 struct SolidShape {
@@ -61,20 +64,20 @@ struct SolidShape {
   double radius = 0;                // bounding circle about the center                          [m]
   double width = 0;                 // smallest extent                                         [m]
   bool convex = false;
-  bool full = false;       // its inside is solid: a block, not a contour of a bitmap
-  bool hole = false;       // its inside is free: an inner contour of a bitmap
-  std::uint32_t body = 0;  // first shape of the same body: contours of one bitmap share it
-  std::vector<Vec2> p_M;   // counter-clockwise vertices, the first again at the end  [m]
+  bool full = false;      // its inside is solid: a block, not a contour of a bitmap
+  bool hole = false;      // its inside is free: an inner contour of a bitmap
+  Row<SolidShape> body;   // first shape of the same body: contours of one bitmap share it
+  std::vector<Vec2> p_M;  // counter-clockwise vertices, the first again at the end  [m]
 };
 
 class Shapes {
  public:
   explicit Shapes(const scene::SceneDesc& scene) : scene_(scene) {}
-  const std::vector<SolidShape>& of(std::uint32_t desc);
+  const ByRow<SolidShape, SolidShape>& of(std::uint32_t desc);
 
  private:
   const scene::SceneDesc& scene_;
-  std::map<std::uint32_t, std::vector<SolidShape>> made_;
+  std::map<std::uint32_t, ByRow<SolidShape, SolidShape>> made_;
 };
 
 /// Convex polygons with more corners take the code path of concave ones.
@@ -92,50 +95,61 @@ struct alignas(64) EightCorners {
 };
 
 struct Solids {
+  template <typename Value>
+  using BySolid = ByRow<Solids, Value>;
+
   // Constant: shape and owner.
-  std::vector<std::uint32_t> model, root;  // rows of world::Models
-  std::vector<TreeRow> tree;               // none: static
-  std::vector<double> z_min_M, z_max_M;    // m
-  std::vector<Vec2> center_M;              // mean of the vertices                                    [m]
-  std::vector<double> radius;              // bounding circle about the center                          [m]
-  std::vector<double> width;               // smallest extent                                         [m]
-  std::vector<std::uint8_t> convex;        // 1: a convex polygon
-  std::vector<std::uint8_t> full;          // 1: its inside is solid, not only its outline
-  std::vector<std::uint8_t> hole;          // 1: its inside is free: a hole in the body of a bitmap
-  std::vector<std::uint32_t> body;         // row of the first solid of the same body
-  std::vector<SeenByBits> seen_by;         // visibility mask: what sees it, or is blocked by it
+  BySolid<std::uint32_t> model, root;  // rows of world::Models
+  BySolid<TreeRow> tree;               // none: static
+  BySolid<double> z_min_M, z_max_M;    // m
+  BySolid<Vec2> center_M;              // mean of the vertices                                    [m]
+  BySolid<double> radius;              // bounding circle about the center                          [m]
+  BySolid<double> width;               // smallest extent                                         [m]
+  BySolid<std::uint8_t> convex;        // 1: a convex polygon
+  BySolid<std::uint8_t> full;          // 1: its inside is solid, not only its outline
+  BySolid<std::uint8_t> hole;          // 1: its inside is free: a hole in the body of a bitmap
+  BySolid<SolidRow> body;              // the first solid of the same body
+  BySolid<SeenByBits> seen_by;         // visibility mask: what sees it, or is blocked by it
   // Height of its lowest part that another solid of its tree encloses (enclosure.h), kAll if all of it.  [m]
-  std::vector<double> enclosed;
-  static constexpr double kAll = 1e300;     // above everything: enclosed all over
-  std::vector<std::uint32_t> first_vertex;  // (n + 1)
+  BySolid<double> enclosed;
+  static constexpr double kAll = 1e300;  // above everything: enclosed all over
+  BySolid<VertexRow> first_vertex;       // (n + 1)
   // Counter-clockwise vertices, the first of each polygon again at its end.                            [m]
-  // (vertices)
-  std::vector<Vec2> p_M;
-  std::size_t fixed = 0;  // rows below this are static
+  ByRow<Vertices, Vec2> p_M;
+  SolidRow first_moving{0};  // those before it are static
 
   std::vector<Rotation> rotation;  // headings of models in W, written by: turn (models)
 
   // Placement in W.                           written by: place
-  std::vector<Vec2> center;          // in W                                                    [m]
-  std::vector<double> z_min, z_max;  // in W                                                    [m]
-  std::vector<Vec2> p;  // vertices in W, padded by kPad for vector loads           [m] (vertices)
+  BySolid<Vec2> center;          // in W                                                    [m]
+  BySolid<double> z_min, z_max;  // in W                                                    [m]
+  ByRow<Vertices, Vec2> p;       // vertices in W, padded by kPad for vector loads              [m]
   static constexpr std::size_t kPad = 32;
   // Corners of polygons with convex_corners(), polygon by polygon.
-  std::vector<EightCorners> corners;
-  std::vector<std::uint32_t> first_corners;  // rows of corners                            (movable solids)
+  ByRow<EightCorners, EightCorners> corners;
+  std::vector<CornersRow> first_corners;  // (movable solids: by place_of())
 
   std::size_t size() const { return model.size(); }
-  std::size_t moving() const { return size() - fixed; }
+  SolidRows rows() const { return model.rows(); }
+  SolidRows fixed_rows() const { return {SolidRow{0}, first_moving}; }
+  SolidRows moving_rows() const { return {first_moving, model.next()}; }
+  std::size_t moving() const { return moving_rows().size(); }
+  /// Place of a movable solid among those.
+  std::size_t place_of(SolidRow row) const { return row - first_moving; }
+  /// The vertices of a solid, with the first one again at the end.
+  VertexRows vertices_of(SolidRow row) const { return {first_vertex[row], first_vertex[row + 1]}; }
+  std::uint32_t corners_of(SolidRow row) const { return vertices_of(row).size() - 1; }
   /// The height from which on rays from other trees can hit it.  [m, in W]
-  double z_free(std::size_t row) const { return z_min[row] + enclosed[row]; }
+  double z_free(SolidRow row) const { return z_min[row] + enclosed[row]; }
   /// Number of corners of a convex polygon; 0 if concave or more than kConvexCorners.
-  std::size_t convex_corners(std::size_t row) const {
-    const std::size_t count = first_vertex[row + 1] - first_vertex[row] - 1;
+  std::size_t convex_corners(SolidRow row) const {
+    const std::size_t count = corners_of(row);
     return convex[row] != 0 && count <= kConvexCorners ? count : 0;
   }
-  bool is_obstacle(std::size_t row) const { return (seen_by[row] & bit(SeenBy::kMotion)) != 0; }
-  std::span<const Vec2> polygon(std::size_t row) const {
-    return {p.data() + first_vertex[row], first_vertex[row + 1] - first_vertex[row] - 1};
+  bool is_obstacle(SolidRow row) const { return (seen_by[row] & bit(SeenBy::kMotion)) != 0; }
+  std::span<const Vec2> polygon(SolidRow row) const { return {p.from(first_vertex[row]), corners_of(row)}; }
+  std::span<const Vec2> polygon_M(SolidRow row) const {
+    return {p_M.from(first_vertex[row]), corners_of(row)};
   }
 };
 
@@ -155,8 +169,8 @@ void replace_moving_solids(Solids& solids, const world::World& world, Shapes& sh
 
 /// Updates solids.rotation of the models of a tree from their headings in W.
 void turn(Solids& solids, const world::Models& models, std::span<const std::uint32_t> tree);
-/// Places the solids [begin, end) in W by the poses of their models. Needs turn() for those models.
-void place(Solids& solids, const world::Models& models, std::size_t begin, std::size_t end);
+/// Places these solids in W by the poses of their models. Needs turn() for those models.
+void place(Solids& solids, const world::Models& models, SolidRows rows);
 
 /// A proposed configuration of one tree, or a substep towards it. Rows count from the tree's first.
 struct TreeShape {

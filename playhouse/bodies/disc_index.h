@@ -16,8 +16,10 @@
 #include <span>
 #include <vector>
 
+#include "playhouse/bodies/rows.h"
 #include "playhouse/bodies/seen_by.h"
 #include "playhouse/bodies/torus.h"
+#include "playhouse/world/models.h"
 #include "playhouse/world/workers.h"
 
 namespace playhouse::bodies {
@@ -28,13 +30,17 @@ class DiscIndex {
     geom::Vec2 center;    // m, in W
     double radius;        // m
     double z_min, z_max;  // m, of the part that rays can hit: not enclosed (enclosure.h)
-    std::uint32_t row;    // of the indexed table
+    std::uint32_t row;    // of the indexed table: solid() or model()
     std::uint32_t root;   // model row of the root of its tree
     // Copied from Solids, which saves a lookup per visit.
-    std::uint32_t first_vertex = 0, vertices = 0;
-    std::uint32_t first_corners = 0;  // row of Solids::corners
-    std::uint8_t convex = 0;          // corners of a convex polygon, 0: concave or > kConvexCorners
+    VertexRow first_vertex{};
+    std::uint32_t vertices = 0;
+    CornersRow first_corners{};
+    std::uint8_t convex = 0;  // corners of a convex polygon, 0: concave or > kConvexCorners
     SeenByBits seen_by = 0;
+
+    SolidRow solid() const { return {row}; }
+    world::ModelRow model() const { return {row}; }
   };
 
   DiscIndex() { populate(0, 0.25); }

@@ -20,7 +20,7 @@ struct Carried {
   double z_min, z_max;  // m, in C
 };
 
-Carried carried(const Solids& solids, const world::Models& models, std::size_t row) {
+Carried carried(const Solids& solids, const world::Models& models, SolidRow row) {
   std::uint32_t model = solids.model[row];
   Pose X_CM;
   while (!world::moves(models.kind[model]) && models.parent[model] != world::ModelRow::kNone) {
@@ -31,18 +31,14 @@ Carried carried(const Solids& solids, const world::Models& models, std::size_t r
           X_CM.z + solids.z_max_M[row]};
 }
 
-std::span<const Vec2> corners_M(const Solids& solids, std::size_t row) {
-  return {solids.p_M.data() + solids.first_vertex[row], solids.p_M.data() + solids.first_vertex[row + 1] - 1};
-}
-
 /// True if every corner of `inner` is inside every edge of `outer` by more than kMargin.
-bool is_within(const Solids& solids, std::size_t inner, const Carried& of_inner, std::size_t outer,
+bool is_within(const Solids& solids, SolidRow inner, const Carried& of_inner, SolidRow outer,
                const Carried& of_outer) {
   const Pose X_OI = geom::compose(geom::inverse(of_outer.X_CM), of_inner.X_CM);
   const Rotation turn = Rotation::of(X_OI.a);
-  const Vec2* const o = solids.p_M.data() + solids.first_vertex[outer];
-  const std::size_t edges = corners_M(solids, outer).size();
-  for (const Vec2 corner : corners_M(solids, inner)) {
+  const Vec2* const o = solids.p_M.from(solids.first_vertex[outer]);
+  const std::size_t edges = solids.corners_of(outer);
+  for (const Vec2 corner : solids.polygon_M(inner)) {
     const Vec2 p = X_OI.xy() + turn * corner;
     for (std::size_t i = 0; i < edges; ++i) {
       const Vec2 e = o[i + 1] - o[i];
@@ -52,12 +48,12 @@ bool is_within(const Solids& solids, std::size_t inner, const Carried& of_inner,
   return true;
 }
 
-bool can_enclose(const Solids& solids, std::size_t row) {
-  return solids.convex[row] != 0 && solids.full[row] != 0 && corners_M(solids, row).size() <= kConvexCorners;
+bool can_enclose(const Solids& solids, SolidRow row) {
+  return solids.convex[row] != 0 && solids.full[row] != 0 && solids.corners_of(row) <= kConvexCorners;
 }
 
 /// Height of the part of `inner`, from its bottom, that is within `outer`; kAll if all of it.  [m]
-double enclosed_by(const Solids& solids, std::size_t inner, const Carried& in, std::size_t outer,
+double enclosed_by(const Solids& solids, SolidRow inner, const Carried& in, SolidRow outer,
                    const Carried& out) {
   const Vec2 apart = in.center - out.center;
   const double room = solids.radius[outer] - solids.radius[inner];
@@ -70,19 +66,19 @@ double enclosed_by(const Solids& solids, std::size_t inner, const Carried& in, s
 
 }  // namespace
 
-void find_enclosed(Solids& solids, const world::Models& models, std::size_t first, std::size_t end) {
-  if (end - first < 2 || end - first > kMostSolids) return;
+void find_enclosed(Solids& solids, const world::Models& models, SolidRows rows) {
+  if (rows.size() < 2 || rows.size() > kMostSolids) return;
   std::vector<Carried> all;
-  for (std::size_t row = first; row < end; ++row) all.push_back(carried(solids, models, row));
-  for (std::size_t outer = first; outer < end; ++outer) {
+  for (const SolidRow row : rows) all.push_back(carried(solids, models, row));
+  for (const SolidRow outer : rows) {
     if (!can_enclose(solids, outer)) continue;
-    for (std::size_t inner = first; inner < end; ++inner)
+    for (const SolidRow inner : rows)
       if (inner != outer)
         solids.enclosed[inner] =
             std::max(solids.enclosed[inner],
-                     enclosed_by(solids, inner, all[inner - first], outer, all[outer - first]));
+                     enclosed_by(solids, inner, all[inner - rows.front()], outer, all[outer - rows.front()]));
   }
-  for (std::size_t row = first; row < end; ++row)
+  for (const SolidRow row : rows)
     if (solids.enclosed[row] == Solids::kAll)
       solids.seen_by[row] &= static_cast<SeenByBits>(~bit(SeenBy::kMotion));
 }

@@ -12,9 +12,9 @@
 
 namespace playhouse::bodies {
 
-/// Sets `enclosed` of the solids [first, end) of one tree, and `seen_by` of those
+/// Sets `enclosed` of `rows`, the solids of one tree, and `seen_by` of those
 /// enclosed all over. A solid is enclosed by a convex block that is rigidly attached to
 /// it, holds it with a margin of kMargin, and is visible to at least as many.
-void find_enclosed(Solids& solids, const world::Models& models, std::size_t first, std::size_t end);
+void find_enclosed(Solids& solids, const world::Models& models, SolidRows rows);
 
 }  // namespace playhouse::bodies

@@ -38,7 +38,7 @@ void FastBodies::find(const Trees& trees, const Solids& solids, const ByRow<Tree
       continue;
     }
     is_fast_[tree] = 1;
-    for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row) {
+    for (const SolidRow row : trees.solids_of(tree)) {
       solids_.push_back(disc_of(solids, row));
       solids_.back().radius += reach[tree] + kMargin;
       radius_.push_back(solids_.back().radius);

@@ -93,10 +93,10 @@ Result<scene::Plan> empty_plan(const geom::Box& walls, double resolution) {
 }
 
 /// On its own first: what is thin is so wherever it touches others. `rows`: of its outlines.
-Result<void> draw_body(const Solids& solids, std::span<const std::size_t> rows, scene::Plan& plan) {
+Result<void> draw_body(const Solids& solids, std::span<const SolidRow> rows, scene::Plan& plan) {
   geom::Box box;
   std::vector<geom::Outline> outlines;
-  for (const std::size_t row : rows) {
+  for (const SolidRow row : rows) {
     outlines.push_back(solids.polygon(row));
     for (const Vec2 p : outlines.back()) box.add(p);
   }
@@ -105,7 +105,7 @@ Result<void> draw_body(const Solids& solids, std::span<const std::size_t> rows, 
   Canvas canvas(*own);
   canvas.fill(outlines);
   const scene::Bitmap filled = own->solid;
-  for (const std::size_t row : rows) canvas.draw_thin(filled, solids.polygon(row), solids.hole[row] != 0);
+  for (const SolidRow row : rows) canvas.draw_thin(filled, solids.polygon(row), solids.hole[row] != 0);
   const auto offset = [&](double own_low, double low) {
     return static_cast<int>(std::lround((own_low - low) / plan.resolution));
   };
@@ -121,15 +121,15 @@ Result<void> draw_body(const Solids& solids, std::span<const std::size_t> rows, 
 
 }  // namespace
 
-bool is_wall_at(const Solids& solids, std::size_t row, double height) {
+bool is_wall_at(const Solids& solids, SolidRow row, double height) {
   return solids.is_obstacle(row) && solids.z_min[row] <= height && height <= solids.z_max[row];
 }
 
 Result<scene::Plan> plan_of_solids(const Solids& solids, double resolution,
-                                   const std::function<bool(std::size_t row)>& counts) {
-  std::map<std::uint32_t, std::vector<std::size_t>> bodies;  // rows: contours of a bitmap include holes
+                                   const std::function<bool(SolidRow row)>& counts) {
+  std::map<SolidRow, std::vector<SolidRow>> bodies;  // contours of a bitmap include holes
   geom::Box all;
-  for (std::size_t row = 0; row < solids.size(); ++row) {
+  for (const SolidRow row : solids.rows()) {
     if (!counts(row)) continue;
     for (const Vec2 p : solids.polygon(row)) all.add(p);
     bodies[solids.body[row]].push_back(row);

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 
+#include "playhouse/bodies/rows.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/simd/vectors.h"
 
@@ -36,11 +37,11 @@ inline constexpr double kMiss = 1e300;
 inline constexpr double kEdgeOn = 1e-9;  // m
 inline constexpr double kNoSolid = -1;
 /// A row of Solids as a double, so that it is selected by the same masks as distances; kNoSolid: no hit.
-constexpr double number_of(std::uint32_t row) {
-  return static_cast<double>(row);
+constexpr double number_of(SolidRow row) {
+  return static_cast<double>(row.index);
 }
-constexpr std::uint32_t row_of(double solid) {
-  return static_cast<std::uint32_t>(solid);
+constexpr SolidRow row_of(double solid) {
+  return {static_cast<std::uint32_t>(solid)};
 }
 
 template <typename First, typename Second, typename Number>

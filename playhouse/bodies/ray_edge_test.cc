@@ -35,14 +35,14 @@ double entry_alone(std::span<const Vec2> polygon, const Ray& ray) {
 
 /// The rule, word by word: every solid, every edge, in order of rows.
 Hit look(const Solids& solids, const Ray& ray) {
-  Hit hit{ray.range, world::ModelRow::kNone};
-  for (std::uint32_t row = 0; row < solids.size(); ++row) {
+  Hit hit{ray.range, {}};
+  for (const SolidRow row : solids.rows()) {
     if ((solids.seen_by[row] & ray.by) == 0 || solids.root[row] == ray.root ||
         !at_height(solids, row, ray.z_low, ray.z_high))
       continue;
     const std::span<const Vec2> polygon = solids.polygon(row);
     double t = -1;
-    if (row >= solids.fixed && solids.convex[row] != 0 && polygon.size() <= kConvexCorners)
+    if (row >= solids.first_moving && solids.convex[row] != 0 && polygon.size() <= kConvexCorners)
       t = entry_alone(polygon, ray);
     if (t < 0) {
       t = kMiss;
@@ -70,15 +70,15 @@ class Paths {
         workers_(1) {
     index_.populate(solids_.moving(), 0.3);
     index_.rebuild(
-        solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.fixed + i); }, workers_);
+        solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.moving_rows()[i]); },
+        workers_);
     engine_->step();
   }
 
   /// Compares every beam with the rule, and a single ray like it.
   Seen compare() {
     double radius = 0;
-    for (std::size_t row = solids_.fixed; row < solids_.size(); ++row)
-      radius = std::max(radius, solids_.radius[row]);
+    for (const SolidRow row : solids_.moving_rows()) radius = std::max(radius, solids_.radius[row]);
     rays::RangerKinds kinds;
     kinds.populate(world_, std::vector{radius});
     for (std::uint32_t ranger = 0; ranger < world_.rangers.size(); ++ranger) {
@@ -108,9 +108,9 @@ class Paths {
  private:
   void compare(std::uint32_t beam, const Ray& ray) {
     const Hit expected = look(solids_, ray), hit = cast({solids_, index_, walls_}, ray);
-    const bool is_hit = expected.solid != world::ModelRow::kNone;
+    const bool is_hit = expected.solid.valid();
     EXPECT_EQ(hit.range, expected.range) << at(ray);
-    EXPECT_EQ(hit.solid, expected.solid) << at(ray);
+    EXPECT_EQ(hit.solid.index, expected.solid.index) << at(ray);
     EXPECT_EQ(world_.sensors.ranges[beam], static_cast<float>(expected.range)) << at(ray);
     // Each model returns its own row.
     EXPECT_EQ(world_.sensors.intensities[beam],
@@ -264,12 +264,12 @@ TEST(EdgeHit, is_at_the_nearer_end_of_an_edge_that_is_seen_edge_on) {
 
 TEST(EdgeHit, of_equal_distances_that_of_the_lower_row_stays) {
   double range = 5, solid = kNoSolid;
-  keep_first(5.0, number_of(3), range, solid);
+  keep_first(5.0, number_of({3}), range, solid);
   EXPECT_EQ(solid, kNoSolid) << "the end of the range is out of reach";
-  for (const std::uint32_t row : {7u, 3u, 4u}) keep_first(2.0, number_of(row), range, solid);
-  EXPECT_EQ(row_of(solid), 3u);
-  keep_first(1.0, number_of(9), range, solid);
-  EXPECT_EQ(row_of(solid), 9u);
+  for (const std::uint32_t row : {7u, 3u, 4u}) keep_first(2.0, number_of({row}), range, solid);
+  EXPECT_EQ(row_of(solid).index, 3u);
+  keep_first(1.0, number_of({9}), range, solid);
+  EXPECT_EQ(row_of(solid).index, 9u);
   EXPECT_EQ(range, 1);
 }
 

@@ -9,7 +9,7 @@ namespace playhouse::bodies {
 Hit cast(const Space& space, const Ray& ray) {
   const Solids& solids = space.solids;
   double range = ray.range, solid = kNoSolid;
-  const auto is_seen = [&](std::uint32_t row) {
+  const auto is_seen = [&](SolidRow row) {
     return (solids.seen_by[row] & ray.by) != 0 && solids.root[row] != ray.root &&
            solids.root[row] != ray.also_root && at_height(solids, row, ray.z_low, ray.z_high);
   };
@@ -18,16 +18,15 @@ Hit cast(const Space& space, const Ray& ray) {
     keep_first(edge_hit(edge.a - ray.p, edge.b - ray.p, ray.d), number_of(edge.solid), range, solid);
   });
   const double half = 0.5 * range;
-  space.index.near(ray.p + half * ray.d, half + kMargin, ray.z_low, ray.z_high,
-                   [&](const DiscIndex::Disc& disc) {
-                     const Vec2 to_disc = disc.center - ray.p;
-                     if (std::fabs(geom::cross(ray.d, to_disc)) > disc.radius + kMargin || !is_seen(disc.row))
-                       return;
-                     const double t = simd::in_vectors<body_hit_here>(
-                         solids.p.data() + disc.first_vertex, disc.vertices, disc.convex != 0, ray.p, ray.d);
-                     keep_first(t, number_of(disc.row), range, solid);
-                   });
-  if (solid == kNoSolid) return {range, world::ModelRow::kNone};
+  space.index.near(
+      ray.p + half * ray.d, half + kMargin, ray.z_low, ray.z_high, [&](const DiscIndex::Disc& disc) {
+        const Vec2 to_disc = disc.center - ray.p;
+        if (std::fabs(geom::cross(ray.d, to_disc)) > disc.radius + kMargin || !is_seen(disc.solid())) return;
+        const double t = simd::in_vectors<body_hit_here>(solids.p.from(disc.first_vertex), disc.vertices,
+                                                         disc.convex != 0, ray.p, ray.d);
+        keep_first(t, number_of(disc.solid()), range, solid);
+      });
+  if (solid == kNoSolid) return {range, {}};
   return {range, row_of(solid)};
 }
 

@@ -23,18 +23,16 @@ struct Space {
 inline constexpr double kMargin = 1e-6;
 
 /// The entry of a movable solid in the index.
-inline DiscIndex::Disc disc_of(const Solids& solids, std::size_t row) {
-  const std::uint32_t vertex = solids.first_vertex[row];
-  const std::uint32_t vertices = solids.first_vertex[row + 1] - vertex - 1;
+inline DiscIndex::Disc disc_of(const Solids& solids, SolidRow row) {
   return {solids.center[row],
           solids.radius[row],
           solids.z_free(row),
           solids.z_max[row],
-          static_cast<std::uint32_t>(row),
+          row.index,
           solids.root[row],
-          vertex,
-          vertices,
-          solids.first_corners[row - solids.fixed],
+          solids.first_vertex[row],
+          solids.corners_of(row),
+          solids.first_corners[solids.place_of(row)],
           static_cast<std::uint8_t>(solids.convex_corners(row)),
           solids.seen_by[row]};
 }
@@ -50,15 +48,15 @@ struct Ray {
 };
 
 struct Hit {
-  double range = 0;                              // m; the ray's range if it missed
-  std::uint32_t solid = world::ModelRow::kNone;  // row of Solids, or kNone
+  double range = 0;  // m; the ray's range if it missed
+  SolidRow solid;    // none: it missed
 };
 
 /// True if rays within these heights can hit it.
-inline bool at_height(const Solids& solids, std::size_t row, double z_low, double z_high) {
+inline bool at_height(const Solids& solids, SolidRow row, double z_low, double z_high) {
   return solids.z_free(row) <= z_high && z_low <= solids.z_max[row];
 }
-inline bool at_height(const Solids& solids, std::size_t row, double z) {
+inline bool at_height(const Solids& solids, SolidRow row, double z) {
   return at_height(solids, row, z, z);
 }
 

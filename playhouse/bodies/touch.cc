@@ -10,24 +10,21 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::max();  // m, above and below everything
 
-struct Rows {
-  std::size_t begin = 0, end = 0;
-};
-
 /// A range of solids that includes those of a model.
-Rows solids_about(const Solids& solids, const Trees& trees, const world::Models& models,
-                  std::uint32_t model) {
+SolidRows solids_about(const Solids& solids, const Trees& trees, const world::Models& models,
+                       std::uint32_t model) {
   if (models.mobility[model] == world::Mobility::kFixed) {
-    const auto end = solids.model.begin() + static_cast<std::ptrdiff_t>(solids.fixed);
+    const auto end = solids.model.begin() + static_cast<std::ptrdiff_t>(solids.fixed_rows().size());
     const auto own = std::equal_range(solids.model.begin(), end, model);
-    return {static_cast<std::size_t>(own.first - solids.model.begin()),
-            static_cast<std::size_t>(own.second - solids.model.begin())};
+    const auto row_at = [&](auto place) {
+      return solids.rows()[static_cast<std::size_t>(place - solids.model.begin())];
+    };
+    return {row_at(own.first), row_at(own.second)};
   }
-  const TreeRow tree = trees.of_root(models.root[model]);
-  return {trees.first_solid[tree], trees.first_solid[tree + 1]};
+  return trees.solids_of(trees.of_root(models.root[model]));
 }
 
-bool solids_touch(const Solids& solids, std::size_t a, std::size_t b) {
+bool solids_touch(const Solids& solids, SolidRow a, SolidRow b) {
   const Vec2 apart = solids.center[a] - solids.center[b];
   const double reach = solids.radius[a] + solids.radius[b] + kMargin;
   return geom::dot(apart, apart) <= reach * reach && touch(solids.polygon(a), solids.polygon(b));
@@ -40,16 +37,15 @@ void touching(const Space& space, const Trees& trees, const world::Models& model
   const Solids& solids = space.solids;
   const std::uint32_t root = models.root[model.index];
   const auto first = static_cast<std::ptrdiff_t>(out.size());
-  const auto meet = [&](std::size_t own, std::size_t other) {
+  const auto meet = [&](SolidRow own, SolidRow other) {
     if (wanted[solids.model[other]] != 0 && solids.root[other] != root && solids_touch(solids, own, other))
       out.push_back(solids.model[other]);
   };
-  const Rows rows = solids_about(solids, trees, models, model.index);
-  for (std::size_t own = rows.begin; own < rows.end; ++own) {
+  for (const SolidRow own : solids_about(solids, trees, models, model.index)) {
     if (solids.model[own] != model.index) continue;
-    for (std::size_t fixed = 0; fixed < solids.fixed; ++fixed) meet(own, fixed);
+    for (const SolidRow fixed : solids.fixed_rows()) meet(own, fixed);
     space.index.near(solids.center[own], solids.radius[own] + kMargin, -kFar, kFar,
-                     [&](const DiscIndex::Disc& disc) { meet(own, disc.row); });
+                     [&](const DiscIndex::Disc& disc) { meet(own, disc.solid()); });
   }
   std::sort(out.begin() + first, out.end());
   out.erase(std::unique(out.begin() + first, out.end()), out.end());

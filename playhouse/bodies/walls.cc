@@ -61,11 +61,11 @@ void Walls::rasterise(const Edge& edge, const Visit& visit) const {
 Walls::Walls(const Solids& solids) {
   std::vector<Edge> all;
   double total_length = 0;
-  for (std::size_t row = 0; row < solids.fixed; ++row) {
+  for (const SolidRow row : solids.fixed_rows()) {
     const std::span<const Vec2> polygon = solids.polygon(row);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      all.push_back({polygon[i], polygon[(i + 1) % polygon.size()], static_cast<std::uint32_t>(row),
-                     static_cast<std::uint32_t>(all.size())});
+      all.push_back({polygon[i], polygon[(i + 1) % polygon.size()], row,
+                     EdgeRow{static_cast<std::uint32_t>(all.size())}});
       total_length += length(all.back());
     }
   }
@@ -88,7 +88,9 @@ Walls::Walls(const Solids& solids) {
 void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   struct Last {
-    std::uint32_t solid = world::ModelRow::kNone, edges = 0, next = 0;  // of the open group
+    SolidRow solid;  // of the open group, as the others
+    std::uint32_t edges = 0;
+    EdgeRow next;
   };
   // Calls visit(edge, index, is_new) for each edge and each of its cells; is_new if it opens a group there.
   const auto each = [&](const auto& visit) {
@@ -96,9 +98,8 @@ void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
     for (const Edge& edge : edges)
       rasterise(edge, [&](std::size_t index) {
         Last& group = last[index];
-        const bool is_new =
-            group.solid != edge.solid || group.next != edge.number || group.edges == simd::kFour;
-        group = {edge.solid, is_new ? 1 : group.edges + 1, edge.number + 1};
+        const bool is_new = group.solid != edge.solid || group.next != edge.row || group.edges == simd::kFour;
+        group = {edge.solid, is_new ? 1 : group.edges + 1, edge.row + 1};
         visit(edge, index, is_new);
       });
   };
@@ -117,7 +118,7 @@ void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
       group.z_max = solids.z_max[edge.solid];
       group.solid = edge.solid;
       group.seen_by = solids.seen_by[edge.solid];
-      group.number = edge.number;
+      group.first = edge.row;
       group.count = 0;
       group.x[0] = edge.a.x;
       group.y[0] = edge.a.y;

@@ -23,9 +23,9 @@ namespace playhouse::bodies {
 class Walls {
  public:
   struct Edge {
-    Vec2 a, b;             // m, in W
-    std::uint32_t solid;   // row of Solids
-    std::uint32_t number;  // of this edge, equal in all cells that list it
+    Vec2 a, b;  // m, in W
+    SolidRow solid;
+    EdgeRow row;  // equal in all cells that list it
 
     bool reaches(const geom::Box& box) const {
       return int{std::max(a.x, b.x) >= box.x_min} & int{std::min(a.x, b.x) <= box.x_max} &
@@ -39,12 +39,12 @@ class Walls {
     double x[simd::kFour + 1];  // m, in W
     double z_min, z_max;        // m, in W
     double y[simd::kFour + 1];  // m, in W
-    std::uint32_t solid;        // row of Solids
+    SolidRow solid;
     std::uint32_t count;
-    std::uint32_t number;  // of the first edge; consecutive
-    SeenByBits seen_by;    // visibility mask of the solid
+    EdgeRow first;       // its edges are consecutive
+    SeenByBits seen_by;  // visibility mask of the solid
 
-    Edge edge(std::uint32_t i) const { return {{x[i], y[i]}, {x[i + 1], y[i + 1]}, solid, number + i}; }
+    Edge edge(std::uint32_t i) const { return {{x[i], y[i]}, {x[i + 1], y[i + 1]}, solid, first + i}; }
   };
 
   Walls() = default;

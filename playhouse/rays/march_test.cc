@@ -16,25 +16,25 @@ namespace {
 /// Square posts that stand still, by their lower left corners.
 bodies::Solids posts(const std::vector<geom::Vec2>& corners, double side) {
   bodies::Solids solids;
-  solids.first_vertex.push_back(0);
+  solids.first_vertex.push_back(solids.p.next());
   for (const geom::Vec2 p : corners) {
     for (const geom::Vec2 e : {geom::Vec2{0, 0}, geom::Vec2{side, 0}, geom::Vec2{side, side},
                                geom::Vec2{0, side}, geom::Vec2{0, 0}})
       solids.p.push_back(p + e);
-    solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p.size()));
+    solids.first_vertex.push_back(solids.p.next());
     solids.model.push_back(0);
     solids.z_min.push_back(0);
     solids.z_max.push_back(1);
     solids.seen_by.push_back(bit(bodies::SeenBy::kRanger));
   }
   solids.p.resize(solids.p.size() + bodies::Solids::kPad);
-  solids.fixed = solids.size();
+  solids.first_moving = solids.model.next();
   return solids;
 }
 
 /// Of posts with sides of `side`.
 double nearest(const bodies::Solids& solids, double side, geom::Vec2 p, geom::Vec2 d, double range) {
-  for (std::size_t row = 0; row < solids.size(); ++row) {
+  for (const bodies::SolidRow row : solids.rows()) {
     const std::span<const geom::Vec2> polygon = solids.polygon(row);
     if (std::fabs(geom::cross(polygon[0] - p, d)) > 2 * side)
       continue;  // off the line by more than its diagonal

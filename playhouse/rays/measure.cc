@@ -13,7 +13,7 @@ void Scratch::make_room(std::size_t beams, const bodies::Space& space) {
   met_by.resize(bodies);
   cell.resize(bodies);
   runs.resize(space.index.most_runs());
-  stamp.assign(solids.first_vertex[solids.fixed], 0);
+  stamp.assign(space.walls.edge_count(), 0);
   scans = 0;
 }
 

@@ -26,10 +26,10 @@ struct RangerView {
   std::uint32_t root;
   bool is_wall;  // of a static tree: its own edges are in the walls
 
-  static bool sees(const bodies::Solids& solids, std::size_t row, std::uint32_t root, double z) {
+  static bool sees(const bodies::Solids& solids, bodies::SolidRow row, std::uint32_t root, double z) {
     return solids.root[row] != root && (solids.seen_by[row] & kBy) != 0 && at_height(solids, row, z);
   }
-  bool sees(const bodies::Solids& solids, std::size_t row, double z) const {
+  bool sees(const bodies::Solids& solids, bodies::SolidRow row, double z) const {
     return sees(solids, row, root, z);
   }
   bool sees(const bodies::DiscIndex::Disc& disc) const {
@@ -48,9 +48,9 @@ struct Scratch {
   std::vector<double> x, y, distance, bearing, radius;  // m, m, m, rad, m
   std::vector<bodies::DiscIndex::Run> runs;             // of the index, near the ranger
   std::vector<std::uint32_t> place, order, cell;
-  std::vector<std::int32_t> ring, first, last;  // the last two: beams
-  std::vector<std::uint16_t> met_by;            // bit k: ray k of a bundle may hit it
-  std::vector<std::uint64_t> stamp;             // last scan that visited a wall edge (edges)
+  std::vector<std::int32_t> ring, first, last;    // the last two: beams
+  std::vector<std::uint16_t> met_by;              // bit k: ray k of a bundle may hit it
+  ByRow<bodies::WallEdges, std::uint64_t> stamp;  // last scan that visited an edge
   std::uint64_t scans = 0;
 
   /// For so many beams of a batch, and the bodies and walls of the space.

@@ -213,15 +213,15 @@ void scan_bodies(const bodies::Space& space, const geom::Pose& X_WS, geom::Rotat
     const bodies::DiscIndex::Disc& disc = discs[scratch.place[at]];
     if (i + kAhead < count) {
       const geom::Vec2* const soon =
-          solids.p.data() + discs[scratch.place[scratch.order[i + kAhead]]].first_vertex;
+          solids.p.from(discs[scratch.place[scratch.order[i + kAhead]]].first_vertex);
       __builtin_prefetch(soon);
       __builtin_prefetch(soon + 4);
       __builtin_prefetch(soon + 8);
     }
     if (!view.sees(disc)) continue;
     const double distance = scratch.distance[at], radius = scratch.radius[at];
-    const std::span<const geom::Vec2> polygon(solids.p.data() + disc.first_vertex, disc.vertices);
-    const auto seen = bodies::number_of(disc.row);
+    const std::span<const geom::Vec2> polygon(solids.p.from(disc.first_vertex), disc.vertices);
+    const auto seen = bodies::number_of(disc.solid());
     if (disc.convex == 0) {
       project_edges(polygon, rotation, seen, row);
     } else if (scratch.last[at] >= 0) {
@@ -247,7 +247,7 @@ void scan_walls(const bodies::Space& space, const geom::Pose& X_WS, geom::Rotati
   const geom::Box box = bodies::box_about(X_WS.xy(), scan.range_max + bodies::kMargin);
   const ScanBeams row(scan, X_WS.xy(), scratch.beam_x.data(), scratch.beam_y.data(),
                       scratch.range.data() + scratch.first_beam, scratch.solid.data() + scratch.first_beam);
-  const auto hides = [&](std::uint32_t solid) { return view.sees(space.solids, solid, z); };
+  const auto hides = [&](bodies::SolidRow solid) { return view.sees(space.solids, solid, z); };
   const auto project_wall = [&](const bodies::Walls::Edge& edge) {
     project_edge(edge.a - row.p, edge.b - row.p, rotation, bodies::number_of(edge.solid), row);
   };
@@ -259,8 +259,8 @@ void scan_walls(const bodies::Space& space, const geom::Pose& X_WS, geom::Rotati
   if (space.walls.count_near(box) <= scan.count) {
     ++scratch.scans;
     space.walls.near(box, [&](const bodies::Walls::Edge& edge) {
-      if (scratch.stamp[edge.number] == scratch.scans) return;
-      scratch.stamp[edge.number] = scratch.scans;
+      if (scratch.stamp[edge.row] == scratch.scans) return;
+      scratch.stamp[edge.row] = scratch.scans;
       if (hides(edge.solid)) project_wall(edge);
     });
     return;

@@ -20,7 +20,7 @@ namespace playhouse::rays {
 struct Stretch {
   double from = 0, to = 0;   // m, on the floor
   double low = 0, high = 0;  // m, from the height of the eye
-  std::uint32_t solid = 0;   // row of Solids
+  bodies::SolidRow solid;    // the first one of the body
 };
 
 /// Traces many directions from one viewpoint. Scratch buffer of one worker: keeps its capacity.
@@ -37,26 +37,26 @@ class Slicer {
  private:
   /// A crossing of the ray with an edge of a body.
   struct Passage {
-    std::uint32_t body;  // row of its first solid
-    double t;            // m
+    bodies::SolidRow body;  // its first solid
+    double t;               // m
     bool enters;
-    std::uint32_t number;  // of the edge, to drop duplicates from two cells
+    bodies::EdgeRow wall;  // none: a movable body
   };
 
   void cross_walls(const bodies::Space& space, geom::Vec2 d, double reach);
   void cross_bodies(const bodies::Space& space, geom::Vec2 d, double reach);
-  void cross(std::uint32_t body, geom::Vec2 w0, geom::Vec2 w1, bool hole, double reach, geom::Vec2 d,
-             std::uint32_t number);
+  void cross(bodies::SolidRow body, geom::Vec2 w0, geom::Vec2 w1, bool hole, double reach, geom::Vec2 d,
+             bodies::EdgeRow wall);
   void pair_crossings(const bodies::Solids& solids);
-  void add(const bodies::Solids& solids, std::uint32_t body, double from, double to);
-  bool shows(const bodies::Solids& solids, std::uint32_t solid) const;
+  void add(const bodies::Solids& solids, bodies::SolidRow body, double from, double to);
+  bool shows(const bodies::Solids& solids, bodies::SolidRow solid) const;
 
   geom::Vec2 p_;
   double z_ = 0;  // m
   bodies::SeenByBits by_ = 0;
   std::uint32_t root_ = 0;
-  std::vector<std::uint32_t> near_;     // movable solids
-  std::vector<std::uint32_t> beneath_;  // static bodies that contain p, ascending
+  std::vector<bodies::SolidRow> near_;     // movable solids
+  std::vector<bodies::SolidRow> beneath_;  // static bodies that contain p, ascending
   std::vector<Passage> crossings_;
   std::vector<Stretch> stretches_;
 };

@@ -8,7 +8,7 @@
 namespace playhouse::rays {
 
 int walls_between(const bodies::Space& space, const geom::Pose& from_W, const geom::Pose& to_W,
-                  bodies::SeenByBits by, std::vector<std::uint32_t>& crossed) {
+                  bodies::SeenByBits by, std::vector<bodies::EdgeRow>& crossed) {
   const geom::Vec2 p = from_W.xy(), way = to_W.xy() - p;
   const double distance = std::sqrt(geom::dot(way, way));
   if (distance == 0) return 0;
@@ -19,7 +19,7 @@ int walls_between(const bodies::Space& space, const geom::Pose& from_W, const ge
       return;
     const geom::Vec2 w0 = edge.a - p, w1 = edge.b - p;
     const bodies::Crossing<double> ends({d.x, d.y, w0.x, w0.y}, {d.x, d.y, w1.x, w1.y});
-    if (ends.enters && bodies::edge_hit(w0, w1, d) < distance) crossed.push_back(edge.number);
+    if (ends.enters && bodies::edge_hit(w0, w1, d) < distance) crossed.push_back(edge.row);
   });
   std::ranges::sort(crossed);  // removes duplicates: an edge is listed in each of its cells
   return static_cast<int>(std::unique(crossed.begin(), crossed.end()) - crossed.begin());

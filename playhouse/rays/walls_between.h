@@ -6,7 +6,6 @@
 /// Out: how many outlines are entered between them.
 /// Cost: the edges in cells along the segment; a sort of those that are crossed.
 
-#include <cstdint>
 #include <vector>
 
 #include "playhouse/bodies/space.h"
@@ -16,6 +15,6 @@ namespace playhouse::rays {
 /// From one place to the other, at the height of the first; ignores
 /// bodies that `by` does not see. `crossed` is a scratch buffer.
 int walls_between(const bodies::Space& space, const geom::Pose& from_W, const geom::Pose& to_W,
-                  bodies::SeenByBits by, std::vector<std::uint32_t>& crossed);
+                  bodies::SeenByBits by, std::vector<bodies::EdgeRow>& crossed);
 
 }  // namespace playhouse::rays

@@ -14,7 +14,7 @@ namespace {
 std::vector<std::uint8_t> layers_of(const bodies::Solids& solids) {
   constexpr std::size_t kMost = 8;
   std::vector<std::pair<double, double>> heights;
-  for (std::size_t row = solids.fixed; row < solids.size(); ++row)
+  for (const bodies::SolidRow row : solids.moving_rows())
     heights.emplace_back(solids.z_free(row), solids.z_max[row]);
   std::sort(heights.begin(), heights.end());
   std::vector<double> begins;
@@ -25,7 +25,7 @@ std::vector<std::uint8_t> layers_of(const bodies::Solids& solids) {
   }
   if (begins.size() > kMost) return {};
   std::vector<std::uint8_t> layer;
-  for (std::size_t row = solids.fixed; row < solids.size(); ++row) {
+  for (const bodies::SolidRow row : solids.moving_rows()) {
     const auto above = std::upper_bound(begins.begin(), begins.end(), solids.z_free(row));
     layer.push_back(static_cast<std::uint8_t>(above - begins.begin() - 1));
   }
@@ -37,8 +37,7 @@ double robot_radius(const bodies::Trees& trees, const bodies::Solids& solids) {
   double sum = 0;
   for (const bodies::TreeRow tree : trees.rows()) {
     double largest = 0;
-    for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row)
-      largest = std::max(largest, solids.radius[row]);
+    for (const bodies::SolidRow row : trees.solids_of(tree)) largest = std::max(largest, solids.radius[row]);
     sum += largest;
   }
   return sum / static_cast<double>(std::max<std::size_t>(trees.size(), 1));
@@ -54,23 +53,23 @@ BodyEngine::BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsign
 
 world::PhysicsShapes BodyEngine::shapes() const {
   world::PhysicsShapes shapes;
-  const auto prism = [&](std::uint32_t row, const geom::Pose& X_FM) {
+  const auto prism = [&](bodies::SolidRow row, const geom::Pose& X_FM) {
     const geom::Rotation turn = geom::Rotation::of(X_FM.a);
     world::SolidCorners corners;
     for (const double z : {solids_.z_min_M[row], solids_.z_max_M[row]})
-      for (std::uint32_t v = solids_.first_vertex[row]; v + 1 < solids_.first_vertex[row + 1]; ++v) {
-        const geom::Vec2 p = X_FM.xy() + turn * solids_.p_M[v];
+      for (const geom::Vec2 p_M : solids_.polygon_M(row)) {
+        const geom::Vec2 p = X_FM.xy() + turn * p_M;
         corners.push_back({p.x, p.y, X_FM.z + z});
       }
     return corners;
   };
-  for (std::uint32_t row = 0; row < solids_.fixed; ++row)
+  for (const bodies::SolidRow row : solids_.fixed_rows())
     if (solids_.is_obstacle(row)) shapes.fixed.push_back(prism(row, world_.models.X_WM[solids_.model[row]]));
   for (const bodies::TreeRow tree : trees_.rows()) {
     const std::uint32_t top = trees_.root[tree];
     const geom::Pose X_BW = geom::inverse(world_.models.X_WM[top]);
     world::PhysicsShapes::Body body{world_.id({top}), {}};
-    for (std::uint32_t row = trees_.first_solid[tree]; row < trees_.first_solid[tree + 1]; ++row)
+    for (const bodies::SolidRow row : trees_.solids_of(tree))
       if (solids_.is_obstacle(row))
         body.solids.push_back(prism(row, geom::compose(X_BW, world_.models.X_WM[solids_.model[row]])));
     if (!body.solids.empty()) shapes.bodies.push_back(std::move(body));
@@ -94,7 +93,7 @@ void BodyEngine::populate() {
   replace_moving_solids(solids_, world_, shapes_, trees_);
   if (fixed) walls_ = bodies::Walls(solids_);
   index_.populate(solids_.moving(), robot_radius(trees_, solids_), layers_of(solids_),
-                  std::span(solids_.radius).subspan(solids_.fixed));
+                  std::span(solids_.radius).last(solids_.moving()));
   index();
   populated(fixed);
   senses_.populate(world_, space());
@@ -131,13 +130,13 @@ void BodyEngine::replace(const world::Event& event) {
   if (event.kind != world::Event::Kind::kPlace || !model) return;
   const bodies::TreeRow tree = trees_.of_root(world_.models.root[model.index]);
   turn(solids_, world_.models, trees_.models_of(tree));
-  place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
+  place(solids_, world_.models, trees_.solids_of(tree));
   replaced(tree);
 }
 
 void BodyEngine::index() {
   index_.rebuild(
-      solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.fixed + i); }, workers_);
+      solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.moving_rows()[i]); }, workers_);
 }
 
 void BodyEngine::sense(std::uint64_t tick) {

@@ -79,7 +79,7 @@ class BlobfinderSense final : public SensePhase {
       const bodies::Hit hit = cast(
           space,
           {X_WB.xy(), {ahead.c, ahead.s}, -1e300, 1e300, camera.range, bit(bodies::SeenBy::kImage), root});
-      const bool seen = hit.solid != world::ModelRow::kNone;
+      const bool seen = hit.solid.valid();
       const scene::Color color = seen ? world.models.color[space.solids.model[hit.solid]] : scene::Color{};
       if (run.columns > 0 && !(seen && same(color, run.color))) finish(camera, count, run, blobs);
       if (!seen) continue;

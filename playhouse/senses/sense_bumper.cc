@@ -32,25 +32,25 @@ Heights heights_of(const world::World& world, world::ModelRow bumper, std::uint3
 }
 
 /// The first solid on the segment from a to b, or touched by its
-/// end, that is visible to `by`; a row of Solids or kNone.
-std::uint32_t met(const bodies::Space& space, geom::Vec2 a, geom::Vec2 b, const Heights& heights,
-                  bodies::SeenBy by, std::uint32_t root) {
+/// end, that is visible to `by`, or none.
+bodies::SolidRow met(const bodies::Space& space, geom::Vec2 a, geom::Vec2 b, const Heights& heights,
+                     bodies::SeenBy by, std::uint32_t root) {
   const geom::Vec2 way = b - a;
   const double length = std::sqrt(geom::dot(way, way));
-  if (!(length > 0)) return world::ModelRow::kNone;
+  if (!(length > 0)) return {};
   const geom::Vec2 d = (1 / length) * way;
   return cast(space, {a - bodies::kTouch * d, d, heights.low, heights.high, length + 2 * bodies::kTouch,
                       bit(by), root})
       .solid;
 }
 
-/// The model that presses the switch whose face is at X_WS.
-std::uint32_t pressed_by(const bodies::Space& space, const geom::Pose& X_WS, double length,
-                         const Heights& heights, geom::Vec2 middle, std::uint32_t root) {
+/// The solid that presses the switch whose face is at X_WS.
+bodies::SolidRow pressed_by(const bodies::Space& space, const geom::Pose& X_WS, double length,
+                            const Heights& heights, geom::Vec2 middle, std::uint32_t root) {
   const geom::Vec2 left = geom::Rotation::of(X_WS.a) * geom::Vec2{0, 0.5 * length};
-  const std::uint32_t across =
+  const bodies::SolidRow across =
       met(space, X_WS.xy() - left, X_WS.xy() + left, heights, bodies::SeenBy::kBumper, root);
-  if (across != world::ModelRow::kNone) return across;
+  if (across) return across;
   return met(space, middle, X_WS.xy(), heights, bodies::SeenBy::kMotion, root);
 }
 
@@ -86,9 +86,8 @@ class BumperSense final : public SensePhase {
     hits.clear();
     for (std::size_t k = 0; k < bumper.X_BS.size(); ++k) {
       const geom::Pose X_WS = geom::compose(X_WB, bumper.X_BS[k]);
-      const std::uint32_t solid = pressed_by(space, X_WS, bumper.blength[k], heights, middle, root);
-      const bool pressed = solid != world::ModelRow::kNone;
-      hits.push_back(pressed ? world.id({space.solids.model[solid]}) : world::ModelId{});
+      const bodies::SolidRow solid = pressed_by(space, X_WS, bumper.blength[k], heights, middle, root);
+      hits.push_back(solid ? world.id({space.solids.model[solid]}) : world::ModelId{});
     }
   }
 };

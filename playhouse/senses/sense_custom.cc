@@ -17,7 +17,7 @@ namespace {
 class PlaneSurroundings final : public world::Surroundings {
  public:
   PlaneSurroundings(const world::World& world, const bodies::Space& space, const bodies::DiscIndex& places,
-                    std::vector<std::uint32_t>& crossed)
+                    std::vector<bodies::EdgeRow>& crossed)
       : world_(world), space_(space), places_(places), crossed_(crossed) {}
 
   world::RayEnd cast(const geom::Pose& X_WS, double range, world::ModelRow own) const override {
@@ -26,17 +26,17 @@ class PlaneSurroundings final : public world::Surroundings {
     const bodies::Hit hit = bodies::cast(
         space_,
         {X_WS.xy(), {heading.c, heading.s}, X_WS.z, X_WS.z, range, bit(bodies::SeenBy::kRanger), root});
-    if (hit.solid == world::ModelRow::kNone) return {range, {}};
+    if (!hit.solid) return {range, {}};
     return {hit.range, {space_.solids.model[hit.solid]}};
   }
 
   void near(const geom::Pose& p_W, double radius, std::vector<world::ModelRow>& found) const override {
     found.clear();
     places_.near(p_W.xy(), radius, 0, 0, [&](const bodies::DiscIndex::Disc& disc) {
-      const geom::Pose& X_WM = world_.models.X_WM[disc.row];
+      const geom::Pose& X_WM = world_.models.X_WM[disc.model().index];
       const geom::Vec2 apart = X_WM.xy() - p_W.xy();
       const double above = X_WM.z - p_W.z;
-      if (geom::dot(apart, apart) + above * above <= radius * radius) found.push_back({disc.row});
+      if (geom::dot(apart, apart) + above * above <= radius * radius) found.push_back(disc.model());
     });
     std::ranges::sort(found);
   }
@@ -49,7 +49,7 @@ class PlaneSurroundings final : public world::Surroundings {
   const world::World& world_;
   const bodies::Space& space_;
   const bodies::DiscIndex& places_;
-  std::vector<std::uint32_t>& crossed_;
+  std::vector<bodies::EdgeRow>& crossed_;
 };
 
 class CustomSense final : public SensePhase {
@@ -87,7 +87,7 @@ class CustomSense final : public SensePhase {
 
  private:
   struct Scratch {
-    std::vector<std::uint32_t> crossed;
+    std::vector<bodies::EdgeRow> crossed;
     std::vector<double> readings;
   };
 

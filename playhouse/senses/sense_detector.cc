@@ -59,7 +59,7 @@ double spread_loss(const DetectorDesc& detector, double distance) {
 /// A body hit by a line.
 struct Met {
   double from, to;  // m on the floor
-  std::uint32_t solid;
+  bodies::SolidRow solid;
 };
 
 /// A detection, accumulated over lines.

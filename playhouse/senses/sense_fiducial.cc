@@ -12,7 +12,7 @@ bool in_sight(const bodies::Space& space, geom::Vec2 from, double z, geom::Vec2 
   if (distance <= 0) return true;
   const geom::Vec2 d = (1.0 / distance) * (to - from);
   const bodies::Hit hit = cast(space, {from, d, z, z, distance, bit(bodies::SeenBy::kFiducial), own, target});
-  return hit.solid == world::ModelRow::kNone;
+  return !hit.solid;
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ void FiducialSense::populate(const world::World& world, const bodies::Space&) {
 void FiducialSense::measure_heights(const bodies::Solids& solids) {
   std::ranges::fill(z_min_, 1e300);
   std::ranges::fill(z_max_, -1e300);
-  for (std::size_t row = 0; row < solids.size(); ++row) {
+  for (const bodies::SolidRow row : solids.rows()) {
     const std::uint32_t top = solids.root[row];
     z_min_[top] = std::min(z_min_[top], solids.z_min[row] - bodies::kMargin);
     z_max_[top] = std::max(z_max_[top], solids.z_max[row] + bodies::kMargin);
@@ -76,7 +76,7 @@ void FiducialSense::find(world::World& world, const bodies::Space& space, std::u
     const double squared = geom::dot(p_W, p_W);
     if (disc.root == own || squared >= limits.range_max * limits.range_max) return;
     if (squared < limits.range_min * limits.range_min) return;
-    const world::ModelRow target{disc.row};
+    const world::ModelRow target = disc.model();
     if (world.desc(target).fiducial_key != desc.fiducial_key) return;
     const double bearing = geom::normalize(geom::atan2(p_W.y, p_W.x) - X_WB.a);
     if (std::fabs(bearing) > 0.5 * limits.fov) return;
@@ -84,10 +84,10 @@ void FiducialSense::find(world::World& world, const bodies::Space& space, std::u
     if (!limits.ignore_zloc && has_body && (X_WB.z < z_min_[disc.root] || X_WB.z > z_max_[disc.root])) return;
     const double range = std::sqrt(squared);
     if (!in_sight(space, X_WB.xy(), X_WB.z, disc.center, range, own, disc.root)) return;
-    const geom::Pose& X_WT = world.models.X_WM[disc.row];
+    const geom::Pose& X_WT = world.models.X_WM[target.index];
     hits.push_back({world.id(target),
-                    range < limits.range_max_id ? world.models.fiducial_return[disc.row] : 0, range, bearing,
-                    geom::normalize(X_WT.a - X_WB.a), world.desc(target).size});
+                    range < limits.range_max_id ? world.models.fiducial_return[target.index] : 0, range,
+                    bearing, geom::normalize(X_WT.a - X_WB.a), world.desc(target).size});
   });
   std::sort(hits.begin(), hits.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
 }

@@ -51,7 +51,7 @@ class GripperSense final : public SensePhase {
     std::uint32_t meets(geom::Vec2 p_B, geom::Vec2 d_B, double range) const {
       const bodies::Hit hit = cast(space, {X_WB.xy() + rotation * p_B, rotation * d_B, X_WB.z,
                                            X_WB.z + height, range, bit(bodies::SeenBy::kGripper), root});
-      return hit.solid == kNone ? kNone : space.solids.model[hit.solid];
+      return hit.solid ? space.solids.model[hit.solid] : kNone;
     }
   };
 

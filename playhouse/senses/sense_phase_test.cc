@@ -29,9 +29,9 @@ std::pair<std::uint64_t, std::uint64_t> measure(Senses& senses, const scene::Sce
   const bodies::Walls walls(solids);
   world::Workers workers(1);
   bodies::DiscIndex index;
-  index.populate(solids.moving(), 0.3, {}, std::span(solids.radius).subspan(solids.fixed));
+  index.populate(solids.moving(), 0.3, {}, std::span(solids.radius).last(solids.moving()));
   index.rebuild(
-      solids.moving(), [&](std::size_t i) { return disc_of(solids, solids.fixed + i); }, workers);
+      solids.moving(), [&](std::size_t i) { return disc_of(solids, solids.moving_rows()[i]); }, workers);
   const bodies::Space space{solids, index, walls};
   senses.populate(world, space);
   const std::uint64_t rays = senses.sense(world, space, 1, workers);

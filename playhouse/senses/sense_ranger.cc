@@ -38,7 +38,7 @@ void RangerSense::populate(const world::World& world, const bodies::Space& space
   for (const std::uint32_t model : solids.model)
     returns_.push_back(static_cast<float>(world.desc({model}).ranger_return));
   is_wall_.assign(world.models.size(), 0);
-  for (std::size_t row = 0; row < solids.fixed; ++row) is_wall_[solids.root[row]] = 1;
+  for (const bodies::SolidRow row : solids.fixed_rows()) is_wall_[solids.root[row]] = 1;
 
   std::size_t beams = 2 * rays::Rays::kMost;
   for (const rays::RangerKind& kind : kinds_.kinds) beams = std::max<std::size_t>(beams, kind.beams);
@@ -125,7 +125,7 @@ void RangerSense::run_jitter(const bodies::Space& space, const rays::RangerView&
       cast(space, {X_WS.xy(), {ahead.c, ahead.s}, z, z, jitter.range_max, rays::RangerView::kBy, view.root});
   scratch.range[scratch.first_beam + jitter.beam] = hit.range;
   scratch.solid[scratch.first_beam + jitter.beam] =
-      hit.solid == world::ModelRow::kNone ? bodies::kNoSolid : bodies::number_of(hit.solid);
+      hit.solid ? bodies::number_of(hit.solid) : bodies::kNoSolid;
 }
 
 std::unique_ptr<SensePhase> make_ranger_sense(unsigned workers) {

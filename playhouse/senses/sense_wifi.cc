@@ -85,7 +85,7 @@ class WifiSense final : public SensePhase {
  private:
   /// Scratch buffers of a worker.
   struct Scratch {
-    std::vector<std::uint32_t> crossed;
+    std::vector<bodies::EdgeRow> crossed;
     std::vector<world::WifiLink> links;
   };
 
@@ -136,14 +136,14 @@ class WifiSense final : public SensePhase {
   /// Replaces `links` by the radios of `stations` in range, sorted by id.
   void hear(const world::World& world, const bodies::Space& space, std::uint32_t row,
             const bodies::DiscIndex& stations, std::uint64_t tick, std::vector<world::WifiLink>& links,
-            std::vector<std::uint32_t>& crossed) const {
+            std::vector<bodies::EdgeRow>& crossed) const {
     const world::ModelRow model = world.wifis.model[row];
     const scene::WifiDesc& radio = radio_of(world, model);
     const geom::Pose& X_WM = world.models.X_WM[model.index];
     const double reach = reach_[world.models.desc[model.index]];
     links.clear();
     stations.near(X_WM.xy(), reach, 0, 0, [&](const bodies::DiscIndex::Disc& disc) {
-      const world::ModelRow other{disc.row};
+      const world::ModelRow other = disc.model();
       if (other.index == model.index) return;
       const scene::WifiDesc& station = radio_of(world, other);
       if (station.essid != radio.essid) return;

@@ -16,8 +16,8 @@ double length(geom::Vec2 v) {
 }
 
 bool moves_as_a_whole(const bodies::Trees& trees, bodies::TreeRow tree) {
-  const std::uint32_t first = trees.first_mover[tree];
-  return trees.first_mover[tree + 1] == first + 1 && trees.movers[first].model == trees.root[tree];
+  const std::span<const bodies::Mover> movers = trees.movers_of(tree);
+  return movers.size() == 1 && movers[0].model == trees.root[tree];
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ void Headroom::populate(const bodies::Trees& trees, const bodies::Solids& solids
   radius_.resize(trees.size());
   root_ = trees.root;
   walls_block_ = false;
-  for (std::size_t row = 0; row < solids.fixed; ++row) walls_block_ |= solids.is_obstacle(row);
+  for (const bodies::SolidRow row : solids.fixed_rows()) walls_block_ |= solids.is_obstacle(row);
   for (const bodies::TreeRow tree : trees.rows()) measure_shape(trees, tree, solids, models);
   drift_ = 0;
   until_.assign(trees.size(), 0);
@@ -46,7 +46,7 @@ void Headroom::measure_shape(const bodies::Trees& trees, bodies::TreeRow tree, c
   const geom::Vec2 p = models.X_WM[trees.root[tree]].xy();
   rigid_[tree] = moves_as_a_whole(trees, tree);
   arm_[tree] = radius_[tree] = 0;
-  for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row) {
+  for (const bodies::SolidRow row : trees.solids_of(tree)) {
     const double arm = length(solids.center[row] - p);
     arm_[tree] = std::max(arm_[tree], arm + bodies::kMargin);
     if (solids.is_obstacle(row))

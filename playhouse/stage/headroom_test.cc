@@ -34,7 +34,8 @@ class Wanderers {
   /// A tick; adds to `free` and `others` how many trees had headroom and how many had not.
   void go(std::uint64_t tick, std::size_t* free, std::size_t* others) {
     index_.rebuild(
-        solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.fixed + i); }, workers_);
+        solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.moving_rows()[i]); },
+        workers_);
     ByRow<bodies::Trees, geom::Pose> next;
     ByRow<bodies::Trees, double> reach;
     for (const bodies::TreeRow tree : trees_.rows()) {
@@ -74,7 +75,7 @@ class Wanderers {
       X_WM = next[tree];
     }
     for (const bodies::TreeRow tree : trees_.rows()) turn(solids_, world_.models, trees_.models_of(tree));
-    place(solids_, world_.models, solids_.fixed, solids_.size());
+    place(solids_, world_.models, solids_.moving_rows());
     for (const bodies::TreeRow tree : are_free)
       for (const geom::Vec2 p : {from[tree], next[tree].xy()}) {
         expect_clear_about(p, tree, before);
@@ -87,15 +88,14 @@ class Wanderers {
  private:
   /// The circle about `p` that holds the tree however it turns is clear of all other solids.
   void expect_clear_about(geom::Vec2 p, bodies::TreeRow tree, const bodies::Solids& solids) const {
-    const std::uint32_t first = trees_.first_solid[tree], end = trees_.first_solid[tree + 1];
     double radius = 0;
-    for (std::uint32_t row = first; row < end; ++row)
+    for (const bodies::SolidRow row : trees_.solids_of(tree))
       radius = std::max(radius, length(solids.center_M[row]) + solids.radius[row]);
-    for (std::uint32_t row = 0; row < solids.size(); ++row) {
-      if (first <= row && row < end) continue;
-      if (row >= solids.fixed) EXPECT_GT(length(solids.center[row] - p), radius + solids.radius[row]);
+    for (const bodies::SolidRow row : solids.rows()) {
+      if (solids.tree[row] == tree) continue;
+      if (row >= solids.first_moving) EXPECT_GT(length(solids.center[row] - p), radius + solids.radius[row]);
       const std::span<const geom::Vec2> wall = solids.polygon(row);
-      for (std::size_t i = 0; row < solids.fixed && i < wall.size(); ++i)
+      for (std::size_t i = 0; row < solids.first_moving && i < wall.size(); ++i)
         EXPECT_GT(bodies::distance_to_segment(p, wall[i], wall[(i + 1) % wall.size()]), radius);
     }
   }

@@ -40,31 +40,30 @@ geom::Pose part_at(const geom::Pose& X_WP, geom::Rotation rotation, const geom::
   return {p.x, p.y, X_WP.z + X_PM.z, geom::normalize(X_WP.a + X_PM.a)};
 }
 
-bodies::Polygon outline_at(const bodies::Solids& solids, std::size_t row, geom::Vec2 center,
+bodies::Polygon outline_at(const bodies::Solids& solids, bodies::SolidRow row, geom::Vec2 center,
                            const geom::Vec2* p) {
-  const std::size_t vertices = solids.first_vertex[row + 1] - solids.first_vertex[row] - 1;
-  return {{p, vertices}, center, solids.convex[row] != 0};
+  return {{p, solids.corners_of(row)}, center, solids.convex[row] != 0};
 }
 
 /// Height range of a solid in a configuration; `first` is its tree's first solid.
-HeightRange heights_in(const bodies::Solids& solids, std::size_t row, const bodies::TreeShape& shape,
-                       std::size_t first) {
+HeightRange heights_in(const bodies::Solids& solids, bodies::SolidRow row, const bodies::TreeShape& shape,
+                       bodies::SolidRow first) {
   if (shape.z.empty()) return {solids.z_min[row], solids.z_max[row]};
   const double z = shape.z[row - first];
   return {z + solids.z_min_M[row], z + solids.z_max_M[row]};
 }
 
-bodies::Polygon outline_now(const bodies::Solids& solids, std::size_t row) {
-  return outline_at(solids, row, solids.center[row], solids.p.data() + solids.first_vertex[row]);
+bodies::Polygon outline_now(const bodies::Solids& solids, bodies::SolidRow row) {
+  return outline_at(solids, row, solids.center[row], solids.p.from(solids.first_vertex[row]));
 }
 
 }  // namespace
 
-Motion::PlacedSolid Motion::solid_now(const bodies::Solids& solids, std::size_t row) {
+Motion::PlacedSolid Motion::solid_now(const bodies::Solids& solids, bodies::SolidRow row) {
   return {outline_now(solids, row), solids.z_min[row], solids.z_max[row]};
 }
 
-Motion::PlacedSolid Motion::proposed(const bodies::Solids& solids, std::size_t row) const {
+Motion::PlacedSolid Motion::proposed(const bodies::Solids& solids, bodies::SolidRow row) const {
   PlacedSolid body = solid_now(solids, row);
   body.outline = outline_at(solids, row, center_[place_of(row)], p_.data() + vertex_of(solids, row));
   if (!lifts_[solids.tree[row]]) return body;
@@ -74,8 +73,8 @@ Motion::PlacedSolid Motion::proposed(const bodies::Solids& solids, std::size_t r
 
 void Motion::populate(const bodies::Trees& trees, const bodies::Solids& solids, const world::Models& models) {
   trees_ = &trees;
-  fixed_ = solids.fixed;
-  fixed_vertices_ = solids.first_vertex[fixed_];
+  first_moving_ = solids.first_moving;
+  first_moving_vertex_ = solids.first_vertex[solids.first_moving];
   headroom_.populate(trees, solids, models);
   proposes_.assign(trees.size(), 0);
   stalls_.assign(trees.size(), 0);
@@ -88,10 +87,9 @@ void Motion::populate(const bodies::Trees& trees, const bodies::Solids& solids, 
   parent_.clear();
   std::size_t largest_tree = 0, most_solids = 0, most_vertices = 0;
   for (const bodies::TreeRow tree : trees.rows()) {
-    const std::uint32_t begin = trees.first_model[tree], end = trees.first_model[tree + 1];
     add_parents(trees.models_of(tree), models, tree);
-    const std::uint32_t first = trees.first_solid[tree], last = trees.first_solid[tree + 1];
-    largest_tree = std::max<std::size_t>(largest_tree, end - begin);
+    const bodies::SolidRow first = trees.first_solid[tree], last = trees.first_solid[tree + 1];
+    largest_tree = std::max<std::size_t>(largest_tree, trees.models_of(tree).size());
     most_solids = std::max<std::size_t>(most_solids, last - first);
     most_vertices =
         std::max<std::size_t>(most_vertices, solids.first_vertex[last] - solids.first_vertex[first]);
@@ -112,7 +110,7 @@ void Motion::populate(const bodies::Trees& trees, const bodies::Solids& solids, 
   rotation_.resize(trees.size());
   center_.resize(solids.moving());
   z_.resize(solids.moving());
-  p_.resize(solids.p_M.size() - fixed_vertices_);
+  p_.resize(solids.p_M.next() - first_moving_vertex_);
 }
 
 void Motion::add_parents(std::span<const std::uint32_t> rows, const world::Models& models,
@@ -129,9 +127,9 @@ void Motion::add_parents(std::span<const std::uint32_t> rows, const world::Model
 }
 
 bodies::TreeShape Motion::proposal(const bodies::Solids& solids, bodies::TreeRow tree, Sweep& sweep) {
-  const std::uint32_t models = trees_->first_model[tree + 1] - trees_->first_model[tree];
-  const std::uint32_t solid = trees_->first_solid[tree], last = trees_->first_solid[tree + 1];
-  return {{moved_.data() + trees_->first_mover[tree], movers_of(tree).size()},
+  const std::size_t models = trees_->models_of(tree).size();
+  const bodies::SolidRow solid = trees_->first_solid[tree], last = trees_->first_solid[tree + 1];
+  return {{moved_.data() + trees_->first_mover[tree].index, trees_->movers_of(tree).size()},
           {sweep.X_WM.data(), models},
           {sweep.rotation.data(), models},
           {center_.data() + place_of(solid), last - solid},
@@ -144,11 +142,11 @@ void Motion::shape_at(const Inputs& in, bodies::TreeRow tree, double fraction,
                       const bodies::TreeShape& out) const {
   const world::Models& models = in.world.models;
   const double dt = in.world.scene().interval * fraction;
-  const std::uint32_t first = trees_->first_model[tree];
-  const std::span<const bodies::Mover> movers = movers_of(tree);
+  const std::span<const std::uint32_t> rows = trees_->models_of(tree);
+  const std::span<const bodies::Mover> movers = trees_->movers_of(tree);
   std::size_t next = 0;  // of movers
   for (std::size_t i = 0; i < out.X_WM.size(); ++i) {
-    const std::uint32_t model = trees_->models[first + i];
+    const std::uint32_t model = rows[i];
     const geom::Pose* X_PM = &models.X_PM[model];
     if (next < movers.size() && movers[next].model == model) {
       const bodies::Mover& mover = movers[next];
@@ -168,16 +166,15 @@ void Motion::shape_at(const Inputs& in, bodies::TreeRow tree, double fraction,
   }
 
   const bodies::Solids& solids = in.solids;
-  const std::uint32_t first_solid = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
+  const bodies::SolidRows own = trees_->solids_of(tree);
   std::size_t local = 0, vertex = 0;
-  for (std::uint32_t row = first_solid; row < end; ++row) {
-    while (trees_->models[first + local] != solids.model[row]) ++local;
+  for (const bodies::SolidRow row : own) {
+    while (rows[local] != solids.model[row]) ++local;
     const geom::Vec2 p = out.X_WM[local].xy();
     const geom::Rotation rotation = out.rotation[local];
-    out.center[row - first_solid] = p + rotation * solids.center_M[row];
-    if (!out.z.empty()) out.z[row - first_solid] = out.X_WM[local].z;
-    for (std::uint32_t v = solids.first_vertex[row]; v < solids.first_vertex[row + 1]; ++v)
-      out.p[vertex++] = p + rotation * solids.p_M[v];
+    out.center[row - own.front()] = p + rotation * solids.center_M[row];
+    if (!out.z.empty()) out.z[row - own.front()] = out.X_WM[local].z;
+    for (const bodies::VertexRow v : solids.vertices_of(row)) out.p[vertex++] = p + rotation * solids.p_M[v];
   }
 }
 
@@ -185,7 +182,7 @@ void Motion::shape_at(const Inputs& in, bodies::TreeRow tree, double fraction,
 void Motion::propose(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   proposes_[tree] = stalls_[tree] = lifts_[tree] = free_[tree] = 0;
   reach_[tree] = 0;
-  for (const bodies::Mover& mover : movers_of(tree)) {
+  for (const bodies::Mover& mover : trees_->movers_of(tree)) {
     if (!is_moving(in.world, mover)) continue;
     proposes_[tree] = 1;
     if (bodies::with_move(mover.kind, [&](auto move) { return move.changes_height(in.world, mover.part); }))
@@ -195,16 +192,16 @@ void Motion::propose(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
   if (headroom_.is_rigid(tree) && !lifts_[tree]) {
     const geom::Pose& X_WM = in.world.models.X_PM[trees_->root[tree]];
     const geom::Pose& moved = moved_[trees_->first_mover[tree]] =
-        moved_by(in.world, movers_of(tree)[0], X_WM);
+        moved_by(in.world, trees_->movers_of(tree)[0], X_WM);
     way_[tree] = distance(X_WM.xy(), moved.xy());
     reach_[tree] =
         way_[tree] + std::fabs(geom::normalize(moved.a - X_WM.a)) * headroom_.arm(tree) + kRounding;
     return;
   }
   const bodies::TreeShape shape = propose_shape(in, tree, sweep);
-  for (std::size_t i = 0; i < shape.center.size(); ++i)
-    reach_[tree] =
-        std::max(reach_[tree], distance(shape.center[i], in.solids.center[trees_->first_solid[tree] + i]));
+  const bodies::SolidRows rows = trees_->solids_of(tree);
+  for (const bodies::SolidRow row : rows)
+    reach_[tree] = std::max(reach_[tree], distance(shape.center[row - rows.front()], in.solids.center[row]));
 }
 
 bodies::TreeShape Motion::propose_shape(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) {
@@ -235,20 +232,20 @@ void Motion::propose_rest(const Inputs& in, bodies::TreeRow tree, Sweep& sweep) 
 unsigned Motion::steps_of(const Inputs& in, bodies::TreeRow tree) const {
   const double dt = in.world.scene().interval;
   double turn = 0;
-  for (const bodies::Mover& mover : movers_of(tree))
+  for (const bodies::Mover& mover : trees_->movers_of(tree))
     turn +=
         bodies::with_move(mover.kind, [&](auto move) { return move.turn_rate(in.world, mover.part); }) * dt;
   // A full turn of a joint in a tick has a large path but a small displacement.
   const auto swing = [&](geom::Vec2 center) {
     double way = 0;
-    for (const bodies::Mover& mover : movers_of(tree))
+    for (const bodies::Mover& mover : trees_->movers_of(tree))
       way +=
           bodies::with_move(mover.kind, [&](auto move) { return move.swing(in.world, mover.part, center); }) *
           dt;
     return way;
   };
   double steps = 1;
-  for (std::uint32_t row = trees_->first_solid[tree]; row < trees_->first_solid[tree + 1]; ++row) {
+  for (const bodies::SolidRow row : trees_->solids_of(tree)) {
     if (!in.solids.is_obstacle(row)) continue;
     const double way = distance(center_[place_of(row)], in.solids.center[row]) +
                        turn * in.solids.radius[row] + swing(in.solids.center[row]);
@@ -261,7 +258,7 @@ unsigned Motion::steps_of(const Inputs& in, bodies::TreeRow tree) const {
 }
 
 /// True if the outline penetrates a wall deeper than before.
-bool Motion::meets_wall(const Inputs& in, std::size_t solid, const PlacedSolid& now,
+bool Motion::meets_wall(const Inputs& in, bodies::SolidRow solid, const PlacedSolid& now,
                         const PlacedSolid& then) const {
   const double radius = in.solids.radius[solid];
   const geom::Vec2 center = then.outline.center;
@@ -280,10 +277,10 @@ bool Motion::meets_wall(const Inputs& in, std::size_t solid, const PlacedSolid& 
 }
 
 /// True if a solid that rises or sinks enters a static block, even if it crosses none of its edges.
-bool Motion::meets_inside(const Inputs& in, std::size_t solid, const PlacedSolid& now,
+bool Motion::meets_inside(const Inputs& in, bodies::SolidRow solid, const PlacedSolid& now,
                           const PlacedSolid& then) const {
   const bodies::Solids& solids = in.solids;
-  for (std::size_t row = 0; row < fixed_; ++row) {
+  for (const bodies::SolidRow row : solids.fixed_rows()) {
     if (!solids.full[row] || !solids.is_obstacle(row) || solids.root[row] == solids.root[solid]) continue;
     const PlacedSolid block = solid_now(solids, row);
     if (z_overlaps(then, block) && !z_overlaps(now, block) &&
@@ -303,8 +300,8 @@ bool Motion::Sweep::add(Conflict conflict) {
 
 /// True if the outline overlaps a solid of another tree at all of that tree's possible
 /// places; if only at some, adds a conflict. Trees that overlap already may separate.
-bool Motion::meets_other(const Inputs& in, std::size_t solid, const PlacedSolid& now, const PlacedSolid& then,
-                         std::size_t other, Sweep& sweep) const {
+bool Motion::meets_other(const Inputs& in, bodies::SolidRow solid, const PlacedSolid& now,
+                         const PlacedSolid& then, bodies::SolidRow other, Sweep& sweep) const {
   const double reach = in.solids.radius[solid] + in.solids.radius[other];
   const auto meets_at = [&](const PlacedSolid& place) {
     const double apart = distance(then.outline.center, place.outline.center);
@@ -330,7 +327,7 @@ void Motion::gather(const Inputs& in, bodies::TreeRow tree, const Circle& all, S
       if (disc.root == root || (disc.seen_by & bit(bodies::SeenBy::kMotion)) == 0 ||
           distance(disc.center, all.center) >= disc.radius + reach)
         return;
-      const bodies::TreeRow other = in.solids.tree[disc.row];
+      const bodies::TreeRow other = in.solids.tree[disc.solid()];
       if (!free_[other] && fast_.is_fast(other) == fast) sweep.near.push_back(&disc);
     });
   };
@@ -341,12 +338,13 @@ void Motion::gather(const Inputs& in, bodies::TreeRow tree, const Circle& all, S
 
 Motion::Circle Motion::circle_about(const bodies::Solids& solids, bodies::TreeRow tree,
                                     const bodies::TreeShape& shape) const {
-  const std::uint32_t first = trees_->first_solid[tree];
+  const bodies::SolidRows rows = trees_->solids_of(tree);
   Circle all{shape.center[0], 0, 1e300, -1e300};
-  for (std::uint32_t row = first; row < trees_->first_solid[tree + 1]; ++row) {
+  for (const bodies::SolidRow row : rows) {
     if (!solids.is_obstacle(row)) continue;
-    const HeightRange heights = heights_in(solids, row, shape, first);
-    all.radius = std::max(all.radius, distance(shape.center[row - first], all.center) + solids.radius[row]);
+    const HeightRange heights = heights_in(solids, row, shape, rows.front());
+    all.radius =
+        std::max(all.radius, distance(shape.center[row - rows.front()], all.center) + solids.radius[row]);
     all.z_min = std::min(all.z_min, heights.z_min);
     all.z_max = std::max(all.z_max, heights.z_max);
   }
@@ -356,12 +354,13 @@ Motion::Circle Motion::circle_about(const bodies::Solids& solids, bodies::TreeRo
 bool Motion::meets(const Inputs& in, bodies::TreeRow tree, const bodies::TreeShape& shape,
                    Sweep& sweep) const {
   const bodies::Solids& solids = in.solids;
-  const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
-  if (first == end) return false;
+  const bodies::SolidRows rows = trees_->solids_of(tree);
+  if (rows.empty()) return false;
+  const bodies::SolidRow first = rows.front();
   const Circle all = circle_about(solids, tree, shape);
   gather(in, tree, all, sweep);
   const bool near_walls = in.walls.clear_about(all.center) <= all.radius;
-  for (std::uint32_t row = first; row < end; ++row) {
+  for (const bodies::SolidRow row : rows) {
     if (!solids.is_obstacle(row)) continue;
     const geom::Vec2* p = shape.p.data() + (solids.first_vertex[row] - solids.first_vertex[first]);
     const HeightRange heights = heights_in(solids, row, shape, first);
@@ -375,7 +374,7 @@ bool Motion::meets(const Inputs& in, bodies::TreeRow tree, const bodies::TreeSha
     const HeightRange near{then.z_min - rise_max_, then.z_max + rise_max_};
     for (const bodies::DiscIndex::Disc* const disc : sweep.near)
       if (distance(disc->center, then.outline.center) < disc->radius + reach && z_overlaps(near, *disc) &&
-          meets_other(in, row, now, then, disc->row, sweep))
+          meets_other(in, row, now, then, disc->solid(), sweep))
         return true;
   }
   return false;
@@ -422,13 +421,11 @@ void Motion::decide() {
 
 /// Recomputes the poses of the tree's models instead of storing them: saves most of the proposal's memory.
 void Motion::put(world::Models& models, bodies::Solids& solids, bodies::TreeRow tree) const {
-  const std::uint32_t first = trees_->first_model[tree];
-  for (std::uint32_t i = trees_->first_mover[tree]; i < trees_->first_mover[tree + 1]; ++i)
-    models.X_PM.own(trees_->movers[i].model) = moved_[i];
-  for (std::uint32_t i = first; i < trees_->first_model[tree + 1]; ++i) {
-    const std::uint32_t model = trees_->models[i];
+  for (const bodies::Mover& mover : trees_->movers_of(tree))
+    models.X_PM.own(mover.model) = moved_[trees_->row_of(mover)];
+  for (const std::uint32_t model : trees_->models_of(tree)) {
     const geom::Pose& X_PM = models.X_PM[model];
-    if (i == first) {
+    if (model == trees_->root[tree]) {
       models.X_WM[model] = X_PM;
       solids.rotation[model] = rotation_[tree];
       continue;
@@ -440,14 +437,14 @@ void Motion::put(world::Models& models, bodies::Solids& solids, bodies::TreeRow 
 }
 
 void Motion::commit(world::World& world, bodies::Solids& solids, bodies::TreeRow tree) const {
-  for (const bodies::Mover& mover : movers_of(tree)) {
+  for (const bodies::Mover& mover : trees_->movers_of(tree)) {
     const bool stalls = stalls_[tree] && is_moving(world, mover);
     bodies::with_move(mover.kind, [&](auto move) { move.stall(world, mover.part, stalls); });
   }
   if (!proposes_[tree] || stalls_[tree]) return;
   put(world.models, solids, tree);
-  place(solids, world.models, trees_->first_solid[tree], trees_->first_solid[tree + 1]);
-  for (const bodies::Mover& mover : movers_of(tree))
+  place(solids, world.models, trees_->solids_of(tree));
+  for (const bodies::Mover& mover : trees_->movers_of(tree))
     bodies::with_move(mover.kind, [&](auto move) { move.arrive(world, mover.part); });
 }
 
@@ -465,7 +462,7 @@ bool Motion::move(world::World& world, bodies::Solids& solids, const bodies::Dis
   rise_max_ = 0;
   for (const bodies::TreeRow tree : trees_->rows()) {
     if (!lifts_[tree]) continue;
-    for (std::uint32_t row = trees_->first_solid[tree]; row < trees_->first_solid[tree + 1]; ++row)
+    for (const bodies::SolidRow row : trees_->solids_of(tree))
       rise_max_ = std::max(rise_max_, rise_of(solids, row));
   }
   fast_.find(*trees_, solids, reach_, workers);

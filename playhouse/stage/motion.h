@@ -88,10 +88,6 @@ class Motion {
   };
 
   void add_parents(std::span<const std::uint32_t> rows, const world::Models& models, bodies::TreeRow tree);
-  std::span<const bodies::Mover> movers_of(bodies::TreeRow tree) const {
-    const std::uint32_t first = trees_->first_mover[tree];
-    return {trees_->movers.data() + first, trees_->first_mover[tree + 1] - first};
-  }
   void propose(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
   bodies::TreeShape propose_shape(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
   void propose_rest(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
@@ -103,16 +99,17 @@ class Motion {
   Circle circle_about(const bodies::Solids& solids, bodies::TreeRow tree,
                       const bodies::TreeShape& shape) const;
   bool meets(const Inputs& in, bodies::TreeRow tree, const bodies::TreeShape& shape, Sweep& sweep) const;
-  bool meets_wall(const Inputs& in, std::size_t solid, const PlacedSolid& now, const PlacedSolid& then) const;
-  bool meets_inside(const Inputs& in, std::size_t solid, const PlacedSolid& now,
+  bool meets_wall(const Inputs& in, bodies::SolidRow solid, const PlacedSolid& now,
+                  const PlacedSolid& then) const;
+  bool meets_inside(const Inputs& in, bodies::SolidRow solid, const PlacedSolid& now,
                     const PlacedSolid& then) const;
-  bool meets_other(const Inputs& in, std::size_t solid, const PlacedSolid& now, const PlacedSolid& then,
-                   std::size_t other, Sweep& sweep) const;
+  bool meets_other(const Inputs& in, bodies::SolidRow solid, const PlacedSolid& now, const PlacedSolid& then,
+                   bodies::SolidRow other, Sweep& sweep) const;
   /// A solid at its present place, and as its tree proposes it.
-  static PlacedSolid solid_now(const bodies::Solids& solids, std::size_t row);
-  PlacedSolid proposed(const bodies::Solids& solids, std::size_t row) const;
+  static PlacedSolid solid_now(const bodies::Solids& solids, bodies::SolidRow row);
+  PlacedSolid proposed(const bodies::Solids& solids, bodies::SolidRow row) const;
   /// By how much a proposal that changes heights raises or lowers a solid. [m]
-  double rise_of(const bodies::Solids& solids, std::size_t row) const {
+  double rise_of(const bodies::Solids& solids, bodies::SolidRow row) const {
     return std::fabs(z_[place_of(row)] + solids.z_min_M[row] - solids.z_min[row]);
   }
   void decide();
@@ -129,15 +126,17 @@ class Motion {
                                            : parent_[first + place];
   }
   /// Where the proposal of a movable solid, and of its vertices, begins.
-  std::size_t place_of(std::size_t solid) const { return solid - fixed_; }
-  std::size_t vertex_of(const bodies::Solids& solids, std::size_t solid) const {
-    return solids.first_vertex[solid] - fixed_vertices_;
+  std::size_t place_of(bodies::SolidRow solid) const { return solid - first_moving_; }
+  std::size_t vertex_of(const bodies::Solids& solids, bodies::SolidRow solid) const {
+    return solids.first_vertex[solid] - first_moving_vertex_;
   }
 
   const bodies::Trees* trees_ = nullptr;
   Headroom headroom_;
   bodies::FastBodies fast_;
-  std::size_t fixed_ = 0, fixed_vertices_ = 0;  // of Solids: static ones
+  // As in Solids.
+  bodies::SolidRow first_moving_;
+  bodies::VertexRow first_moving_vertex_;
   // Rows as in Trees.
   template <typename Value>
   using ByTree = ByRow<bodies::Trees, Value>;
@@ -153,8 +152,8 @@ class Motion {
   std::vector<std::uint32_t> parent_;   // (models of such trees)
   double rise_max_ = 0;                 // m, bound for this tick: rise or drop
   // The proposals; rows as in Trees::movers, in Trees, and in Solids counted from the first movable one.
-  std::vector<geom::Pose> moved_;    // X_PM of the movers
-  ByTree<geom::Rotation> rotation_;  // of the root
+  ByRow<bodies::Mover, geom::Pose> moved_;  // X_PM
+  ByTree<geom::Rotation> rotation_;         // of the root
   std::vector<geom::Vec2> center_, p_;
   std::vector<double> z_;      // of the solid's model in W, if the tree lifts
   std::vector<Sweep> sweeps_;  // one per worker

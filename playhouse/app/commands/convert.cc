@@ -135,7 +135,7 @@ std::string image_of_map(const ConvertOptions& options) {
 Result<scene::Plan> plan_of_world(const scene::SceneDesc& scene, double resolution, double height) {
   bodies::Shapes shapes(scene);
   const bodies::Solids solids = bodies::make_fixed_solids(world::World(scene, 1), shapes);
-  const auto is_cut = [&](std::size_t row) { return bodies::is_wall_at(solids, row, height); };
+  const auto is_cut = [&](bodies::SolidRow row) { return bodies::is_wall_at(solids, row, height); };
   const Result<scene::Plan> plan = bodies::plan_of_solids(solids, resolution, is_cut);
   if (!plan) return Error{"", plan.error().text + ": choose a larger --scale"};
   if (plan->solid.width > 0) return plan;

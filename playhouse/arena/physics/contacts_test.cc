@@ -33,7 +33,7 @@ double length(const Vec3& v) {
 TEST(Contacts, what_loses_nothing_bounces_for_a_minute_as_high_as_it_fell) {
   for (const double tick : kTicks) {
     Trial trial(tick);
-    const std::uint32_t body =
+    const RigidBodyRow body =
         trial.add(crate({0.2, 0.2, 0.2}, {.friction = 0.6, .restitution = 1}), {.p = {0, 0, 1.1}});
     double highest = 0, last = 0, t = 0;
     trial.run(60, [&] {
@@ -51,7 +51,7 @@ TEST(Contacts, a_rebound_is_of_the_height_that_restitution_says) {
   for (const double tick : kTicks)
     for (const double e : {0.3, 0.5, 0.8}) {
       Trial trial(tick);
-      const std::uint32_t body =
+      const RigidBodyRow body =
           trial.add(crate({0.2, 0.2, 0.2}, {.friction = 0.6, .restitution = e}), {.p = {0, 0, 1.1}});
       double highest = 0;
       bool has_hit = false;
@@ -70,9 +70,9 @@ TEST(Contacts, equal_masses_exchange_their_velocities) {
   for (const double tick : kTicks)
     for (const double gravity : {0.0, kG}) {
       Trial trial(tick, {.friction = 1e-9}, gravity);
-      const std::uint32_t moving =
+      const RigidBodyRow moving =
           trial.add(crate({0.2, 0.2, 0.2}, surface), {.p = {0, 0, 0.1}, .v = {5.64, 0, 0}});
-      const std::uint32_t standing = trial.add(crate({0.2, 0.2, 0.2}, surface), {.p = {1, 0, 0.1}});
+      const RigidBodyRow standing = trial.add(crate({0.2, 0.2, 0.2}, surface), {.p = {1, 0, 0.1}});
       trial.run(0.5);
       EXPECT_NEAR(trial.physics.state(moving).v.x, 0, 0.01) << gravity;
       EXPECT_NEAR(trial.physics.state(standing).v.x, 5.64, 0.01) << gravity;
@@ -85,8 +85,8 @@ TEST(Contacts, a_wall_stops_what_is_fast) {
     for (const double speed : {10.0, 30.0}) {
       Trial trial(tick, {.friction = 0.1});
       trial.physics.set_fixed(wall);
-      const std::uint32_t small = trial.add(crate({0.2, 0.2, 0.2}), {.p = {0, 1, 0.1}, .v = {speed, 0, 0}}),
-                          large = trial.add(crate({1, 1, 0.2}), {.p = {0, -1, 0.1}, .v = {speed, 0, 0}});
+      const RigidBodyRow small = trial.add(crate({0.2, 0.2, 0.2}), {.p = {0, 1, 0.1}, .v = {speed, 0, 0}}),
+                         large = trial.add(crate({1, 1, 0.2}), {.p = {0, -1, 0.1}, .v = {speed, 0, 0}});
       double small_at = 0, large_at = 0;
       trial.run(1, [&] {
         small_at = std::max(small_at, trial.physics.state(small).p.x);
@@ -104,8 +104,8 @@ TEST(Contacts, nothing_falls_through_a_plate_or_into_the_ground) {
   for (const double tick : kTicks) {
     Trial trial(tick);
     trial.physics.set_fixed(plate);
-    const std::uint32_t above = trial.add(crate({0.05, 0.05, 0.05}), {.p = {0, 0, 6.05}}),
-                        aside = trial.add(crate({0.2, 0.2, 0.2}), {.p = {3, 0, 10.1}});
+    const RigidBodyRow above = trial.add(crate({0.05, 0.05, 0.05}), {.p = {0, 0, 6.05}}),
+                       aside = trial.add(crate({0.2, 0.2, 0.2}), {.p = {3, 0, 10.1}});
     double above_low = 9, aside_low = 9;
     trial.run(2.5, [&] {
       above_low = std::min(above_low, trial.physics.state(above).p.z - 1.05);
@@ -126,8 +126,8 @@ TEST(Contacts, what_friction_holds_on_a_slope_of_triangles_neither_shakes_nor_cr
     Trial trial(tick);
     trial.physics.set_fixed(square(4, 2, kSlope));
     const Vec3 begin = Vec3{0, 0, 2} + 0.25 * kOff;
-    const std::uint32_t body = trial.add(crate({0.5, 0.5, 0.5}, {.friction = 0.6}),
-                                         {.p = begin, .q = geom::orientation(0, {0, -kSlope})});
+    const RigidBodyRow body = trial.add(crate({0.5, 0.5, 0.5}, {.friction = 0.6}),
+                                        {.p = begin, .q = geom::orientation(0, {0, -kSlope})});
     trial.run(0.5);
     Vec3 before = trial.physics.state(body).v;
     double shaken = 0;
@@ -148,8 +148,8 @@ TEST(Contacts, what_slides_over_an_edge_between_triangles_goes_straight_on) {
     Trial trial(tick);
     trial.physics.set_fixed(square(4, 2, kSlope));
     const Vec3 begin = Vec3{0, 0, 2} + 0.25 * kOff + 0.8 * kUphill;
-    const std::uint32_t body = trial.add(crate({0.5, 0.5, 0.5}, {.friction = 0.02}),
-                                         {.p = begin, .q = geom::orientation(0, {0, -kSlope})});
+    const RigidBodyRow body = trial.add(crate({0.5, 0.5, 0.5}, {.friction = 0.02}),
+                                        {.p = begin, .q = geom::orientation(0, {0, -kSlope})});
     trial.run(1);
     const Vec3 way = trial.physics.state(body).p - begin;
     const double slid = 0.5 * kG * (std::sin(kSlope) - 0.02 * std::cos(kSlope));
@@ -159,7 +159,7 @@ TEST(Contacts, what_slides_over_an_edge_between_triangles_goes_straight_on) {
 
     Trial flat(tick);
     flat.physics.set_fixed(square(3, 0.5, 0));
-    const std::uint32_t sledge =
+    const RigidBodyRow sledge =
         flat.add(crate({0.5, 0.5, 0.5}, {.friction = 1e-6}), {.p = {-2, 0.5, 0.75}, .v = {2, 0, 0}});
     flat.run(1.5);
     const BodyState end = flat.physics.state(sledge);
@@ -172,12 +172,12 @@ TEST(Contacts, crates_on_each_other_on_triangles_come_to_rest) {
   for (const double tick : kTicks) {
     Trial trial(tick);
     trial.physics.set_fixed(square(3, 0.5, 0));
-    const std::uint32_t below = trial.add(crate({0.5, 0.5, 0.5}, {.friction = 0.6}), {.p = {0.1, 0, 0.75}}),
-                        above = trial.add(crate({0.4, 0.4, 0.4}, {.friction = 0.6}), {.p = {0.1, 0, 1.2}});
+    const RigidBodyRow below = trial.add(crate({0.5, 0.5, 0.5}, {.friction = 0.6}), {.p = {0.1, 0, 0.75}}),
+                       above = trial.add(crate({0.4, 0.4, 0.4}, {.friction = 0.6}), {.p = {0.1, 0, 1.2}});
     trial.run(2);
     double fastest = 0, turning = 0;
     trial.run(0.5, [&] {
-      for (const std::uint32_t body : {below, above}) {
+      for (const RigidBodyRow body : {below, above}) {
         fastest = std::max(fastest, length(trial.physics.state(body).v));
         turning = std::max(turning, length(trial.physics.state(body).w));
       }
@@ -192,7 +192,7 @@ TEST(Contacts, a_stack_of_twenty_stays_up) {
   constexpr double kSide = 0.5;
   for (const double tick : kTicks) {
     Trial trial(tick, {.friction = 0.6});
-    std::uint32_t top = 0;
+    RigidBodyRow top;
     for (int i = 0; i < 20; ++i)
       top = trial.add(crate({kSide, kSide, kSide}, {.friction = 0.6}, 25), {.p = {0, 0, (i + 0.5) * kSide}});
     trial.run(tick < 0.01 ? 1.5 : 12);  // it fell within 10 s, in ticks of 10 ms
@@ -207,8 +207,8 @@ TEST(Contacts, a_light_crate_bears_a_thousand_times_its_mass) {
     for (const double tick : kTicks) {
       Trial trial(tick, {.friction = 0.6});
       const ContactSurface wood{.friction = 0.6};
-      const std::uint32_t light = trial.add(crate({0.5, 0.5, 0.5}, wood, 1), {.p = {0, 0, 0.25}}),
-                          heavy = trial.add(crate({0.5, 0.5, 0.5}, wood, ratio), {.p = {0, 0, 0.75}});
+      const RigidBodyRow light = trial.add(crate({0.5, 0.5, 0.5}, wood, 1), {.p = {0, 0, 0.25}}),
+                         heavy = trial.add(crate({0.5, 0.5, 0.5}, wood, ratio), {.p = {0, 0, 0.75}});
       trial.run(10);
       const Vec3 below = trial.physics.state(light).p, above = trial.physics.state(heavy).p;
       EXPECT_NEAR(below.z, 0.25, 0.012) << ratio;

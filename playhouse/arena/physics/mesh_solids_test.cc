@@ -237,8 +237,8 @@ TEST(FixedParts, that_are_discs_of_no_height_carry_what_is_round) {
     const auto drop = [&](const Hull& hull, const Vec3& p) {
       return trial.add({.hulls = {hull}, .mass = 2, .center = {}, .surface = {}, .wheels = {}}, {.p = p});
     };
-    const std::uint32_t ball = drop(round_hull(0.1, 0), {0.5, 0.3, 0.7}),
-                        drum = drop(cylinder_hull(0.3, 0.4), {-0.7, 0, 0.95});
+    const RigidBodyRow ball = drop(round_hull(0.1, 0), {0.5, 0.3, 0.7}),
+                       drum = drop(cylinder_hull(0.3, 0.4), {-0.7, 0, 0.95});
     trial.run(2);
     EXPECT_NEAR(trial.physics.state(ball).p.z, 0.6, 0.004);
     EXPECT_NEAR(trial.physics.state(drum).p.z, 0.9, 0.004);

@@ -30,7 +30,7 @@ Moving::Moving(const RigidBodyDesc& of)
     }
   footings.resize(desc.wheels.size());
   impulses.resize(desc.wheels.size());
-  supports.resize(desc.wheels.size(), kNobody);
+  supports.resize(desc.wheels.size());
   write();
 }
 

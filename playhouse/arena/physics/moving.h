@@ -16,8 +16,6 @@
 
 namespace playhouse::arena {
 
-inline constexpr std::uint32_t kNobody = 0xffffffff;
-
 struct Moving {
   RigidBodyDesc desc;
   std::unique_ptr<ConvexShapes> solids;
@@ -30,9 +28,9 @@ struct Moving {
   geom::Twist velocity;  // commanded
   std::vector<Footing> footings;
   std::vector<WheelImpulse> impulses;
-  std::vector<std::uint32_t> below;     // support candidates: scratch
-  std::vector<std::uint32_t> supports;  // the body below each wheel, or kNobody
-  bool is_held = false;                 // wheels as Bullet constraints: it pushes a support or is one
+  std::vector<RigidBodyRow> below;     // support candidates: scratch
+  std::vector<RigidBodyRow> supports;  // the body below each wheel, or none
+  bool is_held = false;                // wheels as Bullet constraints: it pushes a support or is one
 
   explicit Moving(const RigidBodyDesc& of);
   bool is_guided() const { return desc.mass == 0; }

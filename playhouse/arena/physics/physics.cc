@@ -106,7 +106,7 @@ struct Physics::Impl {
     bool is_beside(const Vec3& p) const { return p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y; }
   };
   std::vector<Fixed> fixed;  // of each surface, and of each mesh
-  std::vector<std::unique_ptr<Moving>> bodies;
+  ByRow<RigidBody, std::unique_ptr<Moving>> bodies;
   bool is_in = false;
 
   Impl(const ContactSurface& surface, double gravity)
@@ -198,21 +198,21 @@ struct Physics::Impl {
     });
   }
   void find_footing(Moving& moving, std::size_t i) const;
-  void find_footings(std::uint32_t number);
+  void find_footings(RigidBodyRow own);
   void find_supports();
   void wake_neighbours(const Moving& guided);
   void find_loads();
   void wake();
   void roll(Moving& moving, double dt) const;
-  bool is_pushed(const Moving& vehicle, std::uint32_t support) const;
+  bool is_pushed(const Moving& vehicle, RigidBodyRow support) const;
   void push_supports(double dt);
   void hold_wheels(Moving& moving, double dt);
   void let_wheels_go();
 
   std::vector<WheelConstraint> held;  // constraints of a step; Bullet keeps pointers to them
   Supports supports;
-  std::vector<Aabb> boxes;          // scratch
-  std::vector<std::uint32_t> near;  // scratch
+  ByRow<RigidBody, Aabb> boxes;    // scratch
+  std::vector<RigidBodyRow> near;  // scratch
 };
 
 /// The ground below a wheel: the plane, or the highest static or movable body.
@@ -228,8 +228,8 @@ void Physics::Impl::find_footing(Moving& moving, std::size_t i) const {
   const WheelRay ray{bullet(p + rise * up), bullet(p - kWheelDrop * up), rise};
   for (const Fixed& part : fixed)
     if (ray.top.z() >= part.lowest_top && !part.is_beside(p)) ray.meet(*part.body, footing);
-  moving.supports[i] = kNobody;
-  for (const std::uint32_t below : moving.below) {
+  moving.supports[i] = {};
+  for (const RigidBodyRow below : moving.below) {
     if (!ray.meet(*bodies[below]->body, footing)) continue;
     footing.v = bodies[below]->velocity_at(p);
     moving.supports[i] = below;
@@ -237,12 +237,12 @@ void Physics::Impl::find_footing(Moving& moving, std::size_t i) const {
 }
 
 /// Finds the ground of a vehicle's wheels, unless it and everything below sleeps.
-void Physics::Impl::find_footings(std::uint32_t number) {
-  Moving& moving = *bodies[number];
+void Physics::Impl::find_footings(RigidBodyRow own) {
+  Moving& moving = *bodies[own];
   if (!moving.is_vehicle()) return;
   supports.find(moving.footprint(), moving.below);
-  std::erase(moving.below, number);
-  const auto moves = [this](std::uint32_t below) { return !bodies[below]->is_sleeping; };
+  std::erase(moving.below, own);
+  const auto moves = [this](RigidBodyRow below) { return !bodies[below]->is_sleeping; };
   if (moving.is_sleeping && std::ranges::none_of(moving.below, moves)) return moving.below.clear();
   for (std::size_t i = 0; i < moving.footings.size(); ++i) find_footing(moving, i);
   let_casters_give_way(moving.desc, moving.footings);
@@ -254,8 +254,8 @@ void Physics::Impl::wake_neighbours(const Moving& guided) {
   box.low = box.low - Vec3{kBeside, kBeside, kBeside};
   box.high = box.high + Vec3{kBeside, kBeside, kBeside};
   supports.find(box, near);
-  for (const std::uint32_t number : near) {
-    Moving& other = *bodies[number];
+  for (const RigidBodyRow body : near) {
+    Moving& other = *bodies[body];
     if (!other.is_sleeping || other.is_guided()) continue;
     other.wake();
     other.is_woken = true;
@@ -268,8 +268,8 @@ void Physics::Impl::find_loads() {
     if (load->is_guided() || load->is_vehicle() || load->is_sleeping) continue;
     const Aabb box = load->box();
     supports.find(box, near);
-    for (const std::uint32_t number : near) {
-      Moving& below = *bodies[number];
+    for (const RigidBodyRow body : near) {
+      Moving& below = *bodies[body];
       if (!below.is_vehicle() || below.is_sleeping) continue;
       const Aabb under = below.box();
       if (box.low.z > 0.5 * (under.low.z + under.high.z)) below.is_held = true;
@@ -289,8 +289,8 @@ void Physics::Impl::find_supports() {
 void Physics::Impl::wake() {
   for (const auto& moving : bodies) {
     if (moving->below.empty()) continue;
-    for (const std::uint32_t below : moving->supports) {
-      if (below == kNobody || moving->is_sleeping == bodies[below]->is_sleeping) continue;
+    for (const RigidBodyRow below : moving->supports) {
+      if (!below || moving->is_sleeping == bodies[below]->is_sleeping) continue;
       Moving& sleeper = moving->is_sleeping ? *moving : *bodies[below];
       if (sleeper.is_guided()) continue;
       sleeper.wake();
@@ -311,8 +311,8 @@ void Physics::Impl::roll(Moving& moving, double dt) const {
 }
 
 /// True if the wheels of a vehicle act on their support.
-bool Physics::Impl::is_pushed(const Moving& vehicle, std::uint32_t support) const {
-  if (support == kNobody || bodies[support]->is_guided()) return false;
+bool Physics::Impl::is_pushed(const Moving& vehicle, RigidBodyRow support) const {
+  if (!support || bodies[support]->is_guided()) return false;
   // A person's feet are beside a robot, and would load its edge.
   return !(vehicle.desc.is_upright && bodies[support]->is_vehicle());
 }
@@ -346,7 +346,7 @@ void Physics::Impl::hold_wheels(Moving& moving, double dt) {
     const Footing& footing = moving.footings[i];
     if (!footing.is_near) continue;
     const Wheel& wheel = moving.desc.wheels[i];
-    const std::uint32_t support = moving.supports[i];
+    const RigidBodyRow support = moving.supports[i];
     btRigidBody& below =
         is_pushed(moving, support) ? *bodies[support]->body : btTypedConstraint::getFixedBody();
     WheelTarget target = wheel_target(wheel, footing, moving.state.q, moving.velocity, dt);
@@ -409,12 +409,12 @@ void Physics::set_fixed(std::span<const FixedSolid> solids) {
   }
 }
 
-std::uint32_t Physics::add(const RigidBodyDesc& desc) {
+RigidBodyRow Physics::add(const RigidBodyDesc& desc) {
   impl_->take_out();
-  const auto number = static_cast<std::uint32_t>(impl_->bodies.size());
+  const RigidBodyRow body = impl_->bodies.next();
   impl_->bodies.push_back(std::make_unique<Moving>(desc));
-  impl_->bodies.back()->body->setUserIndex(static_cast<int>(number));
-  return number;
+  impl_->bodies.back()->body->setUserIndex(static_cast<int>(body.index));
+  return body;
 }
 
 void Physics::clear() {
@@ -426,7 +426,7 @@ std::size_t Physics::size() const {
   return impl_->bodies.size();
 }
 
-void Physics::set_hulls(std::uint32_t body, std::span<const Hull> hulls) {
+void Physics::set_hulls(RigidBodyRow body, std::span<const Hull> hulls) {
   impl_->take_out();
   Moving& moving = *impl_->bodies[body];
   auto solids = std::make_unique<ConvexShapes>(hulls, moving.desc.center);
@@ -436,11 +436,11 @@ void Physics::set_hulls(std::uint32_t body, std::span<const Hull> hulls) {
   moving.cores = Cores(hulls, moving.desc.center);
 }
 
-BodyState Physics::state(std::uint32_t body) const {
+BodyState Physics::state(RigidBodyRow body) const {
   return impl_->bodies[body]->state;
 }
 
-void Physics::put(std::uint32_t body, const BodyState& state, bool is_sleeping) {
+void Physics::put(RigidBodyRow body, const BodyState& state, bool is_sleeping) {
   Moving& moving = *impl_->bodies[body];
   moving.state = state;
   moving.is_sleeping = is_sleeping;
@@ -448,17 +448,17 @@ void Physics::put(std::uint32_t body, const BodyState& state, bool is_sleeping) 
   moving.write();
 }
 
-bool Physics::is_sleeping(std::uint32_t body) const {
+bool Physics::is_sleeping(RigidBodyRow body) const {
   return impl_->bodies[body]->is_sleeping;
 }
 
-bool Physics::may_sleep(std::uint32_t body) const {
+bool Physics::may_sleep(RigidBodyRow body) const {
   const Moving& moving = *impl_->bodies[body];
   const auto is_sunk = [](const Footing& footing) { return footing.is_near && footing.gap < -kSunk; };
   return !moving.is_woken && std::ranges::none_of(moving.footings, is_sunk);
 }
 
-void Physics::drive(std::uint32_t body, const geom::Twist& velocity) {
+void Physics::drive(RigidBodyRow body, const geom::Twist& velocity) {
   impl_->bodies[body]->velocity = velocity;
 }
 
@@ -487,12 +487,14 @@ void Physics::step(double dt, world::Workers& workers) {
   if (has_vehicles) {
     impl_->find_supports();
     workers.run(bodies.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) impl_->find_footings(static_cast<std::uint32_t>(i));
+      for (std::size_t i = begin; i < end; ++i) impl_->find_footings(bodies.rows()[i]);
     });
     impl_->wake();
     workers.run(bodies.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        if (bodies[i]->is_vehicle() && !bodies[i]->is_sleeping) impl_->roll(*bodies[i], dt);
+      for (std::size_t i = begin; i < end; ++i) {
+        Moving& moving = *bodies[bodies.rows()[i]];
+        if (moving.is_vehicle() && !moving.is_sleeping) impl_->roll(moving, dt);
+      }
     });
     impl_->push_supports(dt);
   }
@@ -507,9 +509,11 @@ std::vector<Penetration> Physics::penetrations(double depth) const {
   const auto add = [&](const btCollisionObject& body, int hull, const btManifoldPoint& at,
                        const btVector3& out) {
     if (body.getUserIndex() < 0) return;  // static
-    penetrations.push_back({static_cast<std::uint32_t>(body.getUserIndex()),
-                            static_cast<std::size_t>(std::max(hull, 0)), from(at.getPositionWorldOnB()),
-                            from(out), -at.getDistance()});
+    penetrations.push_back({{static_cast<std::uint32_t>(body.getUserIndex())},
+                            {static_cast<std::uint32_t>(std::max(hull, 0))},
+                            from(at.getPositionWorldOnB()),
+                            from(out),
+                            -at.getDistance()});
   };
   for (int i = 0; i < impl_->dispatcher.getNumManifolds(); ++i) {
     const btPersistentManifold& manifold = *impl_->dispatcher.getManifoldByIndexInternal(i);

@@ -31,11 +31,11 @@ struct FixedSolid {
 
 /// A penetration of a body into another.
 struct Penetration {
-  std::uint32_t body = 0;
-  std::size_t hull = 0;  // of the body
-  Vec3 p;                // in W
-  Vec3 out;              // unit vector out of the body, in W
-  double depth = 0;      // m
+  RigidBodyRow body;
+  HullRow hull;      // of the body
+  Vec3 p;            // in W
+  Vec3 out;          // unit vector out of the body, in W
+  double depth = 0;  // m
 };
 
 /// Share of a penetration that contacts correct in a step of `dt` seconds.
@@ -51,23 +51,23 @@ class Physics {
 
   /// Replaces the static solids by the ground, the plane z = 0, and these.
   void set_fixed(std::span<const FixedSolid> solids);
-  /// Adds a movable body, at rest at the origin; bodies are numbered from 0.
-  std::uint32_t add(const RigidBodyDesc& desc);
+  /// Adds a movable body, at rest at the origin, behind those that there are.
+  RigidBodyRow add(const RigidBodyDesc& desc);
   /// Removes all movable bodies.
   void clear();
   std::size_t size() const;
 
   /// Replaces its hulls in B, when a joint has moved.
-  void set_hulls(std::uint32_t body, std::span<const Hull> hulls);
-  BodyState state(std::uint32_t body) const;
+  void set_hulls(RigidBodyRow body, std::span<const Hull> hulls);
+  BodyState state(RigidBodyRow body) const;
   /// Sets the state. A body that rests (sleeps) does not move until another one touches it.
-  void put(std::uint32_t body, const BodyState& state, bool is_sleeping);
-  bool is_sleeping(std::uint32_t body) const;
+  void put(RigidBodyRow body, const BodyState& state, bool is_sleeping);
+  bool is_sleeping(RigidBodyRow body) const;
   /// False if a kinematic body has woken it since put(), as its support may be about to leave;
   /// and for a vehicle whose wheels are pressed into the ground, as its load may have left.
-  bool may_sleep(std::uint32_t body) const;
+  bool may_sleep(RigidBodyRow body) const;
   /// Sets the commanded velocity of a vehicle, of B in B.  [m/s, rad/s]
-  void drive(std::uint32_t body, const geom::Twist& velocity);
+  void drive(RigidBodyRow body, const geom::Twist& velocity);
 
   /// Drops state cached between steps: contacts and their impulses (warm start).
   void clear_contacts();

@@ -45,7 +45,7 @@ class PhysicsTest : public testing::Test {
 };
 
 TEST_F(PhysicsTest, drives_five_metres_and_turns_ten_radians_as_its_wheels_say) {
-  const std::uint32_t body = physics_.add(rover());
+  const RigidBodyRow body = physics_.add(rover());
   physics_.drive(body, {0.5, 0, 0, 0});
   run(0.1);
   const Vec3 begin = physics_.state(body).p;
@@ -80,7 +80,7 @@ TEST_F(PhysicsTest, a_vehicle_of_any_height_speeds_up_as_its_grip_lets_it) {
     for (const double y : {-0.16, 0.16}) desc.wheels.push_back({{0, y, 0}, mu, mu});
     for (const double x : {-d, d}) desc.wheels.push_back({{x, 0, 0}, 0, 0});
     Physics physics;
-    const std::uint32_t body = physics.add(desc);
+    const RigidBodyRow body = physics.add(desc);
     physics.step(kStep, workers_);
     physics.drive(body, {5, 0, 0, 0});
     for (int i = 0; i < 20; ++i) physics.step(kStep, workers_);
@@ -99,7 +99,7 @@ TEST_F(PhysicsTest, a_box_slides_as_far_as_friction_lets_it) {
   desc.hulls = {box(0.3, 0.3, 0, 0.1)};
   desc.center = {0, 0, 0.05};
   desc.surface.friction = 0.4;
-  const std::uint32_t body = physics_.add(desc);
+  const RigidBodyRow body = physics_.add(desc);
   physics_.put(body, {.v = {2, 0, 0}}, false);
   run(2);
   EXPECT_NEAR(physics_.state(body).p.x, 2 * 2 / (2 * 0.4 * 9.81), 0.02);
@@ -132,7 +132,7 @@ TEST_F(PhysicsTest, slopes_hold_vehicles_and_boxes_as_friction_says) {
   icy.hulls = {box(0.3, 0.3, 0, 0.1)};
   icy.center = {0, 0, 0.05};
   icy.surface.friction = 0.1;
-  const std::uint32_t rover_body = physics_.add(rover()), box_body = physics_.add(icy);
+  const RigidBodyRow rover_body = physics_.add(rover()), box_body = physics_.add(icy);
   physics_.put(rover_body, {.p = 5 * along + 1e-3 * up, .q = ramp.q}, false);
   physics_.put(box_body, {.p = 5 * along + Vec3{0, 2, 0}, .q = ramp.q}, false);
   run(0.2);
@@ -165,7 +165,7 @@ double slides(double height, double friction, double heading) {
   world::Workers workers{1};
   const FixedSolid solid{ramp.hull, {.friction = friction}};
   physics.set_fixed({&solid, 1});
-  const std::uint32_t body = physics.add(desc);
+  const RigidBodyRow body = physics.add(desc);
   physics.put(body, {.p = 5 * ramp.along + 1e-3 * ramp.up, .q = ramp.q * geom::orientation(heading, {})},
               false);
   for (int i = 0; i < 20; ++i) physics.step(kStep, workers);
@@ -192,7 +192,7 @@ TEST(Physics, a_body_bounces_as_high_as_restitution_lets_it) {
     world::Workers workers{1};
     RigidBodyDesc desc = slab(5, 1, 0.2, 1);
     desc.surface.restitution = own;
-    const std::uint32_t body = physics.add(desc);
+    const RigidBodyRow body = physics.add(desc);
     physics.put(body, {.p = {0, 0, 1}}, false);
     bool fell = false;
     double highest = 0;
@@ -214,7 +214,7 @@ double slide(const ContactSurface& ground, const ContactSurface& surface, double
   world::Workers workers{1};
   RigidBodyDesc desc = slab(5, 1, 0.2, 0);
   desc.surface = surface;
-  const std::uint32_t body = physics.add(desc);
+  const RigidBodyRow body = physics.add(desc);
   physics.put(body, {.v = 2 * d}, false);
   for (int i = 0; i < 1000; ++i) {
     if (i % 10 == 0) physics.clear_contacts();
@@ -239,7 +239,7 @@ TEST_F(PhysicsTest, wheels_slip_along_the_grain_of_a_floor) {
   const ContactSurface grain{.friction = 1, .share_x = 0.02};
   const std::vector<FixedSolid> floor{{box(40, 40, -1, 0.01), grain, 0.5 * std::numbers::pi}};
   physics_.set_fixed(floor);
-  const std::uint32_t along = physics_.add(rover()), across = physics_.add(rover());
+  const RigidBodyRow along = physics_.add(rover()), across = physics_.add(rover());
   physics_.put(along, {.p = {0, 0, 0.01}, .q = geom::orientation(0.5 * std::numbers::pi, {})}, false);
   physics_.put(across, {.p = {5, 0, 0.01}}, false);
   physics_.drive(along, {1, 0, 0, 0});
@@ -252,7 +252,7 @@ TEST_F(PhysicsTest, wheels_slip_along_the_grain_of_a_floor) {
 }
 
 TEST_F(PhysicsTest, a_platform_that_moves_carries_the_vehicle_on_it) {
-  const std::uint32_t platform = physics_.add(slab(0, 2, 0.2, 1)), body = physics_.add(rover());
+  const RigidBodyRow platform = physics_.add(slab(0, 2, 0.2, 1)), body = physics_.add(rover());
   physics_.put(body, {.p = {0, 0, 0.2}}, false);
   physics_.put(platform, {.v = {0.5, 0, 0.1}}, false);
   run(0.2);  // the wheels get it going
@@ -267,7 +267,7 @@ TEST_F(PhysicsTest, a_platform_that_moves_carries_the_vehicle_on_it) {
 
 TEST_F(PhysicsTest, what_a_vehicle_drives_off_from_goes_the_other_way) {
   physics_.add(slab(0, 8, 0.1, 0));  // of ice
-  const std::uint32_t plank = physics_.add(slab(18, 4, 0.1, 1)), body = physics_.add(rover());
+  const RigidBodyRow plank = physics_.add(slab(18, 4, 0.1, 1)), body = physics_.add(rover());
   physics_.put(plank, {.p = {0, 0, 0.1}}, false);
   physics_.put(body, {.p = {-1, 0, 0.2}}, false);
   physics_.drive(body, {0.3, 0, 0, 0});
@@ -279,7 +279,7 @@ TEST_F(PhysicsTest, what_a_vehicle_drives_off_from_goes_the_other_way) {
 }
 
 TEST_F(PhysicsTest, a_vehicle_that_rests_falls_when_what_it_stands_on_is_pulled_away) {
-  const std::uint32_t slab_body = physics_.add(slab(50, 2, 0.3, 0)), body = physics_.add(rover());
+  const RigidBodyRow slab_body = physics_.add(slab(50, 2, 0.3, 0)), body = physics_.add(rover());
   physics_.put(body, {.p = {0, 0, 0.3}}, true);
   physics_.put(slab_body, {}, true);
   run(1);
@@ -304,7 +304,7 @@ RigidBodyDesc walker() {
 }
 
 TEST_F(PhysicsTest, who_walks_over_a_robot_does_not_tip_it) {
-  const std::uint32_t person = physics_.add(walker()), robot = physics_.add(rover());
+  const RigidBodyRow person = physics_.add(walker()), robot = physics_.add(rover());
   for (const double aside : {0.0, 0.15}) {
     physics_.put(person, {}, false);
     physics_.put(robot, {.p = {1, aside, 0}}, false);
@@ -318,7 +318,7 @@ TEST_F(PhysicsTest, who_walks_over_a_robot_does_not_tip_it) {
 }
 
 TEST_F(PhysicsTest, who_walks_steps_onto_what_is_loose_and_low) {
-  const std::uint32_t body = physics_.add(walker()), crate = physics_.add(slab(40, 2, 0.25, 1));
+  const RigidBodyRow body = physics_.add(walker()), crate = physics_.add(slab(40, 2, 0.25, 1));
   physics_.put(crate, {.p = {1.5, 0, 0}}, false);
   physics_.drive(body, {1, 0, 0, 0});
   run(2);
@@ -331,7 +331,7 @@ TEST_F(PhysicsTest, who_walks_steps_onto_what_is_loose_and_low) {
 
 TEST_F(PhysicsTest, what_is_light_bears_who_stands_on_it) {
   for (const double mass : {2.0, 5.0, 20.0}) {
-    const std::uint32_t person = physics_.add(walker()), crate = physics_.add(slab(mass, 0.6, 0.25, 1));
+    const RigidBodyRow person = physics_.add(walker()), crate = physics_.add(slab(mass, 0.6, 0.25, 1));
     physics_.put(person, {.p = {0, 0, 0.25}}, false);
     run(3);
     EXPECT_NEAR(physics_.state(person).p.z, 0.25, 0.01) << mass;
@@ -345,7 +345,7 @@ TEST_F(PhysicsTest, what_is_light_bears_who_stands_on_it) {
 TEST_F(PhysicsTest, a_light_vehicle_bears_a_heavy_one) {
   RigidBodyDesc heavy = rover();
   heavy.mass = 50;
-  const std::uint32_t below = physics_.add(rover()), above = physics_.add(heavy);
+  const RigidBodyRow below = physics_.add(rover()), above = physics_.add(heavy);
   physics_.put(above, {.p = {0, 0, 0.22}}, false);
   run(3);
   EXPECT_NEAR(physics_.state(below).p.z, 0, 2e-3);
@@ -359,7 +359,7 @@ TEST_F(PhysicsTest, casters_give_way_at_the_foot_of_a_ramp) {
     for (const Vec3& p : {Vec3{1, y, 0}, Vec3{1 + length, y, 0}, Vec3{1 + length, y, rise}})
       ramp.push_back(p);
   physics_.set_fixed(std::vector<FixedSolid>{{ramp, {1, 0}}});
-  const std::uint32_t body = physics_.add(rover());
+  const RigidBodyRow body = physics_.add(rover());
   physics_.drive(body, {0.4, 0, 0, 0});
   run(6);
   const BodyState end = physics_.state(body);
@@ -369,7 +369,7 @@ TEST_F(PhysicsTest, casters_give_way_at_the_foot_of_a_ramp) {
 }
 
 TEST_F(PhysicsTest, seven_boxes_stand_on_each_other) {
-  std::vector<std::uint32_t> boxes;
+  std::vector<RigidBodyRow> boxes;
   constexpr int kBoxes = 7;
   for (int i = 0; i < kBoxes; ++i) {
     RigidBodyDesc box_desc;
@@ -392,7 +392,7 @@ TEST_F(PhysicsTest, a_vehicle_that_is_woken_from_above_goes_on_whatever_was_befo
   for (Wheel& wheel : small.wheels) wheel.p_B = 0.4 * wheel.p_B;
   const auto step_from = [&](double height_before) {
     Physics physics;
-    const std::uint32_t below = physics.add(rover()), above = physics.add(small);
+    const RigidBodyRow below = physics.add(rover()), above = physics.add(small);
     physics.put(below, {.p = {0, 0, height_before}}, false);
     physics.put(above, {.p = {5, 0, 0}}, false);
     physics.step(kStep, workers_);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/base/row.h"
 #include "playhouse/geom/orientation.h"
 
 namespace playhouse::arena {
@@ -25,6 +26,9 @@ struct Hull : std::vector<Vec3> {
   Hull(std::vector<Vec3> corners) : vector(std::move(corners)) {}
   Round round = Round::kNot;
 };
+
+using HullRow = Row<Hull>;                   // of a body
+using RigidBodyRow = Row<struct RigidBody>;  // of Physics
 
 /// Surface properties. Friction coefficients of two surfaces in contact
 /// are multiplied; of the coefficients of restitution the larger one applies.

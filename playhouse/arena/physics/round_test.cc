@@ -54,7 +54,7 @@ double speed_after_a_second(double tick, const RigidBodyDesc& body, const std::v
   trial.physics.set_fixed(slope);
   const Vec3 off{-std::sin(angle), 0, std::cos(angle)}, uphill{std::cos(angle), 0, std::sin(angle)};
   const Vec3 begin = Vec3{0, 0, 3} + 3 * uphill + kRadius * off;
-  const std::uint32_t row = trial.add(body, {.p = begin});
+  const RigidBodyRow row = trial.add(body, {.p = begin});
   double high = -1, low = 1;
   trial.run(1, [&] {
     const double over = dot(trial.physics.state(row).p - begin, off);
@@ -94,7 +94,7 @@ void expect_to_roll_on(double tick, Round round, const std::vector<FixedSolid>& 
   Trial trial(tick);
   trial.physics.set_fixed(floor);
   const Vec3 begin{-1.5, 0.4, height + kRadius};
-  const std::uint32_t body = trial.add(roller(round), {.p = begin, .v = {1, 0, 0}, .w = {0, 1 / kRadius, 0}});
+  const RigidBodyRow body = trial.add(roller(round), {.p = begin, .v = {1, 0, 0}, .w = {0, 1 / kRadius, 0}});
   double bump = 0;
   trial.run(3, [&] { bump = std::max(bump, std::fabs(trial.physics.state(body).p.z - begin.z)); });
   const BodyState state = trial.physics.state(body);
@@ -118,8 +118,8 @@ TEST(RoundSolids, rebound_to_the_height_that_restitution_says) {
       for (const auto& floor : {std::vector<FixedSolid>{}, square(3, 0, 0)}) {
         Trial trial(tick);
         trial.physics.set_fixed(floor);
-        const std::uint32_t body = trial.add(roller(Round::kSphere, {.friction = 0.6, .restitution = e}),
-                                             {.p = {0.2, 0.1, 1 + kRadius}});
+        const RigidBodyRow body = trial.add(roller(Round::kSphere, {.friction = 0.6, .restitution = e}),
+                                            {.p = {0.2, 0.1, 1 + kRadius}});
         double highest = 0;
         bool has_hit = false;
         trial.run(1.2, [&] {
@@ -138,8 +138,8 @@ TEST(RoundSolids, of_equal_mass_exchange_their_velocities) {
     for (const Round round : kAll) {
       Trial trial(tick, {.friction = 0}, 0);
       const RigidBodyDesc body = roller(round, {.friction = 0, .restitution = 1});
-      const std::uint32_t moving = trial.add(body, {.p = {0, 0, 1}, .v = {3, 0, 0}}),
-                          standing = trial.add(body, {.p = {1, 0, 1}});
+      const RigidBodyRow moving = trial.add(body, {.p = {0, 0, 1}, .v = {3, 0, 0}}),
+                         standing = trial.add(body, {.p = {1, 0, 1}});
       trial.run(0.5);
       EXPECT_NEAR(size_of(trial.physics.state(moving).v), 0, 0.01) << name_of(round);
       EXPECT_NEAR(size_of(trial.physics.state(standing).v - Vec3{3, 0, 0}), 0, 0.01) << name_of(round);
@@ -147,7 +147,7 @@ TEST(RoundSolids, of_equal_mass_exchange_their_velocities) {
 }
 
 /// Expects so little motion after a second that it may sleep, where it was put.
-void expect_to_rest(Trial& trial, std::uint32_t body) {
+void expect_to_rest(Trial& trial, RigidBodyRow body) {
   const Vec3 begin = trial.physics.state(body).p;
   trial.run(1);
   double fastest = 0, turning = 0;
@@ -189,7 +189,7 @@ TEST(RoundSolids, stand_on_their_discs) {
       trial.physics.set_fixed(floor);
       expect_to_rest(trial, trial.add(drum, {.p = {5, 0, 0.4}}));
       expect_to_rest(trial, trial.add(drum, {.p = {0.3, 0.2, 0.9}}));
-      const std::uint32_t leaning = trial.add(drum, {.p = {5, 5, 0.5}, .q = geom::orientation(0, {0.2, 0})});
+      const RigidBodyRow leaning = trial.add(drum, {.p = {5, 5, 0.5}, .q = geom::orientation(0, {0.2, 0})});
       trial.run(4);
       EXPECT_NEAR(trial.physics.state(leaning).p.z, 0.4, 0.003);
       EXPECT_NEAR((trial.physics.state(leaning).q * Vec3{0, 0, 1}).z, 1, 1e-5) << "it rocks to rest";
@@ -201,7 +201,7 @@ TEST(RoundSolids, stand_on_each_other) {
       .hulls = {cylinder_hull(0.3, 0.4)}, .mass = 20, .center = {}, .surface = {}, .wheels = {}};
   for (const double tick : kRollTicks) {
     Trial trial(tick);
-    std::uint32_t top = 0;
+    RigidBodyRow top;
     for (int i = 0; i < 5; ++i) top = trial.add(drum, {.p = {0.02 * i, 0, 0.4 + 0.8 * i}});
     expect_to_rest(trial, top);
   }
@@ -229,8 +229,8 @@ TEST(RoundSolids, on_one_axis_come_apart) {
   for (const double tick : kRollTicks)
     for (const Pair& pair : pairs) {
       Trial trial(tick);
-      const std::uint32_t first = trial.add(pair.body, {.p = pair.first}),
-                          second = trial.add(pair.body, {.p = pair.second});
+      const RigidBodyRow first = trial.add(pair.body, {.p = pair.first}),
+                         second = trial.add(pair.body, {.p = pair.second});
       trial.run(2);
       const BodyState a = trial.physics.state(first), b = trial.physics.state(second);
       ASSERT_TRUE(is_finite(a) && is_finite(b)) << pair.radius;
@@ -289,7 +289,7 @@ TEST(RoundSolids, rest_and_roll_on_small_triangles_as_on_large_ones) {
   Trial trial(0.01);
   trial.physics.set_fixed(fine_table(0.5));
   const Vec3 begin{-0.9, -0.1, 0.5 + kRadius};
-  const std::uint32_t rolling =
+  const RigidBodyRow rolling =
       trial.add(roller(Round::kCapsule), {.p = begin, .v = {1, 0, 0}, .w = {0, 1 / kRadius, 0}});
   trial.run(1);
   EXPECT_NEAR(size_of(trial.physics.state(rolling).p - begin - Vec3{1, 0, 0}), 0, 3e-3);
@@ -303,7 +303,7 @@ TEST(RoundSolids, lie_on_each_other) {
       Trial trial(tick);
       trial.add(roller(round), {.p = {-kRadius, 0, kRadius}});
       trial.add(roller(round), {.p = {kRadius, 0, kRadius}});
-      const std::uint32_t top = trial.add(roller(round), {.p = {0, 0, kRadius * (1 + std::sqrt(3.0))}});
+      const RigidBodyRow top = trial.add(roller(round), {.p = {0, 0, kRadius * (1 + std::sqrt(3.0))}});
       trial.run(1);
       expect_to_rest(trial, top);
     }
@@ -318,9 +318,9 @@ TEST(RoundSolids, are_carried_by_crates) {
         for (const double z : {-0.2, 0.2}) box.push_back({x, y, z});
     const RigidBodyDesc crate{.hulls = {box}, .mass = 4, .center = {}, .surface = {}, .wheels = {}};
     trial.add(crate, {.p = {0, 0, 0.2}});
-    const std::uint32_t log = trial.add(roller(Round::kCapsule), {.p = {0.1, 0.1, 0.4 + kRadius}});
+    const RigidBodyRow log = trial.add(roller(Round::kCapsule), {.p = {0.1, 0.1, 0.4 + kRadius}});
     trial.add(crate, {.p = {3, 0, 0.2}});
-    const std::uint32_t drum = trial.add(roller(Round::kCylinder), {.p = {3.1, 0.1, 0.4 + kRadius}});
+    const RigidBodyRow drum = trial.add(roller(Round::kCylinder), {.p = {3.1, 0.1, 0.4 + kRadius}});
     expect_to_rest(trial, log);
     expect_to_rest(trial, drum);
   }
@@ -335,7 +335,7 @@ TEST(RoundSolids, are_stopped_by_walls) {
         for (const double y : {-3.0, 3.0})
           for (const double z : {0.0, 1.0}) wall.hull.push_back({x, y, z});
       trial.physics.set_fixed(std::vector<FixedSolid>{wall});
-      const std::uint32_t ball =
+      const RigidBodyRow ball =
           trial.add(roller(Round::kSphere, {.friction = 0}), {.p = {0, 0, kRadius}, .v = {speed, 0, 0}});
       double farthest = 0;
       trial.run(1.5, [&] { farthest = std::max(farthest, trial.physics.state(ball).p.x); });

@@ -14,15 +14,15 @@ bool overlap(const Aabb& a, const Aabb& b) {
 
 }  // namespace
 
-void Supports::set(std::span<const Aabb> boxes) {
+void Supports::set(const ByRow<RigidBody, Aabb>& boxes) {
   narrow_.clear();
   wide_.clear();
-  for (std::uint32_t i = 0; i < boxes.size(); ++i)
-    (boxes[i].high.x - boxes[i].low.x > kWide ? wide_ : narrow_).push_back({boxes[i], i});
+  for (const RigidBodyRow body : boxes.rows())
+    (boxes[body].high.x - boxes[body].low.x > kWide ? wide_ : narrow_).push_back({boxes[body], body});
   std::ranges::sort(narrow_, {}, [](const Entry& entry) { return std::pair(entry.box.low.x, entry.body); });
 }
 
-void Supports::find(const Aabb& box, std::vector<std::uint32_t>& bodies) const {
+void Supports::find(const Aabb& box, std::vector<RigidBodyRow>& bodies) const {
   bodies.clear();
   for (const Entry& entry : wide_)
     if (overlap(entry.box, box)) bodies.push_back(entry.body);

@@ -12,7 +12,6 @@
 /// Thread: find() from any number of threads at once; set() from one.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "playhouse/arena/physics/rigid_body.h"
@@ -25,15 +24,14 @@ struct Aabb {
 
 class Supports {
  public:
-  /// `boxes` has one for each body.
-  void set(std::span<const Aabb> boxes);
+  void set(const ByRow<RigidBody, Aabb>& boxes);
   /// Replaces `bodies` by the bodies whose boxes overlap `box`.
-  void find(const Aabb& box, std::vector<std::uint32_t>& bodies) const;
+  void find(const Aabb& box, std::vector<RigidBodyRow>& bodies) const;
 
  private:
   struct Entry {
     Aabb box;
-    std::uint32_t body = 0;
+    RigidBodyRow body;
   };
   std::vector<Entry> narrow_;  // sorted by the low side in x
   std::vector<Entry> wide_;

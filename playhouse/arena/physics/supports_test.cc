@@ -18,16 +18,16 @@ TEST(Supports, finds_what_comparing_each_with_each_finds) {
     const Vec3 half{rng.uniform(0, most), rng.uniform(0, 1), rng.uniform(0, 0.5)};
     return around(middle, half);  // drawn in this order by every compiler
   };
-  std::vector<Aabb> boxes;
+  ByRow<RigidBody, Aabb> boxes;
   for (int i = 0; i < 200; ++i) boxes.push_back(any(i % 20 == 0 ? 6 : 0.9));
   Supports supports;
   supports.set(boxes);
-  std::vector<std::uint32_t> found;
+  std::vector<RigidBodyRow> found;
   std::size_t overlaps = 0;
   for (int i = 0; i < 300; ++i) {
     const Aabb box = any(i % 10 == 0 ? 5 : 0.5);
-    std::vector<std::uint32_t> expected;
-    for (std::uint32_t body = 0; body < boxes.size(); ++body) {
+    std::vector<RigidBodyRow> expected;
+    for (const RigidBodyRow body : boxes.rows()) {
       const Aabb& b = boxes[body];
       if (b.high.x < box.low.x || box.high.x < b.low.x || b.high.y < box.low.y || box.high.y < b.low.y ||
           b.high.z < box.low.z || box.high.z < b.low.z)
@@ -44,7 +44,7 @@ TEST(Supports, finds_what_comparing_each_with_each_finds) {
 TEST(Supports, is_empty_without_bodies) {
   Supports supports;
   supports.set({});
-  std::vector<std::uint32_t> found{3};
+  std::vector<RigidBodyRow> found{RigidBodyRow{3}};
   supports.find(around({}, {9, 9, 9}), found);
   EXPECT_TRUE(found.empty());
 }

@@ -24,8 +24,8 @@ class Trial {
         tick_(tick),
         trace_(__FILE__, __LINE__, testing::Message() << "tick " << tick) {}
 
-  std::uint32_t add(const RigidBodyDesc& desc, const BodyState& state) {
-    const std::uint32_t body = physics.add(desc);
+  RigidBodyRow add(const RigidBodyDesc& desc, const BodyState& state) {
+    const RigidBodyRow body = physics.add(desc);
     physics.put(body, state, false);
     return body;
   }

@@ -410,7 +410,8 @@ TEST(CameraSense, without_opengl_images_are_those_of_the_stage_engine) {
   world::Workers workers(1);
   index.populate(solids.moving(), 0.3, {});
   index.rebuild(
-      solids.moving(), [&](std::size_t i) { return bodies::disc_of(solids, solids.fixed + i); }, workers);
+      solids.moving(), [&](std::size_t i) { return bodies::disc_of(solids, solids.moving_rows()[i]); },
+      workers);
   const std::uint32_t due[] = {0, 1, 2};
   const bodies::Space space{solids, index, walls};
   sense.populate(other.world(), space);

@@ -11,15 +11,6 @@ namespace {
 
 using geom::Vec3;
 
-/// Calls visit(model, begin, end) for the run of solids of each model.
-template <typename Visit>
-void each_model(const bodies::Solids& solids, const Visit& visit) {
-  for (std::size_t begin = 0, end = 0; begin < solids.size(); begin = end) {
-    while (end < solids.size() && solids.model[end] == solids.model[begin]) ++end;
-    visit(solids.model[begin], begin, end);
-  }
-}
-
 }  // namespace
 
 PlacedModel model_in_world(const world::Models& models, std::uint32_t row) {
@@ -36,32 +27,32 @@ void DrawnBodies::find(const world::World& world, const bodies::Solids& solids, 
     const scene::ModelDesc& desc = world.desc({model});
     if (desc.lamp > 0 || (desc.mesh && !desc.mesh->lights.empty())) shining_.push_back(model);
   }
-  each_model(solids, [&](std::uint32_t model, std::size_t begin, std::size_t end) {
+  each_run(solids.rows(), solids.model, [&](bodies::SolidRows rows) {
+    const std::uint32_t model = solids.model[rows.front()];
     const scene::ModelDesc& desc = world.desc({model});
     const Look look = look_of(desc);
     if (look == Look::kPerson) return people_.push_back(model);
     if (look == Look::kSmoke) return smokes_.push_back(model);
-    add_body(world, model, solids, begin, end, renderer);
+    add_body(world, model, solids, rows, renderer);
   });
   // Sensors and other models that have a look and no body.
   for (std::uint32_t model = 0; model < world.models.size(); ++model) {
     const scene::ModelDesc& desc = world.desc({model});
-    if (desc.look && desc.blocks.empty() && desc.bitmaps.empty()) add_body(world, model, {}, 0, 0, renderer);
+    if (desc.look && desc.blocks.empty() && desc.bitmaps.empty()) add_body(world, model, {}, {}, renderer);
   }
 }
 
 void DrawnBodies::add_body(const world::World& world, std::uint32_t model, const bodies::Solids& solids,
-                           std::size_t begin, std::size_t end, render::Renderer& renderer) {
+                           bodies::SolidRows rows, render::Renderer& renderer) {
   const auto [entry, is_new] = shapes_of_.try_emplace(world.models.desc[model]);
-  if (is_new) add_shapes(world.desc({model}), solids, begin, end, renderer, entry->second);
+  if (is_new) add_shapes(world.desc({model}), solids, rows, renderer, entry->second);
   for (const DrawnShape& each : entry->second) bodies_.push_back({model, each.shape, each.is_tinted});
 }
 
-void DrawnBodies::add_shapes(const scene::ModelDesc& desc, const bodies::Solids& solids, std::size_t begin,
-                             std::size_t end, render::Renderer& renderer,
+void DrawnBodies::add_shapes(const scene::ModelDesc& desc, const bodies::Solids& solids,
+                             bodies::SolidRows rows, render::Renderer& renderer,
                              std::vector<DrawnShape>& shapes) const {
-  if (!desc.look)
-    return shapes.push_back({renderer.add_shape(mesh_of(desc, solids, begin, end)), !desc.mesh});
+  if (!desc.look) return shapes.push_back({renderer.add_shape(mesh_of(desc, solids, rows)), !desc.mesh});
   for (const bool painted : {true, false}) {
     const mesh::Mesh part = part_of_look(desc, painted);
     if (!part.surfaces.empty()) shapes.push_back({renderer.add_shape(part), painted});

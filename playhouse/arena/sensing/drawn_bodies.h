@@ -46,11 +46,11 @@ class DrawnBodies {
     bool is_tinted = false;
   };
 
-  void add_shapes(const scene::ModelDesc& desc, const bodies::Solids& solids, std::size_t begin,
-                  std::size_t end, render::Renderer& renderer, std::vector<DrawnShape>& shapes) const;
-  /// The model with its solids [begin, end), in the shapes of its description.
+  void add_shapes(const scene::ModelDesc& desc, const bodies::Solids& solids, bodies::SolidRows rows,
+                  render::Renderer& renderer, std::vector<DrawnShape>& shapes) const;
+  /// The model with its solids `rows`, in the shapes of its description.
   void add_body(const world::World& world, std::uint32_t model, const bodies::Solids& solids,
-                std::size_t begin, std::size_t end, render::Renderer& renderer);
+                bodies::SolidRows rows, render::Renderer& renderer);
   void place_bodies(const world::World& world);
   void place_people(const world::World& world, double time);
   void place_smoke(const world::World& world);

@@ -19,30 +19,29 @@ constexpr float kGroundReturn = 1;  // return value of the ground
 // specularly (Kuc, Siegel, "Physically based simulation model for acoustic sensor robot navigation", 1987).
 constexpr float kEcho = 0.5f;
 
-/// Appends the bodies of a model visible to rangers, rows [begin, end), in F.
+/// Appends the bodies of a model visible to rangers, in F. `rows`: its solids.
 void add_bodies(Triangles& triangles, const world::World& world, const bodies::Solids& solids,
-                std::size_t begin, std::size_t end, const geom::Pose& X_FM) {
-  const std::uint32_t model = solids.model[begin];
+                bodies::SolidRows rows, const geom::Pose& X_FM) {
+  const std::uint32_t model = solids.model[rows.front()];
   if (const mesh::Mesh* mesh = mesh_of(world, model))
     return add_surfaces(triangles, *mesh, body_in(world, model, X_FM));
-  each_body(solids, begin, end, bodies::SeenBy::kRanger, [&](std::size_t first, std::size_t last) {
-    const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, first, last, X_FM);
+  each_body(solids, rows, bodies::SeenBy::kRanger, [&](bodies::SolidRows body) {
+    const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, body, X_FM);
     const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
-    add_extrusion(triangles, all, X_FM.z + solids.z_min_M[first], X_FM.z + solids.z_max_M[first]);
+    add_extrusion(triangles, all, X_FM.z + solids.z_min_M[body.front()],
+                  X_FM.z + solids.z_max_M[body.front()]);
   });
 }
 
-/// Calls visit(model, begin, end) for the rows in [first, last) of each model visible to rangers.
+/// Calls visit(model, its rows) for each model of these solids visible to rangers.
 template <typename Visit>
-void each_model(const bodies::Solids& solids, std::size_t first, std::size_t last, const Visit& visit) {
-  for (std::size_t begin = first; begin < last;) {
-    std::size_t end = begin;
+void each_model(const bodies::Solids& solids, bodies::SolidRows rows, const Visit& visit) {
+  each_run(rows, solids.model, [&](bodies::SolidRows own) {
     bool is_seen = false;
-    for (; end < last && solids.model[end] == solids.model[begin]; ++end)
-      is_seen = is_seen || (solids.seen_by[end] & bodies::bit(bodies::SeenBy::kRanger)) != 0;
-    if (is_seen) visit(solids.model[begin], begin, end);
-    begin = end;
-  }
+    for (const bodies::SolidRow row : own)
+      is_seen = is_seen || (solids.seen_by[row] & bodies::bit(bodies::SeenBy::kRanger)) != 0;
+    if (is_seen) visit(solids.model[own.front()], own);
+  });
 }
 
 }  // namespace
@@ -83,10 +82,10 @@ void LidarSense::populate_fixed(const world::World& world, const bodies::Solids&
   fixed_ = std::move(fixed);
   std::vector<Triangles> triangles;
   std::vector<Owner> owners;
-  each_model(solids, 0, solids.fixed, [&](std::uint32_t model, std::size_t begin, std::size_t end) {
+  each_model(solids, solids.fixed_rows(), [&](std::uint32_t model, bodies::SolidRows own) {
     const FrameOfBody frame(world::pose_in_world(models, {model}));
     Triangles& of_model = triangles.emplace_back();
-    add_bodies(of_model, world, solids, begin, end, frame.X_FM());
+    add_bodies(of_model, world, solids, own, frame.X_FM());
     frame.turn(of_model.p);
     owners.push_back({model, models.root[model]});
   });
@@ -96,17 +95,16 @@ void LidarSense::populate_fixed(const world::World& world, const bodies::Solids&
 void LidarSense::populate_moving(const world::World& world, const bodies::Solids& solids) {
   std::vector<RayScene::Instance> instances;
   instances_.clear();
-  each_model(solids, solids.fixed, solids.size(),
-             [&](std::uint32_t model, std::size_t begin, std::size_t end) {
-               const auto [entry, is_new] = shape_of_.try_emplace(world.models.desc[model]);
-               if (is_new) {
-                 Triangles triangles;
-                 add_bodies(triangles, world, solids, begin, end, {});
-                 entry->second = scene_.add_shape(triangles);
-               }
-               instances.push_back({entry->second, {model, world.models.root[model]}});
-               instances_.push_back(model);
-             });
+  each_model(solids, solids.moving_rows(), [&](std::uint32_t model, bodies::SolidRows own) {
+    const auto [entry, is_new] = shape_of_.try_emplace(world.models.desc[model]);
+    if (is_new) {
+      Triangles triangles;
+      add_bodies(triangles, world, solids, own, {});
+      entry->second = scene_.add_shape(triangles);
+    }
+    instances.push_back({entry->second, {model, world.models.root[model]}});
+    instances_.push_back(model);
+  });
   scene_.set_instances(instances);
 }
 

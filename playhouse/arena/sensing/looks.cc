@@ -79,14 +79,13 @@ mesh::Mesh mesh_in_model(const mesh::Mesh& of_body, const geom::Pose& X_MB) {
 
 }  // namespace
 
-mesh::Mesh mesh_of(const scene::ModelDesc& desc, const bodies::Solids& solids, std::size_t begin,
-                   std::size_t end) {
+mesh::Mesh mesh_of(const scene::ModelDesc& desc, const bodies::Solids& solids, bodies::SolidRows rows) {
   if (desc.mesh) return mesh_in_model(*desc.mesh, desc.X_MB);
   Triangles triangles;
-  each_body(solids, begin, end, bodies::SeenBy::kImage, [&](std::size_t first, std::size_t last) {
-    const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, first, last, {});
+  each_body(solids, rows, bodies::SeenBy::kImage, [&](bodies::SolidRows body) {
+    const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, body, {});
     const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
-    add_extrusion(triangles, all, solids.z_min_M[first], solids.z_max_M[first]);
+    add_extrusion(triangles, all, solids.z_min_M[body.front()], solids.z_max_M[body.front()]);
   });
   mesh::Mesh mesh;
   mesh.materials.push_back(mesh_material_of(desc));

@@ -19,9 +19,8 @@ enum class Look : std::uint8_t { kSolid, kPerson, kSmoke };
 Look look_of(const scene::ModelDesc& desc);
 
 /// The surface of a model in its own frame: the mesh of its solids,
-/// rows [begin, end), white, with the shininess of its material.
-mesh::Mesh mesh_of(const scene::ModelDesc& desc, const bodies::Solids& solids, std::size_t begin,
-                   std::size_t end);
+/// `rows`, white, with the shininess of its material.
+mesh::Mesh mesh_of(const scene::ModelDesc& desc, const bodies::Solids& solids, bodies::SolidRows rows);
 
 /// The surfaces of a model's look in its own frame: white ones without texture, which have the colour of the
 /// model, or all others.

@@ -40,7 +40,7 @@ Result<GridMap> map_of(const world::World& world, world::ModelRow model) {
   if (resolution == 0) return Error{"", "its map_resolution is 0"};
   bodies::Shapes shapes(world.scene());
   const bodies::Solids solids = bodies::make_fixed_solids(world, shapes);
-  const Result<scene::Plan> plan = bodies::plan_of_solids(solids, resolution, [&](std::size_t row) {
+  const Result<scene::Plan> plan = bodies::plan_of_solids(solids, resolution, [&](bodies::SolidRow row) {
     return bodies::is_wall_at(solids, row, height) && is_part_of(world, solids.model[row], model);
   });
   if (!plan) return Error{"", "it " + plan.error().text + ": give it a larger map_resolution"};
