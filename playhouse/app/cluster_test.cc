@@ -22,6 +22,7 @@
 #include "playhouse/cluster/head.h"
 #include "playhouse/cluster/hello.h"
 #include "playhouse/cluster/node.h"
+#include "playhouse/net/polled/system_polled.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/world/population/population.h"
 #include "playhouse/world/saving/state.h"
@@ -82,7 +83,7 @@ class NodeThread {
  public:
   NodeThread(std::unique_ptr<Head>& head, std::uint16_t port)
       : head_(head), thread_([this, port] {
-          cluster::Node node(*MessageStream::connect("127.0.0.1", port, kLong));
+          cluster::Node node(*MessageStream::connect(net::system_polled(), "127.0.0.1", port, kLong));
           result_ = node.run([this](world::SavedRun run) -> Result<world::Engine*> {
             run_ = std::make_unique<Instance>(run.sources, run.engine, run.seed);
             return run_->engine.get();
@@ -106,13 +107,23 @@ class NodeThread {
   std::thread thread_;
 };
 
+int connected_to(std::uint16_t port) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  EXPECT_EQ(connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  return socket;
+}
+
 class ClusterTest : public testing::Test {
  protected:
   using Hashes = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
 
   void begin(std::size_t nodes, Seconds patience = kLong) {
     run_ = std::make_unique<Instance>(Instance::test_world());
-    head_ = std::make_unique<Head>(std::move(run_->engine), run_->sources,
+    head_ = std::make_unique<Head>(net::system_polled(), std::move(run_->engine), run_->sources,
                                    Head::Options{.nodes = nodes, .patience = patience},
                                    [this](const Error& why) { failure_ = why.line(); });
     port_ = *head_->listen();
@@ -167,8 +178,9 @@ class ClusterTest : public testing::Test {
     });
   }
   /// A node of a few lines that has joined, and has received its first step.
-  MessageStream joined() {
-    MessageStream stream = *MessageStream::connect("127.0.0.1", port_, kLong);
+  MessageStream joined() { return joined(*net::system_polled().connect("127.0.0.1", port_, kLong.count())); }
+  MessageStream joined(std::unique_ptr<net::PolledStream> pipe) {
+    MessageStream stream(net::system_polled(), std::move(pipe), SIZE_MAX);
     EXPECT_TRUE(stream.send(NodeMessageType::kHello, {cluster::hello()}, kLong));
     EXPECT_TRUE(stream.send(NodeMessageType::kReady, {}, kLong));
     return stream;
@@ -352,10 +364,10 @@ TEST_F(ClusterTest, a_node_that_took_part_and_measures_something_else_fails_the_
 
 TEST_F(ClusterTest, whoever_sends_byte_by_byte_holds_a_tick_no_longer_than_whoever_is_silent) {
   begin(1, Seconds{0.3});
-  MessageStream slow = joined();
+  const int socket = connected_to(port_);
+  const MessageStream slow = joined(net::polled_stream_of(dup(socket)));
   std::atomic<bool> over = false;
   std::thread trickle([&] {
-    const int socket = slow.socket();
     const std::array<unsigned char, 5> announced{
         0, 0, 0, 1, static_cast<unsigned char>(NodeMessageType::kShare)};  // 16 MiB
     for (std::size_t i = 0; !over; ++i) {
@@ -368,6 +380,7 @@ TEST_F(ClusterTest, whoever_sends_byte_by_byte_holds_a_tick_no_longer_than_whoev
   step(*head_, 2, hashes);
   over = true;
   trickle.join();
+  close(socket);
   EXPECT_EQ(head_->nodes(), 0u);
   EXPECT_EQ(hashes, alone(2));
 }
@@ -390,7 +403,8 @@ TEST_F(ClusterTest, after_a_silent_node_its_address_waits_for_the_next) {
 TEST_F(ClusterTest, silent_connections_keep_no_node_out) {
   begin(0);
   std::vector<MessageStream> silent;
-  for (int i = 0; i < 300; ++i) silent.push_back(*MessageStream::connect("127.0.0.1", port_, kLong));
+  for (int i = 0; i < 300; ++i)
+    silent.push_back(*MessageStream::connect(net::system_polled(), "127.0.0.1", port_, kLong));
   Hashes hashes;
   step(*head_, 3, hashes);
   NodeThread node(head_, port_);
@@ -401,12 +415,12 @@ TEST_F(ClusterTest, a_hundred_nodes_that_do_not_read_share_one_copy_of_the_world
   scene::SourceFiles sources = Instance::test_world();
   sources.files["test.world"] += "\n# " + std::string(8 << 20, 'x');
   run_ = std::make_unique<Instance>(sources);
-  head_ =
-      std::make_unique<Head>(std::move(run_->engine), run_->sources, Head::Options{}, [](const Error&) {});
+  head_ = std::make_unique<Head>(net::system_polled(), std::move(run_->engine), run_->sources,
+                                 Head::Options{}, [](const Error&) {});
   port_ = *head_->listen();
   std::vector<MessageStream> streams;
   for (int i = 0; i < 100; ++i) {
-    streams.push_back(*MessageStream::connect("127.0.0.1", port_, kLong));
+    streams.push_back(*MessageStream::connect(net::system_polled(), "127.0.0.1", port_, kLong));
     EXPECT_TRUE(streams.back().send(NodeMessageType::kHello, {cluster::hello()}, kLong));
   }
   const std::size_t before = resident_bytes();
@@ -416,18 +430,18 @@ TEST_F(ClusterTest, a_hundred_nodes_that_do_not_read_share_one_copy_of_the_world
 
 TEST_F(ClusterTest, nodes_need_the_token_of_the_run) {
   run_ = std::make_unique<Instance>(Instance::test_world());
-  head_ = std::make_unique<Head>(std::move(run_->engine), run_->sources, Head::Options{.token = "secret"},
-                                 [](const Error&) {});
+  head_ = std::make_unique<Head>(net::system_polled(), std::move(run_->engine), run_->sources,
+                                 Head::Options{.token = "secret"}, [](const Error&) {});
   port_ = *head_->listen();
   for (const std::string token : {"", "secre", "secret2"}) {
-    MessageStream stranger = *MessageStream::connect("127.0.0.1", port_, kLong);
+    MessageStream stranger = *MessageStream::connect(net::system_polled(), "127.0.0.1", port_, kLong);
     EXPECT_TRUE(stranger.send(NodeMessageType::kHello, {cluster::hello(token)}, kLong));
     head_->step();
     const Result<cluster::NodeMessage> said = stranger.wait(kLong);
     ASSERT_TRUE(said);
     EXPECT_EQ(said->type, NodeMessageType::kRefusal) << token;
   }
-  MessageStream node = *MessageStream::connect("127.0.0.1", port_, kLong);
+  MessageStream node = *MessageStream::connect(net::system_polled(), "127.0.0.1", port_, kLong);
   EXPECT_TRUE(node.send(NodeMessageType::kHello, {cluster::hello("secret")}, kLong));
   head_->step();
   head_->step();
@@ -446,7 +460,9 @@ Result<cluster::Node::Summary> node_of(const std::function<void(int socket)>& he
   EXPECT_EQ(bind(listener, reinterpret_cast<sockaddr*>(&address), size), 0);
   EXPECT_EQ(listen(listener, 1), 0);
   EXPECT_EQ(getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size), 0);
-  cluster::Node node(*MessageStream::connect("127.0.0.1", ntohs(address.sin_port), kLong), "", Seconds{0.2});
+  cluster::Node node(
+      *MessageStream::connect(net::system_polled(), "127.0.0.1", ntohs(address.sin_port), kLong), "",
+      Seconds{0.2});
   const int peer = accept(listener, nullptr, nullptr);
   head(peer);
   const Result<cluster::Node::Summary> done = node.run([](world::SavedRun) -> Result<world::Engine*> {
@@ -475,11 +491,11 @@ TEST(ClusterNodeTest, a_head_that_announces_4_GiB_is_left) {
 
 TEST_F(ClusterTest, strangers_are_refused) {
   begin(0);
-  MessageStream garbage = *MessageStream::connect("127.0.0.1", port_, kLong),
-                large = *MessageStream::connect("127.0.0.1", port_, kLong),
-                early = *MessageStream::connect("127.0.0.1", port_, kLong),
-                other_format = *MessageStream::connect("127.0.0.1", port_, kLong),
-                other_build = *MessageStream::connect("127.0.0.1", port_, kLong);
+  MessageStream garbage = *MessageStream::connect(net::system_polled(), "127.0.0.1", port_, kLong),
+                large = *MessageStream::connect(net::system_polled(), "127.0.0.1", port_, kLong),
+                early = *MessageStream::connect(net::system_polled(), "127.0.0.1", port_, kLong),
+                other_format = *MessageStream::connect(net::system_polled(), "127.0.0.1", port_, kLong),
+                other_build = *MessageStream::connect(net::system_polled(), "127.0.0.1", port_, kLong);
   EXPECT_TRUE(garbage.send(static_cast<NodeMessageType>(99), {Bytes(8)}, kLong));
   EXPECT_TRUE(large.send(NodeMessageType::kHello, {Bytes(100'000)}, kLong));
   EXPECT_TRUE(early.send(NodeMessageType::kReady, {}, kLong));

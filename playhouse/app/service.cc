@@ -30,6 +30,7 @@
 #include "playhouse/bodies/blocked_starts.h"
 #include "playhouse/drivers/simulated/joining.h"
 #include "playhouse/net/fair_share.h"
+#include "playhouse/net/polled/system_polled.h"
 #include "playhouse/record/mcap/mcap_writer.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/web_server/guests.h"
@@ -330,7 +331,7 @@ Result<std::unique_ptr<run::Simulation>> Service::open_world(const std::string& 
   if (!running_.cluster) return std::make_unique<run::Simulation>(std::move(*engine), pace);
   const bool is_open = !net::is_local(serving_.bind + ":0");
   if (is_open && running_.cluster_token.empty()) running_.cluster_token = web_server::random_token();
-  auto head = std::make_unique<cluster::Head>(std::move(*engine), sources_,
+  auto head = std::make_unique<cluster::Head>(net::system_polled(), std::move(*engine), sources_,
                                               cluster::Head::Options{.bind = serving_.bind,
                                                                      .port = *running_.cluster,
                                                                      .nodes = running_.nodes,

@@ -11,6 +11,7 @@
 #include "playhouse/cluster/hello.h"
 #include "playhouse/cluster/step.h"
 #include "playhouse/cluster/stream.h"
+#include "playhouse/net/polled/system_polled.h"
 #include "playhouse/scene/text/source_text.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/world/saving/sensed_rows.h"
@@ -26,7 +27,7 @@ constexpr const char* kWorld =
 void read_messages(std::span<const std::byte> bytes) {
   std::array<int, 2> ends{};
   PLAYHOUSE_ASSERT(socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) == 0);
-  cluster::MessageStream stream(ends[0], 1000);
+  cluster::MessageStream stream(net::system_polled(), net::polled_stream_of(ends[0]), 1000);
   const auto some = bytes.first(std::min<std::size_t>(bytes.size(), 4096));
   PLAYHOUSE_ASSERT(write(ends[1], some.data(), some.size()) == static_cast<ssize_t>(some.size()));
   close(ends[1]);

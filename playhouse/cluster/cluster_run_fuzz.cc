@@ -23,6 +23,7 @@
 #include "playhouse/cluster/head.h"
 #include "playhouse/cluster/hello.h"
 #include "playhouse/cluster/node.h"
+#include "playhouse/net/polled/system_polled.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/world/saving/saved_run.h"
 #include "playhouse/world/saving/sensed_rows.h"
@@ -146,7 +147,7 @@ void run_node(FuzzScript script) {
   PLAYHOUSE_ASSERT(socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) == 0);
   say(ends[1], stream_of(script));
   SharingEngine engine;
-  cluster::Node node(cluster::MessageStream(ends[0], 0));
+  cluster::Node node(cluster::MessageStream(net::system_polled(), net::polled_stream_of(ends[0]), 0));
   const auto summary = node.run([&](world::SavedRun) -> Result<world::Engine*> { return &engine; });
   PLAYHOUSE_ASSERT(summary.ok() || !summary.error().line().empty());
   close(ends[1]);
@@ -166,7 +167,7 @@ int connected_to(std::uint16_t port) {
 
 /// Whatever a node says, the run goes on; it is ended only where measurements differ.
 void run_head(FuzzScript script) {
-  cluster::Head head(std::make_unique<SharingEngine>(),
+  cluster::Head head(net::system_polled(), std::make_unique<SharingEngine>(),
                      {.path = "fuzz.world", .files = {{"fuzz.world", kWorld}}, .search_path = {}},
                      {.patience = cluster::Seconds{1}},
                      [](const Error& error) { PLAYHOUSE_ASSERT(!error.line().empty()); });

@@ -1,14 +1,8 @@
 #include "playhouse/cluster/head.h"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <utility>
 
@@ -25,77 +19,56 @@
 namespace playhouse::cluster {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Ticks between two checks. One costs the hashes of the world, and a share that is computed twice.
 constexpr std::uint64_t kCheckTicks = 100;
 
-constexpr int kPollMilliseconds = 50;           // between looks at stop()
+constexpr double kLook = 0.05;                  // s between looks at stop()
 constexpr std::chrono::minutes kMaking{10};     // for a node to make its engine
 constexpr Seconds kLastMessages{1};             // for the last messages to all
 constexpr std::size_t kShareBytes = 16 << 20;   // of a share of any world
 constexpr std::size_t kChangesBytes = 1 << 20;  // of changes between two ticks; above: a state
 constexpr double kSlowerNode = 10;              // times the head's own share: of a node that computes slower
 
-Seconds since(Clock::time_point start) {
-  return Clock::now() - start;
-}
-
 }  // namespace
 
-Head::Head(std::unique_ptr<world::Engine> engine, scene::SourceFiles sources, Options options,
-           std::function<void(const Error&)> fail)
-    : engine_(std::move(engine)),
+Head::Head(net::PolledNetwork& network, std::unique_ptr<world::Engine> engine, scene::SourceFiles sources,
+           Options options, std::function<void(const Error&)> fail)
+    : network_(network),
+      engine_(std::move(engine)),
       sources_(std::move(sources)),
       options_(std::move(options)),
       fail_(std::move(fail)) {}
 
 Head::~Head() {
-  const Until end = until(kLastMessages);
+  const Until end = until(network_.now(), kLastMessages);
   for (const auto& node : nodes_) static_cast<void>(node->stream.send(NodeMessageType::kEnd, {}, end));
   for (Pending& pending : pending_)
     static_cast<void>(pending.stream.send(NodeMessageType::kEnd, {}, Seconds{0}));
-  if (listener_ >= 0) ::close(listener_);
 }
 
 Result<std::uint16_t> Head::listen() {
-  const auto failed = [&](int code) {
+  Result<std::unique_ptr<net::PolledListener>> listener = network_.listen(options_.bind, options_.port);
+  if (!listener)
     return Error{fmt::format("{}:{}", options_.bind, options_.port),
-                 reason(code) + "; --cluster takes another port"};
-  };
-  sockaddr_storage address{};
-  auto* const v4 = reinterpret_cast<sockaddr_in*>(&address);
-  auto* const v6 = reinterpret_cast<sockaddr_in6*>(&address);
-  const bool is_v6 = inet_pton(AF_INET6, options_.bind.c_str(), &v6->sin6_addr) == 1;
-  if (!is_v6 && inet_pton(AF_INET, options_.bind.c_str(), &v4->sin_addr) != 1) return failed(EADDRNOTAVAIL);
-  address.ss_family = is_v6 ? AF_INET6 : AF_INET;
-  (is_v6 ? v6->sin6_port : v4->sin_port) = htons(options_.port);
-  listener_ = socket(address.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-  const int on = 1;
-  setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  auto* const any = reinterpret_cast<sockaddr*>(&address);
-  socklen_t size = is_v6 ? sizeof *v6 : sizeof *v4;
-  if (listener_ < 0 || bind(listener_, any, size) != 0 || ::listen(listener_, SOMAXCONN) != 0 ||
-      getsockname(listener_, any, &size) != 0)
-    return failed(errno);
-  return ntohs(is_v6 ? v6->sin6_port : v4->sin_port);
+                 listener.error().text + "; --cluster takes another port"};
+  listener_ = std::move(*listener);
+  return listener_->port();
 }
 
 /// When there is no room, the oldest of the network with the most gives way.
 void Head::accept_all() {
   for (std::size_t accepted = 0; accepted < limits::kClusterNodes; ++accepted) {
-    const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
-    if (socket < 0) return;
-    MessageStream stream(socket, limits::kClusterHelloBytes);
-    std::string name = stream.peer(), network = net::network_of(name);
+    std::unique_ptr<net::PolledStream> stream = listener_ ? listener_->accept() : nullptr;
+    if (!stream) return;
+    std::string name = stream->peer(), network = net::network_of(name);
     if (pending_.size() >= limits::kClusterNodes) {
       std::vector<net::Holder> holders;
-      for (const Pending& pending : pending_)
-        holders.push_back({pending.network, Seconds(pending.since.time_since_epoch()).count()});
+      for (const Pending& pending : pending_) holders.push_back({pending.network, pending.since});
       const auto place = static_cast<std::ptrdiff_t>(net::gives_way(holders));
       pending_.erase(std::next(pending_.begin(), place));
     }
-    pending_.push_back({std::move(stream), std::move(name), std::move(network), Clock::now()});
+    pending_.push_back({MessageStream(network_, std::move(stream), limits::kClusterHelloBytes),
+                        std::move(name), std::move(network), network_.now()});
   }
 }
 
@@ -189,12 +162,9 @@ void Head::wait_for_nodes() {
     if (told != joining_.size())
       log::info("waiting for nodes: {} of {} are there", joining_.size(), options_.nodes);
     told = joining_.size();
-    std::vector<pollfd> entries{{listener_, POLLIN, 0}};
-    for (const Pending& pending : pending_) {
-      const auto events = static_cast<short>(pending.stream.has_queued() ? POLLIN | POLLOUT : POLLIN);
-      entries.push_back({pending.stream.socket(), events, 0});
-    }
-    poll(entries.data(), entries.size(), kPollMilliseconds);
+    std::vector<net::PollWish> wishes;
+    for (const Pending& pending : pending_) wishes.push_back(pending.stream.wish());
+    network_.wait(wishes, listener_.get(), network_.now() + kLook);
   }
 }
 
@@ -247,7 +217,7 @@ void Head::send_steps() {
   joining_.clear();
   step_bytes_ = std::max(state.size(), changes_.size());
   if (check_ || step_bytes_ > 0) bound_shares();
-  const Until end = until(options_.patience, nodes_.size() * step_bytes_, &stopped_);
+  const Until end = until(network_.now(), options_.patience, nodes_.size() * step_bytes_, &stopped_);
   for (std::size_t index = 0; index < nodes_.size(); ++index) {
     Node& node = *nodes_[index];
     if (node.lost) continue;
@@ -274,7 +244,7 @@ void Head::bound_shares() {
 /// Results are passed on as they come, so that nodes take them while others still compute.
 void Head::run(world::DividedWork& work) {
   Bytes own;
-  const Clock::time_point start = Clock::now();
+  const double start = network_.now();
   work.compute({0, nodes_.size() + 1}, own);
   expect_shares(since(start), own.size());
   pass_on(0, own);
@@ -291,25 +261,25 @@ void Head::run(world::DividedWork& work) {
 /// The head's own share took `own` and has so many bytes; what a node reads before is counted as well.
 void Head::expect_shares(Seconds own, std::size_t bytes) {
   const std::size_t exchanged = bytes * nodes_.size() * nodes_.size();
-  end_ = until(options_.patience + own * kSlowerNode, exchanged + step_bytes_, &stopped_);
+  end_ = until(network_.now(), options_.patience + own * kSlowerNode, exchanged + step_bytes_, &stopped_);
 }
 
 /// Waits until each node has shared its results or is lost.
 void Head::gather(world::DividedWork& work) {
   for (;;) {
-    std::vector<pollfd> missing;
+    std::vector<net::PollWish> missing;
     for (std::size_t index = 0; index < nodes_.size(); ++index) {
       const Node& node = *nodes_[index];
       if (!node.lost && !node.has_shared) receive_share(work, index);
-      if (!node.lost && !node.has_shared) missing.push_back({node.stream.socket(), POLLIN, 0});
+      if (!node.lost && !node.has_shared) missing.push_back({node.stream.wish()});
     }
     if (missing.empty()) return;
-    if (Clock::now() >= end_.deadline) break;
-    if (poll(missing.data(), missing.size(), kPollMilliseconds) == 0 && stopped_) break;
+    if (network_.now() >= end_.deadline) break;
+    if (!network_.wait(missing, nullptr, std::min(end_.deadline, network_.now() + kLook)) && stopped_) break;
   }
   for (const auto& node : nodes_) {
     if (node->has_shared || node->lost) continue;
-    if (!stopped_) silenced_[net::network_of(node->name)] = Clock::now();
+    if (!stopped_) silenced_[net::network_of(node->name)] = network_.now();
     lose(*node, stopped_ ? "the run ends" : "has not shared its results in time");
   }
 }

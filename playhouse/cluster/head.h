@@ -36,8 +36,8 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   /// The world of `engine` is that of `sources`. `fail` is called, on the tick thread, when
   /// a node that took part is found to compute something else: the run is worthless from then on. One that
   /// does so in its first tick is refused, and the run goes on.
-  Head(std::unique_ptr<world::Engine> engine, scene::SourceFiles sources, Options options,
-       std::function<void(const Error&)> fail);
+  Head(net::PolledNetwork& network, std::unique_ptr<world::Engine> engine, scene::SourceFiles sources,
+       Options options, std::function<void(const Error&)> fail);
   ~Head() override;
 
   /// Opens the port, and returns it.
@@ -61,7 +61,7 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   struct Pending {
     MessageStream stream;
     std::string name, network;
-    std::chrono::steady_clock::time_point since;
+    double since = 0;        // s
     bool has_world = false;  // or is being sent it
   };
   struct Node {
@@ -83,6 +83,7 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   int quarantine_of(const std::string& network) const;
   void join(Pending& pending);
   void wait_for_nodes();
+  Seconds since(double start) const { return Seconds(network_.now() - start); }
   bool needs_state() const;
   void send_steps();
   void gather(world::DividedWork& work);
@@ -97,19 +98,19 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   void drop_lost();
   void fail(Node& node, const std::string& what);
 
+  net::PolledNetwork& network_;
   std::unique_ptr<world::Engine> engine_;
   scene::SourceFiles sources_;
   Options options_;
   std::function<void(const Error&)> fail_;
-  int listener_ = -1;
+  std::unique_ptr<net::PolledListener> listener_;
   std::atomic<bool> stopped_ = false;
   bool started_ = false, failed_ = false;
 
   std::list<Pending> pending_;
   std::vector<std::unique_ptr<Node>> nodes_, joining_;  // joining_ take part from the next tick on
   std::shared_ptr<const Bytes> world_;                  // the body of a message kWorld
-  std::map<std::string, std::chrono::steady_clock::time_point>
-      silenced_;                // networks of nodes that were silent
+  std::map<std::string, double> silenced_;              // networks of nodes that were silent, and when [s]
   Bytes changes_;               // since the last tick, packed; none are kept without nodes
   bool sends_state_ = false;    // instead of the changes since the last tick
   std::uint64_t ticks_ = 0;     // with nodes

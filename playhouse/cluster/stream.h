@@ -1,7 +1,7 @@
 #pragma once
 
-/// MessageStream: messages between head and node of a cluster over a TCP connection.
-/// docs/cluster.md specifies the layout. Sockets are non-blocking. Single-threaded.
+/// MessageStream: messages between head and node of a cluster over a polled stream.
+/// docs/cluster.md specifies the layout. Single-threaded.
 
 #include <atomic>
 #include <chrono>
@@ -17,6 +17,7 @@
 
 #include "playhouse/base/packing.h"
 #include "playhouse/base/result.h"
+#include "playhouse/net/polled/polled.h"
 
 namespace playhouse::cluster {
 
@@ -40,29 +41,26 @@ struct NodeMessage {
 
 /// When waiting ends, whatever has arrived until then: a peer cannot put it off byte by byte.
 struct Until {
-  std::chrono::steady_clock::time_point deadline;
+  double deadline = 0;                         // s, of the clock of the network
   const std::atomic<bool>* stopped = nullptr;  // ends it as well, within 50 ms
 };
-/// `patience` from now on, and the time of `bytes` on a slow network.
-Until until(Seconds patience, std::size_t bytes = 0, const std::atomic<bool>* stopped = nullptr);
-
-/// What the system says of an errno.
-std::string reason(int code);
+/// `patience` from `now` [s] on, and the time of `bytes` on a slow network.
+Until until(double now, Seconds patience, std::size_t bytes = 0, const std::atomic<bool>* stopped = nullptr);
 
 class MessageStream {
  public:
-  /// Takes a connected socket. `limit`: bytes of the largest message that is accepted.
-  MessageStream(int socket, std::size_t limit);
-  MessageStream(MessageStream&& other) noexcept;
-  MessageStream& operator=(MessageStream&& other) noexcept;
-  ~MessageStream();
+  /// `limit`: bytes of the largest message that is accepted. The network must outlive it.
+  MessageStream(net::PolledNetwork& network, std::unique_ptr<net::PolledStream> bytes, std::size_t limit)
+      : network_(&network), bytes_(std::move(bytes)), limit_(limit) {}
 
   /// Connects within the time. `host` is a name or a numeric address.
-  static Result<MessageStream> connect(const std::string& host, std::uint16_t port, Seconds patience);
+  static Result<MessageStream> connect(net::PolledNetwork& network, const std::string& host,
+                                       std::uint16_t port, Seconds patience);
 
-  int socket() const { return socket_; }
   /// Address and port of the peer.
-  std::string peer() const;
+  const std::string& peer() const { return bytes_->peer(); }
+  /// Of who waits for its messages, and for room for those that are queued.
+  net::PollWish wish() const { return {bytes_.get(), true, has_queued()}; }
   void accept_up_to(std::size_t limit) { limit_ = limit; }
 
   /// Queues a message for flush(). The body is shared, not copied.
@@ -94,11 +92,13 @@ class MessageStream {
   Result<NodeMessage> wait(std::optional<Seconds> patience);
 
  private:
-  void close();
+  bool wait_for(bool reads, bool writes, const Until& until);
+  Result<void> send_all(std::span<std::span<const std::byte>> parts, std::size_t size, const Until& until);
   std::size_t announced() const;
   bool has_room() const { return in_.size() - begin_ <= limit_; }
 
-  int socket_;
+  net::PolledNetwork* network_;
+  std::unique_ptr<net::PolledStream> bytes_;
   std::size_t limit_;
   Bytes in_;               // received
   std::size_t begin_ = 0;  // of in_: taken

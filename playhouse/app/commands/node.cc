@@ -14,6 +14,7 @@
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
+#include "playhouse/net/polled/system_polled.h"
 
 namespace playhouse::app {
 namespace {
@@ -28,8 +29,8 @@ Result<cluster::MessageStream> connect(const client::Address& head, Seconds pati
   const auto start = std::chrono::steady_clock::now();
   for (bool told = false;; told = true) {
     const Seconds left = patience - (std::chrono::steady_clock::now() - start);
-    Result<cluster::MessageStream> stream =
-        cluster::MessageStream::connect(head.host, head.port, std::max(left, Seconds{1}));
+    Result<cluster::MessageStream> stream = cluster::MessageStream::connect(
+        net::system_polled(), head.host, head.port, std::max(left, Seconds{1}));
     if (stream || left <= Seconds{0}) return stream;
     if (!told) log::info("waiting for a run at {}:{}", head.host, head.port);
     std::this_thread::sleep_for(kRetry);
