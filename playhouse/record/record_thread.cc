@@ -5,19 +5,21 @@
 #include <utility>
 
 #include "playhouse/base/log_at.h"
+#include "playhouse/base/monotonic.h"
 
 namespace playhouse::record {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-/// Maximum age of an unwritten chunk; with I/O well below a second.
-constexpr std::chrono::milliseconds kChunkTime{500};
+/// Maximum age of an unwritten chunk; with I/O well below a second. [s]
+constexpr double kChunkTime = 0.5;
 
 }  // namespace
 
 RecordThread::RecordThread(std::unique_ptr<RecordSink> sink, std::size_t most_bytes)
     : sink_(std::move(sink)), most_bytes_(most_bytes) {}
+
+RecordThread::RecordThread(std::unique_ptr<RecordSink> sink, std::function<double()> clock)
+    : sink_(std::move(sink)), most_bytes_(limits::kRecordQueueBytes), clock_(std::move(clock)) {}
 
 void RecordThread::hand_over(Bytes records) {
   if (records.empty()) return;
@@ -28,8 +30,14 @@ void RecordThread::hand_over(Bytes records) {
     waiting_bytes_ += records.size();
     waiting_.push_back(std::move(records));
   }
+  if (clock_) return write_due();
   changed_.notify_all();
   if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+}
+
+void RecordThread::write_due() {
+  if (failed_) return;
+  take(std::exchange(waiting_, {}), clock_());
 }
 
 void RecordThread::wait_for_room() {
@@ -83,23 +91,32 @@ void RecordThread::pass_on(const Bytes& records) {
   changed_.notify_all();
 }
 
+/// Of who writes. A chunk that has become as old as it may is written.
+void RecordThread::take(const std::deque<Bytes>& records, double now) {
+  if (sink_->waiting() == 0 && !records.empty()) due_ = now + kChunkTime;
+  for (const Bytes& each : records) pass_on(each);
+  if (now < due_ || sink_->waiting() == 0) return;
+  write(End::kChunk);
+  due_ = now + kChunkTime;
+}
+
 void RecordThread::run() {
-  Clock::time_point due = Clock::now() + kChunkTime;
   for (;;) {
     std::deque<Bytes> records;
     bool last = false;
     {
       std::unique_lock lock(mutex_);
-      changed_.wait_until(lock, due, [this] { return ending_ || !waiting_.empty(); });
+      const auto wake = [this] { return ending_ || !waiting_.empty(); };
+      if (sink_->waiting() == 0) {
+        changed_.wait(lock, wake);
+      } else {
+        changed_.wait_for(lock, std::chrono::duration<double>(due_ - monotonic_seconds()), wake);
+      }
       records.swap(waiting_);
       last = ending_;
     }
-    if (sink_->waiting() == 0 && !records.empty()) due = Clock::now() + kChunkTime;
-    for (const Bytes& each : records) pass_on(each);
+    take(records, monotonic_seconds());
     if (last) return write(End::kFile);
-    if (Clock::now() < due) continue;
-    write(End::kChunk);
-    due = Clock::now() + kChunkTime;
   }
 }
 

@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -23,12 +24,17 @@ namespace playhouse::record {
 class RecordThread {
  public:
   explicit RecordThread(std::unique_ptr<RecordSink> sink, std::size_t most_bytes = limits::kRecordQueueBytes);
+  /// Without a thread, as in a simulation of the whole program: hand_over() and write_due() write, by the
+  /// monotonic seconds of `clock`.
+  RecordThread(std::unique_ptr<RecordSink> sink, std::function<double()> clock);
   ~RecordThread() { finish(); }
   RecordThread(const RecordThread&) = delete;
   RecordThread& operator=(const RecordThread&) = delete;
 
   /// Queues records as for RecordSink::add(). May block on the disk. Tick thread.
   void hand_over(Bytes records);
+  /// Without a thread: writes what is half a second old. Tick thread.
+  void write_due();
   /// Writes an attachment synchronously, ahead of all
   /// records. Before the first hand_over(); tick thread.
   Result<void> attach(const Attachment& attachment) { return sink_->attach(attachment); }
@@ -38,12 +44,15 @@ class RecordThread {
  private:
   void wait_for_room();
   void run();
+  void take(const std::deque<Bytes>& records, double now);
   void pass_on(const Bytes& records);
   enum class End { kChunk, kFile };
   void write(End end);
 
   const std::unique_ptr<RecordSink> sink_;  // used by the thread once that runs
   const std::size_t most_bytes_;
+  const std::function<double()> clock_;  // s; empty: a thread writes
+  double due_ = 0;                       // s; the chunk is written then; of who writes
   /// The next chunk's. The first ones are small: a disk that is full early has readable ones.
   std::size_t chunk_bytes_ = limits::kRecordChunkBytes / 16;
 
@@ -54,7 +63,7 @@ class RecordThread {
   bool ending_ = false, failed_ = false, told_slow_ = false;
 
   bool finished_ = false;
-  std::thread thread_;  // started by the first records
+  std::thread thread_;  // started by the first records, unless there is a clock
 };
 
 }  // namespace playhouse::record

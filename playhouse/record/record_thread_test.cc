@@ -39,14 +39,14 @@ struct Disk {
   }
 };
 
-/// Every hand-over is a chunk of its own.
+/// Every hand-over is a chunk of its own, unless it counts as fewer bytes.
 class SlowSink final : public RecordSink {
  public:
-  explicit SlowSink(Disk& disk) : disk_(disk) {}
+  explicit SlowSink(Disk& disk, std::size_t bytes = limits::kRecordChunkBytes) : disk_(disk), bytes_(bytes) {}
   void add(std::span<const std::byte> records) override {
     const std::lock_guard lock(disk_.mutex);
     disk_.records += static_cast<char>(records[0]);
-    waiting_ = limits::kRecordChunkBytes;
+    waiting_ = bytes_;
   }
   std::size_t waiting() const override { return waiting_; }
   Result<void> flush() override {
@@ -62,6 +62,7 @@ class SlowSink final : public RecordSink {
 
  private:
   Disk& disk_;
+  const std::size_t bytes_;
   std::size_t waiting_ = 0;
 };
 
@@ -129,6 +130,27 @@ TEST(RecordThread, has_the_run_go_on_where_the_disk_fails_while_it_waits) {
   for (int i = 0; i < 100; ++i) thread.hand_over(record('z'));  // far more than there is room for
   EXPECT_FALSE(thread.finish());
   EXPECT_EQ(disk.flushes(), 0u);
+}
+
+TEST(RecordThread, writes_by_its_clock_what_is_half_a_second_old_without_a_thread) {
+  Disk disk;
+  disk.let_write();
+  double now = 7;
+  RecordThread thread(std::make_unique<SlowSink>(disk, 1), [&now] { return now; });
+  thread.hand_over(record('a'));
+  now = 7.4;
+  thread.hand_over(record('b'));
+  thread.write_due();
+  EXPECT_EQ(disk.flushes(), 0u);
+  now = 7.5;
+  thread.write_due();
+  EXPECT_EQ(disk.flushes(), 1u);
+  now = 9;
+  thread.hand_over(record('c'));
+  EXPECT_EQ(disk.flushes(), 1u) << "its half second begins with it";
+  EXPECT_TRUE(thread.finish());
+  EXPECT_EQ(disk.flushes(), 2u);
+  EXPECT_EQ(disk.records, "abc");
 }
 
 }  // namespace
