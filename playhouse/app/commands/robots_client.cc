@@ -9,12 +9,11 @@
 #include <sstream>
 #include <utility>
 
-#include "playhouse/app/commands/options.h"
+#include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/base/formats.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
-#include "playhouse/base/log_output.h"
 #include "playhouse/device/device_table.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/simulation.h"
@@ -83,15 +82,14 @@ std::optional<std::uint16_t> other_port(const std::string& device) {
 
 }  // namespace
 
-RobotsClient::RobotsClient(DeviceService& service, Options options, std::vector<scene::RobotDesc> robots)
-    : service_(service), options_(std::move(options)), next_port_(options_.port) {
+RobotsClient::RobotsClient(Surroundings surroundings, Options options, std::vector<scene::RobotDesc> robots)
+    : surroundings_(std::move(surroundings)), options_(std::move(options)), next_port_(options_.port) {
   for (scene::RobotDesc& desc : robots) robots_.push_back({std::move(desc), {}, {}, false, false, 0});
-  auto relay =
-      std::make_unique<drivers::Passthrough>(service.open_site(options_.port), options_.host,
-                                             options_.server_port, drivers::Passthrough::AfterLoss::kRetire);
+  auto relay = std::make_unique<drivers::Passthrough>(surroundings_.site, options_.host, options_.server_port,
+                                                      drivers::Passthrough::AfterLoss::kRetire);
   relay_ = relay.get();
   relay_->remote().set_token(options_.token);
-  service.take(std::move(relay));
+  surroundings_.keep(std::move(relay));
   relay_->watch({.connected = [this] { greet(); },
                  .lost =
                      [this](const std::string& why) {
@@ -106,13 +104,12 @@ void RobotsClient::begin() {
 
 void RobotsClient::fail_with(const Error& error) {
   relay_->remote().disconnect();
-  fail_in_file(error, {});
-  service_.end(kFailed);
+  if (!std::exchange(failed_, true)) surroundings_.failed(error);
 }
 
 /// A peer may speak the protocol up to its banner, and no further.
 void RobotsClient::expect_answer() {
-  answer_ = service_.loop().after(options_.patience, [this] {
+  answer_ = surroundings_.network.after(options_.patience, [this] {
     fail_with({relay_->remote().name(), fmt::format("has not answered for {:g} s", options_.patience)});
   });
 }
@@ -169,11 +166,11 @@ void RobotsClient::came(Robot& robot, std::string name) {
 
 Result<std::uint16_t> RobotsClient::open_port(const Robot& robot) {
   if (robot.desc.port) {
-    const Result<std::uint16_t> port = service_.listen(*robot.desc.port);
+    const Result<std::uint16_t> port = surroundings_.listen(*robot.desc.port);
     if (!port) return Error{robot.desc.where, port.error().line()};
     return port;
   }
-  const Result<std::uint16_t> port = service_.listen(next_port_);
+  const Result<std::uint16_t> port = surroundings_.listen(next_port_);
   if (!port) return port_error(port.error(), true, "--port");
   if (next_port_ != 0) ++next_port_;
   return port;
@@ -214,8 +211,8 @@ void RobotsClient::serve(Robot& robot, const std::string& devices) {
   if (robot.devices.empty())
     return fail_with({robot.desc.where, relay_->remote().name() + " gives robots that join no devices"});
   robot.joined = true;
-  log::say(fmt::format("Player clients: {}:{} ({}: {})", shown_host(options_.bind), *port,
-                       escaped(robot.name), fmt::join(shown, " ")));
+  surroundings_.say(fmt::format("Player clients: {}:{} ({}: {})", shown_host(options_.bind), *port,
+                                escaped(robot.name), fmt::join(shown, " ")));
   if (!elsewhere.empty())
     warn(Error{robot.desc.where, fmt::format("{} has devices on other ports of the server, left out: {}",
                                              in_quotes(robot.name), fmt::join(elsewhere, " "))}
@@ -234,7 +231,7 @@ void RobotsClient::look_after() {
                            if (robot.missed >= kMissed && relay_->remote().is_connected()) gone(robot);
                          });
   }
-  look_after_ = service_.loop().after(kLookAfter, [this] { look_after(); });
+  look_after_ = surroundings_.network.after(kLookAfter, [this] { look_after(); });
 }
 
 /// A robot's first device is its own.

@@ -10,8 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/app/device_service.h"
+#include "playhouse/base/result.h"
 #include "playhouse/drivers/passthrough/passthrough.h"
+#include "playhouse/drivers/site.h"
+#include "playhouse/net/network.h"
 #include "playhouse/scene/robot_file.h"
 
 namespace playhouse::app {
@@ -26,10 +28,18 @@ class RobotsClient {
     double patience = 30;       // s, for an answer while robots are brought
     std::string token;          // of a guest; empty: none
   };
-  /// `service` must outlive it; the site is opened in it.
-  RobotsClient(DeviceService& service, Options options, std::vector<scene::RobotDesc> robots);
+  /// The program that serves the robots' devices. Its site and network must outlive this.
+  struct Surroundings {
+    drivers::Site& site;
+    net::Network& network;
+    std::function<void(std::unique_ptr<device::Driver>)> keep;        // a driver with devices in the site
+    std::function<Result<std::uint16_t>(std::uint16_t port)> listen;  // opens a port; 0: any free one
+    std::function<void(const std::string& line)> say;                 // where a robot's devices are
+    std::function<void(const Error&)> failed;                         // once: there are no robots any more
+  };
+  RobotsClient(Surroundings surroundings, Options options, std::vector<scene::RobotDesc> robots);
 
-  /// Starts connecting. Errors end the service, with one log line.
+  /// Starts connecting.
   void begin();
 
  private:
@@ -54,12 +64,13 @@ class RobotsClient {
   device::Address address_of(const Robot& robot, std::uint16_t port, std::uint16_t interf) const;
   void fail_with(const Error& error);
 
-  DeviceService& service_;
+  const Surroundings surroundings_;
   Options options_;
   std::vector<Robot> robots_;
   std::size_t next_ = 0;  // next to be spawned
   std::uint16_t next_port_;
   drivers::Passthrough* relay_;
+  bool failed_ = false;
   std::unique_ptr<net::Timer> look_after_, answer_;
 };
 
