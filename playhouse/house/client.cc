@@ -23,7 +23,6 @@ namespace {
 using wire::MessageType;
 
 constexpr std::size_t kBannerBytes = 32;
-constexpr double kInterval = 0.1;      // s, of the world
 constexpr std::uint32_t kIndices = 8;  // of an interface that clients name; fewer exist, at first
 /// And of what drivers provide, from there on.
 constexpr std::uint32_t kOfDrivers = 40000, kDriverIndices = 2;
@@ -39,8 +38,8 @@ constexpr std::uint16_t kSteady[] = {wire::position2d::kCode, wire::laser::kCode
 }  // namespace
 
 SimulatedClient::SimulatedClient(net::SimulatedNetwork& network, std::uint16_t port, Manner manner,
-                                 std::uint64_t seed)
-    : peer_(network.connect(port)), manner_(manner), random_(seed) {
+                                 double period, std::uint64_t seed)
+    : peer_(network.connect(port)), manner_(manner), period_(period), random_(seed) {
   if (manner_ != Manner::kPulls) return;
   const Bytes body = wire::encode(wire::player::DeviceDatamodeReq{kPull});
   send(request(wire::player::kCode, 0, wire::player::kReqDatamode, body));
@@ -185,7 +184,7 @@ void SimulatedClient::look_at_data(const wire::Header& header) {
     loses_tick_ = false;
     return;
   }
-  const bool is_late = is_steady && passed > 1.5 * kInterval;
+  const bool is_late = is_steady && passed > 1.5 * period_;
   if (manner_ == Manner::kReads && is_late && now_ >= excused_until_)
     wrong(fmt::format("a client gets data of interface {}:{} of {:.1f} s, and those before of {:.1f} s",
                       header.interf, header.index, header.timestamp, last->second));

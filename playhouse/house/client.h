@@ -31,8 +31,9 @@ inline constexpr std::size_t kManners = 5;
 
 class SimulatedClient {
  public:
-  /// Connects to the port, which must be open.
-  SimulatedClient(net::SimulatedNetwork& network, std::uint16_t port, Manner manner, std::uint64_t seed);
+  /// Connects to the port, which must be open, of a world whose devices publish each `period` [s].
+  SimulatedClient(net::SimulatedNetwork& network, std::uint16_t port, Manner manner, double period,
+                  std::uint64_t seed);
 
   Manner manner() const { return manner_; }
   /// Sends some messages; before a tick.
@@ -77,6 +78,7 @@ class SimulatedClient {
 
   net::SimulatedPeer peer_;
   const Manner manner_;
+  const double period_;  // s
   std::mt19937_64 random_;
   std::vector<std::byte> heard_;  // less than a message
   bool greeted_ = false, finishes_ = false, over_ = false, stalled_ = false;

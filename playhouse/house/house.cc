@@ -8,35 +8,20 @@
 #include <utility>
 #include <vector>
 
-#include "playhouse/app/world_opener.h"
-#include "playhouse/base/limits.h"
-#include "playhouse/drivers/registry.h"
-#include "playhouse/drivers/simulated/auto_devices.h"
-#include "playhouse/drivers/simulated/joining.h"
-#include "playhouse/drivers/site.h"
+#include "playhouse/base/assert.h"
 #include "playhouse/house/client.h"
-#include "playhouse/house/failing_disk.h"
-#include "playhouse/house/recorder_link.h"
-#include "playhouse/house/shown_worlds.h"
+#include "playhouse/house/robot_machine.h"
+#include "playhouse/house/simulated_nodes.h"
+#include "playhouse/house/simulated_program.h"
 #include "playhouse/house/simulated_viewer.h"
 #include "playhouse/observers/observer_client.h"
-#include "playhouse/observers/observer_server.h"
-#include "playhouse/record/mcap/mcap_writer.h"
-#include "playhouse/record/recorder.h"
-#include "playhouse/record/rerun.h"
-#include "playhouse/scene/cfg.h"
-#include "playhouse/scene/world_loader.h"
-#include "playhouse/server/server.h"
-#include "playhouse/web_server/web_server.h"
 #include "playhouse/world/population/population.h"
 
 namespace playhouse::house {
 namespace {
 
-constexpr std::uint16_t kPort = 6665, kObserverPort = 7000, kWebPort = 8080;
-constexpr const char* kObserverHost = "10.0.0.1";
-constexpr std::size_t kClients = 6, kPages = 3, kSpawned = 6;
-constexpr double kTurn = 0.1;          // s between two turns of people and clients
+constexpr std::uint16_t kMachinePort = 6800;
+constexpr std::size_t kClients = 6, kPages = 3, kSpawned = 6, kMachines = 2;
 constexpr double kSlice = 0.02;        // s of the network, while the tick sleeps
 constexpr double kTickSeconds = 1e-3;  // that a tick takes
 constexpr double kPatience = 5;        // s until a client has all its answers
@@ -45,235 +30,140 @@ constexpr double kSettling = 3;        // s until nothing is on its way that was
 constexpr double kSignOfLife = 1.5;
 constexpr std::uint64_t kRewindTicks = 200;
 
-constexpr const char* kWorld = R"(
-interval_sim 100
-model( name "walls" size [12 12 1] boundary 1 noblocks 1 )
-define robot position( size [0.4 0.4 0.3] ctrl "wander"
-  ranger( sensor( range [0 6] fov 180 samples 9 noise [0.01 0.01 0] ) )
-  ranger( sensor( pose [0.1 0 0 0] range [0 3] samples 1 ) sensor( pose [0 0.1 0 90] range [0 3] samples 1 ) )
-  fiducial( ) )
-robot( name "r0" pose [-3 -3 0 10] ) robot( name "r1" pose [3 3 0 200] )
-position( name "ada" pose [2 -3 0 0] size [0.3 0.5 1.75] drive "walk" velocity_bounds [-0.8 2 -0.8 0.8 0 0 -180 180] )
-position( name "r2" pose [0 0 0 0] size [0.4 0.4 0.3] ranger( sensor( range [0 6] fov 90 samples 5 ) ) )
-)";
-
-/// The robot r0 knows where it is, and finds its way past what is not on the map. Far from the indices of robots
-/// that come.
-constexpr const char* kDrivers = R"(
-driver ( name "stage" provides ["map:40000"] model "walls" )
-driver ( name "amcl" provides ["localize:0" "position2d:40000"]
-  requires ["odometry:::position2d:0" "laser:0" "laser:::map:40000"] pf_min_samples 20 pf_max_samples 100 )
-driver ( name "vfh" provides ["position2d:40001"] requires ["position2d:0" "laser:0"] )
-driver ( name "wavefront" provides ["planner:0"]
-  requires ["output:::position2d:40001" "input:::position2d:40000" "map:40000"] )
-)";
-
-/// Lets time pass in each tick, so that it does even in a run that waits for nobody.
-class TickTime final : public run::Follower {
- public:
-  explicit TickTime(std::function<void()> pass) : pass_(std::move(pass)) {}
-  void ticked(const world::World&) override { pass_(); }
-
- private:
-  const std::function<void()> pass_;
+/// A robot of another machine that has gone.
+struct Gone {
+  std::string robot;
+  double until = 0;  // s; the world may have it up to then
 };
 
-class House final : private drivers::Host {
+class House final {
  public:
   House(const Options& options, const std::string& folder);
-  ~House() override {
-    clients_.clear();
-    pages_.clear();
-    site_.simulation()->discard();
-  }
   Report run();
 
  private:
   std::uint32_t draw(std::uint32_t below) { return static_cast<std::uint32_t>(random_() % below); }
-  run::Simulation& simulation() { return *site_.simulation(); }
-  const world::World& world() { return simulation().world(); }
+  bool one_in(std::uint32_t count) { return draw(count) == 0; }
+  run::Simulation& simulation() { return program_->simulation(); }
+  const world::World& world() { return program_->world(); }
 
-  void begin_recording(const std::string& folder);
-  void make_drivers();
-  void open_feed();
-  void open_observers();
-  void open_page_server();
-  void follow_rewinds();
+  void start(const Saved* saved);
+  void crash();
+  void reloaded(const world::World& world);
   void change_world();
   void rewind();
   void change_clients();
   void change_pages();
   void end_page(SimulatedViewer& page);
+  void change_machines();
+  struct Machine;
+  void end_machine(const Machine& machine);
   void change_network();
   void excuse_until(double time);
+  void wait_for_nodes(double seconds);
   bool sleep(double until);
   void pass(double seconds);
   void turn();
   void begin_to_end();
   void look();
+  void end_client(SimulatedClient& client);
   void end_clients();
   void expect_all_answered(const std::vector<std::unique_ptr<SimulatedClient>>& clients);
-  void run_again();
   void wrong(std::string what);
 
-  // drivers::Host
-  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
-    return server_.add_device(address, driver);
-  }
-  void retire_device(device::DeviceId device) override { server_.retire_device(device); }
-  Result<void> hold(device::DeviceId device, device::Driver* holder) override {
-    return server_.hold(device, holder);
-  }
-  void release(device::DeviceId device, device::Driver* holder) override { server_.release(device, holder); }
-  void post(std::function<void()> task) override { network_.post(std::move(task)); }
-  bool has_threads() const override { return false; }
-  net::Network& network() override { return network_; }
-  Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override;
-
   const Options options_;
+  const Setting setting_;
+  const std::string folder_;
   std::mt19937_64 random_;
   Report report_;
-  scene::SourceFiles sources_;
-  scene::SceneDesc scene_;
   net::SimulatedNetwork network_;
-  drivers::Site site_;
-  std::vector<std::unique_ptr<device::Driver>> drivers_;
-  std::unique_ptr<drivers::AutoDevices> robots_;
-  server::Server server_;  // stops devices in the end
-  std::string file_;
-  std::unique_ptr<record::RecordThread> record_thread_;
-  std::unique_ptr<record::Recorder> recorder_;
-  std::unique_ptr<replicate::SnapshotFeed> feed_;
-  std::unique_ptr<observers::ObserverServer> observers_;
+  std::optional<SimulatedNodes> nodes_;  // of a cluster
+  std::unique_ptr<SimulatedProgram> program_;
+  std::optional<Saved> saved_;
   std::unique_ptr<observers::ObserverClient> observer_;
-  std::optional<ShownWorlds> shown_;
-  std::unique_ptr<web_server::WebServer> web_;
   std::vector<std::unique_ptr<SimulatedViewer>> pages_;
   std::vector<std::unique_ptr<SimulatedClient>> clients_, leaving_;
+  struct Machine {
+    std::unique_ptr<RobotMachine> program;
+    std::string robot;
+    double ends = 0;  // s; 0: it goes on
+  };
+  std::vector<Machine> machines_;
+  std::vector<Gone> gone_;
   std::uint64_t turns_ = 0;
-  double next_turn_ = kTurn, leaving_until_ = 0, whole_at_ = 0;  // s; the network carries all
-  std::optional<double> ends_;                                   // s; all clients leave
+  double next_turn_, leaving_until_ = 0, whole_at_ = 0;  // s; the network carries all
+  std::optional<double> ends_;                           // s; all clients leave
   std::vector<world::ModelId> spawned_;
   std::optional<std::uint64_t> rewound_to_;
-  bool paused_ = false;
+  bool paused_ = false, crashes_ = false;
   Hash digest_;
 };
 
-scene::SourceFiles sources_of_world() {
-  scene::SourceFiles sources;
-  sources.path = "house.world";
-  sources.files["house.world"] = kWorld;
-  return sources;
-}
-
-app::Running running(std::uint64_t seed) {
-  return {.engine = seed % 4 == 0 ? "arena" : "stage", .seed = seed};
-}
-
-std::unique_ptr<world::Engine> engine_of(const scene::SceneDesc& scene, std::uint64_t seed) {
-  return *app::make_engine(scene, running(seed), controllers::Libraries::Use::kLoad,
-                           [](const std::string&) {});
-}
-
 House::House(const Options& options, const std::string& folder)
     : options_(options),
+      setting_(options.setting.value_or(setting_of(options.seed))),
+      folder_(folder),
       random_(options.seed),
-      sources_(sources_of_world()),
-      scene_(*app::scene_of(sources_, std::nullopt, nullptr)),
       network_(options.seed),
-      site_(*this, kPort),
-      server_(network_) {
-  PLAYHOUSE_ASSERT(server_.listen(kPort).ok());
-  PLAYHOUSE_ASSERT(site_.open_world("house.world").ok());
-  site_.data_flow().pass_to(server_);
-  robots_ = std::make_unique<drivers::AutoDevices>(site_, kPort);
-  PLAYHOUSE_ASSERT(robots_->add_all().ok());
-  make_drivers();
-  begin_recording(folder);
-  open_feed();
-  open_observers();
-  open_page_server();
-  follow_rewinds();
-  simulation().follow(std::make_shared<TickTime>([this] { pass(kTickSeconds); }));
-  simulation().requests().record(true);
-}
-
-void House::make_drivers() {
-  scene::DiskFiles files;
-  auto made = drivers::make_drivers(*scene::load_cfg_text(kDrivers, "house.cfg", files), site_);
-  PLAYHOUSE_ASSERT(made.ok());
-  drivers_ = std::move(*made);
-}
-
-void House::open_observers() {
+      next_turn_(setting_.turn) {
   network_.datagrams = {
       .loss = draw(50) / 100.0, .duplication = 0.1, .delay = 0.01, .jitter = draw(20) / 100.0};
-  observers::ObserverOptions served;
-  served.bind = kObserverHost;
-  served.port = kObserverPort;
-  observers_ = std::make_unique<observers::ObserverServer>(network_, std::move(served), *feed_);
-  PLAYHOUSE_ASSERT(observers_->listen().ok());
+  network_.connections.delay = draw(20) / 1000.0;
+  network_.connections.jitter = draw(50) / 1000.0;
+  if (setting_.is_cluster) nodes_.emplace(options_.seed);
+  start(nullptr);
 }
 
-void House::open_page_server() {
-  network_.connections = {.delay = draw(20) / 1000.0, .jitter = draw(50) / 1000.0};
-  web_server::WebOptions options{.port = kWebPort,
-                                 .host_name = "house",
-                                 .physics_shapes = [this] { return simulation().engine().physics_shapes(); },
-                                 .place_of_body = drivers::free_place,
-                                 .shares = simulation().shares()};
-  web_ = std::make_unique<web_server::WebServer>(network_, std::move(options), simulation().requests(),
-                                                 world(), *feed_);
-  PLAYHOUSE_ASSERT(web_->listen().ok());
+/// The program begins, at the beginning or where a run was saved.
+void House::start(const Saved* saved) {
+  SimulatedProgram::Options options{.setting = setting_, .seed = options_.seed};
+  options.recording = fmt::format("{}/house-{}-{}.mcap", folder_, options_.seed, report_.crashes);
+  if (setting_.disk_fails) options.room = 100000 + draw(1 << 20);
+  options.loses_change = options_.sabotage == Sabotage::kLosesChange;
+  if (nodes_) options.nodes = &*nodes_;
+  options.saved = saved;
+  options.wait = [this](double until) { return sleep(until); };
+  options.ticked = [this] { pass(kTickSeconds); };
+  options.reloaded = [this](const world::World& world) { reloaded(world); };
+  options.wrong = [this](std::string what) { wrong(std::move(what)); };
+  program_ = std::make_unique<SimulatedProgram>(network_, std::move(options));
+  paused_ = crashes_ = false;
+  rewound_to_.reset();
+  reloaded(world());
 }
 
-void House::open_feed() {
-  feed_ = std::make_unique<replicate::SnapshotFeed>(world(), replicate::DeviceNames(),
-                                                    [this] { return network_.now(); });
-  shown_.emplace(world());
-  simulation().follow(run::on_show([this](const world::World& world, const world::Pace& pace) {
-    if (!feed_->wants_show()) return;
-    feed_->show(world, pace);
-    shown_->show(world, pace);
-  }));
+/// The program is killed, and started again. Who was connected has to connect again.
+void House::crash() {
+  program_->kill();
+  program_->run_again();
+  report_.checks += program_->checks();
+  ++report_.crashes;
+  for (auto* clients : {&clients_, &leaving_}) {
+    for (const auto& client : *clients) end_client(*client);
+    clients->clear();
+  }
+  for (const auto& page : pages_) end_page(*page);
+  pages_.clear();
+  observer_.reset();
+  program_.reset();
+  start(saved_ && one_in(2) ? &*saved_ : nullptr);
 }
 
-/// A rewind arrives at the tick that was asked for.
-void House::follow_rewinds() {
-  simulation().follow(run::on_event([this](const world::World& world, const world::Event& event) {
-    if (event.kind != world::Event::Kind::kReload) return;
-    excuse_until(network_.now() + kSettling);
-    if (!rewound_to_) return;
-    if (world.tick() != *rewound_to_)
-      wrong(fmt::format("the run went to tick {} instead of {}", world.tick(), *rewound_to_));
-    rewound_to_.reset();
-    std::erase_if(spawned_, [&](world::ModelId model) { return !world.row(model); });
-  }));
-}
-
-Result<std::unique_ptr<run::Simulation>> House::open_world(const std::string&) {
-  return std::make_unique<run::Simulation>(
-      engine_of(scene_, options_.seed),
-      run::Simulation::Options{.clock = [this] { return network_.now(); },
-                               .wait = [this](double until) { return sleep(until); }});
-}
-
-void House::begin_recording(const std::string& folder) {
-  file_ = fmt::format("{}/house-{}.mcap", folder, options_.seed);
-  std::unique_ptr<record::RecordSink> sink = *record::McapWriter::create(file_, "ros2");
-  report_.disk_failed = options_.seed % 3 == 0;
-  if (report_.disk_failed) sink = std::make_unique<FailingDisk>(std::move(sink), 100000 + draw(1 << 20));
-  record_thread_ = std::make_unique<record::RecordThread>(std::move(sink));
-  recorder_ =
-      std::make_unique<record::Recorder>(*record_thread_, record::Selection(), simulation().requests());
-  simulation().follow(
-      std::make_shared<RecorderLink>(*recorder_, options_.sabotage == Sabotage::kLosesChange));
-  PLAYHOUSE_ASSERT(recorder_->begin(world(), sources_).ok());
+/// The world is another one. A rewind arrives at the tick that was asked for.
+void House::reloaded(const world::World& world) {
+  excuse_until(network_.now() + kSettling);
+  gone_.clear();
+  std::erase_if(spawned_, [&](world::ModelId model) { return !world.row(model); });
+  if (!rewound_to_) return;
+  if (world.tick() != *rewound_to_)
+    wrong(fmt::format("the run went to tick {} instead of {}", world.tick(), *rewound_to_));
+  rewound_to_.reset();
 }
 
 void House::wrong(std::string what) {
   if (!report_.fault)
-    report_.fault = fmt::format("at {:.1f} s, tick {}: {}", network_.now(), world().tick(), what);
+    report_.fault =
+        fmt::format("at {:.1f} s, tick {}: {}", network_.now(), program_ ? world().tick() : 0, what);
 }
 
 /// What people do: robots come, go and are carried; the run is paused, and taken back.
@@ -318,7 +208,8 @@ void House::rewind() {
 void House::change_clients() {
   if (clients_.size() < kClients && draw(5) == 0) {
     const auto manner = static_cast<Manner>(draw(kManners));
-    clients_.push_back(std::make_unique<SimulatedClient>(network_, kPort, manner, random_()));
+    clients_.push_back(
+        std::make_unique<SimulatedClient>(network_, kPlayerPort, manner, setting_.period(), random_()));
     clients_.back()->excuse_until(whole_at_ + kSettling);
     ++report_.clients;
     if (options_.sabotage == Sabotage::kLosesAnswer && report_.clients >= kClients)
@@ -333,18 +224,18 @@ void House::change_clients() {
   }
   if (!leaving_.empty() && network_.now() >= leaving_until_) end_clients();
   std::erase_if(clients_, [](const auto& client) { return client->is_over(); });
-  if (draw(200) == 0) observer_.reset();
-  if (observer_ == nullptr && draw(50) == 0)
+  if (one_in(200)) observer_.reset();
+  if (setting_.has_observers && observer_ == nullptr && one_in(50))
     observer_ = *observers::ObserverClient::open(
         network_, *net::parse_endpoint(kObserverHost, kObserverPort), {0, 30}, "", [] {}, "10.0.0.2");
 }
 
 void House::change_pages() {
-  if (pages_.size() < kPages && draw(20) == 0) {
+  if (setting_.has_pages && pages_.size() < kPages && one_in(20)) {
     const std::string address = fmt::format("10.1.{}.{}", report_.pages / 200, 1 + report_.pages % 200);
     const auto manner = static_cast<PageManner>(draw(kPageManners));
     pages_.push_back(
-        std::make_unique<SimulatedViewer>(network_, kWebPort, address, *shown_, manner, random_()));
+        std::make_unique<SimulatedViewer>(network_, kWebPort, address, program_->shown(), manner, random_()));
     pages_.back()->excuse_until(whole_at_);
     if (options_.sabotage == Sabotage::kLosesFrame && report_.pages >= kPages) pages_.back()->lose_changes();
     ++report_.pages;
@@ -363,14 +254,48 @@ void House::end_page(SimulatedViewer& page) {
   page.leave();
 }
 
+/// Robots come from other machines, and leave with them.
+void House::change_machines() {
+  if (setting_.has_robots && machines_.size() < kMachines && one_in(60)) {
+    const std::string robot = fmt::format("guest{}", ++report_.machines);
+    const auto port = static_cast<std::uint16_t>(kMachinePort + report_.machines % 1000);
+    machines_.push_back(
+        {std::make_unique<RobotMachine>(network_, kPlayerPort, port, robot, setting_.period(), random_()),
+         robot});
+    machines_.back().program->excuse_until(whole_at_ + kSettling);
+  }
+  for (Machine& machine : machines_) {
+    if (machine.ends > 0 || !one_in(200)) continue;
+    machine.program->finish();
+    machine.ends = std::max(network_.now(), whole_at_) + 2 * kPatience;
+  }
+  std::erase_if(machines_, [this](Machine& machine) {
+    const bool ends = machine.ends > 0 && network_.now() >= machine.ends;
+    if (!ends && !machine.program->is_over()) return false;
+    end_machine(machine);
+    return true;
+  });
+}
+
+void House::end_machine(const Machine& machine) {
+  if (!machine.program->is_over() && machine.program->waits_for() > 0)
+    wrong(fmt::format("{} requests to a robot of another machine are not answered",
+                      machine.program->waits_for()));
+  report_.answers += machine.program->answered();
+  digest_.add(machine.program->digest());
+  gone_.push_back({machine.robot, std::max(network_.now(), whole_at_) + kPatience});
+}
+
 /// Now and then nothing arrives for some seconds.
 void House::change_network() {
-  if (draw(600) != 0 || network_.is_cut()) return;
+  if (!one_in(600) || network_.is_cut()) return;
   const double seconds = draw(50) / 10.0;
   network_.cut(seconds);
   ++report_.cuts;
   whole_at_ = network_.now() + seconds;
   leaving_until_ += seconds;
+  for (Machine& machine : machines_) machine.ends += machine.ends > 0 ? seconds : 0;
+  for (Gone& gone : gone_) gone.until += seconds;
   excuse_until(whole_at_ + kSettling);
 }
 
@@ -379,16 +304,19 @@ void House::excuse_until(double time) {
   for (auto* clients : {&clients_, &leaving_})
     for (const auto& client : *clients) client->excuse_until(time);
   for (const auto& page : pages_) page->excuse_until(time);
+  for (const Machine& machine : machines_) machine.program->excuse_until(time);
+}
+
+void House::end_client(SimulatedClient& client) {
+  report_.answers += client.answered();
+  digest_.add(client.digest());
+  client.leave();
 }
 
 /// Those that have had the time for all answers.
 void House::end_clients() {
   expect_all_answered(leaving_);
-  for (const auto& client : leaving_) {
-    report_.answers += client->answered();
-    digest_.add(client->digest());
-    client->leave();
-  }
+  for (const auto& client : leaving_) end_client(*client);
   leaving_.clear();
 }
 
@@ -410,8 +338,20 @@ bool House::sleep(double until) {
 }
 
 void House::pass(double seconds) {
+  if (nodes_ && nodes_->now() > network_.now() + seconds)
+    wait_for_nodes(nodes_->now() - network_.now() - seconds);
   network_.run_for(seconds);
-  for (; next_turn_ <= network_.now(); next_turn_ += kTurn) turn();
+  if (nodes_ && nodes_->now() < network_.now()) nodes_->pass(network_.now() - nodes_->now());
+  program_->write_recording();
+  for (; next_turn_ <= network_.now(); next_turn_ += setting_.turn) turn();
+}
+
+/// A tick has waited for nodes for so long, and everybody for the tick.
+void House::wait_for_nodes(double seconds) {
+  network_.run_for(seconds);
+  if (leaving_until_ > 0) leaving_until_ += seconds;
+  if (ends_) *ends_ += seconds;
+  excuse_until(network_.now() + kSettling);
 }
 
 /// Everybody does something.
@@ -419,6 +359,7 @@ void House::turn() {
   ++turns_;
   for (auto* clients : {&clients_, &leaving_})
     for (const auto& client : *clients) client->hear(network_.now());
+  for (const Machine& machine : machines_) machine.program->hear();
   for (const auto& page : pages_)
     page->hear(kSignOfLife + 4 * (network_.connections.delay + network_.connections.jitter));
   look();
@@ -427,10 +368,18 @@ void House::turn() {
   change_world();
   change_clients();
   change_pages();
+  change_machines();
   change_network();
+  if (nodes_) nodes_->act();
+  if (one_in(300)) saved_ = program_->save();
+  if (setting_.crashes && one_in(500)) {
+    crashes_ = true;
+    return simulation().requests().stop();
+  }
   for (const auto& page : pages_) page->act();
   for (auto* clients : {&clients_, &leaving_})
     for (const auto& client : *clients) client->act();
+  for (const Machine& machine : machines_) machine.program->act();
 }
 
 /// All clients get their last answers, and leave.
@@ -442,6 +391,8 @@ void House::begin_to_end() {
     for (const auto& client : leaving_) client->finish();
     for (const auto& page : pages_) end_page(*page);
     pages_.clear();
+    for (const Machine& machine : machines_) end_machine(machine);
+    machines_.clear();
     ends_ = std::max(network_.now(), whole_at_) + kPatience;
   }
   if (network_.now() >= *ends_) end_clients();
@@ -450,44 +401,35 @@ void House::begin_to_end() {
 
 /// Invariants of every tick.
 void House::look() {
-  const server::ServerStatus status = server_.status();
-  if (status.output_bytes > limits::kOutputBytes) wrong("the server keeps more than its limit for clients");
-  if (status.devices != site_.device_count())
-    wrong(fmt::format("the server has {} devices and the site {}", status.devices, site_.device_count()));
+  program_->look();
   for (auto* clients : {&clients_, &leaving_})
     for (const auto& client : *clients)
       if (client->fault()) wrong(*client->fault());
   for (const auto& page : pages_)
     if (page->fault()) wrong(*page->fault());
+  for (const Machine& machine : machines_)
+    if (machine.program->fault()) wrong("of a robot of another machine, " + *machine.program->fault());
+  std::erase_if(gone_, [this](const Gone& gone) {
+    if (network_.now() < gone.until) return false;
+    if (world().find(gone.robot)) wrong(gone.robot + " is in the world after its machine has gone");
+    return true;
+  });
   if (turns_ % 10 == 0) digest_.add(world().hash());
 }
 
-/// The recording does what the run did, up to the disk's end.
-void House::run_again() {
-  recorder_->end(world());
-  const bool written = record_thread_->finish();
-  if (!written && !report_.disk_failed) return wrong("the recording was not written");
-  const Result<std::unique_ptr<record::ByteSource>> source = record::open_source(file_);
-  if (!source) return wrong(source.error().line());
-  const Result<record::Recording> recording = record::read_recording(**source);
-  report_.disk_failed = !written;
-  if (!recording) return written ? wrong("the recording " + recording.error().text) : void();
-  record::Rerun rerun(*recording, engine_of(scene_, options_.seed));
-  if (const Result<void> begun = rerun.begin(); !begun) return wrong(begun.error().line());
-  while (!rerun.at_end() && !rerun.differs()) rerun.step();
-  report_.checks = rerun.checks();
-  if (rerun.differs()) return wrong("run again, " + *rerun.differs());
-  if (written && rerun.world().hash() != world().hash()) wrong("run again, the world is another one");
-}
-
 Report House::run() {
-  simulation().run();
+  for (simulation().run(); crashes_; simulation().run()) crash();
   network_.run_for(kPatience);
-  if (server_.status().output_bytes > 0) wrong("the server keeps bytes of clients that have gone");
-  if (!report_.fault) run_again();
+  program_->end();
+  if (!report_.fault) program_->run_again();
+  report_.checks += program_->checks();
+  report_.disk_failed = program_->disk_failed();
   report_.simulated = network_.now();
+  if (nodes_) report_.nodes = nodes_->joined();
   digest_.add(world().hash());
   report_.digest = digest_.value();
+  clients_.clear();
+  pages_.clear();
   return report_;
 }
 

@@ -41,7 +41,7 @@ struct Totals {
   std::uint64_t houses = 0;
   double simulated = 0;  // s
   std::size_t answers = 0, clients = 0, spawned = 0, rewinds = 0, checks = 0, failed_disks = 0, frames = 0,
-              cuts = 0;
+              cuts = 0, nodes = 0, machines = 0, crashes = 0;
   void add(const Report& report) {
     ++houses;
     simulated += report.simulated;
@@ -52,6 +52,9 @@ struct Totals {
     checks += report.checks;
     frames += report.frames;
     cuts += report.cuts;
+    nodes += report.nodes;
+    machines += report.machines;
+    crashes += report.crashes;
     failed_disks += report.disk_failed ? 1 : 0;
   }
 };
@@ -92,10 +95,13 @@ int main(int argc, char** argv) {
     if (seed || passed() >= seconds) break;
   }
   fmt::print(
-      "{} runs, {:.1f} simulated hours in {:.0f} s: {} clients, {} answers, {} frames of pages, {} cuts, {} "
-      "robots, {} rewinds, {} full "
-      "disks, {} checks of recordings: all invariants hold\n",
+      "{} runs, {:.1f} simulated hours in {:.0f} s: {} clients, {} answers, {} frames of pages, {} robots, "
+      "{} "
+      "more of other machines, {} cuts, {} crashes, {} nodes of clusters, {} rewinds, {} full disks, {} "
+      "checks "
+      "of recordings: all invariants hold\n",
       totals.houses, totals.simulated / 3600, passed(), totals.clients, totals.answers, totals.frames,
-      totals.cuts, totals.spawned, totals.rewinds, totals.failed_disks, totals.checks);
+      totals.spawned, totals.machines, totals.cuts, totals.crashes, totals.nodes, totals.rewinds,
+      totals.failed_disks, totals.checks);
   return 0;
 }

@@ -1,9 +1,14 @@
 #pragma once
 
-/// RecorderLink: passes a run on to its recorder, without one of the changes if it loses one.
+/// RecorderLink: passes a run on to its recorder, without one of the changes if it loses one, and knows when there
+/// were how many changes.
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <iterator>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -14,7 +19,8 @@ namespace playhouse::house {
 
 class RecorderLink final : public run::Follower {
  public:
-  RecorderLink(record::Recorder& recorder, bool loses) : recorder_(recorder), loses_(loses) {}
+  RecorderLink(record::Recorder& recorder, std::function<double()> clock, bool loses)
+      : recorder_(recorder), clock_(std::move(clock)), loses_(loses) {}
   void happened(const world::World& world, const world::Event& event) override {
     recorder_.happened(world, event);
   }
@@ -28,13 +34,28 @@ class RecorderLink final : public run::Follower {
       kept.erase(lost);
       loses_ = false;
     }
+    changes_ += kept.size();
+    counts_.push_back({clock_(), changes_});
     recorder_.changed(world, kept);
   }
   void ticked(const world::World& world) override { recorder_.ticked(world); }
 
+  /// The number of changes up to this time [s].
+  std::size_t changes_until(double time) const {
+    const auto later = std::ranges::upper_bound(counts_, time, {}, &Count::time);
+    return later == counts_.begin() ? 0 : std::prev(later)->changes;
+  }
+
  private:
+  struct Count {
+    double time;  // s
+    std::size_t changes;
+  };
   record::Recorder& recorder_;
+  const std::function<double()> clock_;
   bool loses_;
+  std::size_t changes_ = 0;
+  std::vector<Count> counts_;
 };
 
 }  // namespace playhouse::house

@@ -5,7 +5,7 @@
 namespace playhouse::house {
 namespace {
 
-constexpr std::size_t kKept = 1000;  // snapshots; half a minute of frames
+constexpr std::size_t kKept = 4000;  // snapshots; two minutes of frames
 
 }  // namespace
 
@@ -34,7 +34,7 @@ std::shared_ptr<const replicate::Layout> ShownWorlds::population(
 
 bool ShownWorlds::has(std::uint64_t tick, const replicate::Layout& layout,
                       std::span<const replicate::ModelState> models) const {
-  return std::ranges::any_of(snapshots_, [&](const replicate::Snapshot& snapshot) {
+  return std::any_of(snapshots_.rbegin(), snapshots_.rend(), [&](const replicate::Snapshot& snapshot) {
     return snapshot.tick == tick && snapshot.layout->id == layout.id &&
            std::ranges::equal(snapshot.models, models);
   });
