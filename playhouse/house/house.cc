@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uint16_t kMachinePort = 6800;
 constexpr std::size_t kClients = 6, kPages = 3, kSpawned = 6, kMachines = 2;
-constexpr double kSlice = 0.02;        // s of the network, while the tick sleeps
+constexpr double kSlice = 0.05;        // s of the network, while the tick sleeps
 constexpr double kTickSeconds = 1e-3;  // that a tick takes
 constexpr double kPatience = 5;        // s until a client has all its answers
 constexpr double kSettling = 3;        // s until nothing is on its way that was before
@@ -60,6 +60,7 @@ class House final {
   void end_machine(const Machine& machine);
   void change_network();
   void excuse_until(double time);
+  void put_off(double seconds);
   void wait_for_nodes(double seconds);
   bool sleep(double until);
   void pass(double seconds);
@@ -86,7 +87,8 @@ class House final {
   struct Machine {
     std::unique_ptr<RobotMachine> program;
     std::string robot;
-    double ends = 0;  // s; 0: it goes on
+    double ends = 0;    // s; 0: it goes on
+    bool lost = false;  // the world does not know any more whose robot it is
   };
   std::vector<Machine> machines_;
   std::vector<Gone> gone_;
@@ -145,6 +147,7 @@ void House::crash() {
   for (const auto& page : pages_) end_page(*page);
   pages_.clear();
   observer_.reset();
+  for (Machine& machine : machines_) machine.lost = true;
   program_.reset();
   start(saved_ && one_in(2) ? &*saved_ : nullptr);
 }
@@ -153,6 +156,7 @@ void House::crash() {
 void House::reloaded(const world::World& world) {
   excuse_until(network_.now() + kSettling);
   gone_.clear();
+  for (Machine& machine : machines_) machine.lost |= machine.program->is_over();
   std::erase_if(spawned_, [&](world::ModelId model) { return !world.row(model); });
   if (!rewound_to_) return;
   if (world.tick() != *rewound_to_)
@@ -278,12 +282,13 @@ void House::change_machines() {
 }
 
 void House::end_machine(const Machine& machine) {
-  if (!machine.program->is_over() && machine.program->waits_for() > 0)
+  const bool had_time = machine.ends > 0 && network_.now() >= machine.ends;
+  if (had_time && !machine.program->is_over() && machine.program->waits_for() > 0)
     wrong(fmt::format("{} requests to a robot of another machine are not answered",
                       machine.program->waits_for()));
   report_.answers += machine.program->answered();
   digest_.add(machine.program->digest());
-  gone_.push_back({machine.robot, std::max(network_.now(), whole_at_) + kPatience});
+  if (!machine.lost) gone_.push_back({machine.robot, std::max(network_.now(), whole_at_) + kPatience});
 }
 
 /// Now and then nothing arrives for some seconds.
@@ -293,10 +298,15 @@ void House::change_network() {
   network_.cut(seconds);
   ++report_.cuts;
   whole_at_ = network_.now() + seconds;
+  put_off(seconds);
+  excuse_until(whole_at_ + kSettling);
+}
+
+/// What somebody has to have done by a time.
+void House::put_off(double seconds) {
   leaving_until_ += seconds;
   for (Machine& machine : machines_) machine.ends += machine.ends > 0 ? seconds : 0;
   for (Gone& gone : gone_) gone.until += seconds;
-  excuse_until(whole_at_ + kSettling);
 }
 
 /// Of data that are missing, and of silence.
@@ -349,7 +359,7 @@ void House::pass(double seconds) {
 /// A tick has waited for nodes for so long, and everybody for the tick.
 void House::wait_for_nodes(double seconds) {
   network_.run_for(seconds);
-  if (leaving_until_ > 0) leaving_until_ += seconds;
+  put_off(seconds);
   if (ends_) *ends_ += seconds;
   excuse_until(network_.now() + kSettling);
 }

@@ -1,11 +1,15 @@
 #include "playhouse/net/simulated.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <iterator>
+#include <limits>
 #include <span>
 
 namespace playhouse::net {
+
+constexpr double kArrivals = 0.001;  // s between times at which bytes arrive, so that many do at once
 
 /// A byte queue with bulk moves, unlike a deque's bytewise ones.
 class ByteQueue {
@@ -276,12 +280,20 @@ void SimulatedNetwork::run() {
 
 void SimulatedNetwork::run_for(double seconds) {
   const double end = now_ + seconds;
-  for (run(); !alarms_.empty() && alarms_.begin()->first <= end; run()) {
+  for (run(); next_event() <= end; run()) {
+    now_ = next_event();
+    wakes_.erase(wakes_.begin(), wakes_.upper_bound(now_));
+    if (alarms_.empty() || alarms_.begin()->first > now_) continue;
     auto alarm = alarms_.extract(alarms_.begin());
-    now_ = alarm.key();
     if (!alarm.mapped().owner.expired()) alarm.mapped().task();
   }
   now_ = end;
+}
+
+double SimulatedNetwork::next_event() const {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  return std::min(alarms_.empty() ? kNever : alarms_.begin()->first,
+                  wakes_.empty() ? kNever : *wakes_.begin());
 }
 
 bool SimulatedNetwork::step() {
@@ -290,10 +302,10 @@ bool SimulatedNetwork::step() {
     std::exchange(task, nullptr)();
     busy = true;
   }
-  // By index: events may add links.
-  for (std::size_t i = 0; i < links_.size(); ++i) busy |= step_link(*std::shared_ptr(links_[i]));
-  for (std::size_t i = 0; i < ends_.size(); ++i) busy |= step_end(*std::shared_ptr(ends_[i]));
-  for (std::size_t i = 0; i < sockets_.size(); ++i) busy |= step_socket(*std::shared_ptr(sockets_[i]));
+  // By index: events may add links; they are removed below alone.
+  for (std::size_t i = 0; i < links_.size(); ++i) busy |= step_link(*links_[i]);
+  for (std::size_t i = 0; i < ends_.size(); ++i) busy |= step_end(*ends_[i]);
+  for (std::size_t i = 0; i < sockets_.size(); ++i) busy |= step_socket(*sockets_[i]);
   std::erase_if(sockets_, [](const auto& socket) { return is_over(*socket); });
   std::erase_if(ends_, [](const auto& end) { return end->gone; });
   std::erase_if(links_, [](const auto& link) { return link->closed && link->window.empty(); });
@@ -374,8 +386,9 @@ std::size_t SimulatedNetwork::piece() {
 double SimulatedNetwork::arrival(double last) {
   if (connections.delay <= 0 && connections.jitter <= 0) return std::max(last, now_);
   const double time = now_ + connections.delay + connections.jitter * rng_.uniform();
-  wake_at(std::max(last, time));
-  return std::max(last, time);
+  const double arrival = std::max(last, std::ceil(time / kArrivals) * kArrivals);
+  wakes_.insert(arrival);
+  return arrival;
 }
 
 void SimulatedNetwork::run_at(double time, Task task) {
@@ -383,13 +396,9 @@ void SimulatedNetwork::run_at(double time, Task task) {
   alarms_.emplace(time, Alarm{always, [always, task = std::move(task)] { task(); }});
 }
 
-void SimulatedNetwork::wake_at(double time) {
-  run_at(time, [] {});
-}
-
 void SimulatedNetwork::cut(double seconds) {
   cut_until_ = std::max(cut_until_, now_ + seconds);
-  wake_at(cut_until_);
+  wakes_.insert(cut_until_);
 }
 
 }  // namespace playhouse::net

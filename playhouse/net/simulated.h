@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -110,8 +111,8 @@ class SimulatedNetwork final : public Network {
   /// When what is sent now will have arrived, after `last`, when what was sent before it will have.
   double arrival(double last);
   void run_at(double time, Task task);
-  /// Has run_for() look at all connections then.
-  void wake_at(double time);
+  /// When there is something to do. [s; may be infinite]
+  double next_event() const;
   bool step();
   void carry(const Endpoint& from, const Endpoint& to, std::span<const std::byte> bytes);
   bool step_link(SimulatedLink& link);
@@ -134,6 +135,7 @@ class SimulatedNetwork final : public Network {
   std::uint64_t connections_made_ = 0;
   std::vector<Task> tasks_;
   std::multimap<double, Alarm> alarms_;
+  std::set<double> wakes_;  // s; all connections are looked at then
   std::map<Endpoint, std::weak_ptr<DatagramSocket::Receiver>> datagram_ports_;
   std::map<std::uint16_t, std::shared_ptr<Acceptor>> ports_;
   std::vector<std::shared_ptr<SimulatedLink>> links_;
