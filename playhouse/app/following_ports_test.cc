@@ -19,6 +19,7 @@
 #include "playhouse/app/commands/device_name.h"
 #include "playhouse/app/commands/options.h"
 #include "playhouse/app/commands/robots_client.h"
+#include "playhouse/app/device_service.h"
 #include "playhouse/app/service.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/run/testing/still_engine.h"
@@ -179,7 +180,7 @@ class LinesOfLog {
 class Bob {
  public:
   explicit Bob(std::uint16_t server_port)
-      : port_(free_port()), client_(service_, options(server_port), {desc()}) {
+      : port_(free_port()), client_(app::surroundings_of(service_, port_), options(server_port), {desc()}) {
     client_.begin();
     program_ = std::thread([this] {
       code_ = service_.run();

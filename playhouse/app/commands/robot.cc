@@ -7,7 +7,6 @@
 #include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/whole_file.h"
-#include "playhouse/base/log_output.h"
 #include "playhouse/scene/robot_file.h"
 
 namespace playhouse::app {
@@ -33,16 +32,7 @@ int robot(const RobotOptions& options) {
   Result<std::vector<scene::RobotDesc>> robots = read_files(options.files);
   if (!robots) return fail_in_file(robots.error(), {});
   DeviceService service(options.bind);
-  const auto failed = [&service](const Error& error) {
-    fail_in_file(error, {});
-    service.end(kFailed);
-  };
-  RobotsClient client({.site = service.open_site(options.port),
-                       .network = service.loop(),
-                       .keep = [&service](auto driver) { service.take(std::move(driver)); },
-                       .listen = [&service](std::uint16_t port) { return service.listen(port); },
-                       .say = log::say,
-                       .failed = failed},
+  RobotsClient client(surroundings_of(service, options.port),
                       {server->host, server->port, options.bind, options.port, options.wait, options.token},
                       std::move(*robots));
   client.begin();

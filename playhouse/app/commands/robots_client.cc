@@ -9,11 +9,13 @@
 #include <sstream>
 #include <utility>
 
+#include "playhouse/app/commands/options.h"
 #include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/base/formats.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
 #include "playhouse/device/device_table.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/simulation.h"
@@ -246,6 +248,19 @@ void RobotsClient::gone(Robot& robot) {
   const bool was_last = std::ranges::all_of(robots_, [](const Robot& each) { return each.gone; });
   if (was_last) return fail_with(gone);
   warn(gone.line());
+}
+
+RobotsClient::Surroundings surroundings_of(DeviceService& service, std::uint16_t port) {
+  return {.site = service.open_site(port),
+          .network = service.loop(),
+          .keep = [&service](std::unique_ptr<device::Driver> driver) { service.take(std::move(driver)); },
+          .listen = [&service](std::uint16_t wanted) { return service.listen(wanted); },
+          .say = log::say,
+          .failed =
+              [&service](const Error& error) {
+                fail_in_file(error, {});
+                service.end(kFailed);
+              }};
 }
 
 }  // namespace playhouse::app

@@ -18,6 +18,8 @@
 
 namespace playhouse::app {
 
+class DeviceService;
+
 class RobotsClient {
  public:
   struct Options {
@@ -73,5 +75,9 @@ class RobotsClient {
   bool failed_ = false;
   std::unique_ptr<net::Timer> look_after_, answer_;
 };
+
+/// Of the robots of a service, whose site is opened. Errors end the service, with one log line. It must outlive
+/// the client.
+RobotsClient::Surroundings surroundings_of(DeviceService& service, std::uint16_t port);
 
 }  // namespace playhouse::app
