@@ -282,8 +282,7 @@ void SimulatedNetwork::run_for(double seconds) {
   const double end = now_ + seconds;
   for (run(); next_event() <= end; run()) {
     now_ = next_event();
-    wakes_.erase(wakes_.begin(), wakes_.upper_bound(now_));
-    if (alarms_.empty() || alarms_.begin()->first > now_) continue;
+    if (wakes_.erase(now_) > 0) continue;  // what has arrived comes before tasks of that time
     auto alarm = alarms_.extract(alarms_.begin());
     if (!alarm.mapped().owner.expired()) alarm.mapped().task();
   }
