@@ -180,6 +180,12 @@ class WebServerTest : public testing::Test {
   std::function<void()> turning() {
     return [this] { turn(); };
   }
+  /// As the io thread has it.
+  WebStatus status() {
+    std::promise<WebStatus> status;
+    loop_.post([&] { status.set_value(server_.status()); });
+    return status.get_future().get();
+  }
   bool turn_until(const std::function<bool()>& done) {
     return wait_until([&] {
       if (done()) return true;
@@ -470,7 +476,7 @@ TEST_F(WebServerTest, who_comes_next_gets_no_answer_to_one_who_left) {
     early.send_text(R"({"do":"save"})");
     ASSERT_TRUE(wait_until([this] { return notes_.posted() > 0; }));
   }
-  ASSERT_TRUE(wait_until([this] { return server_.status().viewers == 0; }));
+  ASSERT_TRUE(wait_until([this] { return status().viewers == 0; }));
   WebClient late(port_);  // often where the other was in memory
   ASSERT_TRUE(late.upgrade());
   late.message();
@@ -961,9 +967,9 @@ TEST_F(GuestsTest, who_is_muted_stays_so_at_another_page) {
   ASSERT_TRUE(again.upgrade_with("somebody-"));
   again.message();
   EXPECT_THAT(answer(again, R"({"do":"say","text":"hi"})"), HasSubstr("an admin has muted you"));
-  const std::uint64_t commands = server_.status().commands;
+  const std::uint64_t commands = status().commands;
   admin.send_text(R"({"do":"mute","viewer":3,"on":false})");
-  ASSERT_TRUE(turn_until([&] { return server_.status().commands > commands; }));
+  ASSERT_TRUE(turn_until([&] { return status().commands > commands; }));
   EXPECT_THAT(answer(again, R"({"do":"say","text":"hi"})"), HasSubstr("only who has joined"));
 }
 
@@ -975,7 +981,7 @@ TEST_F(GuestsTest, who_is_sent_out_leaves_with_all_pages) {
   ASSERT_TRUE(observer.upgrade());
   EXPECT_TRUE(hears(admin, R"("viewer":4)"));
   admin.send_text(R"({"do":"kick","viewer":2})");
-  EXPECT_TRUE(turn_until([this] { return server_.status().viewers == 2; }));
+  EXPECT_TRUE(turn_until([this] { return status().viewers == 2; }));
 }
 
 TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_by_the_same_link) {
@@ -986,12 +992,12 @@ TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_by_the_same_link) {
   EXPECT_THAT(answer(admin, R"({"do":"kick","viewer":2})"), HasSubstr("this is yourself"));
   EXPECT_THAT(answer(admin, R"({"do":"kick","viewer":9})"), HasSubstr("nobody has this number"));
   admin.send_text(R"({"do":"kick","viewer":1})");
-  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
+  ASSERT_TRUE(turn_until([this] { return status().viewers == 1; }));
   again.upgrade_with("somebody-");
   EXPECT_THAT(again.message(), HasSubstr("an admin has sent you out"));
   EXPECT_TRUE(observer.upgrade()) << "others may still come";
   observer.message();
-  EXPECT_EQ(server_.status().viewers, 2u);
+  EXPECT_EQ(status().viewers, 2u);
 }
 
 TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_where_all_have_one_address) {
@@ -1000,7 +1006,7 @@ TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_where_all_have_one_addres
   ASSERT_TRUE(driver.upgrade_with("a-driver-"));
   ASSERT_TRUE(admin.upgrade_with("the-admin"));
   admin.send_text(R"({"do":"kick","viewer":1})");
-  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 2; }));
+  ASSERT_TRUE(turn_until([this] { return status().viewers == 2; }));
   WebClient again(port_), same(port_);
   ASSERT_TRUE(again.upgrade());
   EXPECT_THAT(again.message(), HasSubstr("an admin has sent you out"));
@@ -1015,7 +1021,7 @@ TEST_F(WebServerTest, an_admin_without_a_token_does_not_shut_out_the_own_address
   ASSERT_TRUE(admin.upgrade());
   admin.send_text(R"({"do":"kick","viewer":1})");
   admin.send_text(R"({"do":"kick","viewer":2})");
-  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
+  ASSERT_TRUE(turn_until([this] { return status().viewers == 1; }));
   WebClient again(port_), other(port_, "127.0.0.7"), inventor(port_, "127.0.0.7");
   ASSERT_TRUE(again.upgrade());
   EXPECT_THAT(again.message(), HasSubstr("\"name\":\"small\""));
@@ -1031,7 +1037,7 @@ TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_without_the_token) {
   ASSERT_TRUE(admin.upgrade_with("the-admin"));
   EXPECT_TRUE(hears(admin, R"("viewer":1)"));
   admin.send_text(R"({"do":"kick","viewer":1})");
-  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
+  ASSERT_TRUE(turn_until([this] { return status().viewers == 1; }));
   WebClient plain(port_, "127.0.0.7"), elsewhere(port_, "127.0.0.8"), as_another(port_, "127.0.0.7");
   plain.upgrade();
   EXPECT_THAT(plain.message(), HasSubstr("an admin has sent you out"));
@@ -1057,7 +1063,7 @@ TEST_F(ProxyTest, who_is_sent_out_is_one_client_of_it) {
   ASSERT_TRUE(other.upgrade("X-Forwarded-For: 203.0.113.6\r\n"));
   ASSERT_TRUE(admin.upgrade_with("the-admin"));
   admin.send_text(R"({"do":"kick","viewer":1})");
-  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 2; }));
+  ASSERT_TRUE(turn_until([this] { return status().viewers == 2; }));
   WebClient again(port_, "127.0.0.7"), liar(port_, "127.0.0.7"), next(port_, "127.0.0.7");
   again.upgrade("X-Forwarded-For: 203.0.113.5\r\n");
   EXPECT_THAT(again.message(), HasSubstr("an admin has sent you out"));
@@ -1072,7 +1078,7 @@ TEST_F(ProxyTest, who_comes_past_it_is_who_they_are) {
   ASSERT_TRUE(direct.upgrade("X-Forwarded-For: 203.0.113.5\r\n"));
   ASSERT_TRUE(admin.upgrade_with("the-admin"));
   admin.send_text(R"({"do":"kick","viewer":1})");
-  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
+  ASSERT_TRUE(turn_until([this] { return status().viewers == 1; }));
   WebClient again(port_, "127.0.0.8"), named(port_, "127.0.0.7");
   again.upgrade("X-Forwarded-For: 203.0.113.9\r\n");
   EXPECT_THAT(again.message(), HasSubstr("an admin has sent you out")) << "whatever address is invented";
@@ -1094,7 +1100,7 @@ TEST_F(OpenProxyTest, who_comes_from_elsewhere_does_not_shut_out_the_machine_its
   ASSERT_TRUE(admin.upgrade("X-Forwarded-For: 203.0.113.5\r\n"));
   admin.send_text(R"({"do":"kick","viewer":1})");
   admin.send_text(R"({"do":"kick","viewer":2})");
-  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
+  ASSERT_TRUE(turn_until([this] { return status().viewers == 1; }));
   WebClient again(port_), next(port_, "127.0.0.7");
   ASSERT_TRUE(again.upgrade());
   EXPECT_THAT(again.message(), HasSubstr("\"name\":\"small\""));
@@ -1168,7 +1174,7 @@ TEST_F(BodiesTest, who_leaves_takes_no_part_of_a_robot_along) {
     ASSERT_FALSE(HasFatalFailure());
     replace_body(1);
   }
-  EXPECT_TRUE(turn_until([this] { return server_.status().viewers == 0 && notes_.posted() == 0; }));
+  EXPECT_TRUE(turn_until([this] { return status().viewers == 0 && notes_.posted() == 0; }));
   turn();
   EXPECT_TRUE(small_.world.row(robot_));
 }
@@ -1274,8 +1280,8 @@ TEST_F(GuestsTest, a_wrong_token_opens_nothing_and_the_limit_holds) {
     many.push_back(std::make_unique<WebClient>(port_));
     many.back()->upgrade();
   }
-  EXPECT_TRUE(turn_until([this] { return server_.status().viewers_refused == 2; }));
-  EXPECT_EQ(server_.status().viewers, 4u);
+  EXPECT_TRUE(turn_until([this] { return status().viewers_refused == 2; }));
+  EXPECT_EQ(status().viewers, 4u);
 }
 
 }  // namespace
