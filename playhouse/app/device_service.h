@@ -41,7 +41,7 @@ class DeviceService final : private ServerHost {
 
  private:
   server::Server& the_server() override { return *server_; }
-  net::IoLoop& the_loop() override { return loop_; }
+  net::Network& the_network() override { return loop_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override;
 
   // In order of construction: later members use earlier ones.

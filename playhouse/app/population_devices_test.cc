@@ -9,6 +9,7 @@
 #include <map>
 #include <thread>
 
+#include "playhouse/app/server_host.h"
 #include "playhouse/app/service.h"
 #include "playhouse/drivers/simulated/auto_devices.h"
 #include "playhouse/run/testing/still_engine.h"
@@ -44,7 +45,7 @@ position( name "r" size [0.4 0.4 0.3]
 constexpr std::size_t kDevicesOfRobot = 9;
 
 /// A world with its server. The test is both threads.
-class Town final : public drivers::Host {
+class Town final : public app::ServerHost {
  public:
   explicit Town(std::size_t indices = drivers::AutoMap::kIndices)
       : scene_(run::testing::scene_of(kWorld)), site_(*this, kPort), server_(simulated) {
@@ -58,7 +59,7 @@ class Town final : public drivers::Host {
 
   run::Simulation& simulation() { return *site_.simulation(); }
   drivers::Directory& directory() { return site_.model_devices()->directory(); }
-  void post(std::function<void(world::Journal&)> change) {
+  void ask(std::function<void(world::Journal&)> change) {
     ASSERT_TRUE(simulation().requests().post(std::move(change)));
   }
   void tick() {
@@ -81,16 +82,8 @@ class Town final : public drivers::Host {
             site_.model_devices()->sources().size()};
   }
 
-  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
-    return server_.add_device(address, driver);
-  }
-  void retire_device(device::DeviceId device) override { server_.retire_device(device); }
-  Result<void> hold(device::DeviceId device, device::Driver* holder) override {
-    return server_.hold(device, holder);
-  }
-  void release(device::DeviceId device, device::Driver* holder) override { server_.release(device, holder); }
-  void post(std::function<void()> task) override { simulated.post(std::move(task)); }
-  net::Network& network() override { return simulated; }
+  server::Server& the_server() override { return server_; }
+  net::Network& the_network() override { return simulated; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override {
     return std::make_unique<run::Simulation>(
         std::make_unique<run::testing::StillEngine>(scene_),
@@ -169,7 +162,7 @@ TEST(PopulationDevices, of_a_thousand_robots_that_come_and_go_are_lost_to_nobody
   std::size_t ticks = 1;
   for (std::uint16_t robot = 1; robot <= kRobots + kLiving; ++robot) {
     if (robot <= kRobots)
-      town.post([&](world::Journal& journal) { living.push_back(*journal.spawn(0, {})); });
+      town.ask([&](world::Journal& journal) { living.push_back(*journal.spawn(0, {})); });
     town.tick();
     town.simulated.run();
     both([&](Listener& client) {
@@ -186,7 +179,7 @@ TEST(PopulationDevices, of_a_thousand_robots_that_come_and_go_are_lost_to_nobody
     ticks += 2;
     if (robot <= kLiving) continue;
     // One goes, while clients open it once more and ask it.
-    town.post([&](world::Journal& journal) {
+    town.ask([&](world::Journal& journal) {
       EXPECT_TRUE(journal.despawn(living.front()));
       living.pop_front();
     });
@@ -229,12 +222,12 @@ TEST(PopulationDevices, with_the_number_of_another_say_nothing_to_who_had_that_o
   Listener pushed(town, false), pulled(town, true);
   ModelId newest;
   const auto come = [&] {
-    town.post([&](world::Journal& journal) { newest = *journal.spawn(0, {}); });
+    town.ask([&](world::Journal& journal) { newest = *journal.spawn(0, {}); });
     town.tick();
     town.simulated.run();
   };
   const auto go = [&] {
-    town.post([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(newest)); });
+    town.ask([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(newest)); });
     town.tick();
     town.simulated.run();
   };

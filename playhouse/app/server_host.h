@@ -1,13 +1,13 @@
 #pragma once
 
 /// ServerHost: the environment of drivers whose devices are served
-/// by a Server on an event loop. Derived classes own both, and open worlds.
+/// by a Server on a network. Derived classes own both, and open worlds.
 
 #include <functional>
 #include <utility>
 
 #include "playhouse/drivers/site.h"
-#include "playhouse/net/io_loop.h"
+#include "playhouse/net/network.h"
 #include "playhouse/server/server.h"
 
 namespace playhouse::app {
@@ -15,7 +15,7 @@ namespace playhouse::app {
 class ServerHost : public drivers::Host {
  private:
   virtual server::Server& the_server() = 0;
-  virtual net::IoLoop& the_loop() = 0;
+  virtual net::Network& the_network() = 0;
 
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) final {
     return the_server().add_device(address, driver);
@@ -27,8 +27,8 @@ class ServerHost : public drivers::Host {
   void release(device::DeviceId device, device::Driver* holder) final {
     the_server().release(device, holder);
   }
-  void post(std::function<void()> task) final { the_loop().post(std::move(task)); }
-  net::Network& network() final { return the_loop(); }
+  void post(std::function<void()> task) final { the_network().post(std::move(task)); }
+  net::Network& network() final { return the_network(); }
 };
 
 }  // namespace playhouse::app

@@ -134,7 +134,7 @@ class Service final : private ServerHost {
 
  private:
   server::Server& the_server() override { return *server_; }
-  net::IoLoop& the_loop() override { return loop_; }
+  net::Network& the_network() override { return loop_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override;
   Result<void> open_port(std::uint32_t port) override;
 

@@ -96,10 +96,8 @@ int main(int argc, char** argv) {
   }
   fmt::print(
       "{} runs, {:.1f} simulated hours in {:.0f} s: {} clients, {} answers, {} frames of pages, {} robots, "
-      "{} "
-      "more of other machines, {} cuts, {} crashes, {} nodes of clusters, {} rewinds, {} full disks, {} "
-      "checks "
-      "of recordings: all invariants hold\n",
+      "{} more of other machines, {} cuts, {} crashes, {} nodes of clusters, {} rewinds, {} full disks, "
+      "{} checks of recordings: all invariants hold\n",
       totals.houses, totals.simulated / 3600, passed(), totals.clients, totals.answers, totals.frames,
       totals.spawned, totals.machines, totals.cuts, totals.crashes, totals.nodes, totals.rewinds,
       totals.failed_disks, totals.checks);

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "playhouse/base/assert.h"
 #include "playhouse/scene/robot_file.h"
 
 namespace playhouse::house {

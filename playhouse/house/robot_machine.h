@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "playhouse/app/commands/robots_client.h"
+#include "playhouse/app/server_host.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/house/client.h"
 #include "playhouse/house/process.h"
@@ -19,7 +20,7 @@
 
 namespace playhouse::house {
 
-class RobotMachine final : private drivers::Host {
+class RobotMachine final : private app::ServerHost {
  public:
   /// Brings a robot of this name from a port of its own to the world's; the seed decides where to.
   RobotMachine(net::SimulatedNetwork& network, std::uint16_t world_port, std::uint16_t port,
@@ -38,18 +39,10 @@ class RobotMachine final : private drivers::Host {
   std::optional<std::string> fault() const { return client_ ? client_->fault() : std::nullopt; }
 
  private:
-  // drivers::Host
-  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
-    return server_.add_device(address, driver);
-  }
-  void retire_device(device::DeviceId device) override { server_.retire_device(device); }
-  Result<void> hold(device::DeviceId device, device::Driver* holder) override {
-    return server_.hold(device, holder);
-  }
-  void release(device::DeviceId device, device::Driver* holder) override { server_.release(device, holder); }
-  void post(std::function<void()> task) override { network_.post(std::move(task)); }
+  // app::ServerHost
+  server::Server& the_server() override { return server_; }
+  net::Network& the_network() override { return network_; }
   bool has_threads() const override { return false; }
-  net::Network& network() override { return network_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override {
     return Error{"", "there is no world here"};
   }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/app/server_host.h"
 #include "playhouse/drivers/simulated/auto_devices.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/house/failing_disk.h"
@@ -38,7 +39,7 @@ struct Saved {
   std::uint64_t hash = 0;
 };
 
-class SimulatedProgram final : private drivers::Host {
+class SimulatedProgram final : private app::ServerHost {
  public:
   struct Options {
     Setting setting;
@@ -81,18 +82,10 @@ class SimulatedProgram final : private drivers::Host {
   void open_page_server();
   void wrong(std::string what) { options_.wrong(std::move(what)); }
 
-  // drivers::Host
-  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
-    return server_.add_device(address, driver);
-  }
-  void retire_device(device::DeviceId device) override { server_.retire_device(device); }
-  Result<void> hold(device::DeviceId device, device::Driver* holder) override {
-    return server_.hold(device, holder);
-  }
-  void release(device::DeviceId device, device::Driver* holder) override { server_.release(device, holder); }
-  void post(std::function<void()> task) override { network_.post(std::move(task)); }
+  // app::ServerHost
+  server::Server& the_server() override { return server_; }
+  net::Network& the_network() override { return network_; }
   bool has_threads() const override { return false; }
-  net::Network& network() override { return network_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override;
 
   Process network_;
