@@ -65,10 +65,10 @@ def _apply(kind: Kind, change: Change) -> list[str]:
     if kind.name == BASE:
         return [*lines, "  return model && carry_out(world, model, change);", "}", ""]
     if kind.entity == "trait":
-        return [*lines, "  if (!model) return false;", f"  const {_row(kind)} row{{trait_row(world.{kind.table}, model.index)}};",
+        return [*lines, "  if (!model) return false;", f"  const {_row(kind)} row = trait_row(world.{kind.table}, model);",
                 "  return row && carry_out(world, row, change);", "}", ""]
-    return [*lines, f"  if (!model || world.models.kind[model.index] != scene::ModelKind::{enumerator(kind.kind)}) return false;",
-            f"  return carry_out(world, {_row(kind)}{{world.models.part[model.index]}}, change);", "}", ""]
+    return [*lines, f"  if (!model || world.models.kind[model] != scene::ModelKind::{enumerator(kind.kind)}) return false;",
+            f"  return carry_out(world, {_row(kind)}(world.models.part[model]), change);", "}", ""]
 
 
 def _source(kinds: Kinds) -> str:

@@ -101,7 +101,7 @@ def _voltages(kinds: Kinds) -> str:
             continue
         values = ", ".join(f"static_cast<float>({v.volts!r} * sensors.{v.column}[row])" for v in served.voltages)
         lines += [f"std::unique_ptr<SimulatedDevice> make_{name}_device(run::Simulation& simulation, world::ModelRow model) {{",
-                  "  return make_analog_sensor(simulation, model, [](const world::World& world, std::uint32_t row, std::vector<float>& voltages) {",
+                  "  return make_analog_sensor(simulation, model, [](const world::World& world, world::KindRow row, std::vector<float>& voltages) {",
                   f"    const auto& sensors = world.{kind.table};", "    if (sensors.measured_tick[row] != world.tick()) return false;",
                   f"    voltages = {{{values}}};", "    return true;", "  });", "}", ""]
     return "\n".join([*lines, "}  // namespace playhouse::drivers", ""])

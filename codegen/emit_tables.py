@@ -43,8 +43,9 @@ def _table(kind: Kind) -> str:
 
 def _type(kinds: Kinds, column: Quantity) -> str:
     if column.type == "row":
-        owners = {"model": "Model"} | {k.name: _title(k.name) for k in tabled(kinds)}
-        return f"{owners[column.name]}Row" if column.name in owners else "std::uint32_t"
+        of = column.name.removeprefix("first_")
+        owners = {"model": "Model", "beam": "Beam"} | {k.name: _title(k.name) for k in tabled(kinds)}
+        return f"{owners[of]}Row"
     inner = TYPES.get(column.type, column.type)
     return f"std::vector<{inner}>" if column.list else inner
 
@@ -55,7 +56,13 @@ def _tables(kinds: Kinds) -> str:
              "/// The tables of the world: the state of each kind, in columns. Units, frames, roles and writers are in",
              "/// table_columns.h and on the pages of docs/kinds/.", "", "#include <cstdint>", "#include <string>", "#include <vector>", "",
              '#include "playhouse/world/models.h"', "", "namespace playhouse::world {", ""]
-    lines += [f"using {_title(k.name)}Row = Row<struct {_title(k.name)}Table>;" for k in found] + [""]
+    lines += [f"using {_title(k.name)}Row = Row<struct {_title(k.name)}Table>;" for k in found]
+    lines += ["using BeamRow = Row<struct BeamTable>;  // of the columns with a value for each beam", "",
+              "}  // namespace playhouse::world", "", "namespace playhouse {"]
+    lines += ["template <>", "inline constexpr bool kIsNumbered<world::BeamTable> = !kRowsAlone;"]
+    for k in found:
+        lines += ["template <>", f"inline constexpr bool kIsNumbered<world::{_title(k.name)}Table> = !kRowsAlone;"]
+    lines += ["}  // namespace playhouse", "", "namespace playhouse::world {", ""]
     for kind in found:
         for record in kind.state.records:
             lines += _record(record)
@@ -113,9 +120,11 @@ def _about(quantity: Quantity) -> str:
 
 
 def _struct(kinds: Kinds, kind: Kind) -> list[str]:
-    lines = [*_comment(kind.doc), f"struct {_table(kind)} {{"]
-    lines += [f"  std::vector<{_type(kinds, c)}> {c.name};  // {_about(c)}" for c in kind.state.columns]
-    return [*lines, f"  std::size_t size() const {{ return {kind.state.columns[0].name}.size(); }}", "};", ""]
+    lines = [*_comment(kind.doc), f"struct {_table(kind)} {{", f"  using Row = {_title(kind.name)}Row;"]
+    own = f"{_title(kind.name)}Table"
+    lines += [f"  ByRow<{'BeamTable' if c.per else own}, {_type(kinds, c)}> {c.name};  // {_about(c)}" for c in kind.state.columns]
+    first = kind.state.columns[0].name
+    return [*lines, f"  std::size_t size() const {{ return {first}.size(); }}", f"  RowsOf<{own}> rows() const {{ return {first}.rows(); }}", "};", ""]
 
 
 def _columns(kinds: Kinds) -> str:
@@ -165,7 +174,7 @@ def _worded(kinds: Kinds) -> str:
                   f"  if (!model.{kind.name}) return;",
                   *(f"  table.{c.name}.back() = model.{kind.name}->{member};" for c, member in words), "}"]
     lines += ["", *_comment("All such state of a model is what its words say."),
-              "inline bool is_as_said(const Tables& tables, std::uint32_t model, const scene::ModelDesc& said) {",
+              "inline bool is_as_said(const Tables& tables, ModelRow model, const scene::ModelDesc& said) {",
               "  switch (said.kind) {"]
     for kind, words in found:
         differs = [f"static_cast<bool>(table.{c.name}[row]) == said.{kind.name}->{m}" if c.type == "flag" else
@@ -173,7 +182,7 @@ def _worded(kinds: Kinds) -> str:
         lines += _case(kind, [f"return !said.{kind.name} || ({' && '.join(differs)});"])
     lines += ["    default:", "      return true;", "  }", "}", "",
               *_comment("Makes a model's words say all such state as it is."),
-              "inline void say_as_is(const Tables& tables, std::uint32_t model, scene::ModelDesc& says) {",
+              "inline void say_as_is(const Tables& tables, ModelRow model, scene::ModelDesc& says) {",
               "  switch (says.kind) {"]
     for kind, words in found:
         lines += _case(kind, [f"if (!says.{kind.name}) says.{kind.name}.emplace();",
@@ -189,4 +198,4 @@ def _words(kind: Kind) -> list[tuple[Quantity, str]]:
 
 def _case(kind: Kind, statements: list[str]) -> list[str]:
     return [f"    case scene::ModelKind::{enumerator(kind.kind)}: {{", f"      const {_table(kind)}& table = tables.{kind.table};",
-            "      const std::uint32_t row = tables.models.part[model];", *(f"      {s}" for s in statements), "    }"]
+            f"      const {_title(kind.name)}Row row = tables.models.part[model];", *(f"      {s}" for s in statements), "    }"]

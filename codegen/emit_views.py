@@ -109,10 +109,10 @@ def _bool(value: object) -> str:
 
 def _row_of(kind: Kind) -> list[str]:
     """The model's row in the table of its kind, or of the trait."""
-    found = f"world.models.kind[model] == scene::ModelKind::{enumerator(kind.kind)} ? world.models.part[model] : world::ModelRow::kNone"
+    found = f"world.models.kind[model] == scene::ModelKind::{enumerator(kind.kind)} ? world.models.part[model] : world::KindRow{{}}"
     if kind.entity == "trait":
-        found = f"world::trait_row(world.{kind.table}, model)"
-    return [f"std::uint32_t row_of_{kind.name}(const world::World& world, std::uint32_t model) {{", f"  return {found};", "}", ""]
+        found = f"{{world::trait_row(world.{kind.table}, model).index}}"
+    return [f"world::KindRow row_of_{kind.name}(const world::World& world, world::ModelRow model) {{", f"  return {found};", "}", ""]
 
 
 def _value(view: View, shown: Shown) -> str:
@@ -130,7 +130,7 @@ def _value(view: View, shown: Shown) -> str:
 
 
 def _capture(view: View) -> list[str]:
-    lines = [f"bool capture_{view.kind.name}(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {{"]
+    lines = [f"bool capture_{view.kind.name}(const world::World& world, world::KindRow row, std::vector<std::int32_t>& out) {{"]
     if view.kind.measures and view.when != "changed":
         lines.append(f"  if (world.{view.kind.table}.measured_tick[row] == 0) return false;")
     pushes = [f"out.push_back({_value(view, s)});" for s in view.fields]
@@ -142,8 +142,8 @@ def _capture(view: View) -> list[str]:
 
 
 def _state(kinds: Kinds) -> list[str]:
-    lines = ["std::uint8_t state_bits(const world::World& world, std::uint32_t model) {",
-             "  [[maybe_unused]] const std::uint32_t row = world.models.part[model];",
+    lines = ["std::uint8_t state_bits(const world::World& world, world::ModelRow model) {",
+             "  [[maybe_unused]] const world::KindRow row = world.models.part[model];",
              f"  unsigned bits = world.models.subscribers[model] > 0 ? {SUBSCRIBED} : 0;", "  switch (world.models.kind[model]) {"]
     for kind in kinds.simulated():
         bits = _bits(kind)

@@ -223,7 +223,7 @@ TEST_F(ClusterTest, changes_between_ticks_reach_all_nodes) {
     step(10);
     change([](world::Journal& journal) {
       ASSERT_TRUE(
-          journal.spawn(journal.world().models.desc[journal.world().find("b").index], {4, 4, 0, 0}, "late"));
+          journal.spawn(journal.world().models.desc[journal.world().find("b")], {4, 4, 0, 0}, "late"));
     });
     step(10);
     change([](world::Journal& journal) {

@@ -252,7 +252,7 @@ TEST(PopulationDevices, with_the_number_of_another_say_nothing_to_who_had_that_o
   town.simulated.run();
   for (int tick = 0; tick < 10; ++tick) town.tick();
   const world::World& world = town.simulation().world();
-  EXPECT_EQ(world.positions.command[world.position(newest).index], geom::Twist{}) << "it means the first";
+  EXPECT_EQ(world.positions.command[world.position(newest)], geom::Twist{}) << "it means the first";
   EXPECT_EQ(town.status().commands_dropped, 1u);
   for (Listener* client : {&pushed, &pulled}) {
     client->hear();
@@ -267,7 +267,7 @@ TEST(PopulationDevices, with_the_number_of_another_say_nothing_to_who_had_that_o
   pulled.drive(1);
   town.simulated.run();
   town.tick();
-  EXPECT_NE(world.positions.command[world.position(newest).index], geom::Twist{}) << "now it means this one";
+  EXPECT_NE(world.positions.command[world.position(newest)], geom::Twist{}) << "now it means this one";
 }
 
 TEST(PopulationDevices, follow_over_tcp_with_every_thread_of_the_program) {

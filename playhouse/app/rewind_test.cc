@@ -74,8 +74,8 @@ TEST(Rewind, goes_on_as_the_first_time_with_any_number_of_workers) {
 
 TEST(Rewind, brings_back_who_went_and_does_without_who_came) {
   Rewound run(2);
-  const std::uint32_t robot = run.world().models.desc[run.world().positions.model[0].index];
-  const world::ModelId of_start = run.world().id(run.world().positions.model[0]);
+  const std::uint32_t robot = run.world().models.desc[run.world().positions.model[{0}]];
+  const world::ModelId of_start = run.world().id(run.world().positions.model[{0}]);
   world::ModelId late;
   run.run_to(25);
   run.change([&](world::Journal& journal) { late = *journal.spawn(robot, {1, 1, 0, 0.5}); });
@@ -103,9 +103,9 @@ TEST(Rewind, brings_back_who_went_and_does_without_who_came) {
 TEST(Rewind, goes_to_any_tick_with_what_was_done_until_then) {
   Rewound run(2);
   run.run_to(42);
-  const std::uint32_t prototype = run.world().models.desc[run.world().positions.model[0].index];
-  const world::ModelId robot = run.world().id(run.world().positions.model[0]);
-  const world::ModelId laser = run.world().id(run.world().rangers.model[0]);
+  const std::uint32_t prototype = run.world().models.desc[run.world().positions.model[{0}]];
+  const world::ModelId robot = run.world().id(run.world().positions.model[{0}]);
+  const world::ModelId laser = run.world().id(run.world().rangers.model[{0}]);
   run.change([&](world::Journal& journal) {
     ASSERT_TRUE(journal.spawn(prototype, {1, 1, 0, 0.5}, "late"));
     ASSERT_TRUE(journal.apply(world::changes::Subscribe{laser}));
@@ -125,7 +125,7 @@ TEST(Rewind, goes_to_any_tick_with_what_was_done_until_then) {
   const auto first = run.hash_of_tick;
   for (const std::uint64_t tick : {44, 41, 46, 43, 79, 48, 83, 44, 83})
     EXPECT_EQ(run.again(tick, tick).at(tick), first.at(tick)) << tick;
-  EXPECT_EQ(run.world().models.say[run.world().find("late").index], "left at this moment");
+  EXPECT_EQ(run.world().models.say[run.world().find("late")], "left at this moment");
   run.run_to(90);
   const auto on = run.hash_of_tick;
   EXPECT_EQ(run.again(86, 90), part(on, 86, 90)) << "the moment that was left is a part of the run";
@@ -138,7 +138,7 @@ TEST(Rewind, goes_another_way_where_somebody_does_something_else) {
   const auto first = run.hash_of_tick;
   run.again(30, 30);
   run.change([](world::Journal& journal) {
-    const world::ModelRow robot = journal.world().positions.model[0];
+    const world::ModelRow robot = journal.world().positions.model[{0}];
     journal.apply(world::changes::Place{journal.world().id(robot), {0.5, 0.5, 0, 1}});
   });
   run.run_to(60);

@@ -51,7 +51,7 @@ std::unique_ptr<world::Engine> springs_with_controllers(const scene::SceneDesc& 
 constexpr client::Pose3d kLeaning{-3, 0, 0.5, 0.3, -0.2, 1};
 
 double x_of(const world::World& world, std::string_view name) {
-  return world.models.X_WM[world.find(name).index].x;
+  return world.models.X_WM[world.find(name)].x;
 }
 
 TEST(SecondEngine, moves_bodies_its_own_way_and_robots_by_the_shared_drive_models) {
@@ -83,7 +83,7 @@ TEST(SecondEngine, rolls_what_is_loose_with_all_its_parts) {
   const geom::Pose& mark = world.models.X_WM[*world.children(ball).begin()];
   EXPECT_NEAR(mark.x, 6 + SpringEngine::kSwing + 0.1 * std::cos(angle) + 0.2 * std::sin(angle), 1e-12);
   EXPECT_NEAR(mark.z, 0.2 * std::cos(angle) - 0.1 * std::sin(angle), 1e-12) << "it has gone under";
-  EXPECT_EQ(world.models.tilt_WM[world.find("guest").index], geom::Tilt{});
+  EXPECT_EQ(world.models.tilt_WM[world.find("guest")], geom::Tilt{});
 }
 
 TEST(SecondEngine, hears_of_changes_saves_and_goes_on_to_the_same_hash_with_any_number_of_workers) {
@@ -214,7 +214,7 @@ TEST(SecondEngine, serves_clients_and_viewers_as_the_first_does) {
       << "the puck swings between 2.65 and 3.15 m, and the robot is at 1.9 m at least";
   const world::World& world = service.simulation().world();
   for (const char* name : {"guest", "puck", "wanderer"}) {
-    const std::uint32_t row = world.find(name).index;
+    const world::ModelRow row = world.find(name).index;
     EXPECT_EQ(watcher.x_of(row), std::lround(1000 * world.models.X_WM[row].x)) << name;
     EXPECT_EQ(watcher.tilt_of(row), replicate::quantize_angle(world.models.tilt_WM[row].y)) << name;
   }

@@ -97,8 +97,7 @@ run::Simulation::Options pace_of(const scene::SceneDesc& scene, const Serving& s
 
 std::size_t count_robots(const world::World& world) {
   std::size_t robots = 0;
-  for (const world::ModelRow model : world.positions.model)
-    robots += world.models.root[model.index] == model.index;
+  for (const world::ModelRow model : world.positions.model) robots += world.models.root[model] == model;
   return robots;
 }
 

@@ -35,7 +35,7 @@ double lag_after(unsigned steps, double dt) {
   return left / (1 - left);
 }
 
-BodyState state_of(const world::Models& models, std::uint32_t row) {
+BodyState state_of(const world::Models& models, world::ModelRow row) {
   const Pose& X = models.X_PM[row];
   const geom::SpatialVelocity& V = models.V_WM[row];
   return {{X.x, X.y, X.z}, geom::orientation(X.a, models.tilt_PM[row]), V.v, V.w};
@@ -50,7 +50,7 @@ bool is_moving(const world::World& world, const bodies::Mover& mover) {
 }
 
 /// True if a model is `carrier` or attached to it.
-bool carries(const world::Models& models, std::uint32_t carrier, std::uint32_t model) {
+bool carries(const world::Models& models, world::ModelRow carrier, world::ModelRow model) {
   while (model != carrier && model != models.root[model]) model = models.parent[model];
   return model == carrier;
 }
@@ -61,7 +61,7 @@ geom::SpatialPose moved_by(const world::World& world, const bodies::Mover& mover
   if (tilt != geom::Tilt{} && mover.kind == scene::ModelKind::kActuator) {
     const double position = bodies::ActuatorMove::position_after(world, mover.part, dt);
     const geom::Pose way = scene::way_along(bodies::ActuatorMove::desc_of(world, mover.part), position);
-    return geom::compose(world::joint_of(world, {mover.part}), {way, {}});
+    return geom::compose(world::joint_of(world, mover.part), {way, {}});
   }
   const Pose X_PM = bodies::with_move(mover.kind, [&](auto move) {
     return move.after(world, mover.part, world.models.X_PM[mover.model], dt);
@@ -114,7 +114,7 @@ ArenaEngine::TreeBody ArenaEngine::make_body(bodies::TreeRow tree) {
   body.row = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
   // bend() moves its hulls to where the joints are.
   for (const bodies::Mover& mover : trees_.movers_of(tree)) {
-    const scene::ModelDesc& desc = world_.desc({mover.model});
+    const scene::ModelDesc& desc = world_.desc(mover.model);
     body.joints.push_back(world::tilted(desc, desc.X_PM));
   }
   return body;
@@ -128,7 +128,7 @@ world::PhysicsShapes ArenaEngine::shapes() const {
   for (const bodies::TreeRow tree : trees_.rows())
     if (bodies_[tree].row)
       shapes.bodies.push_back(
-          {world_.id({trees_.root[tree]}),
+          {world_.id(trees_.root[tree]),
            hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, Joints::kNow, mesh_hulls_).hulls});
   return shapes;
 }
@@ -161,7 +161,7 @@ void ArenaEngine::load(bodies::TreeRow tree) {
   if (!body.row) return;
   if (body.has_joints) bend(tree);
   if (body.part == Part::kGuided) return load_guided(tree);
-  const std::uint32_t top = trees_.root[tree];
+  const world::ModelRow top = trees_.root[tree];
   const double still = world_.models.still[top] * world_.scene().interval;
   physics_.put(body.row, state_of(world_.models, top), still >= kSleepAfter && !is_driven(tree));
   if (body.part == Part::kVehicle)
@@ -170,7 +170,7 @@ void ArenaEngine::load(bodies::TreeRow tree) {
 
 /// A kinematic body moves through the tick with the velocity of its movers.
 void ArenaEngine::load_guided(bodies::TreeRow tree) {
-  const std::uint32_t top = trees_.root[tree];
+  const world::ModelRow top = trees_.root[tree];
   BodyState state = state_of(world_.models, top);
   state.v = state.w = {};
   bool moves = false;
@@ -191,7 +191,7 @@ void ArenaEngine::bend(bodies::TreeRow tree) {
   const std::span<const bodies::Mover> movers = trees_.movers_of(tree);
   bool is_bent = false;
   for (std::size_t i = 0; i < movers.size(); ++i) {
-    const geom::SpatialPose X_PM = world::pose_in_parent(world_.models, {movers[i].model});
+    const geom::SpatialPose X_PM = world::pose_in_parent(world_.models, movers[i].model);
     if (movers[i].model == trees_.root[tree] || X_PM == body.joints[i]) continue;
     body.joints[i] = X_PM;
     is_bent = true;
@@ -224,10 +224,10 @@ void ArenaEngine::find_blocked(unsigned steps) {
 /// Displacement of a point in a tick by a mover.  [m, both in W]
 Vec3 ArenaEngine::way_of(const Vec3& p, const bodies::Mover& mover) const {
   const world::Models& models = world_.models;
-  const geom::SpatialPose now = world::pose_in_world(models, {mover.model});
+  const geom::SpatialPose now = world::pose_in_world(models, mover.model);
   geom::SpatialPose then = moved_by(world_, mover);
   if (mover.model != models.root[mover.model])
-    then = geom::compose(world::pose_in_world(models, {models.parent[mover.model]}), then);
+    then = geom::compose(world::pose_in_world(models, models.parent[mover.model]), then);
   if (is_tilted(now) || is_tilted(then)) {
     const Quaternion q_WM = geom::orientation(now.X.a, now.tilt);
     const Vec3 p_M = Quaternion{q_WM.w, -q_WM.x, -q_WM.y, -q_WM.z} * (p - Vec3{now.X.x, now.X.y, now.X.z});
@@ -240,12 +240,12 @@ Vec3 ArenaEngine::way_of(const Vec3& p, const bodies::Mover& mover) const {
 
 void ArenaEngine::store(bodies::TreeRow tree) {
   const TreeBody& body = bodies_[tree];
-  const std::uint32_t top = trees_.root[tree];
+  const world::ModelRow top = trees_.root[tree];
   const Pose before = world_.models.X_PM[top];
   bool moved = body.part != Part::kGuided && store_state(tree);
   moved = store_parts(tree) || moved;
   if (moved) {
-    world::place_tree(world_, {top});
+    world::place_tree(world_, top);
     bodies::turn(solids_, world_.models, trees_.models_of(tree));
     bodies::place(solids_, world_.models, trees_.solids_of(tree));
   }
@@ -262,7 +262,7 @@ bool ArenaEngine::store_state(bodies::TreeRow tree) {
   const TreeBody& body = bodies_[tree];
   if (physics_.is_sleeping(body.row)) return false;
   world::Models& models = world_.models;
-  const std::uint32_t top = trees_.root[tree];
+  const world::ModelRow top = trees_.root[tree];
   const BodyState state = physics_.state(body.row);
   geom::SpatialPose X = geom::spatial_pose(state.p, state.q);
   if (std::fabs(X.tilt.x) < kLeastTilt && std::fabs(X.tilt.y) < kLeastTilt) X.tilt = {};
@@ -283,7 +283,8 @@ bool ArenaEngine::store_state(bodies::TreeRow tree) {
 
 /// Updates odometry and stall of a robot: it stalls if it neither made progress nor is about to.
 void ArenaEngine::store_drive(bodies::TreeRow tree, const Pose& before) {
-  const std::uint32_t top = trees_.root[tree], robot = world_.models.part[top];
+  const world::ModelRow top = trees_.root[tree];
+  const world::PositionRow robot = world_.models.part[top];
   const geom::Twist& driven = world_.positions.velocity[robot];
   const double dt = world_.scene().interval, arm = bodies_[tree].radius;
   const Pose way = geom::compose(geom::inverse(before), world_.models.X_PM[top]);

@@ -30,7 +30,7 @@ class ArenaEngine final : public senses::BodyEngine {
     double radius = 0;                      // m, of its corners from B's upright axis, at most
     bool has_joints = false;                // parts of it have joints
     std::vector<geom::SpatialPose> joints;  // X_PM of those parts as last given to Physics
-    ByRow<Hull, std::uint32_t> models;      // model row of each hull
+    ByRow<Hull, world::ModelRow> models;    // model row of each hull
   };
 
   void move() override;

@@ -74,12 +74,12 @@ TEST_F(ArenaTest, robots_push_boxes_until_a_wall_stops_them_both) {
   run(3);
   EXPECT_NEAR(pose("a").x, 1.5, 0.1) << "slower while it gets the box going";
   EXPECT_NEAR(pose("box").x, pose("a").x + 0.35, 0.03);
-  EXPECT_EQ(world().positions.stall[0], 0);
+  EXPECT_EQ(world().positions.stall[{0}], 0);
   run(4);
   EXPECT_NEAR(pose("box").x, 2.8, 0.02);
   EXPECT_NEAR(pose("a").x, 2.45, 0.02);
-  EXPECT_EQ(world().positions.stall[0], 1);
-  EXPECT_NEAR(world().positions.X_OM[0].x, pose("a").x, 0.1);
+  EXPECT_EQ(world().positions.stall[{0}], 1);
+  EXPECT_NEAR(world().positions.X_OM[{0}].x, pose("a").x, 0.1);
 }
 
 TEST_F(ArenaTest, what_is_in_the_air_falls_rests_and_is_woken_by_who_touches_it) {
@@ -87,8 +87,8 @@ TEST_F(ArenaTest, what_is_in_the_air_falls_rests_and_is_woken_by_who_touches_it)
   run(2);
   const world::ModelRow high = world().find("high");
   EXPECT_NEAR(pose("high").z, 0, 2e-3);
-  EXPECT_GE(world().models.still[high.index], 5u);
-  EXPECT_EQ(world().models.V_WM[high.index], geom::SpatialVelocity{});
+  EXPECT_GE(world().models.still[high], 5u);
+  EXPECT_EQ(world().models.V_WM[high], geom::SpatialVelocity{});
   const geom::Pose rested = pose("high");
   run(1);
   EXPECT_EQ(pose("high"), rested) << "to the bit";
@@ -117,10 +117,10 @@ model( name "box" pose [0.45 0 0.7 0] size [0.3 0.2 0.3] gripper_return 1 )
 )");
   run(0.5);
   world::wake(world().models);
-  world().models.V_WM.set(world().find("box").index, {{1.2, 0, 0}, {}});
+  world().models.V_WM.set(world().find("box"), {{1.2, 0, 0}, {}});
   run(0.6);
   EXPECT_LT(pose("box").z, 0.6);
-  EXPECT_GT(world().models.tilt_WM[world().find("box").index].y, 0.3);
+  EXPECT_GT(world().models.tilt_WM[world().find("box")].y, 0.3);
 }
 
 /// A plank of 4 m whose bottom is 1 m high at its middle, with its end at -x up by 0.25 rad.
@@ -137,10 +137,10 @@ ranger( name "eye" pose [-5 0 1.3 0] size [0 0 0] alwayson 1 sensor( range [0 10
   ASSERT_TRUE(
       world::set_spatial_pose(world(), world().find("crate"), {{on_top.x, on_top.y, on_top.z, 0}, tilt}));
   run(2);
-  EXPECT_NEAR(world().sensors.ranges[0], 5 - 0.31 / std::tan(tilt.y), 1e-5);  // from the middle of the eye
+  EXPECT_NEAR(world().sensors.ranges[{0}], 5 - 0.31 / std::tan(tilt.y), 1e-5);  // from the middle of the eye
   EXPECT_NEAR(pose("crate").x, on_top.x, 0.01);
   EXPECT_NEAR(pose("crate").z, on_top.z, 0.01);
-  EXPECT_NEAR(world().models.tilt_WM[world().find("crate").index].y, tilt.y, 0.01);
+  EXPECT_NEAR(world().models.tilt_WM[world().find("crate")].y, tilt.y, 0.01);
 }
 
 TEST_F(ArenaTest, ticks_that_nothing_would_interrupt_are_refused) {
@@ -167,7 +167,7 @@ model( name "crate" pose [0 5 0.2 0] size [0.5 0.5 0.5] gripper_return 1 mass 40
   const auto row_of = [this](const char* name) {
     const world::ModelRow model = world().find(name);
     world::subscribe(world(), model);
-    return world::ActuatorRow{world().models.part[model.index]};
+    return world::ActuatorRow(world().models.part[model]);
   };
   const world::ActuatorRow door = row_of("frame.door"), lift = row_of("shaft.lift");
   const auto go = [&](double door_to, double lift_to) {
@@ -180,15 +180,15 @@ model( name "crate" pose [0 5 0.2 0] size [0.5 0.5 0.5] gripper_return 1 mass 40
       0.05;  // of the door in a tick: so deep it may press before it stalls, on both sides
   EXPECT_NEAR(pose("box").x, 1.5 - 0.15, kWay + 0.03) << "at the wall, not beyond it";
   EXPECT_NEAR(pose("frame.door").x, 1.5 - 0.3 - 0.2, 2 * kWay + 0.03);
-  EXPECT_NEAR(world().actuators.position[door.index], pose("frame.door").x - 0.3, 1e-9);
-  EXPECT_EQ(world().actuators.stall[door.index], 1);
+  EXPECT_NEAR(world().actuators.position[door], pose("frame.door").x - 0.3, 1e-9);
+  EXPECT_EQ(world().actuators.stall[door], 1);
   EXPECT_NEAR(pose("crate").z, 2 - 0.5, 0.05) << "below the roof";
-  EXPECT_EQ(world().actuators.stall[lift.index], 1);
+  EXPECT_EQ(world().actuators.stall[lift], 1);
   go(0, 0);
   EXPECT_NEAR(pose("frame.door").x, 0.3, 0.01);
-  EXPECT_EQ(world().actuators.stall[door.index], 0);
+  EXPECT_EQ(world().actuators.stall[door], 0);
   EXPECT_NEAR(pose("crate").z, pose("shaft.lift").z + 0.1, 0.01);
-  EXPECT_EQ(world().actuators.stall[lift.index], 0);
+  EXPECT_EQ(world().actuators.stall[lift], 0);
 }
 
 TEST_F(ArenaTest, boxes_lie_still_on_every_side_and_stacks_stand_in_ticks_of_one_step) {
@@ -205,7 +205,7 @@ crate( name "c4" pose [5 0 2 0] )
 )");
   for (int tick = 0; tick < 1500; ++tick) engine_->step();
   for (const char* name : {"below", "tumbles", "c0", "c1", "c2", "c3", "c4"}) {
-    const std::uint32_t row = world().find(name).index;
+    const world::ModelRow row = world().find(name).index;
     EXPECT_EQ(world().models.V_WM[row], geom::SpatialVelocity{}) << name;
   }
   EXPECT_NEAR(pose("c4").z, 2, 0.02);
@@ -225,7 +225,7 @@ position( name "r" pose [0 0 0 0] size [0.5 0.4 0.2] drive "diff"
   const auto command = [&](world::World& world, int tick) {
     const world::ModelRow arm = world.find("r.arm"), robot = world.find("r");
     if (tick == 0) subscribe(world);
-    const world::ActuatorRow joint{world.models.part[arm.index]};
+    const world::ActuatorRow joint = world.models.part[arm];
     ASSERT_TRUE(world::command_joint_position(world, joint, 0.5));
     ASSERT_TRUE(world::command_velocity(world, world.position(world.id(robot)), {0.3, 0, 0, 0.05}));
   };
@@ -242,12 +242,12 @@ model( name "parcel" pose [0 0 0.8 0] size [0.2 0.2 0.2] gripper_return 1 mass 2
 )");
   const world::ModelRow lift = world().find("shaft.lift");
   world::subscribe(world(), lift);
-  const world::ActuatorRow row{world().models.part[lift.index]};
+  const world::ActuatorRow row = world().models.part[lift];
   ASSERT_TRUE(world::command_joint_velocity(world(), row, 0.2));
   run(20);
   ASSERT_NEAR(pose("shaft.lift").z, 2, 0.2);
   const world::ModelRow crate = world().find("crate");
-  ASSERT_GE(world().models.still[crate.index], 5u) << "it sleeps";
+  ASSERT_GE(world().models.still[crate], 5u) << "it sleeps";
   ASSERT_TRUE(world::command_joint_velocity(world(), row, -3));
   run(5);
   EXPECT_NEAR(pose("crate").z, pose("shaft.lift").z + 0.1, 0.01);
@@ -288,7 +288,7 @@ position( name "ann" drive "walk" size [0.3 0.5 1.75] mass 75 )
 )");
   const world::ModelRow press = world().find("press");
   world::subscribe(world(), press);
-  const world::ActuatorRow row{world().models.part[press.index]};
+  const world::ActuatorRow row = world().models.part[press];
   ASSERT_TRUE(world::command_joint_position(world(), row, 2));
   for (int tick = 0; tick < 20; ++tick) engine_->step();
   EXPECT_LT(pose("ann").z, -0.1) << "it is pressed";
@@ -320,7 +320,7 @@ model( name "box" pose [0.8 0 0 0] size [0.3 0.3 0.3] gripper_return 1 mass 1 )
 )");
   const world::ModelRow door = world().find("wall.door");
   world::subscribe(world(), door);
-  ASSERT_TRUE(world::command_joint_position(world(), {world().models.part[door.index]}, 1));
+  ASSERT_TRUE(world::command_joint_position(world(), world().models.part[door], 1));
   run(8);
   EXPECT_NEAR(pose("wall.door").x, 1.3, 0.01);
   EXPECT_NEAR(pose("box").x, 1.3 + 0.2 + 0.15, 0.05);
@@ -373,7 +373,7 @@ model( name "wall" pose [1 -5 0 0] size [0.2 2 1] )
   EXPECT_GT(pose("climber").x, 3);
   EXPECT_GT(pose("box").y, 8);
   EXPECT_NEAR(pose("blocked").x, 0.75, 0.01);
-  EXPECT_EQ(world().positions.stall[2], 1);
+  EXPECT_EQ(world().positions.stall[{2}], 1);
   for (std::uint32_t row = 0; row < 3; ++row) EXPECT_EQ(world().models.tilt_WM[row], geom::Tilt{});
 }
 

@@ -85,17 +85,18 @@ void add_hulls(std::vector<Hull>& hulls, const std::vector<Hull>& of_body, const
 }
 
 /// Poses of a tree's models in its root.
-std::map<std::uint32_t, geom::SpatialPose> poses_in_top(const world::World& world, const bodies::Trees& trees,
-                                                        bodies::TreeRow tree, Joints joints) {
+std::map<world::ModelRow, geom::SpatialPose> poses_in_top(const world::World& world,
+                                                          const bodies::Trees& trees, bodies::TreeRow tree,
+                                                          Joints joints) {
   const world::Models& models = world.models;
-  std::map<std::uint32_t, geom::SpatialPose> X_BM;
-  for (const std::uint32_t row : trees.models_of(tree)) {
+  std::map<world::ModelRow, geom::SpatialPose> X_BM;
+  for (const world::ModelRow row : trees.models_of(tree)) {
     if (row == trees.root[tree]) {
       X_BM[row] = {};
       continue;
     }
-    geom::SpatialPose X_PM = world::pose_in_parent(models, {row});
-    const scene::ModelDesc& desc = world.desc({row});
+    geom::SpatialPose X_PM = world::pose_in_parent(models, row);
+    const scene::ModelDesc& desc = world.desc(row);
     if (joints == Joints::kAtRest && world::moves(desc.kind)) X_PM = world::tilted(desc, desc.X_PM);
     X_BM[row] = geom::compose(X_BM.at(models.parent[row]), X_PM);
   }
@@ -161,8 +162,8 @@ Content content_of(std::span<const Hull> hulls) {
 
 double mass_of(const world::World& world, const bodies::Trees& trees, bodies::TreeRow tree) {
   double mass = 0;
-  for (const std::uint32_t row : trees.models_of(tree)) {
-    const scene::ModelDesc& desc = world.desc({row});
+  for (const world::ModelRow row : trees.models_of(tree)) {
+    const scene::ModelDesc& desc = world.desc(row);
     const bool is_said = desc.mass > 0 || !desc.mesh || !desc.mesh->physics;
     mass += is_said ? desc.mass : desc.mesh->physics->mass.value_or(0);
   }
@@ -203,7 +204,7 @@ Motors motors_of(const scene::PositionDesc& position) {
 
 Part part_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
              bodies::TreeRow tree) {
-  const std::uint32_t top = trees.root[tree];
+  const world::ModelRow top = trees.root[tree];
   bool is_solid = false;
   for (const bodies::SolidRow row : trees.solids_of(tree)) is_solid = is_solid || solids.is_obstacle(row);
   if (!is_solid) return Part::kGuided;
@@ -213,11 +214,11 @@ Part part_of(const world::World& world, const bodies::Trees& trees, const bodies
 
 TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
                    bodies::TreeRow tree, Part part, Joints joints, MeshHulls& meshes) {
-  const std::map<std::uint32_t, geom::SpatialPose> X_BM = poses_in_top(world, trees, tree, joints);
+  const std::map<world::ModelRow, geom::SpatialPose> X_BM = poses_in_top(world, trees, tree, joints);
   TreeHulls all;
-  std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
+  world::ModelRow latest;  // model whose mesh was added last
   each_body(solids, trees.solids_of(tree), bodies::SeenBy::kMotion, [&](bodies::SolidRows body) {
-    const std::uint32_t model = solids.model[body.front()];
+    const world::ModelRow model = solids.model[body.front()];
     const FrameOfBody frame(X_BM.at(model));
     const std::size_t first = all.hulls.size();
     const mesh::Mesh* mesh = mesh_of(world, model);
@@ -230,14 +231,14 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
   });
   if (part != Part::kVehicle) return all;
   const Extent extent = extent_of(all.hulls);
-  const bool walks = world.desc({trees.root[tree]}).position->drive == scene::Drive::kWalk;
+  const bool walks = world.desc(trees.root[tree]).position->drive == scene::Drive::kWalk;
   return above(std::move(all), std::min(walks ? kStep : kClearance,
                                         extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
 }
 
 RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, bodies::TreeRow tree,
                         Part part, std::vector<Hull> hulls) {
-  const scene::ModelDesc& top = world.desc({trees.root[tree]});
+  const scene::ModelDesc& top = world.desc(trees.root[tree]);
   RigidBodyDesc desc;
   desc.surface = surface_of(top);
   const Content content = content_of(hulls);
@@ -265,13 +266,13 @@ RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, b
 std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::Solids& solids) {
   std::vector<FixedSolid> fixed;
   std::vector<Hull> hulls;
-  std::uint32_t latest = world::ModelRow::kNone;  // model whose mesh was added last
+  world::ModelRow latest;  // model whose mesh was added last
   each_body(solids, solids.fixed_rows(), bodies::SeenBy::kMotion, [&](bodies::SolidRows body) {
-    const std::uint32_t model = solids.model[body.front()];
-    const FrameOfBody frame(world::pose_in_world(world.models, {model}));
+    const world::ModelRow model = solids.model[body.front()];
+    const FrameOfBody frame(world::pose_in_world(world.models, model));
     if (const mesh::Mesh* mesh = mesh_of(world, model)) {
       if (std::exchange(latest, model) == model) return;
-      const ContactSurface surface = surface_of(world.desc({model}));
+      const ContactSurface surface = surface_of(world.desc(model));
       const double heading = world.models.X_WM[model].a;
       FixedParts parts = fixed_parts(*mesh, body_in(world, model, frame.X_FM()));
       frame.turn(parts.triangles.p);
@@ -286,7 +287,7 @@ std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::So
     add_body(hulls, solids, body, frame.X_FM());
     for (Hull& hull : hulls) {
       frame.turn(hull);
-      fixed.push_back({std::move(hull), surface_of(world.desc({model})), world.models.X_WM[model].a, {}});
+      fixed.push_back({std::move(hull), surface_of(world.desc(model)), world.models.X_WM[model].a, {}});
     }
   });
   return fixed;

@@ -36,10 +36,10 @@ struct Hulls : ByRow<Hull, Hull> {
   operator std::vector<std::vector<Vec3>>() const { return {begin(), end()}; }
 };
 
-/// Hulls in B, and the model row of each.
+/// Hulls in B, and the model of each.
 struct TreeHulls {
   Hulls hulls;
-  ByRow<Hull, std::uint32_t> models;
+  ByRow<Hull, world::ModelRow> models;
 };
 
 /// The obstacles of a tree as convex hulls at these joint positions; of a vehicle only

@@ -40,8 +40,8 @@ TEST(ImuSense, feels_the_centripetal_acceleration_and_the_turn_of_a_circle) {
     run.step();
     if (tick < 2) continue;  // the robot sets off
     // A tick goes straight ahead, so that half a tick's turn is lost.
-    expect_near(run.imus().reading[0].v, {0, v * w, kGravity}, 1.01 * v * w * 0.5 * w * 0.01);
-    expect_near(run.imus().reading[0].w, {0, 0, w}, 1e-9);
+    expect_near(run.imus().reading[{0}].v, {0, v * w, kGravity}, 1.01 * v * w * 0.5 * w * 0.01);
+    expect_near(run.imus().reading[{0}].w, {0, 0, w}, 1e-9);
   }
 }
 
@@ -49,14 +49,14 @@ TEST(ImuSense, feels_more_the_further_it_is_from_where_the_robot_turns) {
   const double w = geom::radians(80);
   Session run(circle(0, 80, 0.15), false);
   run.step(20);
-  expect_near(run.imus().reading[0].v, {-0.15 * w * w, 0, kGravity}, 1e-3);
+  expect_near(run.imus().reading[{0}].v, {-0.15 * w * w, 0, kGravity}, 1e-3);
 }
 
 TEST(ImuSense, knows_where_it_is_as_long_as_it_has_no_errors) {
   for (const bool arena : {false, true}) {
     Session run(circle(0.5, 40, 0.1), arena);
     run.step(500);
-    const geom::Pose &is = run.imus().X_WB[0], &believed = run.imus().X_WE[0];
+    const geom::Pose &is = run.imus().X_WB[{0}], &believed = run.imus().X_WE[{0}];
     EXPECT_NEAR(believed.x, is.x, 1e-6) << arena;
     EXPECT_NEAR(believed.y, is.y, 1e-6) << arena;
     EXPECT_NEAR(believed.z, is.z, 1e-6) << arena;
@@ -74,27 +74,27 @@ model( name "box" pose [0 0 3 0] size [0.3 0.3 0.3] gripper_return 1
 TEST(ImuSense, feels_nothing_in_free_fall_and_the_ground_afterwards) {
   Session run(kBox, true);
   run.step(30);
-  expect_near(run.imus().reading[0].v, {0, 0, 0}, 1e-2);
-  EXPECT_LT(run.imus().X_WB[0].z, 3);
+  expect_near(run.imus().reading[{0}].v, {0, 0, 0}, 1e-2);
+  EXPECT_LT(run.imus().X_WB[{0}].z, 3);
   run.step(400);
-  expect_near(run.imus().reading[0].v, {0, 0, kGravity}, 1e-2);
+  expect_near(run.imus().reading[{0}].v, {0, 0, kGravity}, 1e-2);
 }
 
 TEST(ImuSense, tells_a_slope_by_gravity) {
   Session run(kBox, true);
   const world::ModelRow box = run.world().find("box");
   const geom::Tilt tilt{0, 0.35};
-  run.world().models.tilt_PM.set(box.index, tilt);
-  run.world().models.still.set(box.index, 1000);  // rests as it stands
+  run.world().models.tilt_PM.set(box, tilt);
+  run.world().models.still.set(box, 1000);  // rests as it stands
   world::place_tree(run.world(), box);
   run.step(3);
   // Nose down by 0.35, as seen by a unit that is turned by 30 degrees on it.
   const double down = -kGravity * std::sin(0.35), c = std::cos(geom::radians(30)),
                s = std::sin(geom::radians(30));
-  expect_near(run.imus().reading[0].v, {c * down, -s * down, kGravity * std::cos(0.35)}, 1e-9);
-  expect_near(run.imus().reading[0].w, {0, 0, 0}, 1e-9);
-  const geom::RollPitchYaw told = geom::roll_pitch_yaw(run.imus().X_WE[0].a, run.imus().tilt_WE[0]);
-  const geom::RollPitchYaw is = geom::roll_pitch_yaw(run.imus().X_WB[0].a, run.imus().tilt_WB[0]);
+  expect_near(run.imus().reading[{0}].v, {c * down, -s * down, kGravity * std::cos(0.35)}, 1e-9);
+  expect_near(run.imus().reading[{0}].w, {0, 0, 0}, 1e-9);
+  const geom::RollPitchYaw told = geom::roll_pitch_yaw(run.imus().X_WE[{0}].a, run.imus().tilt_WE[{0}]);
+  const geom::RollPitchYaw is = geom::roll_pitch_yaw(run.imus().X_WB[{0}].a, run.imus().tilt_WB[{0}]);
   EXPECT_NEAR(told.pitch, is.pitch, 1e-9);
   EXPECT_NEAR(told.roll, is.roll, 1e-9);
   EXPECT_GT(std::fabs(is.pitch), 0.2);
@@ -108,9 +108,9 @@ position( name "r" alwayson 1 velocity [1 0 0 170] velocity_bounds [-2 2 -2 2 -2
 )",
               false);
   run.step(10);
-  EXPECT_EQ(run.imus().reading[0].v.x, -1.5);
-  EXPECT_EQ(run.imus().reading[0].v.z, 1.5);
-  EXPECT_EQ(run.imus().reading[0].w.z, 2);
+  EXPECT_EQ(run.imus().reading[{0}].v.x, -1.5);
+  EXPECT_EQ(run.imus().reading[{0}].v.z, 1.5);
+  EXPECT_EQ(run.imus().reading[{0}].w.z, 2);
 }
 
 struct Moments {
@@ -133,8 +133,8 @@ model( imu( alwayson 1 update_interval 40 acceleration_noise [0.004 0] gyro_nois
   std::vector<double> f, w;
   for (int i = 0; i < 4000; ++i) {
     run.step(4);
-    f.push_back(run.imus().reading[0].v.y);
-    w.push_back(run.imus().reading[0].w.x);
+    f.push_back(run.imus().reading[{0}].v.y);
+    w.push_back(run.imus().reading[{0}].w.x);
   }
   // Of 4,000 values the deviation is known to 1.1 %, the mean to 1.6 % of it.
   EXPECT_NEAR(moments(f).deviation, 0.004 / 0.2, 0.05 * 0.02);
@@ -170,11 +170,11 @@ model( imu( alwayson 1 acceleration_bias 0.1 gyro_bias 0.01 ) )
 )",
               false);
   run.step(200);
-  const geom::SpatialVelocity& bias = run.imus().bias[0];
+  const geom::SpatialVelocity& bias = run.imus().bias[{0}];
   EXPECT_NE(bias.w.z, 0);
-  EXPECT_NEAR(run.imus().heading_error[0], 20 * bias.w.z, 1e-9);
-  const geom::RollPitchYaw told = geom::roll_pitch_yaw(run.imus().X_WE[0].a, run.imus().tilt_WE[0]);
-  const Vec3& f = run.imus().reading[0].v;
+  EXPECT_NEAR(run.imus().heading_error[{0}], 20 * bias.w.z, 1e-9);
+  const geom::RollPitchYaw told = geom::roll_pitch_yaw(run.imus().X_WE[{0}].a, run.imus().tilt_WE[{0}]);
+  const Vec3& f = run.imus().reading[{0}].v;
   EXPECT_NEAR(told.roll, std::atan2(f.y, f.z), 1.5e-3) << "as its own accelerometers have it";
   EXPECT_NEAR(told.pitch, std::atan2(-f.x, f.z), 1.5e-3);
 }
@@ -188,11 +188,11 @@ position( name "r" size [0.4 0.4 0.3] pose [3 4 0 90] alwayson 1 velocity [0.5 0
                 arena);
     run.step(300);
     const world::ModelRow gps = run.world().find("r.gps:0");
-    const geom::Pose& X = run.world().models.X_WM[gps.index];
-    EXPECT_NEAR(run.receivers().position[0].x, X.x, 1e-9) << arena;
-    EXPECT_NEAR(run.receivers().position[0].y, X.y, 0.05) << "measured up to 0.1 s ago";
-    EXPECT_NEAR(run.receivers().velocity[0].y, 0.5, 0.01);
-    EXPECT_NEAR(run.receivers().velocity[0].x, 0, 0.01);
+    const geom::Pose& X = run.world().models.X_WM[gps];
+    EXPECT_NEAR(run.receivers().position[{0}].x, X.x, 1e-9) << arena;
+    EXPECT_NEAR(run.receivers().position[{0}].y, X.y, 0.05) << "measured up to 0.1 s ago";
+    EXPECT_NEAR(run.receivers().velocity[{0}].y, 0.5, 0.01);
+    EXPECT_NEAR(run.receivers().velocity[{0}].x, 0, 0.01);
   }
 }
 
@@ -237,7 +237,7 @@ TEST(ImuSense, is_the_same_for_any_number_of_workers_and_who_opens_it_later_sees
     one.step(100);
     three.step(100);
     EXPECT_EQ(one.world().sensed_hash(), three.world().sensed_hash()) << arena;
-    EXPECT_NE(one.imus().reading[0].w.z, one.imus().reading[1].w.z) << "errors of their own";
+    EXPECT_NE(one.imus().reading[{0}].w.z, one.imus().reading[{1}].w.z) << "errors of their own";
   }
   Session late(R"(
 interval_sim 10
@@ -245,10 +245,10 @@ position( name "r" alwayson 1 velocity [0.9 0 0 0] imu( update_interval 10 ) )
 )",
                false);
   late.step(50);
-  world::subscribe(late.world(), late.imus().model[0]);
+  world::subscribe(late.world(), late.imus().model[{0}]);
   for (int tick = 0; tick < 5; ++tick) {
     late.step();
-    expect_near(late.imus().reading[0].v, {0, 0, kGravity}, 1e-6);
+    expect_near(late.imus().reading[{0}].v, {0, 0, kGravity}, 1e-6);
   }
 }
 
@@ -263,14 +263,14 @@ position( name "r" size [0.4 0.4 0.3] alwayson 1 velocity [0.4 0 0 0]
 )",
               true);
   const auto pressed = [&] {
-    const std::vector<world::ModelId>& hits = run.world().bumpers.hits[0];
+    const std::vector<world::ModelId>& hits = run.world().bumpers.hits[{0}];
     return std::pair(static_cast<bool>(hits[0]), static_cast<bool>(hits[1]));
   };
   run.step(50);
   EXPECT_EQ(pressed(), std::pair(false, false)) << "on its way";
   run.step(150);
   EXPECT_EQ(pressed(), std::pair(true, false)) << "against the wall";
-  run.world().positions.command[0] = {-0.4, 0, 0, 0};
+  run.world().positions.command[{0}] = {-0.4, 0, 0, 0};
   run.step(50);
   EXPECT_EQ(pressed(), std::pair(false, false));
 }
@@ -286,7 +286,7 @@ model( pose [0.3 0 )" +
 )",
                 true);
     run.step(5);
-    return static_cast<bool>(run.world().bumpers.hits[0][0]);
+    return static_cast<bool>(run.world().bumpers.hits[{0}][0]);
   };
   EXPECT_TRUE(pressed("0"));
   EXPECT_TRUE(pressed("0.35")) << "it stands on the robot";

@@ -30,7 +30,7 @@ class MotorsTest : public ArenaRun, public testing::WithParamInterface<int> {
   }
   double step() const { return std::min(1e-3 * GetParam(), 0.01); }  // s, of physics
   double speed() {
-    const geom::SpatialVelocity& V = world().models.V_WM[world().find("it").index];
+    const geom::SpatialVelocity& V = world().models.V_WM[world().find("it")];
     return std::hypot(V.v.x, V.v.y);
   }
 };

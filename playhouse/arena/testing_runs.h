@@ -51,7 +51,7 @@ class ArenaRun : public ::testing::Test {
     return std::move(*made);
   }
   world::World& world() { return engine_->world(); }
-  const geom::Pose& pose(const char* name) { return world().models.X_WM[world().find(name).index]; }
+  const geom::Pose& pose(const char* name) { return world().models.X_WM[world().find(name)]; }
   void drive(const char* name, geom::Twist velocity) {
     const world::ModelRow model = world().find(name);
     world::subscribe(world(), model);

@@ -65,8 +65,8 @@ TEST(ThermometerSense, feels_the_robot_that_carries_it_come_near) {
                 arena);
     run.step(100);  // 2 s
     const world::Models& models = run.world().models;
-    const geom::Pose &X_WT = models.X_WM[run.world().thermometers.model[0].index],
-                     &X_WS = models.X_WM[run.world().find("stove").index];
+    const geom::Pose &X_WT = models.X_WM[run.world().thermometers.model[{0}]],
+                     &X_WS = models.X_WM[run.world().find("stove")];
     EXPECT_GT(X_WT.x, 0.8) << arena;
     const double distance = std::hypot(X_WS.x - X_WT.x, X_WS.y - X_WT.y, X_WS.z + 0.1 - (X_WT.z + 0.01));
     EXPECT_NEAR(run.temperature(), 20 + 30 * 0.5 / distance, 1e-6) << arena;

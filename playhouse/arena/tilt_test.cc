@@ -87,7 +87,7 @@ TEST_F(TiltTest, a_world_file_of_a_run_has_the_tilts_again) {
   ArenaRun::start(
       scene_of(std::string(kTilted) + "model( name \"crate\" pose [0 5 0.5 0] gripper_return 1 )\n"));
   ASSERT_TRUE(world::set_spatial_pose(world(), world().find("crate"), {{0, 5, 0.5, 0.4}, {0.7, -0.9}}));
-  ASSERT_TRUE(world::spawn(world(), world().models.desc[world().find("rig").index], {20, 0, 3, 0.7}, "more"));
+  ASSERT_TRUE(world::spawn(world(), world().models.desc[world().find("rig")], {20, 0, 3, 0.7}, "more"));
   const scene::SceneDesc standing = world::as_scene(world());
   EXPECT_TRUE(standing.warnings.empty());
   const Result<std::string> text = scene::write_world(standing, "w.world");
@@ -131,16 +131,16 @@ model( name "post" pose [5 0 1 90] size [0.1 0.1 0.1] stack_children 0
   };
   expect_hand(0.2);
   const auto joint = [&](const char* name) {
-    return world::ActuatorRow{world().models.part[world().find(name).index]};
+    return world::ActuatorRow(world().models.part[world().find(name)]);
   };
   const world::ActuatorRow elbow = joint("stand.elbow"), slide = joint("post.slide");
   for (const char* name : {"stand.elbow", "post.slide"}) world::subscribe(world(), world().find(name));
   ASSERT_TRUE(world::command_joint_position(world(), elbow, 1.2));
   ASSERT_TRUE(world::command_joint_position(world(), slide, 2));
   run(1);
-  expect_hand(world().actuators.position[elbow.index]);
+  expect_hand(world().actuators.position[elbow]);
   run(3);
-  const double angle = world().actuators.position[elbow.index], way = world().actuators.position[slide.index];
+  const double angle = world().actuators.position[elbow], way = world().actuators.position[slide];
   EXPECT_NEAR(angle, 1.2, 0.1);
   EXPECT_NEAR(way, 2, 0.1);
   const geom::Vec3 hand{std::cos(angle), 0, 1 + std::sin(angle)};
@@ -162,15 +162,15 @@ model( name "stand" pose [0 0 1 0] size [0.1 0.1 0.1] stack_children 0
             start_position 0.2 min_position -3 max_position 3 max_speed 0.5 stack_children 0
     model( name "hand" pose [1 0 0 0] size [0.1 0.1 0.1] ) ) )
 )"));
-  const world::ActuatorRow elbow{world().models.part[world().find("stand.elbow").index]};
+  const world::ActuatorRow elbow = world().models.part[world().find("stand.elbow")];
   world::subscribe(world(), world().find("stand.elbow"));
   ASSERT_TRUE(world::command_joint_position(world(), elbow, 1));
   for (int second = 0; second < 5; ++second) {
-    const double angle = world().actuators.position[elbow.index];
+    const double angle = world().actuators.position[elbow];
     expect_near(point("stand.elbow.hand", {}), {std::cos(angle), 0, 1 - std::sin(angle)});
     run(1);
   }
-  EXPECT_GT(world().actuators.position[elbow.index], 0.9);
+  EXPECT_GT(world().actuators.position[elbow], 0.9);
 }
 
 TEST_F(TiltTest, a_joint_that_is_turned_in_place_is_so_for_physics_in_every_tick_and_after_loading) {
@@ -205,7 +205,7 @@ model( name "ramp" pose [5 0 1 0] size [1 1 0.1] tilt [0 20] base( name "carried
   const std::uint64_t hash = world().hash();
   world::return_to_start(world());
   EXPECT_EQ(world().hash(), hash);
-  const std::uint32_t robot = world().models.part[world().find("tilted").index];
+  const world::PositionRow robot = world().models.part[world().find("tilted")];
   EXPECT_EQ(world().positions.X_OM[robot], geom::Pose{});
 }
 
@@ -214,8 +214,8 @@ TEST_F(TiltTest, the_stage_engine_keeps_all_upright_and_the_words) {
   auto engine = stage::make_engine(scene, {});
   ASSERT_TRUE(engine);
   const world::World& flat = (*engine)->world();
-  EXPECT_EQ(flat.models.tilt_WM[flat.find("plank").index], geom::Tilt{});
-  EXPECT_DOUBLE_EQ(flat.models.X_WM[flat.find("plank").index].a, kYaw);
+  EXPECT_EQ(flat.models.tilt_WM[flat.find("plank")], geom::Tilt{});
+  EXPECT_DOUBLE_EQ(flat.models.X_WM[flat.find("plank")].a, kYaw);
   const scene::SceneDesc standing = world::as_scene(flat);
   EXPECT_NEAR(standing.models[0].pitch, kPitch, 1e-12);
 }

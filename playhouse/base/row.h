@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,6 +23,10 @@ struct Row {
   constexpr std::uint32_t operator-(Row first) const { return index - first.index; }
   constexpr Row& operator++() {
     ++index;
+    return *this;
+  }
+  constexpr Row& operator--() {
+    --index;
     return *this;
   }
 };
@@ -47,11 +52,22 @@ class RowsOf {
   constexpr std::uint32_t size() const { return end_ - first_; }
   constexpr bool empty() const { return first_ == end_; }
   constexpr Row<Table> front() const { return first_; }
+  /// Of these, from the `begin`-th up to the `end`-th, as workers share them.
+  constexpr RowsOf part(std::size_t begin, std::size_t end) const { return {(*this)[begin], (*this)[end]}; }
   constexpr Row<Table> operator[](std::size_t i) const { return first_ + static_cast<std::uint32_t>(i); }
 
  private:
   Row<Table> first_{0}, end_;
 };
+
+/// Of tables that some tests still index by numbers. To find these places, compile with PLAYHOUSE_ROWS_ALONE.
+template <typename Table>
+inline constexpr bool kIsNumbered = false;
+#ifdef PLAYHOUSE_ROWS_ALONE
+inline constexpr bool kRowsAlone = true;
+#else
+inline constexpr bool kRowsAlone = false;
+#endif
 
 /// A value for each row of a table, indexed by its rows alone.
 template <typename Table, typename Value>
@@ -59,9 +75,20 @@ struct ByRow : std::vector<Value> {
   using std::vector<Value>::vector;
   Value& operator[](Row<Table> row) { return std::vector<Value>::operator[](row.index); }
   const Value& operator[](Row<Table> row) const { return std::vector<Value>::operator[](row.index); }
+  template <std::integral Number>
+  Value& operator[](Number row) requires kIsNumbered<Table> {
+    return std::vector<Value>::operator[](static_cast<std::size_t>(row));
+  }
+  template <std::integral Number>
+  const Value& operator[](Number row) const requires kIsNumbered<Table> {
+    return std::vector<Value>::operator[](static_cast<std::size_t>(row));
+  }
   RowsOf<Table> rows() const { return RowsOf<Table>(this->size()); }
   /// The values from a row on, for kernels.
   const Value* from(Row<Table> row) const { return this->data() + row.index; }
+  Value* from(Row<Table> row) { return this->data() + row.index; }
+  /// The row of back().
+  Row<Table> last() const { return {static_cast<std::uint32_t>(this->size() - 1)}; }
   /// The row that the next value pushed back gets.
   Row<Table> next() const { return {static_cast<std::uint32_t>(this->size())}; }
 };

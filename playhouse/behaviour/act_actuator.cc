@@ -23,11 +23,11 @@ double before_the_ends(const scene::ActuatorDesc& desc, double position, double 
   return std::max(velocity, std::min(0.0, (desc.min_position - position) / dt));
 }
 
-double velocity_of(const world::World& world, std::size_t row) {
+double velocity_of(const world::World& world, world::ActuatorRow row) {
   const world::Actuators& actuators = world.actuators;
   const world::ModelRow model = actuators.model[row];
   const bool is_free = actuators.motor_on[row] && !actuators.braked[row];
-  if (world.models.subscribers[model.index] == 0 || !is_free) return 0;
+  if (world.models.subscribers[model] == 0 || !is_free) return 0;
   const scene::ActuatorDesc& desc = *world.desc(model).actuator;
   const double dt = world.scene().interval, position = actuators.position[row];
   const double wanted =
@@ -43,7 +43,8 @@ class ActuatorAct final : public ActPhase {
  public:
   void act(world::World& world, world::Workers& workers) override {
     workers.run(world.actuators.size(), 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t row = begin; row < end; ++row) world.actuators.velocity[row] = velocity_of(world, row);
+      for (const world::ActuatorRow row : world.actuators.rows().part(begin, end))
+        world.actuators.velocity[row] = velocity_of(world, row);
     });
   }
 };

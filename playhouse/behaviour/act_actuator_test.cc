@@ -15,11 +15,11 @@ class Slide : public ::testing::Test {
   void step(int ticks = 1) {
     for (int k = 0; k < ticks; ++k) {
       phase_->act(world, workers_);
-      world.actuators.position[0] += 0.1 * velocity();
+      world.actuators.position[{0}] += 0.1 * velocity();
     }
   }
-  double velocity() const { return world.actuators.velocity[0]; }
-  double position() const { return world.actuators.position[0]; }
+  double velocity() const { return world.actuators.velocity[{0}]; }
+  double position() const { return world.actuators.position[{0}]; }
   void go_to(double position) { EXPECT_TRUE(world::command_joint_position(world, kRow, position)); }
   void move_at(double velocity) { EXPECT_TRUE(world::command_joint_velocity(world, kRow, velocity)); }
 
@@ -67,7 +67,7 @@ TEST_F(Slide, goes_to_a_position_the_slower_the_nearer_it_is_and_rests_there) {
 }
 
 TEST_F(Slide, goes_to_a_position_no_faster_than_it_is_told) {
-  world.actuators.speed[0] = 0.1;
+  world.actuators.speed[{0}] = 0.1;
   go_to(-0.5);
   step();
   EXPECT_EQ(velocity(), -0.1);
@@ -75,7 +75,7 @@ TEST_F(Slide, goes_to_a_position_no_faster_than_it_is_told) {
 
 TEST_F(Slide, ends_where_its_way_ends_whatever_it_is_told) {
   go_to(50);
-  EXPECT_EQ(world.actuators.goal[0], 2);
+  EXPECT_EQ(world.actuators.goal[{0}], 2);
   step(200);
   EXPECT_NEAR(position(), 2, 1e-9);
   EXPECT_EQ(velocity(), 0);
@@ -91,12 +91,12 @@ TEST_F(Slide, stands_still_without_power_or_with_brakes_or_when_nobody_has_it_op
     EXPECT_EQ(velocity(), 0);
   };
   move_at(0.3);
-  world.actuators.motor_on[0] = 0;
+  world.actuators.motor_on[{0}] = 0;
   expect_still();
-  world.actuators.motor_on[0] = 1;
-  world.actuators.braked[0] = 1;
+  world.actuators.motor_on[{0}] = 1;
+  world.actuators.braked[{0}] = 1;
   expect_still();
-  world.actuators.braked[0] = 0;
+  world.actuators.braked[{0}] = 0;
   step();
   EXPECT_EQ(velocity(), 0.3) << "what it was told is kept";
   world::unsubscribe(world, {0});

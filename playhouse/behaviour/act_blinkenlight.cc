@@ -17,10 +17,10 @@ std::int64_t microseconds(double seconds) {
 }
 
 /// `now`: time of the state being computed. [s]
-bool is_lit(const world::World& world, std::size_t lamp, double now) {
+bool is_lit(const world::World& world, world::BlinkenlightRow lamp, double now) {
   const world::Blinkenlights& lamps = world.blinkenlights;
   if (!lamps.enabled[lamp]) return false;
-  if (world.models.subscribers[lamps.model[lamp].index] == 0) return true;
+  if (world.models.subscribers[lamps.model[lamp]] == 0) return true;
   const std::int64_t period = microseconds(lamps.period[lamp]);
   if (period == 0) return true;
   const double since = static_cast<double>(microseconds(now) % period);
@@ -33,7 +33,7 @@ class BlinkenlightAct final : public ActPhase {
   void act(world::World& world, world::Workers& workers) override {
     const double now = static_cast<double>(world.tick() + 1) * world.scene().interval;
     workers.run(world.blinkenlights.size(), 1024, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t lamp = begin; lamp < end; ++lamp)
+      for (const world::BlinkenlightRow lamp : world.blinkenlights.rows().part(begin, end))
         world.blinkenlights.lit[lamp] = is_lit(world, lamp, now);
     });
   }

@@ -21,7 +21,7 @@ class Lamp {
     for (int k = 0; k < ticks; ++k) {
       phase_->act(world, workers_);
       ++world.tick_;
-      text += world.blinkenlights.lit[0] ? '*' : '.';
+      text += world.blinkenlights.lit[{0}] ? '*' : '.';
     }
     return text;
   }
@@ -58,7 +58,7 @@ TEST(Blinkenlight, burns_steadily_without_a_period_or_with_all_of_it_and_never_w
 TEST(Blinkenlight, is_dark_while_it_is_off_and_goes_on_in_step) {
   Lamp lamp(1, 0.5, false);
   EXPECT_EQ(lamp.shown(3), "...");
-  lamp.world.blinkenlights.enabled[0] = 1;
+  lamp.world.blinkenlights.enabled[{0}] = 1;
   EXPECT_EQ(lamp.shown(8), "*.....**");
 }
 
@@ -66,10 +66,10 @@ TEST(Blinkenlight, that_nobody_has_open_is_lit_while_it_is_on) {
   Lamp lamp(0.2, 0.5);
   world::unsubscribe(lamp.world, {0});
   EXPECT_EQ(lamp.shown(4), "****");
-  lamp.world.blinkenlights.enabled[0] = 0;
+  lamp.world.blinkenlights.enabled[{0}] = 0;
   EXPECT_EQ(lamp.shown(2), "..");
   world::subscribe(lamp.world, {0});
-  lamp.world.blinkenlights.enabled[0] = 1;
+  lamp.world.blinkenlights.enabled[{0}] = 1;
   EXPECT_EQ(lamp.shown(4), ".*.*");
 }
 

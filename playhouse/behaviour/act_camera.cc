@@ -32,12 +32,12 @@ class CameraAct final : public ActPhase {
  public:
   void act(world::World& world, world::Workers& workers) override {
     workers.run(world.cameras.size(), 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t row = begin; row < end; ++row) turn(world, row);
+      for (const world::CameraRow row : world.cameras.rows().part(begin, end)) turn(world, row);
     });
   }
 
  private:
-  static void turn(world::World& world, std::size_t row) {
+  static void turn(world::World& world, world::CameraRow row) {
     world::Cameras& cameras = world.cameras;
     const world::ModelRow model = cameras.model[row];
     cameras.pan_speed[row] = cameras.tilt_speed[row] = 0;

@@ -16,9 +16,9 @@ class CameraActTest : public ::testing::Test {
   void act(int ticks = 1) {
     for (int k = 0; k < ticks; ++k) phase_->act(world_, workers_);
   }
-  double pan() const { return geom::degrees(world_.cameras.pan[0]); }
-  double tilt() const { return geom::degrees(world_.cameras.tilt[0]); }
-  double zoom() const { return geom::degrees(world_.cameras.zoom[0]); }
+  double pan() const { return geom::degrees(world_.cameras.pan[{0}]); }
+  double tilt() const { return geom::degrees(world_.cameras.tilt[{0}]); }
+  double zoom() const { return geom::degrees(world_.cameras.zoom[{0}]); }
   void aim(double pan, double tilt, double zoom) {
     EXPECT_TRUE(
         world::aim_camera(world_, {0}, {geom::radians(pan), geom::radians(tilt), geom::radians(zoom)}));
@@ -45,12 +45,12 @@ TEST_F(CameraActTest, goes_where_it_is_told_as_fast_as_it_can_and_stops_there) {
   act();
   EXPECT_DOUBLE_EQ(pan(), 9);
   EXPECT_DOUBLE_EQ(tilt(), -4);
-  EXPECT_DOUBLE_EQ(geom::degrees(world_.cameras.pan_speed[0]), 90);
+  EXPECT_DOUBLE_EQ(geom::degrees(world_.cameras.pan_speed[{0}]), 90);
   act(2);
   EXPECT_DOUBLE_EQ(pan(), 20);
-  EXPECT_NEAR(geom::degrees(world_.cameras.pan_speed[0]), 20, 1e-9);
+  EXPECT_NEAR(geom::degrees(world_.cameras.pan_speed[{0}]), 20, 1e-9);
   act();
-  EXPECT_EQ(world_.cameras.pan_speed[0], 0);
+  EXPECT_EQ(world_.cameras.pan_speed[{0}], 0);
   EXPECT_DOUBLE_EQ(zoom(), 70) << "a zoom of 0 changes nothing";
 }
 
@@ -74,7 +74,7 @@ TEST_F(CameraActTest, turns_at_a_velocity_until_its_limits_and_stops_when_the_mo
   act(40);
   EXPECT_DOUBLE_EQ(pan(), -100);
   EXPECT_DOUBLE_EQ(tilt(), 25);
-  EXPECT_EQ(world_.cameras.pan_speed[0], 0) << "at its limit it stands";
+  EXPECT_EQ(world_.cameras.pan_speed[{0}], 0) << "at its limit it stands";
   world::turn_camera(world_, {0}, geom::radians(50), 0);
   act();
   world::set_camera_mode(world_, {0}, world::ControlMode::kPosition);

@@ -33,31 +33,30 @@ class CustomAct final : public ActPhase {
     scratch_.resize(workers.count());
     colors_.resize(models);
     workers.run(models, 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t row = begin; row < end; ++row)
-        act_one(world, {static_cast<std::uint32_t>(row)}, scratch_[workers.current()]);
+      for (const world::CustomRow row : world.customs.rows().part(begin, end))
+        act_one(world, row, scratch_[workers.current()]);
     });
   }
 
   /// Colours are shared by equal models, so they are set sequentially.
   void change(world::World& world) override {
-    for (std::size_t row = 0; row < world.customs.size(); ++row) {
+    for (const world::CustomRow row : world.customs.rows()) {
       const world::ModelRow model = world.customs.model[row];
-      if (colors_[row] != world.models.color[model.index]) world::set_color(world, model, colors_[row]);
+      if (colors_[row] != world.models.color[model]) world::set_color(world, model, colors_[row]);
     }
   }
 
  private:
-  void act_one(world::World& world, world::CustomRow custom, std::vector<double>& state) {
-    const std::uint32_t row = custom.index;
+  void act_one(world::World& world, world::CustomRow row, std::vector<double>& state) {
     world::Customs& customs = world.customs;
     const world::ModelRow model = customs.model[row];
-    colors_[row] = world.models.color[model.index];
+    colors_[row] = world.models.color[model];
     customs.velocity[row] = {};
     const world::CustomCode* const code = world::custom_code(world, model);
     if (!code) return;
-    world::begin_custom(world, custom);
+    world::begin_custom(world, row);
     state.assign(customs.state[row].begin(), customs.state[row].end());
-    world::CustomActor self{{world::custom_model(world, custom, world.tick() + 1, Purpose::kCustomAct)},
+    world::CustomActor self{{world::custom_model(world, row, world.tick() + 1, Purpose::kCustomAct)},
                             state,
                             {},
                             customs.stall[row] != 0,
@@ -72,8 +71,8 @@ class CustomAct final : public ActPhase {
     colors_[row] = self.color;
   }
 
-  std::vector<std::vector<double>> scratch_;  // states, per worker
-  std::vector<scene::Color> colors_;          // requested colours (customs)
+  std::vector<std::vector<double>> scratch_;        // states, per worker
+  ByRow<world::CustomTable, scene::Color> colors_;  // requested colours
 };
 
 }  // namespace

@@ -31,20 +31,20 @@ double more(double value, double most) {
 }
 
 /// True if the gripper updates in this tick; it then also measures (see DueList).
-bool is_due(const world::World& world, std::size_t gripper) {
+bool is_due(const world::World& world, world::GripperRow gripper) {
   const ModelRow model = world.grippers.model[gripper];
-  if (world.models.subscribers[model.index] == 0) return false;
+  if (world.models.subscribers[model] == 0) return false;
   return world.tick() + 1 - world.grippers.measured_tick[gripper] >= world::update_ticks(world, model);
 }
 
 /// Automatic mode: opens or closes stopped paddles by the beams.
-void snatch(Grippers& grippers, std::size_t gripper) {
+void snatch(Grippers& grippers, world::GripperRow gripper) {
   if (grippers.closing[gripper] != 0) return;
   const bool wants_closed = grippers.beams[gripper] != 0 || grippers.held[gripper].valid();
   grippers.closing[gripper] = wants_closed ? 1 : -1;
 }
 
-void move_paddles(Grippers& grippers, std::size_t gripper) {
+void move_paddles(Grippers& grippers, world::GripperRow gripper) {
   double& paddles = grippers.paddles[gripper];
   const double limit = grippers.close_limit[gripper];
   std::int32_t& closing = grippers.closing[gripper];
@@ -57,7 +57,7 @@ void move_paddles(Grippers& grippers, std::size_t gripper) {
   }
 }
 
-void move_lift(Grippers& grippers, std::size_t gripper) {
+void move_lift(Grippers& grippers, world::GripperRow gripper) {
   double& lift = grippers.lift[gripper];
   std::int32_t& rising = grippers.rising[gripper];
   if (rising == 0) return;
@@ -70,12 +70,12 @@ ModelRow liftable(const world::World& world, world::ModelId met) {
   const world::Models& models = world.models;
   const ModelRow part = world.row(met);
   if (!part) return {};
-  const ModelRow whole{models.root[part.index]};
-  const bool is_loose = models.mobility[whole.index] == world::Mobility::kLoose;
+  const ModelRow whole = models.root[part];
+  const bool is_loose = models.mobility[whole] == world::Mobility::kLoose;
   return is_loose && world.desc(whole).gripper_return ? whole : ModelRow{};
 }
 
-void take_up(world::World& world, std::size_t gripper) {
+void take_up(world::World& world, world::GripperRow gripper) {
   Grippers& grippers = world.grippers;
   const ModelRow by = grippers.model[gripper];
   const ModelRow thing = liftable(world, grippers.touched[gripper]);
@@ -88,7 +88,7 @@ void take_up(world::World& world, std::size_t gripper) {
   grippers.paddles[gripper] = std::min(grippers.paddles[gripper], limit);
 }
 
-void let_go(world::World& world, std::size_t gripper) {
+void let_go(world::World& world, world::GripperRow gripper) {
   const Result<void> detached = world::detach(world, world.grippers.held[gripper]);
   static_cast<void>(detached);  // it may have been detached already
   world.grippers.held[gripper] = {};
@@ -99,14 +99,14 @@ class GripperAct final : public ActPhase {
  public:
   void act(world::World& world, world::Workers& workers) override {
     workers.run(world.grippers.size(), 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t gripper = begin; gripper < end; ++gripper)
+      for (const world::GripperRow gripper : world.grippers.rows().part(begin, end))
         if (is_due(world, gripper)) update(world, gripper);
     });
   }
 
   void change(world::World& world) override {
     Grippers& grippers = world.grippers;
-    for (std::size_t gripper = 0; gripper < grippers.size(); ++gripper) {
+    for (const world::GripperRow gripper : grippers.rows()) {
       const double paddles = grippers.paddles[gripper];
       std::int32_t& closing = grippers.closing[gripper];
       const bool holds = grippers.held[gripper].valid();
@@ -119,10 +119,9 @@ class GripperAct final : public ActPhase {
   }
 
  private:
-  static void update(world::World& world, std::size_t gripper) {
+  static void update(world::World& world, world::GripperRow gripper) {
     Grippers& grippers = world.grippers;
-    const bool lost = grippers.held[gripper].valid() &&
-                      !world::held_by(world, GripperRow{static_cast<std::uint32_t>(gripper)});
+    const bool lost = grippers.held[gripper].valid() && !world::held_by(world, gripper);
     if (lost) {
       grippers.held[gripper] = {};
       grippers.close_limit[gripper] = 1;

@@ -54,14 +54,12 @@ class GripperActTest : public ::testing::Test {
     if (!world_) world_ = std::make_unique<world::World>(scene_, 1);
     return *world_;
   }
-  world::GripperRow row(ModelId gripper = kGripper) {
-    return {world().models.part[world().row(gripper).index]};
-  }
-  double paddles() { return world().grippers.paddles[row().index]; }
-  double lift() { return world().grippers.lift[row().index]; }
+  world::GripperRow row(ModelId gripper = kGripper) { return world().models.part[world().row(gripper)]; }
+  double paddles() { return world().grippers.paddles[row()]; }
+  double lift() { return world().grippers.lift[row()]; }
   PaddleState state() { return world::paddle_state(world().grippers, row()); }
-  ModelId held(ModelId gripper = kGripper) { return world().grippers.held[row(gripper).index]; }
-  ModelId parent(ModelId model) { return world().models.parent_id[world().row(model).index]; }
+  ModelId held(ModelId gripper = kGripper) { return world().grippers.held[row(gripper)]; }
+  ModelId parent(ModelId model) { return world().models.parent_id[world().row(model)]; }
   void command(GripperCommand command, ModelId gripper = kGripper) {
     world::command_gripper(world(), row(gripper), command);
   }
@@ -74,7 +72,7 @@ class GripperActTest : public ::testing::Test {
       act_->change(world());
       ++world().tick_;
       world::Grippers& grippers = world().grippers;
-      for (std::size_t gripper = 0; gripper < grippers.size(); ++gripper) {
+      for (const world::GripperRow gripper : grippers.rows()) {
         const world::ModelRow model = grippers.model[gripper];
         const double period = world().desc(model).update_interval / scene_.interval;
         if (static_cast<double>(world().tick() - grippers.measured_tick[gripper]) < std::round(period))
@@ -82,7 +80,7 @@ class GripperActTest : public ::testing::Test {
         grippers.measured_tick[gripper] = world().tick();
         grippers.touched[gripper] = {};
       }
-      for (const auto& [gripper, thing] : touches_) grippers.touched[row(gripper).index] = thing;
+      for (const auto& [gripper, thing] : touches_) grippers.touched[row(gripper)] = thing;
       touches_.clear();
     }
   }
@@ -182,7 +180,7 @@ TEST_F(GripperActTest, what_is_touched_while_it_closes_is_taken_up_and_let_go_wh
   step();
   EXPECT_EQ(held(), kPuck);
   EXPECT_EQ(parent(kPuck), kGripper);
-  EXPECT_EQ(world().models.X_PM[kPuck.value], geom::Pose{});
+  EXPECT_EQ(world().models.X_PM[{kPuck.value}], geom::Pose{});
   EXPECT_NEAR(paddles(), 0.68, 1e-12) << "1 - 0.08 / (0.3 - 0.1 / 2)";
   EXPECT_EQ(state(), PaddleState::kClosed);
   step(5);
@@ -192,7 +190,7 @@ TEST_F(GripperActTest, what_is_touched_while_it_closes_is_taken_up_and_let_go_wh
   step();
   EXPECT_EQ(held(), ModelId{});
   EXPECT_EQ(parent(kPuck), ModelId{});
-  EXPECT_EQ(world().models.X_WM[kPuck.value], world().models.X_WM[kGripper.value]);
+  EXPECT_EQ(world().models.X_WM[{kPuck.value}], world().models.X_WM[{kGripper.value}]);
   EXPECT_EQ(state(), PaddleState::kMoving);
   step(13);
   EXPECT_EQ(state(), PaddleState::kOpen);
@@ -298,11 +296,11 @@ TEST_F(GripperActTest, what_it_holds_stays_where_it_is_when_the_robot_goes) {
   touch(kPuck);
   step(2);
   ASSERT_EQ(parent(kPuck), kGripper);
-  const geom::Pose at = world().models.X_WM[kPuck.value];
+  const geom::Pose at = world().models.X_WM[{kPuck.value}];
   ASSERT_TRUE(world::despawn(world(), {0}).ok());
   step(3);
   const world::ModelRow puck = world().row(kPuck);
-  EXPECT_EQ(world().models.X_WM[puck.index], at);
+  EXPECT_EQ(world().models.X_WM[puck], at);
   EXPECT_EQ(parent(kPuck), ModelId{});
 }
 
@@ -339,7 +337,7 @@ TEST_F(GripperActTest, is_empty_and_as_the_file_says_again_at_the_start) {
 
 TEST_F(GripperActTest, with_autosnatch_beams_open_and_close_it_and_commands_let_go) {
   desc().autosnatch = true;
-  const auto beams = [&](std::uint32_t bits) { world().grippers.beams[row().index] = bits; };
+  const auto beams = [&](std::uint32_t bits) { world().grippers.beams[row()] = bits; };
   step(3);
   EXPECT_EQ(state(), PaddleState::kOpen);
   beams(2);

@@ -101,11 +101,11 @@ Twist within(const scene::Interval* bounds, const Twist& velocity) {
           std::clamp(velocity.a, bounds[3].min, bounds[3].max)};
 }
 
-Twist velocity_of(const world::World& world, std::size_t robot) {
+Twist velocity_of(const world::World& world, world::PositionRow robot) {
   const world::Positions& positions = world.positions;
-  const std::uint32_t model = positions.model[robot].index;
+  const world::ModelRow model = positions.model[robot];
   if (world.models.subscribers[model] == 0 || !positions.motor_on[robot]) return {};
-  const scene::PositionDesc& desc = *world.desc({model}).position;
+  const scene::PositionDesc& desc = *world.desc(model).position;
   const double dt = world.scene().interval;
   Twist wanted;
   switch (positions.mode[robot]) {
@@ -130,7 +130,7 @@ class PositionAct final : public ActPhase {
  public:
   void act(world::World& world, world::Workers& workers) override {
     workers.run(world.positions.size(), 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t robot = begin; robot < end; ++robot)
+      for (const world::PositionRow robot : world.positions.rows().part(begin, end))
         world.positions.velocity[robot] = velocity_of(world, robot);
     });
   }

@@ -11,15 +11,15 @@ void DueList::populate(const world::World& world, std::span<const world::ModelRo
   due_.reserve(models.size());
 }
 
-std::span<const std::uint32_t> DueList::take(const world::World& world, SensorTable table,
-                                             std::uint64_t tick) {
+std::span<const world::KindRow> DueList::take(const world::World& world, SensorTable table,
+                                              std::uint64_t tick) {
   due_.clear();
   for (std::uint32_t row = 0; row < table.model.size(); ++row) {
-    const std::uint32_t model = table.model[row].index;
+    const world::ModelRow model = table.model[row];
     if (world.models.subscribers[model] == 0) continue;
     if (tick - table.measured_tick[row] < period_[world.models.desc[model]]) continue;
     table.measured_tick[row] = tick;
-    due_.push_back(row);
+    due_.push_back({row});
   }
   return due_;
 }

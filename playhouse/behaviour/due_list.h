@@ -24,11 +24,11 @@ class DueList {
 
   /// The rows due at `tick`, in order; sets their
   /// measured_tick. Valid until the next call.
-  std::span<const std::uint32_t> take(const world::World& world, SensorTable table, std::uint64_t tick);
+  std::span<const world::KindRow> take(const world::World& world, SensorTable table, std::uint64_t tick);
 
  private:
   std::vector<std::uint64_t> period_;  // ticks between two measurements (rows of SceneDesc::models)
-  std::vector<std::uint32_t> due_;
+  std::vector<world::KindRow> due_;
 };
 
 }  // namespace playhouse::behaviour

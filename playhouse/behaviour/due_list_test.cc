@@ -20,7 +20,8 @@ TEST(DueList, has_those_that_are_subscribed_and_whose_period_is_over) {
   std::vector<std::vector<std::uint32_t>> due;
   for (std::uint64_t tick = 1; tick <= 6; ++tick) {
     const auto rows = list.take(world, {world.rangers.model, world.rangers.measured_tick}, tick);
-    due.emplace_back(rows.begin(), rows.end());
+    std::vector<std::uint32_t>& numbers = due.emplace_back();
+    for (const world::KindRow row : rows) numbers.push_back(row.index);
   }
   EXPECT_EQ(due, (std::vector<std::vector<std::uint32_t>>{{0}, {0}, {0, 1}, {0}, {0}, {0, 1}}));
   EXPECT_EQ(world.rangers.measured_tick, (std::vector<std::uint64_t>{6, 6, 0}));

@@ -20,7 +20,7 @@ double speed_of(const geom::Twist& velocity) {
 void Energy::drain(world::World& world, world::Workers& workers) {
   if (population_ != world.population()) populate(world);
   workers.run(world.packs.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t pack = begin; pack < end; ++pack) drain(world, pack);
+    for (const world::PackRow pack : world.packs.rows().part(begin, end)) drain(world, pack);
   });
 }
 
@@ -29,42 +29,42 @@ void Energy::populate(const world::World& world) {
   loads_.clear(), first_load_.clear(), givers_.clear(), takers_.clear();
   if (world.packs.size() == 0) return;
   const world::Models& models = world.models;
-  std::vector<world::PackRow> pack(models.size());
+  world::ByModel<world::PackRow> pack(models.size());
   first_load_.assign(world.packs.size() + 1, 0);
-  for (std::uint32_t model = 0; model < models.size(); ++model) {
-    pack[model] = world::pack_of(world, {model});
-    if (pack[model]) ++first_load_[pack[model].index + 1];
+  for (const world::ModelRow model : models.rows()) {
+    pack[model] = world::pack_of(world, model);
+    if (pack[model]) ++first_load_[pack[model] + 1];
   }
-  for (std::size_t row = 0; row < world.packs.size(); ++row) first_load_[row + 1] += first_load_[row];
+  for (const world::PackRow row : world.packs.rows()) first_load_[row + 1] += first_load_[row];
   loads_.resize(first_load_.back());
-  std::vector<std::uint32_t> next = first_load_;
-  for (std::uint32_t model = 0; model < models.size(); ++model) {
+  ByRow<world::PackTable, std::uint32_t> next = first_load_;
+  for (const world::ModelRow model : models.rows()) {
     if (!pack[model]) continue;
-    const scene::ModelDesc& desc = world.desc({model});
+    const scene::ModelDesc& desc = world.desc(model);
     const world::PositionRow position = world.position(models.id[model]);
-    loads_[next[pack[model].index]++] = {model, draw_of(desc), position.index, kWattsPerMomentum * desc.mass};
+    loads_[next[pack[model]]++] = {model, draw_of(desc), position, kWattsPerMomentum * desc.mass};
   }
   find_givers(world, pack);
 }
 
 /// `pack`: battery that supplies each model.
-void Energy::find_givers(const world::World& world, std::span<const world::PackRow> pack) {
-  for (std::uint32_t model = 0; model < pack.size(); ++model) {
-    const double watts = world.desc({model}).give_watts;
-    if (pack[model] && watts > 0) givers_.push_back({{model}, pack[model], watts});
+void Energy::find_givers(const world::World& world, const world::ByModel<world::PackRow>& pack) {
+  for (const world::ModelRow model : pack.rows()) {
+    const double watts = world.desc(model).give_watts;
+    if (pack[model] && watts > 0) givers_.push_back({model, pack[model], watts});
   }
   if (givers_.empty()) return;
-  for (std::uint32_t model = 0; model < pack.size(); ++model)
-    takers_.push_back(pack[model] && world.desc({model}).take_watts > 0 ? 1 : 0);
+  for (const world::ModelRow model : pack.rows())
+    takers_.push_back(pack[model] && world.desc(model).take_watts > 0 ? 1 : 0);
 }
 
 double Energy::drawn_by(const world::World& world, const Load& load) const {
-  if (!world::is_used(world, {load.model})) return 0;
-  if (load.position == world::PositionRow::kNone) return load.watts;
+  if (!world::is_used(world, load.model)) return 0;
+  if (!load.position) return load.watts;
   return load.watts + load.watts_per_speed * speed_of(world.positions.velocity[load.position]);
 }
 
-void Energy::drain(world::World& world, std::size_t pack) const {
+void Energy::drain(world::World& world, world::PackRow pack) const {
   world::Packs& packs = world.packs;
   const double dt = world.scene().interval;
   double watts = 0;
@@ -79,20 +79,20 @@ void Energy::drain(world::World& world, std::size_t pack) const {
 }
 
 bool Energy::gives(const world::World& world, const Giver& giver) {
-  const std::uint32_t pack = giver.pack.index;
+  const world::PackRow pack = giver.pack;
   return world::is_used(world, giver.model) && world.packs.gives[pack] != 0 && world.packs.stored[pack] != 0;
 }
 
-void Energy::charge(world::World& world, const Giver& giver, std::span<const std::uint32_t> takers) {
+void Energy::charge(world::World& world, const Giver& giver, std::span<const world::ModelRow> takers) {
   world::Packs& packs = world.packs;
   const double dt = world.scene().interval;
-  const std::uint32_t from = giver.pack.index;
-  for (const std::uint32_t taker : takers) {
-    const std::uint32_t to = world::pack_of(world, {taker}).index;
+  const world::PackRow from = giver.pack;
+  for (const world::ModelRow taker : takers) {
+    const world::PackRow to = world::pack_of(world, taker);
     if (packs.takes[to] == 0 || packs.stored[to] < 0) continue;
     const double room = packs.capacity[to] - packs.stored[to];
     const bool is_endless = packs.stored[from] < 0;
-    double joules = std::min(std::min(giver.watts, world.desc({taker}).take_watts) * dt, room);
+    double joules = std::min(std::min(giver.watts, world.desc(taker).take_watts) * dt, room);
     if (!is_endless) joules = std::min(joules, packs.stored[from]);
     if (joules <= 0) continue;
     if (!is_endless) packs.stored[from] -= joules;

@@ -29,32 +29,32 @@ class Energy {
   /// Chargers with a battery in reach, ascending; of the population of the last drain().
   std::span<const Giver> givers() const { return givers_; }
   /// Whether each model can be charged: enabled, with a battery in reach (models; empty without chargers).
-  std::span<const std::uint8_t> takers() const { return takers_; }
+  const world::ByModel<std::uint8_t>& takers() const { return takers_; }
 
   /// Whether it charges in this tick: subscribed, enabled, battery not empty.
   static bool gives(const world::World& world, const Giver& giver);
   /// Transfers one tick's energy to each of these models, in order, within the source and the capacities.
-  static void charge(world::World& world, const Giver& giver, std::span<const std::uint32_t> takers);
+  static void charge(world::World& world, const Giver& giver, std::span<const world::ModelRow> takers);
 
  private:
   /// A consumer: a model with a battery in reach.
   struct Load {
-    std::uint32_t model = 0;
-    double watts = 0;            // W, independent of motion
-    std::uint32_t position = 0;  // row of world::Positions, or Row::kNone
-    double watts_per_speed = 0;  // W s/m and W s/rad, of a robot's speed
+    world::ModelRow model;
+    double watts = 0;             // W, independent of motion
+    world::PositionRow position;  // none: it does not drive
+    double watts_per_speed = 0;   // W s/m and W s/rad, of a robot's speed
   };
 
   void populate(const world::World& world);
   double drawn_by(const world::World& world, const Load& load) const;
-  void drain(world::World& world, std::size_t pack) const;
-  void find_givers(const world::World& world, std::span<const world::PackRow> pack);
+  void drain(world::World& world, world::PackRow pack) const;
+  void find_givers(const world::World& world, const world::ByModel<world::PackRow>& pack);
 
-  std::uint64_t population_ = 0;           // of the rows below; 0: none yet
-  std::vector<Load> loads_;                // by battery, then by model
-  std::vector<std::uint32_t> first_load_;  // of each battery (batteries + 1)
+  std::uint64_t population_ = 0;                       // of the rows below; 0: none yet
+  std::vector<Load> loads_;                            // by battery, then by model
+  ByRow<world::PackTable, std::uint32_t> first_load_;  // of each battery (batteries + 1)
   std::vector<Giver> givers_;
-  std::vector<std::uint8_t> takers_;
+  world::ByModel<std::uint8_t> takers_;
 };
 
 }  // namespace playhouse::behaviour

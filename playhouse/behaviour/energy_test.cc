@@ -56,72 +56,72 @@ TEST_F(EnergyTest, flows_to_models_that_somebody_subscribed) {
   EXPECT_EQ(packs_.stored, (std::vector<double>{100, 10}));
   subscribe(kScanner);
   tick();
-  EXPECT_DOUBLE_EQ(packs_.stored[0], 100 - 0.04) << "0.2 W for each of two sensors";
+  EXPECT_DOUBLE_EQ(packs_.stored[{0}], 100 - 0.04) << "0.2 W for each of two sensors";
   subscribe(kLamp);
   tick();
-  EXPECT_DOUBLE_EQ(packs_.dissipated[0], 0.04 + 0.54);
-  EXPECT_DOUBLE_EQ(packs_.stored[0] + packs_.dissipated[0], 100);
-  EXPECT_DOUBLE_EQ(packs_.watts[0], 5.4);
-  EXPECT_DOUBLE_EQ(packs_.stored[1], 10);
+  EXPECT_DOUBLE_EQ(packs_.dissipated[{0}], 0.04 + 0.54);
+  EXPECT_DOUBLE_EQ(packs_.stored[{0}] + packs_.dissipated[{0}], 100);
+  EXPECT_DOUBLE_EQ(packs_.watts[{0}], 5.4);
+  EXPECT_DOUBLE_EQ(packs_.stored[{1}], 10);
 }
 
 TEST_F(EnergyTest, is_not_drawn_for_who_only_watches) {
   world::watch(world_, {kScanner});
   tick();
-  EXPECT_EQ(packs_.watts[0], 0);
+  EXPECT_EQ(packs_.watts[{0}], 0);
   subscribe(kScanner);
   tick();
-  EXPECT_DOUBLE_EQ(packs_.watts[0], 0.4) << "whoever watches as well";
+  EXPECT_DOUBLE_EQ(packs_.watts[{0}], 0.4) << "whoever watches as well";
   world::unsubscribe(world_, {kScanner});
   tick();
-  EXPECT_EQ(packs_.watts[0], 0);
+  EXPECT_EQ(packs_.watts[{0}], 0);
   world::unwatch(world_, {kScanner});
-  EXPECT_EQ(world_.models.subscribers[kScanner], 0u);
+  EXPECT_EQ(world_.models.subscribers[{kScanner}], 0u);
 }
 
 TEST_F(EnergyTest, is_drawn_by_a_robot_as_fast_as_it_drives) {
   subscribe(kRobot);
   tick();
-  EXPECT_DOUBLE_EQ(packs_.watts[0], 1) << "at rest, whatever its words say";
-  world_.positions.velocity[0] = {0.5, -0.25, 0, -0.25};
+  EXPECT_DOUBLE_EQ(packs_.watts[{0}], 1) << "at rest, whatever its words say";
+  world_.positions.velocity[{0}] = {0.5, -0.25, 0, -0.25};
   tick();
-  EXPECT_DOUBLE_EQ(packs_.watts[0], 1 + 10 * 2 * 1.0);
+  EXPECT_DOUBLE_EQ(packs_.watts[{0}], 1 + 10 * 2 * 1.0);
 }
 
 TEST_F(EnergyTest, comes_from_the_nearest_battery_around) {
   subscribe(4);
   tick();
-  EXPECT_DOUBLE_EQ(packs_.watts[1], 2);
-  EXPECT_EQ(packs_.watts[0], 0);
+  EXPECT_DOUBLE_EQ(packs_.watts[{1}], 2);
+  EXPECT_EQ(packs_.watts[{0}], 0);
 }
 
 TEST_F(EnergyTest, of_an_empty_battery_is_not_drawn) {
   subscribe(4);
   for (int i = 0; i < 60; ++i) tick();
-  EXPECT_EQ(packs_.stored[1], 0);
-  EXPECT_NEAR(packs_.dissipated[1], 10, 1e-9);
-  EXPECT_EQ(packs_.watts[1], 0);
+  EXPECT_EQ(packs_.stored[{1}], 0);
+  EXPECT_NEAR(packs_.dissipated[{1}], 10, 1e-9);
+  EXPECT_EQ(packs_.watts[{1}], 0);
 }
 
 TEST_F(EnergyTest, below_nothing_never_ends) {
-  world_.packs.stored[1] = -1;
+  world_.packs.stored[{1}] = -1;
   subscribe(4);
   for (int i = 0; i < 60; ++i) tick();
-  EXPECT_EQ(packs_.stored[1], -1);
-  EXPECT_NEAR(packs_.dissipated[1], 12, 1e-9);
+  EXPECT_EQ(packs_.stored[{1}], -1);
+  EXPECT_NEAR(packs_.dissipated[{1}], 12, 1e-9);
 }
 
 TEST_F(EnergyTest, follows_models_that_become_parts_of_others) {
   constexpr std::uint32_t kLoose = 5;
   subscribe(kLoose);
   tick();
-  EXPECT_EQ(packs_.watts[0], 0);
+  EXPECT_EQ(packs_.watts[{0}], 0);
   ASSERT_TRUE(world::attach(world_, {kLoose}, {kRobot}, {}));
   tick();
-  EXPECT_DOUBLE_EQ(packs_.watts[0], 5);
+  EXPECT_DOUBLE_EQ(packs_.watts[{0}], 5);
   ASSERT_TRUE(world::detach(world_, {kLoose}));
   tick();
-  EXPECT_EQ(packs_.watts[0], 0);
+  EXPECT_EQ(packs_.watts[{0}], 0);
 }
 
 TEST_F(EnergyTest, of_robots_that_come_and_go_stays_with_them) {
@@ -130,14 +130,14 @@ TEST_F(EnergyTest, of_robots_that_come_and_go_stays_with_them) {
   const world::ModelId another = *world::spawn(world_, kRobot, {});
   tick();
   ASSERT_EQ(packs_.size(), 4u);
-  EXPECT_DOUBLE_EQ(packs_.stored[2], 100);
-  EXPECT_DOUBLE_EQ(packs_.stored[0], 99.8);
+  EXPECT_DOUBLE_EQ(packs_.stored[{2}], 100);
+  EXPECT_DOUBLE_EQ(packs_.stored[{0}], 99.8);
   world::subscribe(world_, world_.row(another));
   ASSERT_TRUE(world::despawn(world_, {kRobot}));
   tick();
   ASSERT_EQ(packs_.size(), 2u);
-  EXPECT_DOUBLE_EQ(packs_.stored[0], 99.9);
-  EXPECT_EQ(packs_.model[0], world_.row(another));
+  EXPECT_DOUBLE_EQ(packs_.stored[{0}], 99.9);
+  EXPECT_EQ(packs_.model[{0}], world_.row(another));
   world::return_to_start(world_);
   EXPECT_EQ(packs_.stored, (std::vector<double>{100, 10}));
 }

@@ -40,8 +40,8 @@ class PhasedEngine : public world::Engine {
 
   /// Appends the models of other trees whose bodies touch or overlap that of `model`, whatever
   /// their heights, and that are `wanted` (by row of the models): ascending, without duplicates.
-  virtual void touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
-                        std::vector<std::uint32_t>& out) const = 0;
+  virtual void touching(world::ModelRow model, const world::ByModel<std::uint8_t>& wanted,
+                        std::vector<world::ModelRow>& out) const = 0;
 
   world::World world_;
   world::Workers workers_;
@@ -58,7 +58,7 @@ class PhasedEngine : public world::Engine {
 
   Acts acts_;
   Energy energy_;
-  std::vector<std::uint32_t> touching_;  // models in contact with a charger: scratch
+  std::vector<world::ModelRow> touching_;  // models in contact with a charger: scratch
   // Cursors into world_.events: next for the tick, next for ingest().
   std::uint64_t next_event_ = 0, next_ingested_ = 0;
 };

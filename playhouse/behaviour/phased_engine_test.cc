@@ -19,7 +19,8 @@ class Nowhere final : public PhasedEngine {
   void ingest(std::span<const world::Event>) override {}
   void move() override {}
   void sense(std::uint64_t) override {}
-  void touching(world::ModelRow, std::span<const std::uint8_t>, std::vector<std::uint32_t>&) const override {}
+  void touching(world::ModelRow, const world::ByModel<std::uint8_t>&,
+                std::vector<world::ModelRow>&) const override {}
 };
 
 /// Decides for every model: counts flags and letters of its neighbours, gives it a flag and a longer text.

@@ -7,14 +7,14 @@ namespace playhouse::behaviour {
 void sense_custom(world::World& world, world::CustomRow custom, std::uint64_t tick,
                   const world::Surroundings& around, std::vector<double>& scratch) {
   world::Customs& customs = world.customs;
-  const world::ModelRow model = customs.model[custom.index];
+  const world::ModelRow model = customs.model[custom];
   const world::CustomCode* const code = world::custom_code(world, model);
   if (!code) return;
-  std::vector<double>& readings = customs.readings[custom.index];
+  std::vector<double>& readings = customs.readings[custom];
   readings.resize(code->sizes.readings);
   scratch.assign(readings.begin(), readings.end());
   world::CustomSensor self{{world::custom_model(world, custom, tick, Purpose::kCustomSense)},
-                           customs.state[custom.index],
+                           customs.state[custom],
                            around,
                            scratch};
   if (!world::call_hook(self, *code, [&] { code->kind->sense(self); })) return;

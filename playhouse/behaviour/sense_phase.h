@@ -44,7 +44,7 @@ class SensePhaseOf {
 
   /// Measures with the sensors `due`; `tick` is the number that the
   /// state will have once frozen. Returns the number of rays cast.
-  virtual std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
+  virtual std::uint64_t sense(world::World& world, const Space& space, std::span<const world::KindRow> due,
                               std::uint64_t tick, world::Workers& workers) = 0;
 };
 
@@ -80,10 +80,10 @@ class SensesOf {
   struct Entry {
     std::unique_ptr<SensePhaseOf<Space>> phase;
     DueList due;
-    std::span<const std::uint32_t> now = {};  // the rows that are due in this tick
+    std::span<const world::KindRow> now = {};  // the rows that are due in this tick
 
     /// The rows that are measured in a share.
-    std::span<const std::uint32_t> part(world::Share share) const {
+    std::span<const world::KindRow> part(world::Share share) const {
       const Sharing sharing = phase->sharing();
       if (sharing == Sharing::kAll || (sharing == Sharing::kHead && share.index != 0)) return {};
       if (sharing == Sharing::kHead) return now;
@@ -99,18 +99,18 @@ class SensesOf {
          world::Workers& workers)
         : senses_(senses), world_(world), space_(space), tick_(tick), workers_(workers) {}
 
-    void measure(const Entry& entry, std::span<const std::uint32_t> due) {
+    void measure(const Entry& entry, std::span<const world::KindRow> due) {
       if (!due.empty() || entry.phase->has_work(world_))
         rays += entry.phase->sense(world_, space_, due, tick_, workers_);
     }
     void measure(world::Share share) {
-      each(share, [&](const Entry& entry, std::span<const std::uint32_t> due) { measure(entry, due); });
+      each(share, [&](const Entry& entry, std::span<const world::KindRow> due) { measure(entry, due); });
     }
     void compute(world::Share share, std::vector<std::byte>& out) override {
       const std::uint64_t before = rays;
       measure(share);
       Packer(out).varint(rays - before);
-      each(share, [&](const Entry& entry, std::span<const std::uint32_t> due) {
+      each(share, [&](const Entry& entry, std::span<const world::KindRow> due) {
         world::pack_sensed(world_, kind_of(entry), due, out);
       });
     }
@@ -118,7 +118,7 @@ class SensesOf {
       Unpacker in(results);
       rays += in.varint();
       bool good = in.ok();
-      each(share, [&](const Entry& entry, std::span<const std::uint32_t> due) {
+      each(share, [&](const Entry& entry, std::span<const world::KindRow> due) {
         good = good && world::unpack_sensed(world_, kind_of(entry), due, in);
       });
       return good && in.at_end();
@@ -133,7 +133,7 @@ class SensesOf {
         if (!entry.part(share).empty()) visit(entry, entry.part(share));
     }
     scene::ModelKind kind_of(const Entry& entry) {
-      return world_.models.kind[entry.phase->table(world_).model[entry.now.front()].index];
+      return world_.models.kind[entry.phase->table(world_).model[entry.now.front().index]];
     }
 
     SensesOf& senses_;

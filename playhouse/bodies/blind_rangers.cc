@@ -21,25 +21,25 @@ constexpr double kSameHeight = 1e-4;          // m
 /// The heights of a body that rangers see.
 struct SeenLayer {
   double bottom = 0, top = 0;
-  std::uint32_t root = 0;
+  world::ModelRow root;
 };
 
 /// True for what the arena turns by roll or pitch: it may reach any height there.
 bool may_be_tilted(const world::World& world, world::ModelRow row) {
-  for (; row; row = {world.models.parent[row.index]})
+  for (; row; row = world.models.parent[row])
     if (world.desc(row).roll != 0 || world.desc(row).pitch != 0) return true;
   return false;
 }
 
 std::vector<SeenLayer> layers_of(const world::World& world) {
   std::vector<SeenLayer> layers;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    const scene::ModelDesc& desc = world.desc({row});
+  for (const world::ModelRow row : world.models.rows()) {
+    const scene::ModelDesc& desc = world.desc(row);
     if (desc.ranger_return < 0) continue;
     const double z = world.models.X_WM[row].z, z_body = z + desc.X_MB.z;
-    const std::uint32_t root = world.models.root[row];
+    const world::ModelRow root = world.models.root[row];
     constexpr double kAny = std::numeric_limits<double>::infinity();
-    if (may_be_tilted(world, {row})) layers.push_back({-kAny, kAny, root});
+    if (may_be_tilted(world, row)) layers.push_back({-kAny, kAny, root});
     for (const scene::Block& block : desc.blocks)
       layers.push_back({z_body + block.z_min, z_body + block.z_max, root});
     for (const scene::Contours& walls : desc.bitmaps)
@@ -59,10 +59,10 @@ class TreesAtHeight {
       one_ = layer.root;
     }
   }
-  bool have_others_than(std::uint32_t root) const { return several_ || (one_ && *one_ != root); }
+  bool have_others_than(world::ModelRow root) const { return several_ || (one_ && *one_ != root); }
 
  private:
-  std::optional<std::uint32_t> one_;
+  std::optional<world::ModelRow> one_;
   bool several_ = false;
 };
 
@@ -73,15 +73,15 @@ class HeightSearch {
   bool is_blind(world::ModelRow model) {
     const scene::ModelDesc& desc = world_.desc(model);
     if (desc.sensors.empty()) return false;
-    const std::uint32_t root = world_.models.root[model.index];
-    const double z_body = world_.models.X_WM[model.index].z + desc.X_MB.z;
+    const world::ModelRow root = world_.models.root[model];
+    const double z_body = world_.models.X_WM[model].z + desc.X_MB.z;
     return std::ranges::none_of(desc.sensors, [&](const scene::RangerSensorDesc& sensor) {
       return sensor.rings > 1 || at(z_body + sensor.X_BS.z + 0.5 * sensor.size.z).have_others_than(root);
     });
   }
 
   /// True if there is something to see, at whatever height.
-  bool is_anything_beside(std::uint32_t root) const {
+  bool is_anything_beside(world::ModelRow root) const {
     return std::ranges::any_of(layers_, [root](const SeenLayer& layer) { return layer.root != root; });
   }
 
@@ -104,14 +104,14 @@ std::vector<std::string> blind_rangers(const world::World& world) {
   HeightSearch search(world);
   std::optional<world::ModelRow> first;
   std::size_t others = 0;
-  for (std::uint32_t row = 0; row < world.rangers.size(); ++row) {
+  for (const world::RangerRow row : world.rangers.rows()) {
     const world::ModelRow model = world.rangers.model[row];
     if (!search.is_blind(model)) continue;
     if (first) ++others;
     if (!first) first = model;
   }
-  if (!first || !search.is_anything_beside(world.models.root[first->index])) return {};
-  const std::string where = world.scene().at(world.where({world.models.root[first->index]}));
+  if (!first || !search.is_anything_beside(world.models.root[*first])) return {};
+  const std::string where = world.scene().at(world.where(world.models.root[*first]));
   const std::string more = others == 0 ? "" : fmt::format(" (and of {} more)", others);
   return {fmt::format("{}: nothing else reaches the height of the beams of {}{}: they see nothing", where,
                       in_quotes(world.alias(*first)), more)};

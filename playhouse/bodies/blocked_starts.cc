@@ -34,7 +34,7 @@ geom::Box box_of(std::span<const geom::Vec2> points) {
 struct PlacedBlock {
   Solid solid;
   geom::Box box;
-  std::uint32_t model = 0;
+  world::ModelRow model;
   bool is_searched = false;
 };
 
@@ -45,7 +45,7 @@ struct Edge {
 };
 
 struct BitmapWalls {
-  std::uint32_t model = 0;
+  world::ModelRow model;
   double bottom = 0, top = 0;
 };
 
@@ -75,11 +75,11 @@ class Search {
   /// `is_searched`: by row, of models whose overlaps are looked for.
   template <typename IsSearched>
   Search(const World& world, const IsSearched& is_searched) : world_(world) {
-    for (std::uint32_t row = 0; row < world.models.size(); ++row) add_model(row, is_searched(row));
+    for (const world::ModelRow row : world.models.rows()) add_model(row, is_searched(row));
   }
 
   /// Pairs of models: a searched one, and what it overlaps.
-  std::set<std::pair<std::uint32_t, std::uint32_t>> run() {
+  std::set<std::pair<world::ModelRow, world::ModelRow>> run() {
     if (bodies_.empty()) return {};
     const auto [low, high] = extent();
     RowIndex bodies(low, high), edges(low, high);
@@ -97,8 +97,8 @@ class Search {
   }
 
  private:
-  void add_model(std::uint32_t row, bool is_searched) {
-    const scene::ModelDesc& desc = world_.desc({row});
+  void add_model(world::ModelRow row, bool is_searched) {
+    const scene::ModelDesc& desc = world_.desc(row);
     const geom::Pose& X_WM = world_.models.X_WM[row];
     std::vector<Solid> solids;
     add_blocks(desc, X_WM, solids);
@@ -128,7 +128,7 @@ class Search {
     return {low, high};
   }
 
-  bool are_of_one_tree(std::uint32_t one, std::uint32_t other) const {
+  bool are_of_one_tree(world::ModelRow one, world::ModelRow other) const {
     return world_.models.root[one] == world_.models.root[other];
   }
 
@@ -171,21 +171,21 @@ class Search {
   std::vector<PlacedBlock> bodies_;
   std::vector<Edge> edges_;
   std::vector<BitmapWalls> walls_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> found_;
+  std::set<std::pair<world::ModelRow, world::ModelRow>> found_;
 };
 
-std::string shown(const World& world, std::uint32_t model) {
-  const std::string name = world.name({model});
-  return in_quotes(name.empty() ? world.alias({model}) : name);
+std::string shown(const World& world, world::ModelRow model) {
+  const std::string name = world.name(model);
+  return in_quotes(name.empty() ? world.alias(model) : name);
 }
 
 }  // namespace
 
 std::vector<std::string> blocked_starts(const World& world) {
   if (world.positions.size() == 0 || world.positions.size() > kMostRobots) return {};
-  std::set<std::pair<std::uint32_t, std::uint32_t>> roots;
+  std::set<std::pair<world::ModelRow, world::ModelRow>> roots;
   const auto& root = world.models.root;
-  const auto is_driven = [&](std::uint32_t row) {
+  const auto is_driven = [&](world::ModelRow row) {
     return world.models.mobility[row] == world::Mobility::kDriven;
   };
   for (const auto& [robot, other] : Search(world, is_driven).run()) roots.insert({root[robot], root[other]});
@@ -195,7 +195,7 @@ std::vector<std::string> blocked_starts(const World& world) {
       lines.push_back(world.scene().path + ": further robots start in something");
       break;
     }
-    lines.push_back(world.scene().at(world.where({robot})) + ": " + shown(world, robot) + " starts in " +
+    lines.push_back(world.scene().at(world.where(robot)) + ": " + shown(world, robot) + " starts in " +
                     shown(world, other) + ": it stalls there");
   }
   return lines;
@@ -203,8 +203,8 @@ std::vector<std::string> blocked_starts(const World& world) {
 
 std::string overlapped_by(const World& world, world::ModelRow model) {
   if (world.models.size() > kMostModels) return {};
-  const std::uint32_t root = world.models.root[model.index];
-  const auto is_of_tree = [&](std::uint32_t row) { return world.models.root[row] == root; };
+  const world::ModelRow root = world.models.root[model];
+  const auto is_of_tree = [&](world::ModelRow row) { return world.models.root[row] == root; };
   const auto found = Search(world, is_of_tree).run();
   return found.empty() ? std::string() : shown(world, world.models.root[found.begin()->second]);
 }

@@ -77,8 +77,8 @@ SolidShape make_shape(std::span<const Vec2> points_B, double z_min, double z_max
   return shape;
 }
 
-void add_solid(Solids& solids, const SolidShape& shape, const scene::ModelDesc& desc, std::uint32_t model,
-               std::uint32_t root, TreeRow tree, SolidRow first) {
+void add_solid(Solids& solids, const SolidShape& shape, const scene::ModelDesc& desc, world::ModelRow model,
+               world::ModelRow root, TreeRow tree, SolidRow first) {
   solids.model.push_back(model);
   solids.root.push_back(root);
   solids.tree.push_back(tree);
@@ -97,9 +97,9 @@ void add_solid(Solids& solids, const SolidShape& shape, const scene::ModelDesc& 
   solids.first_vertex.push_back(solids.p_M.next());
 }
 
-void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes, std::uint32_t model,
+void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes, world::ModelRow model,
                       TreeRow tree) {
-  const scene::ModelDesc& desc = world.desc({model});
+  const scene::ModelDesc& desc = world.desc(model);
   const SolidRow first = solids.model.next();
   for (const SolidShape& shape : shapes.of(world.models.desc[model]))
     add_solid(solids, shape, desc, model, world.models.root[model], tree, first);
@@ -142,20 +142,20 @@ void put_in_place(Solids& solids, const world::Models& models, SolidRows rows) {
   solids.p.resize(solids.p_M.size() + Solids::kPad);
   make_room_for_corners(solids);
   solids.rotation.resize(models.size());
-  for (std::uint32_t model = 0; model < models.size(); ++model) turn(solids, models, {&model, 1});
+  for (const world::ModelRow model : models.rows()) turn(solids, models, {&model, 1});
   place(solids, models, rows);
 }
 
-bool stands_still(const world::Models& models, std::uint32_t row) {
+bool stands_still(const world::Models& models, world::ModelRow row) {
   return models.mobility[row] == world::Mobility::kFixed;
 }
 
 /// Appends a model and all attached to it, parents first.
-void add_tree(Trees& trees, const world::World& world, std::uint32_t row) {
+void add_tree(Trees& trees, const world::World& world, world::ModelRow row) {
   const world::Models& models = world.models;
   trees.models.push_back(row);
   if (world::moves(models.kind[row])) trees.movers.push_back({row, models.part[row], models.kind[row]});
-  for (const std::uint32_t child : world.children({row})) add_tree(trees, world, child);
+  for (const world::ModelRow child : world.children(row)) add_tree(trees, world, child);
 }
 
 }  // namespace
@@ -187,13 +187,13 @@ const ByRow<SolidShape, SolidShape>& Shapes::of(std::uint32_t row) {
 
 Trees make_trees(const world::World& world) {
   const world::Models& models = world.models;
-  std::vector<std::uint8_t> can_move(models.size());  // of roots: some model of the tree is movable
-  for (std::uint32_t row = 0; row < models.size(); ++row)
+  world::ByModel<std::uint8_t> can_move(models.size());  // of roots: some model of the tree is movable
+  for (const world::ModelRow row : models.rows())
     if (!stands_still(models, row)) can_move[models.root[row]] = 1;
   Trees trees;
   trees.first_model.push_back(0);
   trees.first_mover.push_back(trees.movers.next());
-  for (std::uint32_t row = 0; row < models.size(); ++row) {
+  for (const world::ModelRow row : models.rows()) {
     if (!can_move[row]) continue;
     trees.root.push_back(row);
     add_tree(trees, world, row);
@@ -206,7 +206,7 @@ Trees make_trees(const world::World& world) {
 std::vector<StaticModel> static_models(const world::World& world) {
   const world::Models& models = world.models;
   std::vector<StaticModel> all;
-  for (std::uint32_t row = 0; row < models.size(); ++row)
+  for (const world::ModelRow row : models.rows())
     if (stands_still(models, row))
       all.push_back({row, models.root[row], models.desc[row], models.X_WM[row], models.tilt_WM[row]});
   return all;
@@ -215,7 +215,7 @@ std::vector<StaticModel> static_models(const world::World& world) {
 Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
   Solids solids;
   solids.first_vertex.push_back(solids.p_M.next());
-  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+  for (const world::ModelRow row : world.models.rows())
     if (stands_still(world.models, row)) add_model_solids(solids, world, shapes, row, TreeRow{});
   solids.first_moving = solids.model.next();
   put_in_place(solids, world.models, solids.fixed_rows());
@@ -236,7 +236,7 @@ void replace_moving_solids(Solids& solids, const world::World& world, Shapes& sh
   solids.p_M.resize(solids.first_vertex.back().index);
   trees.first_solid.assign(1, solids.first_moving);
   for (const TreeRow tree : trees.rows()) {
-    for (const std::uint32_t model : trees.models_of(tree))
+    for (const world::ModelRow model : trees.models_of(tree))
       if (!stands_still(world.models, model)) add_model_solids(solids, world, shapes, model, tree);
     trees.first_solid.push_back(solids.model.next());
     find_enclosed(solids, world.models, trees.solids_of(tree));
@@ -244,8 +244,8 @@ void replace_moving_solids(Solids& solids, const world::World& world, Shapes& sh
   put_in_place(solids, world.models, solids.moving_rows());
 }
 
-void turn(Solids& solids, const world::Models& models, std::span<const std::uint32_t> tree) {
-  for (const std::uint32_t model : tree) solids.rotation[model] = Rotation::of(models.X_WM[model].a);
+void turn(Solids& solids, const world::Models& models, std::span<const world::ModelRow> tree) {
+  for (const world::ModelRow model : tree) solids.rotation[model] = Rotation::of(models.X_WM[model].a);
 }
 
 void place(Solids& solids, const world::Models& models, SolidRows rows) {

@@ -29,21 +29,22 @@ using geom::Vec2;
 
 /// A model that is driven by its own kinematics: a robot, an actuator, a custom model.
 struct Mover {
-  std::uint32_t model, part;  // rows of world::Models and of its kind's table
+  world::ModelRow model;
+  world::KindRow part;
   scene::ModelKind kind;
 };
 
 /// Trees of models with at least one mover.
 struct Trees {
-  ByRow<Trees, std::uint32_t> root;         // root model row, ascending                     (t)
+  ByRow<Trees, world::ModelRow> root;       // ascending                                    (t)
   ByRow<Trees, std::uint32_t> first_model;  // models[first_model[t] ..]
-  std::vector<std::uint32_t> models;        // rows of world::Models, parents first
+  std::vector<world::ModelRow> models;      // parents first
   ByRow<Trees, MoverRow> first_mover;       // movers[first_mover[t] ..], in the order of models
   ByRow<Mover, Mover> movers;
   ByRow<Trees, SolidRow> first_solid;  // solids first_solid[t] .. first_solid[t + 1] - 1
   std::size_t size() const { return root.size(); }
   RowsOf<Trees> rows() const { return RowsOf<Trees>(size()); }
-  std::span<const std::uint32_t> models_of(Row<Trees> tree) const {
+  std::span<const world::ModelRow> models_of(Row<Trees> tree) const {
     return std::span(models).subspan(first_model[tree], first_model[tree + 1] - first_model[tree]);
   }
   std::span<const Mover> movers_of(Row<Trees> tree) const {
@@ -52,7 +53,7 @@ struct Trees {
   MoverRow row_of(const Mover& mover) const { return {static_cast<std::uint32_t>(&mover - movers.data())}; }
   SolidRows solids_of(Row<Trees> tree) const { return {first_solid[tree], first_solid[tree + 1]}; }
   /// Row of the tree with this root.
-  Row<Trees> of_root(std::uint32_t top) const {
+  Row<Trees> of_root(world::ModelRow top) const {
     return {static_cast<std::uint32_t>(std::ranges::lower_bound(root, top) - root.begin())};
   }
 };
@@ -99,17 +100,17 @@ struct Solids {
   using BySolid = ByRow<Solids, Value>;
 
   // Constant: shape and owner.
-  BySolid<std::uint32_t> model, root;  // rows of world::Models
-  BySolid<TreeRow> tree;               // none: static
-  BySolid<double> z_min_M, z_max_M;    // m
-  BySolid<Vec2> center_M;              // mean of the vertices                                    [m]
-  BySolid<double> radius;              // bounding circle about the center                          [m]
-  BySolid<double> width;               // smallest extent                                         [m]
-  BySolid<std::uint8_t> convex;        // 1: a convex polygon
-  BySolid<std::uint8_t> full;          // 1: its inside is solid, not only its outline
-  BySolid<std::uint8_t> hole;          // 1: its inside is free: a hole in the body of a bitmap
-  BySolid<SolidRow> body;              // the first solid of the same body
-  BySolid<SeenByBits> seen_by;         // visibility mask: what sees it, or is blocked by it
+  BySolid<world::ModelRow> model, root;
+  BySolid<TreeRow> tree;             // none: static
+  BySolid<double> z_min_M, z_max_M;  // m
+  BySolid<Vec2> center_M;            // mean of the vertices                                    [m]
+  BySolid<double> radius;            // bounding circle about the center                          [m]
+  BySolid<double> width;             // smallest extent                                         [m]
+  BySolid<std::uint8_t> convex;      // 1: a convex polygon
+  BySolid<std::uint8_t> full;        // 1: its inside is solid, not only its outline
+  BySolid<std::uint8_t> hole;        // 1: its inside is free: a hole in the body of a bitmap
+  BySolid<SolidRow> body;            // the first solid of the same body
+  BySolid<SeenByBits> seen_by;       // visibility mask: what sees it, or is blocked by it
   // Height of its lowest part that another solid of its tree encloses (enclosure.h), kAll if all of it.  [m]
   BySolid<double> enclosed;
   static constexpr double kAll = 1e300;  // above everything: enclosed all over
@@ -118,7 +119,7 @@ struct Solids {
   ByRow<Vertices, Vec2> p_M;
   SolidRow first_moving{0};  // those before it are static
 
-  std::vector<Rotation> rotation;  // headings of models in W, written by: turn (models)
+  world::ByModel<Rotation> rotation;  // headings of models in W, written by: turn
 
   // Placement in W.                           written by: place
   BySolid<Vec2> center;          // in W                                                    [m]
@@ -156,7 +157,8 @@ struct Solids {
 Trees make_trees(const world::World& world);
 /// A static model, as far as its solids depend on it.
 struct StaticModel {
-  std::uint32_t model, root, desc;  // rows of world::Models; of SceneDesc::models
+  world::ModelRow model, root;
+  std::uint32_t desc;  // row of SceneDesc::models
   Pose X_WM;
   geom::Tilt tilt_WM;
   bool operator==(const StaticModel&) const = default;
@@ -168,7 +170,7 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes);
 void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees);
 
 /// Updates solids.rotation of the models of a tree from their headings in W.
-void turn(Solids& solids, const world::Models& models, std::span<const std::uint32_t> tree);
+void turn(Solids& solids, const world::Models& models, std::span<const world::ModelRow> tree);
 /// Places these solids in W by the poses of their models. Needs turn() for those models.
 void place(Solids& solids, const world::Models& models, SolidRows rows);
 

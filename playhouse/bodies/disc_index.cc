@@ -175,7 +175,7 @@ void DiscIndex::put_places(std::size_t block) {
     const bool is_seen = (disc.seen_by & bit(SeenBy::kRanger)) != 0;
     places_.units_low[place] = is_seen ? height_units(disc.z_min) : std::numeric_limits<std::int32_t>::max();
     places_.units_high[place] = height_units(disc.z_max);
-    places_.root[place] = disc.root;
+    places_.root[place] = disc.root.index;
     places_.z_min[place] = disc.z_min;
     places_.z_max[place] = disc.z_max;
   }

@@ -27,11 +27,11 @@ namespace playhouse::bodies {
 class DiscIndex {
  public:
   struct alignas(64) Disc {
-    geom::Vec2 center;    // m, in W
-    double radius;        // m
-    double z_min, z_max;  // m, of the part that rays can hit: not enclosed (enclosure.h)
-    std::uint32_t row;    // of the indexed table: solid() or model()
-    std::uint32_t root;   // model row of the root of its tree
+    geom::Vec2 center;     // m, in W
+    double radius;         // m
+    double z_min, z_max;   // m, of the part that rays can hit: not enclosed (enclosure.h)
+    std::uint32_t row;     // of the indexed table: solid() or model()
+    world::ModelRow root;  // of its tree
     // Copied from Solids, which saves a lookup per visit.
     VertexRow first_vertex{};
     std::uint32_t vertices = 0;

@@ -14,16 +14,16 @@ constexpr std::size_t kMostSolids = 256;
 /// A solid in the frame C of its carrier: the nearest
 /// ancestor (or itself) that is a mover, otherwise the root.
 struct Carried {
-  std::uint32_t carrier;  // row of world::Models
+  world::ModelRow carrier;
   Pose X_CM;
   Vec2 center;          // m, in C
   double z_min, z_max;  // m, in C
 };
 
 Carried carried(const Solids& solids, const world::Models& models, SolidRow row) {
-  std::uint32_t model = solids.model[row];
+  world::ModelRow model = solids.model[row];
   Pose X_CM;
-  while (!world::moves(models.kind[model]) && models.parent[model] != world::ModelRow::kNone) {
+  while (!world::moves(models.kind[model]) && models.parent[model]) {
     X_CM = geom::compose(models.X_PM[model], X_CM);
     model = models.parent[model];
   }

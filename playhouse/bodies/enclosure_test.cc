@@ -90,7 +90,7 @@ double seen_from(double z, const Pose& X_part) {
   (*engine)->step();
   EXPECT_TRUE(world::set_pose(world, world.find("p"), X_part));
   (*engine)->step();
-  return static_cast<double>(world.sensors.ranges[0]);
+  return static_cast<double>(world.sensors.ranges[{0}]);
 }
 
 TEST(Enclosure, changes_no_range_also_when_a_part_is_put_elsewhere_on_its_robot) {

@@ -19,29 +19,30 @@ inline geom::Pose driven(const geom::Pose& X_PM, const geom::Twist& velocity, do
 }
 
 struct PositionMove {
-  static bool is_moving(const world::World& world, std::uint32_t robot) {
+  static bool is_moving(const world::World& world, world::PositionRow robot) {
     const geom::Twist& velocity = world.positions.velocity[robot];
     return velocity.x != 0 || velocity.y != 0 || velocity.a != 0;
   }
-  static bool changes_height(const world::World&, std::uint32_t) { return false; }
-  static double turn_rate(const world::World& world, std::uint32_t robot) {
+  static bool changes_height(const world::World&, world::PositionRow) { return false; }
+  static double turn_rate(const world::World& world, world::PositionRow robot) {
     return std::fabs(world.positions.velocity[robot].a);
   }
   /// Its base turns about its own frame.
-  static double swing(const world::World&, std::uint32_t, geom::Vec2) { return 0; }
-  static geom::Pose after(const world::World& world, std::uint32_t robot, const geom::Pose& X_PM, double dt) {
+  static double swing(const world::World&, world::PositionRow, geom::Vec2) { return 0; }
+  static geom::Pose after(const world::World& world, world::PositionRow robot, const geom::Pose& X_PM,
+                          double dt) {
     return driven(X_PM, world.positions.velocity[robot], dt);
   }
-  static void stall(world::World& world, std::uint32_t robot, bool stalls) {
+  static void stall(world::World& world, world::PositionRow robot, bool stalls) {
     world.positions.stall[robot] = stalls;
   }
 
   /// Updates odometry after a move. Wheels of a stalled robot do not turn, so it is not called for those.
-  static void arrive(world::World& world, std::uint32_t robot) {
+  static void arrive(world::World& world, world::PositionRow robot) {
     world::Positions& positions = world.positions;
     const world::ModelRow model = positions.model[robot];
     if (world.desc(model).position->localization == scene::Localization::kGps) {
-      const geom::Pose &X_WO = positions.X_WO[robot], &X_WM = world.models.X_WM[model.index];
+      const geom::Pose &X_WO = positions.X_WO[robot], &X_WM = world.models.X_WM[model];
       positions.X_OM[robot] = X_WO == geom::Pose{} ? X_WM : geom::compose(geom::inverse(X_WO), X_WM);
       return;
     }

@@ -81,12 +81,12 @@ class Paths {
     for (const SolidRow row : solids_.moving_rows()) radius = std::max(radius, solids_.radius[row]);
     rays::RangerKinds kinds;
     kinds.populate(world_, std::vector{radius});
-    for (std::uint32_t ranger = 0; ranger < world_.rangers.size(); ++ranger) {
-      const std::uint32_t model = world_.rangers.model[ranger].index;
+    for (const world::RangerRow ranger : world_.rangers.rows()) {
+      const world::ModelRow model = world_.rangers.model[ranger];
       const Pose& X_WM = world_.models.X_WM[model];
       const Rotation turn = Rotation::of(X_WM.a);
       const rays::RangerKind& kind = kinds.kinds[kinds.of_ranger[ranger]];
-      const std::uint32_t first = world_.sensors.first_beam[world_.rangers.first_sensor[ranger]];
+      const world::BeamRow first = world_.sensors.first_beam[world_.rangers.first_sensor[ranger]];
       const auto ray = [&](Vec2 p, Vec2 d, double z, double range) {
         return Ray{p, d, X_WM.z + z, X_WM.z + z, range, bit(SeenBy::kRanger), world_.models.root[model]};
       };
@@ -94,7 +94,7 @@ class Paths {
         const Pose X_WS = geom::compose(X_WM, scan.X_MS);
         const Rotation r = Rotation::of(X_WS.a);
         for (std::uint32_t k = 0; k < scan.count; ++k)
-          compare(first + scan.first_beam + k,
+          compare(first + (scan.first_beam + k),
                   ray(X_WS.xy(), r * Vec2{scan.x[k], scan.y[k]}, scan.z, scan.range_max));
       }
       for (const rays::Bundle& bundle : kind.bundles)
@@ -106,7 +106,7 @@ class Paths {
   }
 
  private:
-  void compare(std::uint32_t beam, const Ray& ray) {
+  void compare(world::BeamRow beam, const Ray& ray) {
     const Hit expected = look(solids_, ray), hit = cast({solids_, index_, walls_}, ray);
     const bool is_hit = expected.solid.valid();
     EXPECT_EQ(hit.range, expected.range) << at(ray);
@@ -114,7 +114,7 @@ class Paths {
     EXPECT_EQ(world_.sensors.ranges[beam], static_cast<float>(expected.range)) << at(ray);
     // Each model returns its own row.
     EXPECT_EQ(world_.sensors.intensities[beam],
-              is_hit ? static_cast<float>(solids_.model[expected.solid]) : 0.0f)
+              is_hit ? static_cast<float>(solids_.model[expected.solid].index) : 0.0f)
         << at(ray);
     ++seen_.beams;
     seen_.hits += is_hit;

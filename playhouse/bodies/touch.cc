@@ -12,7 +12,7 @@ constexpr double kFar = std::numeric_limits<double>::max();  // m, above and bel
 
 /// A range of solids that includes those of a model.
 SolidRows solids_about(const Solids& solids, const Trees& trees, const world::Models& models,
-                       std::uint32_t model) {
+                       world::ModelRow model) {
   if (models.mobility[model] == world::Mobility::kFixed) {
     const auto end = solids.model.begin() + static_cast<std::ptrdiff_t>(solids.fixed_rows().size());
     const auto own = std::equal_range(solids.model.begin(), end, model);
@@ -33,16 +33,16 @@ bool solids_touch(const Solids& solids, SolidRow a, SolidRow b) {
 }  // namespace
 
 void touching(const Space& space, const Trees& trees, const world::Models& models, world::ModelRow model,
-              std::span<const std::uint8_t> wanted, std::vector<std::uint32_t>& out) {
+              const world::ByModel<std::uint8_t>& wanted, std::vector<world::ModelRow>& out) {
   const Solids& solids = space.solids;
-  const std::uint32_t root = models.root[model.index];
+  const world::ModelRow root = models.root[model];
   const auto first = static_cast<std::ptrdiff_t>(out.size());
   const auto meet = [&](SolidRow own, SolidRow other) {
     if (wanted[solids.model[other]] != 0 && solids.root[other] != root && solids_touch(solids, own, other))
       out.push_back(solids.model[other]);
   };
-  for (const SolidRow own : solids_about(solids, trees, models, model.index)) {
-    if (solids.model[own] != model.index) continue;
+  for (const SolidRow own : solids_about(solids, trees, models, model)) {
+    if (solids.model[own] != model) continue;
     for (const SolidRow fixed : solids.fixed_rows()) meet(own, fixed);
     space.index.near(solids.center[own], solids.radius[own] + kMargin, -kFar, kFar,
                      [&](const DiscIndex::Disc& disc) { meet(own, disc.solid()); });

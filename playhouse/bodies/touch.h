@@ -17,6 +17,6 @@ namespace playhouse::bodies {
 /// heights, and that are `wanted` (by row of the models): ascending, without duplicates. A model's
 /// body excludes attached models. Cost: linear in nearby movable bodies and in all static ones.
 void touching(const Space& space, const Trees& trees, const world::Models& models, world::ModelRow model,
-              std::span<const std::uint8_t> wanted, std::vector<std::uint32_t>& out);
+              const world::ByModel<std::uint8_t>& wanted, std::vector<world::ModelRow>& out);
 
 }  // namespace playhouse::bodies

@@ -137,9 +137,9 @@ Result<std::vector<std::string>> attach(world::World& world, const Libraries& li
   Batches batches(world, libraries);
   std::set<std::string> faulty;
   std::vector<Error> told;  // the first error of each controller
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    if (world.desc({row}).ctrl.empty()) continue;
-    const std::string where = world.scene().at(world.where({row}));
+  for (const world::ModelRow row : world.models.rows()) {
+    if (world.desc(row).ctrl.empty()) continue;
+    const std::string where = world.scene().at(world.where(row));
     std::vector<std::string> repeated;
     for (const Post& post : posts_of(world, {row}, &repeated)) {
       if (faulty.contains(post.name) || told.size() == limits::kWarningsOfAKind) continue;
@@ -149,7 +149,7 @@ Result<std::vector<std::string>> attach(world::World& world, const Libraries& li
       told.push_back(added.error());
     }
     for (const std::string& name : repeated)
-      batches.warn(where + ": " + in_quotes(world.name({row})) + " names controller " + in_quotes(name) +
+      batches.warn(where + ": " + in_quotes(world.name(row)) + " names controller " + in_quotes(name) +
                    " twice; the second is left out");
   }
   if (told.empty()) return batches.take_warnings();

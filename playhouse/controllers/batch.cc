@@ -19,15 +19,15 @@ using world::World;
 /// Appends the kind-table rows of all models of one kind in the tree of `model`.
 template <typename PartRow>
 void collect(const World& world, ModelRow model, scene::ModelKind kind, std::vector<PartRow>& found) {
-  if (world.models.kind[model.index] == kind) found.push_back(PartRow{world.models.part[model.index]});
-  for (const std::uint32_t child : world.children(model)) collect(world, ModelRow{child}, kind, found);
+  if (world.models.kind[model] == kind) found.push_back(world.models.part[model]);
+  for (const world::ModelRow child : world.children(model)) collect(world, child, kind, found);
 }
 
 /// Heading of a ranger's body frame in its robot. [rad]
 double heading_in(const World& world, ModelRow robot, ModelRow ranger) {
   double heading = world.desc(ranger).X_MB.a;
-  for (std::uint32_t at = ranger.index; at != robot.index; at = world.models.parent[at]) {
-    heading += world.desc(ModelRow{at}).X_PM.a;
+  for (ModelRow at = ranger; at != robot; at = world.models.parent[at]) {
+    heading += world.desc(at).X_PM.a;
   }
   return heading;
 }
@@ -103,7 +103,7 @@ void Batch::follow_population(World& world, std::uint64_t first, bool reload) {
       if (post.name == name_) join_late(world, post);
   };
   if (reload) {
-    for (std::uint32_t row = 0; row < world.models.size(); ++row) take(world.models.id[row]);
+    for (const world::ModelRow row : world.models.rows()) take(world.models.id[row]);
     return;
   }
   const std::vector<world::Event> events(world.events.since(first).begin(), world.events.since(first).end());
@@ -159,8 +159,8 @@ bool Batch::load(World& world, Unpacker& in) {
 }
 
 world::PositionRow position_of(const World& world, ModelRow model) {
-  if (world.models.kind[model.index] != scene::ModelKind::kPosition) return {};
-  return {world.models.part[model.index]};
+  if (world.models.kind[model] != scene::ModelKind::kPosition) return {};
+  return world.models.part[model];
 }
 
 std::vector<world::RangerRow> rangers_of(const World& world, ModelRow model) {
@@ -172,8 +172,8 @@ std::vector<world::RangerRow> rangers_of(const World& world, ModelRow model) {
 world::RangerRow ring_ranger(const World& world, ModelRow model) {
   world::RangerRow best;
   for (const world::RangerRow ranger : rangers_of(world, model)) {
-    const std::uint32_t sensors = world.rangers.sensor_count[ranger.index];
-    if (sensors > 0 && (!best || sensors > world.rangers.sensor_count[best.index])) best = ranger;
+    const std::uint32_t sensors = world.rangers.sensor_count[ranger];
+    if (sensors > 0 && (!best || sensors > world.rangers.sensor_count[best])) best = ranger;
   }
   return best;
 }
@@ -185,7 +185,7 @@ std::vector<world::FiducialRow> finders_of(const World& world, ModelRow model) {
 }
 
 std::vector<float> bearings_of(const World& world, ModelRow robot, world::RangerRow ranger) {
-  const ModelRow model = world.rangers.model[ranger.index];
+  const ModelRow model = world.rangers.model[ranger];
   const double heading = heading_in(world, robot, model);
   std::vector<float> bearings;
   for (const scene::RangerSensorDesc& sensor : world.desc(model).sensors) {
@@ -197,15 +197,15 @@ std::vector<float> bearings_of(const World& world, ModelRow robot, world::Ranger
   return bearings;
 }
 
-std::uint32_t first_beam(const World& world, world::RangerRow ranger) {
-  const std::uint32_t sensor = world.rangers.first_sensor[ranger.index];
-  return world.rangers.sensor_count[ranger.index] == 0 ? 0 : world.sensors.first_beam[sensor];
+world::BeamRow first_beam(const World& world, world::RangerRow ranger) {
+  const world::SensorRow sensor = world.rangers.first_sensor[ranger];
+  return world.rangers.sensor_count[ranger] == 0 ? world::BeamRow{0} : world.sensors.first_beam[sensor];
 }
 
 std::uint32_t beam_count(const World& world, world::RangerRow ranger) {
-  const std::uint32_t first = world.rangers.first_sensor[ranger.index];
+  const world::SensorRow first = world.rangers.first_sensor[ranger];
   std::uint32_t beams = 0;
-  for (std::uint32_t k = first; k < first + world.rangers.sensor_count[ranger.index]; ++k) {
+  for (const world::SensorRow k : sensors_of(world.rangers, ranger)) {
     PLAYHOUSE_ASSERT(world.sensors.first_beam[k] == world.sensors.first_beam[first] + beams);
     beams += world.sensors.beam_count[k];
   }

@@ -159,12 +159,12 @@ std::vector<world::FiducialRow> finders_of(const world::World& world, world::Mod
 std::vector<float> bearings_of(const world::World& world, world::ModelRow robot, world::RangerRow ranger);
 
 /// Index of a ranger's first beam; its beams are consecutive.
-std::uint32_t first_beam(const world::World& world, world::RangerRow ranger);
+world::BeamRow first_beam(const world::World& world, world::RangerRow ranger);
 std::uint32_t beam_count(const world::World& world, world::RangerRow ranger);
 
 inline void drive(world::World& world, world::PositionRow robot, double forward, double turn) {
-  world.positions.mode[robot.index] = world::ControlMode::kVelocity;
-  world.positions.command[robot.index] = {forward, 0, 0, turn};
+  world.positions.mode[robot] = world::ControlMode::kVelocity;
+  world.positions.command[robot] = {forward, 0, 0, turn};
 }
 
 }  // namespace playhouse::controllers

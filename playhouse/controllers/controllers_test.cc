@@ -41,7 +41,7 @@ struct Fixture {
 TEST(Controllers, decide_for_a_robot_that_comes_during_the_run_as_for_those_before_it) {
   Fixture f(testing::robots(1, testing::scanner(180), "wander"));
   testing::decide(f.world);
-  ASSERT_TRUE(world::spawn(f.world, f.world.models.desc[0], {5, 5, 0, 0}));
+  ASSERT_TRUE(world::spawn(f.world, f.world.models.desc[{0}], {5, 5, 0, 0}));
   testing::decide(f.world);  // it joins, and its sensor is subscribed
   EXPECT_EQ(f.world.models.controllers, std::vector<std::uint32_t>(4, 1));
   testing::measure(f.world, {8.0f});
@@ -115,7 +115,7 @@ TEST(Wander, acts_on_new_scans_only) {
   Fixture f(testing::robots(1, testing::scanner(180), "wander"));
   testing::measure(f.world, {8.0f});
   testing::decide(f.world);
-  f.world.positions.command[0] = {};
+  f.world.positions.command[{0}] = {};
   ++f.world.tick_;
   testing::decide(f.world);
   EXPECT_EQ(f.command(0), geom::Twist{});
@@ -129,9 +129,9 @@ TEST(Wander, prefers_a_scanner_to_sonars) {
   scene.models.push_back(laser);
   Fixture f(std::move(scene));
   ASSERT_EQ(f.error, "");
-  EXPECT_EQ(f.world.models.subscribers[0], 1u);
-  EXPECT_EQ(f.world.models.subscribers[1], 0u) << "the sonars stay asleep";
-  EXPECT_EQ(f.world.models.subscribers[2], 1u);
+  EXPECT_EQ(f.world.models.subscribers[{0}], 1u);
+  EXPECT_EQ(f.world.models.subscribers[{1}], 0u) << "the sonars stay asleep";
+  EXPECT_EQ(f.world.models.subscribers[{2}], 1u);
 }
 
 TEST(Expand, drives_towards_free_space_ahead) {
@@ -225,15 +225,15 @@ TEST(Source, fills_up_to_its_capacity_and_a_sink_counts_what_it_is_given) {
   Fixture f(std::move(scene));
   ASSERT_EQ(f.error, "");
   for (int tick = 0; tick < 5; ++tick) testing::decide(f.world);
-  EXPECT_EQ(f.world.models.flags[0], 3);
-  EXPECT_EQ(f.world.models.say[2], "");
-  f.world.models.flags[2] = 2;
+  EXPECT_EQ(f.world.models.flags[{0}], 3);
+  EXPECT_EQ(f.world.models.say[{2}], "");
+  f.world.models.flags[{2}] = 2;
   testing::decide(f.world);
-  f.world.models.flags[2] = 1;
+  f.world.models.flags[{2}] = 1;
   testing::decide(f.world);
-  f.world.models.flags[2] = 2;
+  f.world.models.flags[{2}] = 2;
   testing::decide(f.world);
-  EXPECT_EQ(f.world.models.say[2], "received 3");
+  EXPECT_EQ(f.world.models.say[{2}], "received 3");
 }
 
 TEST(Source, makes_a_flag_at_each_update_of_its_model) {
@@ -246,7 +246,7 @@ TEST(Source, makes_a_flag_at_each_update_of_its_model) {
     testing::measure(f.world, {1});
     testing::decide(f.world);
   }
-  EXPECT_EQ(f.world.models.flags[0], 4);
+  EXPECT_EQ(f.world.models.flags[{0}], 4);
 }
 
 TEST(Source, gives_what_it_makes_when_all_have_decided) {
@@ -255,11 +255,11 @@ TEST(Source, gives_what_it_makes_when_all_have_decided) {
   world::Decider& source = *f.world.deciders[0];
   source.decide(f.world, 1, 2);
   source.decide(f.world, 0, 1);
-  EXPECT_EQ(f.world.models.flags[0], 0);
-  EXPECT_EQ(f.world.models.flags[2], 0);
+  EXPECT_EQ(f.world.models.flags[{0}], 0);
+  EXPECT_EQ(f.world.models.flags[{2}], 0);
   source.deliver(f.world);
-  EXPECT_EQ(f.world.models.flags[0], 1);
-  EXPECT_EQ(f.world.models.flags[2], 1);
+  EXPECT_EQ(f.world.models.flags[{0}], 1);
+  EXPECT_EQ(f.world.models.flags[{2}], 1);
 }
 
 /// Robots with a ring of eight sonars and a fiducial finder, 2 m apart.
@@ -280,7 +280,7 @@ scene::SceneDesc flock(std::size_t count) {
 TEST(PioneerFlocking, turns_as_the_nearest_of_those_that_it_sees_is_turned) {
   Fixture f(flock(1));
   ASSERT_EQ(f.error, "");
-  f.world.fiducials.hits[0] = {{.range = 3, .heading = -1}, {.range = 2, .heading = 0.5}};
+  f.world.fiducials.hits[{0}] = {{.range = 3, .heading = -1}, {.range = 2, .heading = 0.5}};
   testing::measure(f.world, {3.0f});
   testing::decide(f.world);
   EXPECT_EQ(f.command(0).x, 0.4);
@@ -289,7 +289,7 @@ TEST(PioneerFlocking, turns_as_the_nearest_of_those_that_it_sees_is_turned) {
 
 TEST(PioneerFlocking, stops_and_turns_where_the_way_is_not_free) {
   Fixture f(flock(1));
-  f.world.fiducials.hits[0] = {{.range = 2, .heading = 0.5}};
+  f.world.fiducials.hits[{0}] = {{.range = 2, .heading = 0.5}};
   testing::measure(f.world, {0.9f, 3, 3, 3, 3, 3, 3, 3});
   testing::decide(f.world);
   EXPECT_EQ(f.command(0).x, 0);
@@ -405,7 +405,7 @@ TEST(Dynamic, gives_its_model_a_hundred_parts_within_a_metre) {
   EXPECT_EQ(f.world.models.size(), 204u);
   for (const world::ModelRow robot : f.world.positions.model) {
     int parts = 0;
-    for (const std::uint32_t child : f.world.children(robot)) {
+    for (const world::ModelRow child : f.world.children(robot)) {
       if (f.world.models.kind[child] != scene::ModelKind::kPlain) continue;
       ++parts;
       const geom::Pose& X_PM = f.world.models.X_PM[child];
@@ -421,14 +421,14 @@ TEST(Patrol, goes_from_waypoint_to_waypoint_and_begins_again) {
   ASSERT_EQ(f.error, "");
   testing::decide(f.world);
   EXPECT_EQ(f.command(0), (geom::Twist{0.5, 0, 0, 0})) << "ahead";
-  f.world.models.X_WM[0] = {2.95, 0, 0, 0};  // there: the second is behind, to the left
+  f.world.models.X_WM[{0}] = {2.95, 0, 0, 0};  // there: the second is behind, to the left
   testing::decide(f.world);
   EXPECT_EQ(f.command(0), (geom::Twist{0, 0, 0, 1.5}));
-  f.world.models.X_WM[0] = {0, 2, 0, geom::radians(80)};
+  f.world.models.X_WM[{0}] = {0, 2, 0, geom::radians(80)};
   testing::decide(f.world);
   EXPECT_NEAR(f.command(0).x, 0.5 * std::cos(geom::radians(10)), 1e-12);
   EXPECT_NEAR(f.command(0).a, 3 * geom::radians(10), 1e-12);
-  f.world.models.X_WM[0] = {0, 4, 0, geom::radians(-45)};  // and back to the first
+  f.world.models.X_WM[{0}] = {0, 4, 0, geom::radians(-45)};  // and back to the first
   testing::decide(f.world);
   EXPECT_GT(f.command(0).x, 0.4);
 }

@@ -16,7 +16,7 @@ Diffusion::Ring Diffusion::ring_of(const world::World& world, world::ModelRow ro
                                    world::RangerRow ranger) {
   const std::vector<float> bearings = bearings_of(world, robot, ranger);
   Ring ring;
-  for (const scene::RangerSensorDesc& sensor : world.desc(world.rangers.model[ranger.index]).sensors) {
+  for (const scene::RangerSensorDesc& sensor : world.desc(world.rangers.model[ranger]).sensors) {
     for (std::uint32_t k = 0; k < sensor.samples; ++k) {
       const auto [sin, cos] = geom::sincos(bearings[ring.size()]);
       ring.push_back({cos, sin, static_cast<float>(sensor.range_min), static_cast<float>(sensor.range_max)});
@@ -32,7 +32,7 @@ Result<void> Diffusion::join(world::World& world, const Post& post) {
   const world::RangerRow ranger = ring_ranger(world, model);
   if (!ranger) return Error{{}, "needs a ranger with at least one sensor"};
   world::subscribe_controller(world, model);
-  world::subscribe_controller(world, world.rangers.model[ranger.index]);
+  world::subscribe_controller(world, world.rangers.model[ranger]);
 
   Ring ring = ring_of(world, model, ranger);
   const auto [place, is_new] = place_of_ring_.try_emplace(ring, static_cast<std::uint32_t>(rings_.size()));
@@ -59,13 +59,13 @@ void Diffusion::find_rows(const world::World& world, world::ModelRow model, std:
 void Diffusion::decide(world::World& world, std::size_t begin, std::size_t end) {
   const double cos_ahead = geom::sincos(kAhead).cos;
   for (std::size_t i = begin; i < end; ++i) {
-    const std::uint64_t measured = world.rangers.measured_tick[ranger_[i].index];
+    const std::uint64_t measured = world.rangers.measured_tick[ranger_[i]];
     if (measured == seen_[i]) continue;
     seen_[i] = measured;
 
     // Sum of proximity vectors, of length 1 at contact.
     const Ring& ring = rings_[ring_[i]];
-    const float* const range = world.sensors.ranges.data() + first_beam_[i];
+    const float* const range = world.sensors.ranges.from(first_beam_[i]);
     geom::Vec2 sum;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Beam& beam = ring[k];

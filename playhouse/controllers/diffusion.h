@@ -43,7 +43,7 @@ class Diffusion final : public BatchOf<Diffusion> {
   // Rows of a robot and of its ring.
   std::vector<world::PositionRow> robot_;
   std::vector<world::RangerRow> ranger_;
-  std::vector<std::uint32_t> first_beam_;
+  std::vector<world::BeamRow> first_beam_;
 
   // Memory.
   std::vector<std::uint64_t> seen_;  // tick of the last scan acted on

@@ -55,7 +55,7 @@ Result<void> Dynamic::add_part(world::World& world, std::size_t i, Rng& random) 
   X_MP.y = random.uniform(-kAround, kAround);
   X_MP.a = random.uniform(-geom::kPi, geom::kPi);
   const Result<world::ModelId> part =
-      world::spawn(world, part_, geom::compose(world.models.X_WM[world.row(id(i)).index], X_MP));
+      world::spawn(world, part_, geom::compose(world.models.X_WM[world.row(id(i))], X_MP));
   if (!part) return part.error();
   return world::attach(world, *part, id(i), X_MP);
 }

@@ -68,9 +68,9 @@ Result<void> Expand::join(world::World& world, const Post& post) {
   const world::RangerRow ranger = ring_ranger(world, model);
   if (!ranger) return Error{{}, "needs a ranger with at least one sensor"};
   world::subscribe_controller(world, model);
-  world::subscribe_controller(world, world.rangers.model[ranger.index]);
+  world::subscribe_controller(world, world.rangers.model[ranger]);
   if (const auto finder = finder_of(world, model); finder && config_.flock > 0)
-    world::subscribe_controller(world, world.fiducials.model[finder.index]);
+    world::subscribe_controller(world, world.fiducials.model[finder]);
 
   const std::vector<float> bearings = bearings_of(world, model, ranger);
   PLAYHOUSE_ASSERT(bearings.size() == beam_count(world, ranger));
@@ -98,19 +98,19 @@ void Expand::find_rows(const world::World& world, world::ModelRow model, std::si
 
 double Expand::off_neighbour(const world::World& world, std::size_t i) const {
   if (!finder_[i]) return 0;
-  const std::vector<world::FiducialHit>& hits = world.fiducials.hits[finder_[i].index];
+  const std::vector<world::FiducialHit>& hits = world.fiducials.hits[finder_[i]];
   const auto nearest = std::ranges::min_element(hits, {}, &world::FiducialHit::range);
   return nearest == hits.end() ? 0 : nearest->heading;
 }
 
 void Expand::decide(world::World& world, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
-    const std::uint64_t measured = world.rangers.measured_tick[ranger_[i].index];
+    const std::uint64_t measured = world.rangers.measured_tick[ranger_[i]];
     if (measured == seen_[i]) continue;
     seen_[i] = measured;
 
     const Ring& ring = rings_[ring_[i]];
-    const Look seen = look(world.sensors.ranges.data() + first_beam_[i], ring.x, ring.y, ring.clear);
+    const Look seen = look(world.sensors.ranges.from(first_beam_[i]), ring.x, ring.y, ring.clear);
     const double bearing = geom::atan2(seen.free.y, seen.free.x);
     const bool go = !seen.blocked && std::fabs(bearing) < config_.free_angle;
     double turn = config_.gain * bearing;

@@ -89,7 +89,7 @@ class Expand final : public BatchOf<Expand> {
   std::vector<world::PositionRow> robot_;
   std::vector<world::RangerRow> ranger_;
   std::vector<world::FiducialRow> finder_;
-  std::vector<std::uint32_t> first_beam_;
+  std::vector<world::BeamRow> first_beam_;
 
   // Memory.
   std::vector<std::uint64_t> seen_;  // tick of the last scan acted on

@@ -38,7 +38,7 @@ bool move_flag(world::World& world, world::ModelRow from, world::ModelRow to) {
 
 /// Sets or clears the waiting text; other texts stay.
 void say_waiting(world::World& world, world::ModelRow robot, bool waits) {
-  const std::string& says = world.models.say[robot.index];
+  const std::string& says = world.models.say[robot];
   if (waits != (says == kWaiting) && (waits || says == kWaiting))
     world::set_say(world, robot, waits ? kWaiting : "");
 }
@@ -115,7 +115,7 @@ void Fasr::prepare(const world::World& world, bool rebuilt, Task& task) {
   for (End* end : {&task.source, &task.sink}) {
     end->row = world.row(end->model);
     if (!end->row) return;
-    const geom::Vec2 p_W = rounded(world.models.X_WM[end->row.index].xy());
+    const geom::Vec2 p_W = rounded(world.models.X_WM[end->row].xy());
     rebuilt = rebuilt || !end->ways || p_W != end->p_W;
     end->p_W = p_W;
   }
@@ -128,7 +128,7 @@ void Fasr::prepare(const world::World& world, bool rebuilt, Task& task) {
 }
 
 void Fasr::choose(const world::World& world, std::size_t i) {
-  if (choices_[i].size() == 1 || world.models.flags[model_[i].index] > 0) return;
+  if (choices_[i].size() == 1 || world.models.flags[model_[i]] > 0) return;
   Rng random(world.seed(), world.tick(), steering_.stream(i));
   if (random.uniform() < kChange) choice_[i] = drawn_choice(choices_[i].size(), random);
 }
@@ -139,12 +139,12 @@ const Fasr::End* Fasr::goal(std::size_t i, bool loaded) const {
 }
 
 bool Fasr::is_there(const world::World& world, std::size_t i, const End& end) const {
-  const geom::Vec2 off = world.models.X_WM[end.row.index].xy() - world.models.X_WM[model_[i].index].xy();
+  const geom::Vec2 off = world.models.X_WM[end.row].xy() - world.models.X_WM[model_[i]].xy();
   return geom::dot(off, off) < end.reach * end.reach;
 }
 
 bool Fasr::go(world::World& world, std::size_t i, const End& end) {
-  const geom::Pose& X_WM = world.models.X_WM[model_[i].index];
+  const geom::Pose& X_WM = world.models.X_WM[model_[i]];
   const std::optional<geom::Vec2> next_W = end.ways->next(X_WM.xy());
   if (!next_W) return false;
   const geom::Vec2 next_M = geom::transform(geom::inverse(X_WM), *next_W);
@@ -159,7 +159,7 @@ bool Fasr::go(world::World& world, std::size_t i, const End& end) {
 
 bool Fasr::escape(world::World& world, std::size_t i) {
   const world::PositionRow robot = steering_.robot(i);
-  if (world.positions.stall[robot.index]) {
+  if (world.positions.stall[robot]) {
     Rng random(world.seed(), world.tick(), steering_.stream(i));
     escaping_[i] = kEscapeLeast + static_cast<std::uint32_t>(random.bits() % kEscapeSpread);
     speed_[i] = random.uniform() < kBackwards ? -kEscape : kEscape;
@@ -176,7 +176,7 @@ void Fasr::decide(world::World& world, std::size_t begin, std::size_t end) {
     exchange_[i] = Exchange::kNothing;
     if (!steering_.is_new_scan(world, i)) continue;
     choose(world, i);
-    const bool loaded = world.models.flags[model_[i].index] > 0;
+    const bool loaded = world.models.flags[model_[i]] > 0;
     const End* const to = goal(i, loaded);
     const bool there = to && is_there(world, i, *to);
     if (there) exchange_[i] = loaded ? Exchange::kGives : Exchange::kTakes;

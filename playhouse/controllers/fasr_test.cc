@@ -33,7 +33,7 @@ struct Field {
     }
     return scene;
   }
-  std::int32_t& flags(world::ModelRow model) { return world.models.flags[model.index]; }
+  std::int32_t& flags(world::ModelRow model) { return world.models.flags[model]; }
   world::ModelRow robot(std::uint32_t k) const { return {2 * k}; }
   const geom::Twist& command(std::size_t robot) const { return world.positions.command[robot]; }
   /// A scan in which nothing is near, and a decision.
@@ -100,10 +100,10 @@ TEST(Fasr, drives_to_the_source_without_a_flag_and_to_the_sink_with_one) {
 TEST(Fasr, gets_away_from_what_it_stands_against) {
   Field f("fasr", 1);
   world::set_pose(f.world, f.robot(0), {10, 0, 0, geom::kPi});
-  f.world.positions.stall[0] = 1;
+  f.world.positions.stall[{0}] = 1;
   f.decide();
   EXPECT_EQ(std::fabs(f.command(0).x), 0.2);
-  f.world.positions.stall[0] = 0;
+  f.world.positions.stall[{0}] = 0;
   const geom::Twist away = f.command(0);
   for (int scan = 0; scan < 7; ++scan) f.decide();
   EXPECT_EQ(f.command(0), away) << "for eight scans at least";
@@ -140,28 +140,28 @@ TEST(Fasr2, takes_up_its_tasks_and_says_that_it_waits) {
   world::World world(scene, 7);
   ASSERT_TRUE(attach(world, {}));
   const world::ModelRow red = world.find("red_source"), green = world.find("green_source");
-  world.models.flags[red.index] = world.models.flags[green.index] = 100;
+  world.models.flags[red] = world.models.flags[green] = 100;
   const auto round = [&](double y) {
     for (const world::ModelRow robot : world.positions.model) world::set_pose(world, robot, {0, y, 0, 0});
     testing::measure(world, {8.0f});
     testing::decide(world);
   };
   const auto others = [&](const std::string& text) {
-    return std::ranges::count_if(
-        world.positions.model, [&](world::ModelRow robot) { return world.models.say[robot.index] == text; });
+    return std::ranges::count_if(world.positions.model,
+                                 [&](world::ModelRow robot) { return world.models.say[robot] == text; });
   };
   round(0);
-  const std::int32_t of_red = 100 - world.models.flags[red.index];
+  const std::int32_t of_red = 100 - world.models.flags[red];
   EXPECT_GT(of_red, 5);
   EXPECT_LT(of_red, 35);
-  EXPECT_EQ(world.models.flags[green.index], 100);
-  world.models.flags[green.index] = 0;
+  EXPECT_EQ(world.models.flags[green], 100);
+  world.models.flags[green] = 0;
   round(10);
   EXPECT_EQ(others("Waiting..."), 40 - of_red);
-  world.models.flags[green.index] = 100;
+  world.models.flags[green] = 100;
   round(10);
   EXPECT_EQ(others("Waiting..."), 0);
-  EXPECT_EQ(100 - world.models.flags[green.index], 40 - of_red);
+  EXPECT_EQ(100 - world.models.flags[green], 40 - of_red);
 }
 
 TEST(Fasr2, needs_the_ends_of_every_task) {

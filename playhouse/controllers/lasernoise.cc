@@ -21,28 +21,27 @@ void add_noise(const scene::RangerSensorDesc& sensor, std::span<float> ranges, R
 
 Result<void> LaserNoise::join(world::World& world, const Post& post) {
   const world::ModelRow model = world.row(post.model);
-  if (world.models.kind[model.index] != scene::ModelKind::kRanger)
-    return Error{{}, "needs to be on a ranger"};
-  ranger_.push_back({world.models.part[model.index]});
+  if (world.models.kind[model] != scene::ModelKind::kRanger) return Error{{}, "needs to be on a ranger"};
+  ranger_.push_back(world.models.part[model]);
   stream_.push_back({Purpose::kController, world.serial(post.model), post.order});
   return {};
 }
 
 void LaserNoise::resolve(const world::World& world, std::size_t i) {
-  ranger_[i] = {world.models.part[world.row(id(i)).index]};
+  ranger_[i] = world.models.part[world.row(id(i))];
 }
 
 void LaserNoise::filter(world::World& world, std::size_t begin, std::size_t end) {
   const std::uint64_t now = world.tick() + 1;
   for (std::size_t i = begin; i < end; ++i) {
-    if (world.rangers.measured_tick[ranger_[i].index] != now) continue;
+    if (world.rangers.measured_tick[ranger_[i]] != now) continue;
     Rng random(world.seed(), now, stream_[i]);
-    std::uint32_t row = world.rangers.first_sensor[ranger_[i].index];
-    for (const scene::RangerSensorDesc& sensor : world.desc(world.rangers.model[ranger_[i].index]).sensors) {
-      add_noise(sensor,
-                std::span(world.sensors.ranges)
-                    .subspan(world.sensors.first_beam[row], world.sensors.beam_count[row]),
-                random);
+    world::SensorRow row = world.rangers.first_sensor[ranger_[i]];
+    for (const scene::RangerSensorDesc& sensor : world.desc(world.rangers.model[ranger_[i]]).sensors) {
+      add_noise(
+          sensor,
+          std::span(world.sensors.ranges.from(world.sensors.first_beam[row]), world.sensors.beam_count[row]),
+          random);
       ++row;
     }
   }

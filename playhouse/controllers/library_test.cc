@@ -46,42 +46,42 @@ TEST(Loaded, reads_ranges_and_bearings_and_drives) {
   Fixture f("probe drive");
   ASSERT_EQ(f.error, "");
   f.tick();
-  EXPECT_EQ(f.world.positions.command[1], (geom::Twist{1.5, 0, 0, 0}));
+  EXPECT_EQ(f.world.positions.command[{1}], (geom::Twist{1.5, 0, 0, 0}));
 }
 
 TEST(Loaded, sends_a_robot_to_a_pose) {
   Fixture f("probe go");
   f.tick();
-  EXPECT_EQ(f.world.positions.mode[0], world::ControlMode::kPosition);
-  EXPECT_EQ(f.world.positions.goal[0], (geom::Pose{1, 2, 0, 3}));
+  EXPECT_EQ(f.world.positions.mode[{0}], world::ControlMode::kPosition);
+  EXPECT_EQ(f.world.positions.goal[{0}], (geom::Pose{1, 2, 0, 3}));
 }
 
 TEST(Loaded, knows_the_time_and_whether_a_scan_is_new) {
   Fixture f("probe speak");
   f.tick();
-  EXPECT_EQ(f.world.models.say[0], "t=0.100000 fresh");
+  EXPECT_EQ(f.world.models.say[{0}], "t=0.100000 fresh");
   ++f.world.tick_;
   testing::decide(f.world);
-  EXPECT_EQ(f.world.models.say[0], "t=0.200000");
+  EXPECT_EQ(f.world.models.say[{0}], "t=0.200000");
 }
 
 TEST(Loaded, carries_flags) {
   Fixture f("probe carry");
   f.tick();
   f.tick();
-  EXPECT_EQ(f.world.models.flags[0], 2);
+  EXPECT_EQ(f.world.models.flags[{0}], 2);
 }
 
 TEST(Loaded, gives_flags_and_texts_when_all_have_decided) {
   Fixture carries("probe carry"), speaks("probe speak");
   for (world::World* world : {&carries.world, &speaks.world})
     world->deciders[0]->decide(*world, 0, world->deciders[0]->size());
-  EXPECT_EQ(carries.world.models.flags[0], 0);
-  EXPECT_EQ(speaks.world.models.say[0], "");
+  EXPECT_EQ(carries.world.models.flags[{0}], 0);
+  EXPECT_EQ(speaks.world.models.say[{0}], "");
   carries.world.deciders[0]->deliver(carries.world);
   speaks.world.deciders[0]->deliver(speaks.world);
-  EXPECT_EQ(carries.world.models.flags[0], 1);
-  EXPECT_EQ(speaks.world.models.say[0], "t=0.000000");
+  EXPECT_EQ(carries.world.models.flags[{0}], 1);
+  EXPECT_EQ(speaks.world.models.say[{0}], "t=0.000000");
 }
 
 TEST(Loaded, leaves_flags_and_texts_alone_that_others_give_its_robot) {
@@ -89,26 +89,26 @@ TEST(Loaded, leaves_flags_and_texts_alone_that_others_give_its_robot) {
   world::add_flags(f.world, {0}, 3);
   world::set_say(f.world, {0}, "hello");
   f.tick();
-  EXPECT_EQ(f.world.models.flags[0], 3);
-  EXPECT_EQ(f.world.models.say[0], "hello");
+  EXPECT_EQ(f.world.models.flags[{0}], 3);
+  EXPECT_EQ(f.world.models.say[{0}], "hello");
 }
 
 TEST(Loaded, draws_random_numbers_that_differ_by_robot_and_tick_and_repeat_with_the_seed) {
   Fixture f("probe random"), again("probe random");
   f.tick();
   again.tick();
-  const double first = f.world.positions.command[0].x;
-  EXPECT_EQ(first, again.world.positions.command[0].x);
-  EXPECT_NE(first, f.world.positions.command[1].x);
+  const double first = f.world.positions.command[{0}].x;
+  EXPECT_EQ(first, again.world.positions.command[{0}].x);
+  EXPECT_NE(first, f.world.positions.command[{1}].x);
   f.tick();
-  EXPECT_NE(first, f.world.positions.command[0].x);
+  EXPECT_NE(first, f.world.positions.command[{0}].x);
 }
 
 TEST(Loaded, wakes_only_the_rangers_that_the_controller_uses) {
   Fixture all("probe"), deaf("probe deaf");
-  EXPECT_EQ(all.world.models.subscribers[1], 1u);
-  EXPECT_EQ(deaf.world.models.subscribers[1], 0u);
-  EXPECT_EQ(deaf.world.models.subscribers[0], 1u);
+  EXPECT_EQ(all.world.models.subscribers[{1}], 1u);
+  EXPECT_EQ(deaf.world.models.subscribers[{1}], 0u);
+  EXPECT_EQ(deaf.world.models.subscribers[{0}], 1u);
 }
 
 TEST(Loaded, shows_nothing_of_what_a_ranger_that_is_switched_off_measures_for_others) {
@@ -116,8 +116,8 @@ TEST(Loaded, shows_nothing_of_what_a_ranger_that_is_switched_off_measures_for_ot
   world::subscribe(watched.world, {1});
   watched.tick();
   alone.tick();
-  watched.world.sensors.ranges[0] += 1;
-  EXPECT_EQ(watched.world.models.say[0], "0");
+  watched.world.sensors.ranges[{0}] += 1;
+  EXPECT_EQ(watched.world.models.say[{0}], "0");
   EXPECT_EQ(watched.world.hash(), alone.world.hash());
 }
 
@@ -125,13 +125,13 @@ TEST(Loaded, ends_a_controller_that_throws_and_stops_its_robot) {
   for (const char* ctrl : {"probe throw", "probe throw_int", "probe nan"}) {
     Fixture f(ctrl);
     ASSERT_EQ(f.error, "");
-    f.world.positions.command[0] = {0.3, 0, 0, 0};
+    f.world.positions.command[{0}] = {0.3, 0, 0, 0};
     const std::uint64_t before = f.world.hash();
     f.tick();
-    EXPECT_EQ(f.world.positions.command[0], geom::Twist{}) << ctrl;
-    f.world.positions.command[0] = {0.3, 0, 0, 0};
+    EXPECT_EQ(f.world.positions.command[{0}], geom::Twist{}) << ctrl;
+    f.world.positions.command[{0}] = {0.3, 0, 0, 0};
     f.tick();
-    EXPECT_EQ(f.world.positions.command[0].x, 0.3) << ctrl << " is not called again";
+    EXPECT_EQ(f.world.positions.command[{0}].x, 0.3) << ctrl << " is not called again";
     EXPECT_NE(before, f.world.hash());
   }
 }
@@ -165,14 +165,14 @@ TEST(Loaded, tells_what_was_thrown_in_one_line) {
 TEST(Loaded, that_cannot_remember_is_ended_with_one_line_and_the_state_is_loaded) {
   Fixture f("probe forget");
   f.tick();
-  EXPECT_EQ(f.world.positions.command[1].x, 0.5);
+  EXPECT_EQ(f.world.positions.command[{1}].x, 0.5);
   std::vector<std::byte> state;
   ASSERT_TRUE(world::save_state(f.world, state).ok());
   const std::string log = logged([&] { EXPECT_TRUE(world::load_state(f.world, state).ok()); });
   EXPECT_EQ(std::ranges::count(log, '\n'), 2) << "one line for each of the two robots:\n" << log;
   EXPECT_THAT(log, HasSubstr("controller \"probe\" of \"r1\" ended: remembers nothing\n"));
   f.tick();
-  EXPECT_EQ(f.world.positions.command[1], geom::Twist{}) << "it is not called again";
+  EXPECT_EQ(f.world.positions.command[{1}], geom::Twist{}) << "it is not called again";
 }
 
 TEST(Library, of_another_version_is_refused) {

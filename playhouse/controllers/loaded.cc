@@ -60,7 +60,7 @@ Result<void> Loaded::join(World& world, const Post& post) {
   seat->name = world.name(seat->model);
   seat->seen.assign(seat->ranger_rows.size(), 0);
   for (const world::RangerRow row : seat->ranger_rows) {
-    const world::ModelRow model = world.rangers.model[row.index];
+    const world::ModelRow model = world.rangers.model[row];
     seat->bearings.push_back(bearings_of(world, seat->model, row));
     seat->ranger_names.push_back(world.name(model));
     Ranger& ranger = seat->rangers.emplace_back();
@@ -82,14 +82,14 @@ Result<void> Loaded::join(World& world, const Post& post) {
   world::subscribe_controller(world, seat->model);
   for (std::size_t k = 0; k < seat->rangers.size(); ++k) {
     if (seat->rangers[k].used) {
-      world::subscribe_controller(world, world.rangers.model[seat->ranger_rows[k].index]);
+      world::subscribe_controller(world, world.rangers.model[seat->ranger_rows[k]]);
     } else {  // otherwise it would see measurements made for others
       seat->ranger_rows[k] = {};
       seat->rangers[k].ranges = {};
     }
   }
   for (const world::FiducialRow finder : seat->finders)
-    world::subscribe_controller(world, world.fiducials.model[finder.index]);
+    world::subscribe_controller(world, world.fiducials.model[finder]);
   if (take_orders(world, *seat)) give(world, *seat);
   seats_.push_back(std::move(seat));
   gives_.push_back(0);
@@ -102,32 +102,32 @@ void Loaded::show(const World& world, Seat& seat) {
   robot.time = world.time();
   robot.dt = world.scene().interval;
   if (seat.position) {
-    const std::uint32_t row = seat.position.index;
+    const world::PositionRow row = seat.position;
     robot.pose = world.positions.X_OM[row];
     robot.velocity = world.positions.velocity[row];
     robot.stalled = world.positions.stall[row] != 0;
   } else {
-    robot.pose = world.models.X_WM[seat.model.index];
+    robot.pose = world.models.X_WM[seat.model];
   }
   for (std::size_t k = 0; k < seat.rangers.size(); ++k) {
     const world::RangerRow row = seat.ranger_rows[k];
     if (!row) continue;
-    const std::uint64_t measured = world.rangers.measured_tick[row.index];
+    const std::uint64_t measured = world.rangers.measured_tick[row];
     seat.rangers[k].ranges =
-        std::span(world.sensors.ranges).subspan(first_beam(world, row), seat.bearings[k].size());
+        std::span(world.sensors.ranges.from(first_beam(world, row)), seat.bearings[k].size());
     seat.rangers[k].fresh = measured != seat.seen[k];
     seat.seen[k] = measured;
   }
   seat.sightings.clear();
   for (const world::FiducialRow finder : seat.finders) {
-    for (const world::FiducialHit& hit : world.fiducials.hits[finder.index]) {
+    for (const world::FiducialHit& hit : world.fiducials.hits[finder]) {
       seat.sightings.push_back({hit.id, hit.range, hit.bearing, hit.heading});
     }
   }
   robot.sightings = seat.sightings;
   robot.random = Rng(world.seed(), world.tick(), seat.stream);
-  robot.flags = world.models.flags[seat.model.index];
-  if (const std::string& say = world.models.say[seat.model.index]; robot.say != say) robot.say = say;
+  robot.flags = world.models.flags[seat.model];
+  if (const std::string& say = world.models.say[seat.model]; robot.say != say) robot.say = say;
   robot.order = Robot::Order::kNone;
 }
 
@@ -143,8 +143,8 @@ bool Loaded::take_orders(World& world, Seat& seat) {
     end(world, seat, "its command has a number that is not finite or far too large");
     return false;
   }
-  seat.more_flags = std::int64_t{robot.flags} - world.models.flags[seat.model.index];
-  seat.says = robot.say != world.models.say[seat.model.index];
+  seat.more_flags = std::int64_t{robot.flags} - world.models.flags[seat.model];
+  seat.says = robot.say != world.models.say[seat.model];
   return seat.more_flags != 0 || seat.says;
 }
 

@@ -62,7 +62,7 @@ void Patrol::resolve(const world::World& world, std::size_t i) {
 
 void Patrol::decide(world::World& world, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
-    const geom::Pose& X_WR = world.models.X_WM[world.positions.model[robot_[i].index].index];
+    const geom::Pose& X_WR = world.models.X_WM[world.positions.model[robot_[i]]];
     const std::vector<geom::Vec2>& waypoints = waypoints_[i];
     const double reach = std::max(kReached, speed_[i] * world.scene().interval);
     const auto offset = [&] {

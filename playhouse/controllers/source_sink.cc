@@ -25,7 +25,7 @@ Result<void> Source::join(world::World& world, const Post& post) {
 
 void Source::decide(world::World& world, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i)
-    makes_[i] = world.tick() % update_ticks_[i] == 0 && world.models.flags[model_[i].index] < capacity_[i];
+    makes_[i] = world.tick() % update_ticks_[i] == 0 && world.models.flags[model_[i]] < capacity_[i];
 }
 
 void Source::deliver(world::World& world) {
@@ -35,7 +35,7 @@ void Source::deliver(world::World& world) {
 
 Result<void> Sink::join(world::World& world, const Post& post) {
   model_.push_back(world.row(post.model));
-  before_.push_back(world.models.flags[model_.back().index]);
+  before_.push_back(world.models.flags[model_.back()]);
   received_.push_back(0);
   says_.push_back(0);
   return {};
@@ -43,7 +43,7 @@ Result<void> Sink::join(world::World& world, const Post& post) {
 
 void Sink::decide(world::World& world, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
-    const std::int32_t flags = world.models.flags[model_[i].index];
+    const std::int32_t flags = world.models.flags[model_[i]];
     says_[i] = flags > before_[i];
     if (says_[i]) received_[i] += static_cast<std::uint64_t>(flags) - static_cast<std::uint64_t>(before_[i]);
     before_[i] = flags;

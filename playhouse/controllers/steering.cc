@@ -46,21 +46,20 @@ View look(std::span<const float> ranges) {
 world::SensorRow scanner(const world::World& world, const std::vector<world::RangerRow>& rangers) {
   world::SensorRow best;
   for (const world::RangerRow ranger : rangers) {
-    const std::uint32_t first = world.rangers.first_sensor[ranger.index];
-    for (std::uint32_t k = first; k < first + world.rangers.sensor_count[ranger.index]; ++k) {
+    for (const world::SensorRow k : sensors_of(world.rangers, ranger)) {
       const std::uint32_t beams = world.sensors.beam_count[k];
-      if (beams > kScannerSamples) return {k};
-      if (!best || beams > world.sensors.beam_count[best.index]) best = {k};
+      if (beams > kScannerSamples) return k;
+      if (!best || beams > world.sensors.beam_count[best]) best = k;
     }
   }
   return best;
 }
 
 Fan fan_of(const world::World& world, world::ModelRow robot, world::SensorRow sensor) {
-  const world::RangerRow ranger = world.sensors.ranger[sensor.index];
+  const world::RangerRow ranger = world.sensors.ranger[sensor];
   const std::vector<float> bearings = bearings_of(world, robot, ranger);
-  const std::uint32_t first = world.sensors.first_beam[sensor.index] - first_beam(world, ranger);
-  const bool several = world.sensors.beam_count[sensor.index] > 1;
+  const std::uint32_t first = world.sensors.first_beam[sensor] - first_beam(world, ranger);
+  const bool several = world.sensors.beam_count[sensor] > 1;
   return {bearings[first], several ? geom::normalize(bearings[first + 1] - bearings[first]) : 0};
 }
 
@@ -72,7 +71,7 @@ Result<void> Steering::join(world::World& world, const Post& post) {
   const world::SensorRow sensor = scanner(world, rangers_of(world, model));
   if (!sensor) return Error{{}, "needs a ranger with at least one sensor"};
   world::subscribe_controller(world, model);
-  world::subscribe_controller(world, world.rangers.model[world.sensors.ranger[sensor.index].index]);
+  world::subscribe_controller(world, world.rangers.model[world.sensors.ranger[sensor]]);
 
   stream_.push_back({Purpose::kController, world.serial(post.model), post.order});
   seen_.push_back(0);
@@ -90,14 +89,14 @@ Result<void> Steering::join(world::World& world, const Post& post) {
 void Steering::resolve(const world::World& world, world::ModelRow model, std::size_t i) {
   const world::SensorRow sensor = scanner(world, rangers_of(world, model));
   robot_[i] = position_of(world, model);
-  ranger_[i] = world.sensors.ranger[sensor.index];
-  first_beam_[i] = world.sensors.first_beam[sensor.index];
-  beams_[i] = world.sensors.beam_count[sensor.index];
+  ranger_[i] = world.sensors.ranger[sensor];
+  first_beam_[i] = world.sensors.first_beam[sensor];
+  beams_[i] = world.sensors.beam_count[sensor];
   fan_[i] = fan_of(world, model, sensor);
 }
 
 bool Steering::is_new_scan(const world::World& world, std::size_t i) {
-  const std::uint64_t measured = world.rangers.measured_tick[ranger_[i].index];
+  const std::uint64_t measured = world.rangers.measured_tick[ranger_[i]];
   return std::exchange(seen_[i], measured) != measured;
 }
 

@@ -28,7 +28,7 @@ class Steering {
   const Stream& stream(std::size_t i) const { return stream_[i]; }
   /// Ranges of the latest scan, from right to left. [m]
   std::span<const float> beams(const world::World& world, std::size_t i) const {
-    return std::span(world.sensors.ranges).subspan(first_beam_[i], beams_[i]);
+    return std::span(world.sensors.ranges.from(first_beam_[i]), beams_[i]);
   }
   /// Bearings of the beams.
   const Fan& fan(std::size_t i) const { return fan_[i]; }
@@ -43,7 +43,8 @@ class Steering {
   // Rows of a robot and of its sensor.
   std::vector<world::PositionRow> robot_;
   std::vector<world::RangerRow> ranger_;
-  std::vector<std::uint32_t> first_beam_, beams_;
+  std::vector<world::BeamRow> first_beam_;
+  std::vector<std::uint32_t> beams_;
   std::vector<Fan> fan_;
 
   // Memory.

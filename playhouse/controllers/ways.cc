@@ -36,8 +36,8 @@ void add_loop(std::span<const Vec2> loop_B, const geom::Pose& X_WB, std::vector<
 /// Outlines of static models that robots collide with or sense, between the floor and `height`. [m, W]
 std::vector<Line> outlines(const world::World& world, double height) {
   std::vector<Line> lines;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    const scene::ModelDesc& desc = world.desc({row});
+  for (const world::ModelRow row : world.models.rows()) {
+    const scene::ModelDesc& desc = world.desc(row);
     if (world.models.mobility[row] != world::Mobility::kFixed) continue;
     if (!desc.obstacle_return && desc.ranger_return < 0) continue;
     const geom::Pose X_WB = geom::compose(world.models.X_WM[row], desc.X_MB);

@@ -16,7 +16,7 @@ class AnalogSensor final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     const world::ModelRow row = world.row(model());
     wire::aio::Data data;
-    if (row && voltages_(world, world.models.part[row.index], data.voltages))
+    if (row && voltages_(world, world.models.part[row], data.voltages))
       publish(world, wire::aio::kDataState, data, out);
   }
 

@@ -12,7 +12,7 @@
 namespace playhouse::drivers {
 
 /// Sets what the sensor in this row of its table has measured in this tick; false if that is nothing.
-using Voltages = bool (*)(const world::World& world, std::uint32_t row, std::vector<float>& voltages);
+using Voltages = bool (*)(const world::World& world, world::KindRow row, std::vector<float>& voltages);
 
 std::unique_ptr<SimulatedDevice> make_analog_sensor(run::Simulation& simulation, world::ModelRow model,
                                                     Voltages voltages);

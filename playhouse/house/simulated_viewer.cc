@@ -157,7 +157,7 @@ void SimulatedViewer::take_models(const json::object& text) {
     const auto is_same = [](world::ModelId id, const auto& start) { return id.value == start.first; };
     if (!std::ranges::equal(layout.id, starts_, is_same)) return false;
     return std::ranges::all_of(came, [&](std::uint32_t id) {
-      const std::vector<std::int64_t> start = start_of(layout.start[*layout.row({id})]);
+      const std::vector<std::int64_t> start = start_of(layout.start[layout.row({id})]);
       return std::ranges::equal(std::span(starts_.at(id)).first(kStartFields), start);
     });
   });
@@ -172,7 +172,7 @@ void SimulatedViewer::take_models(const json::object& text) {
 void SimulatedViewer::take_frame(std::span<const std::byte> packet) {
   if (!replica_) return wrong("gets a frame before the scene");
   for (const std::byte byte : packet) digest_.add(static_cast<std::uint64_t>(byte));
-  const std::vector<replicate::ModelState> before = replica_->models;
+  const world::ByModel<replicate::ModelState> before = replica_->models;
   const Result<std::uint32_t> frame = replicate::apply_packet(packet, *replica_);
   if (!frame) return wrong("gets a frame that cannot be applied: " + frame.error().text);
   if (*frame != ++frames_) return wrong(fmt::format("gets frame {} instead of {}", *frame, frames_));

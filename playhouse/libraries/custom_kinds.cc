@@ -87,7 +87,7 @@ Result<std::vector<std::string>> attach_custom_kinds(world::World& world, const 
     if (!code) return code.error();
     world.custom_codes[row] = std::move(*code);
   }
-  for (std::uint32_t row = 0; row < world.customs.size(); ++row) world::begin_custom(world, {row});
+  for (const world::CustomRow row : world.customs.rows()) world::begin_custom(world, {row});
   return warnings;
 }
 

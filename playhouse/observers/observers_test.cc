@@ -48,7 +48,7 @@ class Observers : public testing::Test {
     ASSERT_FALSE(observer.ended()) << *observer.ended();
     const world::World& world = small_.world;
     ASSERT_EQ(observer.world().models().size(), world.models.size());
-    for (std::uint32_t row = 0; row < world.models.size(); ++row)
+    for (const world::ModelRow row : world.models.rows())
       EXPECT_EQ(observer.world().models().at(world.models.id[row].value).state,
                 replicate::model_state(world, row));
   }

@@ -38,7 +38,7 @@ PLAYHOUSE_INLINE void put_rays(const Bundle& bundle, const geom::Pose& X_WM, geo
 
 /// find_bodies() for rays beyond the exact range of DiscIndex units: takes all bodies visible to rangers.
 std::size_t take_all(const Bundle& bundle, const bodies::DiscIndex& index,
-                     std::span<const bodies::DiscIndex::Run> runs, std::uint32_t own_root,
+                     std::span<const bodies::DiscIndex::Run> runs, world::ModelRow own_root,
                      const NearBodies& out) {
   std::size_t count = 0;
   for (const bodies::DiscIndex::Run& run : runs) {
@@ -112,7 +112,7 @@ void run_bundle(const bodies::Space& space, const RangerView& view, const Bundle
     const Bundle::Table& table = bundle.tables[size];
     const std::size_t count = table.half < bodies::DiscIndex::kFarthest
                                   ? find_bodies(table, space.index.places(), runs, view.X_WM.xy(),
-                                                view.rotation, view.root, heights, near)
+                                                view.rotation, view.root.index, heights, near)
                                   : take_all(bundle, space.index, runs, view.root, near);
     add_pairs(space, near, count, part.begin, heights, rays, scratch.pairs);
   }

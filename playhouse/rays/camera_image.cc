@@ -44,7 +44,7 @@ std::uint32_t sky_color(const scene::WorldDesc& world) {
   return scene::rgba8(sky) >> 8;
 }
 
-void expose(world::World& world, std::uint32_t camera, std::uint64_t tick, const Seen& seen) {
+void expose(world::World& world, world::CameraRow camera, std::uint64_t tick, const Seen& seen) {
   const world::ModelRow model = world.cameras.model[camera];
   const scene::CameraDesc& desc = *world.desc(model).camera;
   std::vector<world::Pixel>& pixels = world.cameras.pixels[camera];

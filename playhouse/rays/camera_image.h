@@ -34,6 +34,6 @@ struct Seen {
 };
 
 /// Writes the image of a camera, row `camera` of world::Cameras, with its noise at `tick`.
-void expose(world::World& world, std::uint32_t camera, std::uint64_t tick, const Seen& seen);
+void expose(world::World& world, world::CameraRow camera, std::uint64_t tick, const Seen& seen);
 
 }  // namespace playhouse::rays

@@ -23,10 +23,10 @@ struct RangerView {
 
   geom::Pose X_WM;
   geom::Rotation rotation;  // of X_WM
-  std::uint32_t root;
+  world::ModelRow root;
   bool is_wall;  // of a static tree: its own edges are in the walls
 
-  static bool sees(const bodies::Solids& solids, bodies::SolidRow row, std::uint32_t root, double z) {
+  static bool sees(const bodies::Solids& solids, bodies::SolidRow row, world::ModelRow root, double z) {
     return solids.root[row] != root && (solids.seen_by[row] & kBy) != 0 && at_height(solids, row, z);
   }
   bool sees(const bodies::Solids& solids, bodies::SolidRow row, double z) const {

@@ -64,9 +64,9 @@ struct Edge {
 /// Every edge that a ranger of the probe may see.
 std::vector<Edge> edges_of(const world::World& world, world::ModelRow probe) {
   std::vector<Edge> edges;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+  for (const world::ModelRow row : world.models.rows()) {
     const scene::ModelDesc& desc = world.desc({row});
-    if (desc.ranger_return < 0 || world.models.root[row] == probe.index) continue;
+    if (desc.ranger_return < 0 || world.models.root[row] == probe) continue;
     const geom::Pose& X_WM = world.models.X_WM[row];
     const auto add = [&](const std::vector<geom::Vec2>& points, double low, double high) {
       const auto in_world = [&](geom::Vec2 p) {
@@ -106,7 +106,7 @@ double oracle(const std::vector<Edge>& edges, const geom::Pose& X_WS, double bea
 /// Where the frame of a sensor is, and its beams.
 geom::Pose sensor_pose(const world::World& world, const world::ModelRow ranger,
                        const scene::RangerSensorDesc& sensor) {
-  const geom::Pose X_WM = world.models.X_WM[ranger.index];
+  const geom::Pose X_WM = world.models.X_WM[ranger];
   const double c = std::cos(X_WM.a), s = std::sin(X_WM.a);
   return {X_WM.x + c * sensor.X_BS.x - s * sensor.X_BS.y, X_WM.y + s * sensor.X_BS.x + c * sensor.X_BS.y,
           X_WM.z + sensor.X_BS.z, X_WM.a + sensor.X_BS.a};
@@ -118,7 +118,7 @@ std::size_t compare(const world::World& world, const std::vector<Edge>& edges, c
   for (const char* part : {"the probe.scanner", "the probe.ring"}) {
     const world::ModelRow ranger = world.find(part);
     const auto& sensors = world.desc(ranger).sensors;
-    const std::uint32_t first = world.rangers.first_sensor[world.models.part[ranger.index]];
+    const world::SensorRow first = world.rangers.first_sensor[world.models.part[ranger]];
     for (std::uint32_t k = 0; k < sensors.size(); ++k) {
       const geom::Pose X_WS = sensor_pose(world, ranger, sensors[k]);
       const std::uint32_t count = sensors[k].samples;

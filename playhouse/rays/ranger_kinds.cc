@@ -157,7 +157,7 @@ void RangerKinds::populate(const world::World& world, std::span<const double> ra
   of_ranger.clear();
   of_ranger.reserve(world.rangers.size());
   for (const world::ModelRow model : world.rangers.model) {
-    std::uint32_t& kind = of_desc[world.models.desc[model.index]];
+    std::uint32_t& kind = of_desc[world.models.desc[model]];
     if (kind == world::RangerRow::kNone) kind = find_kind(world.desc(model));
     of_ranger.push_back(kind);
   }

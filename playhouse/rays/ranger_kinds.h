@@ -85,7 +85,7 @@ struct RangerKind {
 class RangerKinds {
  public:
   std::vector<RangerKind> kinds;
-  std::vector<std::uint32_t> of_ranger;  // row of kinds (rangers)
+  ByRow<world::RangerTable, std::uint32_t> of_ranger;  // row of kinds
 
   /// Assigns a kind to every ranger, making new ones as needed. `radii` are those of DiscIndex: tables are
   /// rebuilt where bodies are larger than those they were made for, or much smaller. [m]

@@ -21,10 +21,10 @@ struct Rays {
   struct NearRays {
     geom::Vec2 about;
     std::size_t begin, end;
-    double reach;        // m: how far from `about` the rays go
-    std::uint32_t root;  // of the ranger's tree, which is ignored
-    bool is_wall;        // of a static tree: its own edges are in the walls
-    bool is_level;       // all rays are at one height
+    double reach;          // m: how far from `about` the rays go
+    world::ModelRow root;  // of the ranger's tree, which is ignored
+    bool is_wall;          // of a static tree: its own edges are in the walls
+    bool is_level;         // all rays are at one height
   };
   NearRays parts[kMost];
   std::size_t count = 0, part_count = 0;

@@ -18,7 +18,7 @@ bool Slicer::shows(const bodies::Solids& solids, bodies::SolidRow solid) const {
 }
 
 void Slicer::stand(const bodies::Space& space, geom::Vec2 p, double z, double reach, bodies::SeenByBits by,
-                   std::uint32_t root) {
+                   world::ModelRow root) {
   p_ = p;
   z_ = z;
   by_ = by;

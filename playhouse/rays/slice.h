@@ -29,7 +29,7 @@ class Slicer {
   /// Sets the viewpoint: p at height z. Ignores what `by` does
   /// not see, the tree `root`, and what is beyond `reach`.
   void stand(const bodies::Space& space, geom::Vec2 p, double z, double reach, bodies::SeenByBits by,
-             std::uint32_t root);
+             world::ModelRow root);
 
   /// Stretches along the unit vector d up to `reach`, unordered. Valid until the next call.
   const std::vector<Stretch>& along(const bodies::Space& space, geom::Vec2 d, double reach);
@@ -54,7 +54,7 @@ class Slicer {
   geom::Vec2 p_;
   double z_ = 0;  // m
   bodies::SeenByBits by_ = 0;
-  std::uint32_t root_ = 0;
+  world::ModelRow root_{0};
   std::vector<bodies::SolidRow> near_;     // movable solids
   std::vector<bodies::SolidRow> beneath_;  // static bodies that contain p, ascending
   std::vector<Passage> crossings_;

@@ -17,7 +17,7 @@ SpatialPose body_in_world(const world::World& world, world::ModelRow model) {
 
 SpatialPose lens_in_world(const world::World& world, world::ModelRow model) {
   constexpr Quaternion kOptical{0.5, -0.5, 0.5, -0.5};  // from x ahead, y left, z up
-  const std::uint32_t camera = world.models.part[model.index];
+  const world::CameraRow camera = world.models.part[model];
   const double height = 0.5 * world.desc(model).size.z;  // of the lens in the body
   const Quaternion q_BL =
       geom::orientation(world.cameras.pan[camera], {0, -world.cameras.tilt[camera]}) * kOptical;
@@ -26,11 +26,10 @@ SpatialPose lens_in_world(const world::World& world, world::ModelRow model) {
 
 /// Of a robot that knows its pose the origin of its estimates, of another where its drift has brought that.
 SpatialPose odometry_in_world(const world::World& world, world::ModelRow model) {
-  const std::uint32_t robot = world.models.part[model.index];
+  const world::PositionRow robot = world.models.part[model];
   const bool is_exact = world.desc(model).position->localization == scene::Localization::kGps;
   geom::Pose X_WO = world.positions.X_WO[robot];
-  if (!is_exact)
-    X_WO = geom::compose(world.models.X_WM[model.index], geom::inverse(world.positions.X_OM[robot]));
+  if (!is_exact) X_WO = geom::compose(world.models.X_WM[model], geom::inverse(world.positions.X_OM[robot]));
   return {{X_WO.x, X_WO.y, 0, X_WO.a}, {}};
 }
 
@@ -77,7 +76,7 @@ SpatialPose pose_in(const SpatialPose& X_WP, const SpatialPose& X_WF) {
 
 SpatialPose estimated_pose(const world::World& world, world::ModelRow model) {
   const SpatialPose truth = world::pose_in_world(world.models, model);
-  geom::Pose X_OM = world.positions.X_OM[world.models.part[model.index]];
+  geom::Pose X_OM = world.positions.X_OM[world.models.part[model]];
   X_OM.z = truth.X.z;
   return {X_OM, truth.tilt};
 }

@@ -56,7 +56,7 @@ TEST_F(FramesTest, of_a_lens_have_z_into_the_image_x_to_its_right_and_y_down) {
 }
 
 TEST_F(FramesTest, of_a_lens_follow_pan_and_tilt) {
-  const std::uint32_t camera = world_.models.part[eye_.index];
+  const world::CameraRow camera = world_.models.part[eye_];
   world_.cameras.pan[camera] = geom::radians(90);
   expect_near(turned(lens(), {0, 0, 1}), {0, 1, 0});
   for (const double tilt : {-90.0, -89.999999, 30.0, 90.0}) {
@@ -81,7 +81,7 @@ TEST_F(FramesTest, of_parts_stay_in_that_of_a_robot_that_tips_over) {
 
 TEST_F(FramesTest, of_odometry_have_the_robot_where_it_believes_to_be) {
   tilt({{5, -3, 1, 0.7}, {0.1, 0.2}});
-  world_.positions.X_OM[world_.models.part[robot_.index]] = {4, -2, 0, 0.6};
+  world_.positions.X_OM[world_.models.part[robot_]] = {4, -2, 0, 0.6};
   const SpatialPose X_WO = frame_in_world(world_, robot_, FrameKind::kOdometry);
   expect_near(geom::compose(X_WO, estimated_pose(world_, robot_)),
               world::pose_in_world(world_.models, robot_));

@@ -254,7 +254,7 @@ std::string table_schema() {
 
 template <typename Table>
 world::Range rows_of(const world::World& world, world::ModelRow model) {
-  return world::range_of<Table>(world, model.index, world::Per::kRow);
+  return world::range_of<Table>(world, model, world::Per::kRow);
 }
 
 template <typename Table>
@@ -279,7 +279,8 @@ TableMessages messages_of(const std::string& word) {
       .is_fresh =
           [](const world::World& world, world::ModelRow model) {
             if constexpr (Measuring<Table>)
-              return (world.*kTable).measured_tick[rows_of<Table>(world, model).begin] == world.tick();
+              return world::numbered((world.*kTable).measured_tick)[rows_of<Table>(world, model).begin] ==
+                     world.tick();
             return false;
           },
       .message =
@@ -288,7 +289,7 @@ TableMessages messages_of(const std::string& word) {
             CdrWriter out;
             out.time(ns);
             world::each_column_of<Table>([&](const auto& column) {
-              if (is_told(column)) put_field(out, (world.*kTable.*column.values)[row]);
+              if (is_told(column)) put_field(out, column.of(world.*kTable)[row]);
             });
             return out.message();
           },
@@ -379,21 +380,21 @@ bool repeats_first_beam(const scene::RangerSensorDesc& sensor) {
 
 Bytes scan_message(std::uint64_t ns, const std::string& frame, const world::World& world,
                    world::ModelRow model, world::SensorRow sensor) {
-  const std::uint32_t ranger = world.models.part[model.index];
-  const std::uint32_t nth = sensor.index - world.rangers.first_sensor[ranger];
+  const world::RangerRow ranger = world.models.part[model];
+  const std::uint32_t nth = sensor - world.rangers.first_sensor[ranger];
   const scene::RangerSensorDesc& desc = world.desc(model).sensors[nth];
   const double step = desc.samples > 1 ? desc.fov / (desc.samples - 1) : 0;
-  const std::size_t first = world.sensors.first_beam[sensor.index];
+  const world::BeamRow first = world.sensors.first_beam[sensor];
   const bool is_circle = repeats_first_beam(desc);
-  const std::size_t count = world.sensors.beam_count[sensor.index] - (is_circle ? 1 : 0);
+  const std::size_t count = world.sensors.beam_count[sensor] - (is_circle ? 1 : 0);
   const double angle_max = desc.fov / 2 - (is_circle ? step : 0);
   const double scan_time = static_cast<double>(world::update_ticks(world, model)) * world.scene().interval;
   CdrWriter out;
   put_header(out, ns, frame);
   for (const double number : {-desc.fov / 2, angle_max, step, 0.0, scan_time, desc.range_min, desc.range_max})
     out.number(static_cast<float>(number));
-  out.floats(with_infinity(std::span(world.sensors.ranges).subspan(first, count), desc));
-  out.floats(std::span(world.sensors.intensities).subspan(first, count));
+  out.floats(with_infinity(std::span(world.sensors.ranges.from(first), count), desc));
+  out.floats(std::span(world.sensors.intensities.from(first), count));
   return out.message();
 }
 
@@ -409,14 +410,14 @@ Bytes image_message(std::uint64_t ns, const std::string& frame, const world::Wor
   out.text(size == 3 ? "rgb8" : size == 2 ? "16UC1" : "mono8");
   out.number(std::uint8_t{0});
   out.number(width * size);
-  const std::uint32_t row = world.models.part[model.index];
+  const world::KindRow row = world.models.part[model];
   const std::vector<std::uint8_t> data = world::image_bytes(camera.image, world.cameras.pixels[row]);
   out.bytes(std::as_bytes(std::span(data)));
   return out.message();
 }
 
 Bytes ranges_message(std::uint64_t ns, const world::World& world, world::ModelRow model) {
-  const world::Range beams = world::range_of<world::Sensors>(world, model.index, world::Per::kBeam);
+  const world::Range beams = world::range_of<world::Sensors>(world, model, world::Per::kBeam);
   std::vector<float> ranges;
   for (const scene::RangerSensorDesc& sensor : world.desc(model).sensors) {
     const std::size_t first = beams.begin + ranges.size();

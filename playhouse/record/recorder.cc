@@ -164,7 +164,7 @@ std::string Recorder::label(const world::World& world, world::ModelRow model) {
   };
   const std::string name = name_of(model);
   std::string topic = as_topic(name);
-  if (const world::ModelRow top{world.models.root[model.index]}; top != model) {
+  if (const world::ModelRow top = world.models.root[model]; top != model) {
     const std::string of_top = name_of(top) + ".";
     if (name.starts_with(of_top))
       topic = label(world, top) + "/" + as_topic(std::string_view(name).substr(of_top.size()));
@@ -192,7 +192,7 @@ void Recorder::look_around(const world::World& world) {
   recorded_.clear();
   frames_.clear();
   measuring_.clear();
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) add_model(world, {row});
+  for (const world::ModelRow row : world.models.rows()) add_model(world, {row});
   const bool all_watched = std::ranges::all_of(measuring_, [&](world::ModelId model) {
     const auto found = watched_.find(model);
     return found != watched_.end() && found->second == control_.generation(model);
@@ -203,9 +203,9 @@ void Recorder::look_around(const world::World& world) {
 
 void Recorder::add_model(const world::World& world, world::ModelRow model) {
   const world::Models& models = world.models;
-  const scene::ModelKind kind = models.kind[model.index];
+  const scene::ModelKind kind = models.kind[model];
   const world::ModelId id = world.id(model);
-  if (models.root[model.index] == model.index && models.mobility[model.index] != world::Mobility::kFixed)
+  if (models.root[model] == model && models.mobility[model] != world::Mobility::kFixed)
     frames_.push_back({.model = id, .parent = {}, .kind = FrameKind::kModel, .sensor = 0, .last = {}});
   bool recorded = false;
   for (const TableMessages& table : table_messages()) {
@@ -227,9 +227,9 @@ void Recorder::add_model(const world::World& world, world::ModelRow model) {
 /// What ROS has messages of its own for.
 void Recorder::add_standard(const world::World& world, world::ModelRow model) {
   const world::Models& models = world.models;
-  const bool is_root = models.root[model.index] == model.index;
-  const bool has_frame = is_root && models.mobility[model.index] != world::Mobility::kFixed;
-  switch (models.kind[model.index]) {
+  const bool is_root = models.root[model] == model;
+  const bool has_frame = is_root && models.mobility[model] != world::Mobility::kFixed;
+  switch (models.kind[model]) {
     case scene::ModelKind::kRanger:
       return add_ranger(world, model);
     case scene::ModelKind::kCamera:
@@ -285,8 +285,8 @@ void Recorder::add_channel(const world::World& world, world::ModelRow model, Tol
 /// Frames of a robot's sensors are in that of the robot; of what stands, and of odometry, in the world.
 void Recorder::add_frame(const world::World& world, world::ModelRow model, FrameKind kind,
                          std::uint32_t sensor) {
-  const world::ModelRow top{world.models.root[model.index]};
-  const bool is_fixed = world.models.mobility[top.index] == world::Mobility::kFixed;
+  const world::ModelRow top = world.models.root[model];
+  const bool is_fixed = world.models.mobility[top] == world::Mobility::kFixed;
   const bool in_world = is_fixed || kind == FrameKind::kOdometry;
   frames_.push_back({.model = world.id(model),
                      .parent = in_world ? world::ModelId{} : world.id(top),
@@ -417,7 +417,7 @@ void Recorder::record_models(const world::World& world) {
 }
 
 bool Recorder::is_due(const world::World& world, world::ModelRow model, const Recorded& channel) {
-  const std::uint32_t part = world.models.part[model.index];
+  const world::KindRow part = world.models.part[model];
   switch (channel.told) {
     case Told::kTable:
       return !channel.table->measures || channel.table->is_fresh(world, model);
@@ -470,7 +470,7 @@ Bytes Recorder::message_of(const world::World& world, world::ModelRow model, con
     case Told::kRanges:
       return ranges_message(ns(), world, model);
     case Told::kScan: {
-      const std::uint32_t ranger = world.models.part[model.index];
+      const world::RangerRow ranger = world.models.part[model];
       const world::SensorRow sensor{world.rangers.first_sensor[ranger] + channel.sensor};
       return scan_message(ns(), frame, world, model, sensor);
     }
@@ -496,7 +496,7 @@ void Recorder::record_speech(const world::World& world) {
   said_ = world.said();
   speakers_ = world.population();
   std::erase_if(spoken_, [&](const auto& each) { return !world.row(each.first); });
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+  for (const world::ModelRow row : world.models.rows()) {
     const std::string& text = world.models.say[row];
     const world::ModelId id = world.models.id[row];
     const auto before = spoken_.find(id);

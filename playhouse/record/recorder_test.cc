@@ -132,12 +132,12 @@ TEST_F(RecorderTest, watches_the_sensors_that_it_records_also_of_who_comes) {
   begin();
   carry_out_posted();
   const world::ModelRow eye = world_.find("a.b.ranger:0");
-  EXPECT_EQ(world_.models.watchers[eye.index], 1u);
+  EXPECT_EQ(world_.models.watchers[eye], 1u);
   world::ModelId came;
   change([&](world::Journal& journal) { came = *journal.spawn(0, {}, "late"); });
   carry_out_posted();
-  EXPECT_EQ(world_.models.watchers[world_.find("late.ranger:0").index], 1u);
-  EXPECT_EQ(world_.models.watchers[eye.index], 1u) << "once";
+  EXPECT_EQ(world_.models.watchers[world_.find("late.ranger:0")], 1u);
+  EXPECT_EQ(world_.models.watchers[eye], 1u) << "once";
   world_.rangers.measured_tick.back() = world_.tick() + 1;
   tick();
   end();

@@ -44,8 +44,8 @@ Result<Selection> Selection::parse(std::string_view text) {
 bool Selection::has(const world::World& world, world::ModelRow model, std::string_view kind) const {
   if (everything_) return true;
   const auto is_in = [&](const std::string& name) {
-    for (std::uint32_t row = model.index; row != world::ModelRow::kNone; row = world.models.parent[row])
-      if (world.name({row}) == name || world.alias({row}) == name) return true;
+    for (world::ModelRow row = model; row; row = world.models.parent[row])
+      if (world.name(row) == name || world.alias(row) == name) return true;
     return false;
   };
   return std::ranges::any_of(entries_, [&](const Entry& entry) {

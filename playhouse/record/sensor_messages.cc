@@ -38,12 +38,12 @@ void put_covariance(CdrWriter& out, double variance) {
 /// Velocity of a robot in its own frame, as interface position3d has it: in 3D of its body, else as driven.
 geom::SpatialVelocity velocity_of(const world::World& world, world::ModelRow model) {
   if (world.upright) {
-    const geom::Twist& driven = world.positions.velocity[world.models.part[model.index]];
+    const geom::Twist& driven = world.positions.velocity[world.models.part[model]];
     return {{driven.x, driven.y, driven.z}, {0, 0, driven.a}};
   }
-  const Quaternion q = geom::orientation(world.models.X_WM[model.index].a, world.models.tilt_WM[model.index]);
+  const Quaternion q = geom::orientation(world.models.X_WM[model].a, world.models.tilt_WM[model]);
   const Quaternion q_MW{q.w, -q.x, -q.y, -q.z};
-  const geom::SpatialVelocity& V = world.models.V_WM[model.index];
+  const geom::SpatialVelocity& V = world.models.V_WM[model];
   return {q_MW * V.v, q_MW * V.w};
 }
 
@@ -133,7 +133,7 @@ Bytes odometry_message(std::uint64_t ns, const std::string& frame, const std::st
 Bytes imu_message(std::uint64_t ns, const std::string& frame, const world::World& world,
                   world::ModelRow model) {
   constexpr std::size_t kAxes = 3;
-  const std::uint32_t row = world.models.part[model.index];
+  const world::KindRow row = world.models.part[model];
   const scene::ImuDesc& desc = *world.desc(model).imu;
   const auto& [force, turn] = world.imus.reading[row];
   // White noise, the mean over a period of which is measured.
@@ -157,7 +157,7 @@ Bytes fix_message(std::uint64_t ns, const std::string& frame, const world::World
   const scene::SceneDesc& scene = world.scene();
   const bool has_fix = desc.satellites >= kLeastSatellites;
   const GeodeticPosition place = has_fix ? on_earth({scene.latitude, scene.longitude, scene.altitude},
-                                                    world.receivers.position[world.models.part[model.index]])
+                                                    world.receivers.position[world.models.part[model]])
                                          : GeodeticPosition{kNone, kNone, kNone};
   const auto variance = [](double noise, double drift) { return noise * noise + drift * drift; };
   const double level = variance(desc.noise_horizontal, desc.drift_horizontal);
@@ -175,7 +175,7 @@ Bytes fix_message(std::uint64_t ns, const std::string& frame, const world::World
 Bytes camera_info_message(std::uint64_t ns, const std::string& frame, const world::World& world,
                           world::ModelRow model) {
   const scene::CameraDesc& camera = *world.desc(model).camera;
-  const scene::HalfImage half = scene::half_image(camera, world.cameras.zoom[world.models.part[model.index]]);
+  const scene::HalfImage half = scene::half_image(camera, world.cameras.zoom[world.models.part[model]]);
   const double fx = 0.5 * camera.width / half.width, fy = 0.5 * camera.height / half.height;
   // Whole numbers are the middles of pixels.
   const double cx = 0.5 * (camera.width - 1), cy = 0.5 * (camera.height - 1);
@@ -198,7 +198,7 @@ Bytes camera_info_message(std::uint64_t ns, const std::string& frame, const worl
 Bytes cloud_message(std::uint64_t ns, const std::string& frame, const world::World& world,
                     world::ModelRow model, std::uint32_t sensor) {
   const std::vector<scene::RangerSensorDesc>& sensors = world.desc(model).sensors;
-  const std::uint32_t ranger = world.models.part[model.index];
+  const world::RangerRow ranger = world.models.part[model];
   const auto beams_of = [](const scene::RangerSensorDesc& each) {
     return each.rings > 1 ? std::size_t{each.samples} * each.rings : 0;
   };

@@ -29,7 +29,7 @@ class SensorMessagesTest : public testing::Test {
     EXPECT_EQ(in.text(), "f");
     return in;
   }
-  std::uint32_t part(const char* name) { return world_.models.part[world_.find(name).index]; }
+  world::KindRow part(const char* name) { return world_.models.part[world_.find(name)]; }
 
   scene::MemoryFiles files_{{}};
   scene::SceneDesc scene_ = *scene::load_world_text(kWorld, "t.world", files_, {}, nullptr);
@@ -53,7 +53,7 @@ TEST_F(SensorMessagesTest, of_a_camera_have_the_intrinsics_of_its_present_zoom) 
 }
 
 TEST_F(SensorMessagesTest, of_rings_have_a_point_for_each_beam_and_nan_where_nothing_is) {
-  const std::uint32_t ranger = part("r.lidar");
+  const world::RangerRow ranger = part("r.lidar");
   EXPECT_TRUE(cloud_message(kNs, "f", world_, world_.find("r.lidar"), 0).empty()) << "no rings yet";
   world_.rangers.ring_ranges[ranger] = {2, 8, 0.5f, 4, 4, 4};
   world_.rangers.ring_intensities[ranger] = {1, 0, 1, 1, 1, 1};
@@ -106,8 +106,8 @@ TEST_F(SensorMessagesTest, of_a_receiver_without_a_fix_have_no_place) {
 
 TEST_F(SensorMessagesTest, have_no_value_where_a_number_is_at_its_limit) {
   const world::ModelRow sonar = world_.find("r.sonar");
-  const std::uint32_t first =
-      world_.sensors.first_beam[world_.rangers.first_sensor[world_.models.part[sonar.index]]];
+  const world::BeamRow first =
+      world_.sensors.first_beam[world_.rangers.first_sensor[world_.models.part[sonar]]];
   world_.sensors.ranges[first] = 3;
   world_.sensors.ranges[first + 1] = 3;
   world_.sensors.ranges[first + 2] = 0.1f;

@@ -18,10 +18,10 @@ class PacketReader {
     replica_.pace.paused = (flags & packet::kPaused) != 0;
     replica_.pace.speed = in_.f32();
     replica_.pace.real_time_factor = in_.f32();
-    section([this](std::uint8_t mask, std::uint32_t row) { model(mask, replica_.models[row]); });
-    section([this](std::uint8_t tag, std::uint32_t row) { say(tag, row); });
-    section([this](std::uint8_t tag, std::uint32_t row) { scan(tag, row); });
-    section([this](std::uint8_t tag, std::uint32_t row) { view(tag, row); });
+    section([this](std::uint8_t mask, world::ModelRow row) { model(mask, replica_.models[row]); });
+    section([this](std::uint8_t tag, world::ModelRow row) { say(tag, row); });
+    section([this](std::uint8_t tag, world::ModelRow row) { scan(tag, row); });
+    section([this](std::uint8_t tag, world::ModelRow row) { view(tag, row); });
     if (!in_.ok() || bad_)
       return Error{"",
                    bad_ ? "a viewer packet names what the scene has not" : "a viewer packet is cut short"};
@@ -36,12 +36,12 @@ class PacketReader {
     for (std::uint8_t tag = in_.u8(); tag != packet::kEnd; tag = in_.u8()) {
       id += in_.zigzag() % (std::int64_t{1} << 33);
       const bool fits = in_.ok() && id >= 0 && id < world::ModelId::kNone;
-      const auto row = fits ? layout_.row({static_cast<std::uint32_t>(id)}) : std::nullopt;
+      const world::ModelRow row = fits ? layout_.row({static_cast<std::uint32_t>(id)}) : world::ModelRow{};
       if (!row) {
         bad_ = true;
         return;
       }
-      item(tag, *row);
+      item(tag, row);
       if (!in_.ok() || bad_) return;
     }
   }
@@ -50,7 +50,7 @@ class PacketReader {
     if (!read_fields(mask, in_, state)) bad_ = true;
   }
 
-  void say(std::uint8_t tag, std::uint32_t model) {
+  void say(std::uint8_t tag, world::ModelRow model) {
     std::string text = in_.text();
     if (tag != packet::kFresh) {
       bad_ = true;
@@ -61,14 +61,14 @@ class PacketReader {
     }
   }
 
-  void scan(std::uint8_t tag, std::uint32_t model) {
+  void scan(std::uint8_t tag, world::ModelRow model) {
     const auto sensor = layout_.sensor(layout_.id[model], in_.varint());
     if (!sensor || tag > packet::kGone) {
       bad_ = true;
       return;
     }
-    std::vector<std::uint16_t>& beams = replica_.scans[*sensor];
-    const std::uint32_t count = tag == packet::kGone ? 0 : layout_.sensors[*sensor].beam_count;
+    std::vector<std::uint16_t>& beams = replica_.scans[sensor];
+    const std::uint32_t count = tag == packet::kGone ? 0 : layout_.sensors[sensor].beam_count;
     if (in_.left() < 2 * std::size_t{count}) {
       bad_ = true;
       return;
@@ -77,7 +77,7 @@ class PacketReader {
     for (std::uint16_t& beam : beams) beam = in_.u16();
   }
 
-  void view(std::uint8_t tag, std::uint32_t model) {
+  void view(std::uint8_t tag, world::ModelRow model) {
     const std::uint32_t number = (tag - 1u) / 2;
     if (number >= views().size()) {
       bad_ = true;

@@ -24,8 +24,8 @@ class PacketWriter {
         replica_(replica),
         out_(out),
         pack_(out) {
-    const std::optional<std::uint32_t> row = wish.selected ? layout_.row(*wish.selected) : std::nullopt;
-    if (row) selected_ = layout_.root[*row];
+    if (!wish.selected) return;
+    if (const world::ModelRow row = layout_.row(*wish.selected)) selected_ = layout_.root[row];
   }
 
   void head(std::uint32_t frame) {
@@ -47,11 +47,11 @@ class PacketWriter {
   void models(Deferred& deferred) {
     id_ = 0;
     if (selected_) {
-      for (const std::uint32_t row : layout_.tree(*selected_)) model(row);
+      for (const world::ModelRow row : layout_.tree(selected_)) model(row);
     }
     if (deferred.gathered.empty()) {
-      const bool room =
-          walk([&](std::uint32_t row) { return in_view(row); }) && walk([](std::uint32_t) { return true; });
+      const bool room = walk([&](world::ModelRow row) { return in_view(row); }) &&
+                        walk([](world::ModelRow) { return true; });
       if (!room) deferred.gathered.resize(replica_.models.size());
     } else if (models_by_priority(deferred)) {
       deferred.gathered.clear();
@@ -60,7 +60,7 @@ class PacketWriter {
   }
 
   /// Changed texts: those in view first; both round robin from `next`.
-  void says(std::uint32_t& next) {
+  void says(world::ModelRow& next) {
     id_ = 0;
     if (replica_.said != snapshot_.said) {
       std::vector<Utterance> news = unheard();
@@ -70,13 +70,13 @@ class PacketWriter {
                             [this](const Utterance& each) { return in_view(each.model); });
       const auto stopped =
           std::ranges::find_if_not(news, [this](const Utterance& each) { return say(each); });
-      next = stopped == news.end() ? 0 : stopped->model;
+      next = stopped == news.end() ? world::ModelRow{0} : stopped->model;
       if (stopped == news.end()) replica_.said = snapshot_.said;
     }
     pack_.u8(packet::kEnd);
   }
 
-  void scans(std::uint32_t& next) {
+  void scans(world::SensorRow& next) {
     id_ = 0;
     for (const SensorScan& scan : snapshot_.scans) {
       if (selected(layout_.sensors[scan.sensor].model) && !held(scan)) this->scan(scan);
@@ -84,12 +84,12 @@ class PacketWriter {
     drop_scans();
     // Round robin from the sensor where the last frame stopped.
     const auto begin = snapshot_.scans.begin(), end = snapshot_.scans.end();
-    const auto from = std::lower_bound(begin, end, next,
-                                       [](const SensorScan& s, std::uint32_t row) { return s.sensor < row; });
+    const auto from = std::lower_bound(
+        begin, end, next, [](const SensorScan& s, world::SensorRow row) { return s.sensor < row; });
     auto stopped = walk_scans(from, end);
     if (stopped == end) {
       stopped = walk_scans(begin, from);
-      next = stopped == from ? 0 : stopped->sensor;
+      next = stopped == from ? world::SensorRow{0} : stopped->sensor;
     } else {
       next = stopped->sensor;
     }
@@ -111,8 +111,8 @@ class PacketWriter {
 
  private:
   struct Utterance {
-    std::uint32_t model = 0;  // row
-    std::string_view text;    // empty: removed
+    world::ModelRow model;
+    std::string_view text;  // empty: removed
   };
 
   /// True, and noted for kWaiting, if the packet has reached `budget`.
@@ -122,7 +122,7 @@ class PacketWriter {
     return full;
   }
 
-  void item(unsigned tag, std::uint32_t model) {
+  void item(unsigned tag, world::ModelRow model) {
     const std::uint32_t id = layout_.id[model].value;
     pack_.u8(static_cast<std::uint8_t>(tag));
     pack_.zigzag(static_cast<std::int64_t>(id) - static_cast<std::int64_t>(id_));
@@ -130,16 +130,16 @@ class PacketWriter {
     changed_ = true;
   }
 
-  void scan_item(std::uint8_t tag, std::uint32_t sensor) {
+  void scan_item(std::uint8_t tag, world::SensorRow sensor) {
     item(tag, layout_.sensors[sensor].model);
     pack_.varint(layout_.sensors[sensor].nth);
   }
 
-  bool selected(std::uint32_t model) const { return selected_ && layout_.root[model] == *selected_; }
+  bool selected(world::ModelRow model) const { return selected_ && layout_.root[model] == selected_; }
 
-  bool in_view(std::uint32_t model) const { return wish_.view.contains(place_of(snapshot_, model)); }
+  bool in_view(world::ModelRow model) const { return wish_.view.contains(place_of(snapshot_, model)); }
 
-  bool wanted(std::uint32_t model) const { return selected(model) || (wish_.sensors && in_view(model)); }
+  bool wanted(world::ModelRow model) const { return selected(model) || (wish_.sensors && in_view(model)); }
 
   bool wanted(const Viewed& viewed) const {
     switch (replicate::views()[viewed.view].when) {
@@ -159,8 +159,7 @@ class PacketWriter {
   /// False: no room for all.
   template <typename Choose>
   bool walk(Choose choose) {
-    const auto count = static_cast<std::uint32_t>(replica_.models.size());
-    for (std::uint32_t row = 0; row < count; ++row) {
+    for (const world::ModelRow row : replica_.models.rows()) {
       if (replica_.models[row] == snapshot_.models[row] || !choose(row)) continue;
       if (full(models_budget())) return false;
       model(row);
@@ -172,7 +171,7 @@ class PacketWriter {
   bool models_by_priority(Deferred& deferred) {
     deferred.gathered.resize(replica_.models.size());
     deferred.candidates.clear();
-    for (std::uint32_t row = 0; row < replica_.models.size(); ++row) {
+    for (const world::ModelRow row : replica_.models.rows()) {
       const ModelState &from = replica_.models[row], &to = snapshot_.models[row];
       if (from == to) continue;
       const geom::Vec2 at = place_of(snapshot_, row);
@@ -192,7 +191,7 @@ class PacketWriter {
     return true;
   }
 
-  void model(std::uint32_t row) {
+  void model(world::ModelRow row) {
     ModelState& from = replica_.models[row];
     const ModelState& to = snapshot_.models[row];
     const std::uint8_t mask = changed_fields(from, to);
@@ -206,7 +205,7 @@ class PacketWriter {
   std::vector<Utterance> unheard() const {
     std::vector<Utterance> news;
     auto held = replica_.says.begin();
-    const auto end_held_before = [&](std::uint32_t row) {
+    const auto end_held_before = [&](world::ModelRow row) {
       for (; held != replica_.says.end() && held->first < row; ++held) news.push_back({held->first, {}});
     };
     for (const Said& said : snapshot_.says) {
@@ -215,7 +214,7 @@ class PacketWriter {
       if (!holds || held->second != said.text) news.push_back({said.model, said.text});
       if (holds) ++held;
     }
-    end_held_before(world::ModelRow::kNone);
+    end_held_before(world::ModelRow{});
     return news;
   }
 
@@ -260,7 +259,7 @@ class PacketWriter {
   /// Removes held scans that are not in the snapshot or not wanted any more. Both are sorted by sensor.
   void drop_scans() {
     auto fresh = snapshot_.scans.begin();
-    for (std::uint32_t row = 0; row < replica_.scans.size(); ++row) {
+    for (const world::SensorRow row : replica_.scans.rows()) {
       while (fresh != snapshot_.scans.end() && fresh->sensor < row) ++fresh;
       if (replica_.scans[row].empty()) continue;
       const bool measured = fresh != snapshot_.scans.end() && fresh->sensor == row;
@@ -328,8 +327,8 @@ class PacketWriter {
   Replica& replica_;
   std::vector<std::byte>& out_;
   Packer pack_;
-  std::optional<std::uint32_t> selected_;  // row of its root
-  std::uint32_t id_ = 0;                   // of the previous item
+  world::ModelRow selected_;  // its root; none: nobody
+  std::uint32_t id_ = 0;      // of the previous item
   bool waiting_ = false;
   bool changed_ = false;
 };
@@ -351,24 +350,23 @@ void Replica::follow(std::shared_ptr<const Layout> to) {
   Replica next(to);
   next.tick = tick;
   next.pace = pace;
-  constexpr std::uint32_t kGoneRow = world::ModelRow::kNone;
-  std::vector<std::uint32_t> row_now(from.id.size(), kGoneRow);
+  world::ByModel<world::ModelRow> row_now(from.id.size());  // none: it is gone
   compare(
-      from, *to, [](std::uint32_t) {},
-      [&](std::uint32_t before, std::uint32_t now) {
+      from, *to, [](world::ModelRow) {},
+      [&](world::ModelRow before, world::ModelRow now) {
         row_now[before] = now;
         next.models[now] = models[before];
       },
-      [](std::uint32_t) {});
-  for (std::uint32_t sensor = 0; sensor < scans.size(); ++sensor) {
-    if (scans[sensor].empty() || row_now[from.sensors[sensor].model] == kGoneRow) continue;
+      [](world::ModelRow) {});
+  for (const world::SensorRow sensor : scans.rows()) {
+    if (scans[sensor].empty() || !row_now[from.sensors[sensor].model]) continue;
     const auto now = to->sensor(from.id[from.sensors[sensor].model], from.sensors[sensor].nth);
-    next.scans[*now] = std::move(scans[sensor]);
+    next.scans[now] = std::move(scans[sensor]);
   }
   for (auto& [row, text] : says)
-    if (row_now[row] != kGoneRow) next.says[row_now[row]] = std::move(text);
+    if (row_now[row]) next.says[row_now[row]] = std::move(text);
   for (auto& [key, values] : views)
-    if (row_now[key.second] != kGoneRow) next.views[{key.first, row_now[key.second]}] = std::move(values);
+    if (row_now[key.second]) next.views[{key.first, row_now[key.second]}] = std::move(values);
   *this = std::move(next);
 }
 

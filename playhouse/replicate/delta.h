@@ -77,12 +77,12 @@ struct Replica {
   std::shared_ptr<const Layout> layout;
   std::uint64_t tick = 0;
   world::Pace pace;
-  std::vector<ModelState> models;                 // by row
-  std::vector<std::vector<std::uint16_t>> scans;  // by sensor row; empty: none held
-  std::map<std::uint32_t, std::string> says;      // by model row; non-empty texts
-  std::optional<std::uint64_t> said;              // Snapshot::said up to which all texts are held
-  /// Values by view and model row.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::int32_t>> views;
+  world::ByModel<ModelState> models;
+  ByRow<world::SensorTable, std::vector<std::uint16_t>> scans;  // empty: none held
+  std::map<world::ModelRow, std::string> says;                  // non-empty texts
+  std::optional<std::uint64_t> said;  // Snapshot::said up to which all texts are held
+  /// Values by view and model.
+  std::map<std::pair<std::uint32_t, world::ModelRow>, std::vector<std::int32_t>> views;
 };
 
 enum class Sent { kNothing, kPart, kAll };
@@ -91,10 +91,9 @@ enum class Sent { kNothing, kPart, kAll };
 struct Deferred {
   struct Candidate {
     double priority = 0;
-    std::uint32_t row = 0;
+    world::ModelRow row;
   };
-  std::vector<double>
-      gathered;  // by model row, since its last update; empty: the last frame had room for all
+  world::ByModel<double> gathered;    // since its last update; empty: the last frame had room for all
   std::vector<Candidate> candidates;  // scratch
 };
 
@@ -111,8 +110,8 @@ class DeltaWriter {
 
  private:
   Deferred deferred_;
-  std::uint32_t next_text_ = 0;    // cursor over their texts
-  std::uint32_t next_sensor_ = 0;  // cursor over scans
+  world::ModelRow next_text_{0};     // cursor over their texts
+  world::SensorRow next_sensor_{0};  // cursor over scans
 };
 
 /// Applies a packet to the replica that it was made for, as the page does. For tests and C++

@@ -41,7 +41,7 @@ struct Pair {
 };
 
 void subscribe_all(world::World& world) {
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) world::subscribe(world, {row});
+  for (const world::ModelRow row : world.models.rows()) world::subscribe(world, row);
 }
 
 Wish any_wish(int robots) {
@@ -87,22 +87,22 @@ void speak(world::World& world) {
 /// The oracle: what a viewer with this wish must hold in the end.
 void expect_whole(const Snapshot& snapshot, const Wish& wish, const Replica& replica) {
   const Layout& layout = *snapshot.layout;
-  const auto wanted = [&](std::uint32_t model) {
+  const auto wanted = [&](world::ModelRow model) {
     return (wish.sensors && !wish.view.empty()) ||
            (wish.selected && layout.id[layout.root[model]] == *wish.selected);
   };
   RC_ASSERT(replica.models == snapshot.models);
-  std::map<std::uint32_t, std::string> says;
+  std::map<world::ModelRow, std::string> says;
   for (const Said& said : snapshot.says) says[said.model] = said.text;
   RC_ASSERT(replica.says == says);
-  std::vector<std::vector<std::uint16_t>> scans(layout.sensors.size());
+  ByRow<world::SensorTable, std::vector<std::uint16_t>> scans(layout.sensors.size());
   for (const SensorScan& scan : snapshot.scans) {
     if (!wanted(layout.sensors[scan.sensor].model)) continue;
     const auto first = snapshot.beams.begin() + scan.first;
     scans[scan.sensor].assign(first, first + layout.sensors[scan.sensor].beam_count);
   }
   RC_ASSERT(replica.scans == scans);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::int32_t>> expected;
+  std::map<std::pair<std::uint32_t, world::ModelRow>, std::vector<std::int32_t>> expected;
   for (const Viewed& viewed : snapshot.viewed) {
     const bool is_selected = wish.selected && layout.id[layout.root[viewed.model]] == *wish.selected;
     const When when = views()[viewed.view].when;
@@ -161,8 +161,8 @@ TEST(Delta, a_packet_stays_near_its_budget_and_shows_the_selected_robot_first) {
   wish.selected = SmallWorld::id(299);
   EXPECT_EQ(pair.send(snapshot, wish, 400), Sent::kPart);
   EXPECT_LT(pair.packet.size(), 450u);
-  EXPECT_EQ(pair.receiver.models[SmallWorld::robot(299)].x, 50000);
-  EXPECT_NE(pair.receiver.models[SmallWorld::robot(298)].x, 50000);
+  EXPECT_EQ(pair.receiver.models[{SmallWorld::robot(299)}].x, 50000);
+  EXPECT_NE(pair.receiver.models[{SmallWorld::robot(298)}].x, 50000);
 }
 
 TEST(Delta, what_is_in_view_goes_before_the_rest) {
@@ -236,7 +236,7 @@ TEST(Delta, a_sensor_that_stops_measuring_is_taken_back) {
   Pair pair(layout);
   pair.send(snapshot, wish, 1000);
   EXPECT_EQ(std::ranges::count_if(pair.receiver.scans, [](const auto& beams) { return !beams.empty(); }), 3);
-  for (std::uint32_t row = 0; row < small.world.models.size(); ++row) world::unsubscribe(small.world, {row});
+  for (const world::ModelRow row : small.world.models.rows()) world::unsubscribe(small.world, row);
   capture(small.world, {}, layout, interest_of(wish), snapshot);
   pair.send(snapshot, wish, 1000);
   EXPECT_TRUE(std::ranges::all_of(pair.receiver.scans, [](const auto& beams) { return beams.empty(); }));
@@ -261,7 +261,7 @@ TEST(Delta, tells_how_grippers_stand_whoever_looks_and_whether_anybody_uses_them
     return paddles;
   };
   EXPECT_EQ(told(), (std::vector<std::int32_t>{0, 0}));
-  small.world.grippers.paddles[1] = 0.25;
+  small.world.grippers.paddles[{1}] = 0.25;
   EXPECT_EQ(told(), (std::vector<std::int32_t>{0, 250}));
 }
 
@@ -279,8 +279,8 @@ TEST(Delta, all_texts_go_those_in_view_first_and_each_once) {
   wish.view = {0, -5, 5, 5};
   while (pair.send(snapshot, wish, 1000) == Sent::kPart && pair.receiver.says.empty()) {
   }
-  EXPECT_TRUE(pair.receiver.says.contains(SmallWorld::robot(55)));
-  EXPECT_FALSE(pair.receiver.says.contains(SmallWorld::robot(0)));
+  EXPECT_TRUE(pair.receiver.says.contains({SmallWorld::robot(55)}));
+  EXPECT_FALSE(pair.receiver.says.contains({SmallWorld::robot(0)}));
   std::size_t bytes = pair.packet.size();
   while (pair.send(snapshot, wish, 1000) == Sent::kPart) bytes += pair.packet.size();
   EXPECT_EQ(pair.receiver.says.size(), 60u);
@@ -299,8 +299,8 @@ TEST(Delta, a_viewer_that_comes_late_hears_what_is_said_and_no_more) {
   capture(small.world, {}, layout, {}, snapshot);
   Pair late(layout);
   late.send(snapshot, {}, 1000);
-  EXPECT_EQ(late.receiver.says, (std::map<std::uint32_t, std::string>{{SmallWorld::robot(0), "before"}}));
-  EXPECT_EQ(late.receiver.models[SmallWorld::robot(1)].flags, 7u);
+  EXPECT_EQ(late.receiver.says, (std::map<world::ModelRow, std::string>{{{SmallWorld::robot(0)}, "before"}}));
+  EXPECT_EQ(late.receiver.models[{SmallWorld::robot(1)}].flags, 7u);
 }
 
 TEST(Delta, a_state_that_is_loaded_says_what_it_said) {
@@ -320,7 +320,7 @@ TEST(Delta, a_state_that_is_loaded_says_what_it_said) {
   EXPECT_EQ(says().size(), 1u);
   ASSERT_TRUE(world::load_state(small.world, state).ok());
   EXPECT_TRUE(says().empty());
-  EXPECT_EQ(pair.receiver.models[SmallWorld::robot(0)].flags, 0u);
+  EXPECT_EQ(pair.receiver.models[{SmallWorld::robot(0)}].flags, 0u);
 }
 
 TEST(Snapshot, copies_texts_only_when_somebody_has_said_something) {
@@ -353,8 +353,8 @@ TEST(Snapshot, captures_sensors_only_of_robots_in_view_or_selected) {
   interest.selected = {SmallWorld::id(2)};
   capture(small.world, {}, layout, interest, snapshot);
   ASSERT_EQ(snapshot.scans.size(), 6u);
-  EXPECT_EQ(snapshot.scans[0].sensor, 0u);
-  EXPECT_EQ(snapshot.scans[3].sensor, 6u);
+  EXPECT_EQ(snapshot.scans[0].sensor, world::SensorRow{0});
+  EXPECT_EQ(snapshot.scans[3].sensor, world::SensorRow{6});
 }
 
 TEST(Snapshot, holds_no_more_beams_than_the_limit_and_those_of_selected_robots_first) {
@@ -382,7 +382,7 @@ TEST(Snapshot, holds_no_more_beams_than_the_limit_and_those_of_selected_robots_f
   interest.selected = {{5}};
   capture(world, {}, layout, interest, snapshot);
   ASSERT_EQ(snapshot.scans.size(), 4u);
-  EXPECT_EQ(snapshot.scans.back().sensor, 5u);
+  EXPECT_EQ(snapshot.scans.back().sensor, world::SensorRow{5});
   interest.selected = {{0}, {1}, {2}, {3}, {4}, {5}};
   capture(world, {}, layout, interest, snapshot);
   EXPECT_LE(snapshot.beams.size(), limits::kSnapshotBeams);

@@ -33,7 +33,7 @@ std::string hex(std::span<const std::byte> bytes) {
 std::string held(const Replica& replica) {
   const Layout& layout = *replica.layout;
   std::string models, says, scans, views_text;
-  for (std::size_t row = 0; row < replica.models.size(); ++row) {
+  for (const world::ModelRow row : replica.models.rows()) {
     const ModelState& m = replica.models[row];
     models +=
         fmt::format("{}\"{}\":[{},{},{},{},{},{},{},{},{}]", models.empty() ? "" : ",", layout.id[row].value,
@@ -43,7 +43,7 @@ std::string held(const Replica& replica) {
     says +=
         fmt::format("{}\"{}\":{}", says.empty() ? "" : ",", layout.id[row].value, replicate::quoted(text));
   }
-  for (std::size_t row = 0; row < replica.scans.size(); ++row) {
+  for (const world::SensorRow row : replica.scans.rows()) {
     if (replica.scans[row].empty()) continue;
     const SensorLayout& sensor = layout.sensors[row];
     scans += fmt::format("{}\"{}/{}\":[{}]", scans.empty() ? "" : ",", layout.id[sensor.model].value,
@@ -75,7 +75,7 @@ std::string make_golden() {
   auto layout = small.layout(small_devices);
   std::string scene = scene_text(small.world.scene(), light_text(small.world), small.prototypes, *layout);
   scene.replace(scene.find(build()), build().size(), "1.2.3 (abc1234)");  // the file follows no commit
-  for (std::uint32_t row = 0; row < small.world.models.size(); ++row) world::subscribe(small.world, {row});
+  for (const world::ModelRow row : small.world.models.rows()) world::subscribe(small.world, {row});
   DeltaWriter writer;
   Replica replica(layout);
   Snapshot snapshot;
@@ -147,7 +147,7 @@ TEST(SceneText, is_json_with_equal_shapes_and_prototypes_written_once) {
   const auto& robot = scene.at("models").at(5);
   EXPECT_EQ(robot.at("name").as_string(), "r1");
   EXPECT_EQ(robot.at("alias").as_string(), "position:1");
-  EXPECT_EQ(robot.at("start").at(0).as_int64(), small.layout()->start[5].x);
+  EXPECT_EQ(robot.at("start").at(0).as_int64(), small.layout()->start[{5}].x);
   EXPECT_FALSE(robot.as_object().contains("parent"));
   EXPECT_FALSE(robot.as_object().contains("devices"));
   EXPECT_EQ(scene.at("models").at(6).at("parent").as_int64(), 5);

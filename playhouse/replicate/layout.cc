@@ -11,20 +11,20 @@
 namespace playhouse::replicate {
 namespace {
 
-/// Rows grouped by key, ascending within a group: group k is rows[start[k] .. start[k + 1]).
-void group(std::span<const std::uint32_t> key_of_row, std::size_t keys, std::vector<std::uint32_t>& start,
-           std::vector<std::uint32_t>& rows) {
-  start.assign(keys + 1, 0);
-  for (const std::uint32_t key : key_of_row) ++start[key + 1];
-  for (std::size_t key = 0; key < keys; ++key) start[key + 1] += start[key];
-  rows.resize(key_of_row.size());
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (std::uint32_t row = 0; row < key_of_row.size(); ++row) rows[next[key_of_row[row]]++] = row;
+/// Rows grouped by root, ascending within a group: that of root k is rows[start[k] .. start[k + 1]).
+void group(const world::ByModel<world::ModelRow>& root, world::ByModel<std::uint32_t>& start,
+           std::vector<world::ModelRow>& rows) {
+  start.assign(root.size() + 1, 0);
+  for (const world::ModelRow key : root) ++start[key + 1];
+  for (const world::ModelRow key : root.rows()) start[key + 1] += start[key];
+  rows.resize(root.size());
+  world::ByModel<std::uint32_t> next = start;
+  for (const world::ModelRow row : root.rows()) rows[next[root[row]]++] = row;
 }
 
 std::uint8_t traits_of(const world::World& world, world::ModelRow row) {
   const scene::ModelDesc& desc = world.desc(row);
-  const bool top_level = world.models.parent[row.index] == world::ModelRow::kNone;
+  const bool top_level = !world.models.parent[row];
   unsigned traits = 0;
   if (top_level && desc.gui_move) traits |= kMovable;
   if (desc.alwayson) traits |= kAlwaysOn;
@@ -39,14 +39,14 @@ ModelWords words_of(const world::World& world, world::ModelRow row, const Device
   if (alias != name) words.names += R"(,"alias":)" + quoted(alias);
   const std::vector<std::string> names = devices ? devices(world.id(row)) : std::vector<std::string>();
   if (!names.empty()) words.devices = R"(,"devices":)" + list(names, quoted);
-  const std::int32_t fiducial = world.models.fiducial_return[row.index];
+  const std::int32_t fiducial = world.models.fiducial_return[row];
   if (fiducial != 0) words.fiducial = fmt::format(R"(,"fiducial":{})", fiducial);
   return words;
 }
 
 }  // namespace
 
-ModelState model_state(const world::World& world, std::uint32_t row) {
+ModelState model_state(const world::World& world, world::ModelRow row) {
   const world::Models& models = world.models;
   const geom::Pose& X_PM = models.X_PM[row];
   ModelState state;
@@ -74,46 +74,46 @@ Layout::Layout(const world::World& world, const Prototypes& prototypes, const De
   words.resize(models.size());
   start.resize(models.size());
   viewed.resize(views().size());
-  std::size_t known = 0;  // row of `before`; both are sorted by id
-  for (std::uint32_t row = 0; row < models.size(); ++row) {
+  world::ModelRow known{0};  // of `before`; both are sorted by id
+  for (const world::ModelRow row : models.rows()) {
     prototype[row] = prototypes.of(models.desc[row]);
-    traits[row] = traits_of(world, {row});
+    traits[row] = traits_of(world, row);
     start[row] = model_state(world, row);
-    while (before && known < before->id.size() && before->id[known] < id[row]) ++known;
-    const bool is_known = before && known < before->id.size() && before->id[known] == id[row];
+    while (before && known < before->id.next() && before->id[known] < id[row]) ++known;
+    const bool is_known = before && known < before->id.next() && before->id[known] == id[row];
     words[row] =
-        is_known ? before->words[known] : std::make_shared<const ModelWords>(words_of(world, {row}, devices));
+        is_known ? before->words[known] : std::make_shared<const ModelWords>(words_of(world, row, devices));
     for (std::size_t view = 0; view < views().size(); ++view)
-      if (views()[view].row_of(world, row) != world::ModelRow::kNone) viewed[view].push_back(row);
+      if (views()[view].row_of(world, row)) viewed[view].push_back(row);
   }
-  group(root, models.size(), tree_start_, tree_rows_);
+  group(root, tree_start_, tree_rows_);
 
   sensors.reserve(world.sensors.size());
-  for (std::uint32_t row = 0; row < world.sensors.size(); ++row) {
-    const std::uint32_t ranger = world.sensors.ranger[row].index;
+  for (const world::SensorRow row : world.sensors.rows()) {
+    const world::RangerRow ranger = world.sensors.ranger[row];
     const world::ModelRow model = world.rangers.model[ranger];
     const std::uint32_t nth = row - world.rangers.first_sensor[ranger];
-    sensors.push_back({ranger, model.index, nth, world.sensors.first_beam[row], world.sensors.beam_count[row],
+    sensors.push_back({ranger, model, nth, world.sensors.first_beam[row], world.sensors.beam_count[row],
                        world.desc(model).sensors[nth].range_max});
   }
 }
 
-std::optional<std::uint32_t> Layout::row(world::ModelId model) const {
+world::ModelRow Layout::row(world::ModelId model) const {
   const auto found = std::ranges::lower_bound(id, model);
-  if (found == id.end() || *found != model) return std::nullopt;
-  return static_cast<std::uint32_t>(found - id.begin());
+  if (found == id.end() || *found != model) return {};
+  return {static_cast<std::uint32_t>(found - id.begin())};
 }
 
-std::optional<std::uint32_t> Layout::sensor(world::ModelId model, std::uint64_t nth) const {
-  const std::optional<std::uint32_t> of = row(model);
-  if (!of) return std::nullopt;
-  const auto first = std::ranges::lower_bound(sensors, *of, {}, &SensorLayout::model);
-  const auto index = static_cast<std::uint64_t>(first - sensors.begin());
-  if (nth >= sensors.size() - index || sensors[index + nth].model != *of) return std::nullopt;
-  return static_cast<std::uint32_t>(index + nth);
+world::SensorRow Layout::sensor(world::ModelId model, std::uint64_t nth) const {
+  const world::ModelRow of = row(model);
+  if (!of) return {};
+  const auto first = std::ranges::lower_bound(sensors, of, {}, &SensorLayout::model);
+  if (nth >= static_cast<std::uint64_t>(sensors.end() - first)) return {};
+  const world::SensorRow found = sensors.rows()[static_cast<std::uint64_t>(first - sensors.begin()) + nth];
+  return sensors[found].model == of ? found : world::SensorRow{};
 }
 
-std::span<const std::uint32_t> Layout::tree(std::uint32_t root_row) const {
+std::span<const world::ModelRow> Layout::tree(world::ModelRow root_row) const {
   return std::span(tree_rows_)
       .subspan(tree_start_[root_row], tree_start_[root_row + 1] - tree_start_[root_row]);
 }

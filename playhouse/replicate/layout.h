@@ -30,9 +30,11 @@ struct ModelState {
 };
 
 struct SensorLayout {
-  std::uint32_t ranger = 0, model = 0;  // rows
-  std::uint32_t nth = 0;                // index among its model's sensors
-  std::uint32_t first_beam = 0, beam_count = 0;
+  world::RangerRow ranger;
+  world::ModelRow model;
+  std::uint32_t nth = 0;  // index among its model's sensors
+  world::BeamRow first_beam;
+  std::uint32_t beam_count = 0;
   double range_max = 0;  // m; a beam is sent as range / range_max * 65535
 };
 
@@ -54,30 +56,30 @@ struct Layout {
   Layout(const world::World& world, const Prototypes& prototypes, const DeviceNames& devices,
          const Layout* before = nullptr);
 
-  std::uint64_t population = 0;                          // World::population()
-  std::uint32_t ids_given = 0;                           // exclusive upper bound on ids assigned so far
-  std::vector<world::ModelId> id;                        // per model, ascending
-  std::vector<std::uint32_t> parent;                     // per model: row, or world::ModelRow::kNone
-  std::vector<std::uint32_t> root;                       // per model
-  std::vector<std::uint32_t> prototype;                  // per model, of Prototypes
-  std::vector<std::uint8_t> traits;                      // per model: kMovable, kAlwaysOn, kDrives
-  std::vector<std::shared_ptr<const ModelWords>> words;  // per model
-  std::vector<ModelState> start;                         // per model
-  std::vector<SensorLayout> sensors;                     // per sensor row
-  std::vector<std::vector<std::uint32_t>> viewed;        // per view, rows of the models with that view
+  std::uint64_t population = 0;       // World::population()
+  std::uint32_t ids_given = 0;        // exclusive upper bound on ids assigned so far
+  world::ByModel<world::ModelId> id;  // ascending
+  world::ByModel<world::ModelRow> parent, root;
+  world::ByModel<std::uint32_t> prototype;  // of Prototypes
+  world::ByModel<std::uint8_t> traits;      // kMovable, kAlwaysOn, kDrives
+  world::ByModel<std::shared_ptr<const ModelWords>> words;
+  world::ByModel<ModelState> start;
+  ByRow<world::SensorTable, SensorLayout> sensors;
+  std::vector<std::vector<world::ModelRow>> viewed;  // per view: the models with that view
 
   /// Row of a model; none if it does not exist.
-  std::optional<std::uint32_t> row(world::ModelId model) const;
+  world::ModelRow row(world::ModelId model) const;
   /// Sensor row; none if the model does not exist or has fewer sensors.
-  std::optional<std::uint32_t> sensor(world::ModelId model, std::uint64_t nth) const;
-  /// Rows of all models of the tree with this root, the root first.
-  std::span<const std::uint32_t> tree(std::uint32_t root_row) const;
+  world::SensorRow sensor(world::ModelId model, std::uint64_t nth) const;
+  /// All models of the tree with this root, the root first.
+  std::span<const world::ModelRow> tree(world::ModelRow root_row) const;
 
  private:
-  std::vector<std::uint32_t> tree_start_, tree_rows_;
+  world::ByModel<std::uint32_t> tree_start_;  // of tree_rows_, by root, and the end
+  std::vector<world::ModelRow> tree_rows_;
 };
 
 /// Quantised state of one model.
-ModelState model_state(const world::World& world, std::uint32_t row);
+ModelState model_state(const world::World& world, world::ModelRow row);
 
 }  // namespace playhouse::replicate

@@ -13,7 +13,7 @@ namespace {
 
 struct Show {
   explicit Show(int robots) : small(robots), layout(small.layout()) {
-    for (std::uint32_t row = 0; row < small.world.models.size(); ++row) world::subscribe(small.world, {row});
+    for (const world::ModelRow row : small.world.models.rows()) world::subscribe(small.world, row);
     interest.view = {-10000, -10000, 10000, 10000};
   }
   SmallWorld small;

@@ -17,12 +17,11 @@ std::string window(const scene::WindowDesc& window) {
                      number(window.pitch), number(window.yaw), window.show_data, quoted(window.follow_model));
 }
 
-void add_model(const Layout& layout, std::uint32_t row, TellDevices devices, std::string& text) {
+void add_model(const Layout& layout, world::ModelRow row, TellDevices devices, std::string& text) {
   if (!text.empty()) text += ",\n";
   auto out = std::back_inserter(text);
   fmt::format_to(out, R"({{"id":{},"prototype":{})", layout.id[row].value, layout.prototype[row]);
-  if (layout.parent[row] != world::ModelRow::kNone)
-    fmt::format_to(out, R"(,"parent":{})", layout.id[layout.parent[row]].value);
+  if (layout.parent[row]) fmt::format_to(out, R"(,"parent":{})", layout.id[layout.parent[row]].value);
   const ModelState& start = layout.start[row];
   fmt::format_to(out, R"(,"start":[{},{},{},{},{},{},{}],)", start.x, start.y, start.z, start.a, start.state,
                  start.color, start.flags);
@@ -49,7 +48,7 @@ std::string light_text(const world::World& world) {
 std::string scene_text(const scene::SceneDesc& scene, std::string_view light, const Prototypes& prototypes,
                        const Layout& layout, TellDevices devices) {
   std::string models;
-  for (std::uint32_t row = 0; row < layout.id.size(); ++row) add_model(layout, row, devices, models);
+  for (const world::ModelRow row : layout.id.rows()) add_model(layout, row, devices, models);
   return fmt::format(
       "{{\"protocol\":{},\"build\":{},\"name\":{},\"interval\":{:.9g},\"window\":{},\"light\":{},"
       "\n\"shapes\":[{}],\n"
@@ -81,10 +80,11 @@ std::string changes_text(const Layout& from, const Layout& to, TellDevices devic
   std::string gone, models;
   compare(
       from, to,
-      [&](std::uint32_t row) {
+      [&](world::ModelRow row) {
         fmt::format_to(std::back_inserter(gone), "{}{}", gone.empty() ? "" : ",", from.id[row].value);
       },
-      [](std::uint32_t, std::uint32_t) {}, [&](std::uint32_t row) { add_model(to, row, devices, models); });
+      [](world::ModelRow, world::ModelRow) {},
+      [&](world::ModelRow row) { add_model(to, row, devices, models); });
   if (gone.empty() && models.empty()) return {};
   return fmt::format("{{\"gone\":[{}],\n\"models\":[{}]}}\n", gone, models);
 }

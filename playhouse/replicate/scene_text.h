@@ -35,17 +35,18 @@ std::string world_file_text(std::string_view name, std::string_view text);
 /// of `to`) and came(row of `to`); a model with a new parent is gone and came.
 template <typename Gone, typename Stays, typename Came>
 void compare(const Layout& from, const Layout& to, Gone gone, Stays stays, Came came) {
-  const auto parent_id = [](const Layout& layout, std::uint32_t row) {
-    const std::uint32_t parent = layout.parent[row];
-    return parent == world::ModelRow::kNone ? world::ModelId{} : layout.id[parent];
+  const auto parent_id = [](const Layout& layout, world::ModelRow row) {
+    const world::ModelRow parent = layout.parent[row];
+    return parent ? layout.id[parent] : world::ModelId{};
   };
-  const auto from_size = static_cast<std::uint32_t>(from.id.size());
-  const auto to_size = static_cast<std::uint32_t>(to.id.size());
-  for (std::uint32_t a = 0, b = 0; a < from_size || b < to_size;) {
-    if (b == to_size || (a < from_size && from.id[a] < to.id[b])) {
-      gone(a++);
-    } else if (a == from_size || to.id[b] < from.id[a]) {
-      came(b++);
+  const world::ModelRow from_end = from.id.next(), to_end = to.id.next();
+  for (world::ModelRow a{0}, b{0}; a < from_end || b < to_end;) {
+    if (b == to_end || (a < from_end && from.id[a] < to.id[b])) {
+      gone(a);
+      ++a;
+    } else if (a == from_end || to.id[b] < from.id[a]) {
+      came(b);
+      ++b;
     } else {
       if (parent_id(from, a) == parent_id(to, b)) {
         stays(a, b);

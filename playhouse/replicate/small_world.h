@@ -37,10 +37,10 @@ class SmallWorld {
   void tick() {
     ++world.tick_;
     Rng rng(world.tick_);
-    for (std::uint32_t k = 0; k < world.positions.size(); ++k) move(k, rng);
+    for (const world::PositionRow k : world.positions.rows()) move(k, rng);
     for (float& range : world.sensors.ranges) range = static_cast<float>(6 * rng.uniform());
     for (std::uint64_t& tick : world.rangers.measured_tick) tick = world.tick_;
-    for (std::uint32_t k = 0; k < world.fiducials.size(); ++k) see(k, rng);
+    for (const world::FiducialRow k : world.fiducials.rows()) see(k, rng);
     for (double& paddles : world.grippers.paddles) paddles = rng.uniform();
   }
 
@@ -127,10 +127,10 @@ class SmallWorld {
     scene.models.push_back(finder);
   }
 
-  void move(std::uint32_t k, Rng& rng) {
+  void move(world::PositionRow k, Rng& rng) {
     if (rng.uniform() < 0.3) return;
     const world::ModelRow row = world.positions.model[k];
-    geom::Pose X_PM = world.models.X_PM[row.index];
+    geom::Pose X_PM = world.models.X_PM[row];
     X_PM.x += rng.uniform() - 0.5;
     X_PM.y += rng.uniform() - 0.5;
     X_PM.a = geom::normalize(X_PM.a + rng.uniform() - 0.5);
@@ -141,7 +141,7 @@ class SmallWorld {
     if (rng.uniform() < 0.1) world::set_color(world, row, {0, static_cast<float>(rng.uniform()), 1, 1});
   }
 
-  void see(std::uint32_t k, Rng& rng) {
+  void see(world::FiducialRow k, Rng& rng) {
     world.fiducials.measured_tick[k] = world.tick_;
     auto& hits = world.fiducials.hits[k];
     hits.clear();

@@ -15,23 +15,23 @@ class Capture {
       : world_(world), layout_(*out.layout), interest_(interest), out_(out) {
     // By root: a selected model may have been attached meanwhile.
     for (const world::ModelId id : interest.selected)
-      if (const auto row = layout_.row(id)) selected_.push_back(layout_.root[*row]);
+      if (const auto row = layout_.row(id)) selected_.push_back(layout_.root[row]);
     std::ranges::sort(selected_);
   }
 
   void models() {
     out_.models.resize(world_.models.size());
-    for (std::uint32_t row = 0; row < out_.models.size(); ++row) out_.models[row] = model_state(world_, row);
+    for (const world::ModelRow row : out_.models.rows()) out_.models[row] = model_state(world_, row);
   }
 
   void says() {
     std::size_t count = 0;
-    for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
+    for (const world::ModelRow row : world_.models.rows()) {
       const std::string& text = world_.models.say[row];
       if (text.empty()) continue;
       if (count == out_.says.size()) out_.says.emplace_back();
       out_.says[count].model = row;
-      out_.says[count].name = world_.name({row});
+      out_.says[count].name = world_.name(row);
       out_.says[count++].text = text;
     }
     out_.says.resize(count);
@@ -45,7 +45,7 @@ class Capture {
     if (nothing_to_sense()) return;
     std::size_t room_of_selected = std::min(limits::kSnapshotBeams, selected_beams());
     std::size_t room_of_others = limits::kSnapshotBeams - room_of_selected;
-    for (std::uint32_t row = 0; row < layout_.sensors.size(); ++row) {
+    for (const world::SensorRow row : layout_.sensors.rows()) {
       const SensorLayout& sensor = layout_.sensors[row];
       if (!runs(sensor.model) || world_.rangers.measured_tick[sensor.ranger] == 0) continue;
       const bool is_selected = selected(sensor.model);
@@ -65,22 +65,22 @@ class Capture {
     out_.values.clear();
     for (std::uint32_t view = 0; view < layout_.viewed.size(); ++view) {
       if (replicate::views()[view].when != When::kChanged && nothing_to_sense()) continue;
-      for (const std::uint32_t model : layout_.viewed[view]) this->view(view, model);
+      for (const world::ModelRow model : layout_.viewed[view]) this->view(view, model);
     }
   }
 
  private:
   bool nothing_to_sense() const { return interest_.view.empty() && selected_.empty(); }
 
-  bool runs(std::uint32_t model) const {
+  bool runs(world::ModelRow model) const {
     return world_.models.subscribers[model] > 0 || (layout_.traits[model] & kAlwaysOn) != 0;
   }
 
-  bool selected(std::uint32_t model) const {
+  bool selected(world::ModelRow model) const {
     return std::ranges::binary_search(selected_, layout_.root[model]);
   }
 
-  bool in_view(std::uint32_t model) const {
+  bool in_view(world::ModelRow model) const {
     const geom::Pose& at = world_.models.X_PM[layout_.root[model]];
     return interest_.view.contains({at.x, at.y});
   }
@@ -94,7 +94,7 @@ class Capture {
     return beams;
   }
 
-  void view(std::uint32_t view, std::uint32_t model) {
+  void view(std::uint32_t view, world::ModelRow model) {
     const KindView& what = replicate::views()[view];
     if (what.when != When::kChanged) {
       const bool wanted = selected(model) || (what.when == When::kShown && in_view(model));
@@ -105,9 +105,9 @@ class Capture {
     out_.viewed.push_back({view, model, first, static_cast<std::uint32_t>(out_.values.size()) - first});
   }
 
-  void copy_scan(std::uint32_t row, const SensorLayout& sensor) {
+  void copy_scan(world::SensorRow row, const SensorLayout& sensor) {
     out_.scans.push_back({row, static_cast<std::uint32_t>(out_.beams.size())});
-    const auto ranges = std::span(world_.sensors.ranges).subspan(sensor.first_beam, sensor.beam_count);
+    const auto ranges = std::span(world_.sensors.ranges.from(sensor.first_beam), sensor.beam_count);
     out_.beams.resize(out_.beams.size() + ranges.size());
     quantize_ranges(ranges, sensor.range_max, out_.beams.data() + out_.scans.back().first);
   }
@@ -116,7 +116,7 @@ class Capture {
   const Layout& layout_;
   const Interest& interest_;
   Snapshot& out_;
-  std::vector<std::uint32_t> selected_;  // rows of roots, ascending
+  std::vector<world::ModelRow> selected_;  // roots, ascending
 };
 
 }  // namespace
@@ -149,7 +149,7 @@ void capture(const world::World& world, const world::Pace& pace, std::shared_ptr
   capture.views();
 }
 
-geom::Vec2 place_of(const Snapshot& snapshot, std::uint32_t row) {
+geom::Vec2 place_of(const Snapshot& snapshot, world::ModelRow row) {
   const ModelState& state = snapshot.models[snapshot.layout->root[row]];
   return {state.x / 1000.0, state.y / 1000.0};
 }

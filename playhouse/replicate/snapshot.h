@@ -28,20 +28,20 @@ struct Interest {
 
 /// One sensor's scan: beams[first .. first + layout.sensors[sensor].beam_count).
 struct SensorScan {
-  std::uint32_t sensor = 0;  // row
+  world::SensorRow sensor;
   std::uint32_t first = 0;
 };
 
 /// A view of one model: values[first .. first + count).
 struct Viewed {
-  std::uint32_t view = 0;   // of views()
-  std::uint32_t model = 0;  // row
+  std::uint32_t view = 0;  // of views()
+  world::ModelRow model;
   std::uint32_t first = 0, count = 0;
 };
 
 /// The text of a model.
 struct Said {
-  std::uint32_t model = 0;  // row
+  world::ModelRow model;
   std::string name, text;
 };
 
@@ -49,7 +49,7 @@ struct Snapshot {
   std::shared_ptr<const Layout> layout;  // of the rows below
   std::uint64_t tick = 0;
   world::Pace pace;
-  std::vector<ModelState> models;
+  world::ByModel<ModelState> models;
   std::vector<SensorScan> scans;  // by sensor row
   std::vector<std::uint16_t> beams;
   std::vector<Viewed> viewed;  // by view and model row
@@ -67,6 +67,6 @@ void capture(const world::World& world, const world::Pace& pace, std::shared_ptr
              const Interest& interest, Snapshot& out);
 
 /// Position of the root in `row` in the snapshot. [m, W]
-geom::Vec2 place_of(const Snapshot& snapshot, std::uint32_t row);
+geom::Vec2 place_of(const Snapshot& snapshot, world::ModelRow row);
 
 }  // namespace playhouse::replicate

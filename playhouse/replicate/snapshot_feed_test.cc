@@ -117,7 +117,7 @@ TEST_F(SnapshotFeedTest, who_is_slow_keeps_its_snapshot_and_no_memory_is_added) 
 }
 
 TEST_F(SnapshotFeedTest, captures_what_any_reader_wants) {
-  for (std::uint32_t row = 0; row < small_.world.models.size(); ++row) world::subscribe(small_.world, {row});
+  for (const world::ModelRow row : small_.world.models.rows()) world::subscribe(small_.world, row);
   page_.reader.set_interest({.selected = {SmallWorld::id(2)}});
   observers_.reader.set_interest({.selected = {SmallWorld::id(0), SmallWorld::id(2)}});
   const auto robots = [this] {
@@ -126,7 +126,7 @@ TEST_F(SnapshotFeedTest, captures_what_any_reader_wants) {
     const Snapshot& snapshot = page_.reader.snapshot();
     std::set<std::uint32_t> robots;
     for (const SensorScan& scan : snapshot.scans)
-      robots.insert(snapshot.layout->root[snapshot.layout->sensors[scan.sensor].model]);
+      robots.insert(snapshot.layout->root[snapshot.layout->sensors[scan.sensor].model].index);
     return robots;
   };
   using Rows = std::set<std::uint32_t>;

@@ -20,8 +20,8 @@ void Viewer::look(const Look& look) {
 
 void Viewer::select(const Select& select) {
   const Layout& layout = *replica_.layout;
-  const auto row = select.model ? layout.row(*select.model) : std::nullopt;
-  wish_.selected = row ? std::optional(layout.id[layout.root[*row]]) : std::nullopt;
+  const world::ModelRow row = select.model ? layout.row(*select.model) : world::ModelRow{};
+  wish_.selected = row ? std::optional(layout.id[layout.root[row]]) : std::nullopt;
 }
 
 Result<void> Viewer::acknowledge(std::uint32_t frame) {

@@ -27,17 +27,17 @@ struct KindView {
   bool measures;                // has data only while subscribed
   bool list;                    // any number of records; else exactly one
   std::span<const Code> codes;  // of one record
-  /// The model's row in the kind's table; Row::kNone if it is of another kind.
-  std::uint32_t (*row_of)(const world::World& world, std::uint32_t model);
+  /// The model's row in the kind's table; none if it is of another kind.
+  world::KindRow (*row_of)(const world::World& world, world::ModelRow model);
   /// Appends the numbers of a row of that table. False: no measurement yet.
-  bool (*capture)(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out);
+  bool (*capture)(const world::World& world, world::KindRow row, std::vector<std::int32_t>& out);
 };
 
 /// In the order of kinds, then traits.
 std::span<const KindView> views();
 
 /// The state bits of a model: kSubscribed, and those of its kind.
-std::uint8_t state_bits(const world::World& world, std::uint32_t model);
+std::uint8_t state_bits(const world::World& world, world::ModelRow model);
 inline constexpr std::uint8_t kSubscribed = 1;  // a client reads or drives it
 
 /// True if a subscription only makes models of the kind

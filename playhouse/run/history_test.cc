@@ -209,11 +209,11 @@ TEST_F(HistoryTest, says_why_there_is_none) {
 
   History lost(scene_.interval, clock_);
   world_.deciders.clear();
-  world_.models.X_PM.own(0).x = 1e10;
+  world_.models.X_PM.own({0}).x = 1e10;
   run_to(lost, 30);
   EXPECT_TRUE(lost.empty()) << "it could not be loaded";
   EXPECT_NE(lost.timeline()->why_none, "");
-  world_.models.X_PM.own(0).x = 0;
+  world_.models.X_PM.own({0}).x = 0;
   run_to(lost, 40);
   EXPECT_FALSE(lost.empty());
   EXPECT_EQ(lost.timeline()->why_none, "");

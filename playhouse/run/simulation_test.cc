@@ -41,7 +41,7 @@ TEST(Simulation, a_command_reaches_its_robot) {
   StillSimulation still(kRobot);
   still.simulation.requests().drive({0}, {0.3, 0, 0, 0.2});
   still.run(1);
-  EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.3, 0, 0, 0.2}));
+  EXPECT_EQ(still.world().positions.command[{0}], (geom::Twist{0.3, 0, 0, 0.2}));
 }
 
 TEST(Simulation, a_viewer_who_drives_is_one_more_who_commands) {
@@ -49,7 +49,7 @@ TEST(Simulation, a_viewer_who_drives_is_one_more_who_commands) {
   still.simulation.requests().command(world::changes::Drive{{0}, {0.3, 0, 0, 0.2}});
   still.simulation.requests().drive({0}, {0.5, 0.1, 0, -1});
   still.run(1);
-  EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.5, 0.1, 0, -1}));
+  EXPECT_EQ(still.world().positions.command[{0}], (geom::Twist{0.5, 0.1, 0, -1}));
 }
 
 TEST(Simulation, shows_every_tick_to_its_listeners_with_the_time) {
@@ -449,7 +449,7 @@ TEST(Simulation, who_uses_a_model_goes_on_with_it_unless_it_came_back) {
       [&](world::Journal& journal) { ends.begin(journal, still.simulation.requests(), late); });
   still.run(1);
   const auto users = [&](world::ModelId model) {
-    return still.world().models.subscribers[still.world().row(model).index];
+    return still.world().models.subscribers[still.world().row(model)];
   };
   EXPECT_EQ(users(late), 1u);
   testing::rewind_to(still.simulation, 10);

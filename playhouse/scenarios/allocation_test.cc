@@ -90,7 +90,7 @@ constexpr int kWarmUp = 150, kCounted = 50;
 
 std::size_t allocations_of(ScenarioRun& run) {
   world::World& world = run.world();
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) world::subscribe(world, {row});
+  for (const world::ModelRow row : world.models.rows()) world::subscribe(world, row);
   run.step(kWarmUp);
   const std::size_t before = allocations;
   run.step(kCounted);
@@ -154,11 +154,11 @@ Result<scene::SceneDesc> everything() {
 TEST(Allocation, there_is_none_with_every_sensor_and_controller) {
   for (const unsigned workers : {1u, 4u}) {
     ScenarioRun run(everything(), workers);
-    run.world().models.flags[run.world().find("depot").index] = 2000000;
+    run.world().models.flags[run.world().find("depot")] = 2000000;
     EXPECT_EQ(allocations_of(run), 0u) << workers << " workers";
     EXPECT_GT(std::ranges::count_if(run.world().grippers.paddles, [](double closed) { return closed > 0; }),
               0);
-    EXPECT_GT(run.world().models.say[run.world().find("depot").index].size(), 15u)
+    EXPECT_GT(run.world().models.say[run.world().find("depot")].size(), 15u)
         << "more than a short string holds";
   }
 }
@@ -177,7 +177,7 @@ TEST(Allocation, there_is_none_with_cameras_bumpers_and_detectors) {
   // One worker: of several, one that had little to do so far may see more than ever in a late tick.
   ScenarioRun run(scene::load_world_text(text, "cameras.world", none), 1);
   EXPECT_EQ(allocations_of(run), 0u);
-  EXPECT_GT(run.world().detectors.measured_tick[0], 0u);
+  EXPECT_GT(run.world().detectors.measured_tick[{0}], 0u);
 }
 
 TEST(Allocation, there_is_none_where_radios_carry_messages) {
@@ -193,14 +193,13 @@ TEST(Allocation, there_is_none_where_radios_carry_messages) {
     for (const world::ModelRow radio : world.wifis.model) world::subscribe(world, radio);
     std::size_t in_ticks = 0;
     for (int tick = 0; tick < kWarmUp + kCounted; ++tick) {
-      for (std::uint32_t radio = 0; radio < world.wifis.size(); ++radio)
-        world::send_message(world, {radio}, {}, message);
+      for (const world::WifiRow radio : world.wifis.rows()) world::send_message(world, {radio}, {}, message);
       const std::size_t before = allocations;
       run.step();
       if (tick >= kWarmUp) in_ticks += allocations - before;
     }
     EXPECT_EQ(in_ticks, 0u) << workers << " workers";
-    EXPECT_GT(world.wifis.incoming[0].size(), 10u);
+    EXPECT_GT(world.wifis.incoming[{0}].size(), 10u);
   }
 }
 

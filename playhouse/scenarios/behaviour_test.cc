@@ -29,8 +29,8 @@ double mean_nearest_neighbour(const world::World& world) {
     double nearest = 1e9;
     for (std::size_t k = 0; k < robots.size(); ++k) {
       if (k == i) continue;
-      const geom::Pose& a = world.models.X_WM[robots.model[i].index];
-      const geom::Pose& b = world.models.X_WM[robots.model[k].index];
+      const geom::Pose& a = world.models.X_WM[robots.model[i]];
+      const geom::Pose& b = world.models.X_WM[robots.model[k]];
       nearest = std::min(nearest, std::hypot(a.x - b.x, a.y - b.y));
     }
     sum += nearest;
@@ -44,13 +44,13 @@ TEST(Wander, never_touches_anything_in_the_cave_and_gets_about) {
   std::vector<double> far(robots, 0);
   std::vector<geom::Pose> start;
   for (const world::ModelRow model : run.world().positions.model)
-    start.push_back(run.world().models.X_WM[model.index]);
+    start.push_back(run.world().models.X_WM[model]);
   for (int tick = 0; tick < 3 * 600; ++tick) {
     run.step();
     for (std::size_t i = 0; i < robots; ++i) {
       const world::ModelRow model = run.world().positions.model[i];
       ASSERT_EQ(run.world().positions.stall[i], 0) << run.world().desc(model).name << ", tick " << tick;
-      const geom::Pose& at = run.world().models.X_WM[model.index];
+      const geom::Pose& at = run.world().models.X_WM[model];
       far[i] = std::max(far[i], std::hypot(at.x - start[i].x, at.y - start[i].y));
     }
   }
@@ -70,8 +70,8 @@ TEST(ExpandSwarm, gives_every_robot_more_room) {
 double alignment(const world::World& world) {
   double x = 0, y = 0;
   for (const world::ModelRow robot : world.positions.model) {
-    x += std::cos(world.models.X_WM[robot.index].a);
-    y += std::sin(world.models.X_WM[robot.index].a);
+    x += std::cos(world.models.X_WM[robot].a);
+    y += std::sin(world.models.X_WM[robot].a);
   }
   return std::hypot(x, y) / static_cast<double>(world.positions.size());
 }
@@ -134,13 +134,13 @@ TEST(Dynamic, has_parts_that_go_on_from_a_saved_state) {
 TEST(Source, of_the_cave_fills_up) {
   ScenarioRun run(load("worlds/cave.world"));
   run.step(50);
-  EXPECT_EQ(run.world().models.flags[run.world().find("source").index], 20);
+  EXPECT_EQ(run.world().models.flags[run.world().find("source")], 20);
 }
 
 /// Flags at the sink of a world after so many ticks.
 std::int32_t delivered(ScenarioRun& run, int ticks) {
   run.step(ticks);
-  return run.world().models.flags[run.world().find("sink").index];
+  return run.world().models.flags[run.world().find("sink")];
 }
 
 TEST(Fasr, brings_flags_all_the_time) {
@@ -164,9 +164,9 @@ TEST(Fasr, goes_on_from_a_saved_state_with_the_same_bits) {
 
 TEST(Shy, runs_from_its_shared_library) {
   ScenarioRun run(load("examples/controller/shy.world"));
-  const geom::Pose start = run.world().models.X_WM[run.world().find("bold").index];
+  const geom::Pose start = run.world().models.X_WM[run.world().find("bold")];
   run.step(100);
-  const geom::Pose end = run.world().models.X_WM[run.world().find("bold").index];
+  const geom::Pose end = run.world().models.X_WM[run.world().find("bold")];
   EXPECT_GT(std::hypot(end.x - start.x, end.y - start.y), 0.5);
 }
 

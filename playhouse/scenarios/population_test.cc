@@ -28,7 +28,7 @@ Population observe(ScenarioRun& run, double seconds) {
   constexpr double kHalfSecond = 0.5, kCell = 0.5;
   const int window = static_cast<int>(kHalfSecond / world.scene().interval + 0.5);
   const int windows = static_cast<int>(seconds / kHalfSecond + 0.5);
-  const auto place = [&](std::size_t i) { return world.models.X_WM[robots.model[i].index].xy(); };
+  const auto place = [&](std::size_t i) { return world.models.X_WM[robots.model[i]].xy(); };
   const auto way = [](geom::Vec2 a, geom::Vec2 b) { return std::sqrt(geom::dot(b - a, b - a)); };
 
   std::vector<geom::Vec2> last, at_window;

@@ -66,9 +66,9 @@ world::PhysicsShapes BodyEngine::shapes() const {
   for (const bodies::SolidRow row : solids_.fixed_rows())
     if (solids_.is_obstacle(row)) shapes.fixed.push_back(prism(row, world_.models.X_WM[solids_.model[row]]));
   for (const bodies::TreeRow tree : trees_.rows()) {
-    const std::uint32_t top = trees_.root[tree];
+    const world::ModelRow top = trees_.root[tree];
     const geom::Pose X_BW = geom::inverse(world_.models.X_WM[top]);
-    world::PhysicsShapes::Body body{world_.id({top}), {}};
+    world::PhysicsShapes::Body body{world_.id(top), {}};
     for (const bodies::SolidRow row : trees_.solids_of(tree))
       if (solids_.is_obstacle(row))
         body.solids.push_back(prism(row, geom::compose(X_BW, world_.models.X_WM[solids_.model[row]])));
@@ -119,16 +119,15 @@ void BodyEngine::ingest(std::span<const world::Event> events) {
 /// True if a rigidly attached part was moved on its body: enclosure has to be recomputed.
 bool BodyEngine::moves_within_body(const world::Event& event) const {
   const world::ModelRow model = world_.row(event.model);
-  return event.kind == world::Event::Kind::kPlace && model &&
-         world_.models.parent[model.index] != world::ModelRow::kNone &&
-         !world::moves(world_.models.kind[model.index]);
+  return event.kind == world::Event::Kind::kPlace && model && world_.models.parent[model] &&
+         !world::moves(world_.models.kind[model]);
 }
 
 /// Updates the solids of a tree that was teleported.
 void BodyEngine::replace(const world::Event& event) {
   const world::ModelRow model = world_.row(event.model);
   if (event.kind != world::Event::Kind::kPlace || !model) return;
-  const bodies::TreeRow tree = trees_.of_root(world_.models.root[model.index]);
+  const bodies::TreeRow tree = trees_.of_root(world_.models.root[model]);
   turn(solids_, world_.models, trees_.models_of(tree));
   place(solids_, world_.models, trees_.solids_of(tree));
   replaced(tree);
@@ -143,8 +142,8 @@ void BodyEngine::sense(std::uint64_t tick) {
   rays_ += senses_.sense(world_, space(), tick, workers_, division_);
 }
 
-void BodyEngine::touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
-                          std::vector<std::uint32_t>& out) const {
+void BodyEngine::touching(world::ModelRow model, const world::ByModel<std::uint8_t>& wanted,
+                          std::vector<world::ModelRow>& out) const {
   bodies::touching(space(), trees_, world_.models, model, wanted, out);
 }
 

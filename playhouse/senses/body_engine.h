@@ -42,8 +42,8 @@ class BodyEngine : public behaviour::PhasedEngine {
  private:
   void ingest(std::span<const world::Event> events) override;
   void sense(std::uint64_t tick) override;
-  void touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
-                std::vector<std::uint32_t>& out) const override;
+  void touching(world::ModelRow model, const world::ByModel<std::uint8_t>& wanted,
+                std::vector<world::ModelRow>& out) const override;
   bool have_static_models_changed();
   bool moves_within_body(const world::Event& event) const;
   void replace(const world::Event& event);

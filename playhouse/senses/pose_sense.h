@@ -9,7 +9,7 @@ namespace playhouse::senses {
 class PoseSense : public SensePhase {
  public:
   void populate(const world::World&, const bodies::Space&) override {}
-  std::uint64_t sense(world::World& world, const bodies::Space&, std::span<const std::uint32_t> due,
+  std::uint64_t sense(world::World& world, const bodies::Space&, std::span<const world::KindRow> due,
                       std::uint64_t tick, world::Workers& workers) final {
     workers.run(due.size(), 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) measure(world, due[i], tick);
@@ -20,13 +20,13 @@ class PoseSense : public SensePhase {
  protected:
   /// X_WB of the body of a model.
   static geom::SpatialPose body_pose(const world::World& world, world::ModelRow model) {
-    return geom::compose({world.models.X_WM[model.index], world.models.tilt_WM[model.index]},
+    return geom::compose({world.models.X_WM[model], world.models.tilt_WM[model]},
                          {world.desc(model).X_MB, geom::Tilt{}});
   }
 
  private:
   /// Fills row `row` of its table; calls for different rows run in parallel.
-  virtual void measure(world::World& world, std::uint32_t row, std::uint64_t tick) const = 0;
+  virtual void measure(world::World& world, world::KindRow row, std::uint64_t tick) const = 0;
 };
 
 }  // namespace playhouse::senses

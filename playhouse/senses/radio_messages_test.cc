@@ -35,7 +35,7 @@ class RadioMessages : public ::testing::Test {
     engine_ = *stage::make_engine(*scene_, {.seed = seed, .workers = workers});
   }
   world::World& world() { return engine_->world(); }
-  world::WifiRow radio(std::string_view name) { return {world().models.part[world().find(name).index]}; }
+  world::WifiRow radio(std::string_view name) { return world().models.part[world().find(name)]; }
   bool send(std::string_view from, std::string_view text, std::string_view to = "") {
     const world::ModelId id = to.empty() ? world::ModelId{} : world().id(world().find(to));
     const std::vector<std::uint8_t> bytes(text.begin(), text.end());
@@ -91,10 +91,10 @@ TEST_F(RadioMessages, messages_arrive_in_the_order_of_senders_and_then_as_they_w
 TEST_F(RadioMessages, arrive_in_each_tick_however_seldom_the_radio_listens_for_others) {
   load(std::string(kRow) + "interval_sim 100\nradio( name \"slow\" pose [0 -1 0 0] update_interval 1000 )");
   step();
-  const std::uint64_t measured = world().wifis.measured_tick[radio("slow").index];
+  const std::uint64_t measured = world().wifis.measured_tick[radio("slow")];
   send("a", "now");
   step();
-  EXPECT_EQ(world().wifis.measured_tick[radio("slow").index], measured);
+  EXPECT_EQ(world().wifis.measured_tick[radio("slow")], measured);
   EXPECT_EQ(received("slow"), "a:now ");
 }
 
@@ -115,7 +115,7 @@ TEST_F(RadioMessages, walls_are_in_the_way_as_of_links) {
     send("a", "hello");
     step();
     EXPECT_EQ(received("b"), between ? "" : "a:hello ");
-    EXPECT_EQ(world().wifis.links[radio("b").index].size(), between ? 0u : 1u);
+    EXPECT_EQ(world().wifis.links[radio("b")].size(), between ? 0u : 1u);
   }
 }
 
@@ -127,7 +127,7 @@ TEST_F(RadioMessages, are_lost_as_often_as_the_receiver_says) {
   for (int tick = 0; tick < 200; ++tick) {
     for (int i = 0; i < 10; ++i) send("a", "x");
     step();
-    arrived += static_cast<int>(world().wifis.incoming[radio("b").index].size());
+    arrived += static_cast<int>(world().wifis.incoming[radio("b")].size());
     EXPECT_EQ(received("deaf"), "");
   }
   EXPECT_NEAR(arrived / 2000.0, 0.7, 0.04);
@@ -137,11 +137,11 @@ TEST_F(RadioMessages, more_than_there_is_room_for_are_dropped_and_counted) {
   load(kRow);
   for (std::size_t i = 0; i < limits::kRadioSends; ++i) ASSERT_TRUE(send("a", "x"));
   EXPECT_FALSE(send("a", "x"));
-  EXPECT_EQ(world().wifis.dropped[radio("a").index], 1u);
+  EXPECT_EQ(world().wifis.dropped[radio("a")], 1u);
   EXPECT_FALSE(send("b", std::string(limits::kRadioMessageBytes + 1, 'x')));
   EXPECT_TRUE(send("b", std::string(limits::kRadioMessageBytes, 'x')));
   step();
-  EXPECT_EQ(world().wifis.incoming[radio("b").index].size(), limits::kRadioSends);
+  EXPECT_EQ(world().wifis.incoming[radio("b")].size(), limits::kRadioSends);
   EXPECT_TRUE(send("a", "y")) << "there is room again";
 }
 
@@ -152,8 +152,8 @@ TEST_F(RadioMessages, a_receiver_among_too_many_senders_drops_the_rest) {
   for (int i = 0; i < 5; ++i)
     for (std::size_t n = 0; n < limits::kRadioSends; ++n) send("s" + std::to_string(i), "x");
   step();
-  EXPECT_EQ(world().wifis.incoming[radio("hub").index].size(), limits::kRadioReceives);
-  EXPECT_EQ(world().wifis.dropped[radio("hub").index], 5 * limits::kRadioSends - limits::kRadioReceives);
+  EXPECT_EQ(world().wifis.incoming[radio("hub")].size(), limits::kRadioReceives);
+  EXPECT_EQ(world().wifis.dropped[radio("hub")], 5 * limits::kRadioSends - limits::kRadioReceives);
 }
 
 TEST_F(RadioMessages, a_run_with_messages_is_the_same_for_any_number_of_workers) {
@@ -199,7 +199,7 @@ TEST_F(RadioMessages, what_waits_to_be_sent_is_part_of_the_state_and_arrives_aft
 TEST_F(RadioMessages, a_state_whose_messages_are_not_whole_is_refused) {
   load(kRow);
   send("a", "hello");
-  world().wifis.outgoing_bytes[0].pop_back();
+  world().wifis.outgoing_bytes[{0}].pop_back();
   std::vector<std::byte> state;
   ASSERT_TRUE(world::save_state(world(), state));
   load(kRow);

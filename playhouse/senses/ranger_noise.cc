@@ -20,7 +20,7 @@ double turn_of(const world::World& world, world::ModelRow model, std::uint64_t t
   return rng.uniform(-spread, spread);
 }
 
-void add_range_noise(const world::World& world, std::uint32_t ranger, std::uint64_t tick, double* range,
+void add_range_noise(const world::World& world, world::RangerRow ranger, std::uint64_t tick, double* range,
                      Rings rings) {
   const world::ModelRow model = world.rangers.model[ranger];
   for (std::uint32_t i = 0; i < world.rangers.sensor_count[ranger]; ++i) {

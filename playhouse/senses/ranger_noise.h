@@ -21,7 +21,7 @@ double turn_of(const world::World& world, world::ModelRow model, std::uint64_t t
 
 /// Adds range noise to the measurements of row `ranger` of
 /// world.rangers: `range`, m (beams). Beams without a hit get none.
-void add_range_noise(const world::World& world, std::uint32_t ranger, std::uint64_t tick, double* range,
+void add_range_noise(const world::World& world, world::RangerRow ranger, std::uint64_t tick, double* range,
                      Rings rings = Rings::kLevel);
 
 }  // namespace playhouse::senses

@@ -47,13 +47,14 @@ class BlobfinderSense final : public SensePhase {
   }
   void populate(const world::World&, const bodies::Space&) override {}
 
-  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const std::uint32_t> due,
+  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const world::KindRow> due,
                       std::uint64_t, world::Workers& workers) override {
     workers.run(due.size(), 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) look(world, space, due[i]);
     });
     std::uint64_t rays = 0;
-    for (const std::uint32_t row : due) rays += columns(*world.desc(world.blobfinders.model[row]).blobfinder);
+    for (const world::BlobfinderRow row : due)
+      rays += columns(*world.desc(world.blobfinders.model[row]).blobfinder);
     return rays;
   }
 
@@ -62,12 +63,13 @@ class BlobfinderSense final : public SensePhase {
     return static_cast<std::uint32_t>(camera.width);
   }
 
-  static void look(world::World& world, const bodies::Space& space, std::uint32_t row) {
+  static void look(world::World& world, const bodies::Space& space, world::BlobfinderRow row) {
     const world::ModelRow model = world.blobfinders.model[row];
     const scene::ModelDesc& desc = world.desc(model);
     const scene::BlobfinderDesc& camera = *desc.blobfinder;
-    const geom::Pose X_WB = geom::compose(world.models.X_WM[model.index], desc.X_MB);
-    const std::uint32_t count = columns(camera), root = world.models.root[model.index];
+    const geom::Pose X_WB = geom::compose(world.models.X_WM[model], desc.X_MB);
+    const std::uint32_t count = columns(camera);
+    const world::ModelRow root = world.models.root[model];
     const double step = count > 1 ? camera.fov / (count - 1) : 0;
     const double rightmost = X_WB.a + camera.pan - (count > 1 ? 0.5 * camera.fov : 0);
     std::vector<world::Blob>& blobs = world.blobfinders.blobs[row];

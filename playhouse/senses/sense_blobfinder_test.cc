@@ -39,8 +39,8 @@ std::vector<world::Blob> seen_in(const scene::SceneDesc& scene, unsigned workers
   auto engine = stage::make_engine(scene, {.seed = 1, .workers = workers});
   EXPECT_TRUE(engine.ok());
   (*engine)->step();
-  EXPECT_EQ((*engine)->world().blobfinders.measured_tick[0], 1u);
-  return (*engine)->world().blobfinders.blobs[0];
+  EXPECT_EQ((*engine)->world().blobfinders.measured_tick[{0}], 1u);
+  return (*engine)->world().blobfinders.blobs[{0}];
 }
 
 TEST(BlobfinderSense, sees_patches_from_right_to_left_whatever_their_height) {
@@ -111,9 +111,9 @@ TEST(BlobfinderSense, sees_what_stage_saw) {
   auto engine = stage::make_engine(*scene, {});
   ASSERT_TRUE(engine.ok());
   world::World& world = (*engine)->world();
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) world::subscribe(world, {row});
+  for (const world::ModelRow row : world.models.rows()) world::subscribe(world, row);
   (*engine)->step();
-  const std::vector<world::Blob>& blobs = world.blobfinders.blobs[0];
+  const std::vector<world::Blob>& blobs = world.blobfinders.blobs[{0}];
   ASSERT_EQ(blobs.size(), 2u);
   const double recorded[2][5] = {{49, 57, 25, 35, 2.887891}, {23, 31, 25, 35, 2.908057}};
   EXPECT_EQ(blobs[0].color, kBlue);

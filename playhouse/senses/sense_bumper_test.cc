@@ -37,7 +37,7 @@ scene::SceneDesc robot_with_one() {
 /// The names of those who press, "" for a switch that is free.
 std::vector<std::string> pressed_in(const world::World& world) {
   std::vector<std::string> names;
-  for (const world::ModelId hit : world.bumpers.hits[0])
+  for (const world::ModelId hit : world.bumpers.hits[{0}])
     names.push_back(hit ? world.name(world.row(hit)) : "");
   return names;
 }
@@ -46,7 +46,7 @@ std::vector<std::string> pressed_in(const scene::SceneDesc& scene, unsigned work
   auto engine = stage::make_engine(scene, {.seed = 1, .workers = workers});
   EXPECT_TRUE(engine.ok());
   (*engine)->step();
-  EXPECT_EQ((*engine)->world().bumpers.measured_tick[0], 1u);
+  EXPECT_EQ((*engine)->world().bumpers.measured_tick[{0}], 1u);
   return pressed_in((*engine)->world());
 }
 
@@ -142,15 +142,15 @@ TEST(BumperSense, is_pressed_when_stages_was) {
   auto engine = stage::make_engine(*scene, {});
   ASSERT_TRUE(engine.ok());
   world::World& world = (*engine)->world();
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) world::subscribe(world, {row});
+  for (const world::ModelRow row : world.models.rows()) world::subscribe(world, row);
   ASSERT_TRUE(world::command_velocity(world, {0}, {0.5, 0, 0, 0}));
   const bool recorded[] = {false, false, false, false, true, true, true, true};
   for (const bool front : recorded) {
     (*engine)->step();
     EXPECT_THAT(pressed_in(world), ElementsAre(front ? "w" : "", "")) << world.time();
   }
-  EXPECT_NEAR(world.models.X_WM[0].x, 0.3, 1e-9);
-  EXPECT_EQ(world.positions.stall[0], 1);
+  EXPECT_NEAR(world.models.X_WM[{0}].x, 0.3, 1e-9);
+  EXPECT_EQ(world.positions.stall[{0}], 1);
 }
 
 }  // namespace

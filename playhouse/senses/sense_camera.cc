@@ -76,14 +76,14 @@ class CameraSense final : public SensePhase {
   }
   void populate(const world::World&, const bodies::Space&) override {}
 
-  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const std::uint32_t> due,
+  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const world::KindRow> due,
                       std::uint64_t tick, world::Workers& workers) override {
     workers.run(due.size(), 1, [&](std::size_t begin, std::size_t end) {
       Scratch& scratch = scratch_[workers.current()];
       for (std::size_t i = begin; i < end; ++i) look(world, space, due[i], tick, scratch);
     });
     std::uint64_t rays = 0;
-    for (const std::uint32_t row : due) rays += world.cameras.pixels[row].size();
+    for (const world::CameraRow row : due) rays += world.cameras.pixels[row].size();
     return rays;
   }
 
@@ -102,26 +102,26 @@ class CameraSense final : public SensePhase {
     std::vector<std::uint32_t> sample;    // see Seen                                    (image)
   };
 
-  static const rays::Lens& fit(const world::World& world, std::uint32_t row, Scratch& scratch) {
+  static const rays::Lens& fit(const world::World& world, world::CameraRow row, Scratch& scratch) {
     const world::ModelRow model = world.cameras.model[row];
     const double tilt = world.cameras.tilt[row], zoom = world.cameras.zoom[row];
-    Fitted& fitted = scratch.lenses[world.models.desc[model.index]];
+    Fitted& fitted = scratch.lenses[world.models.desc[model]];
     if (fitted.lens.place.empty() || fitted.tilt != tilt || fitted.zoom != zoom)
       fitted = {tilt, zoom, rays::make_lens(*world.desc(model).camera, tilt, zoom)};
     return fitted.lens;
   }
 
-  static void look(world::World& world, const bodies::Space& space, std::uint32_t row, std::uint64_t tick,
+  static void look(world::World& world, const bodies::Space& space, world::CameraRow row, std::uint64_t tick,
                    Scratch& scratch) {
     const world::ModelRow model = world.cameras.model[row];
     const scene::ModelDesc& desc = world.desc(model);
     const CameraDesc& camera = *desc.camera;
     const rays::Lens& lens = fit(world, row, scratch);
-    const geom::Pose X_WB = geom::compose(world.models.X_WM[model.index], desc.X_MB);
+    const geom::Pose X_WB = geom::compose(world.models.X_WM[model], desc.X_MB);
     const geom::Rotation heading = geom::Rotation::of(X_WB.a + world.cameras.pan[row]);
     const double eye = X_WB.z + rays::lens_height(desc);
     scratch.slicer.stand(space, X_WB.xy(), eye, std::ranges::max(lens.reach), bit(bodies::SeenBy::kImage),
-                         world.models.root[model.index]);
+                         world.models.root[model]);
     scratch.far.resize(lens.place.size());
     scratch.sample.resize(lens.place.size());
     for (std::size_t s = 0; s < lens.ahead.size(); ++s) {
@@ -152,7 +152,7 @@ class CameraSense final : public SensePhase {
     const bool of_models = camera.image == ImageKind::kSegmentation;
     const std::uint32_t sky = of_models ? 0 : rays::sky_color(world.scene()),
                         floor = of_models ? 0 : scene::kFloorColor;
-    const auto sample_of = [&](std::uint32_t model) {
+    const auto sample_of = [&](world::ModelRow model) {
       return of_models ? rays::segment_of(world.models.id[model]) : rgb(world.models.color[model]);
     };
     for (std::size_t i = 0; i < pixels; ++i) {

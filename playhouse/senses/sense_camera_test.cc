@@ -47,8 +47,8 @@ class Picture {
     auto engine = stage::make_engine(scene, {.seed = seed, .workers = workers});
     EXPECT_TRUE(engine.ok());
     (*engine)->step();
-    EXPECT_EQ((*engine)->world().cameras.measured_tick[0], 1u);
-    pixels_ = (*engine)->world().cameras.pixels[0];
+    EXPECT_EQ((*engine)->world().cameras.measured_tick[{0}], 1u);
+    pixels_ = (*engine)->world().cameras.pixels[{0}];
   }
   std::uint32_t at(std::size_t column, std::size_t row) const {
     return pixels_[row * width_ + column].sample;

@@ -22,18 +22,18 @@ class PlaneSurroundings final : public world::Surroundings {
 
   world::RayEnd cast(const geom::Pose& X_WS, double range, world::ModelRow own) const override {
     const geom::Rotation heading = geom::Rotation::of(X_WS.a);
-    const std::uint32_t root = own ? world_.models.root[own.index] : world::ModelRow::kNone;
+    const world::ModelRow root = own ? world_.models.root[own] : world::ModelRow{};
     const bodies::Hit hit = bodies::cast(
         space_,
         {X_WS.xy(), {heading.c, heading.s}, X_WS.z, X_WS.z, range, bit(bodies::SeenBy::kRanger), root});
     if (!hit.solid) return {range, {}};
-    return {hit.range, {space_.solids.model[hit.solid]}};
+    return {hit.range, space_.solids.model[hit.solid]};
   }
 
   void near(const geom::Pose& p_W, double radius, std::vector<world::ModelRow>& found) const override {
     found.clear();
     places_.near(p_W.xy(), radius, 0, 0, [&](const bodies::DiscIndex::Disc& disc) {
-      const geom::Pose& X_WM = world_.models.X_WM[disc.model().index];
+      const geom::Pose& X_WM = world_.models.X_WM[disc.model()];
       const geom::Vec2 apart = X_WM.xy() - p_W.xy();
       const double above = X_WM.z - p_W.z;
       if (geom::dot(apart, apart) + above * above <= radius * radius) found.push_back(disc.model());
@@ -67,20 +67,21 @@ class CustomSense final : public SensePhase {
     places_.populate(world.customs.size() > 0 ? world.models.size() : 0, 1);
   }
 
-  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const std::uint32_t> due,
+  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const world::KindRow> due,
                       std::uint64_t tick, world::Workers& workers) override {
     places_.rebuild(
         world.models.size(),
-        [&](std::size_t row) {
-          return bodies::DiscIndex::Disc{
-              world.models.X_WM[row].xy(), 0, 0, 0, static_cast<std::uint32_t>(row), world.models.root[row]};
+        [&](std::size_t i) {
+          const world::ModelRow row = world.models.rows()[i];
+          return bodies::DiscIndex::Disc{world.models.X_WM[row].xy(), 0, 0, 0, row.index,
+                                         world.models.root[row]};
         },
         workers);
     workers.run(due.size(), 4, [&](std::size_t begin, std::size_t end) {
       Scratch& scratch = scratch_[workers.current()];
       const PlaneSurroundings around(world, space, places_, scratch.crossed);
       for (std::size_t i = begin; i < end; ++i)
-        behaviour::sense_custom(world, {due[i]}, tick, around, scratch.readings);
+        behaviour::sense_custom(world, due[i], tick, around, scratch.readings);
     });
     return 0;  // rays of libraries are not counted
   }

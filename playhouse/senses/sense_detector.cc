@@ -65,7 +65,7 @@ struct Met {
 /// A detection, accumulated over lines.
 struct Found {
   Detection told;
-  std::uint32_t root = 0;
+  world::ModelRow root;
   double cos = 0, sin = 0;  // sums of directions in which it was seen, relative to the heading
 };
 
@@ -79,8 +79,8 @@ struct Scratch {
 /// One measurement of one detector.
 class Look {
  public:
-  Look(world::World& world, const bodies::Space& space, std::uint32_t row, const Aim& aim, std::uint64_t tick,
-       Scratch& scratch)
+  Look(world::World& world, const bodies::Space& space, world::DetectorRow row, const Aim& aim,
+       std::uint64_t tick, Scratch& scratch)
       : world_(world),
         space_(space),
         model_(world.detectors.model[row]),
@@ -92,11 +92,11 @@ class Look {
 
   void measure(std::vector<Detection>& finds) {
     const scene::ModelDesc& desc = world_.desc(model_);
-    const geom::Pose X_WB = geom::compose(world_.models.X_WM[model_.index], desc.X_MB);
+    const geom::Pose X_WB = geom::compose(world_.models.X_WM[model_], desc.X_MB);
     scratch_.found.clear();
     echoes_.assign(detector_.samples, {static_cast<float>(detector_.range_max), 0});
     scratch_.slicer.stand(space_, X_WB.xy(), X_WB.z + 0.5 * desc.size.z, detector_.range_max, kAnybody,
-                          world_.models.root[model_.index]);
+                          world_.models.root[model_]);
     const geom::Rotation heading = geom::Rotation::of(X_WB.a);
     for (std::uint32_t line = 0; line < aim_.ahead.size(); ++line) {
       const geom::Rotation& ahead = aim_.ahead[line];
@@ -139,7 +139,7 @@ class Look {
     for (const Met& met : scratch_.met) {
       const double range = met.from * length;
       if (range > detector_.range_max) return;
-      const std::uint32_t model = space_.solids.model[met.solid];
+      const world::ModelRow model = space_.solids.model[met.solid];
       const double level = detector_.budget - lost - spread_loss(detector_, range);
       if (range >= detector_.range_min && level >= 0 && sees(model)) {
         if (note(model, range, level, bodies, ahead) && range < static_cast<double>(echo.range))
@@ -151,13 +151,13 @@ class Look {
     }
   }
 
-  bool sees(std::uint32_t model) const { return aim_.sees.empty() || aim_.sees.hold(world_, model); }
+  bool sees(world::ModelRow model) const { return aim_.sees.empty() || aim_.sees.hold(world_, model); }
 
   /// Adds a detection. False if the thing is missed in this measurement (probability `miss`).
-  bool note(std::uint32_t model, double range, double level, std::uint32_t bodies,
+  bool note(world::ModelRow model, double range, double level, std::uint32_t bodies,
             const geom::Rotation& ahead) {
-    const std::uint32_t root = world_.models.root[model];
-    const world::ModelId target = world_.id({root});
+    const world::ModelRow root = world_.models.root[model];
+    const world::ModelId target = world_.id(root);
     if (detector_.miss > 0 && draw(Purpose::kDetection, world_.serial(target)).uniform() < detector_.miss)
       return false;
     auto found = std::ranges::find(scratch_.found, root, &Found::root);
@@ -223,12 +223,12 @@ class DetectorSense final : public SensePhase {
     aims_.clear();
     aims_.resize(world.scene().models.size());
     for (const world::ModelRow model : world.detectors.model) {
-      std::optional<Aim>& aim = aims_[world.models.desc[model.index]];
+      std::optional<Aim>& aim = aims_[world.models.desc[model]];
       if (!aim) aim = aim_of(world, *world.desc(model).detector);
     }
   }
 
-  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const std::uint32_t> due,
+  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const world::KindRow> due,
                       std::uint64_t tick, world::Workers& workers) override {
     workers.run(due.size(), 1, [&](std::size_t begin, std::size_t end) {
       Scratch& scratch = scratch_[workers.current()];
@@ -237,14 +237,14 @@ class DetectorSense final : public SensePhase {
             .measure(world.detectors.finds[due[i]]);
     });
     std::uint64_t rays = 0;
-    for (const std::uint32_t row : due)
+    for (const world::DetectorRow row : due)
       rays += aim_for(world, row).ahead.size() * aim_for(world, row).layers.size();
     return rays;
   }
 
  private:
-  const Aim& aim_for(const world::World& world, std::uint32_t row) const {
-    return *aims_[world.models.desc[world.detectors.model[row].index]];
+  const Aim& aim_for(const world::World& world, world::DetectorRow row) const {
+    return *aims_[world.models.desc[world.detectors.model[row]]];
   }
 
   std::vector<std::optional<Aim>> aims_;  // by description of detectors (rows of SceneDesc::models)

@@ -45,9 +45,9 @@ struct Seen {
     EXPECT_TRUE(made.ok());
     (*made)->step();
     const world::World& world = (*made)->world();
-    EXPECT_EQ(world.detectors.measured_tick[0], 1u);
-    echoes = world.detectors.echoes[0];
-    finds = world.detectors.finds[0];
+    EXPECT_EQ(world.detectors.measured_tick[{0}], 1u);
+    echoes = world.detectors.echoes[{0}];
+    finds = world.detectors.finds[{0}];
     for (const world::Detection& found : finds) names.push_back(world.name(world.row(found.target)));
   }
   std::vector<double> ranges() const {
@@ -284,8 +284,8 @@ class Shown : public ::testing::Test {
     (*made)->step();
     if (change) change((*made)->world());
     while ((*made)->world().tick() < 4) (*made)->step();
-    EXPECT_GT((*made)->world().detectors.measured_tick[0], 1u);
-    return !(*made)->world().detectors.finds[0].empty();
+    EXPECT_GT((*made)->world().detectors.measured_tick[{0}], 1u);
+    return !(*made)->world().detectors.finds[{0}].empty();
   }
 
   scene::SceneDesc scene_;
@@ -316,14 +316,14 @@ TEST_F(Shown, what_models_show_is_seen_as_it_changes) {
 TEST_F(Shown, a_lamp_that_is_lit_and_motion_are_seen) {
   EXPECT_TRUE(sees("light=on"));
   EXPECT_FALSE(sees("light=off"));
-  const auto out = [](world::World& world) { world.blinkenlights.enabled[0] = 0; };
+  const auto out = [](world::World& world) { world.blinkenlights.enabled[{0}] = 0; };
   EXPECT_TRUE(sees("light=off", out));
   EXPECT_FALSE(sees("light=on", out));
   scene_.models[1].lamp = 65;
   EXPECT_TRUE(sees("light=on", out)) << "one without a switch";
   EXPECT_TRUE(sees("speed<0.1"));
   EXPECT_FALSE(sees("speed>0.1"));
-  const auto drive = [](world::World& world) { world.positions.command[0] = {0.5, 0, 0, 0}; };
+  const auto drive = [](world::World& world) { world.positions.command[{0}] = {0.5, 0, 0, 0}; };
   EXPECT_TRUE(sees("speed>0.1", drive));
   EXPECT_FALSE(sees("speed<0.1", drive));
 }

@@ -13,16 +13,17 @@ class FiducialSense final : public SensePhase {
  public:
   SensorTable table(world::World& world) const override;
   void populate(const world::World& world, const bodies::Space& space) override;
-  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const std::uint32_t> due,
+  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const world::KindRow> due,
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
   void measure_heights(const bodies::Solids& solids);
-  void find(world::World& world, const bodies::Space& space, std::uint32_t finder) const;
+  void find(world::World& world, const bodies::Space& space, world::FiducialRow finder) const;
 
-  std::vector<double> z_min_, z_max_;  // of trees, by their roots, in W  [m] (models, if there is a finder)
-  std::vector<std::uint32_t> marked_;  // models visible to finders in this tick
-  bodies::DiscIndex targets_;          // the marked models, as points
+  world::ByModel<double> z_min_,
+      z_max_;                            // of trees, by their roots, in W  [m] (models, if there is a finder)
+  std::vector<world::ModelRow> marked_;  // models visible to finders in this tick
+  bodies::DiscIndex targets_;            // the marked models, as points
 };
 
 }  // namespace playhouse::senses

@@ -37,7 +37,7 @@ std::vector<std::int32_t> seen_in(const scene::SceneDesc& scene) {
   EXPECT_TRUE(engine.ok());
   (*engine)->step();
   std::vector<std::int32_t> ids;
-  for (const world::FiducialHit& hit : (*engine)->world().fiducials.hits[0]) ids.push_back(hit.id);
+  for (const world::FiducialHit& hit : (*engine)->world().fiducials.hits[{0}]) ids.push_back(hit.id);
   return ids;
 }
 
@@ -103,7 +103,7 @@ TEST(FiducialSense, sees_bodies_as_high_as_it_is_wherever_they_were_before) {
       ASSERT_TRUE(world::set_pose(world, {robot}, at));
     }
     (*engine)->step();
-    EXPECT_EQ(world.fiducials.hits[0].size(), 1u) << i;
+    EXPECT_EQ(world.fiducials.hits[{0}].size(), 1u) << i;
   }
 }
 

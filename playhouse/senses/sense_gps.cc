@@ -46,10 +46,10 @@ class GpsSense final : public PoseSense {
   }
 
  private:
-  void measure(world::World& world, std::uint32_t row, std::uint64_t tick) const override;
+  void measure(world::World& world, world::KindRow row, std::uint64_t tick) const override;
 };
 
-void GpsSense::measure(world::World& world, std::uint32_t row, std::uint64_t tick) const {
+void GpsSense::measure(world::World& world, world::KindRow row, std::uint64_t tick) const {
   world::Receivers& receivers = world.receivers;
   const world::ModelRow model = receivers.model[row];
   const scene::GpsDesc& gps = *world.desc(model).gps;

@@ -34,8 +34,8 @@ std::uint32_t beams_with(const scene::ModelDesc& thing) {
   scene.models.push_back(thing);
   const auto engine = engine_of(scene);
   engine->step();
-  EXPECT_EQ(engine->world().grippers.measured_tick[0], 1u);
-  return engine->world().grippers.beams[0];
+  EXPECT_EQ(engine->world().grippers.measured_tick[{0}], 1u);
+  return engine->world().grippers.beams[{0}];
 }
 
 TEST(GripperSense, tells_which_beams_are_broken) {
@@ -69,14 +69,14 @@ TEST(GripperSense, takes_a_gripper_for_a_thing_but_not_its_own) {
   auto engine = engine_of(scene);
   world::command_gripper(engine->world(), {0}, GripperCommand::kClose);
   for (int k = 0; k < 20; ++k) engine->step();
-  EXPECT_EQ(engine->world().grippers.paddles[0], 1);
-  EXPECT_EQ(engine->world().grippers.contacts[0], 0u);
+  EXPECT_EQ(engine->world().grippers.paddles[{0}], 1);
+  EXPECT_EQ(engine->world().grippers.contacts[{0}], 0u);
   scene.models.push_back(scene.models[0]);
   scene.models[1].name = scene.models[1].alias = "h";
   scene.models[1].X_PM = {0.13, 0.2, 0, 0};
   engine = engine_of(scene);
   engine->step();
-  EXPECT_EQ(engine->world().grippers.beams[0], 2u);
+  EXPECT_EQ(engine->world().grippers.beams[{0}], 2u);
 }
 
 TEST(GripperSense, feels_on_which_side_something_is) {
@@ -85,7 +85,7 @@ TEST(GripperSense, feels_on_which_side_something_is) {
     scene.models.push_back(puck({0.05, y, 0, 0}));
     const auto engine = engine_of(scene);
     engine->step();
-    return engine->world().grippers.contacts[0];
+    return engine->world().grippers.contacts[{0}];
   };
   EXPECT_EQ(contacts_with(0.1), 1u);
   EXPECT_EQ(contacts_with(-0.1), 2u);
@@ -108,7 +108,7 @@ TEST(GripperSense, what_was_put_down_can_be_taken_up_again) {
   scene.models.push_back(puck({0.06, 0.03, 0, 0.3}));
   const auto engine = engine_of(scene);
   EXPECT_TRUE(grips(*engine));
-  EXPECT_EQ(engine->world().models.X_WM[1], geom::Pose{}) << "where the gripper is";
+  EXPECT_EQ(engine->world().models.X_WM[{1}], geom::Pose{}) << "where the gripper is";
   EXPECT_TRUE(grips(*engine));
 }
 
@@ -132,7 +132,7 @@ TEST(GripperSense, looks_where_its_origin_puts_it) {
   scene.models.push_back(puck({1, 0.08, 0, 0}));
   const auto engine = engine_of(scene);
   engine->step();
-  EXPECT_EQ(engine->world().grippers.beams[0], 2u);
+  EXPECT_EQ(engine->world().grippers.beams[{0}], 2u);
 }
 
 /// A robot with a gripper that takes a puck along while it drives in a circle.
@@ -150,19 +150,19 @@ TEST(GripperSense, what_a_robot_holds_comes_along_and_is_seen_and_left_where_it_
   step(22);
   world::command_velocity(world, {0}, {0.5, 0, 0, 0.3});
   step(30);
-  const geom::Pose at = world.models.X_WM[2];
+  const geom::Pose at = world.models.X_WM[{2}];
   EXPECT_GT(at.x * at.x + at.y * at.y, 1);
-  EXPECT_EQ(at, world.models.X_WM[1]);
-  EXPECT_EQ(world.positions.stall[0], 0);
+  EXPECT_EQ(at, world.models.X_WM[{1}]);
+  EXPECT_EQ(world.positions.stall[{0}], 0);
   world::command_velocity(world, {0}, {});
   world::command_gripper(world, {0}, GripperCommand::kOpen);
   step(1);
-  EXPECT_EQ(world.models.parent_id[2], ModelId{});
+  EXPECT_EQ(world.models.parent_id[{2}], ModelId{});
   world::command_velocity(world, {0}, {-0.5, 0, 0, 0});
   step(20);
-  EXPECT_EQ(world.models.X_WM[2], at);
-  EXPECT_EQ(world.positions.stall[0], 0) << "it may drive away from what it put down";
-  EXPECT_LT(world.models.X_WM[0].x, at.x - 0.8);
+  EXPECT_EQ(world.models.X_WM[{2}], at);
+  EXPECT_EQ(world.positions.stall[{0}], 0) << "it may drive away from what it put down";
+  EXPECT_LT(world.models.X_WM[{0}].x, at.x - 0.8);
 }
 
 TEST(GripperSense, robots_that_close_in_on_each_others_pucks_do_the_same_with_any_number_of_workers) {

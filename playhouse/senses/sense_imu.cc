@@ -60,14 +60,14 @@ class ImuSense final : public PoseSense {
   }
 
  private:
-  void measure(world::World& world, std::uint32_t row, std::uint64_t tick) const override;
-  static void begin(world::World& world, std::uint32_t row, const geom::SpatialPose& X_WB, Rng& rng);
-  static void believe(world::World& world, std::uint32_t row, double dt, const Quaternion& q_WB,
+  void measure(world::World& world, world::KindRow row, std::uint64_t tick) const override;
+  static void begin(world::World& world, world::ImuRow row, const geom::SpatialPose& X_WB, Rng& rng);
+  static void believe(world::World& world, world::ImuRow row, double dt, const Quaternion& q_WB,
                       const Vec3& f, double turn_error);
 };
 
 /// Velocity of a point of a tree: of its rigid body, or in the 2D engine by the robot's command.  [m/s, in W]
-Vec3 velocity_at(const world::World& world, std::uint32_t root, const Vec3& p) {
+Vec3 velocity_at(const world::World& world, world::ModelRow root, const Vec3& p) {
   const geom::Pose& X = world.models.X_WM[root];
   const Vec3 arm = p - Vec3{X.x, X.y, X.z};
   const geom::SpatialVelocity& V = world.models.V_WM[root];
@@ -78,11 +78,11 @@ Vec3 velocity_at(const world::World& world, std::uint32_t root, const Vec3& p) {
 }
 
 /// First measurement: assumes that the unit has moved at its present velocity.
-void ImuSense::begin(world::World& world, std::uint32_t row, const geom::SpatialPose& X_WB, Rng& rng) {
+void ImuSense::begin(world::World& world, world::ImuRow row, const geom::SpatialPose& X_WB, Rng& rng) {
   world::Imus& imus = world.imus;
   const scene::ImuDesc& imu = *world.desc(imus.model[row]).imu;
   const Vec3 p{X_WB.X.x, X_WB.X.y, X_WB.X.z};
-  const Vec3 v = velocity_at(world, world.models.root[imus.model[row].index], p);
+  const Vec3 v = velocity_at(world, world.models.root[imus.model[row]], p);
   const Vec3 before = p - world.scene().interval * v;
   imus.X_WB[row] = {before.x, before.y, before.z, X_WB.X.a};
   imus.tilt_WB[row] = X_WB.tilt;
@@ -92,7 +92,7 @@ void ImuSense::begin(world::World& world, std::uint32_t row, const geom::Spatial
   imus.heading_error[row] = 0;
 }
 
-void ImuSense::measure(world::World& world, std::uint32_t row, std::uint64_t tick) const {
+void ImuSense::measure(world::World& world, world::KindRow row, std::uint64_t tick) const {
   world::Imus& imus = world.imus;
   const world::ModelRow model = imus.model[row];
   const scene::ImuDesc& imu = *world.desc(model).imu;
@@ -134,7 +134,7 @@ void ImuSense::measure(world::World& world, std::uint32_t row, std::uint64_t tic
 }
 
 /// Dead reckoning: integrates the specific force; velocities first, as readings are their differences.
-void ImuSense::believe(world::World& world, std::uint32_t row, double dt, const Quaternion& q_WA,
+void ImuSense::believe(world::World& world, world::ImuRow row, double dt, const Quaternion& q_WA,
                        const Vec3& f, double turn_error) {
   world::Imus& imus = world.imus;
   const Quaternion q_WE = about({0, 0, imus.heading_error[row]}) * q_WA;

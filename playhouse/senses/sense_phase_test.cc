@@ -78,7 +78,7 @@ class Counting final : public SensePhase {
   }
   void populate(const world::World&, const bodies::Space&) override {}
   behaviour::Sharing sharing() const override { return sharing_; }
-  std::uint64_t sense(world::World&, const bodies::Space&, std::span<const std::uint32_t> due, std::uint64_t,
+  std::uint64_t sense(world::World&, const bodies::Space&, std::span<const world::KindRow> due, std::uint64_t,
                       world::Workers&) override {
     log_.push_back(name_ + std::to_string(due.size()));
     return due.size();
@@ -109,8 +109,7 @@ class HalfOfTheWork final : public world::Division {
 TEST(Senses, of_all_nodes_follow_what_each_measures_a_share_of) {
   const scene::SceneDesc scene = stage::testing::crowd(5, stage::testing::Sensing::kSonar);
   world::World world(scene, 1);
-  for (std::uint32_t row = 0; row < world.rangers.size(); ++row)
-    world::subscribe(world, world.rangers.model[row]);
+  for (const world::RangerRow row : world.rangers.rows()) world::subscribe(world, world.rangers.model[row]);
   bodies::Trees trees = bodies::make_trees(world);
   const bodies::Solids solids = stage::testing::make_solids(world, trees);
   const bodies::Walls walls(solids);

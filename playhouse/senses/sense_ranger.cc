@@ -35,8 +35,8 @@ void RangerSense::populate(const world::World& world, const bodies::Space& space
   const bodies::Solids& solids = space.solids;
   kinds_.populate(world, space.index.radii());
   returns_.assign(1, 0);
-  for (const std::uint32_t model : solids.model)
-    returns_.push_back(static_cast<float>(world.desc({model}).ranger_return));
+  for (const world::ModelRow model : solids.model)
+    returns_.push_back(static_cast<float>(world.desc(model).ranger_return));
   is_wall_.assign(world.models.size(), 0);
   for (const bodies::SolidRow row : solids.fixed_rows()) is_wall_[solids.root[row]] = 1;
 
@@ -47,7 +47,7 @@ void RangerSense::populate(const world::World& world, const bodies::Space& space
 }
 
 std::uint64_t RangerSense::sense(world::World& world, const bodies::Space& space,
-                                 std::span<const std::uint32_t> due, std::uint64_t tick,
+                                 std::span<const world::KindRow> due, std::uint64_t tick,
                                  world::Workers& workers) {
   workers.run(due.size(), 8, [&](std::size_t begin, std::size_t end) {
     rays::Scratch& scratch = scratch_[workers.current()];
@@ -60,30 +60,30 @@ std::uint64_t RangerSense::sense(world::World& world, const bodies::Space& space
     }
   });
   std::uint64_t rays = 0;
-  for (const std::uint32_t ranger : due) rays += beams(ranger);
+  for (const world::RangerRow ranger : due) rays += beams(ranger);
   return rays;
 }
 
 void RangerSense::measure_batch(world::World& world, const bodies::Space& space,
-                                std::span<const std::uint32_t> rangers, std::uint64_t tick,
+                                std::span<const world::KindRow> rangers, std::uint64_t tick,
                                 rays::Scratch& scratch) const {
   scratch.first_beam = 0;
-  for (const std::uint32_t ranger : rangers) {
+  for (const world::RangerRow ranger : rangers) {
     measure(world, space, ranger, tick, scratch);
     scratch.first_beam += beams(ranger);
   }
   rays::finish_rays(space, scratch);
   scratch.first_beam = 0;
-  for (const std::uint32_t ranger : rangers) {
+  for (const world::RangerRow ranger : rangers) {
     finish(world, ranger, tick, scratch);
     scratch.first_beam += beams(ranger);
   }
 }
 
-void RangerSense::measure(world::World& world, const bodies::Space& space, std::uint32_t ranger,
+void RangerSense::measure(world::World& world, const bodies::Space& space, world::RangerRow ranger,
                           std::uint64_t tick, rays::Scratch& scratch) const {
-  const std::uint32_t model = world.rangers.model[ranger].index;
-  const std::uint32_t root = world.models.root[model];
+  const world::ModelRow model = world.rangers.model[ranger];
+  const world::ModelRow root = world.models.root[model];
   const rays::RangerView view{world.models.X_WM[model], space.solids.rotation[model], root,
                               is_wall_[root] != 0};
   const rays::RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
@@ -91,21 +91,21 @@ void RangerSense::measure(world::World& world, const bodies::Space& space, std::
   for (const rays::Scan& scan : kind.scans) rays::run_scan(space, view, scan, scratch);
   for (const rays::Bundle& bundle : kind.bundles) rays::run_bundle(space, view, bundle, scratch);
   for (const rays::Jitter& jitter : kind.jitters) {
-    const double turn = turn_of(world, {model}, tick, jitter.sensor, jitter.sample);
+    const double turn = turn_of(world, model, tick, jitter.sensor, jitter.sample);
     run_jitter(space, view, jitter, jitter.bearing + turn, scratch);
   }
 }
 
 /// Applies noise and limits, and writes the public columns.
-void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_t tick,
+void RangerSense::finish(world::World& world, world::RangerRow ranger, std::uint64_t tick,
                          rays::Scratch& scratch) const {
   const rays::RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
-  const std::uint32_t first_sensor = world.rangers.first_sensor[ranger];
+  const world::SensorRow first_sensor = world.rangers.first_sensor[ranger];
   if (kind.beams == 0) return;
   if (kind.noisy) add_range_noise(world, ranger, tick, scratch.range.data() + scratch.first_beam);
   // The beams of a ranger's sensors are consecutive.
-  float* const ranges = world.sensors.ranges.data() + world.sensors.first_beam[first_sensor];
-  float* const intensities = world.sensors.intensities.data() + world.sensors.first_beam[first_sensor];
+  float* const ranges = world.sensors.ranges.from(world.sensors.first_beam[first_sensor]);
+  float* const intensities = world.sensors.intensities.from(world.sensors.first_beam[first_sensor]);
   const double *range = scratch.range.data() + scratch.first_beam,
                *solid = scratch.solid.data() + scratch.first_beam, *low = kind.range_min.data(),
                *high = kind.range_max.data();

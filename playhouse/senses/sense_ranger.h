@@ -18,25 +18,25 @@ class RangerSense final : public SensePhase {
 
   SensorTable table(world::World& world) const override;
   void populate(const world::World& world, const bodies::Space& space) override;
-  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const std::uint32_t> due,
+  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const world::KindRow> due,
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
-  std::size_t beams(std::uint32_t ranger) const { return kinds_.kinds[kinds_.of_ranger[ranger]].beams; }
-  void measure_batch(world::World& world, const bodies::Space& space, std::span<const std::uint32_t> rangers,
+  std::size_t beams(world::RangerRow ranger) const { return kinds_.kinds[kinds_.of_ranger[ranger]].beams; }
+  void measure_batch(world::World& world, const bodies::Space& space, std::span<const world::KindRow> rangers,
                      std::uint64_t tick, rays::Scratch& scratch) const;
-  void measure(world::World& world, const bodies::Space& space, std::uint32_t ranger, std::uint64_t tick,
+  void measure(world::World& world, const bodies::Space& space, world::RangerRow ranger, std::uint64_t tick,
                rays::Scratch& scratch) const;
-  void finish(world::World& world, std::uint32_t ranger, std::uint64_t tick, rays::Scratch& scratch) const;
+  void finish(world::World& world, world::RangerRow ranger, std::uint64_t tick, rays::Scratch& scratch) const;
 
   static void run_jitter(const bodies::Space& space, const rays::RangerView& view, const rays::Jitter& jitter,
                          double bearing, rays::Scratch& scratch);
 
   rays::RangerKinds kinds_;
-  std::vector<float> returns_;          // return value of a beam that hit a solid (solids); of a miss first
-  std::vector<std::uint8_t> is_wall_;   // 1: of a static tree (models)
-  std::size_t scratch_beams_ = 0;       // capacity of a rays::Scratch in beams
-  std::vector<rays::Scratch> scratch_;  // one per worker
+  std::vector<float> returns_;            // return value of a beam that hit a solid (solids); of a miss first
+  world::ByModel<std::uint8_t> is_wall_;  // 1: of a static tree
+  std::size_t scratch_beams_ = 0;         // capacity of a rays::Scratch in beams
+  std::vector<rays::Scratch> scratch_;    // one per worker
 };
 
 }  // namespace playhouse::senses

@@ -30,7 +30,7 @@ struct Seen {
   double range, intensity;
 };
 
-Seen look(const world::World& world, std::uint32_t own_root, geom::Vec2 p, double z, double bearing,
+Seen look(const world::World& world, world::ModelRow own_root, geom::Vec2 p, double z, double bearing,
           double range_max) {
   const geom::SinCos sc = geom::sincos(bearing);
   const geom::Vec2 d{sc.cos, sc.sin};
@@ -42,8 +42,8 @@ Seen look(const world::World& world, std::uint32_t own_root, geom::Vec2 p, doubl
     const double t = geom::cross(w, e) / denominator, s = geom::cross(w, d) / denominator;
     if (s >= 0 && s <= 1 && t >= 0 && t < seen.range) seen = {t, intensity};
   };
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    const scene::ModelDesc& desc = world.desc({row});
+  for (const world::ModelRow row : world.models.rows()) {
+    const scene::ModelDesc& desc = world.desc(row);
     if (world.models.root[row] == own_root || desc.ranger_return < 0) continue;
     const geom::Pose X_WB = geom::compose(world.models.X_WM[row], desc.X_MB);
     const auto loop = [&](const std::vector<geom::Vec2>& points, double z_min, double z_max) {
@@ -62,14 +62,14 @@ Seen look(const world::World& world, std::uint32_t own_root, geom::Vec2 p, doubl
 /// Compares all beams of all rangers with the oracle; a beam that grazes a corner may see either side of it,
 /// so a difference counts only if beams turned by a hair to both sides agree on what the engine did not say.
 void expect_like_oracle(const world::World& world) {
-  for (std::uint32_t row = 0; row < world.rangers.size(); ++row) {
+  for (const world::RangerRow row : world.rangers.rows()) {
     const world::ModelRow model = world.rangers.model[row];
     const scene::ModelDesc& desc = world.desc(model);
-    const std::uint32_t root = world.models.root[model.index];
+    const world::ModelRow root = world.models.root[model];
     for (std::uint32_t i = 0; i < desc.sensors.size(); ++i) {
       const scene::RangerSensorDesc& s = desc.sensors[i];
-      const geom::Pose X_WS = geom::compose(geom::compose(world.models.X_WM[model.index], desc.X_MB), s.X_BS);
-      const std::uint32_t first = world.sensors.first_beam[world.rangers.first_sensor[row] + i];
+      const geom::Pose X_WS = geom::compose(geom::compose(world.models.X_WM[model], desc.X_MB), s.X_BS);
+      const world::BeamRow first = world.sensors.first_beam[world.rangers.first_sensor[row] + i];
       for (std::uint32_t k = 0; k < s.samples; ++k) {
         const double bearing = X_WS.a + (s.samples > 1 ? -s.fov / 2 + s.fov * k / (s.samples - 1) : 0.0);
         const double got = static_cast<double>(world.sensors.ranges[first + k]);
@@ -168,10 +168,10 @@ TEST(RangerSense, beams_run_from_right_to_left_and_report_what_they_hit) {
   const auto engine = run(scene);
   const std::vector<float>& ranges = engine->world().sensors.ranges;
   EXPECT_NEAR(ranges[0], 1.5, 1e-6);
-  EXPECT_EQ(engine->world().sensors.intensities[0], 3.0f);
+  EXPECT_EQ(engine->world().sensors.intensities[{0}], 3.0f);
   EXPECT_EQ(ranges[1], 5.0f);
   EXPECT_EQ(ranges[2], 5.0f);
-  EXPECT_EQ(engine->world().sensors.intensities[2], 0.0f);
+  EXPECT_EQ(engine->world().sensors.intensities[{2}], 0.0f);
   EXPECT_EQ(engine->rays(), 3u);
 }
 
@@ -195,7 +195,7 @@ TEST(RangerSense, a_range_below_the_minimum_is_reported_as_the_minimum) {
   scene.models[1].sensors = {sensor({0, 0, 0.05, 0}, 5, 0.1, 1)};
   scene.models[1].sensors[0].range_min = 0.4;
   scene.models.push_back(box("near", {0.5, 0, 0, 0}, {0.5, 1, 1}));
-  EXPECT_EQ(run(scene)->world().sensors.ranges[0], 0.4f);
+  EXPECT_EQ(run(scene)->world().sensors.ranges[{0}], 0.4f);
 }
 
 TEST(RangerSense, only_what_is_subscribed_and_due_is_measured) {

@@ -29,17 +29,17 @@ class ThermometerSense final : public PoseSense {
   }
   void populate(const world::World& world, const bodies::Space&) override {
     warm_.clear();
-    for (std::uint32_t row = 0; row < world.models.size(); ++row)
-      if (world.desc({row}).heat != 0) warm_.push_back({row});
+    for (const world::ModelRow row : world.models.rows())
+      if (world.desc(row).heat != 0) warm_.push_back(row);
   }
 
  private:
-  void measure(world::World& world, std::uint32_t row, std::uint64_t tick) const override;
+  void measure(world::World& world, world::KindRow row, std::uint64_t tick) const override;
 
   std::vector<world::ModelRow> warm_;
 };
 
-void ThermometerSense::measure(world::World& world, std::uint32_t row, std::uint64_t tick) const {
+void ThermometerSense::measure(world::World& world, world::KindRow row, std::uint64_t tick) const {
   const auto middle = [&](world::ModelRow model) {
     const geom::Pose up{0, 0, world.desc(model).size.z / 2, 0};
     const geom::Pose X = geom::compose(body_pose(world, model), {up, geom::Tilt{}}).X;

@@ -33,8 +33,8 @@ std::vector<world::WifiLink> heard_in(const scene::SceneDesc& scene, unsigned wo
   auto engine = stage::make_engine(scene, {.seed = 1, .workers = workers});
   EXPECT_TRUE(engine.ok());
   (*engine)->step();
-  EXPECT_EQ((*engine)->world().wifis.measured_tick[0], 1u);
-  return (*engine)->world().wifis.links[0];
+  EXPECT_EQ((*engine)->world().wifis.measured_tick[{0}], 1u);
+  return (*engine)->world().wifis.links[{0}];
 }
 
 TEST(Radio, waves_get_weaker_as_the_formulas_say) {
@@ -114,7 +114,7 @@ TEST(WifiSense, fades_from_tick_to_tick_as_much_as_it_says) {
   constexpr int kTicks = 2000;
   for (int tick = 0; tick < kTicks; ++tick) {
     engine->step();
-    const double off = engine->world().wifis.links[0].at(0).level - clear;
+    const double off = engine->world().wifis.links[{0}].at(0).level - clear;
     sum += off;
     squares += off * off;
   }

@@ -30,9 +30,9 @@ class Running {
     engine_ = std::move(*made);
   }
   World& world() { return engine_->world(); }
-  const geom::Pose& X_WM(std::uint32_t row) { return world().models.X_WM[row]; }
-  double position(std::uint32_t actuator = 0) { return world().actuators.position[actuator]; }
-  bool stalls(std::uint32_t actuator = 0) { return world().actuators.stall[actuator] != 0; }
+  const geom::Pose& X_WM(world::ModelRow row) { return world().models.X_WM[row]; }
+  double position(world::ActuatorRow actuator = {0}) { return world().actuators.position[actuator]; }
+  bool stalls(world::ActuatorRow actuator = {0}) { return world().actuators.stall[actuator] != 0; }
   void step(int ticks = 1) {
     for (int k = 0; k < ticks; ++k) engine_->step();
   }
@@ -59,10 +59,10 @@ TEST(Actuator, slides_along_its_own_axis_with_what_it_carries) {
   run.set_speed(0.5);
   run.step(6);
   EXPECT_NEAR(run.position(), 0.3, 1e-12);
-  EXPECT_NEAR(run.X_WM(0).x, 1, 1e-12);
-  EXPECT_NEAR(run.X_WM(0).y, 2.3, 1e-12);
-  EXPECT_NEAR(run.X_WM(1).y, 2.4, 1e-12);
-  EXPECT_EQ(run.world().models.X_PM[1], (geom::Pose{0.1, 0, 0.2, 0}));
+  EXPECT_NEAR(run.X_WM({0}).x, 1, 1e-12);
+  EXPECT_NEAR(run.X_WM({0}).y, 2.3, 1e-12);
+  EXPECT_NEAR(run.X_WM({1}).y, 2.4, 1e-12);
+  EXPECT_EQ(run.world().models.X_PM[{1}], (geom::Pose{0.1, 0, 0.2, 0}));
 }
 
 TEST(Actuator, turns_what_it_carries_about_itself) {
@@ -73,9 +73,9 @@ TEST(Actuator, turns_what_it_carries_about_itself) {
   run.set_speed(0.5);
   run.step(10);
   EXPECT_NEAR(run.position(), 0.5, 1e-12);
-  EXPECT_NEAR(run.X_WM(0).a, geom::kPi / 2 - 0.5, 1e-12) << "its axis points down";
-  EXPECT_NEAR(run.X_WM(1).x, 1 + 0.1 * std::sin(0.5), 1e-12);
-  EXPECT_NEAR(run.X_WM(1).y, 2 + 0.1 * std::cos(0.5), 1e-12);
+  EXPECT_NEAR(run.X_WM({0}).a, geom::kPi / 2 - 0.5, 1e-12) << "its axis points down";
+  EXPECT_NEAR(run.X_WM({1}).x, 1 + 0.1 * std::sin(0.5), 1e-12);
+  EXPECT_NEAR(run.X_WM({1}).y, 2 + 0.1 * std::cos(0.5), 1e-12);
 }
 
 TEST(Actuator, moves_while_somebody_has_it_open_only) {
@@ -106,9 +106,9 @@ TEST(Actuator, stops_at_its_ends) {
   EXPECT_NEAR(run.position(), 0.1, 1e-12) << "at most 1 m/s";
   run.step(5);
   EXPECT_EQ(run.position(), 0.27);
-  EXPECT_EQ(run.world().actuators.velocity[0], 0);
+  EXPECT_EQ(run.world().actuators.velocity[{0}], 0);
   EXPECT_FALSE(run.stalls());
-  EXPECT_NEAR(run.X_WM(0).y, 2.27, 1e-12);
+  EXPECT_NEAR(run.X_WM({0}).y, 2.27, 1e-12);
   run.set_speed(-0.7);
   run.step(20);
   EXPECT_EQ(run.position(), -0.13);
@@ -119,16 +119,16 @@ TEST(Actuator, starts_where_the_file_says_counted_from_its_pose) {
   scene.models[0].actuator->start_position = 0.4;
   Running run(scene);
   EXPECT_EQ(run.position(), 0.4);
-  EXPECT_NEAR(run.X_WM(0).y, 2.4, 1e-12);
-  EXPECT_NEAR(run.X_WM(1).y, 2.5, 1e-12);
+  EXPECT_NEAR(run.X_WM({0}).y, 2.4, 1e-12);
+  EXPECT_NEAR(run.X_WM({1}).y, 2.5, 1e-12);
   run.set_speed(-1);
   run.step(10);
   EXPECT_NEAR(run.position(), 0, 1e-12);
-  EXPECT_NEAR(run.X_WM(0).y, 2, 1e-12);
+  EXPECT_NEAR(run.X_WM({0}).y, 2, 1e-12);
   world::return_to_start(run.world());
   run.step();
   EXPECT_EQ(run.position(), 0.4);
-  EXPECT_NEAR(run.X_WM(1).y, 2.5, 1e-12);
+  EXPECT_NEAR(run.X_WM({1}).y, 2.5, 1e-12);
 }
 
 TEST(Actuator, that_is_put_elsewhere_goes_on_from_there) {
@@ -138,8 +138,8 @@ TEST(Actuator, that_is_put_elsewhere_goes_on_from_there) {
   EXPECT_TRUE(world::set_pose(run.world(), {0}, {-3, -3, 0, 0}));
   run.step(2);
   EXPECT_NEAR(run.position(), 0.2, 1e-12);
-  EXPECT_NEAR(run.X_WM(0).x, -2.9, 1e-12);
-  EXPECT_NEAR(run.X_WM(0).y, -3, 1e-12);
+  EXPECT_NEAR(run.X_WM({0}).x, -2.9, 1e-12);
+  EXPECT_NEAR(run.X_WM({0}).y, -3, 1e-12);
 }
 
 TEST(Actuator, stalls_before_a_wall_and_goes_on_when_it_is_free) {
@@ -150,7 +150,7 @@ TEST(Actuator, stalls_before_a_wall_and_goes_on_when_it_is_free) {
   run.step(20);
   EXPECT_TRUE(run.stalls());
   EXPECT_NEAR(run.position(), 0.27, 1e-12) << "the load ends 0.15 m ahead of it, the wall begins at 2.45 m";
-  EXPECT_NEAR(run.X_WM(1).y, 2.37, 1e-12);
+  EXPECT_NEAR(run.X_WM({1}).y, 2.37, 1e-12);
   run.set_speed(-0.45);
   run.step();
   EXPECT_FALSE(run.stalls());
@@ -163,15 +163,15 @@ TEST(Actuator, is_in_the_way_of_robots_and_they_in_its) {
   scene.models.back().position->velocity = {0.2, 0, 0, 0};
   Running run(scene);
   run.step(30);
-  EXPECT_EQ(run.world().positions.stall[0], 1);
-  EXPECT_NEAR(run.X_WM(2).y, 2.3, 0.021) << "the load ends at 2.15 m";
+  EXPECT_EQ(run.world().positions.stall[{0}], 1);
+  EXPECT_NEAR(run.X_WM({2}).y, 2.3, 0.021) << "the load ends at 2.15 m";
   run.set_speed(0.4);
   run.step(5);
   EXPECT_TRUE(run.stalls());
   EXPECT_TRUE(world::command_velocity(run.world(), {0}, {-0.5, 0, 0, 0}));
   run.step(5);
   EXPECT_FALSE(run.stalls());
-  EXPECT_EQ(run.world().positions.stall[0], 0);
+  EXPECT_EQ(run.world().positions.stall[{0}], 0);
 }
 
 /// A gate across y = 0 that can rise, and a robot before it.
@@ -190,16 +190,16 @@ scene::SceneDesc gate() {
 TEST(Actuator, that_rises_lets_robots_and_beams_through_beneath) {
   Running run(gate());
   run.step(20);
-  EXPECT_EQ(run.world().positions.stall[0], 1);
-  EXPECT_NEAR(run.X_WM(1).x, 0.75, 1e-6);
-  EXPECT_NEAR(run.world().sensors.ranges[0], 0.2, 1e-6);
+  EXPECT_EQ(run.world().positions.stall[{0}], 1);
+  EXPECT_NEAR(run.X_WM({1}).x, 0.75, 1e-6);
+  EXPECT_NEAR(run.world().sensors.ranges[{0}], 0.2, 1e-6);
   run.set_speed(0.8);
   run.step(6);
-  EXPECT_NEAR(run.X_WM(0).z, 0.48, 1e-12);
-  EXPECT_EQ(run.world().positions.stall[0], 1) << "the robot is 0.5 m high";
-  EXPECT_NEAR(run.world().sensors.ranges[0], 5, 1e-6) << "its eye is at 0.2 m";
+  EXPECT_NEAR(run.X_WM({0}).z, 0.48, 1e-12);
+  EXPECT_EQ(run.world().positions.stall[{0}], 1) << "the robot is 0.5 m high";
+  EXPECT_NEAR(run.world().sensors.ranges[{0}], 5, 1e-6) << "its eye is at 0.2 m";
   run.step(20);
-  EXPECT_GT(run.X_WM(1).x, 1.5);
+  EXPECT_GT(run.X_WM({1}).x, 1.5);
   run.set_speed(-0.8);
   run.step(40);
   EXPECT_EQ(run.position(), 0);
@@ -214,12 +214,12 @@ TEST(Actuator, does_not_come_down_on_what_is_beneath) {
   run.set_speed(-0.3);
   run.step(20);
   EXPECT_TRUE(run.stalls());
-  EXPECT_NEAR(run.X_WM(0).z, 0.52, 0.021);
-  EXPECT_GE(run.X_WM(0).z, 0.5);
+  EXPECT_NEAR(run.X_WM({0}).z, 0.52, 0.021);
+  EXPECT_GE(run.X_WM({0}).z, 0.5);
   EXPECT_TRUE(world::command_velocity(run.world(), {0}, {0.5, 0, 0, 0}));
   run.step(20);
-  EXPECT_EQ(run.world().positions.stall[0], 0);
-  EXPECT_LT(run.X_WM(0).z, 0.4);
+  EXPECT_EQ(run.world().positions.stall[{0}], 0);
+  EXPECT_LT(run.X_WM({0}).z, 0.4);
 }
 
 TEST(Actuator, over_or_under_a_block_that_is_wider_does_not_go_into_it) {
@@ -233,11 +233,11 @@ TEST(Actuator, over_or_under_a_block_that_is_wider_does_not_go_into_it) {
   run.set_speed(-0.4);
   run.step(20);
   EXPECT_TRUE(run.stalls());
-  EXPECT_NEAR(run.X_WM(0).z, 0.52, 1e-12);
+  EXPECT_NEAR(run.X_WM({0}).z, 0.52, 1e-12);
   run.set_speed(0.4);
   run.step(40);
   EXPECT_TRUE(run.stalls());
-  EXPECT_NEAR(run.X_WM(0).z, 1.28, 1e-12);
+  EXPECT_NEAR(run.X_WM({0}).z, 1.28, 1e-12);
 }
 
 TEST(Actuator, does_not_jump_what_is_thinner_than_its_way_in_a_tick) {
@@ -277,18 +277,18 @@ scene::SceneDesc house() {
 
 TEST(Actuator, on_walls_leaves_them_walls) {
   Running run(house());
-  EXPECT_EQ(run.world().models.mobility[0], Mobility::kFixed);
-  EXPECT_EQ(run.world().models.mobility[1], Mobility::kDriven);
+  EXPECT_EQ(run.world().models.mobility[{0}], Mobility::kFixed);
+  EXPECT_EQ(run.world().models.mobility[{1}], Mobility::kDriven);
   run.set_speed(0.5);
   run.step(10);
-  EXPECT_NEAR(run.X_WM(2).x, 0.5, 1e-12) << "who is between walls is not in them";
-  EXPECT_NEAR(run.X_WM(1).y, 0.5, 1e-12) << "and they are not in the way of their own door";
+  EXPECT_NEAR(run.X_WM({2}).x, 0.5, 1e-12) << "who is between walls is not in them";
+  EXPECT_NEAR(run.X_WM({1}).y, 0.5, 1e-12) << "and they are not in the way of their own door";
   run.step(60);
-  EXPECT_EQ(run.world().positions.stall[0], 1);
+  EXPECT_EQ(run.world().positions.stall[{0}], 1);
   EXPECT_TRUE(world::set_pose(run.world(), {0}, {5, 0, 0, 0}));
   run.step(20);
-  EXPECT_EQ(run.world().positions.stall[0], 0) << "the walls are elsewhere, with their door";
-  EXPECT_NEAR(run.X_WM(1).x, 8, 1e-12);
+  EXPECT_EQ(run.world().positions.stall[{0}], 0) << "the walls are elsewhere, with their door";
+  EXPECT_NEAR(run.X_WM({1}).x, 8, 1e-12);
 }
 
 TEST(Actuator, at_the_top_or_on_a_robot_is_driven_with_all_that_it_carries) {
@@ -313,11 +313,11 @@ TEST(Actuator, on_a_robot_moves_with_it) {
   Running run(scene);
   run.set_speed(0.2);
   run.step(10);
-  const geom::Pose X_WE = geom::compose(run.X_WM(0), {0.2 + 0.2 + 0.1, 0, 0.3, 0});
-  EXPECT_NEAR(run.X_WM(2).x, X_WE.x, 1e-12);
-  EXPECT_NEAR(run.X_WM(2).y, X_WE.y, 1e-12);
-  EXPECT_NEAR(run.world().sensors.ranges[0], (2.9 - X_WE.x) / std::cos(X_WE.a), 1e-6);
-  EXPECT_EQ(run.world().positions.X_OM[0], run.X_WM(0)) << "wheels know nothing of the arm";
+  const geom::Pose X_WE = geom::compose(run.X_WM({0}), {0.2 + 0.2 + 0.1, 0, 0.3, 0});
+  EXPECT_NEAR(run.X_WM({2}).x, X_WE.x, 1e-12);
+  EXPECT_NEAR(run.X_WM({2}).y, X_WE.y, 1e-12);
+  EXPECT_NEAR(run.world().sensors.ranges[{0}], (2.9 - X_WE.x) / std::cos(X_WE.a), 1e-6);
+  EXPECT_EQ(run.world().positions.X_OM[{0}], run.X_WM({0})) << "wheels know nothing of the arm";
 }
 
 /// Slides, arms on robots, and lifts, each at its own speed, close to each other.
@@ -349,13 +349,13 @@ scene::SceneDesc workshop(std::size_t machines, std::uint64_t seed) {
 }
 
 void command_all(World& world, std::uint64_t seed) {
-  for (std::uint32_t row = 0; row < world.actuators.size(); ++row) {
-    Rng rng(seed, world.tick(), {Purpose::kTestScene, row});
+  for (const world::ActuatorRow row : world.actuators.rows()) {
+    Rng rng(seed, world.tick(), {Purpose::kTestScene, row.index});
     const double number = rng.uniform(-1, 1);
-    if (row % 2 == 0) {
-      EXPECT_TRUE(world::command_joint_velocity(world, world::ActuatorRow{row}, number));
+    if (row.index % 2 == 0) {
+      EXPECT_TRUE(world::command_joint_velocity(world, row, number));
     } else {
-      EXPECT_TRUE(world::command_joint_position(world, world::ActuatorRow{row}, number));
+      EXPECT_TRUE(world::command_joint_position(world, row, number));
     }
   }
 }
@@ -373,11 +373,11 @@ bool any_overlap(const World& world) {
     std::vector<geom::Vec2> p;
     geom::Vec2 center;
     double z_min, z_max;
-    std::uint32_t root;
+    world::ModelRow root;
     bool fixed;  // walls may overlap each other
   };
   std::vector<Body> bodies;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+  for (const world::ModelRow row : world.models.rows()) {
     const scene::ModelDesc& desc = world.desc({row});
     const geom::Pose X_WB = geom::compose(world.models.X_WM[row], desc.X_MB);
     Body body{{},

@@ -60,7 +60,7 @@ std::unique_ptr<world::Engine> subscribed(const scene::SceneDesc& scene) {
   auto made = make_engine(scene, {});
   if (!made) throw std::runtime_error(made.error().line());
   world::World& world = (*made)->world();
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) world::subscribe(world, {row});
+  for (const world::ModelRow row : world.models.rows()) world::subscribe(world, row);
   return std::move(*made);
 }
 
@@ -86,7 +86,7 @@ std::unique_ptr<world::Engine> replay(const scene::SceneDesc& scene, const std::
   EXPECT_GE(lines.size(), 10u);
   for (const std::string& line : lines) {
     engine->step();
-    expect_pose(world.models.X_WM[world.positions.model[0].index], numbers(line, "gpose"), 1e-6, line);
+    expect_pose(world.models.X_WM[world.positions.model[{0}]], numbers(line, "gpose"), 1e-6, line);
   }
   return engine;
 }
@@ -95,10 +95,11 @@ TEST(Compat, diff_drive_moves_as_in_stage) {
   const scene::SceneDesc scene = load(kRecorded / "diff_odom.world");
   const auto engine = replay(scene, "diff_odom", Command::kVelocity, {0.3, 0.1, 0, 0.2});
   // Decided: exact odometry is the true motion; Stage turned first, then translated along the new heading.
-  const geom::Pose truth = geom::compose(geom::inverse(scene.models[0].X_PM), engine->world().models.X_WM[0]);
-  EXPECT_NEAR(engine->world().positions.X_OM[0].x, truth.x, 1e-9);
-  EXPECT_NEAR(engine->world().positions.X_OM[0].y, truth.y, 1e-9);
-  expect_pose(engine->world().positions.X_OM[0], numbers(lines_of("diff_odom").back(), "est"), 0.03, "est");
+  const geom::Pose truth =
+      geom::compose(geom::inverse(scene.models[0].X_PM), engine->world().models.X_WM[{0}]);
+  EXPECT_NEAR(engine->world().positions.X_OM[{0}].x, truth.x, 1e-9);
+  EXPECT_NEAR(engine->world().positions.X_OM[{0}].y, truth.y, 1e-9);
+  expect_pose(engine->world().positions.X_OM[{0}], numbers(lines_of("diff_odom").back(), "est"), 0.03, "est");
 }
 
 TEST(Compat, car_moves_as_in_stage) {
@@ -124,8 +125,8 @@ TEST(Compat, odometry_error_is_a_fraction_of_the_way) {
   scene.models[0].position->odom_error->a = geom::radians(10);
   const auto engine = replay(scene, "diff_odomerr", Command::kVelocity, {0.3, 0.1, 0, 0.2});
   const std::vector<double> est = numbers(lines_of("diff_odomerr").back(), "est");
-  EXPECT_NEAR(engine->world().positions.X_OM[0].a, est[3], 1e-6);
-  expect_pose(engine->world().positions.X_OM[0], est, 0.04, "est");  // the order of turning, as above
+  EXPECT_NEAR(engine->world().positions.X_OM[{0}].a, est[3], 1e-6);
+  expect_pose(engine->world().positions.X_OM[{0}], est, 0.04, "est");  // the order of turning, as above
 }
 
 TEST(Compat, batteries_drain_as_in_stage) {
@@ -139,10 +140,10 @@ TEST(Compat, batteries_drain_as_in_stage) {
     // Recorded before the energy of the update flowed.
     const std::vector<double> pp = numbers(line, "pp");
     ASSERT_EQ(pp.size(), 4u) << line;
-    EXPECT_NEAR(world.packs.stored[0], pp[0], 1e-6) << line;
-    EXPECT_EQ(world.packs.capacity[0], pp[1]) << line;
-    EXPECT_NEAR(world.packs.dissipated[0], pp[2], 1e-6) << line;
-    EXPECT_EQ(world.packs.charging[0], pp[3]) << line;
+    EXPECT_NEAR(world.packs.stored[{0}], pp[0], 1e-6) << line;
+    EXPECT_EQ(world.packs.capacity[{0}], pp[1]) << line;
+    EXPECT_NEAR(world.packs.dissipated[{0}], pp[2], 1e-6) << line;
+    EXPECT_EQ(world.packs.charging[{0}], pp[3]) << line;
     engine->step();
   }
 }
@@ -159,8 +160,8 @@ TEST(Compat, position_control_of_a_diff_robot_asks_for_the_same_velocities) {
     const std::vector<double> est = numbers(lines[i - 1], "est"), vel = numbers(lines[i], "vel");
     ASSERT_TRUE(world::set_pose(world, {0}, {est[0], est[1], 0, est[3]}));
     engine->step();
-    EXPECT_NEAR(world.positions.velocity[0].x, vel[0], 2e-6) << lines[i];
-    EXPECT_NEAR(world.positions.velocity[0].a, vel[3], 2e-6) << lines[i];
+    EXPECT_NEAR(world.positions.velocity[{0}].x, vel[0], 2e-6) << lines[i];
+    EXPECT_NEAR(world.positions.velocity[{0}].a, vel[3], 2e-6) << lines[i];
   }
 }
 
@@ -175,11 +176,11 @@ TEST(Compat, a_robot_stalls_at_a_wall_as_in_stage_but_may_touch_it) {
     // Decided: touching is free. Stage stalls at 0.3 m because the front at 0.5 m would share a cell with the
     // wall.
     const double x = i < 3 ? numbers(lines[i], "gpose")[0] : 0.4;
-    EXPECT_NEAR(world.models.X_WM[0].x, x, 1e-9);
-    EXPECT_EQ(world.positions.stall[0] != 0, i >= 4);
+    EXPECT_NEAR(world.models.X_WM[{0}].x, x, 1e-9);
+    EXPECT_EQ(world.positions.stall[{0}] != 0, i >= 4);
   }
   // Decided: wheels of a stalled robot do not turn; Stage's odometry went on to 1 m.
-  EXPECT_NEAR(world.positions.X_OM[0].x, 0.4, 1e-9);
+  EXPECT_NEAR(world.positions.X_OM[{0}].x, 0.4, 1e-9);
 }
 
 double distance_to_segment(geom::Vec2 p, geom::Vec2 a, geom::Vec2 b) {
@@ -223,9 +224,9 @@ void expect_scans(const world::World& world, const std::string& robot, int range
     const std::vector<double> recorded = numbers(line, name);
     const world::ModelRow model = world.find(name);
     ASSERT_TRUE(model.valid()) << name;
-    const std::uint32_t ranger = world.models.part[model.index];
+    const world::RangerRow ranger = world.models.part[model];
     const float* ours =
-        world.sensors.ranges.data() + world.sensors.first_beam[world.rangers.first_sensor[ranger]];
+        world.sensors.ranges.from(world.sensors.first_beam[world.rangers.first_sensor[ranger]]);
     std::size_t beam = 0;
     for (const scene::RangerSensorDesc& sensor : world.desc(model).sensors) {
       ASSERT_LE(beam + sensor.samples, recorded.size()) << name;
@@ -261,7 +262,7 @@ TEST(Compat, fiducials_are_found_as_in_stage) {
   const auto engine = subscribed(scene);
   engine->step();
   const world::World& world = engine->world();
-  const std::vector<world::FiducialHit>& hits = world.fiducials.hits[0];
+  const std::vector<world::FiducialHit>& hits = world.fiducials.hits[{0}];
   ASSERT_EQ(hits.size(), 3u);
   const struct {
     const char* name;
@@ -306,7 +307,7 @@ TEST(Compat, a_gripper_closes_around_a_puck_carries_and_leaves_it_as_in_stage) {
       case world::PaddleState::kClosed:
         return 1;
       default:
-        return grippers.closing[0] < 0 ? 2 : 3;
+        return grippers.closing[{0}] < 0 ? 2 : 3;
     }
   };
   constexpr int kClosed = 16, kOpened = 71, kParted = 74;  // updates in Stage
@@ -315,26 +316,25 @@ TEST(Compat, a_gripper_closes_around_a_puck_carries_and_leaves_it_as_in_stage) {
   for (int update = 0; update < 100; ++update) {
     const std::string& line = lines[static_cast<std::size_t>(update)];
     engine->step();
-    EXPECT_NEAR(grippers.lift[0], number(line, "lpos"), 1e-9) << line;
+    EXPECT_NEAR(grippers.lift[{0}], number(line, "lpos"), 1e-9) << line;
     if (update == kClosed) {
-      EXPECT_NEAR(grippers.paddles[0], 0.7, 1e-9);
+      EXPECT_NEAR(grippers.paddles[{0}], 0.7, 1e-9);
     } else {
-      EXPECT_NEAR(grippers.paddles[0], number(line, "ppos"), 1e-9) << line;
+      EXPECT_NEAR(grippers.paddles[{0}], number(line, "ppos"), 1e-9) << line;
       EXPECT_EQ(stage_state(), number(line, "paddles")) << line;
     }
     const bool touched_in_stage =
         (update >= 13 && update < kClosed) || (update >= kOpened && update < kParted);
-    EXPECT_EQ(grippers.contacts[0], touched_in_stage ? 0u : bits(numbers(line, "contact"))) << line;
+    EXPECT_EQ(grippers.contacts[{0}], touched_in_stage ? 0u : bits(numbers(line, "contact"))) << line;
     if (update < 13 || update > kClosed) {
-      EXPECT_EQ(grippers.held[0].valid(), grips(line)) << line;
-      EXPECT_EQ(grippers.beams[0], bits(numbers(line, "beam"))) << line;
+      EXPECT_EQ(grippers.held[{0}].valid(), grips(line)) << line;
+      EXPECT_EQ(grippers.beams[{0}], bits(numbers(line, "beam"))) << line;
     }
     if (update == 2) world::command_gripper(world, {0}, world::GripperCommand::kClose);
     if (update == 40) world::command_gripper(world, {0}, world::GripperCommand::kRaise);
     if (update == 70) world::command_gripper(world, {0}, world::GripperCommand::kOpen);
   }
-  EXPECT_EQ(world.models.X_WM[world.find("puck").index], (geom::Pose{0.3, 0, 0, 0}))
-      << "where the gripper is";
+  EXPECT_EQ(world.models.X_WM[world.find("puck")], (geom::Pose{0.3, 0, 0, 0})) << "where the gripper is";
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ class Probe : public CustomKind {
     if (self.command[3] > 0) self.color = {1, 0, 0, 1};
   }
   void sense(CustomSensor& self) const override {
-    const geom::Pose& X_WM = self.world.models.X_WM[self.model.index];
+    const geom::Pose& X_WM = self.world.models.X_WM[self.model];
     std::vector<world::ModelRow> found;
     self.around.near(X_WM, 3, found);
     self.readings[0] = self.around.cast(X_WM, 8, self.model).range;
@@ -84,7 +84,7 @@ class Running {
   }
   world::World& world() { return engine_->world(); }
   world::Customs& customs() { return world().customs; }
-  const geom::Pose& X_WM(const char* name) { return world().models.X_WM[world().find(name).index]; }
+  const geom::Pose& X_WM(const char* name) { return world().models.X_WM[world().find(name)]; }
   void subscribe() {
     for (const world::ModelRow model : customs().model) world::subscribe(world(), model);
   }
@@ -103,26 +103,26 @@ class Running {
 TEST(Custom, acts_in_every_tick_from_the_state_with_which_it_begins) {
   Running run;
   run.step(3);
-  EXPECT_EQ(run.customs().state[0][0], 103);
-  EXPECT_NE(run.customs().state[0][1], run.customs().state[1][1]) << "each draws numbers of its own";
+  EXPECT_EQ(run.customs().state[{0}][0], 103);
+  EXPECT_NE(run.customs().state[{0}][1], run.customs().state[{1}][1]) << "each draws numbers of its own";
 }
 
 TEST(Custom, measures_what_is_around_it_when_it_is_subscribed_and_due) {
   Running run;
   run.step(2);
-  EXPECT_THAT(run.customs().readings[0], IsEmpty()) << "nobody has subscribed";
+  EXPECT_THAT(run.customs().readings[{0}], IsEmpty()) << "nobody has subscribed";
   run.subscribe();
   run.step();
-  EXPECT_EQ(run.customs().measured_tick[0], 3u);
-  EXPECT_NEAR(run.customs().readings[0][0], 1.4, 1e-12);
-  EXPECT_EQ(run.customs().readings[0][1], 3) << "both probes and the wall";
-  EXPECT_EQ(run.customs().readings[0][2], 1);
-  EXPECT_EQ(run.customs().readings[0][3], 103) << "after all have acted";
-  EXPECT_EQ(run.customs().readings[1][0], 8) << "nothing in the way";
-  EXPECT_EQ(run.customs().readings[1][2], 0);
+  EXPECT_EQ(run.customs().measured_tick[{0}], 3u);
+  EXPECT_NEAR(run.customs().readings[{0}][0], 1.4, 1e-12);
+  EXPECT_EQ(run.customs().readings[{0}][1], 3) << "both probes and the wall";
+  EXPECT_EQ(run.customs().readings[{0}][2], 1);
+  EXPECT_EQ(run.customs().readings[{0}][3], 103) << "after all have acted";
+  EXPECT_EQ(run.customs().readings[{1}][0], 8) << "nothing in the way";
+  EXPECT_EQ(run.customs().readings[{1}][2], 0);
   run.step();
-  EXPECT_EQ(run.customs().measured_tick[0], 3u) << "its update_interval is two ticks";
-  EXPECT_EQ(run.customs().measured_tick[1], 4u);
+  EXPECT_EQ(run.customs().measured_tick[{0}], 3u) << "its update_interval is two ticks";
+  EXPECT_EQ(run.customs().measured_tick[{1}], 4u);
 }
 
 TEST(Custom, moves_turns_and_rises_as_its_library_says_until_something_is_in_the_way) {
@@ -130,9 +130,9 @@ TEST(Custom, moves_turns_and_rises_as_its_library_says_until_something_is_in_the
   run.command(0, 1);
   run.step(10);
   EXPECT_NEAR(run.X_WM("one").x, 1, 1e-12);
-  EXPECT_EQ(run.customs().stall[0], 0);
+  EXPECT_EQ(run.customs().stall[{0}], 0);
   run.step(10);
-  EXPECT_EQ(run.customs().stall[0], 1);
+  EXPECT_EQ(run.customs().stall[{0}], 1);
   EXPECT_NEAR(run.X_WM("one").x, 1.25, 0.06) << "a wall is at 1.4, and half of it is 0.1";
   run.command(0, 0);
   run.command(1, 0.5, 1);
@@ -154,11 +154,11 @@ TEST(Custom, takes_its_parts_along) {
 
 TEST(Custom, has_the_color_that_its_library_gives_it) {
   Running run;
-  const scene::Color before = run.world().models.color[1];
+  const scene::Color before = run.world().models.color[{1}];
   run.command(3, 1);
   run.step();
-  EXPECT_EQ(run.world().models.color[0], (scene::Color{1, 0, 0, 1}));
-  EXPECT_EQ(run.world().models.color[1], before) << "of the same description";
+  EXPECT_EQ(run.world().models.color[{0}], (scene::Color{1, 0, 0, 1}));
+  EXPECT_EQ(run.world().models.color[{1}], before) << "of the same description";
 }
 
 TEST(Custom, takes_commands_that_it_has_and_that_are_numbers) {
@@ -166,7 +166,7 @@ TEST(Custom, takes_commands_that_it_has_and_that_are_numbers) {
   EXPECT_TRUE(world::command_custom(run.world(), {0}, 3, 2.5)) << "before its first tick, too";
   EXPECT_FALSE(world::command_custom(run.world(), {0}, 4, 2.5));
   EXPECT_FALSE(world::command_custom(run.world(), {0}, 0, std::numeric_limits<double>::quiet_NaN()));
-  EXPECT_THAT(run.customs().command[0], ElementsAre(0, 0, 0, 2.5));
+  EXPECT_THAT(run.customs().command[{0}], ElementsAre(0, 0, 0, 2.5));
 }
 
 TEST(Custom, begins_anew_after_a_return_to_the_start_and_when_it_comes) {
@@ -175,17 +175,17 @@ TEST(Custom, begins_anew_after_a_return_to_the_start_and_when_it_comes) {
   run.step(4);
   world::return_to_start(run.world());
   run.step();
-  EXPECT_EQ(run.customs().state[0][0], 101);
+  EXPECT_EQ(run.customs().state[{0}][0], 101);
   EXPECT_EQ(run.X_WM("one"), geom::Pose{});
-  const auto id = world::spawn(run.world(), run.world().models.desc[0], {5, 5, 0, 0});
+  const auto id = world::spawn(run.world(), run.world().models.desc[{0}], {5, 5, 0, 0});
   ASSERT_TRUE(id) << id.error().line();
   run.step(2);
-  EXPECT_EQ(run.customs().state[2][0], 102);
-  EXPECT_EQ(run.customs().state[0][0], 103);
+  EXPECT_EQ(run.customs().state[{2}][0], 102);
+  EXPECT_EQ(run.customs().state[{0}][0], 103);
   ASSERT_TRUE(world::despawn(run.world(), run.world().id(run.world().find("one"))));
   run.step();
   EXPECT_EQ(run.customs().size(), 2u);
-  EXPECT_EQ(run.customs().state[1][0], 103) << "who is left keeps what is its own";
+  EXPECT_EQ(run.customs().state[{1}][0], 103) << "who is left keeps what is its own";
 }
 
 TEST(Custom, runs_the_same_with_any_number_of_workers) {
@@ -225,7 +225,7 @@ TEST(Custom, that_people_look_at_does_what_it_did) {
   Running run, watched;
   for (const world::ModelRow model : watched.customs().model) world::watch(watched.world(), model);
   for (Running* each : {&run, &watched}) each->step(5);
-  EXPECT_THAT(watched.customs().readings[0], Not(IsEmpty()));
+  EXPECT_THAT(watched.customs().readings[{0}], Not(IsEmpty()));
   EXPECT_EQ(run.world().hash(), watched.world().hash());
 }
 
@@ -270,14 +270,14 @@ TEST(Custom, whose_hook_fails_is_as_it_was) {
                          Faulty::Way::kTooFast}) {
     Running run(std::make_shared<Faulty>(way));
     run.subscribe();
-    const scene::Color before = run.world().models.color[0];
+    const scene::Color before = run.world().models.color[{0}];
     const std::string log = logged([&] { run.step(3); });
     EXPECT_EQ(std::ranges::count(log, '\n'), 1) << "once for all that are alike:\n" << log;
     EXPECT_THAT(log, StartsWith("test.world:3: custom model \"probe\" of \""));
-    EXPECT_THAT(run.customs().state[0], ElementsAre(0));
+    EXPECT_THAT(run.customs().state[{0}], ElementsAre(0));
     EXPECT_EQ(run.X_WM("one"), geom::Pose{});
-    EXPECT_EQ(run.world().models.color[0], before);
-    if (way != Faulty::Way::kTooFast) EXPECT_THAT(run.customs().readings[0], ElementsAre(0));
+    EXPECT_EQ(run.world().models.color[{0}], before);
+    if (way != Faulty::Way::kTooFast) EXPECT_THAT(run.customs().readings[{0}], ElementsAre(0));
   }
 }
 

@@ -41,7 +41,7 @@ class Charging : public ::testing::Test {
   void run(int ticks) {
     for (int i = 0; i < ticks; ++i) engine_->step();
   }
-  std::uint32_t pack(const char* model) { return world::pack_of(world(), world().find(model)).index; }
+  world::PackRow pack(const char* model) { return world::pack_of(world(), world().find(model)); }
   double stored(const char* model) { return world().packs.stored[pack(model)]; }
   bool is_charging(const char* model) { return world().packs.charging[pack(model)] != 0; }
   double watts(const char* model) { return world().packs.watts[pack(model)]; }

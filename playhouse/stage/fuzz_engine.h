@@ -36,10 +36,10 @@ inline void ask(world::World& world, FuzzScript& script) {
   const auto twist = [&] {
     return geom::Twist{script.number(), script.number(), script.number(), script.number()};
   };
-  const world::PositionRow robot{world.models.part[model.index]};
-  const bool is_robot = world.models.kind[model.index] == scene::ModelKind::kPosition;
-  if (world.models.kind[model.index] == scene::ModelKind::kGripper && what % 8 > 2)
-    return world::command_gripper(world, {world.models.part[model.index]},
+  const world::PositionRow robot = world.models.part[model];
+  const bool is_robot = world.models.kind[model] == scene::ModelKind::kPosition;
+  if (world.models.kind[model] == scene::ModelKind::kGripper && what % 8 > 2)
+    return world::command_gripper(world, world.models.part[model],
                                   static_cast<world::GripperCommand>(what % 8 - 3));
   switch (what % 8) {
     case 0:
@@ -48,7 +48,7 @@ inline void ask(world::World& world, FuzzScript& script) {
     case 1:
       return world::subscribe(world, model);
     case 2:
-      if (world.models.subscribers[model.index] > 0) world::unsubscribe(world, model);
+      if (world.models.subscribers[model] > 0) world::unsubscribe(world, model);
       return;
     default:
       if (!is_robot) return;
@@ -78,11 +78,12 @@ inline bool finite(const geom::Pose& X) {
 inline void expect_sense(const world::World& world) {
   for (const geom::Pose& X_WM : world.models.X_WM) PLAYHOUSE_ASSERT(finite(X_WM));
   for (const geom::Pose& X_OM : world.positions.X_OM) PLAYHOUSE_ASSERT(finite(X_OM));
-  for (std::uint32_t row = 0; row < world.rangers.size(); ++row) {
+  for (const world::RangerRow row : world.rangers.rows()) {
     if (world.rangers.measured_tick[row] == 0) continue;
-    std::uint32_t sensor = world.rangers.first_sensor[row];
+    world::SensorRow sensor = world.rangers.first_sensor[row];
     for (const scene::RangerSensorDesc& desc : world.desc(world.rangers.model[row]).sensors) {
-      const float* const ranges = world.sensors.ranges.data() + world.sensors.first_beam[sensor++];
+      const float* const ranges = world.sensors.ranges.from(world.sensors.first_beam[sensor]);
+      ++sensor;
       const auto most = static_cast<float>(std::max(desc.range_min, desc.range_max));
       for (std::uint32_t beam = 0; beam < desc.samples; ++beam)
         PLAYHOUSE_ASSERT(ranges[beam] >= 0 && ranges[beam] <= most);
@@ -99,7 +100,7 @@ void run(const Make& make, const std::string& text, FuzzScript script) {
   const auto engine = make(*scene);
   if (!engine) return PLAYHOUSE_ASSERT(!engine.error().text.empty());
   world::World& world = (*engine)->world();
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) world::subscribe(world, {row});
+  for (const world::ModelRow row : world.models.rows()) world::subscribe(world, row);
   for (int tick = 0; tick < kTicks; ++tick) {
     for (int asked = 0; asked < 4 && !script.done(); ++asked) ask(world, script);
     (*engine)->step();

@@ -85,7 +85,7 @@ inline std::map<std::string, std::vector<std::byte>> saved_runs() {
   const auto nothing = [](const world::World&) {};
   return {{"every_kind_0", saved_run(0, nothing)},
           {"every_kind_20", saved_run(20, nothing)},
-          {"camera_far_round", saved_run(1, [](world::World& world) { world.cameras.pan[0] = 3e302; })}};
+          {"camera_far_round", saved_run(1, [](world::World& world) { world.cameras.pan[{0}] = 3e302; })}};
 }
 
 }  // namespace playhouse::stage::fuzz

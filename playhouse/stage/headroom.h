@@ -54,7 +54,7 @@ class Headroom {
   ByRow<bodies::Trees, std::uint8_t> rigid_;
   ByRow<bodies::Trees, double> arm_,
       radius_;  // bounds about the root's origin: of centers, of all that blocks [m]
-  ByRow<bodies::Trees, std::uint32_t> root_;
+  ByRow<bodies::Trees, world::ModelRow> root_;
   ByRow<bodies::Trees, double> until_;  // value of drift_ at which it is used up  [m]
   double drift_ = 0, others_ = 0;       // m: approach of others at most, since the start and in this tick
   bool walls_block_ = false;            // some static solid is an obstacle

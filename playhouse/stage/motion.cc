@@ -113,14 +113,14 @@ void Motion::populate(const bodies::Trees& trees, const bodies::Solids& solids, 
   p_.resize(solids.p_M.next() - first_moving_vertex_);
 }
 
-void Motion::add_parents(std::span<const std::uint32_t> rows, const world::Models& models,
+void Motion::add_parents(std::span<const world::ModelRow> rows, const world::Models& models,
                          bodies::TreeRow tree) {
   bool is_run = true;
-  for (std::size_t i = 0; i < rows.size(); ++i) is_run = is_run && rows[i] == rows[0] + i;
+  for (std::size_t i = 0; i < rows.size(); ++i) is_run = is_run && rows[i] - rows[0] == i;
   if (is_run) return;
   first_parent_[tree] = static_cast<std::uint32_t>(parent_.size());
-  std::map<std::uint32_t, std::uint32_t> place;  // of a model: its row in its tree
-  for (const std::uint32_t row : rows) {
+  std::map<world::ModelRow, std::uint32_t> place;  // of a model: its row in its tree
+  for (const world::ModelRow row : rows) {
     parent_.push_back(place.empty() ? 0 : place.at(models.parent[row]));
     place.emplace(row, static_cast<std::uint32_t>(place.size()));
   }
@@ -142,11 +142,11 @@ void Motion::shape_at(const Inputs& in, bodies::TreeRow tree, double fraction,
                       const bodies::TreeShape& out) const {
   const world::Models& models = in.world.models;
   const double dt = in.world.scene().interval * fraction;
-  const std::span<const std::uint32_t> rows = trees_->models_of(tree);
+  const std::span<const world::ModelRow> rows = trees_->models_of(tree);
   const std::span<const bodies::Mover> movers = trees_->movers_of(tree);
   std::size_t next = 0;  // of movers
   for (std::size_t i = 0; i < out.X_WM.size(); ++i) {
-    const std::uint32_t model = rows[i];
+    const world::ModelRow model = rows[i];
     const geom::Pose* X_PM = &models.X_PM[model];
     if (next < movers.size() && movers[next].model == model) {
       const bodies::Mover& mover = movers[next];
@@ -319,7 +319,7 @@ bool Motion::meets_other(const Inputs& in, bodies::SolidRow solid, const PlacedS
 
 /// Broad phase: collects solids of other trees near a configuration within its bounding circle.
 void Motion::gather(const Inputs& in, bodies::TreeRow tree, const Circle& all, Sweep& sweep) const {
-  const std::uint32_t root = trees_->root[tree];
+  const world::ModelRow root = trees_->root[tree];
   const double z_low = all.z_min - rise_max_ + bodies::kTouch,
                z_high = all.z_max + rise_max_ - bodies::kTouch;
   const auto collect = [&](const bodies::DiscIndex& index, double reach, bool fast) {
@@ -423,14 +423,14 @@ void Motion::decide() {
 void Motion::put(world::Models& models, bodies::Solids& solids, bodies::TreeRow tree) const {
   for (const bodies::Mover& mover : trees_->movers_of(tree))
     models.X_PM.own(mover.model) = moved_[trees_->row_of(mover)];
-  for (const std::uint32_t model : trees_->models_of(tree)) {
+  for (const world::ModelRow model : trees_->models_of(tree)) {
     const geom::Pose& X_PM = models.X_PM[model];
     if (model == trees_->root[tree]) {
       models.X_WM[model] = X_PM;
       solids.rotation[model] = rotation_[tree];
       continue;
     }
-    const std::uint32_t parent = models.parent[model];
+    const world::ModelRow parent = models.parent[model];
     models.X_WM[model] = part_at(models.X_WM[parent], solids.rotation[parent], X_PM);
     solids.rotation[model] = X_PM.a == 0 ? solids.rotation[parent] : geom::Rotation::of(models.X_WM[model].a);
   }
@@ -454,8 +454,7 @@ bool Motion::move(world::World& world, bodies::Solids& solids, const bodies::Dis
   const Inputs in{world, solids, index, walls};
   const auto each_tree = [&](const auto& body) {
     workers.run(trees_->size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t tree = begin; tree < end; ++tree)
-        body(bodies::TreeRow{static_cast<std::uint32_t>(tree)});
+      for (const bodies::TreeRow tree : trees_->rows().part(begin, end)) body(tree);
     });
   };
   each_tree([&](bodies::TreeRow tree) { propose(in, tree, sweeps_[workers.current()]); });

@@ -87,7 +87,7 @@ class Motion {
     const bodies::Walls& walls;
   };
 
-  void add_parents(std::span<const std::uint32_t> rows, const world::Models& models, bodies::TreeRow tree);
+  void add_parents(std::span<const world::ModelRow> rows, const world::Models& models, bodies::TreeRow tree);
   void propose(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
   bodies::TreeShape propose_shape(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
   void propose_rest(const Inputs& in, bodies::TreeRow tree, Sweep& sweep);
@@ -119,7 +119,7 @@ class Motion {
   bodies::TreeShape proposal(const bodies::Solids& solids, bodies::TreeRow tree, Sweep& sweep);
 
   /// Row in its tree of the parent of a model, which is the tree's `place`-th.
-  std::uint32_t parent_of(const world::Models& models, bodies::TreeRow tree, std::uint32_t model,
+  std::uint32_t parent_of(const world::Models& models, bodies::TreeRow tree, world::ModelRow model,
                           std::size_t place) const {
     const std::uint32_t first = first_parent_[tree];
     return first == world::ModelRow::kNone ? models.parent[model] - trees_->root[tree]

@@ -23,9 +23,9 @@ std::unique_ptr<world::Engine> engine_of(const scene::SceneDesc& scene, unsigned
 }
 
 /// The corners of a model's block after it has driven at `v` for `dt`.
-std::vector<geom::Vec2> corners(const world::World& world, std::uint32_t row, const geom::Twist& v = {},
+std::vector<geom::Vec2> corners(const world::World& world, world::ModelRow row, const geom::Twist& v = {},
                                 double dt = 0) {
-  const scene::ModelDesc& desc = world.desc({row});
+  const scene::ModelDesc& desc = world.desc(row);
   const geom::Pose X_WM = geom::compose(world.models.X_WM[row], {v.x * dt, v.y * dt, 0, v.a * dt});
   const geom::Pose X_WB = geom::compose(X_WM, desc.X_MB);
   std::vector<geom::Vec2> points;
@@ -72,9 +72,9 @@ scene::SceneDesc any_crowd(double speed) {
 
 double deepest(const world::World& world) {
   double deepest = -1;
-  for (std::uint32_t a = 0; a < world.models.size(); ++a)
-    for (std::uint32_t b = 0; b < a; ++b)
-      if (world.desc({a}).position || world.desc({b}).position)
+  for (const world::ModelRow a : world.models.rows())
+    for (const world::ModelRow b : RowsOf(world.models.rows().front(), a))
+      if (world.desc(a).position || world.desc(b).position)
         deepest = std::max(deepest, depth(corners(world, a), corners(world, b)));
   return deepest;
 }
@@ -92,14 +92,14 @@ RC_GTEST_PROP(Motion, bodies_that_start_apart_never_come_to_overlap, ()) {
 /// The oracle: who stalls in the next tick if models move one after the other, in row order, each to its end
 /// of the tick if nothing is there by then. Nothing if one of them is too close to call.
 std::optional<std::vector<bool>> stalls_one_after_the_other(const world::World& world) {
-  std::vector<std::vector<geom::Vec2>> place;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) place.push_back(corners(world, row));
+  world::ByModel<std::vector<geom::Vec2>> place;
+  for (const world::ModelRow row : world.models.rows()) place.push_back(corners(world, row));
   std::vector<bool> stalls;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    if (!world.desc({row}).position) continue;
+  for (const world::ModelRow row : world.models.rows()) {
+    if (!world.desc(row).position) continue;
     const auto then = corners(world, row, world.positions.command[world.models.part[row]], 0.1);
     double met = -1;
-    for (std::uint32_t other = 0; other < world.models.size(); ++other)
+    for (const world::ModelRow other : world.models.rows())
       if (other != row) met = std::max(met, depth(then, place[other]));
     if (met > -1e-5 && met < 1e-4) return std::nullopt;
     stalls.push_back(met > 0);
@@ -133,13 +133,13 @@ TEST(Motion, a_robot_that_is_a_part_of_walls_leaves_them_where_they_are_for_all_
   const auto engine = engine_of(scene);
   for (int tick = 0; tick < 40; ++tick) engine->step();
   const world::World& world = engine->world();
-  EXPECT_EQ(world.models.X_WM[0], (geom::Pose{2, 0, 0, 0}));
-  EXPECT_NEAR(world.models.X_WM[1].x, 3, 1e-12) << "what is of its own tree is not in its way";
-  EXPECT_EQ(world.positions.stall[1], 1);
+  EXPECT_EQ(world.models.X_WM[{0}], (geom::Pose{2, 0, 0, 0}));
+  EXPECT_NEAR(world.models.X_WM[{1}].x, 3, 1e-12) << "what is of its own tree is not in its way";
+  EXPECT_EQ(world.positions.stall[{1}], 1);
   ASSERT_TRUE(world::set_pose(engine->world(), {0}, {5, 0, 0, 0}));
   for (int tick = 0; tick < 10; ++tick) engine->step();
-  EXPECT_EQ(world.positions.stall[1], 0) << "the walls went, with the robot in them";
-  EXPECT_NEAR(world.models.X_WM[1].x, 6.5, 1e-12);
+  EXPECT_EQ(world.positions.stall[{1}], 0) << "the walls went, with the robot in them";
+  EXPECT_NEAR(world.models.X_WM[{1}].x, 6.5, 1e-12);
 }
 
 TEST(Motion, a_throng_gives_the_same_bits_with_any_number_of_workers) {
@@ -207,10 +207,10 @@ TEST(Motion, of_two_that_meet_head_on_the_first_in_the_file_takes_the_room_and_b
   const auto engine = engine_of(scene);
   const world::World& world = engine->world();
   for (int tick = 0; tick < 10; ++tick) engine->step();
-  EXPECT_NEAR(world.models.X_WM[0].x, 0.22, 1e-9);
-  EXPECT_EQ(world.models.X_WM[1].x, 0);
-  EXPECT_EQ(world.positions.stall[0], 1);
-  EXPECT_EQ(world.positions.stall[1], 1);
+  EXPECT_NEAR(world.models.X_WM[{0}].x, 0.22, 1e-9);
+  EXPECT_EQ(world.models.X_WM[{1}].x, 0);
+  EXPECT_EQ(world.positions.stall[{0}], 1);
+  EXPECT_EQ(world.positions.stall[{1}], 1);
 }
 
 TEST(Motion, a_chain_of_refused_moves_stops_nobody_else) {
@@ -231,7 +231,7 @@ TEST(Motion, a_chain_of_refused_moves_stops_nobody_else) {
       EXPECT_EQ(world.positions.stall[k], 1) << k;
       EXPECT_EQ(world.models.X_WM[1 + k].x, -0.23 * k);
     }
-    EXPECT_NEAR(world.models.X_WM[4].y, 0.4 - 0.05 * tick, 1e-9);
+    EXPECT_NEAR(world.models.X_WM[{4}].y, 0.4 - 0.05 * tick, 1e-9);
   }
 }
 
@@ -243,15 +243,15 @@ TEST(Motion, touching_is_free_and_a_wall_stops_a_robot_dead) {
   world::World& world = engine->world();
   world::command_velocity(world, {0}, {1, 0, 0, 0});
   for (int tick = 0; tick < 4; ++tick) engine->step();
-  EXPECT_NEAR(world.models.X_WM[0].x, 0.4, 1e-9);  // its front at the wall
-  EXPECT_EQ(world.positions.stall[0], 0);
+  EXPECT_NEAR(world.models.X_WM[{0}].x, 0.4, 1e-9);  // its front at the wall
+  EXPECT_EQ(world.positions.stall[{0}], 0);
   engine->step();
-  EXPECT_NEAR(world.models.X_WM[0].x, 0.4, 1e-9);
-  EXPECT_EQ(world.positions.stall[0], 1);
+  EXPECT_NEAR(world.models.X_WM[{0}].x, 0.4, 1e-9);
+  EXPECT_EQ(world.positions.stall[{0}], 1);
   world::command_velocity(world, {0}, {-1, 0, 0, 0});
   engine->step();
-  EXPECT_NEAR(world.models.X_WM[0].x, 0.3, 1e-9);
-  EXPECT_EQ(world.positions.stall[0], 0);
+  EXPECT_NEAR(world.models.X_WM[{0}].x, 0.3, 1e-9);
+  EXPECT_EQ(world.positions.stall[{0}], 0);
 }
 
 TEST(Motion, a_fast_robot_does_not_jump_a_thin_wall) {
@@ -262,8 +262,8 @@ TEST(Motion, a_fast_robot_does_not_jump_a_thin_wall) {
   scene.models.push_back(box("wall", {3.1, 0, 0, 0}, {0.001, 2, 1}));
   const auto engine = engine_of(scene);
   for (int tick = 0; tick < 5; ++tick) engine->step();
-  EXPECT_EQ(engine->world().models.X_WM[0].x, 0);
-  EXPECT_EQ(engine->world().positions.stall[0], 1);
+  EXPECT_EQ(engine->world().models.X_WM[{0}].x, 0);
+  EXPECT_EQ(engine->world().positions.stall[{0}], 1);
 }
 
 TEST(Motion, what_is_above_or_does_not_collide_is_passed) {
@@ -275,7 +275,7 @@ TEST(Motion, what_is_above_or_does_not_collide_is_passed) {
   scene.models[0].position->velocity = {1, 0, 0, 0};
   const auto engine = engine_of(scene);
   for (int tick = 0; tick < 10; ++tick) engine->step();
-  EXPECT_NEAR(engine->world().models.X_WM[0].x, 1, 1e-9);
+  EXPECT_NEAR(engine->world().models.X_WM[{0}].x, 1, 1e-9);
 }
 
 TEST(Motion, children_collide_with_their_parent) {
@@ -287,9 +287,9 @@ TEST(Motion, children_collide_with_their_parent) {
   scene.models[0].position->velocity = {1, 0, 0, 0};
   const auto engine = engine_of(scene);
   for (int tick = 0; tick < 3; ++tick) engine->step();
-  EXPECT_NEAR(engine->world().models.X_WM[0].x, 0.1, 1e-9);
-  EXPECT_EQ(engine->world().positions.stall[0], 1);
-  EXPECT_NEAR(engine->world().models.X_WM[1].x, 0.4, 1e-9);
+  EXPECT_NEAR(engine->world().models.X_WM[{0}].x, 0.1, 1e-9);
+  EXPECT_EQ(engine->world().positions.stall[{0}], 1);
+  EXPECT_NEAR(engine->world().models.X_WM[{1}].x, 0.4, 1e-9);
 }
 
 TEST(Motion, robots_that_start_in_each_other_or_in_a_wall_can_leave) {
@@ -302,8 +302,8 @@ TEST(Motion, robots_that_start_in_each_other_or_in_a_wall_can_leave) {
   scene.models[2].position->velocity = {-0.5, 0, 0, 0};
   const auto engine = engine_of(scene);
   for (int tick = 0; tick < 20; ++tick) engine->step();
-  EXPECT_NEAR(engine->world().models.X_WM[0].x, 1, 1e-9);
-  EXPECT_NEAR(engine->world().models.X_WM[2].x, 4, 1e-9);
+  EXPECT_NEAR(engine->world().models.X_WM[{0}].x, 1, 1e-9);
+  EXPECT_NEAR(engine->world().models.X_WM[{2}].x, 4, 1e-9);
 }
 
 TEST(Motion, a_robot_in_a_wall_does_not_get_deeper) {
@@ -313,7 +313,7 @@ TEST(Motion, a_robot_in_a_wall_does_not_get_deeper) {
   scene.models[0].position->velocity = {0.5, 0, 0, 0};
   const auto engine = engine_of(scene);
   for (int tick = 0; tick < 20; ++tick) engine->step();
-  EXPECT_LT(engine->world().models.X_WM[0].x, 5.2);
+  EXPECT_LT(engine->world().models.X_WM[{0}].x, 5.2);
 }
 
 TEST(Motion, a_robot_put_elsewhere_is_felt_there_in_the_same_tick) {
@@ -327,11 +327,11 @@ TEST(Motion, a_robot_put_elsewhere_is_felt_there_in_the_same_tick) {
   engine->step();
   world::set_pose(world, {1}, {0.25, 0, 0, 0});
   engine->step();
-  EXPECT_EQ(world.positions.stall[0], 1);
+  EXPECT_EQ(world.positions.stall[{0}], 1);
   world::set_pose(world, {1}, {5, 0, 0, 0});
   world::set_pose(world, {2}, {0.35, 0, 0, 0});
   engine->step();
-  EXPECT_EQ(world.positions.stall[0], 1);
+  EXPECT_EQ(world.positions.stall[{0}], 1);
 }
 
 TEST(Motion, exact_odometry_equals_the_true_motion) {
@@ -342,8 +342,8 @@ TEST(Motion, exact_odometry_equals_the_true_motion) {
     scene.models[0].position->velocity = {0.3, 0.1, 0, 0.2};
     const auto engine = engine_of(scene);
     for (int tick = 0; tick < 100; ++tick) engine->step();
-    const geom::Pose believed = engine->world().positions.X_OM[0];
-    const geom::Pose truth = geom::compose(geom::inverse({1, 2, 0, 0.5}), engine->world().models.X_WM[0]);
+    const geom::Pose believed = engine->world().positions.X_OM[{0}];
+    const geom::Pose truth = geom::compose(geom::inverse({1, 2, 0, 0.5}), engine->world().models.X_WM[{0}]);
     EXPECT_NEAR(believed.x, truth.x, 1e-9);
     EXPECT_NEAR(believed.y, truth.y, 1e-9);
     EXPECT_NEAR(believed.a, truth.a, 1e-9);
@@ -360,7 +360,7 @@ TEST(Motion, the_largest_commands_leave_a_robot_somewhere) {
     const auto expect_somewhere = [&](bool taken) {
       EXPECT_TRUE(taken);
       for (int tick = 0; tick < 5; ++tick) engine->step();
-      EXPECT_TRUE(world::is_place(world.models.X_WM[0]) && world::is_place(world.positions.X_OM[0]));
+      EXPECT_TRUE(world::is_place(world.models.X_WM[{0}]) && world::is_place(world.positions.X_OM[{0}]));
     };
     expect_somewhere(world::command_velocity(world, {0}, {1e308, -1e308, 0, 1e308}));
     expect_somewhere(world::command_heading(world, {0}, -1e308, 1e308));
@@ -377,7 +377,7 @@ TEST(Motion, odometry_stands_still_while_the_robot_is_stalled) {
   scene.models.push_back(box("wall", {0.55, 0, 0, 0}, {0.1, 2, 1}));
   const auto engine = engine_of(scene);
   for (int tick = 0; tick < 10; ++tick) engine->step();
-  EXPECT_NEAR(engine->world().positions.X_OM[0].x, 0.4, 1e-9);
+  EXPECT_NEAR(engine->world().positions.X_OM[{0}].x, 0.4, 1e-9);
 }
 
 TEST(Motion, what_nobody_subscribed_or_has_its_motors_off_stands) {
@@ -388,13 +388,13 @@ TEST(Motion, what_nobody_subscribed_or_has_its_motors_off_stands) {
   const auto engine = engine_of(scene);
   world::World& world = engine->world();
   engine->step();
-  EXPECT_EQ(world.models.X_WM[0].x, 0);
+  EXPECT_EQ(world.models.X_WM[{0}].x, 0);
   world::subscribe(world, {0});
   engine->step();
-  EXPECT_NEAR(world.models.X_WM[0].x, 0.1, 1e-12);
-  world.positions.motor_on[0] = 0;
+  EXPECT_NEAR(world.models.X_WM[{0}].x, 0.1, 1e-12);
+  world.positions.motor_on[{0}] = 0;
   engine->step();
-  EXPECT_NEAR(world.models.X_WM[0].x, 0.1, 1e-12);
+  EXPECT_NEAR(world.models.X_WM[{0}].x, 0.1, 1e-12);
 }
 
 TEST(Motion, every_drive_reaches_a_goal_by_position_control) {
@@ -406,10 +406,10 @@ TEST(Motion, every_drive_reaches_a_goal_by_position_control) {
     world::World& world = engine->world();
     ASSERT_TRUE(world::command_position(world, {0}, {-1, 2.5, 0, 1}));
     for (int tick = 0; tick < 300; ++tick) engine->step();
-    EXPECT_NEAR(world.models.X_WM[0].x, -1, 0.05);
-    EXPECT_NEAR(world.models.X_WM[0].y, 2.5, 0.05);
+    EXPECT_NEAR(world.models.X_WM[{0}].x, -1, 0.05);
+    EXPECT_NEAR(world.models.X_WM[{0}].y, 2.5, 0.05);
     if (drive != scene::Drive::kCar) {
-      EXPECT_NEAR(world.models.X_WM[0].a, 1, 0.01);
+      EXPECT_NEAR(world.models.X_WM[{0}].a, 1, 0.01);
     }
   }
 }
@@ -422,8 +422,8 @@ TEST(Motion, a_goal_is_in_the_frame_of_what_the_robot_believes) {
   ASSERT_TRUE(world::set_odometry(world, {0}, {}));
   ASSERT_TRUE(world::command_position(world, {0}, {1, 0, 0, 0}));
   for (int tick = 0; tick < 300; ++tick) engine->step();
-  EXPECT_NEAR(world.models.X_WM[0].x, 1, 1e-3);
-  EXPECT_NEAR(world.models.X_WM[0].y, 2, 1e-3);
+  EXPECT_NEAR(world.models.X_WM[{0}].x, 1, 1e-3);
+  EXPECT_NEAR(world.models.X_WM[{0}].y, 2, 1e-3);
 }
 
 TEST(Motion, every_drive_keeps_a_heading_forwards_and_backwards) {
@@ -436,8 +436,8 @@ TEST(Motion, every_drive_keeps_a_heading_forwards_and_backwards) {
       world::World& world = engine->world();
       ASSERT_TRUE(world::command_heading(world, {0}, speed, -2.5));  // the short way round leads past pi
       for (int tick = 0; tick < 100; ++tick) engine->step();
-      EXPECT_NEAR(world.models.X_WM[0].a, -2.5, 0.01);
-      EXPECT_NEAR(world.positions.velocity[0].x, speed, 1e-3);
+      EXPECT_NEAR(world.models.X_WM[{0}].a, -2.5, 0.01);
+      EXPECT_NEAR(world.positions.velocity[{0}].x, speed, 1e-3);
     }
   }
 }
@@ -457,10 +457,10 @@ TEST(Motion, a_robot_that_another_one_carries_moves_with_it_and_by_itself) {
     const auto engine = engine_of(scene, workers);
     for (int tick = 0; tick < 10; ++tick) engine->step();
     const world::World& world = engine->world();
-    EXPECT_NEAR(world.models.X_WM[0].y, 0.5, 1e-9);
-    EXPECT_NEAR(world.models.X_PM[1].x, 0.3, 1e-9);
-    EXPECT_NEAR(world.models.X_PM[2].a, 0.3, 1e-9);
-    geom::Pose expected = world.models.X_WM[0];
+    EXPECT_NEAR(world.models.X_WM[{0}].y, 0.5, 1e-9);
+    EXPECT_NEAR(world.models.X_PM[{1}].x, 0.3, 1e-9);
+    EXPECT_NEAR(world.models.X_PM[{2}].a, 0.3, 1e-9);
+    geom::Pose expected = world.models.X_WM[{0}];
     for (std::uint32_t row = 1; row < 3; ++row) {
       expected = geom::compose(expected, world.models.X_PM[row]);
       EXPECT_NEAR(world.models.X_WM[row].x, expected.x, 1e-9);
@@ -482,9 +482,9 @@ TEST(Motion, what_a_robot_was_told_of_its_pose_lasts_with_gps_too) {
   world::World& world = engine->world();
   ASSERT_TRUE(world::set_odometry(world, {0}, {5, 6, 0, 0}));
   for (int tick = 0; tick < 10; ++tick) engine->step();
-  EXPECT_NEAR(world.positions.X_OM[0].x, 5.5, 1e-9);
-  EXPECT_NEAR(world.positions.X_OM[0].y, 6, 1e-9);
-  EXPECT_NEAR(world.models.X_WM[0].y, 2.5, 1e-9);
+  EXPECT_NEAR(world.positions.X_OM[{0}].x, 5.5, 1e-9);
+  EXPECT_NEAR(world.positions.X_OM[{0}].y, 6, 1e-9);
+  EXPECT_NEAR(world.models.X_WM[{0}].y, 2.5, 1e-9);
 }
 
 TEST(Engine, the_hashes_are_the_same_for_any_number_of_workers) {

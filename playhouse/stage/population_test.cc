@@ -138,10 +138,10 @@ scene::SceneDesc grippers() {
 /// closes again.
 void take_and_leave(world::World& world, std::uint64_t tick) {
   const auto tell = [&](ModelId gripper, world::GripperCommand command) {
-    world::command_gripper(world, {world.models.part[world.row(gripper).index]}, command);
+    world::command_gripper(world, world.models.part[world.row(gripper)], command);
   };
   const auto holds = [&](ModelId gripper) {
-    return static_cast<bool>(world::held_by(world, {world.models.part[world.row(gripper).index]}));
+    return static_cast<bool>(world::held_by(world, world.models.part[world.row(gripper)]));
   };
   constexpr ModelId kFirst{1}, kSecond{3}, kThird{8};
   switch (tick) {
@@ -158,7 +158,7 @@ void take_and_leave(world::World& world, std::uint64_t tick) {
       tell(kSecond, world::GripperCommand::kLower);
       break;
     case 26: {
-      const geom::Pose at = world.models.X_WM[0];
+      const geom::Pose at = world.models.X_WM[{0}];
       EXPECT_TRUE(world::despawn(world, {0}).ok());
       EXPECT_TRUE(world::spawn(world, 0, at).ok());
       tell(kThird, world::GripperCommand::kClose);
@@ -166,7 +166,7 @@ void take_and_leave(world::World& world, std::uint64_t tick) {
     }
     case 30:
       EXPECT_FALSE(holds(kSecond));
-      EXPECT_GT(world.models.X_WM[world.row({5}).index].x, 0.5) << "carried and put down";
+      EXPECT_GT(world.models.X_WM[world.row({5})].x, 0.5) << "carried and put down";
       tell(kSecond, world::GripperCommand::kClose);
       break;
     case 52:
@@ -189,7 +189,7 @@ TEST(ChangingPopulation, robots_see_who_came_and_no_longer_who_went) {
   world::command_velocity(world, world.position({kRobot}), {});
   engine->step();
   const auto ahead = [&] {
-    const std::uint32_t laser = world.models.part[world.row({kRobot + 2}).index];
+    const world::RangerRow laser = world.models.part[world.row({kRobot + 2})];
     return world.sensors.ranges[world.sensors.first_beam[world.rangers.first_sensor[laser]] + 90];
   };
   const float free = ahead();
@@ -213,7 +213,7 @@ TEST(ChangingPopulation, a_robot_that_came_is_in_the_way_and_what_it_carries_as_
   world::command_velocity(world, world.position(*blocker), {});
   world::command_velocity(world, world.position({kRobot}), {0.5, 0, 0, 0});
   for (int i = 0; i < 30; ++i) engine->step();
-  EXPECT_EQ(world.positions.stall[world.position({kRobot}).index], 1);
+  EXPECT_EQ(world.positions.stall[world.position({kRobot})], 1);
   const double x = world.models.X_WM[kRobot].x;
   EXPECT_LT(x, -1.4);
   ASSERT_TRUE(world::despawn(world, *blocker).ok());
@@ -230,7 +230,7 @@ TEST(ChangingPopulation, what_holds_something_loose_leaves_no_wall_behind_where_
   scene.models.back().gripper_return = true;
   const auto engine = engine_of(scene);
   world::World& world = engine->world();
-  const auto ahead = [&] { return (engine->step(), world.sensors.ranges[90]); };
+  const auto ahead = [&] { return (engine->step(), world.sensors.ranges[{90}]); };
   EXPECT_LT(ahead(), 2);
   ASSERT_TRUE(world::attach(world, {3}, {2}, {0, 0, 1, 0}).ok());
   EXPECT_LT(ahead(), 2);
@@ -259,7 +259,7 @@ TEST(Population, walls_stay_where_they_are_as_models_before_them_go) {
   ASSERT_TRUE(world::despawn(world, world.id({0})).ok());
   for (int tick = 0; tick < 100; ++tick) (*engine)->step();
   const world::ModelRow robot = world.find("r");
-  EXPECT_NEAR(world.models.X_WM[robot.index].x, 2.3, 0.15) << "it stops at the wall";
+  EXPECT_NEAR(world.models.X_WM[robot].x, 2.3, 0.15) << "it stops at the wall";
   const std::size_t beams = world.sensors.ranges.size();
   EXPECT_LT(world.sensors.ranges[beams / 2], 0.5f) << "and sees it";
 }

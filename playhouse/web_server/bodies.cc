@@ -82,7 +82,7 @@ void Bodies::remove(const Body& body) {
   const auto change = [model = *body.model, desc = body.desc](world::Journal& journal) {
     const world::World& world = journal.world();
     const world::ModelRow row = world.row(model);
-    if (!row || world.models.desc[row.index] != desc) return;  // removed already
+    if (!row || world.models.desc[row] != desc) return;  // removed already
     const Result<void> gone = journal.despawn(model);
     if (!gone) log::warn("web: the body of somebody who left stays: {}", gone.error().text);
   };
@@ -97,10 +97,10 @@ std::optional<world::ModelId> Bodies::of(std::uint32_t viewer) const {
 
 std::optional<world::ModelId> Bodies::of(std::uint32_t viewer, const replicate::Layout& now) const {
   const std::optional<world::ModelId> model = of(viewer);
-  const std::optional<std::uint32_t> row = model ? now.row(*model) : std::nullopt;
+  const world::ModelRow row = model ? now.row(*model) : world::ModelRow{};
   if (!row) return model;
   const std::uint32_t desc = bodies_.at(viewer)->desc;
-  const bool is_same = now.root[*row] == *row && now.prototype[*row] == prototypes_.of(desc);
+  const bool is_same = now.root[row] == row && now.prototype[row] == prototypes_.of(desc);
   return is_same ? model : std::nullopt;
 }
 

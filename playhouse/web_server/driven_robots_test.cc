@@ -129,7 +129,7 @@ TEST_F(DrivenRobotsTest, a_robot_that_goes_while_it_is_driven_is_let_go) {
   network_.run_for(1);
   drive(0, 0);
   EXPECT_EQ(small_.world.positions.size(), 1u);
-  EXPECT_EQ(small_.world.models.subscribers[0], 0u);
+  EXPECT_EQ(small_.world.models.subscribers[{0}], 0u);
 }
 
 }  // namespace

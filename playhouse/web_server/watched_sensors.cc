@@ -12,9 +12,9 @@ void open_sensors(world::Journal& journal, const world::Control& control, world:
   const world::World& world = journal.world();
   const world::ModelRow top = world.row(robot);
   if (!top) return;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    if (world.models.root[row] != top.index || !replicate::may_be_watched(world.models.kind[row])) continue;
-    uses.emplace_back().watch(journal, control, world.id({row}));
+  for (const world::ModelRow row : world.models.rows()) {
+    if (world.models.root[row] != top || !replicate::may_be_watched(world.models.kind[row])) continue;
+    uses.emplace_back().watch(journal, control, world.id(row));
   }
 }
 

@@ -390,8 +390,8 @@ class WebServer::Impl final : public net::HttpService,
   template <typename Then>
   Result<void> with_row(world::ModelId model, const Then& then) const {
     if (model.value >= ids_given_) return Error{"", "no such model"};
-    const std::optional<std::uint32_t> row = newest().row(model);
-    return row ? then(*row) : Result<void>{};
+    const world::ModelRow row = newest().row(model);
+    return row ? then(row) : Result<void>{};
   }
 
   Result<void> execute(const replicate::Rewind& rewind, WebViewer&) {
@@ -403,13 +403,13 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   Result<void> execute(const replicate::Drag& drag, WebViewer&) {
-    return with_row(drag.model, [&](std::uint32_t row) -> Result<void> {
+    return with_row(drag.model, [&](world::ModelRow row) -> Result<void> {
       if (!may_be_moved(row)) return Error{"", "this model may not be moved by hand"};
       return post_change([drag](world::Journal& journal) {
         const world::World& world = journal.world();
         const world::ModelRow model = world.row(drag.model);
         if (!model) return;  // removed
-        geom::Pose X_PM = world.models.X_PM[model.index];
+        geom::Pose X_PM = world.models.X_PM[model];
         X_PM.x = drag.x;
         X_PM.y = drag.y;
         X_PM.a = geom::normalize(drag.a);
@@ -426,7 +426,7 @@ class WebServer::Impl final : public net::HttpService,
       return {};
     };
     if (is_body(drive.model, from)) return turn_wheels();  // may be newer than the latest layout
-    return with_row(drive.model, [&](std::uint32_t row) -> Result<void> {
+    return with_row(drive.model, [&](world::ModelRow row) -> Result<void> {
       if (!(newest().traits[row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
       return turn_wheels();
     });
@@ -441,10 +441,10 @@ class WebServer::Impl final : public net::HttpService,
     if (!control_.post(tell, drive.model)) log::info("web: {} is not told of a command", from.peer());
   }
 
-  bool may_be_moved(std::uint32_t row) const { return newest().traits[row] & replicate::kMovable; }
+  bool may_be_moved(world::ModelRow row) const { return newest().traits[row] & replicate::kMovable; }
 
   Result<void> execute(const replicate::Copy& copy, WebViewer& from) {
-    return with_row(copy.model, [&](std::uint32_t row) -> Result<void> {
+    return with_row(copy.model, [&](world::ModelRow row) -> Result<void> {
       if (!may_be_moved(newest().root[row])) return Error{"", "this model may not be copied"};
       return post_spawn(from, [copy](world::Journal& journal) -> std::optional<Result<world::ModelId>> {
         if (!journal.world().row(copy.model)) return std::nullopt;
@@ -496,13 +496,13 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   Result<void> execute(const replicate::Remove& remove, WebViewer&) {
-    return with_row(remove.model, [&](std::uint32_t row) -> Result<void> {
+    return with_row(remove.model, [&](world::ModelRow row) -> Result<void> {
       if (!may_be_moved(newest().root[row])) return Error{"", "this model may not be removed"};
       return post_change([remove](world::Journal& journal) {
         const world::World& world = journal.world();
         const world::ModelRow model = world.row(remove.model);
         if (!model) return;
-        const Result<void> gone = journal.despawn(world.id({world.models.root[model.index]}));
+        const Result<void> gone = journal.despawn(world.id(world.models.root[model]));
         PLAYHOUSE_ASSERT(gone.ok());
       });
     });

@@ -374,7 +374,7 @@ TEST_F(WebServerTest, a_flood_of_commands_waits_for_its_turns_and_nobody_else_do
   std::size_t most = 0;
   EXPECT_TRUE(turn_until([&] {
     most = std::max(most, notes_.posted());
-    return std::abs(small_.world.models.X_PM[1].x - 1000) < 5;
+    return std::abs(small_.world.models.X_PM[{1}].x - 1000) < 5;
   })) << "nothing is lost";
   EXPECT_LE(most, limits::kViewerCommandsPerTurn);
 }
@@ -384,13 +384,13 @@ TEST_F(WebServerTest, a_robot_is_dragged_and_a_wall_is_not) {
   ASSERT_TRUE(viewer.upgrade());
   viewer.message();
   viewer.send_text(R"({"do":"drag","model":1,"x":40,"y":50,"a":1})");
-  EXPECT_TRUE(turn_until([this] { return std::abs(small_.world.models.X_PM[1].x - 40) < 5; }));
+  EXPECT_TRUE(turn_until([this] { return std::abs(small_.world.models.X_PM[{1}].x - 40) < 5; }));
   viewer.send_text(R"({"do":"drag","model":0,"x":40,"y":50,"a":1})");
   std::string text;
   while (!(text = viewer.message(turning())).empty() && text[0] != 1) {
   }
   EXPECT_NE(text.find("may not be moved"), std::string::npos);
-  EXPECT_EQ(small_.world.models.X_PM[0].x, 0);
+  EXPECT_EQ(small_.world.models.X_PM[{0}].x, 0);
 }
 
 TEST_F(WebServerTest, robots_are_added_copied_and_removed_and_viewers_follow) {
@@ -407,7 +407,7 @@ TEST_F(WebServerTest, robots_are_added_copied_and_removed_and_viewers_follow) {
   world::set_fiducial_return(small_.world, {14}, 77);
   viewer.send_text(R"({"do":"copy","model":15,"x":5,"y":5,"a":1})");
   EXPECT_THAT(next_text(viewer, turning()), AllOf(HasSubstr(R"({"id":18,)"), HasSubstr(R"("name":"r0~3")")));
-  EXPECT_EQ(small_.world.models.fiducial_return[18], 77);
+  EXPECT_EQ(small_.world.models.fiducial_return[{18}], 77);
   viewer.send_text(R"({"do":"remove","model":2})");
   EXPECT_THAT(next_text(viewer, turning()), HasSubstr(R"({"gone":[1,2,3,4],)"));
   EXPECT_EQ(small_.world.models.size(), 18u);
@@ -447,7 +447,7 @@ TEST_F(WebServerTest, a_copy_has_the_color_that_the_original_has_now) {
   EXPECT_THAT(next_text(viewer, turning()), HasSubstr(R"("name":"puck~2")"));
   const world::ModelRow copy = small_.world.find("puck~2");
   ASSERT_TRUE(copy);
-  EXPECT_EQ(small_.world.models.color[copy.index], kGreen);
+  EXPECT_EQ(small_.world.models.color[copy], kGreen);
 }
 
 TEST_F(WebServerTest, a_viewer_gets_the_world_as_it_stands_as_a_file) {
@@ -518,13 +518,13 @@ TEST_F(WebServerTest, a_selected_robot_that_goes_is_forgotten_and_its_successor_
   ASSERT_TRUE(viewer.upgrade());
   viewer.message();
   viewer.send_text(R"({"do":"select","model":1})");
-  ASSERT_TRUE(turn_until([&] { return small_.world.models.subscribers[2] == 1; }));
+  ASSERT_TRUE(turn_until([&] { return small_.world.models.subscribers[{2}] == 1; }));
   ASSERT_TRUE(world::despawn(small_.world, SmallWorld::id(0)).ok());
   EXPECT_THAT(next_text(viewer, turning()), HasSubstr(R"({"gone":[1,2,3,4],)"));
   viewer.send_text(R"({"do":"select","model":5})");
-  ASSERT_TRUE(turn_until([&] { return small_.world.models.subscribers[2] == 1; }));
+  ASSERT_TRUE(turn_until([&] { return small_.world.models.subscribers[{2}] == 1; }));
   viewer.send_text(R"({"do":"select","model":null})");
-  EXPECT_TRUE(turn_until([&] { return small_.world.models.subscribers[2] == 0; }));
+  EXPECT_TRUE(turn_until([&] { return small_.world.models.subscribers[{2}] == 0; }));
 }
 
 TEST_F(WebServerTest, a_robot_is_driven_until_its_viewer_leaves) {
@@ -534,12 +534,12 @@ TEST_F(WebServerTest, a_robot_is_driven_until_its_viewer_leaves) {
     ASSERT_TRUE(viewer.upgrade());
     viewer.send_text("{\"do\":\"drive\",\"model\":" + std::to_string(SmallWorld::robot(1)) +
                      ",\"forward\":0.4,\"sideways\":0,\"turn\":-0.5}");
-    EXPECT_TRUE(turn_until([&] { return small_.world.positions.command[1].a == -0.5; }));
-    EXPECT_EQ(small_.world.positions.command[1].x, 0.4);
+    EXPECT_TRUE(turn_until([&] { return small_.world.positions.command[{1}].a == -0.5; }));
+    EXPECT_EQ(small_.world.positions.command[{1}].x, 0.4);
     EXPECT_EQ(wheels(), 1u);
   }
   EXPECT_TRUE(turn_until([&] { return wheels() == 0; }));
-  EXPECT_EQ(small_.world.positions.command[1], geom::Twist{});
+  EXPECT_EQ(small_.world.positions.command[{1}], geom::Twist{});
 }
 
 TEST_F(WebServerTest, who_numbers_a_command_is_told_from_which_tick_on_it_counts) {
@@ -555,7 +555,7 @@ TEST_F(WebServerTest, who_numbers_a_command_is_told_from_which_tick_on_it_counts
     text = next_text(viewer, turning());
   } while (!text.empty() && text.find("driven") == std::string::npos);
   EXPECT_THAT(text, HasSubstr("{\"driven\":{\"input\":77,\"tick\":4711}}"));
-  EXPECT_EQ(small_.world.positions.command[1].x, 0.4) << "and it has been carried out by then";
+  EXPECT_EQ(small_.world.positions.command[{1}].x, 0.4) << "and it has been carried out by then";
 }
 
 TEST_F(WebServerTest, what_physics_takes_bodies_for_is_told_on_demand_as_often_as_it_is_asked_for) {
@@ -1200,7 +1200,7 @@ TEST_F(BodiesTest, come_where_there_is_a_place) {
   ASSERT_TRUE(guest.upgrade_with("somebody-"));
   guest.send_text(R"({"do":"join","name":"Bob","x":51,"y":9,"a":0.5})");
   ASSERT_TRUE(hears(guest, R"("body":)"));
-  const geom::Pose& X_WM = small_.world.models.X_WM[small_.world.find("Bob").index];
+  const geom::Pose& X_WM = small_.world.models.X_WM[small_.world.find("Bob")];
   EXPECT_NEAR(X_WM.x, 40, 2) << "not at 51: some ticks have passed";
   EXPECT_NEAR(X_WM.y, 9, 2);
 }
@@ -1255,7 +1255,7 @@ TEST_F(BodiesTest, are_not_mistaken_for_a_robot_that_has_their_id) {
   guest.send_text(R"({"do":"drive")" + of_body + R"(,"forward":1,"sideways":0,"turn":0})");
   ASSERT_TRUE(turn_until([&] {
     const world::PositionRow row = small_.world.position(body_);
-    return small_.world.positions.command[row.index].x == 1;
+    return small_.world.positions.command[row].x == 1;
   }));
   replace_body(0);
   EXPECT_THAT(text_with(guest, "\"gone\":[" + std::to_string(filler_.value)), HasSubstr("models"));

@@ -7,7 +7,7 @@ namespace playhouse::world {
 namespace {
 
 const scene::CameraDesc& camera_of(const World& world, CameraRow camera) {
-  return *world.desc(world.cameras.model[camera.index]).camera;
+  return *world.desc(world.cameras.model[camera]).camera;
 }
 
 /// Clamps `wanted`.
@@ -21,26 +21,26 @@ bool aim_camera(World& world, CameraRow camera, const Aim& aim) {
   if (!std::isfinite(aim.pan) || !std::isfinite(aim.tilt) || !std::isfinite(aim.zoom)) return false;
   const scene::CameraDesc& desc = camera_of(world, camera);
   Cameras& cameras = world.cameras;
-  cameras.goal_pan[camera.index] = within(aim.pan, desc.pan_min, desc.pan_max);
-  cameras.goal_tilt[camera.index] = within(aim.tilt, desc.tilt_min, desc.tilt_max);
-  if (aim.zoom > 0) cameras.goal_zoom[camera.index] = within(aim.zoom, desc.zoom_min, desc.zoom_max);
+  cameras.goal_pan[camera] = within(aim.pan, desc.pan_min, desc.pan_max);
+  cameras.goal_tilt[camera] = within(aim.tilt, desc.tilt_min, desc.tilt_max);
+  if (aim.zoom > 0) cameras.goal_zoom[camera] = within(aim.zoom, desc.zoom_min, desc.zoom_max);
   return true;
 }
 
 bool turn_camera(World& world, CameraRow camera, double pan_speed, double tilt_speed) {
   if (!std::isfinite(pan_speed) || !std::isfinite(tilt_speed)) return false;
-  world.cameras.command_pan[camera.index] = pan_speed;
-  world.cameras.command_tilt[camera.index] = tilt_speed;
+  world.cameras.command_pan[camera] = pan_speed;
+  world.cameras.command_tilt[camera] = tilt_speed;
   return true;
 }
 
 void set_camera_mode(World& world, CameraRow camera, ControlMode mode) {
   Cameras& cameras = world.cameras;
-  if (cameras.mode[camera.index] == mode) return;
-  cameras.mode[camera.index] = mode;
-  cameras.goal_pan[camera.index] = cameras.pan[camera.index];
-  cameras.goal_tilt[camera.index] = cameras.tilt[camera.index];
-  cameras.command_pan[camera.index] = cameras.command_tilt[camera.index] = 0;
+  if (cameras.mode[camera] == mode) return;
+  cameras.mode[camera] = mode;
+  cameras.goal_pan[camera] = cameras.pan[camera];
+  cameras.goal_tilt[camera] = cameras.tilt[camera];
+  cameras.command_pan[camera] = cameras.command_tilt[camera] = 0;
 }
 
 std::size_t bytes_per_pixel(scene::ImageKind image) {

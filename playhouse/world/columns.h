@@ -9,6 +9,8 @@
 
 #include <tuple>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "playhouse/world/traits.h"
 #include "playhouse/world/world.h"
@@ -35,21 +37,41 @@ inline constexpr bool is_done(Role role) {
 /// Granularity of a column: one value per row, or per beam of a row.
 enum class Per : std::uint8_t { kRow, kBeam };
 
-/// `Of` is a std::vector or a SharedColumn.
+/// The values of a column by number, whatever the table: for what is done with each column.
+template <typename T>
+std::vector<T>& numbered(std::vector<T>& values) {
+  return values;
+}
+template <typename T>
+const std::vector<T>& numbered(const std::vector<T>& values) {
+  return values;
+}
+template <typename T>
+SharedColumn<T>& numbered(SharedColumn<T>& values) {
+  return values;
+}
+template <typename T>
+const SharedColumn<T>& numbered(const SharedColumn<T>& values) {
+  return values;
+}
+
+/// `Of` is a ByRow or a SharedByRow.
 template <typename Table, typename Of>
 struct Column {
-  using Values = Of;
+  using Values = std::remove_reference_t<decltype(numbered(std::declval<Of&>()))>;
   const char* name;
   Role role;
   const char* unit;    // "" for numbers, rows and texts
   const char* frame;   // of vectors and poses: P parent, W world, M the model, O odometry; else ""
   const char* writer;  // phases and functions that write it after creation
-  Values Table::*values;
+  Of Table::*values;
   Per per = Per::kRow;
 
   constexpr Column(const char* name, Role role, const char* unit, const char* frame, const char* writer,
-                   Values Table::*values, Per per = Per::kRow)
+                   Of Table::*values, Per per = Per::kRow)
       : name(name), role(role), unit(unit), frame(frame), writer(writer), values(values), per(per) {}
+  constexpr Values& of(Table& table) const { return numbered(table.*values); }
+  constexpr const Values& of(const Table& table) const { return numbered(table.*values); }
 };
 
 template <typename Values>
@@ -87,7 +109,8 @@ struct ColumnsOf<Models> {
     visit(Column{"models.subscribers", Role::kUse, "", "", "subscribe, unsubscribe", &Models::subscribers});
     visit(Column{"models.controllers", Role::kUse, "", "", "subscribe_controller", &Models::controllers});
     visit(Column{"models.watchers", Role::kUse, "", "", "watch, unwatch", &Models::watchers});
-    visit(Column{"models.fiducial_return", Role::kMark, "", "", "set_fiducial_return", &Models::fiducial_return});
+    visit(Column{"models.fiducial_return", Role::kMark, "", "", "set_fiducial_return",
+                 &Models::fiducial_return});
     visit(Column{"models.flags", Role::kMark, "", "", "add_flags", &Models::flags});
     visit(Column{"models.color", Role::kMark, "", "", "set_color", &Models::color});
     visit(Column{"models.say", Role::kMark, "", "", "set_say", &Models::say});
@@ -135,7 +158,7 @@ void each_trait_table(const Visit& visit) {
 template <typename Visit, typename... Worlds>
 void each_column(const Visit& visit, Worlds&... worlds) {
   const auto each_of = [&]<typename Table>(Table Tables::*table) {
-    each_column_of<Table>([&](const auto& column) { visit(column, worlds.*table.*column.values...); });
+    each_column_of<Table>([&](const auto& column) { visit(column, column.of(worlds.*table)...); });
   };
   std::apply([&](auto... table) { (each_of(table), ...); }, kTables);
 }
@@ -148,39 +171,40 @@ struct Range {
 /// The range of a model's values in the columns of a table, per row or
 /// per beam. The only code that knows how tables refer to each other.
 template <typename Table>
-Range range_of(const Tables& tables, std::uint32_t model, Per per) {
+Range range_of(const Tables& tables, ModelRow model, Per per) {
   const Models& models = tables.models;
   if constexpr (std::is_same_v<Table, Models>) {
-    return {model, model + 1};
+    return {model.index, model.index + 1};
   } else if constexpr (std::is_same_v<decltype(kKindOf<Table>), const scene::ModelKind>) {
-    const std::uint32_t part = models.part[model];
+    const std::uint32_t part = models.part[model].index;
     return models.kind[model] == kKindOf<Table> ? Range{part, part + 1} : Range{};
   } else if constexpr (!std::is_null_pointer_v<std::remove_const_t<decltype(kHas<Table>)>>) {
-    const std::uint32_t row = trait_row(tables.*kTraitTable<Table>, model);
-    return row == ModelRow::kNone ? Range{} : Range{row, row + 1};
+    const auto row = trait_row(tables.*kTraitTable<Table>, model);
+    return row ? Range{row.index, row.index + 1} : Range{};
   } else {
     static_assert(std::is_same_v<Table, Sensors>);
     if (models.kind[model] != scene::ModelKind::kRanger) return {};
-    const std::uint32_t ranger = models.part[model];
-    const std::uint32_t first = tables.rangers.first_sensor[ranger],
-                        count = tables.rangers.sensor_count[ranger];
-    if (per == Per::kRow || count == 0) return {first, per == Per::kRow ? first + count : first};
+    const RangerRow ranger = models.part[model];
+    const SensorRow first = tables.rangers.first_sensor[ranger];
+    const std::uint32_t count = tables.rangers.sensor_count[ranger];
+    if (per == Per::kRow || count == 0)
+      return {first.index, per == Per::kRow ? first.index + count : first.index};
     const Sensors& sensors = tables.sensors;
-    const std::uint32_t last = first + count - 1;
-    return {sensors.first_beam[first], sensors.first_beam[last] + sensors.beam_count[last]};
+    const SensorRow last = first + (count - 1);
+    return {sensors.first_beam[first].index, sensors.first_beam[last].index + sensors.beam_count[last]};
   }
 }
 
 /// Calls visit(column, values..., range) for every column in
 /// which a model has values; ranges are those of `tables`.
 template <typename Visit, typename... Worlds>
-void each_value_of(const Tables& tables, std::uint32_t model, const Visit& visit, Worlds&... worlds) {
+void each_value_of(const Tables& tables, ModelRow model, const Visit& visit, Worlds&... worlds) {
   const auto each_of = [&]<typename Table>(Table Tables::*table) {
     const Range rows = range_of<Table>(tables, model, Per::kRow);
     if (rows.begin == rows.end) return;
     const Range beams = range_of<Table>(tables, model, Per::kBeam);
     each_column_of<Table>([&](const auto& column) {
-      visit(column, worlds.*table.*column.values..., column.per == Per::kBeam ? beams : rows);
+      visit(column, column.of(worlds.*table)..., column.per == Per::kBeam ? beams : rows);
     });
   };
   std::apply([&](auto... table) { (each_of(table), ...); }, kTables);

@@ -61,8 +61,8 @@ T& first_of(SharedColumn<T>& values) {
 /// A column of a world, whatever the type of its values: tests loop over these, and are compiled once.
 class AnyColumn {
  public:
-  template <typename Table, typename Values>
-  explicit AnyColumn(const Column<Table, Values>& column)
+  template <typename Table, typename Of>
+  explicit AnyColumn(const Column<Table, Of>& column)
       : name(column.name), unit(column.unit), frame(column.frame), role(column.role) {}
   virtual ~AnyColumn() = default;
 
@@ -84,8 +84,8 @@ class AnyColumn {
 template <typename Values>
 class TypedColumn : public AnyColumn {
  public:
-  template <typename Table>
-  TypedColumn(const Column<Table, Values>& column, const World& world, Values& values)
+  template <typename Table, typename Of>
+  TypedColumn(const Column<Table, Of>& column, const World& world, Values& values)
       : AnyColumn(column), values_(values), before_(values), offset_(place_of(values) - place_of(world)) {
     using Value = typename Values::value_type;
     is_float = std::is_same_v<Value, float>;
@@ -126,7 +126,7 @@ class TypedColumn : public AnyColumn {
 std::vector<std::unique_ptr<AnyColumn>> columns_of(World& world) {
   std::vector<std::unique_ptr<AnyColumn>> columns;
   each_column(
-      [&]<typename Table, typename Values>(const Column<Table, Values>& column, Values& values) {
+      [&]<typename Values>(const auto& column, Values& values) {
         columns.push_back(std::make_unique<TypedColumn<Values>>(column, world, values));
       },
       world);
@@ -145,7 +145,8 @@ class EveryColumn : public ::testing::Test {
           if constexpr (kIsList<Value> && !std::is_same_v<Value, std::string>) values[0].emplace_back();
         },
         world);
-    world.wifis.incoming[0][0].size = world.wifis.outgoing[0][0].size = 1;  // as the lists of bytes have it
+    world.wifis.incoming[{0}][0].size = world.wifis.outgoing[{0}][0].size =
+        1;  // as the lists of bytes have it
   }
 
   static scene::SceneDesc make_scene() {
@@ -168,8 +169,8 @@ class EveryColumn : public ::testing::Test {
   }
   /// Controllers read every part of the robot.
   static void control_parts(World& w) {
-    for (std::uint32_t row = 1; row < w.models.size(); ++row)
-      if (w.models.parent[row] == 0) subscribe_controller(w, {row});
+    for (const ModelRow row : w.models.rows())
+      if (w.models.parent[row] == ModelRow{0}) subscribe_controller(w, row);
   }
 
   const scene::SceneDesc scene = make_scene();
@@ -289,9 +290,9 @@ TEST_F(EveryColumn, counts_as_memory) {
     else
       EXPECT_EQ(world.bytes(), before + more) << column->name;
   }
-  std::vector<FiducialHit>& hits = world.fiducials.hits[0];
+  std::vector<FiducialHit>& hits = world.fiducials.hits[{0}];
   const std::size_t before = world.bytes(), room = hits.capacity();
-  std::string& say = world.models.say.own(0);
+  std::string& say = world.models.say.own({0});
   const std::size_t with_own = world.bytes();
   EXPECT_GE(with_own, before + sizeof(std::string));
   say.assign(99, 'x');

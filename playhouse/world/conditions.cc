@@ -18,23 +18,22 @@ bool fits(const scene::Term& term, std::string_view text) {
 }
 
 /// Speed of a driving model; 0 for others.  [m/s]
-double speed_of(const World& world, std::uint32_t model) {
+double speed_of(const World& world, ModelRow model) {
   if (world.models.kind[model] != ModelKind::kPosition) return 0;
   const geom::Twist& v = world.positions.velocity[world.models.part[model]];
   return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
 /// True if the model or a part of it is a lit lamp.
-bool has_light(const World& world, std::uint32_t model) {
+bool has_light(const World& world, ModelRow model) {
   if (is_lit(world, model)) return true;
-  for (std::uint32_t child = world.models.first_child[model]; child != ModelRow::kNone;
-       child = world.models.next_sibling[child])
+  for (const ModelRow child : world.children(model))
     if (has_light(world, child)) return true;
   return false;
 }
 
-double number_of(const World& world, Property property, std::uint32_t model) {
-  const scene::ModelDesc& desc = world.desc({model});
+double number_of(const World& world, Property property, ModelRow model) {
+  const scene::ModelDesc& desc = world.desc(model);
   switch (property) {
     case Property::kLight:
       return has_light(world, model) ? 1 : 0;
@@ -62,15 +61,15 @@ bool compares(const scene::Term& term, double number) {
 
 }  // namespace
 
-std::optional<bool> switch_of(const World& world, std::uint32_t model) {
-  const std::uint32_t part = world.models.part[model];
+std::optional<bool> switch_of(const World& world, ModelRow model) {
+  const KindRow part = world.models.part[model];
   if (world.models.kind[model] == ModelKind::kBlinkenlight) return world.blinkenlights.lit[part] != 0;
   if (world.models.kind[model] == ModelKind::kLightindicator) return world.lightindicators.lit[part] != 0;
   return std::nullopt;
 }
 
-bool is_lit(const World& world, std::uint32_t model) {
-  return switch_of(world, model).value_or(world.desc({model}).lamp > 0);
+bool is_lit(const World& world, ModelRow model) {
+  return switch_of(world, model).value_or(world.desc(model).lamp > 0);
 }
 
 Conditions::Conditions(const World& world, std::span<const std::string> texts) {
@@ -81,32 +80,31 @@ Conditions::Conditions(const World& world, std::span<const std::string> texts) {
     for (scene::Term& says : *condition) {
       Term& term = terms.emplace_back(Term{std::move(says), {}});
       if (term.says.property != Property::kName) continue;
-      for (std::uint32_t model = 0; model < world.models.size(); ++model)
-        term.named.push_back(fits(term.says, world.name({model})) ? 1 : 0);
+      for (const ModelRow model : world.models.rows())
+        term.named.push_back(fits(term.says, world.name(model)) ? 1 : 0);
     }
   }
 }
 
-bool Conditions::hold(const World& world, std::uint32_t model) const {
+bool Conditions::hold(const World& world, ModelRow model) const {
   return std::ranges::any_of(conditions_, [&](const std::vector<Term>& terms) {
     return std::ranges::all_of(terms, [&](const Term& term) { return holds(world, term, model); });
   });
 }
 
-bool Conditions::holds(const World& world, const Term& term, std::uint32_t model) {
+bool Conditions::holds(const World& world, const Term& term, ModelRow model) {
   bool one_has = false;
-  for (; model != ModelRow::kNone && !one_has; model = world.models.parent[model])
-    one_has = has(world, term, model);
+  for (; model && !one_has; model = world.models.parent[model]) one_has = has(world, term, model);
   const bool unwanted = term.says.compare == Compare::kIsNot || term.says.compare == Compare::kBelow;
   return one_has != unwanted;
 }
 
-bool Conditions::has(const World& world, const Term& term, std::uint32_t model) {
+bool Conditions::has(const World& world, const Term& term, ModelRow model) {
   switch (term.says.property) {
     case Property::kName:
-      return term.named[model] != 0;
+      return term.named[model.index] != 0;
     case Property::kMaterial:
-      return fits(term.says, world.desc({model}).material);
+      return fits(term.says, world.desc(model).material);
     case Property::kSays:
       return fits(term.says, world.models.say[model]);
     case Property::kKind:

@@ -16,9 +16,9 @@
 namespace playhouse::world {
 
 /// Whether a switchable lamp is on; none if the model has no switch.
-std::optional<bool> switch_of(const World& world, std::uint32_t model);
+std::optional<bool> switch_of(const World& world, ModelRow model);
 /// Whether a model emits light: a switchable lamp if it is on, any other with candela > 0.
-bool is_lit(const World& world, std::uint32_t model);
+bool is_lit(const World& world, ModelRow model);
 
 class Conditions {
  public:
@@ -28,15 +28,15 @@ class Conditions {
   bool empty() const { return conditions_.empty(); }
 
   /// True if any condition holds for the model in this row now. No allocation.
-  bool hold(const World& world, std::uint32_t model) const;
+  bool hold(const World& world, ModelRow model) const;
 
  private:
   struct Term {
     scene::Term says;
     std::vector<std::uint8_t> named;  // of a name: 1 for models that have it                        (models)
   };
-  static bool holds(const World& world, const Term& term, std::uint32_t model);
-  static bool has(const World& world, const Term& term, std::uint32_t model);
+  static bool holds(const World& world, const Term& term, ModelRow model);
+  static bool has(const World& world, const Term& term, ModelRow model);
 
   std::vector<std::vector<Term>> conditions_;
 };

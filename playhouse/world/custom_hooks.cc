@@ -11,7 +11,7 @@
 namespace playhouse::world {
 
 const CustomCode* custom_code(const World& world, ModelRow model) {
-  const std::uint32_t desc = world.models.desc[model.index];
+  const std::uint32_t desc = world.models.desc[model];
   return desc < world.custom_codes.size() ? world.custom_codes[desc].get() : nullptr;
 }
 
@@ -26,21 +26,21 @@ bool all_finite(std::span<const double> numbers) {
 }
 
 CustomModel custom_model(const World& world, CustomRow custom, std::uint64_t tick, Purpose purpose) {
-  const ModelRow model = world.customs.model[custom.index];
+  const ModelRow model = world.customs.model[custom];
   return {.world = world,
           .model = model,
           .time = world.time_of(tick),
           .dt = world.scene().interval,
           .used = is_used(world, model),
-          .command = world.customs.command[custom.index],
+          .command = world.customs.command[custom],
           .random = Rng(world.seed(), tick, {purpose, world.serial(model)})};
 }
 
 void begin_custom(World& world, CustomRow custom) {
-  const ModelRow model = world.customs.model[custom.index];
+  const ModelRow model = world.customs.model[custom];
   const CustomCode* const code = custom_code(world, model);
-  std::vector<double>& state = world.customs.state[custom.index];
-  std::vector<double>& command = world.customs.command[custom.index];
+  std::vector<double>& state = world.customs.state[custom];
+  std::vector<double>& command = world.customs.command[custom];
   if (!code || (state.size() == code->sizes.state && command.size() == code->sizes.commands)) return;
   state.assign(code->sizes.state, 0);
   command.assign(code->sizes.commands, 0);
@@ -54,7 +54,7 @@ void begin_custom(World& world, CustomRow custom) {
 
 bool command_custom(World& world, CustomRow custom, std::uint32_t which, double value) {
   begin_custom(world, custom);
-  std::vector<double>& command = world.customs.command[custom.index];
+  std::vector<double>& command = world.customs.command[custom];
   if (which >= command.size() || !std::isfinite(value)) return false;
   command[which] = value;
   return true;

@@ -3,8 +3,8 @@
 namespace playhouse::world {
 
 void command_gripper(World& world, GripperRow gripper, GripperCommand command) {
-  std::int32_t& closing = world.grippers.closing[gripper.index];
-  std::int32_t& rising = world.grippers.rising[gripper.index];
+  std::int32_t& closing = world.grippers.closing[gripper];
+  std::int32_t& rising = world.grippers.rising[gripper];
   switch (command) {
     case GripperCommand::kOpen:
       closing = -1;
@@ -25,18 +25,18 @@ void command_gripper(World& world, GripperRow gripper, GripperCommand command) {
 }
 
 PaddleState paddle_state(const Grippers& grippers, GripperRow gripper) {
-  const double paddles = grippers.paddles[gripper.index];
-  const std::int32_t closing = grippers.closing[gripper.index];
+  const double paddles = grippers.paddles[gripper];
+  const std::int32_t closing = grippers.closing[gripper];
   if (closing < 0) return PaddleState::kMoving;
-  if (paddles >= grippers.close_limit[gripper.index]) return PaddleState::kClosed;
+  if (paddles >= grippers.close_limit[gripper]) return PaddleState::kClosed;
   if (closing > 0) return PaddleState::kMoving;
   return paddles <= 0 ? PaddleState::kOpen : PaddleState::kStopped;
 }
 
 ModelRow held_by(const World& world, GripperRow gripper) {
-  const ModelRow held = world.row(world.grippers.held[gripper.index]);
-  const ModelId own = world.id(world.grippers.model[gripper.index]);
-  return held && world.models.parent_id[held.index] == own ? held : ModelRow{};
+  const ModelRow held = world.row(world.grippers.held[gripper]);
+  const ModelId own = world.id(world.grippers.model[gripper]);
+  return held && world.models.parent_id[held] == own ? held : ModelRow{};
 }
 
 }  // namespace playhouse::world

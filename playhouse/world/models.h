@@ -18,35 +18,59 @@ namespace playhouse::world {
 
 using ModelRow = Row<struct ModelTable>;
 
+}  // namespace playhouse::world
+
+namespace playhouse {
+template <>
+inline constexpr bool kIsNumbered<world::ModelTable> = !kRowsAlone;
+}  // namespace playhouse
+
+namespace playhouse::world {
+
+/// A row of the table of a model's kind, whichever that is: of the kind that is asked for.
+struct KindRow : Row<struct KindTable> {
+  template <typename Table>
+  constexpr operator Row<Table>() const {
+    return {index};
+  }
+};
+
+/// A value for each model.
+template <typename Value>
+using ByModel = ByRow<ModelTable, Value>;
+
 /// Every model (n rows).
 struct Models {
-  std::vector<ModelId> id;              // ascending
-  std::vector<std::uint32_t> desc;      // row of SceneDesc::models, its prototype; shared by many
-  std::vector<ModelId> parent_id;       // none for a root
-  std::vector<std::uint32_t> parent;    // the same as a row, or Row::kNone
-  SharedColumn<geom::Pose> X_PM{desc};  // pose in the parent; roots and robots have their own value
-  std::vector<geom::Pose> X_WM;         // pose in the world
+  ByModel<ModelId> id;          // ascending
+  ByModel<std::uint32_t> desc;  // row of SceneDesc::models, its prototype; shared by many
+  ByModel<ModelId> parent_id;   // none for a root
+  ByModel<ModelRow> parent;     // the same as a row
+  SharedByRow<ModelTable, geom::Pose> X_PM{
+      desc};                 // pose in the parent; roots and robots have their own value
+  ByModel<geom::Pose> X_WM;  // pose in the world
   /// Tilt in the parent and in the world; together with X_PM and X_WM
   /// six degrees of freedom. Zero in engines that keep models upright.
-  SharedColumn<geom::Tilt> tilt_PM{desc}, tilt_WM{desc};
+  SharedByRow<ModelTable, geom::Tilt> tilt_PM{desc}, tilt_WM{desc};
   /// Velocity of a root in the world, and for how many ticks it has been
   /// at rest (sleeping). Only in engines with dynamics; otherwise zero.
-  SharedColumn<geom::SpatialVelocity> V_WM{desc};
-  SharedColumn<std::uint32_t> still{desc};
-  std::vector<std::uint32_t> root;  // root of the tree; its own row for a root
-  std::vector<scene::ModelKind> kind;
-  std::vector<std::uint32_t> part;            // row in the kind's own table, or Row::kNone
-  std::vector<std::uint32_t> first_child;     // rows or Row::kNone; see World::children()
-  std::vector<std::uint32_t> next_sibling;    // ascending
-  std::vector<Mobility> mobility;             // how it moves
-  std::vector<std::uint32_t> subscribers;     // open devices, controllers, one for alwayson
-  std::vector<std::uint32_t> controllers;     // of the subscribers
-  std::vector<std::uint32_t> watchers;        // of the subscribers: passive viewers
-  std::vector<std::int32_t> fiducial_return;  // 0: invisible to finders
-  std::vector<std::int32_t> flags;            // tokens carried (source, sink)
-  SharedColumn<scene::Color> color{desc};
-  SharedColumn<std::string> say{desc};  // speech bubble; starts as the scene's; own with controllers
+  SharedByRow<ModelTable, geom::SpatialVelocity> V_WM{desc};
+  SharedByRow<ModelTable, std::uint32_t> still{desc};
+  ByModel<ModelRow> root;  // root of the tree; its own row for a root
+  ByModel<scene::ModelKind> kind;
+  ByModel<KindRow> part;                  // row in the kind's own table, or none
+  ByModel<ModelRow> first_child;          // see World::children()
+  ByModel<ModelRow> next_sibling;         // ascending
+  ByModel<Mobility> mobility;             // how it moves
+  ByModel<std::uint32_t> subscribers;     // open devices, controllers, one for alwayson
+  ByModel<std::uint32_t> controllers;     // of the subscribers
+  ByModel<std::uint32_t> watchers;        // of the subscribers: passive viewers
+  ByModel<std::int32_t> fiducial_return;  // 0: invisible to finders
+  ByModel<std::int32_t> flags;            // tokens carried (source, sink)
+  SharedByRow<ModelTable, scene::Color> color{desc};
+  SharedByRow<ModelTable, std::string> say{
+      desc};  // speech bubble; starts as the scene's; own with controllers
   std::size_t size() const { return id.size(); }
+  RowsOf<ModelTable> rows() const { return id.rows(); }
 };
 
 /// Meaning of a drive's command: a velocity [m/s, rad/s], for a car with the

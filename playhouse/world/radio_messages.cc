@@ -8,11 +8,11 @@
 namespace playhouse::world {
 
 RadioMessages outgoing_of(const Wifis& wifis, WifiRow radio) {
-  return {wifis.outgoing[radio.index], wifis.outgoing_bytes[radio.index]};
+  return {wifis.outgoing[radio], wifis.outgoing_bytes[radio]};
 }
 
 RadioMessages incoming_of(const Wifis& wifis, WifiRow radio) {
-  return {wifis.incoming[radio.index], wifis.incoming_bytes[radio.index]};
+  return {wifis.incoming[radio], wifis.incoming_bytes[radio]};
 }
 
 bool are_whole(const RadioMessages& all) {
@@ -27,22 +27,22 @@ bool are_whole(const RadioMessages& all) {
 bool send_message(World& world, WifiRow radio, ModelId to, std::span<const std::uint8_t> bytes) {
   if (bytes.size() > limits::kRadioMessageBytes) return false;
   Wifis& wifis = world.wifis;
-  if (wifis.outgoing[radio.index].size() >= limits::kRadioSends) {
-    ++wifis.dropped[radio.index];
+  if (wifis.outgoing[radio].size() >= limits::kRadioSends) {
+    ++wifis.dropped[radio];
     return false;
   }
-  wifis.outgoing[radio.index].push_back({to, static_cast<std::uint32_t>(bytes.size())});
-  std::ranges::copy(bytes, std::back_inserter(wifis.outgoing_bytes[radio.index]));
+  wifis.outgoing[radio].push_back({to, static_cast<std::uint32_t>(bytes.size())});
+  std::ranges::copy(bytes, std::back_inserter(wifis.outgoing_bytes[radio]));
   return true;
 }
 
 void receive_message(Wifis& wifis, WifiRow radio, ModelId from, std::span<const std::uint8_t> bytes) {
-  if (wifis.incoming[radio.index].size() >= limits::kRadioReceives) {
-    ++wifis.dropped[radio.index];
+  if (wifis.incoming[radio].size() >= limits::kRadioReceives) {
+    ++wifis.dropped[radio];
     return;
   }
-  wifis.incoming[radio.index].push_back({from, static_cast<std::uint32_t>(bytes.size())});
-  std::ranges::copy(bytes, std::back_inserter(wifis.incoming_bytes[radio.index]));
+  wifis.incoming[radio].push_back({from, static_cast<std::uint32_t>(bytes.size())});
+  std::ranges::copy(bytes, std::back_inserter(wifis.incoming_bytes[radio]));
 }
 
 }  // namespace playhouse::world

@@ -5,12 +5,15 @@
 /// rows may be read and written in parallel; a row gets its own value between phases only.
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "playhouse/base/row.h"
 
 namespace playhouse::world {
 
@@ -118,6 +121,33 @@ class SharedColumn {
   std::vector<T> shared_, own_;
   std::vector<std::uint32_t>
       at_;  // row of own_, or kShared for a shared value (rows up to the last one with an own value)
+};
+
+/// A shared column that is indexed by rows of one table alone.
+template <typename Table, typename T>
+struct SharedByRow : SharedColumn<T> {
+  using SharedColumn<T>::SharedColumn;
+  const T& operator[](Row<Table> row) const { return SharedColumn<T>::operator[](row.index); }
+  bool is_own(Row<Table> row) const { return SharedColumn<T>::is_own(row.index); }
+  T& own(Row<Table> row) { return SharedColumn<T>::own(row.index); }
+  void set(Row<Table> row, T value) { SharedColumn<T>::set(row.index, std::move(value)); }
+
+  template <std::integral Number>
+  const T& operator[](Number row) const requires kIsNumbered<Table> {
+    return SharedColumn<T>::operator[](static_cast<std::size_t>(row));
+  }
+  template <std::integral Number>
+  bool is_own(Number row) const requires kIsNumbered<Table> {
+    return SharedColumn<T>::is_own(static_cast<std::size_t>(row));
+  }
+  template <std::integral Number>
+  T& own(Number row) requires kIsNumbered<Table> {
+    return SharedColumn<T>::own(static_cast<std::size_t>(row));
+  }
+  template <std::integral Number>
+  void set(Number row, T value) requires kIsNumbered<Table> {
+    SharedColumn<T>::set(static_cast<std::size_t>(row), std::move(value));
+  }
 };
 
 }  // namespace playhouse::world

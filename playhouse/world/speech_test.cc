@@ -44,9 +44,9 @@ TEST(Spoken, is_left_as_it_is_by_itself) {
 TEST(Spoken, is_what_a_world_file_and_who_sets_it_have_a_model_say) {
   const scene::SceneDesc scene = scene_with("one\ntwo");
   World world(scene, 1);
-  EXPECT_EQ(world.models.say[1], "one two");
+  EXPECT_EQ(world.models.say[{1}], "one two");
   set_say(world, {0}, "three\n");
-  EXPECT_EQ(world.models.say[0], "three ");
+  EXPECT_EQ(world.models.say[{0}], "three ");
 }
 
 TEST(Spoken, is_counted_when_it_changes) {
@@ -64,7 +64,7 @@ TEST(Spoken, is_all_that_a_saved_run_can_hold) {
   for (const std::string& text :
        {"fine"s, "a\0b"s, "\xff"s, "a\nb"s, std::string(limits::kSayBytes + 1, 'x')}) {
     World world(scene, 1), loaded(scene, 1);
-    world.models.say.own(0) = text;
+    world.models.say.own({0}) = text;
     std::vector<std::byte> bytes;
     ASSERT_TRUE(save_state(world, bytes).ok());
     const std::uint64_t before = loaded.said();

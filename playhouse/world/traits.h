@@ -10,19 +10,20 @@
 
 namespace playhouse::world {
 
-/// The row of a model in the table of a trait; Row::kNone if it lacks the trait.
+/// The row of a model in the table of a trait; none if it lacks the trait.
 template <typename Table>
-std::uint32_t trait_row(const Table& table, std::uint32_t model) {
-  const auto found = std::ranges::lower_bound(table.model, ModelRow{model});
-  const bool has = found != table.model.end() && *found == ModelRow{model};
-  return has ? static_cast<std::uint32_t>(found - table.model.begin()) : ModelRow::kNone;
+auto trait_row(const Table& table, ModelRow model) {
+  using Found = decltype(table.model.next());
+  const auto found = std::ranges::lower_bound(table.model, model);
+  const bool has = found != table.model.end() && *found == model;
+  return has ? Found{static_cast<std::uint32_t>(found - table.model.begin())} : Found{};
 }
 
 /// The battery that supplies a model: its own, or that of
 /// its nearest ancestor with one; none if there is none.
 inline PackRow pack_of(const World& world, ModelRow model) {
-  for (std::uint32_t row = model.index; row != ModelRow::kNone; row = world.models.parent[row])
-    if (const std::uint32_t pack = trait_row(world.packs, row); pack != ModelRow::kNone) return {pack};
+  for (ModelRow row = model; row; row = world.models.parent[row])
+    if (const PackRow pack = trait_row(world.packs, row)) return pack;
   return {};
 }
 

@@ -24,6 +24,8 @@ template <typename T>
 inline constexpr bool kIsRow = false;
 template <typename Table>
 inline constexpr bool kIsRow<Row<Table>> = true;
+template <>
+inline constexpr bool kIsRow<KindRow> = true;
 
 /// Calls visit(number) for every number of a value that is no list; const if the value is.
 template <typename V, typename Visit>

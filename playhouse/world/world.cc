@@ -59,19 +59,19 @@ bool finite(double x, double y, double z, double a) {
 }
 
 const scene::PositionDesc& drive_of(const World& world, PositionRow robot) {
-  return *world.desc(world.positions.model[robot.index]).position;
+  return *world.desc(world.positions.model[robot]).position;
 }
 
 /// Clears command and motion of a row of a moving kind.
 template <typename Table>
-void stop(Table& table, std::uint32_t row) {
+void stop(Table& table, typename Table::Row row) {
   table.mode[row] = ControlMode::kVelocity;
   table.command[row] = {};
   table.velocity[row] = {};
   table.stall[row] = 0;
 }
 /// Custom models keep their commands: their code knows whether they are used.
-void stop(Customs&, std::uint32_t) {}
+void stop(Customs&, CustomRow) {}
 
 /// Records an utterance; entries keep their capacity.
 void utter(World& world, ModelRow model, const std::string& text) {
@@ -100,13 +100,17 @@ World::World(const scene::SceneDesc& scene, std::uint64_t seed) : scene_(&scene)
     const ModelId top{population.next_id()};
     first_id_.push_back(top.value);
     population.append_tree(top, tree.top, sizes[tree.top], tree.X_WM);
-    models.color.set(top.value, tree.color);
-    models.fiducial_return[top.value] = tree.fiducial_return;
+    const ModelRow root{top.value};  // ids are rows so far
+    models.color.set(root, tree.color);
+    models.fiducial_return[root] = tree.fiducial_return;
   }
   first_id_.push_back(population.next_id());
   PLAYHOUSE_ASSERT(made_.empty() || models.size() == scene.models.size());
-  for (std::uint32_t row = population.next_id(); row-- > 0;) first_like_[models.desc[row]] = row;
-  population.settle(0);
+  for (const ModelRow row : models.rows()) {
+    std::uint32_t& first_like = first_like_[models.desc[row]];
+    if (first_like == kNone) first_like = row.index;
+  }
+  population.settle({0});
 }
 
 ModelRow World::row(ModelId id) const {
@@ -120,8 +124,8 @@ ModelRow World::row(ModelId id) const {
 
 PositionRow World::position(ModelId id) const {
   const ModelRow model = row(id);
-  if (!model || models.kind[model.index] != scene::ModelKind::kPosition) return {};
-  return {models.part[model.index]};
+  if (!model || models.kind[model] != scene::ModelKind::kPosition) return {};
+  return models.part[model];
 }
 
 std::uint32_t World::tree_with(ModelId id) const {
@@ -130,17 +134,17 @@ std::uint32_t World::tree_with(ModelId id) const {
 }
 
 World::Origin World::origin(ModelRow row) const {
-  const std::uint32_t desc = models.desc[row.index];
+  const std::uint32_t desc = models.desc[row];
   std::uint32_t top = desc;
   while (scene_->models[top].parent >= 0) top = static_cast<std::uint32_t>(scene_->models[top].parent);
-  const ModelId first{models.id[row.index].value - (desc - top)};
+  const ModelId first{models.id[row].value - (desc - top)};
   const std::uint32_t tree = tree_with(first);
   const bool of_scene = tree != kNone && first_id_[tree] == first.value && trees_[tree].top == top;
   return {top, desc - top, first, of_scene ? tree : kNone};
 }
 
 std::uint32_t World::like(ModelRow row) const {
-  const std::uint32_t id = models.id[row.index].value, desc = models.desc[row.index];
+  const std::uint32_t id = models.id[row].value, desc = models.desc[row];
   const std::uint32_t tree = tree_with({id});
   if (tree != kNone && trees_[tree].top + (id - first_id_[tree]) == desc) return id;
   // A spawned model may have a description that no scene model has.
@@ -195,14 +199,14 @@ void World::index_names() const {
     }
   }
   names_known_ = true;
-  add_names(0);
+  add_names({0});
 }
 
 /// Adds the roots from row `first` on.
-void World::add_names(std::uint32_t first) const {
-  for (std::uint32_t row = first; row < models.size(); ++row) {
-    if (desc({row}).parent >= 0) continue;
-    const Origin from = origin({row});
+void World::add_names(ModelRow first) const {
+  for (const ModelRow row : RowsOf(first, models.id.next())) {
+    if (desc(row).parent >= 0) continue;
+    const Origin from = origin(row);
     by_name_.insert({token_of(from, Token::kName), from.first});
     if (from.tree != ModelRow::kNone) by_alias_.insert({token_of(from, Token::kAlias), from.first});
   }
@@ -238,7 +242,7 @@ ModelRow World::find(std::string_view token, Token which) const {
   each(which == Token::kName ? by_name_ : by_alias_, token, take);
   for (std::size_t dot = token.find('.'); dot != std::string_view::npos; dot = token.find('.', dot + 1)) {
     each(by_name_, token.substr(0, dot), [&](ModelId id) {
-      const std::uint32_t top = models.desc[row(id).index];
+      const std::uint32_t top = models.desc[row(id)];
       const std::string wanted = scene_->models[top].name + std::string(token.substr(dot));
       for (std::uint32_t part = top + scene::tree_size(*scene_, top); --part > top;) {
         const scene::ModelDesc& model = scene_->models[part];
@@ -252,7 +256,7 @@ ModelRow World::find(std::string_view token, Token which) const {
   for (const std::uint32_t odd : odd_) {
     const scene::ModelDesc& model = scene_->models[odd];
     if ((which == Token::kName ? model.name : model.alias) != token) continue;
-    for (std::uint32_t at = 0; at < models.size(); ++at)
+    for (const ModelRow at : models.rows())
       if (models.desc[at] == odd) take(models.id[at]);
   }
   return found;
@@ -272,14 +276,14 @@ std::uint32_t World::fresh_number(const std::string& name) const {
   return number;
 }
 
-std::uint64_t World::hash_of(std::uint32_t model, bool (*is_in)(Role)) const {
+std::uint64_t World::hash_of(ModelRow model, bool (*is_in)(Role)) const {
   Hash hash;
   add_value(hash, *this, models.id[model]);
   each_value_of(
       *this, model,
       [&](const auto& column, const auto& values, Range range) {
         if (!is_in(column.role)) return;
-        if (static_cast<const void*>(&values) == &models.desc) return hash.add(std::uint64_t{like({model})});
+        if (static_cast<const void*>(&values) == &models.desc) return hash.add(std::uint64_t{like(model)});
         add_values(hash, *this, values, range);
       },
       *this);
@@ -292,7 +296,7 @@ std::uint64_t World::hash() const {
   hash.add(tick_);
   hash.add(std::uint64_t{serial(ModelId{next_id_})});
   std::uint64_t sum = 0;
-  for (std::uint32_t model = 0; model < models.size(); ++model) {
+  for (const ModelRow model : models.rows()) {
     const bool sensed = models.controllers[model] > 0;
     sum +=
         hash_of(model, sensed ? [](Role role) { return is_done(role) || role == Role::kSensed; } : is_done);
@@ -306,7 +310,7 @@ std::uint64_t World::sensed_hash() const {
   Hash hash;
   hash.add(tick_);
   std::uint64_t sum = 0;
-  for (std::uint32_t model = 0; model < models.size(); ++model)
+  for (const ModelRow model : models.rows())
     sum += hash_of(model, [](Role role) { return role == Role::kSensed || role == Role::kUse; });
   hash.add(sum);
   return hash.value();
@@ -319,26 +323,26 @@ std::size_t World::bytes() const {
 }
 
 geom::SpatialPose pose_in_parent(const Models& models, ModelRow model) {
-  return {models.X_PM[model.index], models.tilt_PM[model.index]};
+  return {models.X_PM[model], models.tilt_PM[model]};
 }
 
 geom::SpatialPose pose_in_world(const Models& models, ModelRow model) {
-  return {models.X_WM[model.index], models.tilt_WM[model.index]};
+  return {models.X_WM[model], models.tilt_WM[model]};
 }
 
 void place(Models& models, ModelRow model) {
-  const ModelRow parent{models.parent[model.index]};
+  const ModelRow parent = models.parent[model];
   const geom::SpatialPose X_PM = pose_in_parent(models, model);
   const geom::SpatialPose X_WM = parent ? geom::compose(pose_in_world(models, parent), X_PM) : X_PM;
-  models.X_WM[model.index] = X_WM.X;
-  models.tilt_WM.set(model.index, X_WM.tilt);
+  models.X_WM[model] = X_WM.X;
+  models.tilt_WM.set(model, X_WM.tilt);
 }
 
 void place_tree(World& world, ModelRow model) {
   place(world.models, model);
-  of_kind(world.models.kind[model.index],
+  of_kind(world.models.kind[model],
           [&]<typename Table>(Table Tables::*table) { moved_in_world(world, world.*table, model); });
-  for (const std::uint32_t child : world.children(model)) place_tree(world, {child});
+  for (const ModelRow child : world.children(model)) place_tree(world, child);
 }
 
 bool is_place(const geom::Pose& X) {
@@ -349,57 +353,57 @@ bool is_place(const geom::Pose& X) {
 
 bool command_velocity(World& world, PositionRow robot, const geom::Twist& velocity) {
   if (!finite(velocity.x, velocity.y, velocity.z, velocity.a)) return false;
-  world.positions.mode[robot.index] = ControlMode::kVelocity;
-  world.positions.command[robot.index] = velocity;
+  world.positions.mode[robot] = ControlMode::kVelocity;
+  world.positions.command[robot] = velocity;
   return true;
 }
 
 bool command_position(World& world, PositionRow robot, const geom::Pose& goal_O) {
   if (!is_place(goal_O)) return false;
-  world.positions.mode[robot.index] = ControlMode::kPosition;
-  world.positions.goal[robot.index] = {goal_O.x, goal_O.y, goal_O.z, geom::normalize(goal_O.a)};
+  world.positions.mode[robot] = ControlMode::kPosition;
+  world.positions.goal[robot] = {goal_O.x, goal_O.y, goal_O.z, geom::normalize(goal_O.a)};
   return true;
 }
 
 bool command_heading(World& world, PositionRow robot, double speed, double heading_O) {
   if (!finite(speed, 0, 0, heading_O)) return false;
-  world.positions.mode[robot.index] = ControlMode::kHeading;
-  world.positions.command[robot.index] = {speed, 0, 0, geom::normalize(heading_O)};
+  world.positions.mode[robot] = ControlMode::kHeading;
+  world.positions.command[robot] = {speed, 0, 0, geom::normalize(heading_O)};
   return true;
 }
 
 bool command_acceleration(World& world, PositionRow robot, const geom::Twist& acceleration) {
   if (!finite(acceleration.x, acceleration.y, acceleration.z, acceleration.a)) return false;
   if (drive_of(world, robot).drive == scene::Drive::kCar) return false;
-  world.positions.mode[robot.index] = ControlMode::kAcceleration;
-  world.positions.command[robot.index] = acceleration;
+  world.positions.mode[robot] = ControlMode::kAcceleration;
+  world.positions.command[robot] = acceleration;
   return true;
 }
 
 bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM) {
   if (!is_place(X_OM)) return false;
   const geom::Pose believed{X_OM.x, X_OM.y, X_OM.z, geom::normalize(X_OM.a)};
-  const geom::Pose& X_WM = world.models.X_WM[world.positions.model[robot.index].index];
-  world.positions.X_OM[robot.index] = believed;
-  world.positions.X_WO[robot.index] = geom::compose(X_WM, geom::inverse(believed));
+  const geom::Pose& X_WM = world.models.X_WM[world.positions.model[robot]];
+  world.positions.X_OM[robot] = believed;
+  world.positions.X_WO[robot] = geom::compose(X_WM, geom::inverse(believed));
   return true;
 }
 
 bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM) {
-  return set_spatial_pose(world, model, {X_PM, world.models.tilt_PM[model.index]});
+  return set_spatial_pose(world, model, {X_PM, world.models.tilt_PM[model]});
 }
 
 bool set_spatial_pose(World& world, ModelRow model, const geom::SpatialPose& X_PM) {
   const geom::Pose& X = X_PM.X;
   if (!is_place(X) || !geom::is_tilt(X_PM.tilt)) return false;
-  world.models.X_PM.own(model.index) = {X.x, X.y, X.z, geom::normalize(X.a)};
-  if (!world.upright) world.models.tilt_PM.set(model.index, X_PM.tilt);
-  of_kind(world.models.kind[model.index],
+  world.models.X_PM.own(model) = {X.x, X.y, X.z, geom::normalize(X.a)};
+  if (!world.upright) world.models.tilt_PM.set(model, X_PM.tilt);
+  of_kind(world.models.kind[model],
           [&]<typename Table>(Table Tables::*table) { moved_in_parent(world, world.*table, model); });
   place_tree(world, model);
-  world.models.V_WM.set(model.index, {});
+  world.models.V_WM.set(model, {});
   wake(world.models);
-  world.events.add({Event::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model.index]});
+  world.events.add({Event::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model]});
   return true;
 }
 
@@ -410,10 +414,10 @@ void return_to_start(World& world) {
   Population population(world), at_start(start);
   at_start.clear();
   start.upright = world.upright;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row)
-    at_start.append(world.models.id[row], world.models.desc[row], {world.models.parent[row]},
+  for (const ModelRow row : world.models.rows())
+    at_start.append(world.models.id[row], world.models.desc[row], world.models.parent[row],
                     population.start_of({row}));
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+  for (const ModelRow row : world.models.rows()) {
     if (pose_in_parent(world.models, {row}) == pose_in_parent(start.models, {row})) continue;
     world.events.add({Event::Kind::kPlace, world.models.id[row], {}, 0, world.models.mobility[row]});
   }
@@ -428,32 +432,32 @@ void return_to_start(World& world) {
 
 bool command_joint_velocity(World& world, ActuatorRow actuator, double velocity) {
   if (!std::isfinite(velocity)) return false;
-  world.actuators.mode[actuator.index] = ControlMode::kVelocity;
-  world.actuators.command[actuator.index] = velocity;
+  world.actuators.mode[actuator] = ControlMode::kVelocity;
+  world.actuators.command[actuator] = velocity;
   return true;
 }
 
 bool command_joint_position(World& world, ActuatorRow actuator, double position) {
   if (!std::isfinite(position)) return false;
-  const scene::ActuatorDesc& desc = *world.desc(world.actuators.model[actuator.index]).actuator;
-  world.actuators.mode[actuator.index] = ControlMode::kPosition;
-  world.actuators.goal[actuator.index] = scene::within_reach(desc, position);
+  const scene::ActuatorDesc& desc = *world.desc(world.actuators.model[actuator]).actuator;
+  world.actuators.mode[actuator] = ControlMode::kPosition;
+  world.actuators.goal[actuator] = scene::within_reach(desc, position);
   return true;
 }
 
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id) {
-  world.models.fiducial_return[model.index] = id;
-  world.events.add({Event::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model.index]});
+  world.models.fiducial_return[model] = id;
+  world.events.add({Event::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model]});
 }
 
 void set_color(World& world, ModelRow model, const scene::Color& color) {
-  world.models.color.set(model.index, color);
-  world.events.add({Event::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model.index]});
+  world.models.color.set(model, color);
+  world.events.add({Event::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model]});
 }
 
 void set_say(World& world, ModelRow model, std::string_view text) {
-  if (world.models.say[model.index] == text) return;
-  std::string& says = world.models.say.own(model.index);
+  if (world.models.say[model] == text) return;
+  std::string& says = world.models.say.own(model);
   if (can_be_said(text)) {
     says = text;  // assigned: reuses memory
   } else {
@@ -465,40 +469,40 @@ void set_say(World& world, ModelRow model, std::string_view text) {
 
 void add_flags(World& world, ModelRow model, std::int64_t flags) {
   constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
-  std::int32_t& carried = world.models.flags[model.index];
+  std::int32_t& carried = world.models.flags[model];
   carried += static_cast<std::int32_t>(std::clamp<std::int64_t>(flags, -carried, kMost - carried));
 }
 
 void subscribe(World& world, ModelRow model) {
-  ++world.models.subscribers[model.index];
+  ++world.models.subscribers[model];
 }
 
 void subscribe_controller(World& world, ModelRow model) {
   subscribe(world, model);
-  ++world.models.controllers[model.index];
+  ++world.models.controllers[model];
 }
 
 void watch(World& world, ModelRow model) {
   subscribe(world, model);
-  ++world.models.watchers[model.index];
+  ++world.models.watchers[model];
 }
 
 void unwatch(World& world, ModelRow model) {
-  PLAYHOUSE_ASSERT(world.models.watchers[model.index] > 0);
-  --world.models.watchers[model.index];
+  PLAYHOUSE_ASSERT(world.models.watchers[model] > 0);
+  --world.models.watchers[model];
   unsubscribe(world, model);
 }
 
 bool is_used(const World& world, ModelRow model) {
-  return world.models.subscribers[model.index] > world.models.watchers[model.index];
+  return world.models.subscribers[model] > world.models.watchers[model];
 }
 
 void unsubscribe(World& world, ModelRow model) {
-  std::uint32_t& subscribers = world.models.subscribers[model.index];
+  std::uint32_t& subscribers = world.models.subscribers[model];
   PLAYHOUSE_ASSERT(subscribers > 0);
   if (--subscribers > 0) return;
-  of_kind(world.models.kind[model.index], [&]<typename Table>(Table Tables::*table) {
-    if constexpr (moves(kKindOf<Table>)) stop(world.*table, world.models.part[model.index]);
+  of_kind(world.models.kind[model], [&]<typename Table>(Table Tables::*table) {
+    if constexpr (moves(kKindOf<Table>)) stop(world.*table, world.models.part[model]);
   });
 }
 

@@ -45,7 +45,7 @@ class World : public Tables {
   World& operator=(const World&) = delete;
 
   const scene::SceneDesc& scene() const { return *scene_; }
-  const scene::ModelDesc& desc(ModelRow row) const { return scene_->models[models.desc[row.index]]; }
+  const scene::ModelDesc& desc(ModelRow row) const { return scene_->models[models.desc[row]]; }
   /// Its line in the files: its own if it is a root of the scene, else that of its prototype.
   scene::SourceLine where(ModelRow row) const;
   std::uint64_t seed() const { return seed_; }
@@ -61,10 +61,10 @@ class World : public Tables {
   /// Version of texts: changes when some model may say something else; spawn and removal change population().
   std::uint64_t said() const { return said_; }
 
-  ModelId id(ModelRow row) const { return models.id[row.index]; }
+  ModelId id(ModelRow row) const { return models.id[row]; }
   /// Serial number of a model: for random streams, hashes and whatever else depends on identity by value.
   std::uint32_t serial(ModelId id) const { return serials_.of(id); }
-  std::uint32_t serial(ModelRow row) const { return serials_.of(models.id[row.index]); }
+  std::uint32_t serial(ModelRow row) const { return serials_.of(models.id[row]); }
   /// None if the model does not exist or no longer exists.
   ModelRow row(ModelId id) const;
   /// Row of a robot's drive; none if the model does not exist or does not drive.
@@ -126,7 +126,7 @@ class World : public Tables {
   /// Row of trees_ that contains the scene's model of this id, or kNone.
   std::uint32_t tree_with(ModelId id) const;
   /// Hash of those columns of a model for whose role `is_in(role)` holds, with the model's id.
-  std::uint64_t hash_of(std::uint32_t model, bool (*is_in)(Role)) const;
+  std::uint64_t hash_of(ModelRow model, bool (*is_in)(Role)) const;
   /// The two names of a model.
   enum class Token : std::uint8_t { kName, kAlias };
   std::string token(ModelRow row, Token which) const;
@@ -135,7 +135,7 @@ class World : public Tables {
   /// scene's model of that id has this description, else the id of the first model that has it.
   std::uint32_t like(ModelRow row) const;
   void index_names() const;
-  void add_names(std::uint32_t first) const;
+  void add_names(ModelRow first) const;
   void remove_names(ModelRow row) const;
   std::string_view token_of(const Origin& from, Token which) const;
 
@@ -167,8 +167,8 @@ class World::Children {
  public:
   class Iterator {
    public:
-    Iterator(const std::vector<std::uint32_t>& next, std::uint32_t row) : next_(&next), row_(row) {}
-    std::uint32_t operator*() const { return row_; }
+    Iterator(const ByRow<ModelTable, ModelRow>& next, ModelRow row) : next_(&next), row_(row) {}
+    ModelRow operator*() const { return row_; }
     Iterator& operator++() {
       row_ = (*next_)[row_];
       return *this;
@@ -176,23 +176,32 @@ class World::Children {
     friend bool operator==(const Iterator& a, const Iterator& b) { return a.row_ == b.row_; }
 
    private:
-    const std::vector<std::uint32_t>* next_;
-    std::uint32_t row_;
+    const ByRow<ModelTable, ModelRow>* next_;
+    ModelRow row_;
   };
 
-  Children(const Models& models, std::uint32_t row)
+  Children(const Models& models, ModelRow row)
       : next_(models.next_sibling), first_(models.first_child[row]) {}
   Iterator begin() const { return {next_, first_}; }
-  Iterator end() const { return {next_, ModelRow::kNone}; }
-  bool empty() const { return first_ == ModelRow::kNone; }
+  Iterator end() const { return {next_, ModelRow{}}; }
+  bool empty() const { return !first_; }
 
  private:
-  const std::vector<std::uint32_t>& next_;
-  std::uint32_t first_;
+  const ByRow<ModelTable, ModelRow>& next_;
+  ModelRow first_;
 };
 
 inline World::Children World::children(ModelRow row) const {
-  return {models, row.index};
+  return {models, row};
+}
+
+inline RowsOf<SensorTable> sensors_of(const Rangers& rangers, RangerRow ranger) {
+  const SensorRow first = rangers.first_sensor[ranger];
+  return {first, first + rangers.sensor_count[ranger]};
+}
+inline RowsOf<BeamTable> beams_of(const Sensors& sensors, SensorRow sensor) {
+  const BeamRow first = sensors.first_beam[sensor];
+  return {first, first + sensors.beam_count[sensor]};
 }
 
 /// Six degrees of freedom in one value: X_PM with tilt_PM, or X_WM with tilt_WM.

@@ -106,10 +106,10 @@ TEST(KindInterfaces, have_the_indices_that_are_told) {
   const scene::SceneDesc scene = scene_of_every_kind();
   const world::World world(scene, 1);
   std::map<std::uint16_t, std::size_t> counted;
-  std::map<std::uint32_t, std::size_t> robots;  // their numbers, by row
+  std::map<world::ModelRow, std::size_t> robots;  // their numbers, by row
   for (std::uint32_t row = 0; row < scene.models.size(); ++row) {
     if (scene.models[row].parent < 0 && scene.models[row].type == "position")
-      robots.emplace(row, robots.size());
+      robots.emplace(world::ModelRow{row}, robots.size());
   }
   ASSERT_EQ(robots.size(), kRobots);
   drivers::AutoMap map;
@@ -118,7 +118,7 @@ TEST(KindInterfaces, have_the_indices_that_are_told) {
     if (rule == Index::kOne) EXPECT_EQ(device.index, 0);
     if (rule == Index::kCount) EXPECT_EQ(device.index, counted[device.interf]++);
     if (rule == Index::kRobot && device.index < kRobots)
-      EXPECT_EQ(robots.at(world.models.root[device.model.index]), device.index);
+      EXPECT_EQ(robots.at(world.models.root[device.model]), device.index);
   }
 }
 

@@ -53,7 +53,7 @@ TEST_F(AChromium, draws_who_came_and_draws_no_more_who_has_gone) {
   EXPECT_FALSE(is_green(*before, 2, 1));
 
   const world::ModelRow first = world.find("r");
-  ASSERT_TRUE(world::spawn(world, world.models.desc[first.index], {2, 1, 0, 0}));
+  ASSERT_TRUE(world::spawn(world, world.models.desc[first], {2, 1, 0, 0}));
   const Result<images::RgbImage> both = chromium.draw(world, kView);
   ASSERT_TRUE(both) << both.error().text;
   EXPECT_TRUE(is_green(*both, -2, -2));

@@ -83,10 +83,10 @@ class Writer {
     bool any = false;
   };
 
-  void add_node(std::uint32_t row);
+  void add_node(world::ModelRow row);
   const Accessors& accessors_of(std::uint32_t desc);
-  std::size_t mesh_of_model(std::uint32_t row, const Accessors& accessors);
-  std::size_t look_of_model(std::uint32_t row);
+  std::size_t mesh_of_model(world::ModelRow row, const Accessors& accessors);
+  std::size_t look_of_model(world::ModelRow row);
   std::size_t material_of(const scene::Color& color);
   std::string scene() const;
 
@@ -134,7 +134,7 @@ std::size_t Writer::material_of(const scene::Color& color) {
 }
 
 /// The look of a model in its colour.
-std::size_t Writer::look_of_model(std::uint32_t row) {
+std::size_t Writer::look_of_model(world::ModelRow row) {
   const scene::ModelDesc& model = world_.scene().models[world_.models.desc[row]];
   const scene::Color& color = world_.models.color[row];
   mesh::Mesh painted = *model.look;
@@ -146,7 +146,7 @@ std::size_t Writer::look_of_model(std::uint32_t row) {
   return glb_.add_mesh(painted, model.X_MB);
 }
 
-std::size_t Writer::mesh_of_model(std::uint32_t row, const Accessors& accessors) {
+std::size_t Writer::mesh_of_model(world::ModelRow row, const Accessors& accessors) {
   if (accessors.mesh) return *accessors.mesh;
   if (accessors.is_look) {
     const scene::Color& c = world_.models.color[row];
@@ -165,19 +165,19 @@ std::size_t Writer::mesh_of_model(std::uint32_t row, const Accessors& accessors)
 }
 
 /// Node numbers are model rows.
-void Writer::add_node(std::uint32_t row) {
+void Writer::add_node(world::ModelRow row) {
   const geom::Pose& X_PM = world_.models.X_PM[row];
   std::string name, rest;
-  wire::json_text(name, world_.name({row}));
+  wire::json_text(name, world_.name(row));
   const Accessors& accessors = accessors_of(world_.models.desc[row]);
   if (accessors.any) rest = fmt::format(R"(,"mesh":{})", mesh_of_model(row, accessors));
   mesh::JsonList children;
-  for (const std::uint32_t child : world_.children({row})) children.add("{}", child);
+  for (const world::ModelRow child : world_.children(row)) children.add("{}", child.index);
   if (children.size() > 0) rest += fmt::format(R"(,"children":[{}])", children.text());
   const geom::Quaternion q = geom::orientation(X_PM.a, world_.models.tilt_PM[row]);
   nodes_.add(R"({{"name":{},"translation":[{},{},{}],"rotation":[{},{},{},{}]{}}})", name, X_PM.x, X_PM.y,
              X_PM.z, q.x, q.y, q.z, q.w, rest);
-  if (world_.models.parent[row] == world::ModelRow::kNone) tops_.add("{}", row);
+  if (!world_.models.parent[row]) tops_.add("{}", row.index);
 }
 
 std::string Writer::scene() const {
@@ -191,7 +191,7 @@ std::string Writer::scene() const {
 }
 
 Result<std::string> Writer::write() {
-  for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
+  for (const world::ModelRow row : world_.models.rows()) {
     add_node(row);
     if (glb_.bytes() + nodes_.text().size() > limits::kGlbBytes)
       return Error{"", fmt::format("would be more than {} MiB as glTF", limits::kGlbBytes >> 20)};

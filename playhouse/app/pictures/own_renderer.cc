@@ -30,7 +30,7 @@ render::View camera_of(const world::World& world, const Viewport& view, int time
   camera.width = static_cast<std::uint32_t>(times * view.width);
   camera.height = static_cast<std::uint32_t>(times * view.height);
   if (const world::ModelRow row = eye.of ? world.row(*eye.of) : world::ModelRow{})
-    camera.hides = world.models.root[row.index];
+    camera.hides = world.models.root[row].index;
   return camera;
 }
 

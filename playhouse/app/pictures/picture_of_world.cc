@@ -34,12 +34,12 @@ class Bodies {
   /// In model order.
   std::vector<FilledShape> shapes() {
     std::vector<FilledShape> shapes;
-    for (std::uint32_t row = 0; row < world_.models.size(); ++row) add(row, shapes);
+    for (const world::ModelRow row : world_.models.rows()) add(row, shapes);
     return shapes;
   }
 
  private:
-  void add(std::uint32_t row, std::vector<FilledShape>& shapes) {
+  void add(world::ModelRow row, std::vector<FilledShape>& shapes) {
     const std::uint32_t desc = world_.models.desc[row];
     const auto [entry, is_new] = prisms_.try_emplace(desc);
     if (is_new) entry->second = prisms_of(world_.scene().models[desc]);
@@ -57,7 +57,7 @@ class Bodies {
     return nose;
   }
 
-  FilledShape placed(const Extrusion& prism, std::uint32_t row, const scene::Color& color) const {
+  FilledShape placed(const Extrusion& prism, world::ModelRow row, const scene::Color& color) const {
     const geom::SpatialPose X = world::pose_in_world(world_.models, world::ModelRow{row});
     const bool stands = std::hypot(X.tilt.x, X.tilt.y) < kStanding;
     return stands ? upright(prism, X.X, color) : tilted(prism, X, color);

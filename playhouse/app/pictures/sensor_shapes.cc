@@ -32,8 +32,8 @@ struct Sketch {
   double line_width;  // m
   std::vector<FilledShape>& shapes;
 
-  Pose X_WB() const { return geom::compose(world.models.X_WM[model.index], world.desc(model).X_MB); }
-  std::uint32_t row() const { return world.models.part[model.index]; }
+  Pose X_WB() const { return geom::compose(world.models.X_WM[model], world.desc(model).X_MB); }
+  world::KindRow row() const { return world.models.part[model]; }
 
   void area(std::vector<Vec2> loop, double z, const scene::Color& color) const {
     shapes.push_back({{std::move(loop)}, z, color});
@@ -55,12 +55,12 @@ Vec2 point_at(const Pose& X, double bearing, double distance) {
 void add_scans(const Sketch& sketch) {
   const world::World& world = sketch.world;
   const std::vector<scene::RangerSensorDesc>& sensors = world.desc(sketch.model).sensors;
-  for (std::size_t i = 0; i < sensors.size(); ++i) {
+  for (std::uint32_t i = 0; i < sensors.size(); ++i) {
     const scene::RangerSensorDesc& sensor = sensors[i];
-    const std::size_t row = world.rangers.first_sensor[sketch.row()] + i;
+    const world::SensorRow row = sensors_of(world.rangers, sketch.row())[i];
     const Pose X_WS = geom::compose(sketch.X_WB(), sensor.X_BS);
     const std::span<const float> ranges =
-        std::span(world.sensors.ranges).subspan(world.sensors.first_beam[row], world.sensors.beam_count[row]);
+        std::span(world.sensors.ranges.from(world.sensors.first_beam[row]), world.sensors.beam_count[row]);
     // A single beam stands for the sensor's whole cone.
     const std::size_t corners = ranges.size() == 1 ? kConeSteps + 1 : ranges.size();
     std::vector<Vec2> fan{X_WS.xy()};
@@ -88,18 +88,17 @@ void add_fiducials(const Sketch& sketch) {
 void add_links(const Sketch& sketch) {
   const world::World& world = sketch.world;
   const Pose X_WB = sketch.X_WB();
-  scene::Color color = world.models.color[sketch.model.index];
+  scene::Color color = world.models.color[sketch.model];
   for (const world::WifiLink& link : world.wifis.links[sketch.row()]) {
     const world::ModelRow station = world.row(link.station);
     if (!station) continue;
     color.a = kLink * static_cast<float>(link.quality) / 100;
-    sketch.line(X_WB.xy(), world.models.X_WM[station.index].xy(), X_WB.z, color);
+    sketch.line(X_WB.xy(), world.models.X_WM[station].xy(), X_WB.z, color);
   }
 }
 
 void add_finds(const Sketch& sketch) {
-  add_lines(sketch, sketch.world.detectors.finds[sketch.row()],
-            sketch.world.models.color[sketch.model.index]);
+  add_lines(sketch, sketch.world.detectors.finds[sketch.row()], sketch.world.models.color[sketch.model]);
 }
 
 /// Field of view between near and far planes, along the optical axis.
@@ -135,8 +134,8 @@ constexpr Drawn kDrawn[] = {
 
 std::uint64_t measured_tick(const world::World& world, world::ModelRow model) {
   std::uint64_t tick = 0;
-  const std::uint32_t row = world.models.part[model.index];
-  world::of_kind(world.models.kind[model.index], [&]<typename Table>(Table world::Tables::*table) {
+  const world::KindRow row = world.models.part[model];
+  world::of_kind(world.models.kind[model], [&]<typename Table>(Table world::Tables::*table) {
     if constexpr (requires(Table rows) { rows.measured_tick; }) tick = (world.*table).measured_tick[row];
   });
   return tick;
@@ -170,18 +169,20 @@ Result<SensorShapes> SensorShapes::parse(std::string_view text) {
 }
 
 void SensorShapes::watch(world::World& world) const {
-  for (const std::size_t place : drawn_)
-    for (std::uint32_t row = 0; kDrawn[place].measures && row < world.models.size(); ++row)
-      if (world.models.kind[row] == kDrawn[place].kind) world::watch(world, {row});
+  for (const std::size_t place : drawn_) {
+    if (!kDrawn[place].measures) continue;
+    for (const world::ModelRow row : world.models.rows())
+      if (world.models.kind[row] == kDrawn[place].kind) world::watch(world, row);
+  }
 }
 
 void SensorShapes::add_to(std::vector<FilledShape>& shapes, const world::World& world,
                           double line_width) const {
   for (const std::size_t place : drawn_)
-    for (std::uint32_t row = 0; row < world.models.size(); ++row)
+    for (const world::ModelRow row : world.models.rows())
       if (world.models.kind[row] == kDrawn[place].kind &&
-          (!kDrawn[place].measures || measured_tick(world, {row}) > 0))
-        kDrawn[place].add({world, {row}, line_width, shapes});
+          (!kDrawn[place].measures || measured_tick(world, row) > 0))
+        kDrawn[place].add({world, row, line_width, shapes});
 }
 
 }  // namespace playhouse::app

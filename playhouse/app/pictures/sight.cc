@@ -27,8 +27,8 @@ Result<world::ModelId> model_named(const world::World& world, const std::string&
                                    const std::string& name) {
   if (const world::ModelRow row = world.find(name)) return world.id(row);
   std::vector<std::string> names;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row)
-    if (world.models.parent[row] == world::ModelRow::kNone) names.push_back(world.name({row}));
+  for (const world::ModelRow row : world.models.rows())
+    if (!world.models.parent[row]) names.push_back(world.name(row));
   const std::vector<std::string_view> all(names.begin(), names.end());
   return Error{option, "there is no model " + in_quotes(name) + did_you_mean(name, all)};
 }

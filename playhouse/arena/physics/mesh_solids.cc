@@ -98,12 +98,12 @@ bool has_area(const Hull& hull) {
 
 }  // namespace
 
-const mesh::Mesh* mesh_of(const world::World& world, std::uint32_t model) {
-  return world.desc({model}).mesh.get();
+const mesh::Mesh* mesh_of(const world::World& world, world::ModelRow model) {
+  return world.desc(model).mesh.get();
 }
 
-geom::Pose body_in(const world::World& world, std::uint32_t model, const geom::Pose& X_FM) {
-  return geom::compose(X_FM, world.desc({model}).X_MB);
+geom::Pose body_in(const world::World& world, world::ModelRow model, const geom::Pose& X_FM) {
+  return geom::compose(X_FM, world.desc(model).X_MB);
 }
 
 void add_surfaces(Triangles& triangles, const mesh::Mesh& mesh, const geom::Pose& X_FB) {

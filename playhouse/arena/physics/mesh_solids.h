@@ -21,9 +21,9 @@ struct Mesh;
 namespace playhouse::arena {
 
 /// The mesh of a model; null if its body is prisms.
-const mesh::Mesh* mesh_of(const world::World& world, std::uint32_t model);
+const mesh::Mesh* mesh_of(const world::World& world, world::ModelRow model);
 /// X_FB of a model that is upright in F.
-geom::Pose body_in(const world::World& world, std::uint32_t model, const geom::Pose& X_FM);
+geom::Pose body_in(const world::World& world, world::ModelRow model, const geom::Pose& X_FM);
 
 /// Appends all surfaces of a mesh.
 void add_surfaces(Triangles& triangles, const mesh::Mesh& mesh, const geom::Pose& X_FB);

@@ -83,11 +83,11 @@ TEST_F(MeshTest, rays_meet_the_triangles_and_not_the_outline) {
       "model( name \"ramp\" mesh \"ramp.dae\" )\n"
       "position( name \"low\" pose [-3 0 0 0] size [0.2 0.2 0.05] ranger( pose [0 0 0.05 0] size [0 0 0]\n"
       "  sensor( size [0 0 0] samples 1 range [0 8] ) ) )");
-  world::subscribe(world(), world().rangers.model[0]);
+  world::subscribe(world(), world().rangers.model[{0}]);
   run(0.2);
-  const double z = world().models.X_WM[world().rangers.model[0].index].z;
+  const double z = world().models.X_WM[world().rangers.model[{0}]].z;
   // The slope rises by a quarter, from x = -1.2.
-  EXPECT_NEAR(world().sensors.ranges[0], 3 - 1.2 + 4 * z, 2e-3);
+  EXPECT_NEAR(world().sensors.ranges[{0}], 3 - 1.2 + 4 * z, 2e-3);
   EXPECT_GT(z, 0.05);
 }
 
@@ -96,9 +96,9 @@ TEST_F(MeshTest, rays_go_under_a_table_that_moves) {
       "model( name \"table\" mesh \"table.dae\" pose [2 0 0 0] )\n"
       "model( name \"wall\" pose [5 0 0 0] size [0.1 4 2] )\n"
       "position( name \"low\" size [0.2 0.2 0.3] ranger( size [0 0 0] sensor( samples 1 range [0 8] ) ) )");
-  world::subscribe(world(), world().rangers.model[0]);
+  world::subscribe(world(), world().rangers.model[{0}]);
   run(0.2);
-  EXPECT_NEAR(world().sensors.ranges[0], 4.95, 2e-3);
+  EXPECT_NEAR(world().sensors.ranges[{0}], 4.95, 2e-3);
 }
 
 TEST_F(MeshTest, what_a_file_calls_dynamic_falls_and_is_pushed) {

@@ -59,9 +59,9 @@ void CameraSense::begin() {
   instead_ = senses::make_camera_sense(workers_);
 }
 
-render::View CameraSense::view_of(const world::World& world, std::uint32_t camera) const {
-  const std::uint32_t model = world.cameras.model[camera].index;
-  const scene::ModelDesc& desc = world.desc({model});
+render::View CameraSense::view_of(const world::World& world, world::CameraRow camera) const {
+  const world::ModelRow model = world.cameras.model[camera];
+  const scene::ModelDesc& desc = world.desc(model);
   const scene::CameraDesc& lens = *desc.camera;
   // Values come from a loaded state, which may be corrupt.
   const auto sound = [](double angle) { return std::fabs(angle) <= 1e5 ? geom::normalize(angle) : 0; };
@@ -80,12 +80,12 @@ render::View CameraSense::view_of(const world::World& world, std::uint32_t camer
   view.far = std::max(lens.range_max, view.near + kNearest);
   view.width = static_cast<std::uint32_t>(lens.width);
   view.height = static_cast<std::uint32_t>(lens.height);
-  view.hides = world.models.root[model];
+  view.hides = world.models.root[model].index;
   return view;
 }
 
 std::uint64_t CameraSense::sense(world::World& world, const bodies::Space& space,
-                                 std::span<const std::uint32_t> due, std::uint64_t tick,
+                                 std::span<const world::KindRow> due, std::uint64_t tick,
                                  world::Workers& workers) {
   begin();
   if (instead_) return instead_->sense(world, space, due, tick, workers);
@@ -93,14 +93,14 @@ std::uint64_t CameraSense::sense(world::World& world, const bodies::Space& space
   const double time = static_cast<double>(tick) * world.scene().interval;
   bodies_.place(world, time);
   views_.clear();
-  for (const std::uint32_t camera : due) views_.push_back(view_of(world, camera));
+  for (const world::CameraRow camera : due) views_.push_back(view_of(world, camera));
   renderer_->draw(surroundings_of(world.scene(), time), bodies_.scene(), views_, pictures_);
   workers.run(due.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       rays::expose(world, due[i], tick, {pictures_[i].depth, pictures_[i].sample});
   });
   std::uint64_t rays = 0;
-  for (const std::uint32_t camera : due) rays += world.cameras.pixels[camera].size();
+  for (const world::CameraRow camera : due) rays += world.cameras.pixels[camera].size();
   return rays;
 }
 

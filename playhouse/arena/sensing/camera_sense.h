@@ -29,12 +29,12 @@ class CameraSense final : public senses::SensePhase {
   void populate(const world::World& world, const bodies::Space& space) override;
   /// The last bits of a picture depend on its place in a page of pictures, and on the renderer.
   behaviour::Sharing sharing() const override { return behaviour::Sharing::kHead; }
-  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const std::uint32_t> due,
+  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const world::KindRow> due,
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
   void begin();
-  render::View view_of(const world::World& world, std::uint32_t camera) const;
+  render::View view_of(const world::World& world, world::CameraRow camera) const;
 
   unsigned workers_;
   MakeRenderer make_;

@@ -18,9 +18,10 @@ using geom::Vec3;
 struct Session : EngineRun {
   using EngineRun::EngineRun;
   /// Of a camera, in the order of the file.
-  std::vector<std::uint32_t> image(std::size_t camera) {
+  std::vector<std::uint32_t> image(std::uint32_t camera) {
     std::vector<std::uint32_t> samples;
-    for (const world::Pixel& pixel : world().cameras.pixels[camera]) samples.push_back(pixel.sample);
+    for (const world::Pixel& pixel : world().cameras.pixels[world::CameraRow{camera}])
+      samples.push_back(pixel.sample);
     return samples;
   }
   std::uint32_t segment(const char* name) { return rays::segment_of(world().id(world().find(name))); }
@@ -115,18 +116,17 @@ model( name "post" pose [0 0 0 0] size [0.2 0.2 0.5] gripper_return 1
   EXPECT_NEAR(run.image(1)[16 * 33 + 16], 1950, 1);
   world::Models& models = run.world().models;
   const world::ModelRow plank = run.world().find("plank"), post = run.world().find("post");
-  models.tilt_PM.set(plank.index, {1.4, 0});
-  models.still.set(plank.index, 100);  // rests as it stands
+  models.tilt_PM.set(plank, {1.4, 0});
+  models.still.set(plank, 100);  // rests as it stands
   world::place_tree(run.world(), plank);
   run.step();
   EXPECT_EQ(run.image(0)[16 * 33 + 16], 0u) << "it leans to the side";
   EXPECT_GT(std::ranges::count(run.image(0), run.segment("plank")), 5);
-  models.tilt_PM.set(post.index, {0, 0.5});
-  models.still.set(post.index, 100);
+  models.tilt_PM.set(post, {0, 0.5});
+  models.still.set(post, 100);
   world::place_tree(run.world(), post);
   run.step();
-  const double eye =
-      models.X_WM[post.index].z + std::cos(0.5);  // the camera stands on the post, 1 m from its foot
+  const double eye = models.X_WM[post].z + std::cos(0.5);  // the camera stands on the post, 1 m from its foot
   EXPECT_NEAR(run.image(1)[16 * 33 + 4], 1000 * eye / std::sin(0.5), 5) << "it looks down";
 }
 
@@ -192,7 +192,7 @@ model( name "wall" pose [4.1 0 0 0] size [0.2 5 2.4] color "white" )" +
 /// The hue of the pixel where the mirror image of p in the wall is.
 char hue_of_image(Session& run, const Vec3& p) {
   const world::Models& models = run.world().models;
-  const PlacedModel wall = model_in_world(models, run.world().find("wall").index);
+  const PlacedModel wall = model_in_world(models, run.world().find("wall"));
   const Vec3 n = wall.q * Vec3{-1, 0, 0}, on = wall.p + wall.q * Vec3{-0.1, 0, 0};
   const Vec3 d = p - 2 * dot(n, p - on) * n - Vec3{0, 0, 1};
   const double x = 80.5 * (1 - d.y / d.x), y = 60.5 * (1 - d.z / d.x / 0.75);
@@ -217,7 +217,7 @@ TEST(CameraSense, a_mirror_shows_what_is_before_it_also_when_it_is_tilted) {
   for (const geom::Tilt tilt : {geom::Tilt{0, 0.06}, {0.3, -0.05}}) {
     world::Models& models = mirror.world().models;
     const world::ModelRow row = mirror.world().find("wall");
-    models.tilt_PM.set(row.index, tilt);
+    models.tilt_PM.set(row, tilt);
     world::place_tree(mirror.world(), row);
     mirror.step();
     EXPECT_NE(mirror.image(0), before);
@@ -359,12 +359,12 @@ model( name "box" pose [3 0 0 0] size [1 1 1] color "red" ))";
     (**engine)->step();
   }
   const world::World& world = (*seen)->world();
-  const auto& pixels = world.cameras.pixels[0];
+  const auto& pixels = world.cameras.pixels[{0}];
   EXPECT_EQ(hue(pixels[15 * 40 + 17].sample), 'r');
   EXPECT_EQ(hue(pixels[15 * 40 + 22].sample), 'g');
-  EXPECT_EQ(hue((*bare)->world().cameras.pixels[0][15 * 40 + 22].sample), 'r');
+  EXPECT_EQ(hue((*bare)->world().cameras.pixels[{0}][15 * 40 + 22].sample), 'r');
   EXPECT_EQ(world.sensors.ranges, (*bare)->world().sensors.ranges);
-  EXPECT_NEAR(world.sensors.ranges[15], 2.5, 1e-6);
+  EXPECT_NEAR(world.sensors.ranges[{15}], 2.5, 1e-6);
 }
 
 TEST(Looks, lights_of_a_mesh_are_where_its_model_is) {
@@ -412,11 +412,12 @@ TEST(CameraSense, without_opengl_images_are_those_of_the_stage_engine) {
   index.rebuild(
       solids.moving(), [&](std::size_t i) { return bodies::disc_of(solids, solids.moving_rows()[i]); },
       workers);
-  const std::uint32_t due[] = {0, 1, 2};
+  const world::KindRow due[] = {{0}, {1}, {2}};
   const bodies::Space space{solids, index, walls};
   sense.populate(other.world(), space);
   EXPECT_EQ(sense.sense(other.world(), space, due, 1, workers), 3u * 64 * 48);
-  for (const std::uint32_t camera : due) EXPECT_EQ(other.image(camera), stage.image(camera)) << camera;
+  for (const world::KindRow camera : due)
+    EXPECT_EQ(other.image(camera.index), stage.image(camera.index)) << camera.index;
 }
 
 TEST(Looks, a_person_walks_as_fast_as_it_moves_and_stands_when_it_does_not) {

@@ -22,7 +22,7 @@ struct PlacedModel {
   geom::Vec3 p;
   geom::Quaternion q;
 };
-PlacedModel model_in_world(const world::Models& models, std::uint32_t row);
+PlacedModel model_in_world(const world::Models& models, world::ModelRow row);
 
 class DrawnBodies {
  public:
@@ -37,7 +37,7 @@ class DrawnBodies {
  private:
   /// A body that cameras may see, by one of its shapes.
   struct DrawnModel {
-    std::uint32_t model = 0;  // row
+    world::ModelRow model;
     std::uint32_t shape = 0;  // of the renderer
     bool is_tinted = false;   // by the colour of the model; a mesh has its own colours
   };
@@ -49,7 +49,7 @@ class DrawnBodies {
   void add_shapes(const scene::ModelDesc& desc, const bodies::Solids& solids, bodies::SolidRows rows,
                   render::Renderer& renderer, std::vector<DrawnShape>& shapes) const;
   /// The model with its solids `rows`, in the shapes of its description.
-  void add_body(const world::World& world, std::uint32_t model, const bodies::Solids& solids,
+  void add_body(const world::World& world, world::ModelRow model, const bodies::Solids& solids,
                 bodies::SolidRows rows, render::Renderer& renderer);
   void place_bodies(const world::World& world);
   void place_people(const world::World& world, double time);
@@ -58,7 +58,7 @@ class DrawnBodies {
 
   std::map<std::uint32_t, std::vector<DrawnShape>> shapes_of_;  // by row of SceneDesc::models
   std::vector<DrawnModel> bodies_;
-  std::vector<std::uint32_t> people_, smokes_, shining_;  // rows of world::Models
+  std::vector<world::ModelRow> people_, smokes_, shining_;
   std::vector<render::Instance> instances_;
   std::vector<render::Figure> figures_;
   std::vector<render::Smoke> clouds_;

@@ -51,7 +51,7 @@ Met ground_met(const Beam& beam) {
 Optics Surfaces::of(std::uint32_t id) const {
   if (id == kGround) return kFloor;
   Optics surface = optics[id];
-  if (surface.scatters < 0) surface.scatters = scatters(world.models.color[id]);
+  if (surface.scatters < 0) surface.scatters = scatters(world.models.color[world::ModelRow{id}]);
   surface.scatters *= world.desc({id}).ranger_return;
   return surface;
 }

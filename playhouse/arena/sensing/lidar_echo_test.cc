@@ -30,11 +30,11 @@ model( name "lidar" size [0.1 0.1 0.2]
     EXPECT_TRUE(loaded) << loaded.error().line();
     scene_ = std::make_unique<scene::SceneDesc>(std::move(*loaded));
     engine_ = *make_engine(*scene_, {.seed = 1, .workers = 1});
-    world::subscribe(engine_->world(), engine_->world().rangers.model[0]);
+    world::subscribe(engine_->world(), engine_->world().rangers.model[{0}]);
   }
   Reading read() {
     engine_->step();
-    return {engine_->world().sensors.ranges[1], engine_->world().sensors.intensities[1]};
+    return {engine_->world().sensors.ranges[{1}], engine_->world().sensors.intensities[{1}]};
   }
 
  private:

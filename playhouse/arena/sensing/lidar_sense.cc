@@ -22,7 +22,7 @@ constexpr float kEcho = 0.5f;
 /// Appends the bodies of a model visible to rangers, in F. `rows`: its solids.
 void add_bodies(Triangles& triangles, const world::World& world, const bodies::Solids& solids,
                 bodies::SolidRows rows, const geom::Pose& X_FM) {
-  const std::uint32_t model = solids.model[rows.front()];
+  const world::ModelRow model = solids.model[rows.front()];
   if (const mesh::Mesh* mesh = mesh_of(world, model))
     return add_surfaces(triangles, *mesh, body_in(world, model, X_FM));
   each_body(solids, rows, bodies::SeenBy::kRanger, [&](bodies::SolidRows body) {
@@ -55,9 +55,9 @@ void LidarSense::populate(const world::World& world, const bodies::Space& space)
   populate_moving(world, space.solids);
   returns_.clear();
   optics_.clear();
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    returns_.push_back(static_cast<float>(world.desc({row}).ranger_return));
-    optics_.push_back(optics_of(world.desc({row}).material));
+  for (const world::ModelRow row : world.models.rows()) {
+    returns_.push_back(static_cast<float>(world.desc(row).ranger_return));
+    optics_.push_back(optics_of(world.desc(row).material));
   }
   populate_rangers(world);
 }
@@ -65,7 +65,7 @@ void LidarSense::populate(const world::World& world, const bodies::Space& space)
 void LidarSense::populate_rangers(const world::World& world) {
   std::size_t most = 0;
   for (const world::ModelRow model : world.rangers.model) {
-    const auto [entry, is_new] = beams_.try_emplace(world.models.desc[model.index]);
+    const auto [entry, is_new] = beams_.try_emplace(world.models.desc[model]);
     if (is_new) entry->second = beams_of(world.desc(model));
     most = std::max(most, entry->second.beams());
   }
@@ -82,12 +82,12 @@ void LidarSense::populate_fixed(const world::World& world, const bodies::Solids&
   fixed_ = std::move(fixed);
   std::vector<Triangles> triangles;
   std::vector<Owner> owners;
-  each_model(solids, solids.fixed_rows(), [&](std::uint32_t model, bodies::SolidRows own) {
-    const FrameOfBody frame(world::pose_in_world(models, {model}));
+  each_model(solids, solids.fixed_rows(), [&](world::ModelRow model, bodies::SolidRows own) {
+    const FrameOfBody frame(world::pose_in_world(models, model));
     Triangles& of_model = triangles.emplace_back();
     add_bodies(of_model, world, solids, own, frame.X_FM());
     frame.turn(of_model.p);
-    owners.push_back({model, models.root[model]});
+    owners.push_back({model.index, models.root[model].index});
   });
   scene_.set_fixed(triangles, owners);
 }
@@ -95,14 +95,14 @@ void LidarSense::populate_fixed(const world::World& world, const bodies::Solids&
 void LidarSense::populate_moving(const world::World& world, const bodies::Solids& solids) {
   std::vector<RayScene::Instance> instances;
   instances_.clear();
-  each_model(solids, solids.moving_rows(), [&](std::uint32_t model, bodies::SolidRows own) {
+  each_model(solids, solids.moving_rows(), [&](world::ModelRow model, bodies::SolidRows own) {
     const auto [entry, is_new] = shape_of_.try_emplace(world.models.desc[model]);
     if (is_new) {
       Triangles triangles;
       add_bodies(triangles, world, solids, own, {});
       entry->second = scene_.add_shape(triangles);
     }
-    instances.push_back({entry->second, {model, world.models.root[model]}});
+    instances.push_back({entry->second, {model.index, world.models.root[model].index}});
     instances_.push_back(model);
   });
   scene_.set_instances(instances);
@@ -116,33 +116,34 @@ void LidarSense::place(const world::Models& models) {
   scene_.commit();
 }
 
-const LidarBeams& LidarSense::beams(const world::World& world, std::uint32_t ranger) const {
-  return beams_.at(world.models.desc[world.rangers.model[ranger].index]);
+const LidarBeams& LidarSense::beams(const world::World& world, world::RangerRow ranger) const {
+  return beams_.at(world.models.desc[world.rangers.model[ranger]]);
 }
 
-std::uint64_t LidarSense::sense(world::World& world, const bodies::Space&, std::span<const std::uint32_t> due,
-                                std::uint64_t tick, world::Workers& workers) {
+std::uint64_t LidarSense::sense(world::World& world, const bodies::Space&,
+                                std::span<const world::KindRow> due, std::uint64_t tick,
+                                world::Workers& workers) {
   place(world.models);
   workers.run(due.size(), 8, [&](std::size_t begin, std::size_t end) {
     Scratch& scratch = scratch_[workers.current()];
     for (std::size_t i = begin; i < end; ++i) measure(world, due[i], tick, scratch);
   });
   std::uint64_t rays = 0;
-  for (const std::uint32_t ranger : due) rays += beams(world, ranger).rays.size();
+  for (const world::RangerRow ranger : due) rays += beams(world, ranger).rays.size();
   return rays;
 }
 
-void LidarSense::measure(world::World& world, std::uint32_t ranger, std::uint64_t tick,
+void LidarSense::measure(world::World& world, world::RangerRow ranger, std::uint64_t tick,
                          Scratch& scratch) const {
   const LidarBeams& beams = this->beams(world, ranger);
   const world::ModelRow model = world.rangers.model[ranger];
-  const geom::Pose& X_WM = world.models.X_WM[model.index];
-  const geom::Quaternion q = geom::orientation(X_WM.a, world.models.tilt_WM[model.index]);
+  const geom::Pose& X_WM = world.models.X_WM[model];
+  const geom::Quaternion q = geom::orientation(X_WM.a, world.models.tilt_WM[model]);
   std::ranges::copy(beams.range_max, scratch.range.begin());
   std::fill_n(scratch.intensity.begin(), beams.beams(), 0.0f);
   RayBatch& batch = scratch.rays;
   const Measurement look{world, model, tick, beams};
-  batch.group = world.models.root[model.index];
+  batch.group = world.models.root[model].index;
   batch.wants_normals = beams.is_light;
   batch.count = 0;
   for (std::size_t i = 0; i < beams.rays.size(); ++i) {
@@ -216,7 +217,8 @@ void LidarSense::keep_echo(const Measurement& look, std::size_t k, Scratch& scra
   scratch.intensity[ray.beam] = static_cast<float>(100 * echo.returned);
 }
 
-void LidarSense::store(world::World& world, const LidarBeams& beams, std::uint32_t ranger, Scratch& scratch) {
+void LidarSense::store(world::World& world, const LidarBeams& beams, world::RangerRow ranger,
+                       Scratch& scratch) {
   for (std::size_t k = 0; k < beams.beams(); ++k) {
     const double range = std::max(scratch.range[k], beams.range_min[k]);
     scratch.range[k] = std::min(range, beams.range_max[k]);
@@ -228,7 +230,7 @@ void LidarSense::store(world::World& world, const LidarBeams& beams, std::uint32
   ring_intensities.clear();
   for (std::uint32_t i = 0; i < beams.sensors.size(); ++i) {
     const LidarBeams::Sensor& sensor = beams.sensors[i];
-    const std::uint32_t row = world.rangers.first_sensor[ranger] + i, to = sensors.first_beam[row];
+    const world::BeamRow to = sensors.first_beam[world.rangers.first_sensor[ranger] + i];
     const std::size_t level = sensor.first + std::size_t{sensor.level} * sensor.samples;
     for (std::uint32_t k = 0; k < sensor.samples; ++k) {
       sensors.ranges[to + k] = static_cast<float>(scratch.range[level + k]);

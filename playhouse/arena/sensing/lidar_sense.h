@@ -26,7 +26,7 @@ class LidarSense final : public senses::SensePhase {
 
   senses::SensorTable table(world::World& world) const override;
   void populate(const world::World& world, const bodies::Space& space) override;
-  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const std::uint32_t> due,
+  std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const world::KindRow> due,
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
@@ -41,8 +41,8 @@ class LidarSense final : public senses::SensePhase {
   void populate_moving(const world::World& world, const bodies::Solids& solids);
   void populate_rangers(const world::World& world);
   void place(const world::Models& models);
-  const LidarBeams& beams(const world::World& world, std::uint32_t ranger) const;
-  void measure(world::World& world, std::uint32_t ranger, std::uint64_t tick, Scratch& scratch) const;
+  const LidarBeams& beams(const world::World& world, world::RangerRow ranger) const;
+  void measure(world::World& world, world::RangerRow ranger, std::uint64_t tick, Scratch& scratch) const;
   /// One measurement.
   struct Measurement {
     const world::World& world;
@@ -53,16 +53,16 @@ class LidarSense final : public senses::SensePhase {
   void cast(const Measurement& look, Scratch& scratch) const;
   void keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& scratch) const;
   void keep_echo(const Measurement& look, std::size_t k, Scratch& scratch) const;
-  static void store(world::World& world, const LidarBeams& beams, std::uint32_t ranger, Scratch& scratch);
+  static void store(world::World& world, const LidarBeams& beams, world::RangerRow ranger, Scratch& scratch);
 
   RayScene scene_;
   std::vector<bodies::StaticModel> fixed_;           // that scene_ has
   std::map<std::uint32_t, std::uint32_t> shape_of_;  // by row of SceneDesc::models, of movable models
-  std::vector<std::uint32_t> instances_;             // rows of world::Models
-  std::map<std::uint32_t, LidarBeams> beams_;        // by row of SceneDesc::models
-  std::vector<float> returns_;                       // return value of a beam that hits a model (models)
-  std::vector<Optics> optics_;                       // (models)
-  std::vector<Scratch> scratch_;                     // one per worker
+  std::vector<world::ModelRow> instances_;
+  std::map<std::uint32_t, LidarBeams> beams_;  // by row of SceneDesc::models
+  std::vector<float> returns_;                 // return value of a beam that hits a model (models)
+  std::vector<Optics> optics_;                 // (models)
+  std::vector<Scratch> scratch_;               // one per worker
 };
 
 std::unique_ptr<senses::SensePhase> make_lidar_sense(unsigned workers);

@@ -59,11 +59,11 @@ model( name "carrier" pose [0 0 0 0] size [0.2 0.2 0.5] gripper_return 1
   const auto ahead = [&](double pitch) {
     Session run(kTilted, true);
     const world::ModelRow carrier = run.world().find("carrier");
-    run.world().models.tilt_PM.set(carrier.index, {0, pitch});
-    run.world().models.still.set(carrier.index, 100);  // rests as it stands
+    run.world().models.tilt_PM.set(carrier, {0, pitch});
+    run.world().models.still.set(carrier, 100);  // rests as it stands
     world::place_tree(run.world(), carrier);
     run.step();
-    EXPECT_EQ(run.world().models.tilt_PM[carrier.index].y, pitch);
+    EXPECT_EQ(run.world().models.tilt_PM[carrier].y, pitch);
     return std::pair(run.range(1), run.intensity(1));
   };
   const double h = 0.51 * std::cos(0.3);  // of the sensor, above the ground
@@ -86,9 +86,9 @@ model( name "post" pose [0 0 0 0] size [0.2 0.2 0.5]
   EXPECT_NEAR(run.range(1), 1.95, 1e-4) << "stands";
   const world::ModelRow plank = run.world().find("plank");
   world::wake(run.world().models);
-  run.world().models.V_WM.set(plank.index, {{}, {1, 0, 0}});
+  run.world().models.V_WM.set(plank, {{}, {1, 0, 0}});
   run.step(40);
-  EXPECT_GT(std::fabs(run.world().models.tilt_WM[plank.index].x), 1.3) << "fell";
+  EXPECT_GT(std::fabs(run.world().models.tilt_WM[plank].x), 1.3) << "fell";
   EXPECT_EQ(run.range(1), 8) << "lies below the beam";
 }
 
@@ -203,10 +203,10 @@ position( name "r" pose [0.3 -0.2 0 33] size [0.4 0.4 0.4] obstacle_return 0
   Session run(kRings, true);
   run.step();
   const world::World& world = run.world();
-  const world::ModelRow ranger = world.rangers.model[0];
+  const world::ModelRow ranger = world.rangers.model[{0}];
   const scene::RangerSensorDesc& sensor = world.desc(ranger).sensors[0];
-  const geom::Pose& X = world.models.X_WM[ranger.index];
-  ASSERT_EQ(world.rangers.ring_ranges[0].size(), 16 * 61u);
+  const geom::Pose& X = world.models.X_WM[ranger];
+  ASSERT_EQ(world.rangers.ring_ranges[{0}].size(), 16 * 61u);
   const geom::Vec3 p{X.x, X.y, X.z + 0.5 * sensor.size.z};
   int met = 0, on_ground = 0;
   for (std::uint32_t ring = 0; ring < 16; ++ring)
@@ -221,7 +221,7 @@ position( name "r" pose [0.3 -0.2 0 33] size [0.4 0.4 0.4] obstacle_return 0
         if (model.kind == scene::ModelKind::kPlain) wanted = std::min(wanted, oracle(p, d, model));
       on_ground += ground < wanted;
       wanted = std::min(wanted, ground);
-      EXPECT_NEAR(world.rangers.ring_ranges[0][ring * 61 + sample], wanted, 2e-4) << ring << " " << sample;
+      EXPECT_NEAR(world.rangers.ring_ranges[{0}][ring * 61 + sample], wanted, 2e-4) << ring << " " << sample;
       met += wanted < 12;
     }
   EXPECT_GT(met, 300);
@@ -243,13 +243,13 @@ model( name "post" pose [0 0 0 0] size [0.2 0.2 0.5]
   Session rings(with("rings 4 ring_fov [-30 30]").c_str(), true);  // at -30, -10, 10 and 30 degrees
   rings.step();
   EXPECT_NEAR(rings.range(2), 2.9 / std::cos(geom::radians(10)), 1e-4) << "of two the upper one";
-  EXPECT_EQ(rings.world().rangers.ring_ranges[0][2 * 5 + 2], rings.range(2));
-  EXPECT_EQ(rings.world().rangers.ring_ranges[0][3 * 5 + 2], 8) << "over the wall";
-  EXPECT_LT(rings.world().rangers.ring_ranges[0][2], 1.1) << "the ground";
+  EXPECT_EQ(rings.world().rangers.ring_ranges[{0}][2 * 5 + 2], rings.range(2));
+  EXPECT_EQ(rings.world().rangers.ring_ranges[{0}][3 * 5 + 2], 8) << "over the wall";
+  EXPECT_LT(rings.world().rangers.ring_ranges[{0}][2], 1.1) << "the ground";
   Session stage(with("rings 4 ring_fov [-30 30]").c_str(), false);
   stage.step();
   EXPECT_NEAR(stage.range(2), 2.9, 1e-6) << "level";
-  EXPECT_TRUE(stage.world().rangers.ring_ranges[0].empty());
+  EXPECT_TRUE(stage.world().rangers.ring_ranges[{0}].empty());
 }
 
 TEST(LidarSense, rings_of_several_sensors_follow_one_another) {
@@ -264,9 +264,9 @@ model( name "post" pose [0 0 0 0] size [0.2 0.2 0.5]
 )";
   Session three(kThree, true);
   three.step(3);
-  const std::vector<float>& ranges = three.world().rangers.ring_ranges[0];
+  const std::vector<float>& ranges = three.world().rangers.ring_ranges[{0}];
   ASSERT_EQ(ranges.size(), 4 * 5 + 3u) << "of the newest scan alone";
-  EXPECT_EQ(three.world().rangers.ring_intensities[0].size(), ranges.size());
+  EXPECT_EQ(three.world().rangers.ring_intensities[{0}].size(), ranges.size());
   EXPECT_EQ(ranges[2 * 5 + 2], three.range(2));
   for (std::size_t ring = 0; ring < 3; ++ring) EXPECT_EQ(ranges[4 * 5 + ring], 2) << "nothing so near";
 }
@@ -284,7 +284,7 @@ position( name "s" pose [0 2 0 0] size [0.4 0.4 0.4] lidar() )
   one.step(3);
   three.step(3);
   EXPECT_EQ(one.world().sensed_hash(), three.world().sensed_hash());
-  const std::vector<float>& ranges = one.world().rangers.ring_ranges[0];
+  const std::vector<float>& ranges = one.world().rangers.ring_ranges[{0}];
   EXPECT_NE(ranges[15], ranges[3 * 31 + 15]) << "symmetric but for their noise";
 }
 

@@ -18,9 +18,9 @@ namespace playhouse::behaviour::testing {
 /// Discs of all top-level models.
 struct Discs {
   struct Disc {
-    geom::Vec2 center;   // m, in W
-    double radius = 0;   // m
-    std::uint32_t root;  // model row
+    geom::Vec2 center;  // m, in W
+    double radius = 0;  // m
+    world::ModelRow root;
   };
   std::vector<Disc> all;
 };
@@ -32,37 +32,37 @@ class DiscRanger final : public SensePhaseOf<Discs> {
   }
   void populate(const world::World&, const Discs&) override {}
 
-  std::uint64_t sense(world::World& world, const Discs& discs, std::span<const std::uint32_t> due,
+  std::uint64_t sense(world::World& world, const Discs& discs, std::span<const world::KindRow> due,
                       std::uint64_t, world::Workers& workers) override {
     workers.run(due.size(), 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) measure(world, discs, due[i]);
     });
     std::uint64_t rays = 0;
-    for (const std::uint32_t ranger : due)
+    for (const world::RangerRow ranger : due)
       for (std::uint32_t k = 0; k < world.rangers.sensor_count[ranger]; ++k)
         rays += world.sensors.beam_count[world.rangers.first_sensor[ranger] + k];
     return rays;
   }
 
  private:
-  static void measure(world::World& world, const Discs& discs, std::uint32_t ranger) {
+  static void measure(world::World& world, const Discs& discs, world::RangerRow ranger) {
     const world::ModelRow model = world.rangers.model[ranger];
     const scene::ModelDesc& desc = world.desc(model);
-    const geom::Pose X_WB = geom::compose(world.models.X_WM[model.index], desc.X_MB);
+    const geom::Pose X_WB = geom::compose(world.models.X_WM[model], desc.X_MB);
     for (std::uint32_t k = 0; k < desc.sensors.size(); ++k) {
       const scene::RangerSensorDesc& sensor = desc.sensors[k];
       const geom::Pose X_WS = geom::compose(X_WB, sensor.X_BS);
-      const std::uint32_t first = world.sensors.first_beam[world.rangers.first_sensor[ranger] + k];
+      const world::BeamRow first = world.sensors.first_beam[world.rangers.first_sensor[ranger] + k];
       for (std::uint32_t beam = 0; beam < sensor.samples; ++beam) {
         const double share = sensor.samples == 1 ? 0 : beam / (sensor.samples - 1.0) - 0.5;
         world.sensors.ranges[first + beam] =
             static_cast<float>(nearest(discs, {X_WS.x, X_WS.y, 0, X_WS.a + share * sensor.fov},
-                                       sensor.range_max, world.models.root[model.index]));
+                                       sensor.range_max, world.models.root[model]));
       }
     }
   }
 
-  static double nearest(const Discs& discs, const geom::Pose& X_WR, double range, std::uint32_t own) {
+  static double nearest(const Discs& discs, const geom::Pose& X_WR, double range, world::ModelRow own) {
     const geom::Rotation rotation = geom::Rotation::of(X_WR.a);
     for (const Discs::Disc& disc : discs.all) {
       if (disc.root == own) continue;
@@ -99,12 +99,12 @@ class SpringEngine final : public PhasedEngine {
   }
 
   void move() override {
-    for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
-      if (world_.models.parent[row] != world::ModelRow::kNone) continue;
-      if (world_.models.mobility[row] == world::Mobility::kLoose) roll({row}, swing(1) - swing(0));
+    for (const world::ModelRow row : world_.models.rows()) {
+      if (world_.models.parent[row]) continue;
+      if (world_.models.mobility[row] == world::Mobility::kLoose) roll(row, swing(1) - swing(0));
       geom::Pose& X_WM = world_.models.X_PM.own(row);
       if (world_.models.kind[row] == scene::ModelKind::kPosition) drive(world_.models.part[row], X_WM);
-      world::place_tree(world_, {row});
+      world::place_tree(world_, row);
     }
     place();
   }
@@ -115,8 +115,8 @@ class SpringEngine final : public PhasedEngine {
     const geom::Quaternion turned = geom::orientation(0, {0, way / radius_of(ball)});
     const geom::SpatialPose rolled =
         geom::spatial_pose({X.X.x + way, X.X.y, X.X.z}, turned * geom::orientation(X.X.a, X.tilt));
-    world_.models.X_PM.own(ball.index) = rolled.X;
-    world_.models.tilt_PM.set(ball.index, rolled.tilt);
+    world_.models.X_PM.own(ball) = rolled.X;
+    world_.models.tilt_PM.set(ball, rolled.tilt);
   }
 
   double radius_of(world::ModelRow top) const {
@@ -124,7 +124,7 @@ class SpringEngine final : public PhasedEngine {
     return 0.5 * std::max(size.x, size.y);
   }
 
-  void drive(std::uint32_t robot, geom::Pose& X_WM) {
+  void drive(world::PositionRow robot, geom::Pose& X_WM) {
     const double dt = world_.scene().interval;
     const geom::Twist& v = world_.positions.velocity[robot];
     const geom::Pose X_MN{v.x * dt, v.y * dt, 0, v.a * dt};  // from this tick to the next
@@ -140,14 +140,14 @@ class SpringEngine final : public PhasedEngine {
 
   void sense(std::uint64_t tick) override { rays_ += senses_.sense(world_, discs_, tick, workers_); }
 
-  void touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
-                std::vector<std::uint32_t>& out) const override {
-    const std::uint32_t own = world_.models.root[model.index];
-    const auto disc_of = [&](std::uint32_t root) {
+  void touching(world::ModelRow model, const world::ByModel<std::uint8_t>& wanted,
+                std::vector<world::ModelRow>& out) const override {
+    const world::ModelRow own = world_.models.root[model];
+    const auto disc_of = [&](world::ModelRow root) {
       return *std::ranges::find(discs_.all, root, &Discs::Disc::root);
     };
     const Discs::Disc mine = disc_of(own);
-    for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
+    for (const world::ModelRow row : world_.models.rows()) {
       if (!wanted[row] || world_.models.root[row] == own) continue;
       const Discs::Disc other = disc_of(world_.models.root[row]);
       const geom::Vec2 between = other.center - mine.center;
@@ -163,9 +163,9 @@ class SpringEngine final : public PhasedEngine {
 
   void place() {
     discs_.all.clear();
-    for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
-      if (world_.models.parent[row] != world::ModelRow::kNone) continue;
-      discs_.all.push_back({world_.models.X_WM[row].xy(), radius_of({row}), row});
+    for (const world::ModelRow row : world_.models.rows()) {
+      if (world_.models.parent[row]) continue;
+      discs_.all.push_back({world_.models.X_WM[row].xy(), radius_of(row), row});
     }
   }
 

@@ -134,7 +134,7 @@ TEST_P(AnyGoalTest, keeps_its_goal_when_the_run_is_taken_back) {
   site.run(3);
   EXPECT_NE(told().a, 0);
   static_cast<Shell&>(driver()).rewound({1, 0.1, 1});
-  world().positions.command[0] = {};
+  world().positions.command[{0}] = {};
   EXPECT_EQ(told(), geom::Twist()) << "what was computed before is not said";
   site.run(2);
   EXPECT_DOUBLE_EQ(told().a, turn());
@@ -171,7 +171,7 @@ TEST_P(AnyGoalTest, requests_are_its_robot_s) {
   ASSERT_TRUE(geometry);
   EXPECT_DOUBLE_EQ(geometry->size.sl, 0.4);
   EXPECT_TRUE(answer(p2d::kReqMotorPower, wire::encode(p2d::PowerConfig{0})).ack);
-  EXPECT_EQ(world().positions.motor_on[0], 0);
+  EXPECT_EQ(world().positions.motor_on[{0}], 0);
   EXPECT_TRUE(answer(p2d::kReqSetOdom, wire::encode(p2d::SetOdomReq{{1, 2, 0}})).ack);
   EXPECT_FALSE(answer(p2d::kReqSpeedProf, wire::encode(p2d::SpeedProfReq{})).ack);
   EXPECT_TRUE(driver().capable(site.id(kGoalDriver), kReq, p2d::kReqSetOdom));

@@ -89,10 +89,10 @@ class ShellTest : public ::testing::Test {
 driver( name "stage" provides ["simulation:0"] worldfile "some.world" )
 driver( name "stage" provides ["position2d:0"] model "r0" ))"),
               "");
-    site.site().simulation()->engine().world().positions.motor_on[0] = 1;
+    site.site().simulation()->engine().world().positions.motor_on[{0}] = 1;
   }
   testing::OutputRecorder::Answer ask(device::Address address, std::uint8_t subtype,
-                                const std::vector<std::byte>& body) {
+                                      const std::vector<std::byte>& body) {
     driver->request({site.id(address), kReq, subtype, body}, device::Replier(site.recorder, 1));
     site.run(0);
     return site.recorder.answers.at(1);
@@ -132,9 +132,9 @@ TEST_F(ShellTest, what_a_step_says_comes_one_tick_later) {
   const world::World& world = site.site().simulation()->world();
   EXPECT_EQ(drive(kOwn, 0.25), device::Taken::kLatest);
   site.run(1);
-  EXPECT_EQ(world.positions.command[0].x, 0);
+  EXPECT_EQ(world.positions.command[{0}].x, 0);
   site.run(2);
-  EXPECT_EQ(world.positions.command[0].x, 0.5);
+  EXPECT_EQ(world.positions.command[{0}].x, 0.5);
 }
 
 TEST_F(ShellTest, takes_and_answers_what_its_algorithm_registered) {
@@ -178,7 +178,7 @@ TEST_F(ShellTest, a_rewind_drops_steps) {
   drive(kOwn, 0.25);
   static_cast<Shell&>(*driver).rewound({7, 0.7, 1});
   site.run(3);
-  EXPECT_EQ(site.site().simulation()->world().positions.command[0].x, 0);
+  EXPECT_EQ(site.site().simulation()->world().positions.command[{0}].x, 0);
   EXPECT_THAT(calls, ElementsAre("opened", "rewound 7"));
 }
 

@@ -62,7 +62,7 @@ class AmclTest : public ::testing::Test {
   world::World& world() { return site.site().simulation()->engine().world(); }
   device::Driver& driver() { return site.driver(kLocalize); }
   /// The odometry says that the robot is there now.
-  void move(const geom::Pose& X_OR) { world().positions.X_OM[0] = X_OR; }
+  void move(const geom::Pose& X_OR) { world().positions.X_OM[{0}] = X_OR; }
   template <typename T>
   T newest(device::Address address) {
     const auto found =
@@ -216,7 +216,7 @@ TEST_F(AmclWithoutThreads, believes_the_same_at_the_same_ticks) {
   world::World& other = threaded.site().simulation()->engine().world();
   std::ranges::copy(world().sensors.ranges, other.sensors.ranges.begin());
   for (int step = 0; step < 8; ++step) {
-    other.positions.X_OM[0] = {0.15 * step, 0, 0, 0};
+    other.positions.X_OM[{0}] = {0.15 * step, 0, 0, 0};
     move({0.15 * step, 0, 0, 0});
     threaded.run(1);
     site.run(1);

@@ -90,16 +90,16 @@ void Agents::use_again(world::Journal& journal) {
 
 void Agents::find() {
   const world::World& world = simulation_.world();
-  std::vector<world::ModelRow> ranger_of(world.models.size());  // first ranger of each tree, by root
+  world::ByModel<world::ModelRow> ranger_of(world.models.size());  // first ranger of each tree, by root
   for (const world::ModelRow ranger : world.rangers.model) {
-    world::ModelRow& first = ranger_of[world.models.root[ranger.index]];
+    world::ModelRow& first = ranger_of[world.models.root[ranger]];
     if (!first) first = ranger;
   }
   for (const world::ModelRow model : world.positions.model) {
-    if (world.models.root[model.index] != model.index || !ranger_of[model.index]) continue;
+    if (world.models.root[model] != model || !ranger_of[model]) continue;
     agents_.push_back({.model = world.id(model),
-                       .ranger = world.id(ranger_of[model.index]),
-                       .start = world.models.X_PM[model.index],
+                       .ranger = world.id(ranger_of[model]),
+                       .start = world.models.X_PM[model],
                        .radius = radius_of(world.desc(model)),
                        .wheels = {},
                        .sensor = {}});
@@ -108,10 +108,9 @@ void Agents::find() {
 
 std::uint32_t Agents::beams_of(const Agent& agent) const {
   const world::World& world = simulation_.world();
-  const std::uint32_t ranger = world.models.part[world.row(agent.ranger).index];
-  const std::uint32_t first = world.rangers.first_sensor[ranger];
+  const world::RangerRow ranger = world.models.part[world.row(agent.ranger)];
   std::uint32_t beams = 0;
-  for (std::uint32_t sensor = first; sensor < first + world.rangers.sensor_count[ranger]; ++sensor)
+  for (const world::SensorRow sensor : sensors_of(world.rangers, ranger))
     beams += world.sensors.beam_count[sensor];
   return beams;
 }
@@ -174,7 +173,7 @@ bool Agents::is_free(const geom::Pose& at, std::size_t i) const {
   for (std::size_t other = 0; other < agents_.size(); ++other) {
     const world::ModelRow row = world.row(agents_[other].model);
     if (other == i || !row) continue;
-    const geom::Pose& X_WM = world.models.X_WM[row.index];
+    const geom::Pose& X_WM = world.models.X_WM[row];
     const double room = agents_[i].radius + agents_[other].radius;
     const double dx = X_WM.x - at.x, dy = X_WM.y - at.y;
     if (dx * dx + dy * dy < room * room) return false;
@@ -187,11 +186,11 @@ void Agents::observe() {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const world::ModelRow model = world.row(agents_[i].model), ranger = world.row(agents_[i].ranger);
     if (!model || !ranger) continue;
-    const std::uint32_t robot = world.models.part[model.index];
-    const std::uint32_t sensor = world.rangers.first_sensor[world.models.part[ranger.index]];
-    std::copy_n(world.sensors.ranges.begin() + world.sensors.first_beam[sensor], beams_,
+    const world::PositionRow robot = world.models.part[model];
+    const world::SensorRow sensor = world.rangers.first_sensor[world.models.part[ranger]];
+    std::copy_n(world.sensors.ranges.from(world.sensors.first_beam[sensor]), beams_,
                 columns_.values<float>(kRanges) + i * beams_);
-    put(columns_.values<double>(kPose) + 3 * i, world.models.X_WM[model.index]);
+    put(columns_.values<double>(kPose) + 3 * i, world.models.X_WM[model]);
     put(columns_.values<double>(kOdometry) + 3 * i, world.positions.X_OM[robot]);
     const geom::Twist& velocity = world.positions.velocity[robot];
     double* const row = columns_.values<double>(kVelocity) + 3 * i;

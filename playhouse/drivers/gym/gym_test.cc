@@ -41,9 +41,7 @@ class Gym : public ::testing::Test {
     simulation_.run();
   }
   world::World& world() { return simulation_.engine().world(); }
-  std::uint32_t subscribers(world::ModelId model) {
-    return world().models.subscribers[world().row(model).index];
-  }
+  std::uint32_t subscribers(world::ModelId model) { return world().models.subscribers[world().row(model)]; }
 
   const scene::SceneDesc scene_ = run::testing::scene_of(kWorld);
   run::Simulation simulation_;

@@ -24,11 +24,10 @@ bool is_joint(std::int32_t joint) {
 /// Pose of the joint at position 0 in its robot, in the world if none carries it.
 geom::SpatialPose rest_on_robot(const world::World& world, world::ModelRow model) {
   const world::Models& models = world.models;
-  geom::SpatialPose X = world::joint_of(world, {models.part[model.index]});
-  const std::uint32_t root = models.root[model.index];
-  for (std::uint32_t row = models.parent[model.index]; row != world::ModelRow::kNone && row != root;
-       row = models.parent[row])
-    X = geom::compose(world::pose_in_parent(models, {row}), X);
+  geom::SpatialPose X = world::joint_of(world, models.part[model]);
+  const world::ModelRow root = models.root[model];
+  for (world::ModelRow row = models.parent[model]; row && row != root; row = models.parent[row])
+    X = geom::compose(world::pose_in_parent(models, row), X);
   return X;
 }
 
@@ -48,7 +47,7 @@ act::Geom geometry(const world::World& world, world::ModelRow model) {
   return {{joint}, {X_RJ.px, X_RJ.py, X_RJ.pz}, {X_RJ.proll, X_RJ.ppitch, X_RJ.pyaw}};
 }
 
-std::int32_t state_of(const world::Actuators& actuators, std::uint32_t row) {
+std::int32_t state_of(const world::Actuators& actuators, world::ActuatorRow row) {
   if (actuators.braked[row]) return act::kActstateBraked;
   if (actuators.stall[row]) return act::kActstateStalled;
   return actuators.velocity[row] != 0 ? act::kActstateMoving : act::kActstateIdle;
@@ -89,7 +88,7 @@ class Actarray final : public SimulatedDevice {
             [id = model(), geometry = geometry_](const world::World& world) mutable -> std::optional<Bytes> {
               const world::ModelRow model = world.row(id);
               if (!model) return std::nullopt;
-              const double speed = world.actuators.speed[world.models.part[model.index]];
+              const double speed = world.actuators.speed[world.models.part[model]];
               geometry.actuators[0].config_speed = static_cast<float>(speed);
               return wire::encode(geometry);
             });
@@ -115,7 +114,7 @@ class Actarray final : public SimulatedDevice {
     const world::ModelRow model = world.row(this->model());
     if (!model) return;
     const world::Actuators& actuators = world.actuators;
-    const std::uint32_t row = world.models.part[model.index];
+    const world::KindRow row = world.models.part[model];
     act::Actuator joint;
     joint.position = static_cast<float>(actuators.position[row]);
     joint.speed = actuators.stall[row] ? 0 : static_cast<float>(actuators.velocity[row]);

@@ -64,10 +64,10 @@ TEST_F(ActarrayDevice, tells_where_it_is_and_what_it_does_at_its_own_interval) {
   still_.run(4);
   ASSERT_EQ(still_.recorder.published.size(), 2u);
   EXPECT_EQ(newest(), (act::Data{{{0.25f, 0, 0, -1, act::kActstateIdle}}, 1}));
-  lifts().velocity[0] = 0.5;
+  lifts().velocity[{0}] = 0.5;
   still_.run(2);
   EXPECT_EQ(newest(), (act::Data{{{0.25f, 0.5f, 0, -1, act::kActstateMoving}}, 1}));
-  lifts().stall[0] = 1;
+  lifts().stall[{0}] = 1;
   still_.run(2);
   EXPECT_EQ(newest(), (act::Data{{{0.25f, 0, 0, -1, act::kActstateStalled}}, 1}));
 }
@@ -92,26 +92,26 @@ TEST_F(ActarrayDevice, has_a_geometry_on_the_robot) {
 
 TEST_F(ActarrayDevice, goes_where_it_is_told_at_the_speed_that_it_is_told) {
   EXPECT_EQ(command(act::kCmdPos, act::PositionCmd{0, 7}), device::Taken::kLatest);
-  EXPECT_EQ(lifts().mode[0], ControlMode::kPosition);
-  EXPECT_EQ(lifts().goal[0], 2) << "its end";
+  EXPECT_EQ(lifts().mode[{0}], ControlMode::kPosition);
+  EXPECT_EQ(lifts().goal[{0}], 2) << "its end";
   EXPECT_EQ(command(act::kCmdMultiPos, act::MultiPositionCmd{{-0.5f}}), device::Taken::kLatest);
-  EXPECT_EQ(lifts().goal[0], -0.5);
+  EXPECT_EQ(lifts().goal[{0}], -0.5);
   EXPECT_EQ(command(act::kCmdHome, act::HomeCmd{-1}), device::Taken::kLatest);
-  EXPECT_EQ(lifts().goal[0], 0.25);
+  EXPECT_EQ(lifts().goal[{0}], 0.25);
   EXPECT_EQ(command(act::kCmdSpeed, act::SpeedCmd{0, -0.25f}), device::Taken::kLatest);
-  EXPECT_EQ(lifts().mode[0], ControlMode::kVelocity);
-  EXPECT_EQ(lifts().command[0], -0.25);
+  EXPECT_EQ(lifts().mode[{0}], ControlMode::kVelocity);
+  EXPECT_EQ(lifts().command[{0}], -0.25);
   EXPECT_EQ(command(act::kCmdMultiSpeed, act::MultiSpeedCmd{{0.125f}}), device::Taken::kLatest);
-  EXPECT_EQ(lifts().command[0], 0.125);
+  EXPECT_EQ(lifts().command[{0}], 0.125);
   EXPECT_TRUE(ask(act::kReqSpeed, wire::encode(act::SpeedConfig{-1, 0.25f})));
-  EXPECT_EQ(lifts().speed[0], 0.25);
+  EXPECT_EQ(lifts().speed[{0}], 0.25);
 }
 
 TEST_F(ActarrayDevice, has_power_and_brakes_until_the_last_client_closes_it) {
   EXPECT_TRUE(ask(act::kReqPower, wire::encode(act::PowerConfig{0})));
   EXPECT_TRUE(ask(act::kReqBrakes, wire::encode(act::BrakesConfig{1})));
-  EXPECT_EQ(lifts().motor_on[0], 0);
-  EXPECT_EQ(lifts().braked[0], 1);
+  EXPECT_EQ(lifts().motor_on[{0}], 0);
+  EXPECT_EQ(lifts().braked[{0}], 1);
   still_.run(2);
   EXPECT_EQ(newest().motor_state, 0);
   EXPECT_EQ(newest().actuators[0].state, act::kActstateBraked);
@@ -119,10 +119,10 @@ TEST_F(ActarrayDevice, has_power_and_brakes_until_the_last_client_closes_it) {
   command(act::kCmdSpeed, act::SpeedCmd{0, 0.5f});
   driver_.stop(kId);
   still_.run(0);
-  EXPECT_EQ(lifts().motor_on[0], 1);
-  EXPECT_EQ(lifts().braked[0], 0);
-  EXPECT_EQ(lifts().speed[0], 0.5);
-  EXPECT_EQ(lifts().command[0], 0);
+  EXPECT_EQ(lifts().motor_on[{0}], 1);
+  EXPECT_EQ(lifts().braked[{0}], 0);
+  EXPECT_EQ(lifts().speed[{0}], 0.5);
+  EXPECT_EQ(lifts().command[{0}], 0);
 }
 
 TEST_F(ActarrayDevice, refuses_other_joints_and_what_makes_no_sense) {
@@ -139,7 +139,7 @@ TEST_F(ActarrayDevice, refuses_other_joints_and_what_makes_no_sense) {
   EXPECT_FALSE(ask(act::kReqSpeed, wire::encode(act::SpeedConfig{0, 0.6f}))) << "faster than it can";
   EXPECT_FALSE(ask(act::kReqSpeed, wire::encode(act::SpeedConfig{0, nan})));
   EXPECT_FALSE(ask(act::kReqPower));
-  EXPECT_EQ(lifts().command[0], 0);
+  EXPECT_EQ(lifts().command[{0}], 0);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ class Aio final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     const world::ModelRow row = world.row(model());
     if (!row) return;
-    const std::uint32_t custom = world.models.part[row.index];
+    const world::CustomRow custom = world.models.part[row];
     if (world.customs.measured_tick[custom] != world.tick()) return;
     aio::Data data;
     for (const double reading : world.customs.readings[custom])

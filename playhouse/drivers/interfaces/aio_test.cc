@@ -52,9 +52,9 @@ class AioDevice : public ::testing::Test {
 
 TEST_F(AioDevice, sets_one_command_of_the_model_each) {
   EXPECT_EQ(command(1, 2.5f), device::Taken::kQueued);
-  EXPECT_THAT(customs().command[0], ElementsAre(0, 2.5));
+  EXPECT_THAT(customs().command[{0}], ElementsAre(0, 2.5));
   command(0, -1);
-  EXPECT_THAT(customs().command[0], ElementsAre(-1, 2.5));
+  EXPECT_THAT(customs().command[{0}], ElementsAre(-1, 2.5));
 }
 
 TEST_F(AioDevice, ignores_commands_that_make_no_sense) {
@@ -62,11 +62,11 @@ TEST_F(AioDevice, ignores_commands_that_make_no_sense) {
   EXPECT_EQ(command(1, std::numeric_limits<float>::infinity()), device::Taken::kNo);
   EXPECT_EQ(command(1u << 31, 1), device::Taken::kNo) << "no model has so many";
   command(2, 1);
-  EXPECT_THAT(customs().command[0], ElementsAre(0, 2.5));
+  EXPECT_THAT(customs().command[{0}], ElementsAre(0, 2.5));
 }
 
 TEST_F(AioDevice, publishes_readings_as_voltages) {
-  customs().readings[0] = {0.5, -3};
+  customs().readings[{0}] = {0.5, -3};
   EXPECT_THAT(still_.recorder.published, IsEmpty());
   still_.run(1);
   ASSERT_EQ(still_.recorder.published.size(), 1u);

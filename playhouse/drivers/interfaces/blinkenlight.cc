@@ -26,7 +26,7 @@ void set_color(world::Journal& journal, world::ModelId model, const wire::Color&
   const world::ModelRow row = world.row(model);
   if (!row) return;
   const scene::Color wanted{static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255,
-                            static_cast<float>(color.blue) / 255, world.models.color[row.index].a};
+                            static_cast<float>(color.blue) / 255, world.models.color[row].a};
   journal.apply(changes::SetColor{model, wanted});
 }
 
@@ -55,8 +55,8 @@ class Light : public SimulatedDevice {
     if (world.tick() % update_ticks_ != 0) return;
     const world::ModelRow row = world.row(model());
     if (!row) return;
-    bl::Data data = data_of(world, world.models.part[row.index]);
-    data.color = color_of(world.models.color[row.index]);
+    bl::Data data = data_of(world, world.models.part[row]);
+    data.color = color_of(world.models.color[row]);
     publish(world, bl::kDataState, data, out);
   }
 
@@ -64,7 +64,7 @@ class Light : public SimulatedDevice {
   /// The setting that a command requests; empty if invalid. The only light has number 0.
   virtual run::Request meaning(const device::Message& message) const = 0;
   /// Data of row `light` of its table.
-  virtual bl::Data data_of(const world::World& world, std::uint32_t light) const = 0;
+  virtual bl::Data data_of(const world::World& world, world::KindRow light) const = 0;
 
   run::Request color(const device::Message& message) const {
     const auto value = wire::decode<bl::CmdColor>(message.body);
@@ -122,7 +122,7 @@ class Blinkenlight final : public Light {
     }
   }
 
-  bl::Data data_of(const world::World& world, std::uint32_t lamp) const override {
+  bl::Data data_of(const world::World& world, world::KindRow lamp) const override {
     const world::Blinkenlights& lamps = world.blinkenlights;
     return {lamps.enabled[lamp],
             static_cast<float>(lamps.period[lamp]),
@@ -154,7 +154,7 @@ class Lightindicator final : public Light {
     };
   }
 
-  bl::Data data_of(const world::World& world, std::uint32_t light) const override {
+  bl::Data data_of(const world::World& world, world::KindRow light) const override {
     return {world.lightindicators.lit[light], 0, 1, {}};
   }
 };

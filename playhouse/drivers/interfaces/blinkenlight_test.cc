@@ -70,18 +70,18 @@ TEST_F(BlinkenlightDevice, commands_that_come_together_are_all_carried_out) {
   EXPECT_EQ(command(bl::kCmdFlash, bl::CmdFlash{0, 2, 0.25f}), device::Taken::kQueued);
   EXPECT_EQ(command(bl::kCmdColor, bl::CmdColor{0, {0, 255, 0, 51}}), device::Taken::kQueued);
   still_.run(0);
-  EXPECT_EQ(lamps().enabled[0], 1);
-  EXPECT_EQ(lamps().period[0], 2);
-  EXPECT_EQ(lamps().dutycycle[0], 0.25);
+  EXPECT_EQ(lamps().enabled[{0}], 1);
+  EXPECT_EQ(lamps().period[{0}], 2);
+  EXPECT_EQ(lamps().dutycycle[{0}], 0.25);
   EXPECT_EQ(color(), (scene::Color{1, 0, 0.2f, 0.5f})) << "with the model's own alpha";
 }
 
 TEST_F(BlinkenlightDevice, a_state_sets_everything) {
   EXPECT_EQ(command(bl::kCmdState, bl::Cmd{0, 1, 4, 0.5f, {255, 0, 255, 0}}), device::Taken::kQueued);
   still_.run(0);
-  EXPECT_EQ(lamps().enabled[0], 1);
-  EXPECT_EQ(lamps().period[0], 4);
-  EXPECT_EQ(lamps().dutycycle[0], 0.5);
+  EXPECT_EQ(lamps().enabled[{0}], 1);
+  EXPECT_EQ(lamps().period[{0}], 4);
+  EXPECT_EQ(lamps().dutycycle[{0}], 0.5);
   EXPECT_EQ(color(), (scene::Color{0, 1, 0, 0.5f}));
 }
 
@@ -95,8 +95,8 @@ TEST_F(BlinkenlightDevice, refuses_other_lamps_and_flashes_that_cannot_be) {
     EXPECT_EQ(command(bl::kCmdState, bl::Cmd{0, 1, period, share, {}}), device::Taken::kNo);
   }
   still_.run(0);
-  EXPECT_EQ(lamps().enabled[0], 0);
-  EXPECT_EQ(lamps().period[0], 0.5);
+  EXPECT_EQ(lamps().enabled[{0}], 0);
+  EXPECT_EQ(lamps().period[{0}], 0.5);
 }
 
 TEST_F(LightindicatorDevice, is_switched_and_coloured_and_burns_steadily) {
@@ -106,7 +106,7 @@ TEST_F(LightindicatorDevice, is_switched_and_coloured_and_burns_steadily) {
   EXPECT_EQ(command(bl::kCmdColor, bl::CmdColor{0, {0, 255, 0, 0}}), device::Taken::kQueued);
   EXPECT_EQ(command(bl::kCmdPower, bl::CmdPower{1, 0}), device::Taken::kNo);
   still_.run(1);
-  EXPECT_EQ(still_.world().lightindicators.lit[0], 1);
+  EXPECT_EQ(still_.world().lightindicators.lit[{0}], 1);
   EXPECT_EQ(published(1), (bl::Data{1, 0, 1, {255, 255, 0, 0}}));
 }
 

@@ -40,7 +40,7 @@ class Blobfinder final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     const world::ModelRow row = world.row(model());
     if (!row) return;
-    const std::uint32_t camera = world.models.part[row.index];
+    const world::BlobfinderRow camera = world.models.part[row];
     if (world.blobfinders.measured_tick[camera] != world.tick()) return;
     bf::Data data;
     data.width = width_;

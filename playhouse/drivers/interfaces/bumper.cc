@@ -37,7 +37,7 @@ class Bumper final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     const world::ModelRow row = world.row(model());
     if (!row) return;
-    const std::uint32_t switches = world.models.part[row.index];
+    const world::BumperRow switches = world.models.part[row];
     if (world.bumpers.measured_tick[switches] != world.tick()) return;
     bumper::Data data;
     for (const world::ModelId hit : world.bumpers.hits[switches]) data.bumpers.push_back(hit ? 1 : 0);

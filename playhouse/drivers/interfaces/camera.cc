@@ -11,7 +11,7 @@ using wire::MessageType;
 
 /// The latest image of a camera.
 cam::Data newest_image(const world::World& world, world::ModelRow model) {
-  return image_of(*world.desc(model).camera, world.cameras.pixels[world.models.part[model.index]]);
+  return image_of(*world.desc(model).camera, world.cameras.pixels[world.models.part[model]]);
 }
 
 class Camera final : public SimulatedDevice {
@@ -27,14 +27,14 @@ class Camera final : public SimulatedDevice {
   void request(const device::Message&, device::Replier replier) override {
     ask_world(std::move(replier), [id = model()](const world::World& world) -> std::optional<Bytes> {
       const world::ModelRow model = world.row(id);
-      if (!model || world.cameras.measured_tick[world.models.part[model.index]] == 0) return std::nullopt;
+      if (!model || world.cameras.measured_tick[world.models.part[model]] == 0) return std::nullopt;
       return wire::encode(newest_image(world, model));
     });
   }
 
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     const world::ModelRow row = world.row(model());
-    if (!row || world.cameras.measured_tick[world.models.part[row.index]] != world.tick()) return;
+    if (!row || world.cameras.measured_tick[world.models.part[row]] != world.tick()) return;
     publish(world, cam::kDataState, newest_image(world, row), out);
   }
 };

@@ -11,12 +11,12 @@ namespace {
 namespace fid = wire::fiducial;
 namespace rng = wire::ranger;
 
-/// Row of a detector, if it measured in this very tick.
-std::optional<std::uint32_t> fresh_row(const world::World& world, world::ModelId id) {
+/// Row of a detector, if it measured in this very tick; else none.
+world::DetectorRow fresh_row(const world::World& world, world::ModelId id) {
   const world::ModelRow model = world.row(id);
-  if (!model) return std::nullopt;
-  const std::uint32_t row = world.models.part[model.index];
-  if (world.detectors.measured_tick[row] != world.tick()) return std::nullopt;
+  if (!model) return {};
+  const world::DetectorRow row = world.models.part[model];
+  if (world.detectors.measured_tick[row] != world.tick()) return {};
   return row;
 }
 
@@ -49,10 +49,10 @@ class DetectorRanger final : public RangerDevice {
 
  private:
   bool read(const world::World& world, std::vector<Reading>& out) const override {
-    const std::optional<std::uint32_t> row = fresh_row(world, model());
+    const world::DetectorRow row = fresh_row(world, model());
     out.clear();
     if (!row) return false;
-    for (const world::Echo& echo : world.detectors.echoes[*row])
+    for (const world::Echo& echo : world.detectors.echoes[row])
       out.push_back({static_cast<double>(echo.range), static_cast<double>(echo.level)});
     return true;
   }
@@ -71,10 +71,10 @@ class DetectorFiducial final : public FiducialDevice {
 
  private:
   std::optional<fid::Data> read(const world::World& world) const override {
-    const std::optional<std::uint32_t> row = fresh_row(world, model());
+    const world::DetectorRow row = fresh_row(world, model());
     if (!row) return std::nullopt;
     fid::Data data;
-    for (const world::Detection& found : world.detectors.finds[*row])
+    for (const world::Detection& found : world.detectors.finds[row])
       data.fiducials.push_back(fiducial_item(found.number, found.range, found.bearing, 0));
     return data;
   }

@@ -24,7 +24,7 @@ class Fiducial final : public FiducialDevice {
   std::optional<fid::Data> read(const world::World& world) const override {
     const world::ModelRow row = world.row(model());
     if (!row) return std::nullopt;
-    const std::uint32_t finder = world.models.part[row.index];
+    const world::FiducialRow finder = world.models.part[row];
     if (world.fiducials.measured_tick[finder] != world.tick()) return std::nullopt;
     fid::Data data;
     for (const world::FiducialHit& hit : world.fiducials.hits[finder])
@@ -92,8 +92,8 @@ void FiducialDevice::exchange_id(const device::Message& message, device::Replier
     const world::World& world = journal.world();
     const world::ModelRow finder = world.row(id);
     if (!finder) return std::nullopt;
-    const std::uint32_t robot = world.models.root[finder.index];
-    if (wanted) journal.apply(world::changes::SetFiducial{world.id({robot}), *wanted});
+    const world::ModelRow robot = world.models.root[finder];
+    if (wanted) journal.apply(world::changes::SetFiducial{world.id(robot), *wanted});
     return wire::encode(fid::Id{static_cast<std::uint32_t>(world.models.fiducial_return[robot])});
   });
 }

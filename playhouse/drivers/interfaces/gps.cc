@@ -39,16 +39,16 @@ class Gps final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     const world::ModelRow row = world.row(model());
     if (!row) return;
-    const std::uint32_t receiver = world.models.part[row.index];
+    const world::GpsRow receiver = world.models.part[row];
     if (world.receivers.measured_tick[receiver] != world.tick()) return;
     publish(world, gps::kDataState, fix(world, world.desc(row), receiver), out);
   }
 
  private:
-  static gps::Data fix(const world::World& world, const scene::ModelDesc& desc, std::uint32_t receiver);
+  static gps::Data fix(const world::World& world, const scene::ModelDesc& desc, world::GpsRow receiver);
 };
 
-gps::Data Gps::fix(const world::World& world, const scene::ModelDesc& desc, std::uint32_t receiver) {
+gps::Data Gps::fix(const world::World& world, const scene::ModelDesc& desc, world::GpsRow receiver) {
   const scene::GpsDesc& limits = *desc.gps;
   gps::Data data;
   const auto micros = static_cast<std::uint64_t>(std::llround(world.time() * 1e6));

@@ -73,9 +73,9 @@ class Gripper final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     const world::ModelRow row = world.row(model());
     if (!row) return;
-    const world::GripperRow gripper{world.models.part[row.index]};
-    if (world.grippers.measured_tick[gripper.index] != world.tick()) return;
-    const std::uint32_t beams = world.grippers.beams[gripper.index] * kFirstBeam;
+    const world::GripperRow gripper = world.models.part[row];
+    if (world.grippers.measured_tick[gripper] != world.tick()) return;
+    const std::uint32_t beams = world.grippers.beams[gripper] * kFirstBeam;
     publish(world, grip::kDataState,
             grip::Data{state_of(world::paddle_state(world.grippers, gripper)), beams, 0}, out);
   }

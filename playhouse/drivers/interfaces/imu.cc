@@ -21,11 +21,11 @@ Quaternion inverse(const Quaternion& q) {
 }
 
 /// Estimated attitude, before the reference is applied.
-Quaternion attitude(const world::Imus& imus, std::uint32_t row) {
+Quaternion attitude(const world::Imus& imus, world::ImuRow row) {
   return geom::orientation(imus.X_WE[row].a, imus.tilt_WE[row]);
 }
 /// Attitude relative to the reference, as published.
-Quaternion told_attitude(const world::Imus& imus, std::uint32_t row) {
+Quaternion told_attitude(const world::Imus& imus, world::ImuRow row) {
   return inverse(geom::orientation(imus.reference_heading[row], imus.reference_tilt[row])) *
          attitude(imus, row);
 }
@@ -71,12 +71,12 @@ class Imu final : public SimulatedDevice {
       const world::World& world = journal.world();
       const world::ModelRow row = world.row(id);
       if (!row) return std::nullopt;
-      const geom::SpatialPose X = reference(world.imus, world.models.part[row.index]);
+      const geom::SpatialPose X = reference(world.imus, world::ImuRow(world.models.part[row]));
       if (!journal.apply(world::changes::SetAttitudeReference{id, X.X.a, X.tilt})) return std::nullopt;
       return Bytes();
     });
   }
-  imu::DataCalib calibrated(const world::Imus& imus, std::uint32_t row) const;
+  imu::DataCalib calibrated(const world::Imus& imus, world::ImuRow row) const;
 
   Vec3 field_W_;
   std::atomic<std::uint8_t> datatype_{imu::kDataState};  // type of message to send
@@ -91,7 +91,7 @@ void Imu::request(const device::Message& message, device::Replier replier) {
   } else if (message.subtype == imu::kReqResetOrientation) {
     const auto value = wire::decode<imu::ResetOrientationConfig>(message.body);
     if (!value || value->value > 2) return;
-    set_reference(std::move(replier), [all = value->value != 0](const world::Imus& imus, std::uint32_t row) {
+    set_reference(std::move(replier), [all = value->value != 0](const world::Imus& imus, world::ImuRow row) {
       return all ? reference(attitude(imus, row)) : geom::SpatialPose{{0, 0, 0, imus.X_WE[row].a}, {}};
     });
   } else {
@@ -102,13 +102,13 @@ void Imu::request(const device::Message& message, device::Replier replier) {
     const geom::SpatialPose X =
         geom::spatial_pose({}, geom::RollPitchYaw{turns.proll, turns.ppitch, turns.pyaw});
     set_reference(std::move(replier),
-                  [q = geom::orientation(X.X.a, X.tilt)](const world::Imus& imus, std::uint32_t row) {
+                  [q = geom::orientation(X.X.a, X.tilt)](const world::Imus& imus, world::ImuRow row) {
                     return reference(attitude(imus, row) * inverse(q));
                   });
   }
 }
 
-imu::DataCalib Imu::calibrated(const world::Imus& imus, std::uint32_t row) const {
+imu::DataCalib Imu::calibrated(const world::Imus& imus, world::ImuRow row) const {
   const auto& [f, w] = imus.reading[row];
   const Vec3 n = inverse(geom::orientation(imus.X_WB[row].a, imus.tilt_WB[row])) * field_W_;
   return {number(f.x), number(f.y), number(f.z), number(w.x), number(w.y),
@@ -119,7 +119,7 @@ void Imu::emit(const world::World& world, std::vector<device::Publication>& out)
   const world::ModelRow model_row = world.row(model());
   if (!model_row) return;
   const world::Imus& imus = world.imus;
-  const std::uint32_t row = world.models.part[model_row.index];
+  const world::ImuRow row = world.models.part[model_row];
   if (imus.measured_tick[row] != world.tick()) return;
   const Quaternion q = told_attitude(imus, row);
   const geom::Pose& at = imus.X_WE[row];

@@ -41,8 +41,8 @@ void put_intensities(std::span<const float> intensities, std::uint8_t* __restric
 
 Laser::Laser(run::Simulation& simulation, world::ModelRow model)
     : SimulatedDevice(simulation, simulation.world().id(model)),
-      scanner_(scanner_of(simulation.world(), model).index -
-               ranger_rows(simulation.world(), model).first_sensor),
+      scanner_(scanner_of(simulation.world(), model) -
+               ranger_rows(simulation.world(), model).sensors.front()),
       sensor_(simulation.world().desc(model).sensors[scanner_]),
       configuration_(wire::encode(configuration(simulation.world(), model, sensor_))) {
   const geom::SpatialPose X_RS = geom::compose(pose_on_robot(simulation.world(), model), {sensor_.X_BS, {}});
@@ -82,7 +82,7 @@ void Laser::request(const device::Message& message, device::Replier replier) {
 void Laser::emit(const world::World& world, std::vector<device::Publication>& out) {
   const std::optional<RangerRows> rows = fresh_rows(world, model());
   if (!rows) return;
-  const Beams measured = beams(world, {rows->first_sensor + scanner_});
+  const Beams measured = beams(world, rows->sensors[scanner_]);
   scan_.id = static_cast<std::uint32_t>(world.tick());
   scan_.ranges.assign(measured.ranges.begin(), measured.ranges.end());
   scan_.intensity.resize(measured.intensities.size());

@@ -15,9 +15,9 @@ namespace {
 
 using wire::MessageType;
 
-bool is_part_of(const world::World& world, std::uint32_t part, world::ModelRow model) {
-  for (std::uint32_t row = part; row != world::ModelRow::kNone; row = world.models.parent[row])
-    if (row == model.index) return true;
+bool is_part_of(const world::World& world, world::ModelRow part, world::ModelRow model) {
+  for (world::ModelRow row = part; row; row = world.models.parent[row])
+    if (row == model) return true;
   return false;
 }
 

@@ -22,7 +22,7 @@ bool send(world::Journal& journal, world::ModelId radio, world::ModelId to, cons
   const world::World& world = journal.world();
   const world::ModelRow row = world.row(radio);
   if (!row) return false;
-  const bool is_full = world.wifis.outgoing[world.models.part[row.index]].size() >= limits::kRadioSends;
+  const bool is_full = world.wifis.outgoing[world.models.part[row]].size() >= limits::kRadioSends;
   journal.apply(world::changes::Send{radio, to, bytes});
   if (is_full)
     log::warn("{} has {} messages to send in one tick: the others are dropped", world.name(row),
@@ -77,7 +77,7 @@ class Opaque final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     const world::ModelRow row = world.row(model());
     if (!row) return;
-    const world::WifiRow radio{world.models.part[row.index]};
+    const world::WifiRow radio = world.models.part[row];
     world::each_message(world::incoming_of(world.wifis, radio), [&](const auto&, auto bytes) {
       publish(world, op::kDataState, op::Data{{bytes.begin(), bytes.end()}}, out);
     });

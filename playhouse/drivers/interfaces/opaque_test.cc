@@ -95,8 +95,8 @@ TEST_F(OpaqueDevice, sends_no_message_that_is_too_long_and_none_beyond_its_room)
   EXPECT_FALSE(ask(std::string(1, '\0') + std::string(limits::kRadioMessageBytes + 1, 'x')));
   for (std::size_t i = 0; i < limits::kRadioSends; ++i) EXPECT_EQ(command("x"), device::Taken::kQueued);
   EXPECT_FALSE(ask(std::string_view("192.168.0.9\0hi", 14)));
-  EXPECT_EQ(world().wifis.outgoing[0].size(), limits::kRadioSends);
-  EXPECT_EQ(world().wifis.dropped[0], 1u);
+  EXPECT_EQ(world().wifis.outgoing[{0}].size(), limits::kRadioSends);
+  EXPECT_EQ(world().wifis.dropped[{0}], 1u);
 }
 
 TEST_F(OpaqueDevice, each_message_that_arrived_in_a_tick_is_data_of_its_bytes) {

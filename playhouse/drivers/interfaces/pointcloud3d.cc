@@ -63,11 +63,11 @@ class PointCloud final : public SimulatedDevice {
     const std::optional<RangerRows> rows = fresh_rows(world, model());
     if (!rows) return;
     cloud::Data data;
-    std::span<const float> ring_ranges(world.rangers.ring_ranges[rows->ranger.index]);
-    std::span<const float> ring_intensities(world.rangers.ring_intensities[rows->ranger.index]);
+    std::span<const float> ring_ranges(world.rangers.ring_ranges[rows->ranger]);
+    std::span<const float> ring_intensities(world.rangers.ring_intensities[rows->ranger]);
     for (std::uint32_t i = 0; i < sensors_.size(); ++i) {
       const Sensor& sensor = sensors_[i];
-      const std::uint32_t row = rows->first_sensor + i;
+      const world::SensorRow row = rows->sensors[i];
       const std::size_t count = std::size_t{sensor.samples} * sensor.rings;
       const std::span<const Line> lines(sensor.lines);
       const bool has_rings =
@@ -78,7 +78,7 @@ class PointCloud final : public SimulatedDevice {
         ring_intensities = ring_intensities.subspan(count);
         add_points(lines, all, static_cast<double>(static_cast<float>(sensor.range_max)), data);
       } else {  // an engine or a sensor with level beams only
-        add_points(lines.subspan(count), beams(world, {row}),
+        add_points(lines.subspan(count), beams(world, row),
                    static_cast<double>(static_cast<float>(sensor.range_max)), data);
       }
     }

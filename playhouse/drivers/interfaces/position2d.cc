@@ -112,7 +112,7 @@ void Position2d::emit(const world::World& world, std::vector<device::Publication
   const world::PositionRow robot = world.position(model());
   if (!robot) return;
   const world::Positions& positions = world.positions;
-  const std::uint32_t row = robot.index;
+  const world::PositionRow row = robot;
   publish(world, p2d::kDataState,
           p2d::Data{pose2d(positions.X_OM[row]), pose2d(positions.velocity[row]), positions.stall[row]}, out);
 }

@@ -18,20 +18,20 @@ using geom::Vec3;
 using wire::MessageType;
 
 /// Odometry with the true height and tilt, which it does not estimate.
-wire::Pose3d believed(const world::World& world, world::ModelRow model, std::uint32_t row) {
-  geom::SpatialPose X{world.positions.X_OM[row], world.models.tilt_WM[model.index]};
-  X.X.z = world.models.X_WM[model.index].z;
+wire::Pose3d believed(const world::World& world, world::ModelRow model, world::PositionRow row) {
+  geom::SpatialPose X{world.positions.X_OM[row], world.models.tilt_WM[model]};
+  X.X.z = world.models.X_WM[model].z;
   return pose3d(X);
 }
 
 /// Velocity in its own frame: of its body in 3D, as commanded in 2D.
-wire::Pose3d moving(const world::World& world, world::ModelRow model, std::uint32_t row) {
+wire::Pose3d moving(const world::World& world, world::ModelRow model, world::PositionRow row) {
   const geom::Twist& driven = world.positions.velocity[row];
-  if (world.upright || world.models.root[model.index] != model.index)
+  if (world.upright || world.models.root[model] != model)
     return {driven.x, driven.y, driven.z, 0, 0, driven.a};
-  geom::Quaternion q = geom::orientation(world.models.X_WM[model.index].a, world.models.tilt_WM[model.index]);
+  geom::Quaternion q = geom::orientation(world.models.X_WM[model].a, world.models.tilt_WM[model]);
   q = {q.w, -q.x, -q.y, -q.z};
-  const geom::SpatialVelocity& V = world.models.V_WM[model.index];
+  const geom::SpatialVelocity& V = world.models.V_WM[model];
   const Vec3 v = q * V.v, w = q * V.w;
   return {v.x, v.y, v.z, w.x, w.y, w.z};
 }
@@ -122,7 +122,7 @@ void Position3d::emit(const world::World& world, std::vector<device::Publication
   if (world.tick() % update_ticks_ != 0) return;
   const world::ModelRow at = world.row(model());
   if (!at) return;
-  const std::uint32_t row = world.models.part[at.index];
+  const world::PositionRow row = world.models.part[at];
   publish(world, p3d::kDataState,
           p3d::Data{believed(world, at, row), moving(world, at, row), world.positions.stall[row]}, out);
 }

@@ -15,8 +15,8 @@ using wire::MessageType;
 /// True if the model, or a part supplied by the same battery, can be charged.
 bool can_be_charged(const world::World& world, world::ModelRow model) {
   if (world.desc(model).take_watts > 0) return true;
-  for (const std::uint32_t child : world.children(model)) {
-    const bool has_its_own = world::trait_row(world.packs, child) != world::ModelRow::kNone;
+  for (const world::ModelRow child : world.children(model)) {
+    const bool has_its_own = world::trait_row(world.packs, child).valid();
     if (!has_its_own && can_be_charged(world, {child})) return true;
   }
   return false;
@@ -53,11 +53,11 @@ class Power final : public SimulatedDevice {
   }
 
  private:
-  static std::uint32_t pack_of(const world::World& world, world::ModelRow model) {
-    return world::trait_row(world.packs, model.index);  // traits never change
+  static world::PackRow pack_of(const world::World& world, world::ModelRow model) {
+    return world::trait_row(world.packs, model);  // traits never change
   }
 
-  pow::Data state_of(const world::Packs& packs, std::uint32_t pack) const {
+  pow::Data state_of(const world::Packs& packs, world::PackRow pack) const {
     const double stored = packs.stored[pack], capacity = packs.capacity[pack];
     pow::Data data;
     data.valid = pow::kMaskWatts | pow::kMaskPercent | pow::kMaskCharging;

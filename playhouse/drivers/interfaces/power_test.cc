@@ -52,8 +52,8 @@ class PowerDevice : public ::testing::Test {
 
 TEST_F(PowerDevice, says_what_is_in_the_battery_at_the_intervals_of_its_model) {
   open("r0");
-  still_.world().packs.watts[0] = -2.5;
-  still_.world().packs.charging[0] = 1;
+  still_.world().packs.watts[{0}] = -2.5;
+  still_.world().packs.charging[{0}] = 1;
   still_.run(5);
   EXPECT_EQ(still_.recorder.published.size(), 2u);
   EXPECT_EQ(newest(), (pow::Data{kKnown | pow::kMaskJoules, 0, 25, 50, -2.5f, 1}));
@@ -74,16 +74,16 @@ TEST_F(PowerDevice, has_no_number_for_what_never_ends) {
 TEST_F(PowerDevice, decides_until_it_is_closed_what_may_flow) {
   open("r0");
   ASSERT_TRUE(ask(wire::encode(pow::ChargepolicyConfig{0, 0})));
-  EXPECT_EQ(still_.world().packs.takes[0], 0);
-  EXPECT_EQ(still_.world().packs.gives[0], 0);
+  EXPECT_EQ(still_.world().packs.takes[{0}], 0);
+  EXPECT_EQ(still_.world().packs.gives[{0}], 0);
   still_.run(2);
   EXPECT_EQ(newest().charging, -1);
   EXPECT_FALSE(ask({})) << "an invalid body";
   ASSERT_TRUE(ask(wire::encode(pow::ChargepolicyConfig{1, 0})));
-  EXPECT_EQ(still_.world().packs.takes[0], 1);
+  EXPECT_EQ(still_.world().packs.takes[{0}], 1);
   driver_.stop(kId);
   still_.run(0);
-  EXPECT_EQ(still_.world().packs.gives[0], 1);
+  EXPECT_EQ(still_.world().packs.gives[{0}], 1);
 }
 
 TEST_F(PowerDevice, belongs_to_models_with_a_battery_alone) {

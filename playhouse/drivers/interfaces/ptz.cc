@@ -65,7 +65,7 @@ class Ptz final : public SimulatedDevice {
     const world::ModelRow row = world.row(model());
     if (!row) return;
     const world::Cameras& cameras = world.cameras;
-    const std::uint32_t camera = world.models.part[row.index];
+    const world::CameraRow camera = world.models.part[row];
     ptz::Data data;
     data.pan = static_cast<float>(cameras.pan[camera]);
     data.tilt = static_cast<float>(cameras.tilt[camera]);

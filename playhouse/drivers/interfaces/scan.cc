@@ -3,15 +3,14 @@
 namespace playhouse::drivers {
 namespace {
 
-Reading reading(const world::Sensors& sensors, std::uint32_t beam) {
+Reading reading(const world::Sensors& sensors, world::BeamRow beam) {
   return {static_cast<double>(sensors.ranges[beam]), static_cast<double>(sensors.intensities[beam])};
 }
 
 /// A sonar reports the nearest echo within its cone.
-Reading nearest(const world::Sensors& sensors, std::uint32_t sensor) {
-  const std::uint32_t first = sensors.first_beam[sensor];
-  Reading best = reading(sensors, first);
-  for (std::uint32_t beam = first + 1; beam < first + sensors.beam_count[sensor]; ++beam) {
+Reading nearest(const world::Sensors& sensors, world::SensorRow sensor) {
+  Reading best = reading(sensors, sensors.first_beam[sensor]);
+  for (const world::BeamRow beam : beams_of(sensors, sensor)) {
     if (static_cast<double>(sensors.ranges[beam]) < best.range) best = reading(sensors, beam);
   }
   return best;
@@ -20,24 +19,21 @@ Reading nearest(const world::Sensors& sensors, std::uint32_t sensor) {
 }  // namespace
 
 RangerRows ranger_rows(const world::World& world, world::ModelRow model) {
-  const world::RangerRow ranger{world.models.part[model.index]};
-  return {ranger, world.rangers.first_sensor[ranger.index], world.rangers.sensor_count[ranger.index]};
+  const world::RangerRow ranger = world.models.part[model];
+  return {ranger, sensors_of(world.rangers, ranger)};
 }
 
 std::optional<RangerRows> fresh_rows(const world::World& world, world::ModelId id) {
   const world::ModelRow model = world.row(id);
   if (!model) return std::nullopt;
   const RangerRows rows = ranger_rows(world, model);
-  if (rows.sensor_count == 0 || world.rangers.measured_tick[rows.ranger.index] != world.tick())
-    return std::nullopt;
+  if (rows.sensors.empty() || world.rangers.measured_tick[rows.ranger] != world.tick()) return std::nullopt;
   return rows;
 }
 
 world::SensorRow scanner_of(const world::World& world, world::ModelRow model) {
-  const RangerRows rows = ranger_rows(world, model);
-  for (std::uint32_t sensor = rows.first_sensor; sensor < rows.first_sensor + rows.sensor_count; ++sensor) {
-    if (world.sensors.beam_count[sensor] > 1) return {sensor};
-  }
+  for (const world::SensorRow sensor : ranger_rows(world, model).sensors)
+    if (world.sensors.beam_count[sensor] > 1) return sensor;
   return {};
 }
 
@@ -46,23 +42,21 @@ double angular_resolution(const scene::RangerSensorDesc& sensor) {
 }
 
 Beams beams(const world::World& world, world::SensorRow sensor) {
-  const std::uint32_t first = world.sensors.first_beam[sensor.index];
-  const std::uint32_t count = world.sensors.beam_count[sensor.index];
-  return {std::span(world.sensors.ranges).subspan(first, count),
-          std::span(world.sensors.intensities).subspan(first, count)};
+  const world::BeamRow first = world.sensors.first_beam[sensor];
+  const std::uint32_t count = world.sensors.beam_count[sensor];
+  return {std::span(world.sensors.ranges.from(first), count),
+          std::span(world.sensors.intensities.from(first), count)};
 }
 
 void readings(const world::World& world, const RangerRows& rows, std::vector<Reading>& out) {
   out.clear();
-  if (rows.sensor_count == 1) {
-    const Beams all = beams(world, {rows.first_sensor});
+  if (rows.sensors.size() == 1) {
+    const Beams all = beams(world, rows.sensors.front());
     for (std::size_t i = 0; i < all.ranges.size(); ++i)
       out.push_back({static_cast<double>(all.ranges[i]), static_cast<double>(all.intensities[i])});
     return;
   }
-  for (std::uint32_t i = 0; i < rows.sensor_count; ++i) {
-    out.push_back(nearest(world.sensors, rows.first_sensor + i));
-  }
+  for (const world::SensorRow sensor : rows.sensors) out.push_back(nearest(world.sensors, sensor));
 }
 
 }  // namespace playhouse::drivers

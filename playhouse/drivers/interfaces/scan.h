@@ -10,11 +10,10 @@
 
 namespace playhouse::drivers {
 
-/// A ranger and its rows in the sensor table.
+/// A ranger and its sensors.
 struct RangerRows {
   world::RangerRow ranger;
-  std::uint32_t first_sensor = 0;
-  std::uint32_t sensor_count = 0;
+  RowsOf<world::SensorTable> sensors;
 };
 
 /// `model` is of kind kRanger.

@@ -29,12 +29,12 @@ class SpeechRecognition final : public SimulatedDevice {
     const world::Utterances& said = world.utterances;
     const world::ModelRow row = world.row(model());
     if (!row || heard_ == said.count) return;
-    const std::uint32_t root = world.models.root[row.index];
+    const world::ModelRow root = world.models.root[row];
     if (said.count - heard_ > limits::kUtterances) heard_ = said.count - limits::kUtterances;
     for (; heard_ < said.count; ++heard_) {
       const world::Utterances::One& one = said.newest[heard_ % limits::kUtterances];
       const world::ModelRow speaker = world.row(one.model);
-      if (speaker && world.models.root[speaker.index] == root) continue;  // its own voice
+      if (speaker && world.models.root[speaker] == root) continue;  // its own voice
       publish(world, heard::kDataString, heard::Data{wire::c_string(one.text)}, out);
     }
   }

@@ -30,7 +30,7 @@ class SpeechDevice : public ::testing::Test {
   }
   const std::string& said(const char* model) {
     still_.run(0);
-    return still_.world().models.say[still_.world().find(model).index];
+    return still_.world().models.say[still_.world().find(model)];
   }
 
   static constexpr device::DeviceId kFirst{3}, kSecond{4};

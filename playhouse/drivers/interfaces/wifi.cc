@@ -57,7 +57,7 @@ class Wifi final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     const world::ModelRow row = world.row(model());
     if (!row) return;
-    const std::uint32_t radio = world.models.part[row.index];
+    const world::WifiRow radio = world.models.part[row];
     if (world.wifis.measured_tick[radio] != world.tick()) return;
     wf::Data data;
     data.throughput = data.bitrate = bitrate_;

@@ -115,11 +115,11 @@ TEST_F(NdWaitingTest, waits_for_the_end_of_a_stall) {
   go_to(5, 0);
   site.run(2);
   EXPECT_EQ(told().x, 0.3);
-  world().positions.stall[0] = 1;
+  world().positions.stall[{0}] = 1;
   site.run(2);
   EXPECT_EQ(told(), geom::Twist());
   site.run(50);
-  world().positions.stall[0] = 0;
+  world().positions.stall[{0}] = 0;
   site.run(2);
   EXPECT_EQ(told().x, 0.3) << "the goal is still its goal";
   EXPECT_EQ(state().stall, 0);
@@ -131,7 +131,7 @@ class NdTwoRobotsTest : public NdTest {
 };
 
 TEST_F(NdTwoRobotsTest, the_pose_is_that_of_the_input_and_velocities_go_to_the_output) {
-  world().positions.X_OM[1] = {1, 2, 0, 0};
+  world().positions.X_OM[{1}] = {1, 2, 0, 0};
   go_to(1, 5);
   site.run(2);
   EXPECT_EQ(state().pos.py, 2);
@@ -144,7 +144,7 @@ TEST_F(NdTwoRobotsTest, the_pose_is_that_of_the_input_and_velocities_go_to_the_o
 }
 
 TEST_F(NdTwoRobotsTest, sonars_alone_steer_it) {
-  world().sensors.ranges[0] = 0.5f;  // ahead
+  world().sensors.ranges[{0}] = 0.5f;  // ahead
   go_to(5, 0);
   site.run(2);
   EXPECT_GT(std::abs(told(0).a), geom::radians(10));

@@ -233,7 +233,7 @@ TEST_F(AutoDevicesTest, that_close_late_take_no_use_from_a_robot_that_came_back)
   world::subscribe(world, world.row(robot));
   site.run(0);  // retires, closes
   site.run(0);
-  EXPECT_EQ(world.models.subscribers[world.row(robot).index], 1u);
+  EXPECT_EQ(world.models.subscribers[world.row(robot)], 1u);
 }
 
 TEST_F(AutoDevicesTest, are_those_of_the_newest_that_has_an_id_which_a_tick_gave_again) {

@@ -34,7 +34,7 @@ std::uint16_t place_of(std::uint16_t interf) {
 
 std::vector<world::ModelRow> top_models(const world::World& world) {
   std::vector<world::ModelRow> tops;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+  for (const world::ModelRow row : world.models.rows())
     if (world.models.root[row] == row) tops.push_back({row});
   return tops;
 }
@@ -110,7 +110,7 @@ void AutoMap::visit(const world::World& world, world::ModelRow model) {
       further_.emplace_back(each.code, model);
     }
   });
-  for (const std::uint32_t child : world.children(model)) visit(world, {child});
+  for (const world::ModelRow child : world.children(model)) visit(world, {child});
 }
 
 void AutoMap::add(std::uint16_t interf, Number number, world::ModelRow model) {

@@ -19,7 +19,7 @@ std::unique_ptr<SimulatedDevice> make_device(ModelDevices& devices, std::uint16_
   }
   run::Simulation& simulation = devices.simulation();
   PLAYHOUSE_ASSERT(fits(simulation.world(), model, interf));
-  const scene::ModelKind kind = simulation.world().models.kind[model.index];
+  const scene::ModelKind kind = simulation.world().models.kind[model];
   const auto found = std::ranges::find_if(kDeviceMakers, [&](const DeviceMaker& maker) {
     return maker.interf == interf && maker.kind.value_or(kind) == kind;
   });

@@ -109,8 +109,8 @@ class Device : public ::testing::Test {
                std::vector<float> intensities) {
     world::World& world = still_.world();
     const world::ModelRow model = world.find(ranger);
-    const std::uint32_t row = world.rangers.first_sensor[world.models.part[model.index]] + sensor;
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const world::SensorRow row = world.rangers.first_sensor[world.models.part[model]] + sensor;
+    for (std::uint32_t i = 0; i < ranges.size(); ++i) {
       world.sensors.ranges[world.sensors.first_beam[row] + i] = ranges[i];
       world.sensors.intensities[world.sensors.first_beam[row] + i] = intensities[i];
     }
@@ -135,10 +135,10 @@ namespace p2d = wire::position2d;
 TEST_F(Position2dDevice, opening_subscribes_the_model_and_closing_ends_that) {
   open(p2d::kCode, "r0");
   const world::ModelRow robot = still_.world().find("r0");
-  EXPECT_EQ(still_.world().models.subscribers[robot.index], 1u);
+  EXPECT_EQ(still_.world().models.subscribers[robot], 1u);
   driver_.stop(kId);
   still_.run(5);
-  EXPECT_EQ(still_.world().models.subscribers[robot.index], 0u);
+  EXPECT_EQ(still_.world().models.subscribers[robot], 0u);
   EXPECT_TRUE(still_.recorder.published.empty());
 }
 
@@ -182,7 +182,7 @@ TEST_F(Position2dDevice, refuses_commands_that_are_no_numbers) {
   EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdPos, nowhere}),
             device::Taken::kNo);
   still_.run(1);
-  EXPECT_EQ(still_.world().positions.command[0].x, 0.3);
+  EXPECT_EQ(still_.world().positions.command[{0}].x, 0.3);
 }
 
 TEST_F(Position2dDevice,
@@ -193,11 +193,11 @@ TEST_F(Position2dDevice,
   driver_.command({kId, cmd, p2d::kCmdVel, ahead});
   driver_.stop(kId);
   still_.run(0);
-  EXPECT_EQ(still_.world().positions.command[0], geom::Twist{});
+  EXPECT_EQ(still_.world().positions.command[{0}], geom::Twist{});
   ASSERT_TRUE(driver_.start(kId));
   driver_.command({kId, cmd, p2d::kCmdVel, ahead});
   still_.run(0);
-  EXPECT_EQ(still_.world().positions.command[0].x, 0.3);
+  EXPECT_EQ(still_.world().positions.command[{0}].x, 0.3);
 }
 
 TEST_F(Position2dDevice,
@@ -221,10 +221,10 @@ TEST_F(Position2dDevice, geometry_is_the_models_origin_and_size_with_width_acros
 TEST_F(Position2dDevice, odometry_can_be_set_and_reset) {
   open(p2d::kCode, "r0");
   EXPECT_TRUE(ask_with(p2d::kReqSetOdom, p2d::SetOdomReq{{3, 4, 0.5}}).ack);
-  EXPECT_NEAR(still_.world().positions.X_OM[0].x, 3, 1e-12);
-  EXPECT_NEAR(still_.world().positions.X_OM[0].a, 0.5, 1e-12);
+  EXPECT_NEAR(still_.world().positions.X_OM[{0}].x, 3, 1e-12);
+  EXPECT_NEAR(still_.world().positions.X_OM[{0}].a, 0.5, 1e-12);
   EXPECT_TRUE(ask(p2d::kReqResetOdom).ack);
-  EXPECT_NEAR(still_.world().positions.X_OM[0].x, 0, 1e-12);
+  EXPECT_NEAR(still_.world().positions.X_OM[{0}].x, 0, 1e-12);
   EXPECT_FALSE(ask_with(p2d::kReqSetOdom, p2d::SetOdomReq{{std::nan(""), 0, 0}}).ack);
   EXPECT_FALSE(ask_with(p2d::kReqSetOdom, p2d::SetOdomReq{{1e308, 0, 0}}).ack);
   EXPECT_FALSE(ask(p2d::kReqSetOdom).ack) << "no payload, no odometry";
@@ -233,10 +233,10 @@ TEST_F(Position2dDevice, odometry_can_be_set_and_reset) {
 TEST_F(Position2dDevice, motors_go_off_and_on_and_are_on_again_for_the_next_user) {
   open(p2d::kCode, "r0");
   EXPECT_TRUE(ask_with(p2d::kReqMotorPower, p2d::PowerConfig{0}).ack);
-  EXPECT_EQ(still_.world().positions.motor_on[0], 0);
+  EXPECT_EQ(still_.world().positions.motor_on[{0}], 0);
   driver_.stop(kId);
   still_.run(0);
-  EXPECT_EQ(still_.world().positions.motor_on[0], 1);
+  EXPECT_EQ(still_.world().positions.motor_on[{0}], 1);
 }
 
 TEST_F(Position2dDevice, refuses_what_it_cannot_do_and_says_what_it_can) {
@@ -351,7 +351,7 @@ TEST_F(SonarDevice, publishes_one_range_per_transducer_and_where_they_are) {
 
 TEST_F(Device, a_blob_becomes_a_box_of_pixels_in_its_color) {
   open(wire::blobfinder::kCode, "r0.camera");
-  still_.world().blobfinders.blobs[0] = {{{1, 0, 0.5f, 0.2f}, 1, 10, 19, 15, 24, 2.5}};
+  still_.world().blobfinders.blobs[{0}] = {{{1, 0, 0.5f, 0.2f}, 1, 10, 19, 15, 24, 2.5}};
   still_.run(1);
   const auto data = last<wire::blobfinder::Data>(wire::blobfinder::kDataBlobs);
   EXPECT_EQ(data.width, 100u);
@@ -371,7 +371,7 @@ TEST_F(Device, a_blob_becomes_a_box_of_pixels_in_its_color) {
 TEST_F(Device, a_camera_tells_its_pixels_in_rows_of_three_bytes) {
   open(wire::camera::kCode, "r0.eye");
   EXPECT_FALSE(ask(wire::camera::kReqGetImage).ack) << "no image yet";
-  still_.world().cameras.pixels[0] = {{0x102030}, {0xfffefd}};
+  still_.world().cameras.pixels[{0}] = {{0x102030}, {0xfffefd}};
   still_.run(1);
   for (const auto& data : {last<wire::camera::Data>(wire::camera::kDataState),
                            reply<wire::camera::Data>(ask(wire::camera::kReqGetImage))}) {
@@ -386,7 +386,7 @@ TEST_F(Device, a_camera_tells_its_pixels_in_rows_of_three_bytes) {
 
 TEST_F(Device, a_camera_of_distances_tells_millimetres_with_the_low_byte_first) {
   open(wire::camera::kCode, "r0.depth");
-  still_.world().cameras.pixels[2] = {{0x1234}, {0}};
+  still_.world().cameras.pixels[{2}] = {{0x1234}, {0}};
   still_.run(1);
   const auto data = last<wire::camera::Data>(wire::camera::kDataState);
   EXPECT_EQ(data.format, static_cast<std::uint32_t>(wire::camera::kFormatMono16));
@@ -396,7 +396,7 @@ TEST_F(Device, a_camera_of_distances_tells_millimetres_with_the_low_byte_first) 
 
 TEST_F(Device, a_camera_sends_jpeg_files_if_its_file_says_so) {
   open(wire::camera::kCode, "r0.file");
-  still_.world().cameras.pixels[1].assign(16 * 8, {0x2040c0});
+  still_.world().cameras.pixels[{1}].assign(16 * 8, {0x2040c0});
   still_.run(1);
   const auto data = last<wire::camera::Data>(wire::camera::kDataState);
   EXPECT_EQ(data.compression, static_cast<std::uint32_t>(wire::camera::kCompressJpeg));
@@ -435,7 +435,7 @@ TEST_F(Device, a_camera_turns_to_a_place_or_at_a_velocity) {
 TEST_F(Device, a_radio_tells_whom_it_hears_by_address) {
   open(wire::wifi::kCode, "r0.radio");
   world::World& world = still_.world();
-  world.wifis.links[0] = {{world.id(world.find("post")), -61.6, 28}};
+  world.wifis.links[{0}] = {{world.id(world.find("post")), -61.6, 28}};
   still_.run(1);
   const auto data = last<wire::wifi::Data>(wire::wifi::kDataState);
   EXPECT_EQ(data.qual_type, static_cast<std::uint32_t>(wire::wifi::kQualDbm));
@@ -457,7 +457,7 @@ TEST_F(Device, a_radio_tells_whom_it_hears_by_address) {
 TEST_F(Device, a_switch_becomes_a_byte_and_its_face_a_place_on_the_robot) {
   open(wire::bumper::kCode, "r0.skirt");
   world::World& world = still_.world();
-  world.bumpers.hits[0] = {{}, world.id(world.find("r0"))};
+  world.bumpers.hits[{0}] = {{}, world.id(world.find("r0"))};
   still_.run(1);
   EXPECT_EQ(last<wire::bumper::Data>(wire::bumper::kDataState).bumpers, (std::vector<std::uint8_t>{0, 1}));
   const auto geom = reply<wire::bumper::Geom>(ask(wire::bumper::kReqGetGeom));
@@ -478,7 +478,7 @@ TEST_F(FiducialDevice, a_hit_becomes_a_pose_in_the_finders_frame) {
   hit.range = 2;
   hit.bearing = pi / 2;
   hit.heading = 0.25;
-  still_.world().fiducials.hits[0] = {hit};
+  still_.world().fiducials.hits[{0}] = {hit};
   still_.run(1);
   const auto data = last<wire::fiducial::Data>(wire::fiducial::kDataScan);
   ASSERT_EQ(data.fiducials.size(), 1u);
@@ -492,7 +492,7 @@ TEST_F(FiducialDevice, reads_and_sets_the_id_its_robot_shows_and_tells_its_field
   open(wire::fiducial::kCode, "r0.finder");
   EXPECT_EQ(reply<wire::fiducial::Id>(ask(wire::fiducial::kReqGetId)).id, 7u);
   EXPECT_EQ(reply<wire::fiducial::Id>(ask_with(wire::fiducial::kReqSetId, wire::fiducial::Id{9})).id, 9u);
-  EXPECT_EQ(still_.world().models.fiducial_return[still_.world().find("r0").index], 9);
+  EXPECT_EQ(still_.world().models.fiducial_return[still_.world().find("r0")], 9);
   const auto fov = reply<wire::fiducial::Fov>(ask(wire::fiducial::kReqGetFov));
   EXPECT_EQ(fov.max_range, 6.0f);
   EXPECT_NEAR(fov.view_angle, pi / 2, 1e-6);
@@ -502,7 +502,7 @@ namespace grip = wire::gripper;
 
 TEST_F(GripperDevice, commands_reach_the_paddles_and_the_newest_counts) {
   open(grip::kCode, "r0.hand");
-  const std::int32_t& closing = still_.world().grippers.closing[0];
+  const std::int32_t& closing = still_.world().grippers.closing[{0}];
   const auto send = [&](std::uint8_t subtype) {
     EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), subtype, {}}),
               device::Taken::kLatest);
@@ -571,7 +571,7 @@ TEST_F(SimulationInterface, tells_and_sets_poses_by_name_in_the_parents_frame) {
   EXPECT_NEAR(pose.pose.px, 1, 1e-12);
   EXPECT_NEAR(pose.pose.pa, pi / 2, 1e-9);
   EXPECT_TRUE(ask_with(sim::kReqSetPose2d, sim::Pose2dReq{name, {-6, -5, 0.5}}).ack);
-  EXPECT_EQ(still_.world().models.X_PM[still_.world().find("r0").index].xy(), (geom::Vec2{-6, -5}));
+  EXPECT_EQ(still_.world().models.X_PM[still_.world().find("r0")].xy(), (geom::Vec2{-6, -5}));
   still_.run(3);
   const auto pose3 = reply<sim::Pose3dReq>(ask_with(sim::kReqGetPose3d, sim::Pose3dReq{name, {}, 0}));
   EXPECT_NEAR(pose3.pose.pyaw, 0.5, 1e-12);
@@ -589,7 +589,7 @@ TEST_F(SimulationInterface, tells_and_sets_the_height_of_what_stands_on_its_pare
   EXPECT_NEAR(height(), -0.2, 1e-12) << "a pose without z keeps the height";
   EXPECT_TRUE(ask_with(sim::kReqSetPose3d, sim::Pose3dReq{name, {0, 0, -0.1, 0, 0, 0}, 0}).ack);
   EXPECT_NEAR(height(), -0.1, 1e-12);
-  EXPECT_NEAR(still_.world().models.X_WM[still_.world().find("r0.scanner").index].z, 0.12, 1e-12);
+  EXPECT_NEAR(still_.world().models.X_WM[still_.world().find("r0.scanner")].z, 0.12, 1e-12);
 }
 
 TEST_F(SimulationInterface, refuses_unknown_models_and_poses_that_are_no_numbers) {
@@ -687,14 +687,14 @@ TEST_F(SimulationInterface, lists_models_with_the_devices_that_show_them) {
 TEST_F(SimulationInterface, reset_puts_everything_back_to_the_start) {
   open(sim::kCode, "");
   const world::ModelRow robot = still_.world().find("r0");
-  const geom::Pose start = still_.world().models.X_WM[robot.index];
+  const geom::Pose start = still_.world().models.X_WM[robot];
   EXPECT_TRUE(
       ask_with(sim::kReqSetPose2d, sim::Pose2dReq{wire::c_string("r0"), wire::Pose2d{-6, -5, 0.5}}).ack);
   still_.run(3);
   EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdReset, {}}),
             device::Taken::kQueued);
   still_.run(1);
-  EXPECT_EQ(still_.world().models.X_WM[robot.index], start);
+  EXPECT_EQ(still_.world().models.X_WM[robot], start);
   EXPECT_EQ(still_.world().tick(), 4u) << "clients want times that grow";
 }
 
@@ -723,7 +723,7 @@ TEST_F(SimulationInterface, save_is_refused_where_nobody_says_into_which_file) {
 TEST_F(SimulationInterface, of_many_resets_before_one_tick_only_the_last_is_carried_out) {
   open(sim::kCode, "");
   const world::ModelRow robot = still_.world().find("r0");
-  const geom::Pose start = still_.world().models.X_WM[robot.index];
+  const geom::Pose start = still_.world().models.X_WM[robot];
   const auto away = wire::encode(sim::Pose2dReq{wire::c_string("r0"), wire::Pose2d{-6, -5, 0.5}});
   for (int i = 0; i < 3; ++i) {
     driver_.request({kId, static_cast<std::uint8_t>(MessageType::kReq), sim::kReqSetPose2d, away},
@@ -733,7 +733,7 @@ TEST_F(SimulationInterface, of_many_resets_before_one_tick_only_the_last_is_carr
   }
   const std::uint64_t before = still_.world().events.end();
   still_.run(0);
-  EXPECT_EQ(still_.world().models.X_WM[robot.index], start);
+  EXPECT_EQ(still_.world().models.X_WM[robot], start);
   EXPECT_EQ(still_.world().events.since(before).size(), 4u) << "three times away, once back";
 }
 

@@ -37,10 +37,10 @@ std::string escaped_field(std::string_view name) {
 }
 
 std::string line_of(const world::World& world, const Directory& directory, world::ModelRow row) {
-  const std::uint32_t parent = world.models.parent[row.index];
-  std::string line = fmt::format("{}\t{}\t{}\t{}\t", world.id(row).value, escaped_field(world.name(row)),
-                                 escaped_field(world.desc(row).type),
-                                 parent == world::ModelRow::kNone ? "" : escaped_field(world.name({parent})));
+  const world::ModelRow parent = world.models.parent[row];
+  std::string line =
+      fmt::format("{}\t{}\t{}\t{}\t", world.id(row).value, escaped_field(world.name(row)),
+                  escaped_field(world.desc(row).type), parent ? escaped_field(world.name(parent)) : "");
   const char* separator = "";
   for (const device::Address& address : directory.devices_of(world.id(row))) {
     fmt::format_to(std::back_inserter(line), "{}{}:{}", separator, address.robot, name_within_port(address));
@@ -105,7 +105,8 @@ std::string devices_below(const world::World& world, const Directory& directory,
     text += more;
   };
   for (const std::string& name : device_names(directory, world.id(model), port)) add(name);
-  for (const std::uint32_t child : world.children(model)) add(devices_below(world, directory, {child}, port));
+  for (const world::ModelRow child : world.children(model))
+    add(devices_below(world, directory, {child}, port));
   return text;
 }
 
@@ -118,7 +119,7 @@ ModelList list_models(const world::World& world, const Directory& directory, std
     const bool full = row - begin >= limits::kListedModels ||
                       (row > begin && list.text.size() + line.size() > limits::kModelListBytes);
     if (full) {
-      list.next = world.models.id[row].value;
+      list.next = world.models.id[world.models.rows()[row]].value;
       break;
     }
     list.text += line;

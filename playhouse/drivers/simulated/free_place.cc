@@ -101,12 +101,12 @@ class Obstacles {
     const geom::Box near = box_of(solids_of(world, prototype, X_WM)).grown(reach);
     if (near.empty()) return;
     Bounds bounds(world.scene());
-    for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    for (const world::ModelRow row : world.models.rows()) {
       const geom::Pose& X_WO = world.models.X_WM[row];
       const double dx = X_WO.x - std::clamp(X_WO.x, near.x_min, near.x_max),
                    dy = X_WO.y - std::clamp(X_WO.y, near.y_min, near.y_max);
       if (dx * dx + dy * dy > bounds.square(world.models.desc[row])) continue;
-      const scene::ModelDesc& desc = world.desc({row});
+      const scene::ModelDesc& desc = world.desc(row);
       std::vector<Solid> solids;
       bodies::add_blocks(desc, world.models.X_WM[row], solids);
       for (Solid& solid : solids)
@@ -147,9 +147,9 @@ class Obstacles {
 
 /// True if no model reaches to within kFarthest of the place.
 bool is_far(const world::World& world, const geom::Pose& X_WM) {
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+  for (const world::ModelRow row : world.models.rows()) {
     const geom::Pose& X_WO = world.models.X_WM[row];
-    const geom::Size& size = world.desc({row}).size;
+    const geom::Size& size = world.desc(row).size;
     const double dx = std::abs(X_WO.x - X_WM.x), dy = std::abs(X_WO.y - X_WM.y);
     if (std::max(dx, dy) > kFarthest + size.x + size.y) continue;  // most of a large world, without a root
     if (std::hypot(dx, dy) <= kFarthest + std::hypot(size.x, size.y)) return false;

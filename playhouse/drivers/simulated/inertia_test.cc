@@ -150,8 +150,8 @@ TEST_F(SpatialDevice, the_attitude_of_an_imu_can_be_reset) {
 
 TEST_F(SpatialDevice, a_gps_tells_latitude_longitude_and_the_grid_of_utm) {
   open(gps::kCode, "r.gps");
-  world().receivers.position[0] = {1000, -2000, 30};
-  world().receivers.velocity[0] = {0.6, -0.8, 5};
+  world().receivers.position[{0}] = {1000, -2000, 30};
+  world().receivers.velocity[{0}] = {0.6, -0.8, 5};
   const auto fix = next<gps::Data>(gps::kDataState);
   EXPECT_EQ(fix.quality, 1u);
   EXPECT_EQ(fix.time_usec, 100000u);
@@ -170,7 +170,7 @@ TEST_F(SpatialDevice, a_gps_tells_latitude_longitude_and_the_grid_of_utm) {
 
 TEST_F(SpatialDevice, a_gps_that_hears_too_few_satellites_has_no_fix) {
   open(gps::kCode, "r.deaf");
-  world().receivers.position[1] = {1000, -2000, 30};
+  world().receivers.position[{1}] = {1000, -2000, 30};
   const auto fix = next<gps::Data>(gps::kDataState);
   EXPECT_EQ(fix.quality, 0u);
   EXPECT_EQ(fix.num_sats, 3u);
@@ -180,17 +180,17 @@ TEST_F(SpatialDevice, a_gps_that_hears_too_few_satellites_has_no_fix) {
 TEST_F(SpatialDevice, position3d_tells_heights_and_tilts_and_drives) {
   open(p3d::kCode, "r");
   const world::ModelRow robot = world().find("r");
-  world().positions.X_OM[0] = {0.5, -0.25, 0, 1};
-  world().positions.velocity[0] = {0.3, 0, 0, 0.2};
+  world().positions.X_OM[{0}] = {0.5, -0.25, 0, 1};
+  world().positions.velocity[{0}] = {0.3, 0, 0, 0.2};
   const auto level = next<p3d::Data>(p3d::kDataState);
   EXPECT_EQ(level.pos.px, 0.5);
   EXPECT_EQ(level.pos.pyaw, 1);
   EXPECT_EQ(level.vel.px, 0.3);
   EXPECT_EQ(level.vel.pyaw, 0.2);
   world().upright = false;  // as in an engine whose bodies have mass
-  world().models.X_WM[robot.index].z = 0.7;
-  world().models.tilt_WM.set(robot.index, {0.2, 0});
-  world().models.V_WM.set(robot.index, {{0, 0, -1}, {0, 0, 0}});
+  world().models.X_WM[robot].z = 0.7;
+  world().models.tilt_WM.set(robot, {0.2, 0});
+  world().models.V_WM.set(robot, {{0, 0, -1}, {0, 0, 0}});
   const auto tilted = next<p3d::Data>(p3d::kDataState);
   EXPECT_EQ(tilted.pos.pz, 0.7);
   EXPECT_GT(std::fabs(tilted.pos.proll) + std::fabs(tilted.pos.ppitch), 0.19);
@@ -198,19 +198,19 @@ TEST_F(SpatialDevice, position3d_tells_heights_and_tilts_and_drives) {
 
   EXPECT_EQ(command(p3d::kCmdSetVel, wire::encode(p3d::CmdVel{{0.4, 0.1, 0, 0, 0, -0.3}, 1})),
             device::Taken::kLatest);
-  EXPECT_EQ(world().positions.command[0], (geom::Twist{0.4, 0.1, 0, -0.3}));
+  EXPECT_EQ(world().positions.command[{0}], (geom::Twist{0.4, 0.1, 0, -0.3}));
   EXPECT_EQ(command(p3d::kCmdSetPos, wire::encode(p3d::CmdPos{{4, 5, 0, 0, 0, 1}, {}, 1})),
             device::Taken::kLatest);
-  EXPECT_EQ(world().positions.goal[0].xy(), (geom::Vec2{4, 5}));
+  EXPECT_EQ(world().positions.goal[{0}].xy(), (geom::Vec2{4, 5}));
   constexpr double kNothing = std::numeric_limits<double>::infinity();
   EXPECT_EQ(command(p3d::kCmdSetVel, wire::encode(p3d::CmdVel{{kNothing, 0, 0, 0, 0, 0}, 1})),
             device::Taken::kNo);
   EXPECT_EQ(command(p3d::kCmdSetPos, wire::encode(p3d::CmdPos{{kNothing, 0, 0, 0, 0, 0}, {}, 1})),
             device::Taken::kNo);
   EXPECT_TRUE(is_granted(p3d::kReqMotorPower, p3d::PowerConfig{0}));
-  EXPECT_EQ(world().positions.motor_on[0], 0);
+  EXPECT_EQ(world().positions.motor_on[{0}], 0);
   EXPECT_TRUE(is_granted(p3d::kReqSetOdom, p3d::SetOdomReq{{7, 8, 0, 0, 0, 0.5}}));
-  EXPECT_EQ(world().positions.X_OM[0].x, 7);
+  EXPECT_EQ(world().positions.X_OM[{0}].x, 7);
   EXPECT_FALSE(is_granted(p3d::kReqSetOdom, p3d::SetOdomReq{{kNothing, 8, 0, 0, 0, 0.5}}));
 }
 
@@ -236,7 +236,7 @@ TEST_F(SpatialDevice, a_cloud_has_the_points_of_all_rings_that_met_something) {
 TEST_F(SpatialDevice, where_no_rings_are_measured_a_cloud_has_the_level_beams) {
   open(cloud::kCode, "r.lidar");
   world::Sensors& sensors = world().sensors;
-  sensors.ranges[sensors.first_beam[0] + 1] = 3;
+  sensors.ranges[sensors.first_beam[{0}] + 1] = 3;
   const auto all = next<cloud::Data>(cloud::kDataState);
   ASSERT_EQ(all.points.size(), 1u);
   EXPECT_NEAR(all.points[0].point.py, 3, 1e-9);

@@ -68,8 +68,8 @@ Result<Type> find_type(const World& world, const std::string& word, bool robot) 
   for (std::uint32_t row = 0; row < models.size() && !found; ++row)
     if (models[row].parent < 0 && models[row].prototype == word) found = Type{row, {}};
   if (const world::ModelRow model = world.find(word); !found && model) {
-    const std::uint32_t top = world.models.root[model.index];
-    found = Type{world.models.desc[top], {top}};
+    const world::ModelRow top = world.models.root[model];
+    found = Type{world.models.desc[top], top};
   }
   const std::string what = robot ? "robot" : "sensor";
   if (!found)
@@ -110,7 +110,7 @@ Result<world::AttachedChild> make_sensor(world::Journal& journal, Joined& joined
   if (!type) return type.error();
   const std::string wanted = joined.name + "-" + sensor.type;
   const Result<world::ModelId> came =
-      journal.spawn(type->prototype, world.models.X_WM[world.row(joined.robot).index],
+      journal.spawn(type->prototype, world.models.X_WM[world.row(joined.robot)],
                     world.find(wanted) ? world::fresh_name(world, wanted) : wanted);
   if (!came) return came.error();
   joined.sensors.push_back(*came);
@@ -173,7 +173,7 @@ Result<Joined> join(world::Journal& journal, const RobotRequest& request) {
     if (!read) return read.error();
     color = *read;
   } else if (type->like) {
-    color = world.models.color[type->like.index];
+    color = world.models.color[type->like];
   }
   geom::Pose X_WR = request.X_WR;
   X_WR.z = world.scene().models[type->prototype].X_PM.z;
@@ -201,12 +201,11 @@ void leave(world::Journal& journal, std::span<const Joined> joined) {
     for (const world::ModelId sensor : each.sensors) {
       const world::ModelRow row = world.row(sensor);
       if (!row || world.desc(row).parent >= 0 || !world.name(row).starts_with(each.name + "-")) continue;
-      if (world.models.parent_id[row.index]) attached.push_back(sensor);
+      if (world.models.parent_id[row]) attached.push_back(sensor);
       gone.push_back(sensor);
     }
     const world::ModelRow robot = world.row(each.robot);
-    if (robot && !world.models.parent_id[robot.index] && world.name(robot) == each.name)
-      gone.push_back(each.robot);
+    if (robot && !world.models.parent_id[robot] && world.name(robot) == each.name) gone.push_back(each.robot);
   }
   if (!attached.empty()) static_cast<void>(journal.apply(world::changes::Detach{std::move(attached)}));
   if (!gone.empty()) static_cast<void>(journal.apply(world::changes::Despawn{std::move(gone)}));

@@ -142,8 +142,8 @@ TEST_F(Joining, types_stand_nowhere_until_a_robot_of_them_joins) {
   EXPECT_EQ(come(request("cart", 1, 0)), "cart~2");
   EXPECT_EQ(come(request("cart", 2, 0, {"bob", "red"})), "bob");
   EXPECT_EQ(world().models.size(), 5u);
-  EXPECT_EQ(world().models.color[world().find("bob").index], *scene::color_by_name("red"));
-  EXPECT_DOUBLE_EQ(world().models.X_WM[world().find("bob").index].a, 1.5);
+  EXPECT_EQ(world().models.color[world().find("bob")], *scene::color_by_name("red"));
+  EXPECT_DOUBLE_EQ(world().models.X_WM[world().find("bob")].a, 1.5);
 }
 
 /// The first cart of the world has a scanner of its own.
@@ -163,16 +163,16 @@ TEST_F(Joining, sensors_are_parts_of_the_robot_and_of_its_devices) {
             "position2d:1 position3d:1 speech:1 speech_recognition:1 ranger:0 laser:1 ranger:1 laser:2");
   const world::ModelRow first = world().find("bob-scanner"), second = world().find("bob-scanner~2");
   ASSERT_TRUE(first && second);
-  EXPECT_EQ(world().models.X_PM[first.index].x, 0.1);
-  EXPECT_EQ(world().models.X_PM[first.index].z, 0.2);
-  EXPECT_EQ(world().models.X_PM[second.index].x, 0.2);
-  EXPECT_EQ(world().models.X_PM[second.index].a, 3);
+  EXPECT_EQ(world().models.X_PM[first].x, 0.1);
+  EXPECT_EQ(world().models.X_PM[first].z, 0.2);
+  EXPECT_EQ(world().models.X_PM[second].x, 0.2);
+  EXPECT_EQ(world().models.X_PM[second].a, 3);
   EXPECT_EQ(site.site().model_devices()->directory().size(), 12u) << "each device once";
 }
 
 TEST_F(Joining, a_model_that_is_there_can_be_the_type) {
   EXPECT_EQ(come(request("own", 0, 0)), "own~2");
-  EXPECT_EQ(world().models.color[world().find("own~2").index], *scene::color_by_name("green"));
+  EXPECT_EQ(world().models.color[world().find("own~2")], *scene::color_by_name("green"));
 }
 
 TEST_F(Joining, what_cannot_be_is_told_and_nothing_comes) {

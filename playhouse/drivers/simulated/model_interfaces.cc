@@ -10,7 +10,7 @@ using scene::KindInterface;
 using scene::Need;
 
 std::span<const KindInterface> interfaces_of(const world::World& world, world::ModelRow model) {
-  const scene::ModelKind kind = world.models.kind[model.index];
+  const scene::ModelKind kind = world.models.kind[model];
   const scene::Kind& row = scene::kinds()[static_cast<std::size_t>(kind)];  // kinds are in numeric order
   PLAYHOUSE_ASSERT(row.simulated && row.kind == kind);
   return row.interfaces;
@@ -40,8 +40,7 @@ bool has(const world::World& world, world::ModelRow model, Need need) {
 }
 
 bool is_robot(const world::World& world, world::ModelRow model) {
-  return world.models.root[model.index] == model.index &&
-         world.models.kind[model.index] == scene::ModelKind::kPosition;
+  return world.models.root[model] == model && world.models.kind[model] == scene::ModelKind::kPosition;
 }
 
 bool fits(const world::World& world, world::ModelRow model, std::uint16_t interf) {

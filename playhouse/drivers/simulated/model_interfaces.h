@@ -20,7 +20,7 @@ std::span<const scene::KindInterface> interfaces_of_every_kind();
 template <typename Visit>
 void each_interface(const world::World& world, world::ModelRow model, const Visit& visit) {
   for (const scene::KindInterface& each : interfaces_of(world, model)) visit(each);
-  if (world.models.kind[model.index] != scene::ModelKind::kPlain)
+  if (world.models.kind[model] != scene::ModelKind::kPlain)
     for (const scene::KindInterface& each : interfaces_of_every_kind()) visit(each);
   for (const scene::Kind& kind : scene::kinds()) {
     if (kind.has == nullptr || !kind.has(world.desc(model))) continue;

@@ -33,7 +33,7 @@ std::optional<std::string> get_property(const world::World& world, std::string_v
   const world::ModelRow row = world.find(model);
   if (!row) return std::nullopt;
   if (property == "color") {
-    const scene::Color& color = world.models.color[row.index];
+    const scene::Color& color = world.models.color[row];
     return raw(std::array<float, 4>{color.r, color.g, color.b, color.a});
   }
   if (property == "name") return wire::c_string(world.name(row));

@@ -45,7 +45,7 @@ bool SimulationDevice::move(world::Journal& journal, const std::string& name, co
   const world::World& world = journal.world();
   const world::ModelRow row = find_or_warn(world, name);
   if (!row) return false;
-  const geom::Pose X_PM{pose.px, pose.py, world.models.X_PM[row.index].z, pose.pa};
+  const geom::Pose X_PM{pose.px, pose.py, world.models.X_PM[row].z, pose.pa};
   const bool is_moved = journal.apply(world::changes::Place{world.id(row), X_PM});
   if (is_moved) overlaps_.placed(world, row, "moved");
   return is_moved;
@@ -148,7 +148,7 @@ void SimulationDevice::pose_2d(const device::Message& message, device::Replier r
             [this, r = *request](const world::World& world) mutable -> std::optional<Bytes> {
               const world::ModelRow row = find_or_warn(world, r.name);
               if (!row) return std::nullopt;
-              r.pose = pose2d(world.models.X_PM[row.index]);
+              r.pose = pose2d(world.models.X_PM[row]);
               return wire::encode(r);
             });
 }

@@ -49,7 +49,7 @@ Result<world::ModelRow> section_model(const scene::CfgSection& section, const wo
   const world::ModelRow model = world.find(name);
   if (model) return model;
   std::vector<std::string> all;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) all.push_back(world.name({row}));
+  for (const world::ModelRow row : world.models.rows()) all.push_back(world.name(row));
   const std::vector<std::string_view> names(all.begin(), all.end());
   return Error{section.at("model"),
                fmt::format("the world has no model {}{}", in_quotes(name), did_you_mean(name, names))};
@@ -59,7 +59,7 @@ Result<world::ModelRow> section_model(const scene::CfgSection& section, const wo
 template <typename Fits>
 world::ModelRow find_model(const world::World& world, world::ModelRow top, const Fits& fits) {
   if (fits(top)) return top;
-  for (const std::uint32_t child : world.children(top)) {
+  for (const world::ModelRow child : world.children(top)) {
     if (const world::ModelRow found = find_model(world, {child}, fits)) return found;
   }
   return {};

@@ -107,11 +107,11 @@ TEST(VfhApart, stops_its_robot_when_its_laser_goes) {
   const std::vector<std::byte> goal = wire::encode(p2d::CmdPos{{0, 3, 0}, {}, 1});
   EXPECT_EQ(site.driver(kGoalDriver).command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kLatest);
   site.run(3);
-  EXPECT_NE(world.positions.command[0], geom::Twist());
+  EXPECT_NE(world.positions.command[{0}], geom::Twist());
   ASSERT_TRUE(simulation.requests().post([](world::Journal& journal) { EXPECT_TRUE(journal.despawn({0})); }));
   site.run(1);
   site.run(1);
-  EXPECT_EQ(world.positions.command[0], geom::Twist());
+  EXPECT_EQ(world.positions.command[{0}], geom::Twist());
   EXPECT_THAT(site.retired, ElementsAre(laser.row, vfh.row));
   EXPECT_TRUE(site.site().find(kWheels).has_value());
 }

@@ -108,7 +108,7 @@ class Planned {
   world::World& world() { return site.site().simulation()->engine().world(); }
   device::Driver& driver() { return site.driver(kPlanner); }
   /// Where the input says that it is; the output, too, if it is the same.
-  void robot_at(const Pose& X_WR) { world().positions.X_OM[0] = X_WR; }
+  void robot_at(const Pose& X_WR) { world().positions.X_OM[{0}] = X_WR; }
   device::Taken go_to(const Pose& goal, std::uint8_t subtype = planner::kCmdGoal) {
     return driver().command(
         {site.id(kPlanner), kCmd, subtype, wire::encode(planner::Cmd{{goal.x, goal.y, goal.a}})});
@@ -458,7 +458,7 @@ TEST(Wavefront, tells_that_its_output_gave_up_a_waypoint) {
                "driver( name \"nd\" provides [\"position2d:3\"] requires [\"output:::position2d:0\" "
                "\"input:::position2d:0\" \"laser:1\"] )\n",
                "driver( name \"stage\" provides [\"laser:1\"] model \"r0\" )\n");
-  test.world().positions.motor_on[0] = 1;
+  test.world().positions.motor_on[{0}] = 1;
   std::ranges::fill(test.world().sensors.ranges, 8.0f);
   test.go_to(kGoal);
   test.site.run(10);
@@ -572,19 +572,19 @@ TEST(Wavefront, waypoints_are_told_in_the_frame_of_the_output) {
   Planned test("", "position2d:1");
   ASSERT_TRUE(test.site.hold(test.site.id(kOther)));
   const Pose X_OR{-3, 7, 0, radians(120)};
-  test.world().positions.X_OM[1] = X_OR;
+  test.world().positions.X_OM[{1}] = X_OR;
   const Pose goal{3, 1.5, 0, radians(30)};
   test.begin(goal);
   EXPECT_EQ(test.told(0), kNowhere);
   expect_near(compose(compose(kStart, inverse(X_OR)), test.told(1)), goal);
   // The two frames shift against each other: a little, then more than half of distance_epsilon.
   test.forget();
-  test.world().positions.X_OM[1].x += 0.24;
+  test.world().positions.X_OM[{1}].x += 0.24;
   test.site.run(2);
   EXPECT_EQ(test.told(1), kNowhere);
-  test.world().positions.X_OM[1].x += 0.02;
+  test.world().positions.X_OM[{1}].x += 0.02;
   test.site.run(2);
-  expect_near(compose(compose(kStart, inverse(test.world().positions.X_OM[1])), test.told(1)), goal);
+  expect_near(compose(compose(kStart, inverse(test.world().positions.X_OM[{1}])), test.told(1)), goal);
 }
 
 TEST(Wavefront, plans_on_a_map_whose_origin_is_turned) {
@@ -714,7 +714,7 @@ TEST(Wavefront, goes_with_its_robot_amid_a_drive) {
 
 TEST(Wavefront, stops_its_output_when_its_input_goes) {
   Planned test("", "position2d:1");
-  test.world().positions.X_OM[1] = kStart;
+  test.world().positions.X_OM[{1}] = kStart;
   test.begin();
   EXPECT_NE(test.told(1), kNowhere);
   test.forget();
@@ -755,7 +755,7 @@ TEST(WavefrontSection, plans_on_the_image_of_a_mapfile) {
   ASSERT_EQ(site.build(chain("") + "driver( name \"mapfile\" provides [\"map:0\"] filename \"" +
                        (folder / "rooms.pgm") + "\" resolution 0.125 origin [0 0] )"),
             "");
-  site.site().simulation()->engine().world().positions.X_OM[0] = kStart;
+  site.site().simulation()->engine().world().positions.X_OM[{0}] = kStart;
   ASSERT_TRUE(site.hold(site.id(kPlanner)));
   device::Driver& driver = site.driver(kPlanner);
   driver.command({site.id(kPlanner), kCmd, planner::kCmdGoal, wire::encode(planner::Cmd{pose2d(kGoal)})});

@@ -22,12 +22,12 @@ void expect_same(const Snapshot& snapshot, const ObservedWorld& world) {
   ASSERT_EQ(world.models().size(), layout.id.size());
   std::map<std::uint32_t, std::string> says;
   for (const Said& said : snapshot.says) says[layout.id[said.model].value] = said.text;
-  for (std::uint32_t row = 0; row < layout.id.size(); ++row) {
+  for (const world::ModelRow row : layout.id.rows()) {
     const auto held = world.models().find(layout.id[row].value);
-    ASSERT_NE(held, world.models().end()) << row;
-    EXPECT_EQ(held->second.state, snapshot.models[row]) << row;
+    ASSERT_NE(held, world.models().end()) << row.index;
+    EXPECT_EQ(held->second.state, snapshot.models[row]) << row.index;
     EXPECT_EQ(held->second.says, says[layout.id[row].value]);
-    const bool is_top = layout.parent[row] == world::ModelRow::kNone;
+    const bool is_top = !layout.parent[row];
     EXPECT_EQ(held->second.parent.has_value(), !is_top);
     if (!is_top) EXPECT_EQ(*held->second.parent, layout.id[layout.parent[row]].value);
   }

@@ -15,7 +15,6 @@
 namespace playhouse::replicate {
 namespace {
 
-constexpr std::uint32_t kGoneRow = world::ModelRow::kNone;
 constexpr std::size_t kStateHeadBytes = 12;   // tick and flags, at most
 constexpr std::size_t kGroupBytes = 2;        // age and end
 constexpr std::size_t kSayingsBytes = 16384;  // of one text
@@ -43,7 +42,7 @@ DatagramViewer::DatagramViewer(std::uint64_t session, Terms terms, std::shared_p
   channel_.post(std::move(scene));
   rows_.resize(told_->id.size());
   first_told_at_ = channel_.texts().posted();
-  for (std::size_t row = 0; row < rows_.size(); ++row) {
+  for (const world::ModelRow row : rows_.rows()) {
     rows_[row].start = rows_[row].acknowledged = rows_[row].sent = told_->start[row];
     rows_[row].told_at = first_told_at_;
   }
@@ -111,7 +110,7 @@ void DatagramViewer::settle(double now) {
     if (sent == sent_rows_.end()) return;
     for (const SentRow& each : sent->second) {
       const auto row = told_->row(each.id);
-      if (row && seq > rows_[*row].floor) then(rows_[*row], each.state);
+      if (row && seq > rows_[row].floor) then(rows_[row], each.state);
     }
   };
   for (const Seq seq : settled.lost)
@@ -135,11 +134,11 @@ void DatagramViewer::follow(const Snapshot& snapshot, ChangesTexts& changes) {
   const auto text = changes.text(told_, snapshot.layout);
   if (text) post(*text);
   const Layout& to = *snapshot.layout;
-  std::vector<Row> rows(to.id.size());
+  world::ByModel<Row> rows(to.id.size());
   compare(
-      *told_, to, [&](std::uint32_t before) { said_.erase(told_->id[before]); },
-      [&](std::uint32_t before, std::uint32_t now) { rows[now] = rows_[before]; },
-      [&](std::uint32_t now) {
+      *told_, to, [&](world::ModelRow before) { said_.erase(told_->id[before]); },
+      [&](world::ModelRow before, world::ModelRow now) { rows[now] = rows_[before]; },
+      [&](world::ModelRow now) {
         rows[now].start = rows[now].acknowledged = rows[now].sent = to.start[now];
         rows[now].floor = channel_.sent();
         rows[now].told_at = channel_.texts().posted();
@@ -152,10 +151,10 @@ void DatagramViewer::follow(const Snapshot& snapshot, ChangesTexts& changes) {
 void DatagramViewer::map_rows(const Snapshot& snapshot) {
   if (mapped_ == snapshot.layout && now_row_.size() == rows_.size() && told_ == snapshot.layout) return;
   mapped_ = snapshot.layout;
-  now_row_.assign(rows_.size(), kGoneRow);
+  now_row_.assign(rows_.size(), {});
   compare(
-      *told_, *mapped_, [](std::uint32_t) {},
-      [&](std::uint32_t before, std::uint32_t now) { now_row_[before] = now; }, [](std::uint32_t) {});
+      *told_, *mapped_, [](world::ModelRow) {},
+      [&](world::ModelRow before, world::ModelRow now) { now_row_[before] = now; }, [](world::ModelRow) {});
 }
 
 /// Sends changed texts of models that the observer knows.
@@ -185,13 +184,13 @@ void DatagramViewer::say(const Snapshot& snapshot) {
 
 /// Collects rows with changes, sorted by accumulated priority.
 void DatagramViewer::prioritise(const Snapshot& snapshot, double now) {
-  std::optional<std::uint32_t> selected;  // row of its root
+  world::ModelRow selected;  // its root
   if (wish_.selected)
-    if (const auto row = snapshot.layout->row(*wish_.selected)) selected = snapshot.layout->root[*row];
-  for (std::uint32_t told = 0; told < rows_.size(); ++told) {
+    if (const auto row = snapshot.layout->row(*wish_.selected)) selected = snapshot.layout->root[row];
+  for (const world::ModelRow told : rows_.rows()) {
     Row& row = rows_[told];
-    const std::uint32_t is = now_row_[told];
-    if (is == kGoneRow || row.told_at > channel_.texts().taken()) continue;
+    const world::ModelRow is = now_row_[told];
+    if (!is || row.told_at > channel_.texts().taken()) continue;
     if (row.sent == snapshot.models[is] && !row.is_lost) continue;
     const geom::Vec2 at = place_of(snapshot, is);
     const bool is_selected = selected == snapshot.layout->root[is];
@@ -236,7 +235,7 @@ void DatagramViewer::write_rows(const Snapshot& snapshot, double now, Seq seq, s
   written_.clear();
   std::vector<SentRow> sent;
   for (; next_candidate_ < candidates_.size(); ++next_candidate_) {
-    const std::uint32_t told = candidates_[next_candidate_].row;
+    const world::ModelRow told = candidates_[next_candidate_].row;
     if (!add_row(snapshot, seq, told, room)) break;
     Row& row = rows_[told];
     row.sent = snapshot.models[now_row_[told]];
@@ -262,10 +261,10 @@ bool DatagramViewer::is_whole(const Snapshot& snapshot, Seq seq) {
   if (was_whole_) return true;
   if (channel_.texts().taken() < first_told_at_) return false;
   bool is_known = true;  // before this packet
-  for (std::uint32_t told = 0; told < rows_.size(); ++told) {
+  for (const world::ModelRow told : rows_.rows()) {
     const Row& row = rows_[told];
-    const std::uint32_t is = now_row_[told];
-    if (is == kGoneRow || row.acknowledged_seq > 0 || row.told_at > first_told_at_) continue;
+    const world::ModelRow is = now_row_[told];
+    if (!is || row.acknowledged_seq > 0 || row.told_at > first_told_at_) continue;
     if (row.sent_seq == 0 && snapshot.models[is] == row.start) continue;
     if (row.sent_seq != seq) return false;
     is_known = false;
@@ -275,7 +274,7 @@ bool DatagramViewer::is_whole(const Snapshot& snapshot, Seq seq) {
 }
 
 /// Returns false if the row does not fit. The size is an upper bound, because rows are sorted later.
-bool DatagramViewer::add_row(const Snapshot& snapshot, Seq seq, std::uint32_t told, std::size_t& room) {
+bool DatagramViewer::add_row(const Snapshot& snapshot, Seq seq, world::ModelRow told, std::size_t& room) {
   const Row& row = rows_[told];
   const ModelState& to = snapshot.models[now_row_[told]];
   const bool has_baseline = row.acknowledged_seq > 0 && seq - row.acknowledged_seq <= kOldestBaseline;
@@ -319,7 +318,7 @@ void DatagramViewer::pack_rows() {
 bool DatagramViewer::holds(const Snapshot& snapshot) const {
   if (told_ != snapshot.layout || channel_.texts().waiting() > 0 || said_number_ != snapshot.said)
     return false;
-  for (std::size_t row = 0; row < rows_.size(); ++row)
+  for (const world::ModelRow row : rows_.rows())
     if (rows_[row].acknowledged != snapshot.models[row] || rows_[row].sent != snapshot.models[row])
       return false;
   return true;

@@ -65,7 +65,7 @@ class DatagramViewer {
   };
   struct Candidate {
     double gathered = 0;
-    std::uint32_t row = 0;  // of told_
+    world::ModelRow row;  // of told_
   };
   struct Written {
     std::uint8_t age = 0, mask = 0;
@@ -82,7 +82,7 @@ class DatagramViewer {
   bool send_packet(const Snapshot& snapshot, double now, bool must, const Send& send);
   void write_rows(const Snapshot& snapshot, double now, Seq seq, std::size_t room);
   bool is_whole(const Snapshot& snapshot, Seq seq);
-  bool add_row(const Snapshot& snapshot, Seq seq, std::uint32_t row, std::size_t& room);
+  bool add_row(const Snapshot& snapshot, Seq seq, world::ModelRow row, std::size_t& room);
   void pack_rows();
   void post(std::string_view text) { channel_.post(pack_text(text)); }
 
@@ -90,9 +90,9 @@ class DatagramViewer {
   const Terms terms_;
   Wish wish_;
   std::shared_ptr<const Layout> told_;  // the population announced to the observer
-  std::vector<Row> rows_;               // of told_
+  world::ByModel<Row> rows_;            // of told_
   std::shared_ptr<const Layout> mapped_;
-  std::vector<std::uint32_t> now_row_;             // rows of told_ in the layout mapped_; kNone: removed
+  world::ByModel<world::ModelRow> now_row_;        // rows of told_ in the layout mapped_; none: removed
   std::map<Seq, std::vector<SentRow>> sent_rows_;  // by seq
   std::map<world::ModelId, std::string> said_;
   std::optional<std::uint64_t> said_number_;  // Snapshot::said up to which all texts were sent

@@ -42,7 +42,7 @@ bool carry_out(World& world, ModelRow row, const Say& change) {
 }
 
 bool carry_out(World& world, ModelRow row, const Subscribe&) {
-  if (world.models.subscribers[row.index] >= limits::kSubscribers) return false;
+  if (world.models.subscribers[row] >= limits::kSubscribers) return false;
   subscribe(world, row);
   return true;
 }
@@ -50,20 +50,20 @@ bool carry_out(World& world, ModelRow row, const Subscribe&) {
 /// Those of controllers stay, and those of watchers end as such.
 bool carry_out(World& world, ModelRow row, const Unsubscribe&) {
   const Models& models = world.models;
-  const std::uint32_t others = models.controllers[row.index] + models.watchers[row.index];
-  if (models.subscribers[row.index] <= others) return false;
+  const std::uint32_t others = models.controllers[row] + models.watchers[row];
+  if (models.subscribers[row] <= others) return false;
   unsubscribe(world, row);
   return true;
 }
 
 bool carry_out(World& world, ModelRow row, const Watch&) {
-  if (world.models.subscribers[row.index] >= limits::kSubscribers) return false;
+  if (world.models.subscribers[row] >= limits::kSubscribers) return false;
   watch(world, row);
   return true;
 }
 
 bool carry_out(World& world, ModelRow row, const Unwatch&) {
-  if (world.models.watchers[row.index] == 0) return false;
+  if (world.models.watchers[row] == 0) return false;
   unwatch(world, row);
   return true;
 }
@@ -84,8 +84,8 @@ bool carry_out(World& world, PositionRow row, const DriveHeading& change) {
 
 bool carry_out(World& world, PositionRow row, const Stand&) {
   command_velocity(world, row, {});
-  world.positions.velocity[row.index] = {};
-  world.positions.stall[row.index] = 0;
+  world.positions.velocity[row] = {};
+  world.positions.stall[row] = 0;
   return true;
 }
 
@@ -94,7 +94,7 @@ bool carry_out(World& world, PositionRow row, const SetOdometry& change) {
 }
 
 bool carry_out(World& world, PositionRow row, const PowerWheels& change) {
-  world.positions.motor_on[row.index] = change.on;
+  world.positions.motor_on[row] = change.on;
   return true;
 }
 
@@ -109,24 +109,24 @@ bool carry_out(World& world, ActuatorRow row, const MoveJointTo& change) {
 }
 
 bool carry_out(World& world, ActuatorRow row, const PowerJoint& change) {
-  world.actuators.motor_on[row.index] = change.on;
+  world.actuators.motor_on[row] = change.on;
   return true;
 }
 
 bool carry_out(World& world, ActuatorRow row, const BrakeJoint& change) {
-  world.actuators.braked[row.index] = change.on;
+  world.actuators.braked[row] = change.on;
   return true;
 }
 
 bool carry_out(World& world, ActuatorRow row, const SetJointSpeed& change) {
   if (!(change.speed > 0)) return false;
-  const scene::ActuatorDesc& desc = *world.desc(world.actuators.model[row.index]).actuator;
-  world.actuators.speed[row.index] = std::min(change.speed, desc.max_speed);
+  const scene::ActuatorDesc& desc = *world.desc(world.actuators.model[row]).actuator;
+  world.actuators.speed[row] = std::min(change.speed, desc.max_speed);
   return true;
 }
 
 bool carry_out(World& world, CameraRow row, const PointCamera& change) {
-  if (world.cameras.mode[row.index] == ControlMode::kVelocity)
+  if (world.cameras.mode[row] == ControlMode::kVelocity)
     return turn_camera(world, row, change.pan_speed, change.tilt_speed);
   return aim_camera(world, row, {change.pan, change.tilt, change.zoom});
 }
@@ -142,20 +142,20 @@ bool carry_out(World& world, GripperRow row, const Grip& change) {
 }
 
 bool carry_out(World& world, BlinkenlightRow row, const SwitchLight& change) {
-  world.blinkenlights.enabled[row.index] = change.on;
+  world.blinkenlights.enabled[row] = change.on;
   return true;
 }
 
 bool carry_out(World& world, BlinkenlightRow row, const FlashLight& change) {
   if (!std::isfinite(change.period) || change.period < 0) return false;
   if (!(change.dutycycle >= 0 && change.dutycycle <= 1)) return false;
-  world.blinkenlights.period[row.index] = change.period;
-  world.blinkenlights.dutycycle[row.index] = change.dutycycle;
+  world.blinkenlights.period[row] = change.period;
+  world.blinkenlights.dutycycle[row] = change.dutycycle;
   return true;
 }
 
 bool carry_out(World& world, LightindicatorRow row, const SwitchIndicator& change) {
-  world.lightindicators.lit[row.index] = change.on;
+  world.lightindicators.lit[row] = change.on;
   return true;
 }
 
@@ -174,16 +174,16 @@ bool carry_out(World& world, WifiRow row, const Send& change) {
 }
 
 bool carry_out(World& world, ImuRow row, const SetAttitudeReference& change) {
-  if (world.imus.noted_tick[row.index] == 0) return false;
+  if (world.imus.noted_tick[row] == 0) return false;
   if (!std::isfinite(change.heading) || !geom::is_tilt(change.tilt)) return false;
-  world.imus.reference_heading[row.index] = change.heading;
-  world.imus.reference_tilt[row.index] = change.tilt;
+  world.imus.reference_heading[row] = change.heading;
+  world.imus.reference_tilt[row] = change.tilt;
   return true;
 }
 
 bool carry_out(World& world, PackRow row, const SetCharging& change) {
-  world.packs.takes[row.index] = change.takes;
-  world.packs.gives[row.index] = change.gives;
+  world.packs.takes[row] = change.takes;
+  world.packs.gives[row] = change.gives;
   return true;
 }
 

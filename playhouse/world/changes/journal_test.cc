@@ -27,8 +27,8 @@ TEST_F(JournalTest, keeps_what_it_did_in_order) {
   ASSERT_EQ(journal_.entries().size(), 2u);
   EXPECT_TRUE(std::holds_alternative<changes::Drive>(journal_.entries()[0]));
   EXPECT_EQ(std::get<changes::Subscribe>(journal_.entries()[1]).model, kRanger);
-  EXPECT_EQ(world_.positions.command[0].x, 0.5);
-  EXPECT_EQ(world_.models.subscribers[1], 1u);
+  EXPECT_EQ(world_.positions.command[{0}].x, 0.5);
+  EXPECT_EQ(world_.models.subscribers[{1}], 1u);
   journal_.clear();
   EXPECT_TRUE(journal_.entries().empty());
 }
@@ -68,7 +68,7 @@ TEST_F(JournalTest, ends_only_the_uses_that_were_begun) {
       << "one is a controller's, the other a watcher's";
   EXPECT_TRUE(journal_.apply(changes::Unwatch{kRanger}));
   EXPECT_FALSE(journal_.apply(changes::Unwatch{kRanger}));
-  EXPECT_EQ(world_.models.subscribers[1], 1u);
+  EXPECT_EQ(world_.models.subscribers[{1}], 1u);
 }
 
 TEST_F(JournalTest, refuses_what_is_named_twice_without_effect) {
@@ -87,10 +87,10 @@ TEST(Journal, has_what_a_radio_drops_for_that_is_counted) {
   const scene::SceneDesc scene = *scene::load_world_text("model( wifi() )", "t.world", files);
   World world(scene, 1), again(scene, 1);
   Journal journal(world), other(again);
-  const ModelId radio = world.id(world.wifis.model[0]);
+  const ModelId radio = world.id(world.wifis.model[{0}]);
   for (std::size_t n = 0; n < limits::kRadioSends + 3; ++n)
     journal.apply(changes::Send{radio, {}, {1, 2, 3}});
-  EXPECT_EQ(world.wifis.dropped[0], 3u);
+  EXPECT_EQ(world.wifis.dropped[{0}], 3u);
   EXPECT_FALSE(
       journal.apply(changes::Send{radio, {}, std::vector<std::uint8_t>(limits::kRadioMessageBytes + 1)}));
   for (const Change& change : journal.entries()) EXPECT_TRUE(other.apply(change));

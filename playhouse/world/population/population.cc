@@ -37,7 +37,7 @@ PLAYHOUSE_PER_TYPE void add_value(Values& values) {
 /// Appends a row of zeros to a table.
 template <typename Table>
 void add_row(Table& table) {
-  each_column_of<Table>([&](const auto& column) { add_value(table.*column.values); });
+  each_column_of<Table>([&](const auto& column) { add_value(column.of(table)); });
 }
 
 template <typename Values>
@@ -54,22 +54,22 @@ template <typename T>
 void make_room(SharedColumn<T>&, std::size_t) {}
 
 /// True if it or an ancestor is a mover.
-bool is_driven(const Models& models, std::uint32_t row) {
-  while (row != kNone && !moves(models.kind[row])) row = models.parent[row];
-  return row != kNone;
+bool is_driven(const Models& models, ModelRow row) {
+  while (row && !moves(models.kind[row])) row = models.parent[row];
+  return row.valid();
 }
 
 /// True if the model or a descendant is driven.
-bool holds_driven(const World& world, std::uint32_t row) {
+bool holds_driven(const World& world, ModelRow row) {
   if (world.models.mobility[row] == Mobility::kDriven) return true;
-  for (const std::uint32_t child : world.children({row}))
+  for (const ModelRow child : world.children(row))
     if (holds_driven(world, child)) return true;
   return false;
 }
 
 /// True for an attached model: a part that is a root in the scene.
-bool was_attached(const World& world, std::uint32_t row) {
-  return world.models.parent_id[row].valid() && world.desc({row}).parent < 0;
+bool was_attached(const World& world, ModelRow row) {
+  return world.models.parent_id[row].valid() && world.desc(row).parent < 0;
 }
 
 std::size_t corners_of(const scene::ModelDesc& desc) {
@@ -84,11 +84,11 @@ std::size_t pixels_of(const scene::ModelDesc& desc) {
   return desc.camera ? scene::pixels_of(*desc.camera) : 0;
 }
 
-/// Range of a table for the models [begin, end); empty if they have no rows.
+/// Range of a table for consecutive models; empty if they have no rows.
 template <typename Table>
-Range range_of_run(const Tables& tables, std::uint32_t begin, std::uint32_t end, Per per) {
+Range range_of_run(const Tables& tables, RowsOf<ModelTable> models, Per per) {
   Range all;
-  for (std::uint32_t model = begin; model < end; ++model) {
+  for (const ModelRow model : models) {
     const Range own = range_of<Table>(tables, model, per);
     if (own.begin < own.end) all = {all.begin < all.end ? all.begin : own.begin, own.end};
   }
@@ -123,8 +123,8 @@ bool tilt_by_desc(World& world, ModelRow row, const geom::Pose& upright_PM) {
   const scene::ModelDesc& desc = world.desc(row);
   if (desc.roll == 0 && desc.pitch == 0) return false;
   const geom::SpatialPose X_PM = tilted(desc, upright_PM);
-  world.models.X_PM.set(row.index, X_PM.X);
-  world.models.tilt_PM.set(row.index, X_PM.tilt);
+  world.models.X_PM.set(row, X_PM.X);
+  world.models.tilt_PM.set(row, X_PM.tilt);
   return true;
 }
 
@@ -171,7 +171,7 @@ void Population::begin(std::span<const scene::TreeDesc> trees) {
   }
   const auto make_room = [&]<typename Table>(Table Tables::*table, std::size_t rows) {
     each_column_of<Table>([&](const auto& column) {
-      world::make_room(world_.*table.*column.values, column.per == Per::kBeam ? beams : rows);
+      world::make_room(column.of(world_.*table), column.per == Per::kBeam ? beams : rows);
     });
   };
   world_.models.X_PM.reserve(models);
@@ -191,21 +191,21 @@ void Population::begin(std::span<const scene::TreeDesc> trees) {
 ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent, const geom::Pose& X_PM) {
   Models& models = world_.models;
   const scene::ModelDesc& desc = world_.scene().models[desc_row];
-  const ModelRow row{count32(models.id)};
+  const ModelRow row = models.id.next();
   const bool top = !parent;
   models.id.push_back(id);
   models.desc.push_back(desc_row);
-  models.parent_id.push_back(top ? ModelId{} : models.id[parent.index]);
-  models.parent.push_back(parent.index);
-  models.X_PM.set(row.index, X_PM);
+  models.parent_id.push_back(top ? ModelId{} : models.id[parent]);
+  models.parent.push_back(parent);
+  models.X_PM.set(row, X_PM);
   if (!world_.upright) tilt_by_desc(world_, row, X_PM);
   models.X_WM.push_back({});
   place(models, row);
-  models.root.push_back(top ? row.index : models.root[parent.index]);
+  models.root.push_back(top ? row : models.root[parent]);
   models.kind.push_back(desc.kind);
-  models.part.push_back(kNone);
-  models.first_child.push_back(kNone);
-  models.next_sibling.push_back(kNone);
+  models.part.push_back({});
+  models.first_child.push_back({});
+  models.next_sibling.push_back({});
   models.mobility.push_back(Mobility::kFixed);
   models.subscribers.push_back(desc.alwayson ? 1 : 0);
   models.controllers.push_back(0);
@@ -213,8 +213,8 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
   models.fiducial_return.push_back(desc.fiducial_return);
   models.flags.push_back(0);
   // Own values for columns written by phases: parallel and without allocation.
-  if (top || moves(desc.kind)) models.X_PM.own(row.index);
-  if (!desc.ctrl.empty()) models.say.own(row.index);
+  if (top || moves(desc.kind)) models.X_PM.own(row);
+  if (!desc.ctrl.empty()) models.say.own(row);
   world_.corners_ += corners_of(desc);
   world_.pixels_ += pixels_of(desc);
   add_part(row);
@@ -222,11 +222,10 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
 }
 
 void Population::append_tree(ModelId top, std::uint32_t desc, std::uint32_t count, const geom::Pose& X_WM) {
-  const auto first = count32(world_.models.id);
-  append(top, desc, {}, X_WM);
+  const ModelRow first = append(top, desc, {}, X_WM);
   for (std::uint32_t i = 1; i < count; ++i) {
     const scene::ModelDesc& part = world_.scene().models[desc + i];
-    append({top.value + i}, desc + i, {first + static_cast<std::uint32_t>(part.parent) - desc}, part.X_PM);
+    append({top.value + i}, desc + i, first + (static_cast<std::uint32_t>(part.parent) - desc), part.X_PM);
   }
   next_id() = top.value + count;
 }
@@ -235,7 +234,7 @@ void Population::add_part(ModelRow row) {
   const scene::ModelDesc& desc = world_.desc(row);
   of_kind(desc.kind, [&]<typename Table>(Table Tables::*member) {
     Table& table = world_.*member;
-    world_.models.part[row.index] = count32(table.model);
+    world_.models.part[row] = {table.model.next().index};
     add_row(table);
     table.model.back() = row;
     begin_as_said(table, desc);
@@ -250,23 +249,23 @@ void Population::add_part(ModelRow row) {
   });
 }
 
-void Population::erase(std::span<const Rows> runs) {
-  for (const Rows& run : runs)
-    for (std::uint32_t row = run.begin; row < run.end; ++row) {
-      world_.corners_ -= corners_of(world_.desc({row}));
-      world_.pixels_ -= pixels_of(world_.desc({row}));
-      world_.remove_names({row});
+void Population::erase(std::span<const RowsOf<ModelTable>> runs) {
+  for (const RowsOf<ModelTable> run : runs)
+    for (const ModelRow row : run) {
+      world_.corners_ -= corners_of(world_.desc(row));
+      world_.pixels_ -= pixels_of(world_.desc(row));
+      world_.remove_names(row);
     }
   std::vector<Range> rows, beams;
   const auto erase_from = [&]<typename Table>(Table Tables::*table) {
     // Tables are in model order, so consecutive models have consecutive rows.
     rows.clear(), beams.clear();
-    for (const Rows& run : runs) {
-      rows.push_back(range_of_run<Table>(world_, run.begin, run.end, Per::kRow));
-      beams.push_back(range_of_run<Table>(world_, run.begin, run.end, Per::kBeam));
+    for (const RowsOf<ModelTable> run : runs) {
+      rows.push_back(range_of_run<Table>(world_, run, Per::kRow));
+      beams.push_back(range_of_run<Table>(world_, run, Per::kBeam));
     }
     each_column_of<Table>([&](const auto& column) {
-      erase_ranges(world_.*table.*column.values, column.per == Per::kBeam ? beams : rows);
+      erase_ranges(column.of(world_.*table), column.per == Per::kBeam ? beams : rows);
     });
   };
   // In reverse order of tables: rows of later tables are found through earlier ones.
@@ -294,21 +293,26 @@ Result<void> Population::check_room(std::span<const std::uint32_t> descs) const 
   return {};
 }
 
+/// Rangers among the models from a row on.
+RowsOf<RangerTable> rangers_from(const Rangers& rangers, ModelRow first) {
+  const auto found = std::ranges::lower_bound(rangers.model, first);
+  return {{static_cast<std::uint32_t>(found - rangers.model.begin())}, rangers.model.next()};
+}
+
 /// Ids ascend with rows: the models that came are the last ones, and so are their sensors and beams.
 Result<void> check_budget(const World& world) {
   const std::vector<ModelId>& ids = world.models.id;
   const auto first = std::ranges::lower_bound(ids, Population::first_of_run(world));
-  const auto row = static_cast<std::uint32_t>(first - ids.begin());
-  const std::vector<ModelRow>& rangers = world.rangers.model;
-  const auto ranger = std::ranges::lower_bound(rangers, row, {}, &ModelRow::index) - rangers.begin();
+  const ModelRow row{static_cast<std::uint32_t>(first - ids.begin())};
   std::size_t sensors = 0, beams = 0;
-  for (auto each = static_cast<std::size_t>(ranger); each < rangers.size() && sensors == 0; ++each) {
+  for (const RangerRow each : rangers_from(world.rangers, row)) {
+    if (sensors > 0) break;
     if (world.rangers.sensor_count[each] == 0) continue;
-    const std::uint32_t sensor = world.rangers.first_sensor[each];
-    sensors = world.sensors.size() - sensor;
-    beams = world.sensors.ranges.size() - world.sensors.first_beam[sensor];
+    const SensorRow sensor = world.rangers.first_sensor[each];
+    sensors = world.sensors.ranger.next() - sensor;
+    beams = world.sensors.ranges.next() - world.sensors.first_beam[sensor];
   }
-  const std::size_t models = ids.size() - row;
+  const std::size_t models = world.models.id.next() - row;
   if (models < limits::kBroughtModels && sensors < limits::kBroughtSensors && beams < limits::kBroughtBeams)
     return {};
   return Error{{},
@@ -319,36 +323,36 @@ Result<void> check_budget(const World& world) {
 bool Population::derive() {
   if (!derive_trees()) return false;
   derive_parts();
-  note_change(0);
+  note_change({0});
   return true;
 }
 
 bool Population::derive_trees() {
   Models& models = world_.models;
-  const std::uint32_t count = count32(models.id);
-  std::ranges::fill(models.first_child, kNone);
-  std::ranges::fill(models.next_sibling, kNone);
-  for (std::uint32_t row = 0; row < count; ++row) {
+  std::ranges::fill(models.first_child, ModelRow{});
+  std::ranges::fill(models.next_sibling, ModelRow{});
+  for (const ModelRow row : models.rows()) {
     const ModelId parent = models.parent_id[row];
-    models.parent[row] = parent ? world_.row(parent).index : kNone;
-    if (parent && models.parent[row] == kNone) return false;
+    models.parent[row] = parent ? world_.row(parent) : ModelRow{};
+    if (parent && !models.parent[row]) return false;
   }
-  link(0);
-  for (std::uint32_t row = 0; row < count; ++row) {
-    std::uint32_t top = row;
-    for (int depth = 0; models.parent[top] != kNone; top = models.parent[top])
+  link({0});
+  for (const ModelRow row : models.rows()) {
+    ModelRow top = row;
+    for (int depth = 0; models.parent[top]; top = models.parent[top])
       if (++depth > limits::kTreeDepth) return false;
     models.root[row] = top;
   }
   return true;
 }
 
-void Population::link(std::uint32_t first) {
+void Population::link(ModelRow first) {
   Models& models = world_.models;
   // In reverse order of rows, so that siblings end up ascending.
-  for (std::uint32_t row = count32(models.id); row-- > first;) {
-    const std::uint32_t parent = models.parent[row];
-    if (parent == kNone) continue;
+  for (ModelRow row = models.id.next(); row > first;) {
+    --row;
+    const ModelRow parent = models.parent[row];
+    if (!parent) continue;
     models.next_sibling[row] = models.first_child[parent];
     models.first_child[parent] = row;
   }
@@ -356,70 +360,73 @@ void Population::link(std::uint32_t first) {
 
 void Population::derive_parts() {
   Models& models = world_.models;
-  for (std::uint32_t row = 0; row < models.size(); ++row) {
-    models.kind[row] = world_.desc({row}).kind;
-    models.part[row] = kNone;
+  for (const ModelRow row : models.rows()) {
+    models.kind[row] = world_.desc(row).kind;
+    models.part[row] = {};
   }
   each_kind_table([&]<typename Table>(Table Tables::*member) {
-    std::vector<ModelRow>& model = (world_.*member).model;
-    std::uint32_t part = 0;
-    for (std::uint32_t row = 0; row < models.size(); ++row) {
+    auto& model = (world_.*member).model;
+    auto part = model.rows().front();
+    for (const ModelRow row : models.rows()) {
       if (models.kind[row] != kKindOf<Table>) continue;
-      model[part] = {row};
-      models.part[row] = part++;
+      model[part] = row;
+      models.part[row] = {part.index};
+      ++part;
     }
   });
   each_trait_table([&]<typename Table>(Table Tables::*member) {
-    std::uint32_t next = 0;
-    for (std::uint32_t row = 0; row < models.size(); ++row)
-      if (kHas<Table>(world_.desc({row}))) (world_.*member).model[next++] = {row};
+    auto next = (world_.*member).model.begin();
+    for (const ModelRow row : models.rows())
+      if (kHas<Table>(world_.desc(row))) *next++ = row;
   });
-  std::uint32_t sensor = 0, beam = 0;
-  for (std::uint32_t ranger = 0; ranger < world_.rangers.size(); ++ranger) {
+  SensorRow sensor{0};
+  BeamRow beam{0};
+  for (const RangerRow ranger : world_.rangers.rows()) {
     world_.rangers.first_sensor[ranger] = sensor;
     for (const scene::RangerSensorDesc& each : world_.desc(world_.rangers.model[ranger]).sensors) {
-      world_.sensors.ranger[sensor] = {ranger};
-      world_.sensors.first_beam[sensor++] = beam;
-      beam += each.samples;
+      world_.sensors.ranger[sensor] = ranger;
+      world_.sensors.first_beam[sensor] = beam;
+      beam = beam + each.samples;
+      ++sensor;
     }
   }
 }
 
 /// What is carried by something that moves is driven. The rest of a tree is loose if any of it can be lifted
 /// or if it came during the run, unless it has a bitmap, which only walls have. A mesh may say which it is.
-void Population::derive_mobility(std::uint32_t first) {
+void Population::derive_mobility(ModelRow first) {
   Models& models = world_.models;
-  for (std::uint32_t row = first; row < models.size(); ++row) {
+  for (const ModelRow row : RowsOf(first, models.id.next())) {
     const bool came = models.root[row] == row && models.id[row].value >= world_.first_id_.back();
     models.mobility[row] = came ? Mobility::kLoose : Mobility::kFixed;
   }
-  for (std::uint32_t row = first; row < models.size(); ++row) {
+  for (const ModelRow row : RowsOf(first, models.id.next())) {
     if (is_driven(models, row)) continue;
     Mobility& top = models.mobility[models.root[row]];
-    const scene::ModelDesc& desc = world_.desc({row});
+    const scene::ModelDesc& desc = world_.desc(row);
     if (desc.gripper_return) top = Mobility::kLoose;
     if (!desc.bitmaps.empty()) top = Mobility::kFixed;
     if (desc.mesh && desc.mesh->physics)
       top = desc.mesh->physics->is_fixed ? Mobility::kFixed : Mobility::kLoose;
   }
-  for (std::uint32_t row = first; row < models.size(); ++row) {
+  for (const ModelRow row : RowsOf(first, models.id.next())) {
     const bool driven = is_driven(models, row);
     if (driven || models.root[row] != row)
       models.mobility[row] = driven ? Mobility::kDriven : models.mobility[models.root[row]];
   }
 }
 
-void Population::settle(std::uint32_t first) {
+void Population::settle(ModelRow first) {
   link(first);
   note_change(first);
 }
 
-void Population::note_change(std::uint32_t first) {
+void Population::note_change(ModelRow first) {
   derive_mobility(first);
   ++world_.population_;
 }
 
-void Population::add_names(std::uint32_t first) {
+void Population::add_names(ModelRow first) {
   if (world_.names_known_) world_.add_names(first);
 }
 
@@ -438,15 +445,15 @@ geom::SpatialPose tilted(const scene::ModelDesc& desc, const geom::Pose& X_PM) {
 
 void tilt_as_described(World& world) {
   world.upright = false;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+  for (const ModelRow row : world.models.rows()) {
     const bool is_joint = world.models.kind[row] == scene::ModelKind::kActuator;
-    const bool is_tilted = tilt_by_desc(world, {row}, pose_said(world, {row}));
+    const bool is_tilted = tilt_by_desc(world, row, pose_said(world, row));
     if (is_tilted && is_joint)
-      set_joint(world, {world.models.part[row]}, pose_in_parent(world.models, {row}));
+      set_joint(world, world.models.part[row], pose_in_parent(world.models, row));
     else
-      place(world.models, {row});  // after its parent
+      place(world.models, row);  // after its parent
   }
-  for (std::uint32_t robot = 0; robot < world.positions.size(); ++robot) begin_odometry(world, {robot});
+  for (const PositionRow robot : world.positions.rows()) begin_odometry(world, robot);
 }
 
 std::string fresh_name(const World& world, std::string_view like) {
@@ -474,7 +481,7 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
 
   const geom::Pose X{X_WM.x, X_WM.y, X_WM.z, geom::normalize(X_WM.a)};
   const ModelId top{population.next_id()};
-  const auto first = count32(world.models.id);
+  const ModelRow first = world.models.id.next();
   population.given()[top] = {std::move(name), X};
   population.append_tree(top, prototype, count, X);
   population.settle(first);
@@ -484,9 +491,9 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
 }
 
 Result<ModelId> spawn_like(World& world, ModelRow model, geom::Pose X_WM, std::string name) {
-  const std::uint32_t top = world.models.root[model.index];
+  const ModelRow top = world.models.root[model];
   X_WM.z = world.models.X_PM[top].z;
-  if (name.empty()) name = fresh_name(world, world.name({top}));
+  if (name.empty()) name = fresh_name(world, world.name(top));
   const Result<ModelId> came = spawn(world, world.models.desc[top], X_WM, std::move(name));
   if (!came) return came;
   // Copies the per-tree values.
@@ -508,13 +515,13 @@ bool is_any_named_twice(std::vector<ModelId> models) {
 }
 
 /// Rows of the roots to remove, ascending.
-Result<std::vector<std::uint32_t>> tops_to_go(const World& world, std::span<const ModelId> models) {
-  std::vector<std::uint32_t> tops;
+Result<std::vector<ModelRow>> tops_to_go(const World& world, std::span<const ModelId> models) {
+  std::vector<ModelRow> tops;
   for (const ModelId model : models) {
     const ModelRow row = world.row(model);
     if (!row) return no_model();
-    if (world.models.parent_id[row.index]) return Error{{}, "it is a part of another model"};
-    tops.push_back(row.index);
+    if (world.models.parent_id[row]) return Error{{}, "it is a part of another model"};
+    tops.push_back(row);
   }
   std::ranges::sort(tops);
   if (std::ranges::adjacent_find(tops) != tops.end()) return named_twice();
@@ -522,9 +529,9 @@ Result<std::vector<std::uint32_t>> tops_to_go(const World& world, std::span<cons
 }
 
 /// Detaches all models attached anywhere in these trees.
-void detach_from(World& world, std::span<const std::uint32_t> tops) {
+void detach_from(World& world, std::span<const ModelRow> tops) {
   std::vector<ModelId> attached;
-  for (std::uint32_t part = 0; part < world.models.size(); ++part) {
+  for (const ModelRow part : world.models.rows()) {
     const bool goes = std::ranges::binary_search(tops, world.models.root[part]);
     if (goes && was_attached(world, part)) attached.push_back(world.models.id[part]);
   }
@@ -539,18 +546,16 @@ Result<void> despawn(World& world, ModelId model) {
 }
 
 Result<void> despawn(World& world, std::span<const ModelId> models) {
-  const Result<std::vector<std::uint32_t>> tops = tops_to_go(world, models);
+  const Result<std::vector<ModelRow>> tops = tops_to_go(world, models);
   if (!tops) return tops.error();
   detach_from(world, *tops);
-  const auto count_of = [&](std::uint32_t top) {
-    return scene::tree_size(world.scene(), world.models.desc[top]);
-  };
+  const auto count_of = [&](ModelRow top) { return scene::tree_size(world.scene(), world.models.desc[top]); };
   for (const ModelId model : models) {
-    const std::uint32_t top = world.row(model).index;
+    const ModelRow top = world.row(model);
     world.events.add({Event::Kind::kDespawn, model, {}, count_of(top), world.models.mobility[top]});
   }
-  std::vector<Population::Rows> runs;  // trees have consecutive ids, hence consecutive rows
-  for (const std::uint32_t top : *tops) runs.push_back({top, top + count_of(top)});
+  std::vector<RowsOf<ModelTable>> runs;  // trees have consecutive ids, hence consecutive rows
+  for (const ModelRow top : *tops) runs.push_back({top, top + count_of(top)});
   Population population(world);
   population.erase(runs);
   for (const ModelId model : models) population.given().erase(model);
@@ -568,9 +573,9 @@ Result<void> check_attachment(const World& world, const AttachedChild& attachmen
   if (!child) return no_model();
   const Models& models = world.models;
   if (!is_place(attachment.X_PC)) return Error{{}, "invalid pose: not finite, or too far away"};
-  if (models.parent_id[child.index]) return Error{{}, "it is a part of another model"};
-  if (models.root[parent.index] == child.index) return Error{{}, "it cannot be a part of itself"};
-  if (models.mobility[child.index] != Mobility::kLoose || holds_driven(world, child.index))
+  if (models.parent_id[child]) return Error{{}, "it is a part of another model"};
+  if (models.root[parent] == child) return Error{{}, "it cannot be a part of itself"};
+  if (models.mobility[child] != Mobility::kLoose || holds_driven(world, child))
     return Error{{}, "only what is loose can be attached"};
   return {};
 }
@@ -592,9 +597,9 @@ Result<void> attach(World& world, std::span<const AttachedChild> children, Model
     if (const Result<void> checked = check_attachment(world, each, parent_row); !checked) return checked;
   if (children.empty()) return {};
   Models& models = world.models;
-  const Mobility parents = models.mobility[parent_row.index];
+  const Mobility parents = models.mobility[parent_row];
   const auto set_parents = [&](ModelId to) {
-    for (const AttachedChild& each : children) models.parent_id[world.row(each.child).index] = to;
+    for (const AttachedChild& each : children) models.parent_id[world.row(each.child)] = to;
   };
   set_parents(parent);
   Population population(world);
@@ -605,10 +610,10 @@ Result<void> attach(World& world, std::span<const AttachedChild> children, Model
   }
   for (const auto& [child, X_PC] : children) {
     const ModelRow row = world.row(child);
-    models.X_PM.own(row.index) = {X_PC.x, X_PC.y, X_PC.z, geom::normalize(X_PC.a)};
-    models.tilt_PM.set(row.index, {});
+    models.X_PM.own(row) = {X_PC.x, X_PC.y, X_PC.z, geom::normalize(X_PC.a)};
+    models.tilt_PM.set(row, {});
     place_tree(world, row);
-    models.V_WM.set(row.index, {});
+    models.V_WM.set(row, {});
     world.events.add({Event::Kind::kAttach, child, parent, 0, std::min(Mobility::kLoose, parents)});
   }
   wake(models);
@@ -624,14 +629,14 @@ Result<void> detach(World& world, std::span<const ModelId> children) {
   for (const ModelId child : children) {
     const ModelRow row = world.row(child);
     if (!row) return no_model();
-    if (!was_attached(world, row.index)) return Error{{}, "it is not attached to anything"};
+    if (!was_attached(world, row)) return Error{{}, "it is not attached to anything"};
   }
   if (children.empty()) return {};
   Models& models = world.models;
   std::vector<ModelId> parents;
   std::vector<Mobility> mobility;  // of the parents, which may be detached as well
   for (const ModelId child : children) {
-    const std::uint32_t row = world.row(child).index;
+    const ModelRow row = world.row(child);
     parents.push_back(models.parent_id[row]);
     mobility.push_back(models.mobility[models.parent[row]]);
     models.parent_id[row] = {};
@@ -642,7 +647,7 @@ Result<void> detach(World& world, std::span<const ModelId> children) {
   const bool derived = population.derive();
   PLAYHOUSE_ASSERT(derived);
   for (std::size_t i = 0; i < children.size(); ++i) {
-    const std::uint32_t row = world.row(children[i]).index, parent = world.row(parents[i]).index;
+    const ModelRow row = world.row(children[i]), parent = world.row(parents[i]);
     models.V_WM.set(row, {});
     const Mobility least = std::min({mobility[i], models.mobility[parent], models.mobility[row]});
     world.events.add({Event::Kind::kDetach, children[i], parents[i], 0, least});
@@ -653,7 +658,7 @@ Result<void> detach(World& world, std::span<const ModelId> children) {
 
 std::vector<ModelId> attached_models(const World& world) {
   std::vector<ModelId> attached;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+  for (const ModelRow row : world.models.rows())
     if (was_attached(world, row)) attached.push_back(world.models.id[row]);
   return attached;
 }

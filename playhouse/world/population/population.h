@@ -86,11 +86,8 @@ class Population {
   ModelRow append(ModelId id, std::uint32_t desc, ModelRow parent, const geom::Pose& X_PM);
   /// Appends the `count` models of the prototype whose root is at `desc`, with consecutive ids from `top` on.
   void append_tree(ModelId top, std::uint32_t desc, std::uint32_t count, const geom::Pose& X_WM);
-  struct Rows {
-    std::uint32_t begin = 0, end = 0;
-  };
   /// Removes ascending runs of model rows and their rows in other tables. Call derive() afterwards.
-  void erase(std::span<const Rows> runs);
+  void erase(std::span<const RowsOf<ModelTable>> runs);
   /// Recomputes all derived columns except poses and subscribers. False, and the world is unusable,
   /// if the population columns do not form trees, or ones deeper than limits::kTreeDepth.
   bool derive();
@@ -106,20 +103,20 @@ class Population {
   static const Serials& serials(const World& world) { return world.serials_; }
   static const std::map<ModelId, Given>& given(const World& world) { return world.given_; }
   /// Completes what append() defers, for the models from row `first` on.
-  void settle(std::uint32_t first);
+  void settle(ModelRow first);
   /// Adds the names of the models from row `first` on to the index of World::find().
-  void add_names(std::uint32_t first);
+  void add_names(ModelRow first);
   /// The initial pose of a model in its parent, from the scene or the spawn.
   geom::Pose start_of(ModelRow row) const;
 
  private:
   void add_part(ModelRow row);
   /// Appends the rows from `first` on to the child lists of their parents.
-  void link(std::uint32_t first);
-  void note_change(std::uint32_t first);
+  void link(ModelRow first);
+  void note_change(ModelRow first);
   bool derive_trees();
   void derive_parts();
-  void derive_mobility(std::uint32_t first);
+  void derive_mobility(ModelRow first);
 
   World& world_;
 };

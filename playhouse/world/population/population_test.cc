@@ -87,7 +87,7 @@ TEST_F(PopulationTest, what_comes_has_the_parts_of_its_prototype_and_names_of_it
   EXPECT_EQ(name({8}), "new.ranger:0");
   EXPECT_EQ(name({9}), "new.ranger:0.fiducial:0");
   EXPECT_EQ(world.find("new.ranger:0"), ModelRow{8});
-  EXPECT_NEAR(world.models.X_WM[8].x, 5.5, 1e-12);
+  EXPECT_NEAR(world.models.X_WM[{8}].x, 5.5, 1e-12);
   EXPECT_EQ(world.positions.size(), 3u);
   EXPECT_EQ(world.sensors.ranges.size(), 4u + 1u + 4u);
   EXPECT_EQ(world.position(top), PositionRow{2});
@@ -120,9 +120,9 @@ TEST_F(PopulationTest, who_comes_or_goes_changes_nobody_elses_hash) {
     EXPECT_TRUE(save_state(world, bytes).ok());
     return world.hash();
   };
-  const geom::Twist error = world.positions.odom_error[1];
+  const geom::Twist error = world.positions.odom_error[{1}];
   ASSERT_TRUE(despawn(world, {1}).ok());
-  EXPECT_EQ(world.positions.odom_error[0], error);
+  EXPECT_EQ(world.positions.odom_error[{0}], error);
   const std::uint64_t before = of_all_but_the_run();
   const ModelId id = spawned(1, {});
   EXPECT_NE(of_all_but_the_run(), before);
@@ -132,16 +132,16 @@ TEST_F(PopulationTest, who_comes_or_goes_changes_nobody_elses_hash) {
 
 TEST_F(PopulationTest, a_puck_is_carried_and_put_down) {
   ASSERT_TRUE(attach(world, {4}, {2}, {0.1, 0, 0, 0}).ok());
-  EXPECT_EQ(world.models.root[4], 1u);
-  EXPECT_EQ(world.models.mobility[4], Mobility::kDriven);
-  EXPECT_NEAR(world.models.X_WM[4].y, 2.6, 1e-12);
+  EXPECT_EQ(world.models.root[{4}], ModelRow{1});
+  EXPECT_EQ(world.models.mobility[{4}], Mobility::kDriven);
+  EXPECT_NEAR(world.models.X_WM[{4}].y, 2.6, 1e-12);
   ASSERT_TRUE(set_pose(world, {1}, {1, 3, 0, geom::kPi / 2}));
-  EXPECT_NEAR(world.models.X_WM[4].y, 3.6, 1e-12);
+  EXPECT_NEAR(world.models.X_WM[{4}].y, 3.6, 1e-12);
   expect_whole();
   ASSERT_TRUE(detach(world, {4}).ok());
-  EXPECT_EQ(world.models.root[4], 4u);
-  EXPECT_EQ(world.models.mobility[4], Mobility::kLoose);
-  EXPECT_NEAR(world.models.X_PM[4].y, 3.6, 1e-12);
+  EXPECT_EQ(world.models.root[{4}], ModelRow{4});
+  EXPECT_EQ(world.models.mobility[{4}], Mobility::kLoose);
+  EXPECT_NEAR(world.models.X_PM[{4}].y, 3.6, 1e-12);
   expect_whole();
 }
 
@@ -172,17 +172,17 @@ TEST(Actuators, begin_at_their_start_and_have_it_again_after_a_return) {
   scene.models.push_back(model("lift.load", scene::ModelKind::kPlain, 0));
   scene.models.back().X_PM = {0.1, 0, 0.2, 0};
   World world(scene, 1);
-  EXPECT_EQ(world.models.X_WM[1], (geom::Pose{1.1, 2, 0.7, 0}));
-  EXPECT_EQ(world.actuators.position[0], 0.5);
+  EXPECT_EQ(world.models.X_WM[{1}], (geom::Pose{1.1, 2, 0.7, 0}));
+  EXPECT_EQ(world.actuators.position[{0}], 0.5);
   ASSERT_TRUE(set_pose(world, {0}, {4, 4, 1, 0}));
-  EXPECT_EQ(world.actuators.X_PJ[0], (geom::Pose{4, 4, 0.5, 0}));
-  world.actuators.position[0] = 0.2;
+  EXPECT_EQ(world.actuators.X_PJ[{0}], (geom::Pose{4, 4, 0.5, 0}));
+  world.actuators.position[{0}] = 0.2;
   return_to_start(world);
-  EXPECT_EQ(world.models.X_WM[1], (geom::Pose{1.1, 2, 0.7, 0}));
-  EXPECT_EQ(world.actuators.X_PJ[0], (geom::Pose{1, 2, 0, 0}));
-  EXPECT_EQ(world.actuators.position[0], 0.5);
+  EXPECT_EQ(world.models.X_WM[{1}], (geom::Pose{1.1, 2, 0.7, 0}));
+  EXPECT_EQ(world.actuators.X_PJ[{0}], (geom::Pose{1, 2, 0, 0}));
+  EXPECT_EQ(world.actuators.position[{0}], 0.5);
   EXPECT_TRUE(spawn(world, 0, {-1, 0, 0, 0}));
-  EXPECT_EQ(world.models.X_WM[2], (geom::Pose{-1, 0, 0.5, 0})) << "its pose is where it is at 0";
+  EXPECT_EQ(world.models.X_WM[{2}], (geom::Pose{-1, 0, 0.5, 0})) << "its pose is where it is at 0";
 }
 
 TEST(Attach, refuses_what_holds_something_that_drives) {
@@ -194,16 +194,16 @@ TEST(Attach, refuses_what_holds_something_that_drives) {
   scene.models.push_back(model("s", scene::ModelKind::kPosition, -1));
   scene.models.back().position.emplace();
   World world(scene, 1);
-  EXPECT_EQ(world.models.mobility[0], Mobility::kLoose);
+  EXPECT_EQ(world.models.mobility[{0}], Mobility::kLoose);
   EXPECT_FALSE(attach(world, {0}, {2}, {}));
 }
 
 TEST_F(PopulationTest, what_a_robot_carried_stays_when_it_goes) {
   ASSERT_TRUE(attach(world, {4}, {3}, {}).ok());
-  const geom::Pose there = world.models.X_WM[4];
+  const geom::Pose there = world.models.X_WM[{4}];
   ASSERT_TRUE(despawn(world, {1}).ok());
   ASSERT_TRUE(world.row({4}).valid());
-  EXPECT_EQ(world.models.X_WM[world.row({4}).index], there);
+  EXPECT_EQ(world.models.X_WM[world.row({4})], there);
   expect_whole();
 }
 
@@ -380,9 +380,9 @@ TEST_F(PopulationTest, returns_to_the_start_with_whoever_is_there) {
   ASSERT_TRUE(attach(world, {4}, {1}, {}).ok());
   ASSERT_TRUE(set_pose(world, world.row(id), {}));
   return_to_start(world);
-  EXPECT_EQ(world.models.X_WM[world.row(id).index], (geom::Pose{7, 8, 0, 1}));
-  EXPECT_EQ(world.models.X_WM[4], (geom::Pose{3, 3, 0, 0}));
-  EXPECT_FALSE(world.models.parent_id[4].valid());
+  EXPECT_EQ(world.models.X_WM[world.row(id)], (geom::Pose{7, 8, 0, 1}));
+  EXPECT_EQ(world.models.X_WM[{4}], (geom::Pose{3, 3, 0, 0}));
+  EXPECT_FALSE(world.models.parent_id[{4}].valid());
   expect_whole();
 }
 
@@ -434,7 +434,7 @@ TEST_F(PopulationTest, a_state_cut_or_changed_anywhere_is_refused_or_is_a_whole_
       ASSERT_TRUE(save_state(other, again).ok());
       EXPECT_EQ(again, changed) << at;
       while (other.models.size() > 0)
-        ASSERT_TRUE(despawn(other, other.id({other.models.root[0]})).ok()) << at;
+        ASSERT_TRUE(despawn(other, other.id(other.models.root[{0}])).ok()) << at;
     }
   }
 }
@@ -465,7 +465,7 @@ TEST(SharedScene, makes_the_world_that_a_scene_with_a_description_for_each_model
           if (std::string_view(column.name) != "models.desc") EXPECT_EQ(values, others) << column.name;
         },
         a, b);
-    for (std::uint32_t row = 0; row < a.models.size(); ++row) {
+    for (const ModelRow row : a.models.rows()) {
       EXPECT_EQ(a.name({row}), b.name({row}));
       EXPECT_EQ(a.alias({row}), b.alias({row}));
       for (const std::string& token : {a.name({row}), a.alias({row})})
@@ -491,11 +491,11 @@ TEST(SharedScene, makes_the_world_that_a_scene_with_a_description_for_each_model
 TEST(SharedScene, keeps_what_models_have_in_common_once) {
   const scene::SceneDesc scene = shared_scene();
   const World world(scene, 1);
-  EXPECT_TRUE(world.models.X_PM.is_own(0)) << "it drives";
-  EXPECT_FALSE(world.models.X_PM.is_own(1));
-  EXPECT_FALSE(world.models.color.is_own(0));
-  EXPECT_TRUE(world.models.color.is_own(4)) << "not as the first of its like";
-  EXPECT_FALSE(world.models.say.is_own(0));
+  EXPECT_TRUE(world.models.X_PM.is_own({0})) << "it drives";
+  EXPECT_FALSE(world.models.X_PM.is_own({1}));
+  EXPECT_FALSE(world.models.color.is_own({0}));
+  EXPECT_TRUE(world.models.color.is_own({4})) << "not as the first of its like";
+  EXPECT_FALSE(world.models.say.is_own({0}));
 }
 
 TEST(SharedColumn, is_a_column_of_values_whoever_has_them) {

@@ -25,15 +25,13 @@ void fill_row(World& world, Cameras& cameras, const scene::ModelDesc& model, Mod
 /// True if the row's state differs from the description; then
 /// `said`, a copy of that or null, is updated to match the row.
 template <typename Table>
-bool say_row(const Table&, std::uint32_t, const scene::ModelDesc&, scene::ModelDesc*) {
+bool say_row(const Table&, typename Table::Row, const scene::ModelDesc&, scene::ModelDesc*) {
   return false;
 }
-bool say_row(const Packs& packs, std::uint32_t row, const scene::ModelDesc& model, scene::ModelDesc* said);
+bool say_row(const Packs& packs, PackRow row, const scene::ModelDesc& model, scene::ModelDesc* said);
 /// Moving paddles or lifts are exported as in the file.
-bool say_row(const Grippers& grippers, std::uint32_t row, const scene::ModelDesc& model,
-             scene::ModelDesc* said);
-bool say_row(const Cameras& cameras, std::uint32_t row, const scene::ModelDesc& model,
-             scene::ModelDesc* said);
+bool say_row(const Grippers& grippers, GripperRow row, const scene::ModelDesc& model, scene::ModelDesc* said);
+bool say_row(const Cameras& cameras, CameraRow row, const scene::ModelDesc& model, scene::ModelDesc* said);
 
 /// The same for all rows of a model.
 bool say_rows(const World& world, ModelRow row, scene::ModelDesc* said = nullptr);
@@ -41,7 +39,7 @@ bool say_rows(const World& world, ModelRow row, scene::ModelDesc* said = nullptr
 /// The pose that a description should have for the model of a row.
 template <typename Table>
 const geom::Pose& pose_said(const World& world, const Table&, ModelRow row) {
-  return world.models.X_PM[row.index];
+  return world.models.X_PM[row];
 }
 const geom::Pose& pose_said(const World& world, const Actuators& actuators, ModelRow row);
 /// For any model.

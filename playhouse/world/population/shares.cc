@@ -38,7 +38,7 @@ void Shares::add(const World& world, const std::string& peer, ModelId root) {
 
 /// Of the tree as it is described.
 Shares::Amount Shares::amount_of(const World& world, ModelRow root) {
-  const std::uint32_t top = world.models.desc[root.index];
+  const std::uint32_t top = world.models.desc[root];
   Amount amount{.models = scene::tree_size(world.scene(), top)};
   for (std::uint32_t part = 0; part < amount.models; ++part)
     for (const scene::RangerSensorDesc& sensor : world.scene().models[top + part].sensors) {

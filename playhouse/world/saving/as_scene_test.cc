@@ -56,7 +56,7 @@ class AsSceneTest : public ::testing::Test {
     ModelId held = {};
   };
   void stand(const std::string& gripper, const Stand& stand) {
-    const std::uint32_t at = world_.models.part[row(gripper).index];
+    const GripperRow at = world_.models.part[row(gripper)];
     world_.grippers.paddles[at] = stand.paddles;
     world_.grippers.closing[at] = stand.closing;
     world_.grippers.lift[at] = stand.lift;
@@ -81,21 +81,21 @@ class AsSceneTest : public ::testing::Test {
   void expect_same() {
     const World& other = again();
     ASSERT_EQ(other.models.size(), world_.models.size()) << text_;
-    for (std::uint32_t at = 0; at < world_.models.size(); ++at) {
-      const std::string name = world_.name({at});
+    for (const ModelRow at : world_.models.rows()) {
+      const std::string name = world_.name(at);
       const ModelRow found = other.find(name);
       ASSERT_TRUE(found) << name << "\n" << text_;
-      const geom::Pose &was = world_.models.X_WM[at], &is = other.models.X_WM[found.index];
+      const geom::Pose &was = world_.models.X_WM[at], &is = other.models.X_WM[found];
       EXPECT_NEAR(was.x, is.x, 1e-12) << name;
       EXPECT_NEAR(was.y, is.y, 1e-12) << name;
       EXPECT_NEAR(was.z, is.z, 1e-12) << name;
       EXPECT_NEAR(geom::normalize(was.a - is.a), 0, 1e-12) << name;
-      EXPECT_EQ(world_.models.color[at], other.models.color[found.index]) << name;
-      EXPECT_EQ(world_.models.say[at], other.models.say[found.index]) << name;
-      EXPECT_EQ(world_.models.fiducial_return[at], other.models.fiducial_return[found.index]) << name;
-      EXPECT_EQ(world_.desc({at}).type, other.desc(found).type) << name;
-      EXPECT_EQ(world_.desc({at}).blocks, other.desc(found).blocks) << name;
-      const ModelRow parent{world_.models.parent[at]}, other_parent{other.models.parent[found.index]};
+      EXPECT_EQ(world_.models.color[at], other.models.color[found]) << name;
+      EXPECT_EQ(world_.models.say[at], other.models.say[found]) << name;
+      EXPECT_EQ(world_.models.fiducial_return[at], other.models.fiducial_return[found]) << name;
+      EXPECT_EQ(world_.desc(at).type, other.desc(found).type) << name;
+      EXPECT_EQ(world_.desc(at).blocks, other.desc(found).blocks) << name;
+      const ModelRow parent = world_.models.parent[at], other_parent = other.models.parent[found];
       ASSERT_EQ(parent.valid(), other_parent.valid()) << name;
       if (parent) EXPECT_EQ(world_.name(parent), other.name(other_parent)) << name;
     }
@@ -132,8 +132,8 @@ TEST_F(AsSceneTest, it_has_what_was_moved_painted_and_marked) {
   ASSERT_TRUE(set_pose(world_, row("wall"), {7, 1, 0, -geom::kPi}));
   set_color(world_, row("r1"), {0.1f, 0.2f, 0.3f, 1});
   set_fiducial_return(world_, row("r1"), 0);
-  world_.models.say.set(row("r0").index, "there");
-  world_.models.say.set(row("r1").index, "");
+  world_.models.say.set(row("r0"), "there");
+  world_.models.say.set(row("r1"), "");
   expect_same();
   EXPECT_EQ(text_.find("say \"hello\""), std::string::npos);
   EXPECT_NE(text_.find("\nrobot ( name \"r0\""), std::string::npos) << "it is one of them still\n" << text_;
@@ -141,11 +141,11 @@ TEST_F(AsSceneTest, it_has_what_was_moved_painted_and_marked) {
 
 TEST_F(AsSceneTest, batteries_hold_what_they_hold_now) {
   ASSERT_EQ(world_.packs.stored.size(), 1u);
-  world_.packs.stored[0] = 1234.5;
+  world_.packs.stored[{0}] = 1234.5;
   expect_same();
   ASSERT_EQ(again_->packs.stored.size(), 1u);
-  EXPECT_EQ(again_->packs.stored[0], 1234.5);
-  EXPECT_EQ(again_->packs.capacity[0], 2000);
+  EXPECT_EQ(again_->packs.stored[{0}], 1234.5);
+  EXPECT_EQ(again_->packs.capacity[{0}], 2000);
 }
 
 TEST_F(AsSceneTest, lamps_are_set_as_they_are_and_not_as_the_file_says) {
@@ -156,7 +156,7 @@ TEST_F(AsSceneTest, lamps_are_set_as_they_are_and_not_as_the_file_says) {
   World world(scene_, 1);
   EXPECT_EQ(difference(scene_, as_scene(world)), "");
   const auto set = [&](const char* name, bool enabled, double period, double dutycycle) {
-    const std::uint32_t lamp = world.models.part[world.find(name).index];
+    const BlinkenlightRow lamp = world.models.part[world.find(name)];
     world.blinkenlights.enabled[lamp] = enabled;
     world.blinkenlights.period[lamp] = period;
     world.blinkenlights.dutycycle[lamp] = dutycycle;
@@ -169,8 +169,8 @@ TEST_F(AsSceneTest, lamps_are_set_as_they_are_and_not_as_the_file_says) {
   ASSERT_TRUE(saved.ok()) << saved.error().line() << "\n" << *text;
   const World again(*saved, 1);
   for (const char* name : {"a", "b", "r.c"}) {
-    const std::uint32_t was = world.models.part[world.find(name).index];
-    const std::uint32_t is = again.models.part[again.find(name).index];
+    const BlinkenlightRow was = world.models.part[world.find(name)];
+    const BlinkenlightRow is = again.models.part[again.find(name)];
     EXPECT_EQ(again.blinkenlights.enabled[is], world.blinkenlights.enabled[was]) << name << "\n" << *text;
     EXPECT_EQ(again.blinkenlights.lit[is], again.blinkenlights.enabled[is]) << name;
     EXPECT_NEAR(again.blinkenlights.period[is], world.blinkenlights.period[was], 1e-6)
@@ -190,9 +190,9 @@ TEST_F(AsSceneTest, actuators_start_at_the_position_that_they_have_on_the_way_th
   EXPECT_EQ(difference(scene_, as_scene(world)), "");
   const auto go = [&](const char* name, double position) {
     const ModelRow row = world.find(name);
-    const std::uint32_t actuator = world.models.part[row.index];
+    const ActuatorRow actuator = world.models.part[row];
     world.actuators.position[actuator] = position;
-    world.models.X_PM.own(row.index) =
+    world.models.X_PM.own(row) =
         geom::compose(world.actuators.X_PJ[actuator], scene::way_along(*world.desc(row).actuator, position));
     place_tree(world, row);
   };
@@ -204,10 +204,10 @@ TEST_F(AsSceneTest, actuators_start_at_the_position_that_they_have_on_the_way_th
   const Result<scene::SceneDesc> saved = scene::load_world_text(*text, "w/saved.world", files_);
   ASSERT_TRUE(saved.ok()) << saved.error().line() << "\n" << *text;
   World again(*saved, 1);
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    const ModelRow found = again.find(world.name({row}));
+  for (const ModelRow row : world.models.rows()) {
+    const ModelRow found = again.find(world.name(row));
     ASSERT_TRUE(found) << *text;
-    const geom::Pose &was = world.models.X_WM[row], &is = again.models.X_WM[found.index];
+    const geom::Pose &was = world.models.X_WM[row], &is = again.models.X_WM[found];
     EXPECT_NEAR(was.x, is.x, 1e-12) << *text;
     EXPECT_NEAR(was.y, is.y, 1e-12) << *text;
     EXPECT_NEAR(geom::normalize(was.a - is.a), 0, 1e-12) << *text;
@@ -218,9 +218,9 @@ TEST_F(AsSceneTest, actuators_start_at_the_position_that_they_have_on_the_way_th
 
 TEST_F(AsSceneTest, it_has_who_came_and_not_who_went) {
   ASSERT_TRUE(despawn(world_, id("r0")).ok());
-  ASSERT_TRUE(spawn(world_, world_.models.desc[row("r1").index], {4, 4, 0, 1}).ok());
-  ASSERT_TRUE(spawn(world_, world_.models.desc[row("alone").index], {5, 4, 0, 1}, "second").ok());
-  ASSERT_TRUE(spawn(world_, world_.models.desc[row("model:3").index], {6, 4, 0, 1}).ok());
+  ASSERT_TRUE(spawn(world_, world_.models.desc[row("r1")], {4, 4, 0, 1}).ok());
+  ASSERT_TRUE(spawn(world_, world_.models.desc[row("alone")], {5, 4, 0, 1}, "second").ok());
+  ASSERT_TRUE(spawn(world_, world_.models.desc[row("model:3")], {6, 4, 0, 1}).ok());
   expect_same();
   EXPECT_FALSE(again_->find("r0"));
   EXPECT_TRUE(again_->find("r1~2.ranger:0.lamp")) << text_;
@@ -241,7 +241,7 @@ TEST_F(AsSceneTest, who_came_has_no_controller_there_either) {
 }
 
 TEST_F(AsSceneTest, default_names_stay_with_those_who_have_them) {
-  ASSERT_TRUE(spawn(world_, world_.models.desc[row("model:3").index], {6, 4, 0, 1}, "m").ok());
+  ASSERT_TRUE(spawn(world_, world_.models.desc[row("model:3")], {6, 4, 0, 1}, "m").ok());
   ASSERT_TRUE(despawn(world_, id("wall")).ok());
   ASSERT_TRUE(despawn(world_, id("puck")).ok());
   expect_same();
@@ -293,9 +293,9 @@ TEST_F(AsSceneTest, what_a_gripper_holds_is_a_part_of_it_and_its_paddles_are_clo
   again();
   const ModelRow hand = again_->find("hauler.hand"), puck = again_->find("puck");
   ASSERT_TRUE(hand && puck) << text_;
-  EXPECT_EQ(again_->models.parent[puck.index], hand.index) << text_;
+  EXPECT_EQ(again_->models.parent[puck], hand) << text_;
   EXPECT_EQ(again_->desc(hand).gripper->paddles, scene::Paddles::kClosed);
-  EXPECT_EQ(again_->models.X_WM[puck.index], world_.models.X_WM[row("puck").index]);
+  EXPECT_EQ(again_->models.X_WM[puck], world_.models.X_WM[row("puck")]);
   EXPECT_EQ(difference(as_scene(world_), saved_), "") << text_;
 }
 
@@ -307,7 +307,7 @@ TEST_F(AsSceneTest, parts_that_were_moved_or_painted_are_where_they_are) {
 }
 
 TEST_F(AsSceneTest, nobody_left_is_nobody_in_the_file) {
-  while (!world_.models.id.empty()) ASSERT_TRUE(despawn(world_, world_.models.id[0]).ok());
+  while (!world_.models.id.empty()) ASSERT_TRUE(despawn(world_, world_.models.id[{0}]).ok());
   expect_same();
 }
 
@@ -324,8 +324,7 @@ TEST_F(AsSceneTest, a_name_that_another_model_took_stays_with_it) {
   ASSERT_TRUE(text.ok());
   const scene::SceneDesc saved = *scene::load_world_text(*text, "w/t.world", files_);
   const World again(saved, 1);
-  for (std::uint32_t at = 0; at < world.models.size(); ++at)
-    EXPECT_EQ(again.name({at}), world.name({at})) << *text;
+  for (const ModelRow at : world.models.rows()) EXPECT_EQ(again.name(at), world.name(at)) << *text;
 }
 
 /// Not every heading has a number of degrees.
@@ -346,7 +345,7 @@ TEST_F(AsSceneTest, whatever_was_done_the_file_has_it) {
     World world(scene_, 1);
     for (int change = 0; change < 100 && world.models.size() > 0; ++change) {
       const ModelRow model{any(world.models.size())};
-      const ModelId top = world.id({world.models.root[model.index]});
+      const ModelId top = world.id(world.models.root[model]);
       switch (any(7)) {
         case 0:
           static_cast<void>(set_pose(world, model, any_pose()));
@@ -361,7 +360,7 @@ TEST_F(AsSceneTest, whatever_was_done_the_file_has_it) {
           static_cast<void>(detach(world, world.id(model)));
           break;
         case 4:
-          world.models.say.set(model.index, "words");
+          world.models.say.set(model, "words");
           break;
         default:
           static_cast<void>(spawn(world, scene_.trees[any(scene_.trees.size())].top, any_pose()));
@@ -374,13 +373,13 @@ TEST_F(AsSceneTest, whatever_was_done_the_file_has_it) {
     const World again(*saved, 1);
     ASSERT_EQ(again.models.size(), world.models.size());
     EXPECT_TRUE(is_same_but_for_last_bits(difference(as_scene(world), *saved))) << *text;
-    for (std::uint32_t at = 0; at < world.models.size(); ++at) {
-      const ModelRow found = again.find(world.name({at}));
+    for (const ModelRow at : world.models.rows()) {
+      const ModelRow found = again.find(world.name(at));
       ASSERT_TRUE(found);
-      const geom::Pose &is = again.models.X_WM[found.index], &was = world.models.X_WM[at];
+      const geom::Pose &is = again.models.X_WM[found], &was = world.models.X_WM[at];
       EXPECT_NEAR(is.x, was.x, 1e-9);
       EXPECT_NEAR(geom::normalize(is.a - was.a), 0, 1e-12);
-      EXPECT_EQ(again.models.say[found.index], world.models.say[at]);
+      EXPECT_EQ(again.models.say[found], world.models.say[at]);
     }
   }
 }

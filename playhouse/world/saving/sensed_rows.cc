@@ -161,11 +161,11 @@ PLAYHOUSE_PER_TYPE bool unpack_run(std::vector<std::vector<T>>& lists, Range run
 
 /// Calls visit(run) for the runs of consecutive values that sensors have in the columns of a table.
 template <typename Table, typename Visit>
-bool each_run(const World& world, std::span<const ModelRow> models, std::span<const std::uint32_t> rows,
-              Per per, const Visit& visit) {
+bool each_run(const World& world, std::span<const ModelRow> models, std::span<const KindRow> rows, Per per,
+              const Visit& visit) {
   Range run;
-  for (const std::uint32_t row : rows) {
-    const Range next = range_of<Table>(world, models[row].index, per);
+  for (const KindRow row : rows) {
+    const Range next = range_of<Table>(world, models[row.index], per);
     if (next.begin == next.end) continue;
     if (next.begin != run.end) {
       if (run.begin != run.end && !visit(run)) return false;
@@ -185,7 +185,7 @@ std::span<const ModelRow> models_of(const World& world, scene::ModelKind kind) {
 
 /// Calls visit(values, run) for all measurements of the sensors; false at the first false.
 template <typename Of, typename Visit>
-bool each_sensed(Of& world, scene::ModelKind kind, std::span<const std::uint32_t> rows, const Visit& visit) {
+bool each_sensed(Of& world, scene::ModelKind kind, std::span<const KindRow> rows, const Visit& visit) {
   bool good = true;
   const std::span<const ModelRow> models = models_of(world, kind);
   const auto each_of = [&]<typename Table>(Table Tables::*table) {
@@ -196,7 +196,7 @@ bool each_sensed(Of& world, scene::ModelKind kind, std::span<const std::uint32_t
       if constexpr (!kIsShared<Values>) {  // these are never measured
         if (column.role != Role::kSensed || !good) return;
         good = each_run<Table>(world, models, rows, column.per,
-                               [&](Range run) { return visit((world.*table).*column.values, run); });
+                               [&](Range run) { return visit(column.of(world.*table), run); });
       }
     });
   };
@@ -206,13 +206,13 @@ bool each_sensed(Of& world, scene::ModelKind kind, std::span<const std::uint32_t
 
 }  // namespace
 
-void pack_sensed(const World& world, scene::ModelKind kind, std::span<const std::uint32_t> rows,
+void pack_sensed(const World& world, scene::ModelKind kind, std::span<const KindRow> rows,
                  std::vector<std::byte>& out) {
   each_sensed(world, kind, rows,
               [&](const auto& values, Range run) { return pack_run(values, run, out), true; });
 }
 
-bool unpack_sensed(World& world, scene::ModelKind kind, std::span<const std::uint32_t> rows, Unpacker& in) {
+bool unpack_sensed(World& world, scene::ModelKind kind, std::span<const KindRow> rows, Unpacker& in) {
   return each_sensed(world, kind, rows, [&](auto& values, Range run) { return unpack_run(values, run, in); });
 }
 

@@ -14,11 +14,11 @@ namespace playhouse::world {
 
 /// Appends the measurements of the sensors in these rows, ascending, of the table of a kind. The
 /// same for the same measurements. Cost: a copy per run of consecutive rows and column of numbers.
-void pack_sensed(const World& world, scene::ModelKind kind, std::span<const std::uint32_t> rows,
+void pack_sensed(const World& world, scene::ModelKind kind, std::span<const KindRow> rows,
                  std::vector<std::byte>& out);
 
 /// Sets them. False, with an undefined part of them set, on bytes that pack_sensed() of these rows does not
 /// append.
-bool unpack_sensed(World& world, scene::ModelKind kind, std::span<const std::uint32_t> rows, Unpacker& in);
+bool unpack_sensed(World& world, scene::ModelKind kind, std::span<const KindRow> rows, Unpacker& in);
 
 }  // namespace playhouse::world

@@ -26,7 +26,7 @@ class SensedRows : public testing::Test {
     scene_ = std::move(*scene);
   }
   /// Whether the measurements of these rangers in `from`, and no others, come to be in a new world.
-  void expect_copied(World& from, const std::vector<std::uint32_t>& rows) {
+  void expect_copied(World& from, const std::vector<KindRow>& rows) {
     World to(scene_, 1);
     const World untouched(scene_, 1);
     Bytes bytes;
@@ -34,14 +34,12 @@ class SensedRows : public testing::Test {
     Unpacker in(bytes);
     ASSERT_TRUE(unpack_sensed(to, scene::ModelKind::kRanger, rows, in));
     EXPECT_TRUE(in.at_end());
-    for (std::uint32_t ranger = 0; ranger < from.rangers.size(); ++ranger) {
-      const bool is_copied = std::ranges::find(rows, ranger) != rows.end();
+    for (const RangerRow ranger : from.rangers.rows()) {
+      const bool is_copied = std::ranges::find(rows, ranger.index, &KindRow::index) != rows.end();
       EXPECT_EQ(to.rangers.measured_tick[ranger], is_copied ? from.rangers.measured_tick[ranger] : 0);
-      const std::uint32_t first = from.rangers.first_sensor[ranger],
-                          last = first + from.rangers.sensor_count[ranger] - 1;
-      const std::uint32_t begin = from.sensors.first_beam[first],
-                          end = from.sensors.first_beam[last] + from.sensors.beam_count[last];
-      for (std::uint32_t beam = begin; beam < end; ++beam) {
+      const RowsOf<SensorTable> sensors = sensors_of(from.rangers, ranger);
+      const RowsOf<BeamTable> last = beams_of(from.sensors, sensors[sensors.size() - 1]);
+      for (const BeamRow beam : RowsOf(from.sensors.first_beam[sensors.front()], *last.end())) {
         const float wanted = (is_copied ? from : untouched).sensors.ranges[beam];
         EXPECT_EQ(std::bit_cast<std::uint32_t>(to.sensors.ranges[beam]),
                   std::bit_cast<std::uint32_t>(wanted));
@@ -67,34 +65,35 @@ TEST_F(SensedRows, come_back_to_the_bit_however_they_are_packed) {
                                                     {infinite, 1, infinite, 2, infinite}};
   for (const std::vector<float>& pattern : patterns) {
     World world(scene_, 1);
-    for (std::size_t i = 0; i < world.sensors.ranges.size(); ++i)
-      world.sensors.ranges[i] = pattern[i % pattern.size()];
-    for (std::size_t i = 0; i < world.rangers.size(); ++i) world.rangers.measured_tick[i] = 7 + i;
-    for (const std::vector<std::uint32_t>& rows :
-         {std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}, {2}, {0, 1, 4}, {1, 3, 5}})
+    for (const BeamRow beam : world.sensors.ranges.rows())
+      world.sensors.ranges[beam] = pattern[beam.index % pattern.size()];
+    for (const RangerRow i : world.rangers.rows()) world.rangers.measured_tick[i] = 7 + i.index;
+    for (const std::vector<KindRow>& rows :
+         {std::vector<KindRow>{{0}, {1}, {2}, {3}, {4}, {5}}, {{2}}, {{0}, {1}, {4}}, {{1}, {3}, {5}}})
       expect_copied(world, rows);
   }
 }
 
 TEST_F(SensedRows, have_lists_of_records) {
   World from(scene_, 1), to(scene_, 1);
-  from.fiducials.hits[1] = {{{4}, 7, 1.5, 0.25, -0.5, {0.1, 0.2, 0.3}}, {{8}, 9, 2.5, 0, 0, {}}};
+  from.fiducials.hits[{1}] = {{{4}, 7, 1.5, 0.25, -0.5, {0.1, 0.2, 0.3}}, {{8}, 9, 2.5, 0, 0, {}}};
   Bytes bytes;
-  const std::vector<std::uint32_t> rows{1, 2};
+  const std::vector<KindRow> rows{{1}, {2}};
   pack_sensed(from, scene::ModelKind::kFiducial, rows, bytes);
   Unpacker in(bytes);
   ASSERT_TRUE(unpack_sensed(to, scene::ModelKind::kFiducial, rows, in));
-  ASSERT_EQ(to.fiducials.hits[1].size(), 2u);
-  EXPECT_EQ(to.fiducials.hits[1][0].range, 1.5);
-  EXPECT_EQ(to.fiducials.hits[1][1].target, (ModelId{8}));
-  EXPECT_TRUE(to.fiducials.hits[2].empty());
+  ASSERT_EQ(to.fiducials.hits[{1}].size(), 2u);
+  EXPECT_EQ(to.fiducials.hits[{1}][0].range, 1.5);
+  EXPECT_EQ(to.fiducials.hits[{1}][1].target, (ModelId{8}));
+  EXPECT_TRUE(to.fiducials.hits[{2}].empty());
 }
 
 TEST_F(SensedRows, of_beams_that_miss_take_a_bit_each) {
   World world(scene_, 1);
-  for (std::size_t i = 0; i < world.sensors.ranges.size(); ++i) world.sensors.ranges[i] = i == 17 ? 1.5f : 5;
+  std::ranges::fill(world.sensors.ranges, 5);
+  world.sensors.ranges[{17}] = 1.5f;
   Bytes bytes;
-  pack_sensed(world, scene::ModelKind::kRanger, std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}, bytes);
+  pack_sensed(world, scene::ModelKind::kRanger, std::vector<KindRow>{{0}, {1}, {2}, {3}, {4}, {5}}, bytes);
   EXPECT_LT(bytes.size(), world.sensors.ranges.size());
 }
 

@@ -117,16 +117,16 @@ Result<void> check(const Census& census, std::uint32_t next_id, const Serials& s
 /// Keeps subscriptions of models that are in both states.
 class KeptUsers {
   template <typename Of>
-  static auto users_of(Of& models, std::uint32_t row) {
+  static auto users_of(Of& models, ModelRow row) {
     return std::tie(models.subscribers[row], models.controllers[row], models.watchers[row]);
   }
 
  public:
   explicit KeptUsers(const Models& models) {
-    for (std::uint32_t row = 0; row < models.size(); ++row) users_[models.id[row]] = users_of(models, row);
+    for (const ModelRow row : models.rows()) users_[models.id[row]] = users_of(models, row);
   }
   void give_back(Models& models) const {
-    for (std::uint32_t row = 0; row < models.size(); ++row) {
+    for (const ModelRow row : models.rows()) {
       const auto kept = users_.find(models.id[row]);
       if (kept != users_.end()) users_of(models, row) = kept->second;
     }
@@ -146,7 +146,7 @@ class Loader {
     if (const Result<void> read = read_head(); !read) return read;
     if (const Result<void> read = read_population(); !read) return read;
     if (const Result<void> read = read_columns(); !read) return read;
-    for (std::uint32_t row = 0; row < world_.models.size(); ++row)
+    for (const ModelRow row : world_.models.rows())
       if (world_.models.root[row] == row) place(row);
     users.give_back(world_.models);
     ++world_.said_;
@@ -201,7 +201,7 @@ class Loader {
     if (const Result<void> room = population_.check_room(census.desc); !room) return room;
     for (std::size_t row = 0; row < census.id.size(); ++row)
       population_.append(census.id[row], census.desc[row], {}, {});
-    world_.models.parent_id = std::move(census.parent);
+    world_.models.parent_id.assign(census.parent.begin(), census.parent.end());
     population_.next_id() = next_id_;
     population_.given() = std::move(given_);
     world_.tick_ = tick_;
@@ -235,14 +235,14 @@ class Loader {
 
   Result<void> check_tilts() {
     if (!world_.upright) return {};
-    for (std::uint32_t row = 0; row < world_.models.size(); ++row)
+    for (const ModelRow row : world_.models.rows())
       if (world_.models.tilt_PM[row] != geom::Tilt{})
         return Error{{}, "has models that are tilted, and this engine keeps all upright"};
     return {};
   }
 
   Result<void> check_messages() const {
-    for (std::uint32_t radio = 0; radio < world_.wifis.size(); ++radio)
+    for (const WifiRow radio : world_.wifis.rows())
       if (!are_whole(outgoing_of(world_.wifis, {radio})) || !are_whole(incoming_of(world_.wifis, {radio})))
         return damaged("a message of a radio is not whole");
     return {};
@@ -254,9 +254,9 @@ class Loader {
     return good ? Result<void>{} : damaged("a model says what is not a line of text");
   }
 
-  void place(std::uint32_t row) {
-    world::place(world_.models, {row});
-    for (const std::uint32_t child : world_.children({row})) place(child);
+  void place(ModelRow row) {
+    world::place(world_.models, row);
+    for (const ModelRow child : world_.children(row)) place(child);
   }
 
   Result<void> read_deciders() {
@@ -306,7 +306,7 @@ PLAYHOUSE_PER_TYPE bool are_same(const World& a, const Values& values_a, const W
 }
 
 /// The first differing column of a model, in the same row of both worlds.
-std::optional<std::string> differing_column(const World& a, const World& b, std::uint32_t row) {
+std::optional<std::string> differing_column(const World& a, const World& b, ModelRow row) {
   std::optional<std::string> found;
   const bool sensed = a.models.controllers[row] > 0 || b.models.controllers[row] > 0;
   each_value_of(
@@ -376,16 +376,16 @@ Result<void> load_state(World& world, std::span<const std::byte> state, std::uin
 
 std::optional<Difference> first_difference(const World& a, const World& b) {
   if (a.tick() != b.tick()) return Difference{{}, "tick"};
-  const std::size_t rows = std::min(a.models.size(), b.models.size());
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    if (a.serial(ModelRow{row}) != b.serial(ModelRow{row}))
+  const RowsOf<ModelTable> in_both(std::min(a.models.size(), b.models.size()));
+  for (const ModelRow row : in_both) {
+    if (a.serial(row) != b.serial(row))
       return Difference{std::min(a.models.id[row], b.models.id[row]), "models.id"};
     if (std::optional<std::string> column = differing_column(a, b, row))
       return Difference{a.models.id[row], std::move(*column)};
   }
   if (a.models.size() != b.models.size()) {
     const World& longer = a.models.size() > b.models.size() ? a : b;
-    return Difference{longer.models.id[rows], "models.id"};
+    return Difference{longer.models.id[*in_both.end()], "models.id"};
   }
   for (std::size_t i = 0; i < std::min(a.deciders.size(), b.deciders.size()); ++i)
     if (hash_of(a, *a.deciders[i]) != hash_of(b, *b.deciders[i]))

@@ -19,7 +19,7 @@ Result<void> save_whole(const World& world, std::vector<std::byte>& out) {
   const std::uint64_t size = out.size() - start - kSizeBytes;
   for (std::size_t i = 0; i < kSizeBytes; ++i) out[start + i] = static_cast<std::byte>(size >> (8 * i));
   const Models& models = world.models;
-  for (std::size_t row = 0; row < models.size(); ++row) {
+  for (const ModelRow row : models.rows()) {
     to.u32(models.subscribers[row] - models.controllers[row]);
     to.u32(models.watchers[row]);
   }
@@ -41,7 +41,7 @@ Result<void> load_whole(World& world, std::span<const std::byte> whole) {
   Models& models = world.models;
   Unpacker users(whole.subspan(kSizeBytes + state.size()));
   if (users.left() != models.size() * 8) return Error{{}, "is damaged: its models lack subscriptions"};
-  for (std::size_t row = 0; row < models.size(); ++row) {
+  for (const ModelRow row : models.rows()) {
     const std::uint32_t others = users.u32(), watchers = users.u32();
     if (watchers > others || others > limits::kSubscribers)
       return Error{{}, "is damaged: a model has more subscriptions than are possible"};
