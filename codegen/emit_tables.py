@@ -57,12 +57,7 @@ def _tables(kinds: Kinds) -> str:
              "/// table_columns.h and on the pages of docs/kinds/.", "", "#include <cstdint>", "#include <string>", "#include <vector>", "",
              '#include "playhouse/world/models.h"', "", "namespace playhouse::world {", ""]
     lines += [f"using {_title(k.name)}Row = Row<struct {_title(k.name)}Table>;" for k in found]
-    lines += ["using BeamRow = Row<struct BeamTable>;  // of the columns with a value for each beam", "",
-              "}  // namespace playhouse::world", "", "namespace playhouse {"]
-    lines += ["template <>", "inline constexpr bool kIsNumbered<world::BeamTable> = !kRowsAlone;"]
-    for k in found:
-        lines += ["template <>", f"inline constexpr bool kIsNumbered<world::{_title(k.name)}Table> = !kRowsAlone;"]
-    lines += ["}  // namespace playhouse", "", "namespace playhouse::world {", ""]
+    lines += ["using BeamRow = Row<struct BeamTable>;  // of the columns with a value for each beam", ""]
     for kind in found:
         for record in kind.state.records:
             lines += _record(record)

@@ -137,9 +137,9 @@ class Watcher {
     ASSERT_TRUE(viewer_->acknowledge(*frame));
   }
   /// Where it sees a model. [mm]
-  std::int32_t x_of(std::uint32_t row) const { return seen_->models[row].x; }
+  std::int32_t x_of(world::ModelRow row) const { return seen_->models[row].x; }
   /// How far it sees it rolled. [1/65536 turn]
-  std::uint16_t tilt_of(std::uint32_t row) const { return seen_->models[row].tilt_y; }
+  std::uint16_t tilt_of(world::ModelRow row) const { return seen_->models[row].tilt_y; }
 
  private:
   std::optional<replicate::Prototypes> prototypes_;
@@ -162,7 +162,7 @@ TEST(SecondEngine, serves_clients_and_viewers_as_the_first_does) {
   bool has_rolled = false;  // it rolls to and fro: at the end it may be upright
   service.simulation().follow(run::on_show([&](const world::World& world, const world::Pace& pace) {
     watcher.show(world, pace);
-    has_rolled = has_rolled || watcher.tilt_of(world.find("puck").index) != 0;
+    has_rolled = has_rolled || watcher.tilt_of(world.find("puck")) != 0;
   }));
 
   const auto drive_towards_the_puck = [&]() -> Result<double> {
@@ -214,7 +214,7 @@ TEST(SecondEngine, serves_clients_and_viewers_as_the_first_does) {
       << "the puck swings between 2.65 and 3.15 m, and the robot is at 1.9 m at least";
   const world::World& world = service.simulation().world();
   for (const char* name : {"guest", "puck", "wanderer"}) {
-    const world::ModelRow row = world.find(name).index;
+    const world::ModelRow row = world.find(name);
     EXPECT_EQ(watcher.x_of(row), std::lround(1000 * world.models.X_WM[row].x)) << name;
     EXPECT_EQ(watcher.tilt_of(row), replicate::quantize_angle(world.models.tilt_WM[row].y)) << name;
   }

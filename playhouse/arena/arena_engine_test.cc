@@ -205,7 +205,7 @@ crate( name "c4" pose [5 0 2 0] )
 )");
   for (int tick = 0; tick < 1500; ++tick) engine_->step();
   for (const char* name : {"below", "tumbles", "c0", "c1", "c2", "c3", "c4"}) {
-    const world::ModelRow row = world().find(name).index;
+    const world::ModelRow row = world().find(name);
     EXPECT_EQ(world().models.V_WM[row], geom::SpatialVelocity{}) << name;
   }
   EXPECT_NEAR(pose("c4").z, 2, 0.02);
@@ -337,18 +337,18 @@ base( name "car" pose [0 10 0 0] drive "car" wheelbase 0.4 )
   drive("omni", {0, 0.4, 0, 0});
   drive("car", {0.4, 0, 0, 0.1});
   run(5);
-  const std::vector<geom::Pose> here = world().models.X_WM;
+  const world::ByModel<geom::Pose> here = world().models.X_WM;
   auto made = stage::make_engine(*scene_, {});
   engine_ = std::move(*made);
   drive("diff", {0.4, 0, 0, 0.2});
   drive("omni", {0, 0.4, 0, 0});
   drive("car", {0.4, 0, 0, 0.1});
   run(5);
-  for (std::size_t row = 0; row < here.size(); ++row) {
+  for (const world::ModelRow row : here.rows()) {
     const geom::Pose& there = world().models.X_WM[row];
-    EXPECT_NEAR(here[row].x, there.x, 0.04) << row;
-    EXPECT_NEAR(here[row].y, there.y, 0.04) << row;
-    EXPECT_NEAR(here[row].a, there.a, 0.02) << row;
+    EXPECT_NEAR(here[row].x, there.x, 0.04) << row.index;
+    EXPECT_NEAR(here[row].y, there.y, 0.04) << row.index;
+    EXPECT_NEAR(here[row].a, there.a, 0.02) << row.index;
   }
 }
 
@@ -374,7 +374,7 @@ model( name "wall" pose [1 -5 0 0] size [0.2 2 1] )
   EXPECT_GT(pose("box").y, 8);
   EXPECT_NEAR(pose("blocked").x, 0.75, 0.01);
   EXPECT_EQ(world().positions.stall[{2}], 1);
-  for (std::uint32_t row = 0; row < 3; ++row) EXPECT_EQ(world().models.tilt_WM[row], geom::Tilt{});
+  for (std::uint32_t row = 0; row < 3; ++row) EXPECT_EQ(world().models.tilt_WM[{row}], geom::Tilt{});
 }
 
 TEST_F(ArenaTest, there_is_no_height_at_which_who_walks_or_drives_goes_through_a_step) {

@@ -14,7 +14,7 @@ constexpr const char* kThermometer = "thermometer( size [0.02 0.02 0.02] alwayso
 struct Session : EngineRun {
   explicit Session(const std::string& text, bool arena = false, unsigned workers = 1)
       : EngineRun("interval_sim 20\n" + text, arena, workers) {}
-  double temperature(std::size_t row = 0) { return world().thermometers.temperature[row]; }
+  double temperature(world::ThermometerRow row = {0}) { return world().thermometers.temperature[row]; }
 };
 
 /// A body of 0.2 m that nothing meets, and that is 30 K warmer than the air.

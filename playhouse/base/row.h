@@ -1,7 +1,6 @@
 #pragma once
 
 #include <compare>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -60,29 +59,12 @@ class RowsOf {
   Row<Table> first_{0}, end_;
 };
 
-/// Of tables that some tests still index by numbers. To find these places, compile with PLAYHOUSE_ROWS_ALONE.
-template <typename Table>
-inline constexpr bool kIsNumbered = false;
-#ifdef PLAYHOUSE_ROWS_ALONE
-inline constexpr bool kRowsAlone = true;
-#else
-inline constexpr bool kRowsAlone = false;
-#endif
-
 /// A value for each row of a table, indexed by its rows alone.
 template <typename Table, typename Value>
 struct ByRow : std::vector<Value> {
   using std::vector<Value>::vector;
   Value& operator[](Row<Table> row) { return std::vector<Value>::operator[](row.index); }
   const Value& operator[](Row<Table> row) const { return std::vector<Value>::operator[](row.index); }
-  template <std::integral Number>
-  Value& operator[](Number row) requires kIsNumbered<Table> {
-    return std::vector<Value>::operator[](static_cast<std::size_t>(row));
-  }
-  template <std::integral Number>
-  const Value& operator[](Number row) const requires kIsNumbered<Table> {
-    return std::vector<Value>::operator[](static_cast<std::size_t>(row));
-  }
   RowsOf<Table> rows() const { return RowsOf<Table>(this->size()); }
   /// The values from a row on, for kernels.
   const Value* from(Row<Table> row) const { return this->data() + row.index; }

@@ -33,7 +33,7 @@ class Neighbour final : public world::Decider {
     for (std::size_t i = begin; i < end; ++i) {
       seen_[i] = 0;
       for (const std::size_t next : {i + 1, i + 7, i + kModels - 1}) {
-        const auto row = static_cast<std::uint32_t>(next % kModels);
+        const world::ModelRow row{static_cast<std::uint32_t>(next % kModels)};
         seen_[i] += world.models.flags[row] + static_cast<std::int64_t>(world.models.say[row].size());
       }
     }

@@ -30,7 +30,7 @@ struct Fixture {
       error = attached.error().line();
     }
   }
-  const geom::Twist& command(std::size_t robot) const { return world.positions.command[robot]; }
+  const geom::Twist& command(std::uint32_t robot) const { return world.positions.command[{robot}]; }
 
   scene::SceneDesc scene;
   world::World world;

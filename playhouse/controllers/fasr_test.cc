@@ -35,7 +35,7 @@ struct Field {
   }
   std::int32_t& flags(world::ModelRow model) { return world.models.flags[model]; }
   world::ModelRow robot(std::uint32_t k) const { return {2 * k}; }
-  const geom::Twist& command(std::size_t robot) const { return world.positions.command[robot]; }
+  const geom::Twist& command(std::uint32_t robot) const { return world.positions.command[{robot}]; }
   /// A scan in which nothing is near, and a decision.
   void decide() {
     testing::measure(world, {8.0f});

@@ -46,8 +46,8 @@ struct Fixture {
 TEST(CustomKinds, begin_with_as_many_numbers_as_they_want) {
   const Fixture f("probe");
   ASSERT_EQ(f.error, "");
-  EXPECT_THAT(f.world->customs.state[1], ElementsAre(4, 0)) << "it calls the program's functions";
-  EXPECT_THAT(f.world->customs.command[1], ElementsAre(5));
+  EXPECT_THAT(f.world->customs.state[{1}], ElementsAre(4, 0)) << "it calls the program's functions";
+  EXPECT_THAT(f.world->customs.command[{1}], ElementsAre(5));
 }
 
 TEST(CustomKinds, get_the_words_behind_the_name) {
@@ -116,7 +116,7 @@ TEST(CustomKinds, are_found_and_never_loaded_where_a_file_is_only_checked) {
   EXPECT_THAT(f.warnings,
               ElementsAre("test.world:2: custom model \"stranger\" is " TEST_LIBRARIES
                           "/stranger.so, which is there and not checked: checking loads no code"));
-  EXPECT_TRUE(f.world->customs.state[0].empty());
+  EXPECT_TRUE(f.world->customs.state[{0}].empty());
 }
 
 TEST(CustomKinds, outside_the_folders_are_loaded_only_if_it_is_allowed) {

@@ -22,7 +22,7 @@ bodies::Solids posts(const std::vector<geom::Vec2>& corners, double side) {
                                geom::Vec2{0, side}, geom::Vec2{0, 0}})
       solids.p.push_back(p + e);
     solids.first_vertex.push_back(solids.p.next());
-    solids.model.push_back(0);
+    solids.model.push_back({0});
     solids.z_min.push_back(0);
     solids.z_max.push_back(1);
     solids.seen_by.push_back(bit(bodies::SeenBy::kRanger));
@@ -69,7 +69,7 @@ void expect_every_post_met(std::size_t count) {
   for (std::size_t first = 0; first < count; first += Rays::kMost) {
     Rays rays;  // as they start
     rays.count = std::min(Rays::kMost, count - first);
-    rays.parts[0] = {{0, 0}, 0, rays.count, range, 0, false, true};
+    rays.parts[0] = {{0, 0}, 0, rays.count, range, {0}, false, true};
     rays.part_count = 1;
     for (std::size_t k = 0; k < rays.count; ++k) {
       const geom::Vec2 aim = aims[first + k];

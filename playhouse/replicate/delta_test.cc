@@ -55,7 +55,7 @@ Wish any_wish(int robots) {
 /// Somebody comes, goes, or is taken along.
 void change_population(SmallWorld& small) {
   world::World& world = small.world;
-  const auto any = [&] { return world.models.id[*rc::gen::inRange<std::size_t>(0, world.models.size())]; };
+  const auto any = [&] { return world.models.id[{*rc::gen::inRange(0u, world.models.id.next().index)}]; };
   switch (*rc::gen::inRange(0, 4)) {
     case 0:
       static_cast<void>(world::spawn(world, SmallWorld::robot(0), {1, 2, 0, 3}));
@@ -176,7 +176,7 @@ TEST(Delta, what_is_in_view_goes_before_the_rest) {
   Wish wish;
   wish.view = {0, -5, 5, 5};
   pair.send(snapshot, wish, 250);
-  for (int k = 90; k < 100; ++k) EXPECT_EQ(pair.receiver.models[SmallWorld::robot(k)].x, 2000) << k;
+  for (int k = 90; k < 100; ++k) EXPECT_EQ(pair.receiver.models[{SmallWorld::robot(k)}].x, 2000) << k;
 }
 
 TEST(Delta, what_had_no_room_goes_by_priority_and_in_the_end_all_of_it_goes) {
@@ -196,12 +196,12 @@ TEST(Delta, what_had_no_room_goes_by_priority_and_in_the_end_all_of_it_goes) {
                                  : 300.0,
                        0.001 * frame, 0, 0});
     capture(small.world, {}, layout, {}, snapshot);
-    const std::vector<ModelState> before = pair.receiver.models;
+    const world::ByModel<ModelState> before = pair.receiver.models;
     EXPECT_EQ(pair.send(snapshot, wish, 100), Sent::kPart);
     EXPECT_LT(pair.packet.size(), 120u);
     for (int k = 0; k < 200; ++k)
       updates[static_cast<std::size_t>(k)] +=
-          before[SmallWorld::robot(k)] != pair.receiver.models[SmallWorld::robot(k)];
+          before[{SmallWorld::robot(k)}] != pair.receiver.models[{SmallWorld::robot(k)}];
   }
   const auto mean = [&](int begin, int end) {
     return std::accumulate(updates.begin() + begin, updates.begin() + end, 0.0) / (end - begin);

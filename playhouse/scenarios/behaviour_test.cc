@@ -25,9 +25,9 @@ using testing::ScenarioRun;
 double mean_nearest_neighbour(const world::World& world) {
   const world::Positions& robots = world.positions;
   double sum = 0;
-  for (std::size_t i = 0; i < robots.size(); ++i) {
+  for (const world::PositionRow i : robots.model.rows()) {
     double nearest = 1e9;
-    for (std::size_t k = 0; k < robots.size(); ++k) {
+    for (const world::PositionRow k : robots.model.rows()) {
       if (k == i) continue;
       const geom::Pose& a = world.models.X_WM[robots.model[i]];
       const geom::Pose& b = world.models.X_WM[robots.model[k]];
@@ -41,17 +41,17 @@ double mean_nearest_neighbour(const world::World& world) {
 TEST(Wander, never_touches_anything_in_the_cave_and_gets_about) {
   ScenarioRun run(load("worlds/cave.world"));
   const std::size_t robots = run.world().positions.size();
-  std::vector<double> far(robots, 0);
-  std::vector<geom::Pose> start;
+  ByRow<world::PositionTable, double> far(robots, 0);
+  ByRow<world::PositionTable, geom::Pose> start;
   for (const world::ModelRow model : run.world().positions.model)
     start.push_back(run.world().models.X_WM[model]);
   for (int tick = 0; tick < 3 * 600; ++tick) {
     run.step();
-    for (std::size_t i = 0; i < robots; ++i) {
-      const world::ModelRow model = run.world().positions.model[i];
-      ASSERT_EQ(run.world().positions.stall[i], 0) << run.world().desc(model).name << ", tick " << tick;
+    for (const world::PositionRow robot : run.world().positions.model.rows()) {
+      const world::ModelRow model = run.world().positions.model[robot];
+      ASSERT_EQ(run.world().positions.stall[robot], 0) << run.world().desc(model).name << ", tick " << tick;
       const geom::Pose& at = run.world().models.X_WM[model];
-      far[i] = std::max(far[i], std::hypot(at.x - start[i].x, at.y - start[i].y));
+      far[robot] = std::max(far[robot], std::hypot(at.x - start[robot].x, at.y - start[robot].y));
     }
   }
   EXPECT_EQ(far.back(), 0) << "the guest has no controller";

@@ -28,18 +28,18 @@ Population observe(ScenarioRun& run, double seconds) {
   constexpr double kHalfSecond = 0.5, kCell = 0.5;
   const int window = static_cast<int>(kHalfSecond / world.scene().interval + 0.5);
   const int windows = static_cast<int>(seconds / kHalfSecond + 0.5);
-  const auto place = [&](std::size_t i) { return world.models.X_WM[robots.model[i]].xy(); };
+  const auto place = [&](world::PositionRow i) { return world.models.X_WM[robots.model[i]].xy(); };
   const auto way = [](geom::Vec2 a, geom::Vec2 b) { return std::sqrt(geom::dot(b - a, b - a)); };
 
-  std::vector<geom::Vec2> last, at_window;
-  for (std::size_t i = 0; i < robots.size(); ++i) last.push_back(place(i));
+  ByRow<world::PositionTable, geom::Vec2> last, at_window;
+  for (const world::PositionRow i : robots.model.rows()) last.push_back(place(i));
   std::set<std::pair<int, int>> cells;
   double driven = 0, stalls = 0, moves = 0;
   for (int k = 0; k < windows; ++k) {
     at_window = last;
     for (int tick = 0; tick < window; ++tick) {
       run.step();
-      for (std::size_t i = 0; i < robots.size(); ++i) {
+      for (const world::PositionRow i : robots.model.rows()) {
         const geom::Vec2 at = place(i);
         cells.insert(
             {static_cast<int>(std::floor(at.x / kCell)), static_cast<int>(std::floor(at.y / kCell))});
@@ -48,7 +48,7 @@ Population observe(ScenarioRun& run, double seconds) {
         last[i] = at;
       }
     }
-    for (std::size_t i = 0; i < robots.size(); ++i) moves += way(at_window[i], last[i]) > 1e-3;
+    for (const world::PositionRow i : robots.model.rows()) moves += way(at_window[i], last[i]) > 1e-3;
   }
   const auto count = static_cast<double>(robots.size());
   return {driven / (count * seconds), stalls / (count * windows * window), moves / (count * windows),
@@ -64,14 +64,15 @@ class OneTickLate final : public world::Decider {
   std::size_t size() const override { return held_.size(); }
   void follow(world::World&) override {}
   void decide(world::World& world, std::size_t begin, std::size_t end) override {
-    for (std::size_t i = begin; i < end; ++i) std::swap(world.positions.command[i], held_[i]);
+    for (const world::PositionRow i : held_.rows().part(begin, end))
+      std::swap(world.positions.command[i], held_[i]);
   }
   void hash(const world::World&, Hash&) const override {}
   Result<void> save(Packer&) const override { return Error{{}, "is for tests"}; }
   bool load(world::World&, Unpacker&) override { return false; }
 
  private:
-  std::vector<geom::Twist> held_;
+  ByRow<world::PositionTable, geom::Twist> held_;
 };
 
 void delay_as_stage_does(ScenarioRun& run) {

@@ -97,10 +97,10 @@ TEST(FiducialSense, sees_bodies_as_high_as_it_is_wherever_they_were_before) {
   ASSERT_TRUE(engine.ok());
   world::World& world = (*engine)->world();
   for (int i = 1; i < 100; ++i) {
-    for (const std::uint32_t robot : {0u, 2u}) {
+    for (const world::ModelRow robot : {world::ModelRow{0}, world::ModelRow{2}}) {
       geom::Pose at = world.models.X_WM[robot];
       at.z = i / 7.0;
-      ASSERT_TRUE(world::set_pose(world, {robot}, at));
+      ASSERT_TRUE(world::set_pose(world, robot, at));
     }
     (*engine)->step();
     EXPECT_EQ(world.fiducials.hits[{0}].size(), 1u) << i;

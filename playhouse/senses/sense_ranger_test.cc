@@ -251,9 +251,9 @@ TEST(RangerSense, angular_noise_turns_beams_by_no_more_than_it_says) {
   scene.models.push_back(box("wall", {2.5, 0, 0, 0}, {1, 40, 1}));
   const auto engine = run(scene);
   bool turned = false;
-  for (int k = 0; k < 50; ++k) {
+  for (std::uint32_t k = 0; k < 50; ++k) {
     const double bearing = -0.25 + 0.5 * k / 49,
-                 range = static_cast<double>(engine->world().sensors.ranges[k]);
+                 range = static_cast<double>(engine->world().sensors.ranges[{k}]);
     const double seen = geom::atan2(std::sqrt(range * range - 4), 2);
     EXPECT_LE(std::fabs(seen - std::fabs(bearing)), 0.1 + 1e-6);
     turned |= std::fabs(seen - std::fabs(bearing)) > 0.01;

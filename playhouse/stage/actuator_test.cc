@@ -298,7 +298,7 @@ TEST(Actuator, at_the_top_or_on_a_robot_is_driven_with_all_that_it_carries) {
   scene.models.back().parent = 2;
   Running run(scene);
   for (std::uint32_t row = 0; row < 4; ++row)
-    EXPECT_EQ(run.world().models.mobility[row], Mobility::kDriven) << row;
+    EXPECT_EQ(run.world().models.mobility[{row}], Mobility::kDriven) << row;
 }
 
 TEST(Actuator, on_a_robot_moves_with_it) {

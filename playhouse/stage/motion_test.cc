@@ -26,7 +26,7 @@ std::unique_ptr<world::Engine> engine_of(const scene::SceneDesc& scene, unsigned
 std::vector<geom::Vec2> corners(const world::World& world, world::ModelRow row, const geom::Twist& v = {},
                                 double dt = 0) {
   const scene::ModelDesc& desc = world.desc(row);
-  const geom::Pose X_WM = geom::compose(world.models.X_WM[row], {v.x * dt, v.y * dt, 0, v.a * dt});
+  const geom::Pose X_WM = geom::compose(world.models.X_WM[{row}], {v.x * dt, v.y * dt, 0, v.a * dt});
   const geom::Pose X_WB = geom::compose(X_WM, desc.X_MB);
   std::vector<geom::Vec2> points;
   for (const geom::Vec2 p : desc.blocks[0].points) points.push_back(geom::transform(X_WB, p));
@@ -176,12 +176,12 @@ TEST(Motion, a_robot_that_another_one_drives_into_from_behind_goes_on) {
     int waits = 0;
     for (int tick = 1; tick <= 30; ++tick) {
       engine->step();
-      EXPECT_EQ(world.positions.stall[at_front], 0) << "tick " << tick;
-      EXPECT_NEAR(world.models.X_WM[at_front].x, 0.25 + 0.03 * tick, 1e-9);
-      waits += world.positions.stall[at_rear];
+      EXPECT_EQ(world.positions.stall[{at_front}], 0) << "tick " << tick;
+      EXPECT_NEAR(world.models.X_WM[{at_front}].x, 0.25 + 0.03 * tick, 1e-9);
+      waits += world.positions.stall[{at_rear}];
     }
     EXPECT_GT(waits, 0);
-    EXPECT_GT(world.models.X_WM[at_rear].x, world.models.X_WM[at_front].x - 0.35) << "follows";
+    EXPECT_GT(world.models.X_WM[{at_rear}].x, world.models.X_WM[{at_front}].x - 0.35) << "follows";
   }
 }
 
@@ -195,10 +195,10 @@ TEST(Motion, a_convoy_bumper_to_bumper_drives_in_either_order_of_the_file) {
     front_first->step();
     rear_first->step();
   }
-  for (int k = 0; k < kLength; ++k) {
-    EXPECT_NEAR(front_first->world().models.X_WM[k].x, -0.2 * k + 0.05 * kTicks, 1e-9);
+  for (std::uint32_t k = 0; k < kLength; ++k) {
+    EXPECT_NEAR(front_first->world().models.X_WM[{k}].x, -0.2 * k + 0.05 * kTicks, 1e-9);
     // Each sets off when the one before it has left: one tick later.
-    EXPECT_NEAR(rear_first->world().models.X_WM[kLength - 1 - k].x, -0.2 * k + 0.05 * (kTicks - k), 1e-9);
+    EXPECT_NEAR(rear_first->world().models.X_WM[{kLength - 1 - k}].x, -0.2 * k + 0.05 * (kTicks - k), 1e-9);
   }
 }
 
@@ -227,9 +227,9 @@ TEST(Motion, a_chain_of_refused_moves_stops_nobody_else) {
   const world::World& world = engine->world();
   for (int tick = 1; tick <= 16; ++tick) {
     engine->step();
-    for (int k = 0; k < 3; ++k) {
-      EXPECT_EQ(world.positions.stall[k], 1) << k;
-      EXPECT_EQ(world.models.X_WM[1 + k].x, -0.23 * k);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(world.positions.stall[{k}], 1) << k;
+      EXPECT_EQ(world.models.X_WM[{1 + k}].x, -0.23 * k);
     }
     EXPECT_NEAR(world.models.X_WM[{4}].y, 0.4 - 0.05 * tick, 1e-9);
   }
@@ -462,12 +462,12 @@ TEST(Motion, a_robot_that_another_one_carries_moves_with_it_and_by_itself) {
     EXPECT_NEAR(world.models.X_PM[{2}].a, 0.3, 1e-9);
     geom::Pose expected = world.models.X_WM[{0}];
     for (std::uint32_t row = 1; row < 3; ++row) {
-      expected = geom::compose(expected, world.models.X_PM[row]);
-      EXPECT_NEAR(world.models.X_WM[row].x, expected.x, 1e-9);
-      EXPECT_NEAR(world.models.X_WM[row].y, expected.y, 1e-9);
-      EXPECT_NEAR(world.models.X_WM[row].a, expected.a, 1e-9);
-      EXPECT_NEAR(world.positions.X_OM[row].y, expected.y, 1e-9) << "gps";
-      EXPECT_EQ(world.positions.stall[row], 0);
+      expected = geom::compose(expected, world.models.X_PM[{row}]);
+      EXPECT_NEAR(world.models.X_WM[{row}].x, expected.x, 1e-9);
+      EXPECT_NEAR(world.models.X_WM[{row}].y, expected.y, 1e-9);
+      EXPECT_NEAR(world.models.X_WM[{row}].a, expected.a, 1e-9);
+      EXPECT_NEAR(world.positions.X_OM[{row}].y, expected.y, 1e-9) << "gps";
+      EXPECT_EQ(world.positions.stall[{row}], 0);
     }
     hashes.push_back(world.hash());
   }

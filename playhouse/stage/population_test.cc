@@ -193,7 +193,7 @@ TEST(ChangingPopulation, robots_see_who_came_and_no_longer_who_went) {
     return world.sensors.ranges[world.sensors.first_beam[world.rangers.first_sensor[laser]] + 90];
   };
   const float free = ahead();
-  const geom::Pose at = world.models.X_WM[kRobot];
+  const geom::Pose at = world.models.X_WM[{kRobot}];
   const geom::Pose before = geom::compose(at, {1.5, 0, 0, 0});
   const Result<ModelId> other = world::spawn(world, kFinder, before);
   ASSERT_TRUE(other.ok());
@@ -214,11 +214,11 @@ TEST(ChangingPopulation, a_robot_that_came_is_in_the_way_and_what_it_carries_as_
   world::command_velocity(world, world.position({kRobot}), {0.5, 0, 0, 0});
   for (int i = 0; i < 30; ++i) engine->step();
   EXPECT_EQ(world.positions.stall[world.position({kRobot})], 1);
-  const double x = world.models.X_WM[kRobot].x;
+  const double x = world.models.X_WM[{kRobot}].x;
   EXPECT_LT(x, -1.4);
   ASSERT_TRUE(world::despawn(world, *blocker).ok());
   for (int i = 0; i < 5; ++i) engine->step();
-  EXPECT_GT(world.models.X_WM[kRobot].x, x + 0.1);
+  EXPECT_GT(world.models.X_WM[{kRobot}].x, x + 0.1);
 }
 
 TEST(ChangingPopulation, what_holds_something_loose_leaves_no_wall_behind_where_it_stood) {
@@ -260,8 +260,8 @@ TEST(Population, walls_stay_where_they_are_as_models_before_them_go) {
   for (int tick = 0; tick < 100; ++tick) (*engine)->step();
   const world::ModelRow robot = world.find("r");
   EXPECT_NEAR(world.models.X_WM[robot].x, 2.3, 0.15) << "it stops at the wall";
-  const std::size_t beams = world.sensors.ranges.size();
-  EXPECT_LT(world.sensors.ranges[beams / 2], 0.5f) << "and sees it";
+  const RowsOf beams = world.sensors.ranges.rows();
+  EXPECT_LT(world.sensors.ranges[beams[beams.size() / 2]], 0.5f) << "and sees it";
 }
 
 }  // namespace

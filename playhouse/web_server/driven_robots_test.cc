@@ -49,8 +49,8 @@ class DrivenRobotsTest : public testing::Test {
   void drive(int robot, double forward, const int& driver = kAlice) {
     driven_.drive({SmallWorld::id(robot), forward, 0, 0, 0}, &driver);
   }
-  double speed(int robot) const { return small_.world.positions.command[std::size_t(robot)].x; }
-  std::uint32_t open(int robot) const { return small_.world.models.subscribers[SmallWorld::robot(robot)]; }
+  double speed(std::uint32_t robot) const { return small_.world.positions.command[{robot}].x; }
+  std::uint32_t open(int robot) const { return small_.world.models.subscribers[{SmallWorld::robot(robot)}]; }
 
   SmallWorld small_{2};
   net::SimulatedNetwork network_{1};

@@ -528,7 +528,7 @@ TEST_F(WebServerTest, a_selected_robot_that_goes_is_forgotten_and_its_successor_
 }
 
 TEST_F(WebServerTest, a_robot_is_driven_until_its_viewer_leaves) {
-  const auto wheels = [this] { return small_.world.models.subscribers[SmallWorld::robot(1)]; };
+  const auto wheels = [this] { return small_.world.models.subscribers[{SmallWorld::robot(1)}]; };
   {
     WebClient viewer(port_);
     ASSERT_TRUE(viewer.upgrade());
@@ -600,21 +600,21 @@ TEST_F(WebServerTest, a_wall_is_not_driven) {
 }
 
 TEST_F(WebServerTest, the_sensors_of_a_selected_robot_measure_until_its_viewer_leaves) {
-  const auto subscribers = [this] { return small_.world.models.subscribers[SmallWorld::robot(1) + 1]; };
+  const auto subscribers = [this] { return small_.world.models.subscribers[{SmallWorld::robot(1) + 1}]; };
   {
     WebClient viewer(port_);
     ASSERT_TRUE(viewer.upgrade());
     viewer.send_text("{\"do\":\"select\",\"model\":" + std::to_string(SmallWorld::robot(1)) + "}");
     EXPECT_TRUE(turn_until([&] { return subscribers() == 1; }));
     EXPECT_FALSE(world::is_used(small_.world, {SmallWorld::robot(1) + 1})) << "looking is no use";
-    EXPECT_EQ(small_.world.models.subscribers[SmallWorld::robot(1)], 0u) << "its wheels are not touched";
-    EXPECT_EQ(small_.world.models.subscribers[SmallWorld::robot(0) + 1], 0u);
+    EXPECT_EQ(small_.world.models.subscribers[{SmallWorld::robot(1)}], 0u) << "its wheels are not touched";
+    EXPECT_EQ(small_.world.models.subscribers[{SmallWorld::robot(0) + 1}], 0u);
   }
   EXPECT_TRUE(turn_until([&] { return subscribers() == 0; }));
 }
 
 TEST_F(WebServerTest, a_full_queue_does_not_leave_sensors_on_although_nobody_watches_any_more) {
-  const auto subscribers = [this] { return small_.world.models.subscribers[SmallWorld::robot(1) + 1]; };
+  const auto subscribers = [this] { return small_.world.models.subscribers[{SmallWorld::robot(1) + 1}]; };
   {
     WebClient viewer(port_);
     ASSERT_TRUE(viewer.upgrade());

@@ -18,15 +18,6 @@ namespace playhouse::world {
 
 using ModelRow = Row<struct ModelTable>;
 
-}  // namespace playhouse::world
-
-namespace playhouse {
-template <>
-inline constexpr bool kIsNumbered<world::ModelTable> = !kRowsAlone;
-}  // namespace playhouse
-
-namespace playhouse::world {
-
 /// A row of the table of a model's kind, whichever that is: of the kind that is asked for.
 struct KindRow : Row<struct KindTable> {
   template <typename Table>

@@ -5,7 +5,6 @@
 /// rows may be read and written in parallel; a row gets its own value between phases only.
 
 #include <algorithm>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -131,23 +130,6 @@ struct SharedByRow : SharedColumn<T> {
   bool is_own(Row<Table> row) const { return SharedColumn<T>::is_own(row.index); }
   T& own(Row<Table> row) { return SharedColumn<T>::own(row.index); }
   void set(Row<Table> row, T value) { SharedColumn<T>::set(row.index, std::move(value)); }
-
-  template <std::integral Number>
-  const T& operator[](Number row) const requires kIsNumbered<Table> {
-    return SharedColumn<T>::operator[](static_cast<std::size_t>(row));
-  }
-  template <std::integral Number>
-  bool is_own(Number row) const requires kIsNumbered<Table> {
-    return SharedColumn<T>::is_own(static_cast<std::size_t>(row));
-  }
-  template <std::integral Number>
-  T& own(Number row) requires kIsNumbered<Table> {
-    return SharedColumn<T>::own(static_cast<std::size_t>(row));
-  }
-  template <std::integral Number>
-  void set(Number row, T value) requires kIsNumbered<Table> {
-    SharedColumn<T>::set(static_cast<std::size_t>(row), std::move(value));
-  }
 };
 
 }  // namespace playhouse::world

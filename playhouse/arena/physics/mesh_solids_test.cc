@@ -59,7 +59,7 @@ class MeshTest : public ArenaRun {
     ASSERT_TRUE(scene) << scene.error().line();
     ArenaRun::start(std::move(*scene));
   }
-  std::uint32_t row(const char* name) { return world().find(name).index; }
+  world::ModelRow row(const char* name) { return world().find(name); }
 };
 
 constexpr const char* kRover =

@@ -15,8 +15,8 @@ struct Session : EngineRun {
   Session(const char* text, bool arena, unsigned workers = 1) : EngineRun(text, arena, workers) {
     for (const world::ModelRow ranger : world().rangers.model) world::subscribe(world(), ranger);
   }
-  float range(std::size_t beam) { return world().sensors.ranges[beam]; }
-  float intensity(std::size_t beam) { return world().sensors.intensities[beam]; }
+  float range(std::uint32_t beam) { return world().sensors.ranges[{beam}]; }
+  float intensity(std::uint32_t beam) { return world().sensors.intensities[{beam}]; }
 };
 
 constexpr const char* kFlat = R"(
@@ -40,7 +40,7 @@ TEST(LidarSense, measures_what_the_stage_engine_does_where_the_world_is_flat) {
   arena.step();
   ASSERT_EQ(arena.world().sensors.ranges.size(), 2 * 185u);
   int near = 0;
-  for (std::size_t beam = 0; beam < 2 * 185u; ++beam) {
+  for (std::uint32_t beam = 0; beam < 2 * 185u; ++beam) {
     EXPECT_NEAR(arena.range(beam), stage.range(beam), 1e-4) << beam;
     EXPECT_EQ(arena.intensity(beam), stage.intensity(beam)) << beam;
     near += arena.range(beam) < 2;
@@ -168,7 +168,7 @@ TEST(LidarSense, follows_a_population_that_changes_and_any_number_of_workers) {
   EXPECT_EQ(one.world().sensed_hash(), three.world().sensed_hash());
   Session stage(kFlat, false);
   change(stage);
-  for (std::size_t beam = 0; beam < 181u; ++beam)
+  for (std::uint32_t beam = 0; beam < 181u; ++beam)
     EXPECT_NEAR(one.range(beam), stage.range(beam), 1e-3) << beam;
 }
 

@@ -58,8 +58,8 @@ inline std::vector<scene::RangerSensorDesc> ring(std::size_t count) {
 /// Pretends that every ranger measured these beams in a new tick.
 inline void measure(world::World& world, const std::vector<float>& beams) {
   ++world.tick_;
-  for (std::size_t k = 0; k < world.sensors.ranges.size(); ++k)
-    world.sensors.ranges[k] = beams[k % beams.size()];
+  for (const world::BeamRow beam : world.sensors.ranges.rows())
+    world.sensors.ranges[beam] = beams[beam.index % beams.size()];
   for (std::uint64_t& tick : world.rangers.measured_tick) tick = world.tick_;
 }
 

@@ -52,9 +52,9 @@ class AmclTest : public ::testing::Test {
   explicit AmclTest(bool has_threads = true) : site(kWorld, has_threads) {
     EXPECT_EQ(site.build(chain("init_pose [1 0 90] init_pose_var [0.1 0.1 5]")), "");
     // What a robot at (1, 0) that looks along y sees of the wall, and nothing beyond it.
-    for (int i = 0; i <= 180; ++i) {
+    for (std::uint32_t i = 0; i <= 180; ++i) {
       const double range = 2.5 / std::max(1e-9, std::sin(geom::radians(i)));
-      world().sensors.ranges[static_cast<std::size_t>(i)] = static_cast<float>(std::min(range, 8.0));
+      world().sensors.ranges[{i}] = static_cast<float>(std::min(range, 8.0));
     }
     EXPECT_TRUE(site.hold(site.id(kLocalize)));
     EXPECT_TRUE(site.hold(site.id(kCorrected)));

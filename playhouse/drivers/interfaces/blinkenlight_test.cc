@@ -24,7 +24,7 @@ position(
 /// A light of kWorld, open.
 class LightDevice : public ::testing::Test {
  protected:
-  explicit LightDevice(std::uint32_t row) : row_(row), still_(kWorld), driver_(still_.devices, "stage") {
+  explicit LightDevice(world::ModelRow row) : row_(row), still_(kWorld), driver_(still_.devices, "stage") {
     driver_.add(kId, make_device(still_.devices, bl::kCode, {row}));
     EXPECT_TRUE(driver_.start(kId));
     still_.run(0);
@@ -43,20 +43,20 @@ class LightDevice : public ::testing::Test {
   }
 
   static constexpr device::DeviceId kId{3};
-  std::uint32_t row_;
+  world::ModelRow row_;
   testing::StillDevices still_;
   SimulatedDriver driver_;
 };
 
 class BlinkenlightDevice : public LightDevice {
  protected:
-  BlinkenlightDevice() : LightDevice(1) {}
+  BlinkenlightDevice() : LightDevice({1}) {}
   const world::Blinkenlights& lamps() { return still_.world().blinkenlights; }
 };
 
 class LightindicatorDevice : public LightDevice {
  protected:
-  LightindicatorDevice() : LightDevice(2) {}
+  LightindicatorDevice() : LightDevice({2}) {}
 };
 
 TEST_F(BlinkenlightDevice, tells_how_it_is_set_at_its_own_interval) {

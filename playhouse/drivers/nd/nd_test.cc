@@ -135,19 +135,19 @@ TEST_F(NdTwoRobotsTest, the_pose_is_that_of_the_input_and_velocities_go_to_the_o
   go_to(1, 5);
   site.run(2);
   EXPECT_EQ(state().pos.py, 2);
-  EXPECT_DOUBLE_EQ(told(0).a, geom::radians(45)) << "it is to the left of the input";
-  EXPECT_EQ(told(0).x, 0);
-  EXPECT_EQ(told(1), geom::Twist());
+  EXPECT_DOUBLE_EQ(told({0}).a, geom::radians(45)) << "it is to the left of the input";
+  EXPECT_EQ(told({0}).x, 0);
+  EXPECT_EQ(told({1}), geom::Twist());
   drive(0.2);
-  EXPECT_EQ(told(0).x, 0.2);
-  EXPECT_EQ(told(1), geom::Twist());
+  EXPECT_EQ(told({0}).x, 0.2);
+  EXPECT_EQ(told({1}), geom::Twist());
 }
 
 TEST_F(NdTwoRobotsTest, sonars_alone_steer_it) {
   world().sensors.ranges[{0}] = 0.5f;  // ahead
   go_to(5, 0);
   site.run(2);
-  EXPECT_GT(std::abs(told(0).a), geom::radians(10));
+  EXPECT_GT(std::abs(told({0}).a), geom::radians(10));
 }
 
 TEST(NdSection, says_what_is_wrong_and_where) {

@@ -145,9 +145,9 @@ TEST_F(Position2dDevice, opening_subscribes_the_model_and_closing_ends_that) {
 TEST_F(Position2dDevice, publishes_what_the_robot_believes_at_its_own_interval) {
   open(p2d::kCode, "r0");
   world::Positions& positions = still_.world().positions;
-  positions.X_OM[0] = {0.5, -0.25, 0, 1};
-  positions.velocity[0] = {0.3, 0, 0, 0.2};
-  positions.stall[0] = 1;
+  positions.X_OM[{0}] = {0.5, -0.25, 0, 1};
+  positions.velocity[{0}] = {0.3, 0, 0, 0.2};
+  positions.stall[{0}] = 1;
   still_.run(5);
   ASSERT_EQ(still_.recorder.published.size(), 2u) << "every 200 ms of 100 ms ticks";
   EXPECT_DOUBLE_EQ(still_.recorder.published[0].timestamp, 0.2);
@@ -158,16 +158,16 @@ TEST_F(Position2dDevice, velocities_goals_and_car_commands_reach_the_robot) {
   open(p2d::kCode, "r0");
   world::Positions& positions = still_.world().positions;
   command(p2d::kCmdVel, p2d::CmdVel{{0.3, 0.1, 0.2}, 1});
-  EXPECT_EQ(positions.mode[0], world::ControlMode::kVelocity);
-  EXPECT_EQ(positions.command[0], (geom::Twist{0.3, 0.1, 0, 0.2}));
+  EXPECT_EQ(positions.mode[{0}], world::ControlMode::kVelocity);
+  EXPECT_EQ(positions.command[{0}], (geom::Twist{0.3, 0.1, 0, 0.2}));
   command(p2d::kCmdPos, p2d::CmdPos{{4, 5, 1}, {}, 1});
-  EXPECT_EQ(positions.mode[0], world::ControlMode::kPosition);
-  EXPECT_EQ(positions.goal[0].xy(), (geom::Vec2{4, 5}));
+  EXPECT_EQ(positions.mode[{0}], world::ControlMode::kPosition);
+  EXPECT_EQ(positions.goal[{0}].xy(), (geom::Vec2{4, 5}));
   command(p2d::kCmdCar, p2d::CmdCar{0.7, 0.1});
-  EXPECT_EQ(positions.command[0], (geom::Twist{0.7, 0, 0, 0.1}));
+  EXPECT_EQ(positions.command[{0}], (geom::Twist{0.7, 0, 0, 0.1}));
   command(p2d::kCmdVelHead, p2d::CmdVelHead{0.4, 1.5});
-  EXPECT_EQ(positions.mode[0], world::ControlMode::kHeading);
-  EXPECT_EQ(positions.command[0], (geom::Twist{0.4, 0, 0, 1.5}));
+  EXPECT_EQ(positions.mode[{0}], world::ControlMode::kHeading);
+  EXPECT_EQ(positions.command[{0}], (geom::Twist{0.4, 0, 0, 1.5}));
 }
 
 TEST_F(Position2dDevice, refuses_commands_that_are_no_numbers) {
@@ -411,18 +411,18 @@ TEST_F(Device, a_camera_turns_to_a_place_or_at_a_velocity) {
   open(wire::ptz::kCode, "r0.eye");
   world::Cameras& cameras = still_.world().cameras;
   command(wire::ptz::kCmdState, wire::ptz::Cmd{0.5f, -0.2f, 0, 9, 9});
-  EXPECT_FLOAT_EQ(static_cast<float>(cameras.goal_pan[0]), 0.5f);
-  EXPECT_FLOAT_EQ(static_cast<float>(cameras.goal_tilt[0]), -0.2f);
-  EXPECT_DOUBLE_EQ(cameras.goal_zoom[0], geom::radians(70));
+  EXPECT_FLOAT_EQ(static_cast<float>(cameras.goal_pan[{0}]), 0.5f);
+  EXPECT_FLOAT_EQ(static_cast<float>(cameras.goal_tilt[{0}]), -0.2f);
+  EXPECT_DOUBLE_EQ(cameras.goal_zoom[{0}], geom::radians(70));
   EXPECT_TRUE(ask(wire::ptz::kReqControlMode, wire::encode(wire::ptz::ReqControlMode{
                                                   static_cast<std::uint32_t>(wire::ptz::kVelocityControl)}))
                   .ack);
   command(wire::ptz::kCmdState, wire::ptz::Cmd{1, 1, 1, -0.25f, 0.125f});
-  EXPECT_EQ(cameras.command_pan[0], -0.25);
-  EXPECT_EQ(cameras.command_tilt[0], 0.125);
+  EXPECT_EQ(cameras.command_pan[{0}], -0.25);
+  EXPECT_EQ(cameras.command_tilt[{0}], 0.125);
   EXPECT_FALSE(ask(wire::ptz::kReqControlMode, wire::encode(wire::ptz::ReqControlMode{7})).ack);
-  cameras.pan[0] = 0.75;
-  cameras.pan_speed[0] = -0.25;
+  cameras.pan[{0}] = 0.75;
+  cameras.pan_speed[{0}] = -0.25;
   still_.run(1);
   const auto data = last<wire::ptz::Data>(wire::ptz::kDataState);
   EXPECT_EQ(data.pan, 0.75f);
@@ -528,16 +528,16 @@ TEST_F(GripperDevice, publishes_state_and_beams) {
     return last<grip::Data>(grip::kDataState);
   };
   EXPECT_EQ(data(), (grip::Data{grip::kStateOpen, 0, 0}));
-  grippers.paddles[0] = 0.5;
+  grippers.paddles[{0}] = 0.5;
   EXPECT_EQ(data().state, grip::kStateError) << "it stands between open and closed";
-  grippers.closing[0] = 1;
-  grippers.beams[0] = 1;
+  grippers.closing[{0}] = 1;
+  grippers.beams[{0}] = 1;
   EXPECT_EQ(data(), (grip::Data{grip::kStateMoving, 0x04, 0}));
-  grippers.close_limit[0] = 0.5;
-  grippers.beams[0] = 2;
+  grippers.close_limit[{0}] = 0.5;
+  grippers.beams[{0}] = 2;
   EXPECT_EQ(data(), (grip::Data{grip::kStateClosed, 0x08, 0}));
-  grippers.closing[0] = -1;
-  grippers.beams[0] = 3;
+  grippers.closing[{0}] = -1;
+  grippers.beams[{0}] = 3;
   EXPECT_EQ(data(), (grip::Data{grip::kStateMoving, 0x0c, 0}));
 }
 

@@ -82,12 +82,12 @@ class SpatialDevice : public ::testing::Test {
 TEST_F(SpatialDevice, an_imu_sends_the_data_that_were_asked_for) {
   open(imu::kCode, "r.imu");
   world::Imus& imus = world().imus;
-  imus.noted_tick[0] = 1;
-  imus.reading[0] = {{0.1, -0.2, 9.8}, {0.01, 0.02, -0.5}};
+  imus.noted_tick[{0}] = 1;
+  imus.reading[{0}] = {{0.1, -0.2, 9.8}, {0.01, 0.02, -0.5}};
   const geom::SpatialPose stands = geom::spatial_pose({1, 2, 0.5}, geom::RollPitchYaw{0.1, -0.2, 1.5});
-  imus.X_WE[0] = imus.X_WB[0] = stands.X;
-  imus.tilt_WE[0] = imus.tilt_WB[0] = stands.tilt;
-  imus.v_WE[0] = {0, 0.3, 0};
+  imus.X_WE[{0}] = imus.X_WB[{0}] = stands.X;
+  imus.tilt_WE[{0}] = imus.tilt_WB[{0}] = stands.tilt;
+  imus.v_WE[{0}] = {0, 0.3, 0};
   const auto state = next<imu::DataState>(imu::kDataState);
   EXPECT_EQ(state.pose.py, 2);
   EXPECT_NEAR(state.pose.proll, 0.1, 1e-12);
@@ -127,10 +127,10 @@ TEST_F(SpatialDevice, the_attitude_of_an_imu_can_be_reset) {
   open(imu::kCode, "r.imu");
   world::Imus& imus = world().imus;
   EXPECT_FALSE(is_granted(imu::kReqResetOrientation, imu::ResetOrientationConfig{0})) << "not measured yet";
-  imus.noted_tick[0] = 1;
+  imus.noted_tick[{0}] = 1;
   const geom::SpatialPose stands = geom::spatial_pose({}, geom::RollPitchYaw{0.1, -0.2, 1.5});
-  imus.X_WE[0] = stands.X;
-  imus.tilt_WE[0] = stands.tilt;
+  imus.X_WE[{0}] = stands.X;
+  imus.tilt_WE[{0}] = stands.tilt;
   const auto expect = [&](double roll, double pitch, double yaw) {
     const auto pose = next<imu::DataState>(imu::kDataState).pose;
     EXPECT_NEAR(pose.proll, roll, 1e-9);
@@ -218,8 +218,8 @@ TEST_F(SpatialDevice, a_cloud_has_the_points_of_all_rings_that_met_something) {
   open(cloud::kCode, "r.lidar");
   world::Rangers& rangers = world().rangers;
   // The sensor looks along y of the ranger; its beams begin 0.1 m above its foot.
-  rangers.ring_ranges[0] = {1, 2, 10, 10, 4, 10};
-  rangers.ring_intensities[0] = {10, 20, 0, 0, 300, 0};
+  rangers.ring_ranges[{0}] = {1, 2, 10, 10, 4, 10};
+  rangers.ring_intensities[{0}] = {10, 20, 0, 0, 300, 0};
   const auto all = next<cloud::Data>(cloud::kDataState);
   ASSERT_EQ(all.points.size(), 3u);
   EXPECT_NEAR(all.points[0].point.px, 0.1 + std::sqrt(0.5), 1e-9) << "45 degrees to the right of y";

@@ -40,8 +40,8 @@ class AllOpen {
   AllOpen(const std::string& world, unsigned workers)
       : still_(world, workers), driver_(still_.devices, "stage") {
     world::Sensors& sensors = still_.world().sensors;
-    for (std::size_t beam = 0; beam < sensors.ranges.size(); ++beam)
-      sensors.ranges[beam] = static_cast<float>(beam % 977) / 128;
+    for (const world::BeamRow beam : sensors.ranges.rows())
+      sensors.ranges[beam] = static_cast<float>(beam.index % 977) / 128;
     const std::vector<MappedDevice> devices = AutoMap().of_world(still_.world());
     // In another order than that of the models.
     for (std::size_t i = 0; i < devices.size(); ++i) {

@@ -41,7 +41,7 @@ class GoalTest : public ::testing::Test {
     return say(wire::position2d::kCmdVel, wire::encode(wire::position2d::CmdVel{{speed, 0, 0}, 1}));
   }
   /// What the wheels of a robot were told last, once the inbox is empty.
-  geom::Twist told(std::size_t robot = 0) {
+  geom::Twist told(world::PositionRow robot = {0}) {
     site.run(0);
     return world().positions.command[robot];
   }

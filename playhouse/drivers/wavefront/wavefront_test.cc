@@ -139,12 +139,12 @@ class Planned {
     std::ranges::fill(world().positions.command, geom::Twist{9, 9, 0, 9});
   }
   /// Where a robot was told to go since forget().
-  Pose told(std::size_t robot = 0) {
+  Pose told(world::PositionRow robot = {0}) {
     site.run(0);
     return world().positions.goal[robot];
   }
   std::string refusal() { return testing::refusal_of(site, kPlanner); }
-  bool was_halted(std::size_t robot = 0) {
+  bool was_halted(world::PositionRow robot = {0}) {
     site.run(0);
     return world().positions.command[robot] == geom::Twist();
   }
@@ -575,16 +575,16 @@ TEST(Wavefront, waypoints_are_told_in_the_frame_of_the_output) {
   test.world().positions.X_OM[{1}] = X_OR;
   const Pose goal{3, 1.5, 0, radians(30)};
   test.begin(goal);
-  EXPECT_EQ(test.told(0), kNowhere);
-  expect_near(compose(compose(kStart, inverse(X_OR)), test.told(1)), goal);
+  EXPECT_EQ(test.told({0}), kNowhere);
+  expect_near(compose(compose(kStart, inverse(X_OR)), test.told({1})), goal);
   // The two frames shift against each other: a little, then more than half of distance_epsilon.
   test.forget();
   test.world().positions.X_OM[{1}].x += 0.24;
   test.site.run(2);
-  EXPECT_EQ(test.told(1), kNowhere);
+  EXPECT_EQ(test.told({1}), kNowhere);
   test.world().positions.X_OM[{1}].x += 0.02;
   test.site.run(2);
-  expect_near(compose(compose(kStart, inverse(test.world().positions.X_OM[{1}])), test.told(1)), goal);
+  expect_near(compose(compose(kStart, inverse(test.world().positions.X_OM[{1}])), test.told({1})), goal);
 }
 
 TEST(Wavefront, plans_on_a_map_whose_origin_is_turned) {
@@ -716,10 +716,10 @@ TEST(Wavefront, stops_its_output_when_its_input_goes) {
   Planned test("", "position2d:1");
   test.world().positions.X_OM[{1}] = kStart;
   test.begin();
-  EXPECT_NE(test.told(1), kNowhere);
+  EXPECT_NE(test.told({1}), kNowhere);
   test.forget();
   test.site.retire_device(test.site.id(kRobot));
-  EXPECT_TRUE(test.was_halted(1));
+  EXPECT_TRUE(test.was_halted({1}));
   EXPECT_EQ(test.go_to(kGoal), device::Taken::kNo);
   EXPECT_EQ(test.site.held[test.site.id(kOther).row].size(), 0u);
 }

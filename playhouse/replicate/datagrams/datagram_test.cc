@@ -36,7 +36,7 @@ void expect_same(const Snapshot& snapshot, const ObservedWorld& world) {
 /// Somebody comes, goes, is taken along, or says something.
 void change(SmallWorld& small, Rng& rng) {
   world::World& world = small.world;
-  const auto any = [&] { return world.models.id[rng.bits() % world.models.size()]; };
+  const auto any = [&] { return world.models.id[world.models.id.rows()[rng.bits() % world.models.size()]]; };
   switch (rng.bits() % 5) {
     case 0:
       static_cast<void>(world::spawn(world, SmallWorld::robot(0), {1, 2, 0, 3}));

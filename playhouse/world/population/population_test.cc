@@ -391,7 +391,7 @@ TEST_F(PopulationTest, any_sequence_leaves_a_whole_world) {
   const auto some = [&](std::size_t below) { return static_cast<std::uint32_t>(rng.bits() % below); };
   const std::uint32_t prototypes[] = {0, 1, 4, 5};
   for (int step = 0; step < 400; ++step) {
-    const ModelId any = world.models.size() > 0 ? world.models.id[some(world.models.size())] : ModelId{};
+    const ModelId any = world.models.size() > 0 ? world.models.id[{some(world.models.size())}] : ModelId{};
     const geom::Pose X{rng.uniform(-5, 5), rng.uniform(-5, 5), 0, rng.uniform(-3, 3)};
     switch (some(5)) {
       case 0:
@@ -403,7 +403,7 @@ TEST_F(PopulationTest, any_sequence_leaves_a_whole_world) {
         break;
       case 3:
         if (world.models.size() > 0)
-          static_cast<void>(attach(world, any, world.models.id[some(world.models.size())], X).ok());
+          static_cast<void>(attach(world, any, world.models.id[{some(world.models.size())}], X).ok());
         break;
       default:
         static_cast<void>(detach(world, any).ok());
