@@ -56,7 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Result<scene::SceneDesc> scene = scene::load_world_text(kWorld, "fuzz.world", files);
   PLAYHOUSE_ASSERT(scene.ok());
   world::World world(*scene, 1);
-  const std::vector<std::uint32_t> rows{0, 1};
+  const std::vector<world::KindRow> rows{{{0}}, {{1}}};
   for (const scene::ModelKind kind :
        {scene::ModelKind::kRanger, scene::ModelKind::kFiducial, scene::ModelKind::kBlobfinder,
         scene::ModelKind::kCamera, scene::ModelKind::kDetector}) {

@@ -12,7 +12,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -60,10 +59,10 @@ class SharingEngine final : public world::Engine, private world::DividedWork {
   std::uint64_t rays() const override { return 0; }
 
  private:
-  std::vector<std::uint32_t> rows(world::Share share) const {
+  std::vector<world::KindRow> rows(world::Share share) const {
     const std::size_t all = world_.rangers.size(), begin = share.begin(all);
-    std::vector<std::uint32_t> rows(share.end(all) - begin);
-    std::iota(rows.begin(), rows.end(), static_cast<std::uint32_t>(begin));
+    std::vector<world::KindRow> rows(share.end(all) - begin);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = {{static_cast<std::uint32_t>(begin + i)}};
     return rows;
   }
   void compute(world::Share share, Bytes& out) override {
@@ -100,7 +99,7 @@ Bytes measurements(bool with_hashes) {
     Packer(body).u64(engine.world().hash());
     Packer(body).u64(engine.world().sensed_hash());
   }
-  world::pack_sensed(engine.world(), scene::ModelKind::kRanger, std::array<std::uint32_t, 1>{1}, body);
+  world::pack_sensed(engine.world(), scene::ModelKind::kRanger, std::array<world::KindRow, 1>{{{{1}}}}, body);
   return body;
 }
 

@@ -65,7 +65,7 @@ struct Edge {
 std::vector<Edge> edges_of(const world::World& world, world::ModelRow probe) {
   std::vector<Edge> edges;
   for (const world::ModelRow row : world.models.rows()) {
-    const scene::ModelDesc& desc = world.desc({row});
+    const scene::ModelDesc& desc = world.desc(row);
     if (desc.ranger_return < 0 || world.models.root[row] == probe) continue;
     const geom::Pose& X_WM = world.models.X_WM[row];
     const auto add = [&](const std::vector<geom::Vec2>& points, double low, double high) {

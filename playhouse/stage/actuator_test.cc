@@ -378,7 +378,7 @@ bool any_overlap(const World& world) {
   };
   std::vector<Body> bodies;
   for (const world::ModelRow row : world.models.rows()) {
-    const scene::ModelDesc& desc = world.desc({row});
+    const scene::ModelDesc& desc = world.desc(row);
     const geom::Pose X_WB = geom::compose(world.models.X_WM[row], desc.X_MB);
     Body body{{},
               X_WB.xy(),
