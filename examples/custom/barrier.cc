@@ -31,7 +31,7 @@ class Barrier : public pw::CustomKind {
 
   // The state is its heading when closed.
   void begin(const pw::CustomModel& self, std::span<double> state, std::span<double>) const override {
-    state[0] = self.world.models.X_PM[self.model.index].a;
+    state[0] = self.world.models.X_PM[self.model].a;
   }
 
   void act(pw::CustomActor& self) const override {
@@ -44,17 +44,17 @@ class Barrier : public pw::CustomKind {
 
   void sense(pw::CustomSensor& self) const override {
     self.readings[0] = opened(self.world, self.model, self.state[0]);
-    self.readings[1] = self.world.customs.stall[self.world.models.part[self.model.index]];
+    self.readings[1] = self.world.customs.stall[self.world.models.part[self.model]];
   }
 
   static double opened(const pw::World& world, pw::ModelRow model, double closed) {
-    return geom::normalize(world.models.X_PM[model.index].a - closed);
+    return geom::normalize(world.models.X_PM[model].a - closed);
   }
 
   bool is_robot_near(const pw::CustomModel& self) const {
-    const std::vector<geom::Pose>& X_WM = self.world.models.X_WM;
+    const pw::ByModel<geom::Pose>& X_WM = self.world.models.X_WM;
     return std::ranges::any_of(self.world.positions.model, [&](pw::ModelRow robot) {
-      const geom::Vec2 apart = X_WM[robot.index].xy() - X_WM[self.model.index].xy();
+      const geom::Vec2 apart = X_WM[robot].xy() - X_WM[self.model].xy();
       return geom::dot(apart, apart) < near_ * near_;
     });
   }

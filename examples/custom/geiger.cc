@@ -53,13 +53,13 @@ class Geiger : public pw::CustomKind {
 
   void sense(pw::CustomSensor& self) const override {
     const pw::Models& models = self.world.models;
-    const geom::Pose& X_WM = models.X_WM[self.model.index];
+    const geom::Pose& X_WM = models.X_WM[self.model];
     std::vector<pw::ModelRow> near;
     self.around.near(X_WM, kRange, near);
     double rate = background_, sources = 0;
     for (const pw::ModelRow other : near) {
-      if (models.fiducial_return[other.index] != source_) continue;
-      const geom::Pose& X_WO = models.X_WM[other.index];
+      if (models.fiducial_return[other] != source_) continue;
+      const geom::Pose& X_WO = models.X_WM[other];
       const double squared = std::max(squared_distance(X_WM, X_WO), kNearest * kNearest);
       rate += kActivity / squared * std::ldexp(1.0, -self.around.walls_between(X_WM, X_WO));
       ++sources;
