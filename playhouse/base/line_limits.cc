@@ -12,7 +12,7 @@ std::vector<LineLimits::Line> LineLimits::pass(std::string_view kind, Line line,
   std::vector<Line> out;
   tell_held(now, kSecondsUntilTold, out);
   const auto [found, is_new] = kinds_.try_emplace({line.level, std::string(kind)});
-  Kind& of = found->second;
+  LineKind& of = found->second;
   of.room = is_new ? kLines : std::min(kLines, of.room + (now - of.time) * kLinesPerSecond);
   of.time = now;
   if (of.room >= 1) {

@@ -34,7 +34,7 @@ class LineLimits {
   std::vector<Line> summaries(double now);
 
  private:
-  struct Kind {
+  struct LineKind {
     double room = 0;  // token bucket
     double time = 0;  // of the last update
     std::uint64_t held = 0;
@@ -43,7 +43,7 @@ class LineLimits {
   };
   void tell_held(double now, double for_seconds, std::vector<Line>& out);
 
-  std::map<std::pair<int, std::string>, Kind> kinds_;
+  std::map<std::pair<int, std::string>, LineKind> kinds_;
 };
 
 }  // namespace playhouse

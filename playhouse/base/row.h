@@ -34,20 +34,20 @@ struct Row {
 template <typename Table>
 class RowsOf {
  public:
-  struct Iterator {
+  struct RowIterator {
     Row<Table> row;
     constexpr Row<Table> operator*() const { return row; }
-    constexpr Iterator& operator++() {
+    constexpr RowIterator& operator++() {
       ++row;
       return *this;
     }
-    constexpr bool operator==(const Iterator&) const = default;
+    constexpr bool operator==(const RowIterator&) const = default;
   };
   constexpr RowsOf() : RowsOf(0) {}
   constexpr explicit RowsOf(std::size_t size) : end_{static_cast<std::uint32_t>(size)} {}
   constexpr RowsOf(Row<Table> first, Row<Table> end) : first_(first), end_(end) {}
-  constexpr Iterator begin() const { return {first_}; }
-  constexpr Iterator end() const { return {end_}; }
+  constexpr RowIterator begin() const { return {first_}; }
+  constexpr RowIterator end() const { return {end_}; }
   constexpr std::uint32_t size() const { return end_ - first_; }
   constexpr bool empty() const { return first_ == end_; }
   constexpr Row<Table> front() const { return first_; }

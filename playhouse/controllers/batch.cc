@@ -68,21 +68,21 @@ std::span<const std::uint32_t> Batch::by_id() {
 }
 
 void Batch::follow(World& world) {
-  using Kind = world::Event::Kind;
+  using EventKind = world::Event::EventKind;
   bool population = false, reload = false, rebuilt = false;
   const std::uint64_t first = next_event_;
   next_event_ = world.events.end();
   for (const world::Event& event : world.events.since(first)) {
-    reload |= event.kind == Kind::kReload;
-    population |= event.kind != Kind::kPlace && event.kind != Kind::kSet;
-    rebuilt |= event.kind != Kind::kSet && event.mobility == world::Mobility::kFixed;
+    reload |= event.kind == EventKind::kReload;
+    population |= event.kind != EventKind::kPlace && event.kind != EventKind::kSet;
+    rebuilt |= event.kind != EventKind::kSet && event.mobility == world::Mobility::kFixed;
   }
   if (population) follow_population(world, first, reload);
   prepare(world, rebuilt);
 }
 
 void Batch::follow_population(World& world, std::uint64_t first, bool reload) {
-  using Kind = world::Event::Kind;
+  using EventKind = world::Event::EventKind;
   for (std::size_t i = ids_.size(); i-- > 0;) {
     if (world.row(ids_[i])) {
       resolve(world, i);
@@ -108,7 +108,7 @@ void Batch::follow_population(World& world, std::uint64_t first, bool reload) {
   }
   const std::vector<world::Event> events(world.events.since(first).begin(), world.events.since(first).end());
   for (const world::Event& event : events)
-    for (std::uint32_t i = 0; event.kind == Kind::kSpawn && i < event.count; ++i)
+    for (std::uint32_t i = 0; event.kind == EventKind::kSpawn && i < event.count; ++i)
       take({event.model.value + i});
 }
 

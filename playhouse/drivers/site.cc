@@ -72,7 +72,7 @@ Result<void> Site::open_world(const std::string& path) {
 }
 
 void Site::happened(const world::World& world, const world::Event& event) {
-  using Kind = world::Event::Kind;
+  using Kind = world::Event::EventKind;
   const Directory& directory = model_devices_->directory();
   std::vector<device::Address> gone;
   if (event.kind == Kind::kReload) {

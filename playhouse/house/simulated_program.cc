@@ -95,7 +95,7 @@ SimulatedProgram::SimulatedProgram(net::Network& network, Options options)
   if (setting.has_observers) open_observers();
   if (setting.has_pages) open_page_server();
   simulation().follow(run::on_event([this](const world::World& world, const world::Event& event) {
-    if (event.kind == world::Event::Kind::kReload) options_.reloaded(world);
+    if (event.kind == world::Event::EventKind::kReload) options_.reloaded(world);
   }));
   simulation().follow(std::make_shared<Ticked>(options_.ticked));
   simulation().requests().record(true);

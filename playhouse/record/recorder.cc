@@ -23,21 +23,21 @@ namespace {
 constexpr const char* kWorldFrame = "world";
 constexpr const char* kChangesTopic = "/playhouse/changes";
 
-const char* word_of(world::Event::Kind kind) {
+const char* word_of(world::Event::EventKind kind) {
   switch (kind) {
-    case world::Event::Kind::kSpawn:
+    case world::Event::EventKind::kSpawn:
       return "came";
-    case world::Event::Kind::kDespawn:
+    case world::Event::EventKind::kDespawn:
       return "went";
-    case world::Event::Kind::kAttach:
+    case world::Event::EventKind::kAttach:
       return "attached";
-    case world::Event::Kind::kDetach:
+    case world::Event::EventKind::kDetach:
       return "detached";
-    case world::Event::Kind::kPlace:
+    case world::Event::EventKind::kPlace:
       return "placed";
-    case world::Event::Kind::kSet:
+    case world::Event::EventKind::kSet:
       return "set";
-    case world::Event::Kind::kReload:
+    case world::Event::EventKind::kReload:
       return "taken back";
   }
   return "";

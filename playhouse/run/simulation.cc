@@ -203,7 +203,7 @@ void Simulation::carry_out(const Inbox::Entry& entry) {
 void Simulation::finish_changes() {
   const world::World& world = engine_->world();
   const auto moves_rows = [](const world::Event& event) {
-    return event.kind != world::Event::Kind::kPlace && event.kind != world::Event::Kind::kSet;
+    return event.kind != world::Event::EventKind::kPlace && event.kind != world::Event::EventKind::kSet;
   };
   if (!world.deciders.empty() && std::ranges::any_of(world.events.since(settled_), moves_rows))
     journal_.apply(world::changes::StartControllers{});

@@ -135,7 +135,7 @@ TEST(Simulation, tells_its_followers_of_each_change_before_the_next_and_before_i
   StillSimulation still(kRobot);
   std::string told;
   still.simulation.follow(on_event([&](const world::World& world, const world::Event& event) {
-    told += event.kind == world::Event::Kind::kSpawn ? "came " : "went ";
+    told += event.kind == world::Event::EventKind::kSpawn ? "came " : "went ";
     told += std::to_string(world.models.size()) + ", ";
   }));
   still.simulation.follow(on_show([&](const world::World&, const world::Pace&) { told += "shown, "; }));
@@ -426,7 +426,8 @@ TEST(Simulation, tells_followers_and_then_listeners_that_the_world_is_another) {
   still.run(20);
   std::string told;
   still.simulation.follow(on_event([&](const world::World& world, const world::Event& event) {
-    if (event.kind == world::Event::Kind::kReload) told += "reloaded " + std::to_string(world.tick()) + ", ";
+    if (event.kind == world::Event::EventKind::kReload)
+      told += "reloaded " + std::to_string(world.tick()) + ", ";
   }));
   still.simulation.follow(on_show(
       [&](const world::World& world, const world::Pace&) { told += std::to_string(world.tick()) + ", "; }));

@@ -137,10 +137,10 @@ struct SceneDesc : WorldDesc {
   std::vector<TreeDesc> trees;
   /// Tokens of parts that differ from the prototype's, because a later
   /// model has taken the name; by row of `trees` and place in the tree.
-  struct Token {
+  struct ModelTokens {
     std::string name, alias;
   };
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Token> renamed;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, ModelTokens> renamed;
   /// The defines that `robot_types` names: rows of `models`, without what instances of the world add.
   std::map<std::string, std::uint32_t, std::less<>> robot_types;
   std::vector<std::string> warnings;  // "file:line: text", without duplicates

@@ -100,11 +100,11 @@ void BodyEngine::populate() {
 }
 
 void BodyEngine::ingest(std::span<const world::Event> events) {
-  using Kind = world::Event::Kind;
+  using EventKind = world::Event::EventKind;
   bool population = false, moved = false;
   for (const world::Event& event : events) {
-    if (event.kind == Kind::kSet) continue;
-    const bool places = event.kind == Kind::kPlace;
+    if (event.kind == EventKind::kSet) continue;
+    const bool places = event.kind == EventKind::kPlace;
     population |= !places || event.mobility == world::Mobility::kFixed || moves_within_body(event);
     moved |= places;
   }
@@ -119,14 +119,14 @@ void BodyEngine::ingest(std::span<const world::Event> events) {
 /// True if a rigidly attached part was moved on its body: enclosure has to be recomputed.
 bool BodyEngine::moves_within_body(const world::Event& event) const {
   const world::ModelRow model = world_.row(event.model);
-  return event.kind == world::Event::Kind::kPlace && model && world_.models.parent[model] &&
+  return event.kind == world::Event::EventKind::kPlace && model && world_.models.parent[model] &&
          !world::moves(world_.models.kind[model]);
 }
 
 /// Updates the solids of a tree that was teleported.
 void BodyEngine::replace(const world::Event& event) {
   const world::ModelRow model = world_.row(event.model);
-  if (event.kind != world::Event::Kind::kPlace || !model) return;
+  if (event.kind != world::Event::EventKind::kPlace || !model) return;
   const bodies::TreeRow tree = trees_.of_root(world_.models.root[model]);
   turn(solids_, world_.models, trees_.models_of(tree));
   place(solids_, world_.models, trees_.solids_of(tree));

@@ -183,7 +183,7 @@ TEST(GripperSense, robots_that_close_in_on_each_others_pucks_do_the_same_with_an
     one->step();
     three->step();
     for (const world::Event& event : one->world().events.since(0))
-      taken += event.kind == world::Event::Kind::kAttach ? 1 : 0;
+      taken += event.kind == world::Event::EventKind::kAttach ? 1 : 0;
     ASSERT_EQ(one->world().hash(), three->world().hash()) << k;
     ASSERT_EQ(one->world().sensed_hash(), three->world().sensed_hash()) << k;
   }

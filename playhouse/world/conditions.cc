@@ -76,9 +76,9 @@ Conditions::Conditions(const World& world, std::span<const std::string> texts) {
   for (const std::string& text : texts) {
     Result<scene::Condition> condition = scene::read_condition(text);
     PLAYHOUSE_ASSERT(condition.ok());
-    std::vector<Term>& terms = conditions_.emplace_back();
+    std::vector<ResolvedTerm>& terms = conditions_.emplace_back();
     for (scene::Term& says : *condition) {
-      Term& term = terms.emplace_back(Term{std::move(says), {}});
+      ResolvedTerm& term = terms.emplace_back(ResolvedTerm{std::move(says), {}});
       if (term.says.property != Property::kName) continue;
       for (const ModelRow model : world.models.rows())
         term.named.push_back(fits(term.says, world.name(model)) ? 1 : 0);
@@ -87,19 +87,19 @@ Conditions::Conditions(const World& world, std::span<const std::string> texts) {
 }
 
 bool Conditions::hold(const World& world, ModelRow model) const {
-  return std::ranges::any_of(conditions_, [&](const std::vector<Term>& terms) {
-    return std::ranges::all_of(terms, [&](const Term& term) { return holds(world, term, model); });
+  return std::ranges::any_of(conditions_, [&](const std::vector<ResolvedTerm>& terms) {
+    return std::ranges::all_of(terms, [&](const ResolvedTerm& term) { return holds(world, term, model); });
   });
 }
 
-bool Conditions::holds(const World& world, const Term& term, ModelRow model) {
+bool Conditions::holds(const World& world, const ResolvedTerm& term, ModelRow model) {
   bool one_has = false;
   for (; model && !one_has; model = world.models.parent[model]) one_has = has(world, term, model);
   const bool unwanted = term.says.compare == Compare::kIsNot || term.says.compare == Compare::kBelow;
   return one_has != unwanted;
 }
 
-bool Conditions::has(const World& world, const Term& term, ModelRow model) {
+bool Conditions::has(const World& world, const ResolvedTerm& term, ModelRow model) {
   switch (term.says.property) {
     case Property::kName:
       return term.named[model.index] != 0;

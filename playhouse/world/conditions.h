@@ -31,14 +31,14 @@ class Conditions {
   bool hold(const World& world, ModelRow model) const;
 
  private:
-  struct Term {
+  struct ResolvedTerm {
     scene::Term says;
     std::vector<std::uint8_t> named;  // of a name: 1 for models that have it                        (models)
   };
-  static bool holds(const World& world, const Term& term, ModelRow model);
-  static bool has(const World& world, const Term& term, ModelRow model);
+  static bool holds(const World& world, const ResolvedTerm& term, ModelRow model);
+  static bool has(const World& world, const ResolvedTerm& term, ModelRow model);
 
-  std::vector<std::vector<Term>> conditions_;
+  std::vector<std::vector<ResolvedTerm>> conditions_;
 };
 
 }  // namespace playhouse::world

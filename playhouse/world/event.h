@@ -19,7 +19,7 @@ enum class Mobility : std::uint8_t {
 };
 
 struct Event {
-  enum class Kind : std::uint8_t {
+  enum class EventKind : std::uint8_t {
     kSpawn,    // root `model` was added with all its parts
     kDespawn,  // root `model` was removed with all its parts: exactly `count` ids from its own on
     kAttach,   // `model` became a part of `other`
@@ -28,7 +28,7 @@ struct Event {
     kSet,      // a property of `model` was set
     kReload,  // another state of the same run was loaded: anything may be different; ids name the same models
   };
-  Kind kind;
+  EventKind kind;
   ModelId model, other;
   std::uint32_t count = 0;
   /// Mobility of `model` before the change; kFixed also if a part joined a fixed

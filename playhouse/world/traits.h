@@ -13,10 +13,10 @@ namespace playhouse::world {
 /// The row of a model in the table of a trait; none if it lacks the trait.
 template <typename Table>
 auto trait_row(const Table& table, ModelRow model) {
-  using Found = decltype(table.model.next());
+  using TraitRow = decltype(table.model.next());
   const auto found = std::ranges::lower_bound(table.model, model);
   const bool has = found != table.model.end() && *found == model;
-  return has ? Found{static_cast<std::uint32_t>(found - table.model.begin())} : Found{};
+  return has ? TraitRow{static_cast<std::uint32_t>(found - table.model.begin())} : TraitRow{};
 }
 
 /// The battery that supplies a model: its own, or that of

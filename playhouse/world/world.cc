@@ -156,10 +156,10 @@ scene::SourceLine World::where(ModelRow row) const {
   return from.place == 0 && from.tree != kNone ? trees_[from.tree].where : desc(row).where;
 }
 
-std::string World::token(ModelRow row, Token which) const {
+std::string World::token(ModelRow row, NameOrAlias which) const {
   const Origin from = origin(row);
   const scene::ModelDesc& model = desc(row);
-  const std::string& own = which == Token::kName ? model.name : model.alias;
+  const std::string& own = which == NameOrAlias::kName ? model.name : model.alias;
   const std::string& prototype = scene_->models[from.top].name;
   if (from.tree == kNone) {
     const auto given = given_.find(from.first);
@@ -167,18 +167,18 @@ std::string World::token(ModelRow row, Token which) const {
     return from.place == 0 ? given->second.name : scene::token_in(own, prototype, given->second.name);
   }
   const scene::TreeDesc& tree = trees_[from.tree];
-  if (from.place == 0) return which == Token::kName ? tree.name : tree.alias;
+  if (from.place == 0) return which == NameOrAlias::kName ? tree.name : tree.alias;
   if (const auto renamed = scene_->renamed.find({from.tree, from.place}); renamed != scene_->renamed.end())
-    return which == Token::kName ? renamed->second.name : renamed->second.alias;
+    return which == NameOrAlias::kName ? renamed->second.name : renamed->second.alias;
   return scene::token_in(own, prototype, tree.name);
 }
 
 std::string World::name(ModelRow row) const {
-  return token(row, Token::kName);
+  return token(row, NameOrAlias::kName);
 }
 
 std::string World::alias(ModelRow row) const {
-  return token(row, Token::kAlias);
+  return token(row, NameOrAlias::kAlias);
 }
 
 void World::index_names() const {
@@ -207,8 +207,8 @@ void World::add_names(ModelRow first) const {
   for (const ModelRow row : RowsOf(first, models.id.next())) {
     if (desc(row).parent >= 0) continue;
     const Origin from = origin(row);
-    by_name_.insert({token_of(from, Token::kName), from.first});
-    if (from.tree != ModelRow::kNone) by_alias_.insert({token_of(from, Token::kAlias), from.first});
+    by_name_.insert({token_of(from, NameOrAlias::kName), from.first});
+    if (from.tree != ModelRow::kNone) by_alias_.insert({token_of(from, NameOrAlias::kAlias), from.first});
   }
 }
 
@@ -217,19 +217,19 @@ void World::remove_names(ModelRow row) const {
   if (!names_known_ || desc(row).parent >= 0) return;
   fresh_from_.clear();
   const Origin from = origin(row);
-  by_name_.erase({token_of(from, Token::kName), from.first});
-  if (from.tree != ModelRow::kNone) by_alias_.erase({token_of(from, Token::kAlias), from.first});
+  by_name_.erase({token_of(from, NameOrAlias::kName), from.first});
+  if (from.tree != ModelRow::kNone) by_alias_.erase({token_of(from, NameOrAlias::kAlias), from.first});
 }
 
 /// Token of a tree's root; constant during its lifetime.
-std::string_view World::token_of(const Origin& from, Token which) const {
+std::string_view World::token_of(const Origin& from, NameOrAlias which) const {
   if (from.tree != ModelRow::kNone)
-    return which == Token::kName ? trees_[from.tree].name : trees_[from.tree].alias;
+    return which == NameOrAlias::kName ? trees_[from.tree].name : trees_[from.tree].alias;
   const auto given = given_.find(from.first);
   return given == given_.end() ? scene_->models[from.top].name : given->second.name;
 }
 
-ModelRow World::find(std::string_view token, Token which) const {
+ModelRow World::find(std::string_view token, NameOrAlias which) const {
   ModelRow found;
   const auto take = [&](ModelId id) {
     const ModelRow at = row(id);
@@ -239,23 +239,23 @@ ModelRow World::find(std::string_view token, Token which) const {
     for (auto at = list.lower_bound({wanted, {0}}); at != list.end() && at->token == wanted; ++at)
       visit(at->id);
   };
-  each(which == Token::kName ? by_name_ : by_alias_, token, take);
+  each(which == NameOrAlias::kName ? by_name_ : by_alias_, token, take);
   for (std::size_t dot = token.find('.'); dot != std::string_view::npos; dot = token.find('.', dot + 1)) {
     each(by_name_, token.substr(0, dot), [&](ModelId id) {
       const std::uint32_t top = models.desc[row(id)];
       const std::string wanted = scene_->models[top].name + std::string(token.substr(dot));
       for (std::uint32_t part = top + scene::tree_size(*scene_, top); --part > top;) {
         const scene::ModelDesc& model = scene_->models[part];
-        if ((which == Token::kName ? model.name : model.alias) == wanted) take({id.value + part - top});
+        if ((which == NameOrAlias::kName ? model.name : model.alias) == wanted) take({id.value + part - top});
       }
     });
   }
   for (const auto& [place, renamed] : scene_->renamed)
-    if ((which == Token::kName ? renamed.name : renamed.alias) == token)
+    if ((which == NameOrAlias::kName ? renamed.name : renamed.alias) == token)
       take({first_id_[place.first] + place.second});
   for (const std::uint32_t odd : odd_) {
     const scene::ModelDesc& model = scene_->models[odd];
-    if ((which == Token::kName ? model.name : model.alias) != token) continue;
+    if ((which == NameOrAlias::kName ? model.name : model.alias) != token) continue;
     for (const ModelRow at : models.rows())
       if (models.desc[at] == odd) take(models.id[at]);
   }
@@ -265,8 +265,8 @@ ModelRow World::find(std::string_view token, Token which) const {
 /// Given names take precedence over default names, later ones over earlier ones.
 ModelRow World::find(std::string_view name) const {
   if (!names_known_) index_names();
-  const ModelRow given = find(name, Token::kName);
-  return given ? given : find(name, Token::kAlias);
+  const ModelRow given = find(name, NameOrAlias::kName);
+  return given ? given : find(name, NameOrAlias::kAlias);
 }
 
 std::uint32_t World::fresh_number(const std::string& name) const {
@@ -403,7 +403,7 @@ bool set_spatial_pose(World& world, ModelRow model, const geom::SpatialPose& X_P
   place_tree(world, model);
   world.models.V_WM.set(model, {});
   wake(world.models);
-  world.events.add({Event::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model]});
+  world.events.add({Event::EventKind::kPlace, world.id(model), {}, 0, world.models.mobility[model]});
   return true;
 }
 
@@ -419,7 +419,7 @@ void return_to_start(World& world) {
                     population.start_of({row}));
   for (const ModelRow row : world.models.rows()) {
     if (pose_in_parent(world.models, {row}) == pose_in_parent(start.models, {row})) continue;
-    world.events.add({Event::Kind::kPlace, world.models.id[row], {}, 0, world.models.mobility[row]});
+    world.events.add({Event::EventKind::kPlace, world.models.id[row], {}, 0, world.models.mobility[row]});
   }
   each_column(
       [](const auto& column, auto& values, const auto& first_values) {
@@ -447,12 +447,12 @@ bool command_joint_position(World& world, ActuatorRow actuator, double position)
 
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id) {
   world.models.fiducial_return[model] = id;
-  world.events.add({Event::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model]});
+  world.events.add({Event::EventKind::kSet, world.id(model), {}, 0, world.models.mobility[model]});
 }
 
 void set_color(World& world, ModelRow model, const scene::Color& color) {
   world.models.color.set(model, color);
-  world.events.add({Event::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model]});
+  world.events.add({Event::EventKind::kSet, world.id(model), {}, 0, world.models.mobility[model]});
 }
 
 void set_say(World& world, ModelRow model, std::string_view text) {

@@ -128,16 +128,16 @@ class World : public Tables {
   /// Hash of those columns of a model for whose role `is_in(role)` holds, with the model's id.
   std::uint64_t hash_of(ModelRow model, bool (*is_in)(Role)) const;
   /// The two names of a model.
-  enum class Token : std::uint8_t { kName, kAlias };
-  std::string token(ModelRow row, Token which) const;
-  ModelRow find(std::string_view token, Token which) const;
+  enum class NameOrAlias : std::uint8_t { kName, kAlias };
+  std::string token(ModelRow row, NameOrAlias which) const;
+  ModelRow find(std::string_view token, NameOrAlias which) const;
   /// Canonical number of a description for hash(), independent of sharing: the model's id if the
   /// scene's model of that id has this description, else the id of the first model that has it.
   std::uint32_t like(ModelRow row) const;
   void index_names() const;
   void add_names(ModelRow first) const;
   void remove_names(ModelRow row) const;
-  std::string_view token_of(const Origin& from, Token which) const;
+  std::string_view token_of(const Origin& from, NameOrAlias which) const;
 
   const scene::SceneDesc* scene_;
   std::vector<scene::TreeDesc> made_;       // used if the scene lists no trees
@@ -165,15 +165,15 @@ class World : public Tables {
 
 class World::Children {
  public:
-  class Iterator {
+  class ChildIterator {
    public:
-    Iterator(const ByRow<ModelTable, ModelRow>& next, ModelRow row) : next_(&next), row_(row) {}
+    ChildIterator(const ByRow<ModelTable, ModelRow>& next, ModelRow row) : next_(&next), row_(row) {}
     ModelRow operator*() const { return row_; }
-    Iterator& operator++() {
+    ChildIterator& operator++() {
       row_ = (*next_)[row_];
       return *this;
     }
-    friend bool operator==(const Iterator& a, const Iterator& b) { return a.row_ == b.row_; }
+    friend bool operator==(const ChildIterator& a, const ChildIterator& b) { return a.row_ == b.row_; }
 
    private:
     const ByRow<ModelTable, ModelRow>* next_;
@@ -182,8 +182,8 @@ class World::Children {
 
   Children(const Models& models, ModelRow row)
       : next_(models.next_sibling), first_(models.first_child[row]) {}
-  Iterator begin() const { return {next_, first_}; }
-  Iterator end() const { return {next_, ModelRow{}}; }
+  ChildIterator begin() const { return {next_, first_}; }
+  ChildIterator end() const { return {next_, ModelRow{}}; }
   bool empty() const { return !first_; }
 
  private:

@@ -51,7 +51,7 @@ TEST(World, children_follow_when_their_parent_is_put_elsewhere) {
   EXPECT_NEAR(world.models.X_WM[{1}].x, -0.9, 1e-12);
   EXPECT_NEAR(world.models.X_WM[{1}].y, 0, 1e-12);
   ASSERT_EQ(world.events.since(0).size(), 1u);
-  EXPECT_EQ(world.events.since(0)[0].kind, Event::Kind::kPlace);
+  EXPECT_EQ(world.events.since(0)[0].kind, Event::EventKind::kPlace);
   EXPECT_EQ(world.events.since(0)[0].model, ModelId{0});
   EXPECT_NEAR(world.positions.X_OM[{0}].x, -1, 1e-12);
 }

@@ -33,9 +33,9 @@ Result<void> follow(Site& site, const Wired& devices, Shell& shell) {
   shell.follow_ticks(simulation->world().tick());
   simulation->follow(
       run::on_event([&shell, own, robot](const world::World& world, const world::Event& event) {
-        if (event.kind == world::Event::Kind::kReload)
+        if (event.kind == world::Event::EventKind::kReload)
           shell.rewound({world.tick(), world.time(), own ^ mix64(world.seed())});
-        if (event.kind == world::Event::Kind::kPlace && event.model == robot) shell.placed();
+        if (event.kind == world::Event::EventKind::kPlace && event.model == robot) shell.placed();
       }));
   simulation->follow(
       run::on_show([&shell](const world::World& world, const world::Pace&) { shell.ticked(world.tick()); }));

@@ -46,7 +46,7 @@ bool AutoDevices::open_port(std::size_t number) {
 }
 
 void AutoDevices::happened(const world::World& world, const world::Event& event) {
-  using Kind = world::Event::Kind;
+  using Kind = world::Event::EventKind;
   if (event.kind == Kind::kReload) return go_and_come_back(world);
   if (event.kind == Kind::kDespawn)
     for (std::uint32_t part = 0; part < event.count; ++part) go(world, {event.model.value + part});

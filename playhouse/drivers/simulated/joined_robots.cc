@@ -33,7 +33,7 @@ JoinedRobots::JoinedRobots(run::Simulation& simulation) : simulation_(simulation
 
 /// Removes the sensors of a robot that has been removed, before the next tick.
 void JoinedRobots::follow(run::Simulation& simulation, Brought& brought, const world::Event& event) {
-  if (event.kind != world::Event::Kind::kDespawn) return;
+  if (event.kind != world::Event::EventKind::kDespawn) return;
   const auto found = brought.find(event.model);
   if (found == brought.end()) return;
   std::vector<Joined>& robots = found->second->robots;

@@ -11,7 +11,7 @@ ModelDevices::ModelDevices(run::Simulation& simulation, device::Publisher& publi
 
 /// Data of before do not count in another state.
 void ModelDevices::happened(const world::World&, const world::Event& event) {
-  if (event.kind == world::Event::Kind::kReload) publisher_.forget();
+  if (event.kind == world::Event::EventKind::kReload) publisher_.forget();
 }
 
 /// A few messages are encoded at once; many are left to the publisher thread.

@@ -486,7 +486,7 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
   population.append_tree(top, prototype, count, X);
   population.settle(first);
   population.add_names(first);
-  world.events.add({Event::Kind::kSpawn, top, {}, count, world.models.mobility[first]});
+  world.events.add({Event::EventKind::kSpawn, top, {}, count, world.models.mobility[first]});
   return top;
 }
 
@@ -552,7 +552,7 @@ Result<void> despawn(World& world, std::span<const ModelId> models) {
   const auto count_of = [&](ModelRow top) { return scene::tree_size(world.scene(), world.models.desc[top]); };
   for (const ModelId model : models) {
     const ModelRow top = world.row(model);
-    world.events.add({Event::Kind::kDespawn, model, {}, count_of(top), world.models.mobility[top]});
+    world.events.add({Event::EventKind::kDespawn, model, {}, count_of(top), world.models.mobility[top]});
   }
   std::vector<RowsOf<ModelTable>> runs;  // trees have consecutive ids, hence consecutive rows
   for (const ModelRow top : *tops) runs.push_back({top, top + count_of(top)});
@@ -614,7 +614,7 @@ Result<void> attach(World& world, std::span<const AttachedChild> children, Model
     models.tilt_PM.set(row, {});
     place_tree(world, row);
     models.V_WM.set(row, {});
-    world.events.add({Event::Kind::kAttach, child, parent, 0, std::min(Mobility::kLoose, parents)});
+    world.events.add({Event::EventKind::kAttach, child, parent, 0, std::min(Mobility::kLoose, parents)});
   }
   wake(models);
   return {};
@@ -650,7 +650,7 @@ Result<void> detach(World& world, std::span<const ModelId> children) {
     const ModelRow row = world.row(children[i]), parent = world.row(parents[i]);
     models.V_WM.set(row, {});
     const Mobility least = std::min({mobility[i], models.mobility[parent], models.mobility[row]});
-    world.events.add({Event::Kind::kDetach, children[i], parents[i], 0, least});
+    world.events.add({Event::EventKind::kDetach, children[i], parents[i], 0, least});
   }
   wake(models);
   return {};

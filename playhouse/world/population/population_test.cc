@@ -276,7 +276,7 @@ TEST_F(PopulationTest, several_are_attached_and_detached_as_they_would_be_one_by
     attachments.push_back({pucks.back(), {0.1 * i, 0.2, 0, 0.5}});
   }
   const auto kinds = [](const World& w) {
-    std::vector<std::pair<Event::Kind, Mobility>> list;
+    std::vector<std::pair<Event::EventKind, Mobility>> list;
     for (const Event& event : w.events.since(0)) list.emplace_back(event.kind, event.mobility);
     return list;
   };
@@ -317,7 +317,7 @@ TEST_F(PopulationTest, several_go_as_they_would_one_by_one) {
   EXPECT_EQ(world.hash(), other.hash());
   std::vector<ModelId> gone;
   for (const Event& event : world.events.since(before))
-    if (event.kind == Event::Kind::kDespawn) gone.push_back(event.model);
+    if (event.kind == Event::EventKind::kDespawn) gone.push_back(event.model);
   EXPECT_EQ(gone, going);
   ASSERT_TRUE(despawn(world, std::vector(world.models.id)[0]).ok()) << "the wall";
 }
@@ -359,15 +359,15 @@ TEST_F(PopulationTest, every_change_is_in_the_list) {
   ASSERT_TRUE(set_pose(world, world.row(id), {2, 2, 0, 0}));
   set_color(world, world.row(id), {});
   ASSERT_TRUE(despawn(world, id).ok());
-  using Kind = Event::Kind;
-  std::vector<Kind> kinds;
+  using EventKind = Event::EventKind;
+  std::vector<EventKind> kinds;
   for (const Event& event : world.events.since(0)) {
     EXPECT_EQ(event.model, id);
     EXPECT_EQ(event.mobility, Mobility::kLoose);
     kinds.push_back(event.kind);
   }
-  EXPECT_EQ(kinds, (std::vector<Kind>{Kind::kSpawn, Kind::kAttach, Kind::kDetach, Kind::kPlace, Kind::kSet,
-                                      Kind::kDespawn}));
+  EXPECT_EQ(kinds, (std::vector<EventKind>{EventKind::kSpawn, EventKind::kAttach, EventKind::kDetach,
+                                           EventKind::kPlace, EventKind::kSet, EventKind::kDespawn}));
   world.events.drop_before(4);
   EXPECT_EQ(world.events.since(0).size(), 2u);
   EXPECT_EQ(world.events.since(5).size(), 1u);

@@ -9,7 +9,7 @@ namespace playhouse::world {
 
 Result<void> Shares::check(const World& world, const std::string& peer) {
   if (const auto found = shares_.find(peer); found != shares_.end()) {
-    Share& share = found->second;
+    NodeTrees& share = found->second;
     if (is_full(share.sum) && share.population != world.population()) forget_removed(world, share);
     if (is_full(share.sum))
       return Error{
@@ -28,7 +28,7 @@ void Shares::add(const World& world, const std::string& peer, ModelId root) {
     for (auto& [other, share] : shares_) forget_removed(world, share);
     std::erase_if(shares_, [](const auto& each) { return each.second.trees.empty(); });
   }
-  Share& share = shares_[peer];
+  NodeTrees& share = shares_[peer];
   const Amount amount = amount_of(world, row);
   share.trees.push_back({root, amount});
   share.sum.models += amount.models;
@@ -53,7 +53,7 @@ bool Shares::is_full(const Amount& amount) {
          amount.beams >= limits::kBroughtByOneBeams;
 }
 
-void Shares::forget_removed(const World& world, Share& share) {
+void Shares::forget_removed(const World& world, NodeTrees& share) {
   std::erase_if(share.trees, [&](const Tree& tree) { return !world.row(tree.root); });
   share.sum = {};
   for (const Tree& tree : share.trees) {

@@ -32,16 +32,16 @@ class Shares {
     ModelId root;
     Amount amount;
   };
-  struct Share {
+  struct NodeTrees {
     std::vector<Tree> trees;
     Amount sum;
     std::uint64_t population = 0;  // World::population() of the sum
   };
   static Amount amount_of(const World& world, ModelRow root);
   static bool is_full(const Amount& amount);
-  static void forget_removed(const World& world, Share& share);
+  static void forget_removed(const World& world, NodeTrees& share);
 
-  std::map<std::string, Share> shares_;
+  std::map<std::string, NodeTrees> shares_;
 };
 
 }  // namespace playhouse::world

@@ -150,7 +150,7 @@ class Loader {
       if (world_.models.root[row] == row) place(row);
     users.give_back(world_.models);
     ++world_.said_;
-    world_.events.add({Event::Kind::kReload, {}, {}, 0, Mobility::kFixed});
+    world_.events.add({Event::EventKind::kReload, {}, {}, 0, Mobility::kFixed});
     return read_deciders();
   }
 
