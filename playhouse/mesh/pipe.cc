@@ -52,10 +52,10 @@ bool Pipe::read(void* to, std::size_t bytes) {
   return true;
 }
 
-std::optional<Pipe::Message> Pipe::receive(std::size_t most) {
+std::optional<Pipe::PipeMessage> Pipe::receive(std::size_t most) {
   Head head;
   if (!read(&head, sizeof head) || head.bytes > most) return std::nullopt;
-  Message message{head.kind, std::vector<std::byte>(static_cast<std::size_t>(head.bytes))};
+  PipeMessage message{head.kind, std::vector<std::byte>(static_cast<std::size_t>(head.bytes))};
   if (!read(message.bytes.data(), message.bytes.size())) return std::nullopt;
   return message;
 }

@@ -15,14 +15,14 @@ class Pipe {
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
-  struct Message {
+  struct PipeMessage {
     char kind = 0;
     std::vector<std::byte> bytes;
   };
   /// False if the peer has closed.
   bool send(char kind, std::span<const std::byte> bytes);
   /// None if the peer has closed, or sends more than `most` bytes.
-  std::optional<Message> receive(std::size_t most);
+  std::optional<PipeMessage> receive(std::size_t most);
 
  private:
   bool read(void* to, std::size_t bytes);

@@ -31,7 +31,7 @@ enum Message : char { kWants = 'w', kBytes = 'b', kNone = 'n', kMesh = 'm', kErr
 std::span<const std::byte> bytes_of(std::string_view text) {
   return std::as_bytes(std::span(text));
 }
-std::string text_of(const Pipe::Message& message) {
+std::string text_of(const Pipe::PipeMessage& message) {
   return {reinterpret_cast<const char*>(message.bytes.data()), message.bytes.size()};
 }
 
@@ -42,7 +42,7 @@ Error error_of(const std::string& path, std::string text) {
 /// Requests a file from the parent.
 Result<std::string> ask(Pipe& pipe, Allowance& allowance, const std::string& path) {
   if (!pipe.send(kWants, bytes_of(path))) ::abort();
-  const std::optional<Pipe::Message> answer = pipe.receive(limits::kMeshFileBytes);
+  const std::optional<Pipe::PipeMessage> answer = pipe.receive(limits::kMeshFileBytes);
   if (!answer) ::abort();
   allowance.grow(answer->bytes.size());
   if (answer->kind == kBytes) return text_of(*answer);
@@ -63,7 +63,7 @@ void take_apart(Pipe& pipe, Allowance& allowance, const std::string& path) {
 Result<MeshFile> serve(OwnProcess& process, const std::string& path, const ReadFile& read) {
   Pipe& pipe = *process.pipe();
   std::size_t given = 0;  // B
-  while (const std::optional<Pipe::Message> message = pipe.receive(limits::kMeshMemoryBytes)) {
+  while (const std::optional<Pipe::PipeMessage> message = pipe.receive(limits::kMeshMemoryBytes)) {
     if (message->kind == kError) return error_of(path, text_of(*message));
     if (message->kind == kMesh) {
       std::optional<MeshFile> file = unpacked(message->bytes);

@@ -15,7 +15,7 @@
 namespace playhouse::scene {
 
 struct RobotDesc {
-  struct Sensor {
+  struct SensorDesc {
     std::string type;
     std::optional<geom::Pose> X_RS;  // in the robot; none: from its type
   };
@@ -25,7 +25,7 @@ struct RobotDesc {
   geom::Pose X_WR;                         // x, y and heading
   std::optional<std::uint16_t> port;       // port for its devices; 0: any free one
   std::string color;                       // "": that of the type
-  std::vector<Sensor> sensors;             // in addition to those of its type
+  std::vector<SensorDesc> sensors;         // in addition to those of its type
   std::map<std::string, int> first_index;  // first device index by interface; default 0
 };
 

@@ -542,13 +542,13 @@ bool WorldLoader::read_mesh_body(const Properties& properties, const Kind& kind,
   if (has_other || properties.has("noblocks") || properties.has("boundary"))
     state_.warnings.add(Warning::kNoEffect, where,
                         "a mesh is all of a body: blocks, bitmap, noblocks and boundary have no effect");
-  const MeshBodies::Entry* entry = shape_files_.mesh(name, where);
+  const MeshBodies::LoadedMesh* entry = shape_files_.mesh(name, where);
   if (state_.over || entry == nullptr || !entry->mesh) return true;
   const mesh::Placement at = read_placement(properties);
   if (state_.error) return true;
   const bool has_size = properties.has("size");
   if (has_size) check_body_size(model.size, properties);
-  const MeshBodies::Body* const body =
+  const MeshBodies::MeshBody* const body =
       shape_files_.mesh_body(*entry, has_size && at.is_fitted ? &model.size : nullptr, at, where);
   if (!body) return true;
   for (const Block& block : body->blocks) corners_.spend(block.points.size(), where, state_);
@@ -571,7 +571,7 @@ void WorldLoader::read_look(const Properties& properties, const Kind& kind, Mode
     state_.fail(where, "a gripper has paddles and no look; a model inside it may have one");
     return;
   }
-  const MeshBodies::Entry* entry = shape_files_.mesh(name, where, "look");
+  const MeshBodies::LoadedMesh* entry = shape_files_.mesh(name, where, "look");
   if (state_.over || entry == nullptr || !entry->mesh) return;
   model.body.look = entry->path;
   if (!body_size(model.size)) {
@@ -580,7 +580,7 @@ void WorldLoader::read_look(const Properties& properties, const Kind& kind, Mode
   }
   const mesh::Placement at = read_placement(properties);
   if (state_.error) return;
-  const MeshBodies::Body* const body =
+  const MeshBodies::MeshBody* const body =
       shape_files_.mesh_body(*entry, at.is_fitted ? &model.size : nullptr, at, where);
   if (!body) return;
   model.look = body->mesh;

@@ -38,7 +38,7 @@ std::string value_of(const scene::RobotDesc& robot) {
   const auto add = [&value](const std::string& text) { value.append(text).push_back('\0'); };
   add(robot.name);
   add(robot.color);
-  for (const scene::RobotDesc::Sensor& sensor : robot.sensors) {
+  for (const scene::RobotDesc::SensorDesc& sensor : robot.sensors) {
     const auto& X = sensor.X_RS;
     add(X ? fmt::format("{} {} {} {}", sensor.type, X->x, X->y, X->a) : sensor.type);
   }

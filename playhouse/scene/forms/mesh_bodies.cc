@@ -67,14 +67,14 @@ std::vector<Block> outlines_of(const mesh::Mesh& mesh) {
   return blocks.empty() ? box_of(mesh) : blocks;
 }
 
-const MeshBodies::Entry* MeshBodies::find(const std::string& path) const {
+const MeshBodies::LoadedMesh* MeshBodies::find(const std::string& path) const {
   const auto found = entries_.find(path);
   return found == entries_.end() ? nullptr : &found->second;
 }
 
-const MeshBodies::Entry& MeshBodies::read(const std::string& path, const std::string& bytes,
-                                          FileReader& files) {
-  Entry& entry = entries_[path];
+const MeshBodies::LoadedMesh& MeshBodies::read(const std::string& path, const std::string& bytes,
+                                               FileReader& files) {
+  LoadedMesh& entry = entries_[path];
   entry.path = path;
   Result<mesh::MeshFile> file = mesh::read_mesh(path, [&](const std::string& wanted) {
     Result<std::string> read = wanted == path ? Result<std::string>(bytes) : files.read(wanted);
@@ -90,10 +90,10 @@ const MeshBodies::Entry& MeshBodies::read(const std::string& path, const std::st
   return entry;
 }
 
-const MeshBodies::Body& MeshBodies::body(const Entry& entry, const geom::Size* size,
-                                         const mesh::Placement& at) const {
+const MeshBodies::MeshBody& MeshBodies::body(const LoadedMesh& entry, const geom::Size* size,
+                                             const mesh::Placement& at) const {
   const auto [found, is_new] = entry.bodies.try_emplace(key_of(size, at));
-  Body& body = found->second;
+  MeshBody& body = found->second;
   body.is_new = is_new;
   if (!is_new) return body;
   Result<mesh::Mesh> whole = in_body(*entry.mesh, at);

@@ -20,7 +20,7 @@ namespace playhouse::scene {
 class MeshBodies {
  public:
   /// A mesh in B: as placed, and if it is fitted, scaled to a size.
-  struct Body {
+  struct MeshBody {
     std::shared_ptr<const mesh::Mesh> mesh;  // null: not possible
     std::string why_none;
     geom::Size size;  // its extent, unless one is given
@@ -28,24 +28,24 @@ class MeshBodies {
     std::size_t corners = 0;  // of the mesh
     bool is_new = true;       // not yet requested
   };
-  struct Entry {
+  struct LoadedMesh {
     std::string path;
     std::shared_ptr<const mesh::Mesh> mesh;  // in F; null: unreadable
     std::string why_none;
     std::vector<std::string> warnings;
-    std::size_t bytes = 0;                                  // of all its files
-    mutable std::map<std::array<double, 13>, Body> bodies;  // by size and placement
+    std::size_t bytes = 0;                                      // of all its files
+    mutable std::map<std::array<double, 13>, MeshBody> bodies;  // by size and placement
   };
 
   /// A cached entry, readable or not; null if there is none.
-  const Entry* find(const std::string& path) const;
+  const LoadedMesh* find(const std::string& path) const;
   /// Parses the mesh in these bytes, read from `path`, not cached yet; references are read from `files`.
-  const Entry& read(const std::string& path, const std::string& bytes, FileReader& files);
+  const LoadedMesh& read(const std::string& path, const std::string& bytes, FileReader& files);
   /// A readable mesh, placed and, if it is fitted, scaled to a size; null: at its own size.
-  const Body& body(const Entry& entry, const geom::Size* size, const mesh::Placement& at) const;
+  const MeshBody& body(const LoadedMesh& entry, const geom::Size* size, const mesh::Placement& at) const;
 
  private:
-  std::map<std::string, Entry> entries_;
+  std::map<std::string, LoadedMesh> entries_;
 };
 
 /// 2D outlines of a mesh in B; its bounding box if no part has an area.

@@ -29,8 +29,8 @@ std::vector<std::string> ShapeFiles::folders(SourceLine where) const {
   return folders_for(names.front(), names[where.file], files_);
 }
 
-const MeshBodies::Entry* ShapeFiles::mesh(const std::string& name, SourceLine where,
-                                          const std::string& word) {
+const MeshBodies::LoadedMesh* ShapeFiles::mesh(const std::string& name, SourceLine where,
+                                               const std::string& word) {
   const Result<FoundFile> found = look_for(
       word, name, where, [&](const std::string& path) { return meshes_.find(path) != nullptr; },
       mesh::is_mesh_name);
@@ -39,7 +39,7 @@ const MeshBodies::Entry* ShapeFiles::mesh(const std::string& name, SourceLine wh
     return nullptr;
   }
   if (!found->bytes) return meshes_.find(found->path);
-  const MeshBodies::Entry& entry = meshes_.read(found->path, *found->bytes, files_);
+  const MeshBodies::LoadedMesh& entry = meshes_.read(found->path, *found->bytes, files_);
   mesh_bytes_.spend(entry.bytes, where, state_);
   if (!entry.mesh) state_.fail(where, word + " " + in_quotes(found->path) + " " + entry.why_none);
   for (const std::string& warning : entry.warnings)
@@ -47,9 +47,9 @@ const MeshBodies::Entry* ShapeFiles::mesh(const std::string& name, SourceLine wh
   return &entry;
 }
 
-const MeshBodies::Body* ShapeFiles::mesh_body(const MeshBodies::Entry& entry, const geom::Size* size,
-                                              const mesh::Placement& at, SourceLine where) {
-  const MeshBodies::Body& body = meshes_.body(entry, size, at);
+const MeshBodies::MeshBody* ShapeFiles::mesh_body(const MeshBodies::LoadedMesh& entry, const geom::Size* size,
+                                                  const mesh::Placement& at, SourceLine where) {
+  const MeshBodies::MeshBody& body = meshes_.body(entry, size, at);
   if (body.is_new) mesh_copies_.spend(body.corners, where, state_);
   if (body.mesh) return &body;
   state_.fail(where,

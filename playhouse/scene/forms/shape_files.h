@@ -37,10 +37,11 @@ class ShapeFiles {
   /// The bitmap of a model of this size; null if it has none, or the load is aborted.
   const TracedBitmap* bitmap(const Properties& properties, const geom::Size& size);
   /// A mesh with its path; null, with an error, if it cannot be found.
-  const MeshBodies::Entry* mesh(const std::string& name, SourceLine where, const std::string& word = "mesh");
+  const MeshBodies::LoadedMesh* mesh(const std::string& name, SourceLine where,
+                                     const std::string& word = "mesh");
   /// A readable mesh as a body (MeshBodies::body()); null, with an error, if its placement is not possible.
-  const MeshBodies::Body* mesh_body(const MeshBodies::Entry& entry, const geom::Size* size,
-                                    const mesh::Placement& at, SourceLine where);
+  const MeshBodies::MeshBody* mesh_body(const MeshBodies::LoadedMesh& entry, const geom::Size* size,
+                                        const mesh::Placement& at, SourceLine where);
 
  private:
   /// Warns if the file is not where the original would look.

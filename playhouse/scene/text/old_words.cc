@@ -135,7 +135,8 @@ Section OldWords::rewritten(const ExpandedSection& entity, const Kind& kind, con
     if (!to.fields.find(word.key)) now.fields.push_back(std::move(word));
   for (auto& [name, parts] : to.parts) {
     if (!parts) continue;
-    for (Entity& part : *parts) now.sections.push_back({name, entity.where, std::move(part.words), {}});
+    for (TranslatedEntity& part : *parts)
+      now.sections.push_back({name, entity.where, std::move(part.words), {}});
   }
   return now;
 }
@@ -186,7 +187,7 @@ void OldWords::check_places(const Field& count, const Rewriting& of) {
 }
 
 bool OldWords::apply_to_parts(const Field& field, const Meaning& meaning, Rewriting& to) {
-  std::optional<std::vector<Entity>>& parts = parts_of(meaning.part, to);
+  std::optional<std::vector<TranslatedEntity>>& parts = parts_of(meaning.part, to);
   if (!parts) return false;
   const Key key = key_of(field.key);
   if (meaning.how == Meaning::How::kCount) return true;
@@ -196,7 +197,7 @@ bool OldWords::apply_to_parts(const Field& field, const Meaning& meaning, Rewrit
   for (std::size_t i = key.index.value_or(0); i < (key.index ? *key.index + std::size_t{1} : parts->size());
        ++i) {
     if (i >= parts->size()) break;
-    Entity& part = (*parts)[i];
+    TranslatedEntity& part = (*parts)[i];
     if (meaning.how == Meaning::How::kWords) {
       apply_words(field, meaning, part);
     } else if (const Word* const word = find_word(*part.kind, key_of(key.rest).word);
@@ -208,7 +209,7 @@ bool OldWords::apply_to_parts(const Field& field, const Meaning& meaning, Rewrit
   return true;
 }
 
-void OldWords::apply_words(const Field& field, const Meaning& meaning, Entity& to) {
+void OldWords::apply_words(const Field& field, const Meaning& meaning, TranslatedEntity& to) {
   const auto meant = [&](const Value& old) {
     const auto other = std::ranges::find(meaning.values, old.text, &SaidWord::word);
     return other == meaning.values.end() ? old : value(other->value);
@@ -235,13 +236,14 @@ void OldWords::apply_words(const Field& field, const Meaning& meaning, Entity& t
   }
 }
 
-std::optional<std::vector<OldWords::Entity>>& OldWords::parts_of(std::string_view part, Rewriting& to) {
+std::optional<std::vector<OldWords::TranslatedEntity>>& OldWords::parts_of(std::string_view part,
+                                                                           Rewriting& to) {
   const auto [found, is_new] = to.parts.try_emplace(part);
-  std::optional<std::vector<Entity>>& parts = found->second;
+  std::optional<std::vector<TranslatedEntity>>& parts = found->second;
   if (!is_new || has_parts(to.entity, part)) return parts;
   const Kind* const kind = find_entity(part);
-  parts.emplace(count_parts(part, to), Entity{kind, {}});
-  for (Entity& each : *parts)
+  parts.emplace(count_parts(part, to), TranslatedEntity{kind, {}});
+  for (TranslatedEntity& each : *parts)
     if (to.type && to.type->part == part) say(each, to.type->part_words, to.entity.where);
   return parts;
 }
@@ -281,13 +283,13 @@ bool OldWords::has_parts(const ExpandedSection& entity, std::string_view part) c
   return false;
 }
 
-Field& OldWords::word_of(Entity& entity, std::string_view name, SourceLine where) {
+Field& OldWords::word_of(TranslatedEntity& entity, std::string_view name, SourceLine where) {
   const auto found = std::ranges::find(entity.words, name, &Field::key);
   if (found != entity.words.end()) return *found;
   return entity.words.emplace_back(Field{name, {}, where});
 }
 
-void OldWords::say(Entity& entity, std::span<const SaidWord> words, SourceLine where) {
+void OldWords::say(TranslatedEntity& entity, std::span<const SaidWord> words, SourceLine where) {
   for (const SaidWord& said : words)
     word_of(entity, said.word, where).values = values(*entity.kind, said.word, said.value);
 }

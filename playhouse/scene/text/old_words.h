@@ -30,7 +30,7 @@ class OldWords {
 
  private:
   /// Translated words of the entity being made, or of one of its parts.
-  struct Entity {
+  struct TranslatedEntity {
     const Kind* kind = nullptr;
     std::vector<Field> words;
   };
@@ -39,9 +39,9 @@ class OldWords {
     const FieldSet fields;
     const Kind& kind;
     const OldType* type;
-    Entity own;
+    TranslatedEntity own;
     /// By type; none if the entity has such parts in current words.
-    std::map<std::string_view, std::optional<std::vector<Entity>>> parts;
+    std::map<std::string_view, std::optional<std::vector<TranslatedEntity>>> parts;
   };
 
   const OldType* old_type_of(const ExpandedSection& entity);
@@ -52,16 +52,16 @@ class OldWords {
   /// Warns of parts that `count` announces but that have no pose.
   void check_places(const Field& count, const Rewriting& of);
   bool apply_to_parts(const Field& field, const Meaning& meaning, Rewriting& to);
-  void apply_words(const Field& field, const Meaning& meaning, Entity& to);
+  void apply_words(const Field& field, const Meaning& meaning, TranslatedEntity& to);
   /// Hard-coded translations.
   std::optional<Field> by_hand(const Field& field, const Rewriting& to);
-  std::optional<std::vector<Entity>>& parts_of(std::string_view part, Rewriting& to);
+  std::optional<std::vector<TranslatedEntity>>& parts_of(std::string_view part, Rewriting& to);
   std::size_t count_parts(std::string_view part, const Rewriting& of);
   bool has_parts(const ExpandedSection& entity, std::string_view part) const;
 
   /// The word of that name, added if missing.
-  Field& word_of(Entity& entity, std::string_view name, SourceLine where);
-  void say(Entity& entity, std::span<const SaidWord> words, SourceLine where);
+  Field& word_of(TranslatedEntity& entity, std::string_view name, SourceLine where);
+  void say(TranslatedEntity& entity, std::span<const SaidWord> words, SourceLine where);
   void note(const Field& field, const Kind& kind, const Word& word, std::string_view instead);
 
   Value value(std::string_view text) const;

@@ -47,7 +47,7 @@ void TokenNames::name_part(ModelDesc& part, std::string_view given, int index) {
   parts_[{tree.top, part.name}] = place;
 }
 
-void TokenNames::note(Place place, const std::string& name) {
+void TokenNames::note(TreePlace place, const std::string& name) {
   if (is_below(name, scene_.trees[place.first].name)) return;
   odd_parts_[name] = place;
   has_odd_ = true;
@@ -61,7 +61,7 @@ void TokenNames::share(std::uint32_t row) {
 }
 
 void TokenNames::claim(const std::string& name, SourceLine where) {
-  const std::optional<Place> taken = find(name);
+  const std::optional<TreePlace> taken = find(name);
   if (!taken) return;
   const SourceLine before = taken->second == 0 ? scene_.trees[taken->first].where : desc(*taken).where;
   state_.warnings.add(Warning::kName, where,
@@ -74,8 +74,8 @@ void TokenNames::claim(const std::string& name, SourceLine where) {
   }
 }
 
-std::optional<TokenNames::Place> TokenNames::find(std::string_view name) const {
-  if (const auto top = tops_.find(name); top != tops_.end()) return Place{top->second, 0};
+std::optional<TokenNames::TreePlace> TokenNames::find(std::string_view name) const {
+  if (const auto top = tops_.find(name); top != tops_.end()) return TreePlace{top->second, 0};
   if (const auto odd = odd_parts_.find(name); odd != odd_parts_.end()) return odd->second;
   for (std::size_t dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.', dot + 1)) {
     const auto top = tops_.find(name.substr(0, dot));
@@ -84,7 +84,7 @@ std::optional<TokenNames::Place> TokenNames::find(std::string_view name) const {
     if (row >= scene_.models.size()) continue;  // the root of the tree under construction is not stored yet
     const auto part = parts_.find({row, scene_.models[row].name + std::string(name.substr(dot))});
     if (part == parts_.end() || scene_.renamed.contains({top->second, part->second})) continue;
-    return Place{top->second, part->second};
+    return TreePlace{top->second, part->second};
   }
   return std::nullopt;
 }
@@ -98,17 +98,17 @@ std::string TokenNames::unused(const std::string& name) {
   return candidate;
 }
 
-const ModelDesc& TokenNames::desc(Place place) const {
+const ModelDesc& TokenNames::desc(TreePlace place) const {
   return scene_.models[scene_.trees[place.first].top + place.second];
 }
 
-std::string TokenNames::name_of(Place place) const {
+std::string TokenNames::name_of(TreePlace place) const {
   const TreeDesc& instance = scene_.trees[place.first];
   if (const auto own = scene_.renamed.find(place); own != scene_.renamed.end()) return own->second.name;
   return token_in(desc(place).name, scene_.models[instance.top].name, instance.name);
 }
 
-std::string TokenNames::alias_of(Place place) const {
+std::string TokenNames::alias_of(TreePlace place) const {
   const TreeDesc& instance = scene_.trees[place.first];
   if (const auto own = scene_.renamed.find(place); own != scene_.renamed.end()) return own->second.alias;
   return token_in(desc(place).alias, scene_.models[instance.top].name, instance.name);
@@ -119,7 +119,7 @@ std::string TokenNames::in_prototype(std::uint32_t instance, const std::string& 
   return token_in(token, tree.name, scene_.models[tree.top].name);
 }
 
-void TokenNames::set_tokens(Place place, std::string name, std::string alias) {
+void TokenNames::set_tokens(TreePlace place, std::string name, std::string alias) {
   if (const auto odd = odd_parts_.find(name_of(place)); odd != odd_parts_.end() && odd->second == place)
     odd_parts_.erase(odd);
   const auto [instance, at] = place;
@@ -152,14 +152,14 @@ void TokenNames::rename_clashing_parts(std::uint32_t instance) {
   for (std::uint32_t at = 1;
        top + at < scene_.models.size() && desc({instance, at}).parent >= static_cast<std::int32_t>(top);
        ++at) {
-    const Place place{instance, at};
+    const TreePlace place{instance, at};
     const std::string name = name_of(place);
     if (const auto holder = find(name); holder && *holder != place)
       set_tokens(place, unused(name), alias_of(place));
   }
 }
 
-void TokenNames::rename_part(Place place) {
+void TokenNames::rename_part(TreePlace place) {
   const auto [instance, first] = place;
   const std::uint32_t top = scene_.trees[instance].top;
   const std::string old = name_of(place), alias = alias_of(place), fresh = unused(alias);
@@ -168,7 +168,7 @@ void TokenNames::rename_part(Place place) {
   for (std::uint32_t at = first + 1; top + at < scene_.models.size() &&
                                      desc({instance, at}).parent >= static_cast<std::int32_t>(top + first);
        ++at) {
-    const Place inner{instance, at};
+    const TreePlace inner{instance, at};
     std::string name = name_of(inner);
     if (is_below(name, old)) name = unused(token_in(name, old, fresh));
     set_tokens(inner, std::move(name), token_in(alias_of(inner), old, fresh));

@@ -46,26 +46,26 @@ class TokenNames {
  private:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   /// A model: row of its tree, and offset in it.
-  using Place = std::pair<std::uint32_t, std::uint32_t>;
+  using TreePlace = std::pair<std::uint32_t, std::uint32_t>;
 
   /// Assigns a name to a model at `where`; its previous owner falls back to another name.
   void claim(const std::string& name, SourceLine where);
   void rename_top(std::uint32_t tree);
   /// A part and everything inside it.
-  void rename_part(Place place);
+  void rename_part(TreePlace place);
   /// Renames parts of a renamed tree whose names are in use.
   void rename_clashing_parts(std::uint32_t tree);
   /// `name`, or the first free of `name~2`, `name~3`, ...
   std::string unused(const std::string& name);
-  std::optional<Place> find(std::string_view name) const;
+  std::optional<TreePlace> find(std::string_view name) const;
 
-  const ModelDesc& desc(Place place) const;
-  std::string name_of(Place place) const;
-  std::string alias_of(Place place) const;
-  void set_tokens(Place place, std::string name, std::string alias);
+  const ModelDesc& desc(TreePlace place) const;
+  std::string name_of(TreePlace place) const;
+  std::string alias_of(TreePlace place) const;
+  void set_tokens(TreePlace place, std::string name, std::string alias);
   /// The token in the prototype of the tree under construction.
   std::string in_prototype(std::uint32_t tree, const std::string& token) const;
-  void note(Place place, const std::string& name);
+  void note(TreePlace place, const std::string& name);
 
   SceneDesc& scene_;
   LoadState& state_;
@@ -74,7 +74,7 @@ class TokenNames {
   /// Offsets in trees, by row of the root and name in the prototype.
   std::map<std::pair<std::uint32_t, std::string>, std::uint32_t> parts_;
   /// Parts whose names do not start with their root's.
-  std::map<std::string, Place, std::less<>> odd_parts_;
+  std::map<std::string, TreePlace, std::less<>> odd_parts_;
   bool names_parts_alone_ = false;
   bool has_odd_ = false;                 // such parts exist, or roots named like parts
   std::map<std::string, int> suffixes_;  // next suffix to try, by name
