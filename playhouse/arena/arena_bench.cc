@@ -52,7 +52,7 @@ void build(RayScene& scene) {
   const std::vector<Owner> owners(fixed.size());
   scene.set_fixed(fixed, owners);
   const std::uint32_t shape = scene.add_shape(box({}, {0.2, 0.2, 0.2}));
-  scene.set_instances(std::vector<RayScene::Instance>(1000, {shape, {1, 1}}));
+  scene.set_instances(std::vector<RayScene::OwnedShape>(1000, {shape, {1, 1}}));
   for (std::uint32_t i = 0; i < 1000; ++i)
     scene.place(i, {somewhere(), somewhere(), rng.uniform(0, 3)}, geom::orientation(rng.uniform(-3, 3), {}));
   scene.commit();

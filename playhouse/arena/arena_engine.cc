@@ -100,18 +100,18 @@ void ArenaEngine::populated(bool fixed) {
 
 ArenaEngine::TreeBody ArenaEngine::make_body(bodies::TreeRow tree) {
   TreeBody body;
-  body.part = part_of(world_, trees_, solids_, tree);
+  body.motion = motion_type_of(world_, trees_, solids_, tree);
   for (const bodies::Mover& mover : trees_.movers_of(tree))
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
-  auto [hulls, models] = hulls_of(world_, trees_, solids_, tree, body.part, Joints::kAtRest, mesh_hulls_);
+  auto [hulls, models] = hulls_of(world_, trees_, solids_, tree, body.motion, Joints::kAtRest, mesh_hulls_);
   if (hulls.empty()) {
-    body.part = Part::kGuided;  // degenerate outline
+    body.motion = MotionType::kGuided;  // degenerate outline
     return body;
   }
   for (const Hull& hull : hulls)
     for (const Vec3& p : hull) body.radius = std::max(body.radius, std::sqrt(p.x * p.x + p.y * p.y));
   body.models = std::move(models);
-  body.row = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
+  body.row = physics_.add(plan_body(world_, trees_, tree, body.motion, std::move(hulls)));
   // bend() moves its hulls to where the joints are.
   for (const bodies::Mover& mover : trees_.movers_of(tree)) {
     const scene::ModelDesc& desc = world_.desc(mover.model);
@@ -129,17 +129,17 @@ world::PhysicsShapes ArenaEngine::shapes() const {
     if (bodies_[tree].row)
       shapes.bodies.push_back(
           {world_.id(trees_.root[tree]),
-           hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, Joints::kNow, mesh_hulls_).hulls});
+           hulls_of(world_, trees_, solids_, tree, bodies_[tree].motion, Joints::kNow, mesh_hulls_).hulls});
   return shapes;
 }
 
 std::span<const bodies::Mover> ArenaEngine::parts_of(bodies::TreeRow tree) const {
   const std::span<const bodies::Mover> movers = trees_.movers_of(tree);
-  return bodies_[tree].part == Part::kVehicle ? movers.subspan(1) : movers;
+  return bodies_[tree].motion == MotionType::kVehicle ? movers.subspan(1) : movers;
 }
 
 bool ArenaEngine::is_driven(bodies::TreeRow tree) const {
-  return bodies_[tree].part == Part::kVehicle && is_moving(world_, trees_.movers_of(tree)[0]);
+  return bodies_[tree].motion == MotionType::kVehicle && is_moving(world_, trees_.movers_of(tree)[0]);
 }
 
 void ArenaEngine::move() {
@@ -160,11 +160,11 @@ void ArenaEngine::load(bodies::TreeRow tree) {
   TreeBody& body = bodies_[tree];
   if (!body.row) return;
   if (body.has_joints) bend(tree);
-  if (body.part == Part::kGuided) return load_guided(tree);
+  if (body.motion == MotionType::kGuided) return load_guided(tree);
   const world::ModelRow top = trees_.root[tree];
   const double still = world_.models.still[top] * world_.scene().interval;
   physics_.put(body.row, state_of(world_.models, top), still >= kSleepAfter && !is_driven(tree));
-  if (body.part == Part::kVehicle)
+  if (body.motion == MotionType::kVehicle)
     physics_.drive(body.row, world_.positions.velocity[world_.models.part[top]]);
 }
 
@@ -197,7 +197,7 @@ void ArenaEngine::bend(bodies::TreeRow tree) {
     is_bent = true;
   }
   if (!is_bent) return;
-  TreeHulls now = hulls_of(world_, trees_, solids_, tree, body.part, Joints::kNow, mesh_hulls_);
+  TreeHulls now = hulls_of(world_, trees_, solids_, tree, body.motion, Joints::kNow, mesh_hulls_);
   if (now.hulls.empty()) return;
   body.models = std::move(now.models);
   physics_.set_hulls(body.row, now.hulls);
@@ -242,14 +242,14 @@ void ArenaEngine::store(bodies::TreeRow tree) {
   const TreeBody& body = bodies_[tree];
   const world::ModelRow top = trees_.root[tree];
   const Pose before = world_.models.X_PM[top];
-  bool moved = body.part != Part::kGuided && store_state(tree);
+  bool moved = body.motion != MotionType::kGuided && store_state(tree);
   moved = store_parts(tree) || moved;
   if (moved) {
     world::place_tree(world_, top);
     bodies::turn(solids_, world_.models, trees_.models_of(tree));
     bodies::place(solids_, world_.models, trees_.solids_of(tree));
   }
-  if (body.part == Part::kVehicle) store_drive(tree, before);
+  if (body.motion == MotionType::kVehicle) store_drive(tree, before);
   for (const bodies::Mover& mover : parts_of(tree))
     bodies::with_move(mover.kind, [&](auto move) {
       move.stall(world_, mover.part, is_blocked(mover));

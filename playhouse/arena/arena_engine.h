@@ -25,7 +25,7 @@ class ArenaEngine final : public senses::BodyEngine {
  private:
   /// The rigid body of a tree of models.
   struct TreeBody {
-    Part part = Part::kGuided;
+    MotionType motion = MotionType::kGuided;
     RigidBodyRow row;                       // in Physics; none: it has no collision shape
     double radius = 0;                      // m, of its corners from B's upright axis, at most
     bool has_joints = false;                // parts of it have joints

@@ -202,18 +202,18 @@ Motors motors_of(const scene::PositionDesc& position) {
 
 }  // namespace
 
-Part part_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
-             bodies::TreeRow tree) {
+MotionType motion_type_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
+                          bodies::TreeRow tree) {
   const world::ModelRow top = trees.root[tree];
   bool is_solid = false;
   for (const bodies::SolidRow row : trees.solids_of(tree)) is_solid = is_solid || solids.is_obstacle(row);
-  if (!is_solid) return Part::kGuided;
-  if (world.models.kind[top] == scene::ModelKind::kPosition) return Part::kVehicle;
-  return world.models.mobility[top] == world::Mobility::kLoose ? Part::kLoose : Part::kGuided;
+  if (!is_solid) return MotionType::kGuided;
+  if (world.models.kind[top] == scene::ModelKind::kPosition) return MotionType::kVehicle;
+  return world.models.mobility[top] == world::Mobility::kLoose ? MotionType::kLoose : MotionType::kGuided;
 }
 
 TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
-                   bodies::TreeRow tree, Part part, Joints joints, MeshHulls& meshes) {
+                   bodies::TreeRow tree, MotionType type, Joints joints, MeshHulls& meshes) {
   const std::map<world::ModelRow, geom::SpatialPose> X_BM = poses_in_top(world, trees, tree, joints);
   TreeHulls all;
   world::ModelRow latest;  // model whose mesh was added last
@@ -229,7 +229,7 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
     for (Hull& hull : std::span(all.hulls).subspan(first)) frame.turn(hull);
     all.models.resize(all.hulls.size(), model);
   });
-  if (part != Part::kVehicle) return all;
+  if (type != MotionType::kVehicle) return all;
   const Extent extent = extent_of(all.hulls);
   const bool walks = world.desc(trees.root[tree]).position->drive == scene::Drive::kWalk;
   return above(std::move(all), std::min(walks ? kStep : kClearance,
@@ -237,14 +237,14 @@ TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const 
 }
 
 RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, bodies::TreeRow tree,
-                        Part part, std::vector<Hull> hulls) {
+                        MotionType type, std::vector<Hull> hulls) {
   const scene::ModelDesc& top = world.desc(trees.root[tree]);
   RigidBodyDesc desc;
   desc.surface = surface_of(top);
   const Content content = content_of(hulls);
   const double mass = mass_of(world, trees, tree);
   desc.center = content.center;
-  if (part == Part::kVehicle) {
+  if (type == MotionType::kVehicle) {
     const Extent extent = extent_of(hulls);
     desc.mass = mass > 0 ? mass : kRobotMass;
     desc.center.z = extent.low.z + kCenterHeight * (extent.high.z - extent.low.z);
@@ -253,7 +253,7 @@ RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, b
     desc.motors = motors_of(*top.position);
     if (desc.motors.have_limits())
       for (Wheel& wheel : desc.wheels) wheel.brake = 0;  // its motors alone slow it down
-  } else if (part == Part::kLoose) {
+  } else if (type == MotionType::kLoose) {
     desc.mass = mass > 0 ? mass : std::max(kDensity * content.volume, kLeastMass);
   } else {
     desc.mass = 0;

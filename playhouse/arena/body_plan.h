@@ -18,15 +18,15 @@
 namespace playhouse::arena {
 
 /// How a tree of models is simulated.
-enum class Part : std::uint8_t {
+enum class MotionType : std::uint8_t {
   kVehicle,  // a robot with wheels on the ground
   kLoose,    // dynamic body
   kGuided,   // kinematic body: moved by its actuators or library, pushes others
 };
 
-/// The part of tree `tree`.
-Part part_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
-             bodies::TreeRow tree);
+/// How tree `tree` is simulated.
+MotionType motion_type_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
+                          bodies::TreeRow tree);
 
 /// Positions of a tree's joints: those of the tick, or those that the world file gives.
 enum class Joints : std::uint8_t { kNow, kAtRest };
@@ -45,12 +45,12 @@ struct TreeHulls {
 /// The obstacles of a tree as convex hulls at these joint positions; of a vehicle only
 /// above the ground clearance of its wheels. Models with a mesh have the hulls of the mesh.
 TreeHulls hulls_of(const world::World& world, const bodies::Trees& trees, const bodies::Solids& solids,
-                   bodies::TreeRow tree, Part part, Joints joints, MeshHulls& meshes);
+                   bodies::TreeRow tree, MotionType type, Joints joints, MeshHulls& meshes);
 
 /// The body of a tree with at least one hull. With hulls at rest it does not depend on
 /// what joints did: an arm that reaches out moves no wheel, and no mass.
 RigidBodyDesc plan_body(const world::World& world, const bodies::Trees& trees, bodies::TreeRow tree,
-                        Part part, std::vector<Hull> hulls);
+                        MotionType type, std::vector<Hull> hulls);
 
 /// The static obstacles.
 std::vector<FixedSolid> fixed_solids(const world::World& world, const bodies::Solids& solids);

@@ -55,7 +55,7 @@ class SensesOf {
 
   /// See SensePhaseOf::populate().
   void populate(world::World& world, const Space& space) {
-    for (Entry& entry : entries_) {
+    for (DuePhase& entry : entries_) {
       entry.due.populate(world, entry.phase->table(world).model);
       entry.phase->populate(world, space);
     }
@@ -64,20 +64,20 @@ class SensesOf {
   /// The phase `sense`, shared with other nodes if there is a division. Returns the number of rays cast.
   std::uint64_t sense(world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers,
                       world::Division* division = nullptr) {
-    for (Entry& entry : entries_) entry.now = entry.due.take(world, entry.phase->table(world), tick);
-    Work work(*this, world, space, tick, workers);
+    for (DuePhase& entry : entries_) entry.now = entry.due.take(world, entry.phase->table(world), tick);
+    SenseWork work(*this, world, space, tick, workers);
     if (division) {
       division->run(work);
     } else {
       work.measure({});
     }
-    for (const Entry& entry : entries_)
+    for (const DuePhase& entry : entries_)
       if (entry.phase->sharing() == Sharing::kAll) work.measure(entry, entry.now);
     return work.rays;
   }
 
  private:
-  struct Entry {
+  struct DuePhase {
     std::unique_ptr<SensePhaseOf<Space>> phase;
     DueList due;
     std::span<const world::KindRow> now = {};  // the rows that are due in this tick
@@ -93,24 +93,24 @@ class SensesOf {
   };
 
   /// The measurements of one tick.
-  class Work final : public world::DividedWork {
+  class SenseWork final : public world::DividedWork {
    public:
-    Work(SensesOf& senses, world::World& world, const Space& space, std::uint64_t tick,
-         world::Workers& workers)
+    SenseWork(SensesOf& senses, world::World& world, const Space& space, std::uint64_t tick,
+              world::Workers& workers)
         : senses_(senses), world_(world), space_(space), tick_(tick), workers_(workers) {}
 
-    void measure(const Entry& entry, std::span<const world::KindRow> due) {
+    void measure(const DuePhase& entry, std::span<const world::KindRow> due) {
       if (!due.empty() || entry.phase->has_work(world_))
         rays += entry.phase->sense(world_, space_, due, tick_, workers_);
     }
     void measure(world::Share share) {
-      each(share, [&](const Entry& entry, std::span<const world::KindRow> due) { measure(entry, due); });
+      each(share, [&](const DuePhase& entry, std::span<const world::KindRow> due) { measure(entry, due); });
     }
     void compute(world::Share share, std::vector<std::byte>& out) override {
       const std::uint64_t before = rays;
       measure(share);
       Packer(out).varint(rays - before);
-      each(share, [&](const Entry& entry, std::span<const world::KindRow> due) {
+      each(share, [&](const DuePhase& entry, std::span<const world::KindRow> due) {
         world::pack_sensed(world_, kind_of(entry), due, out);
       });
     }
@@ -118,7 +118,7 @@ class SensesOf {
       Unpacker in(results);
       rays += in.varint();
       bool good = in.ok();
-      each(share, [&](const Entry& entry, std::span<const world::KindRow> due) {
+      each(share, [&](const DuePhase& entry, std::span<const world::KindRow> due) {
         good = good && world::unpack_sensed(world_, kind_of(entry), due, in);
       });
       return good && in.at_end();
@@ -129,10 +129,10 @@ class SensesOf {
    private:
     template <typename Visit>
     void each(world::Share share, const Visit& visit) {
-      for (const Entry& entry : senses_.entries_)
+      for (const DuePhase& entry : senses_.entries_)
         if (!entry.part(share).empty()) visit(entry, entry.part(share));
     }
-    scene::ModelKind kind_of(const Entry& entry) {
+    scene::ModelKind kind_of(const DuePhase& entry) {
       return world_.models.kind[entry.phase->table(world_).model[entry.now.front().index]];
     }
 
@@ -142,7 +142,7 @@ class SensesOf {
     std::uint64_t tick_;
     world::Workers& workers_;
   };
-  std::vector<Entry> entries_;
+  std::vector<DuePhase> entries_;
 };
 
 }  // namespace playhouse::behaviour

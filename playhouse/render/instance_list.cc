@@ -19,7 +19,7 @@ void set_rows(CardInstance& to, const geom::Quaternion& q, const geom::Vec3& p, 
 }  // namespace
 
 void InstanceList::sort(bool one_by_one) {
-  std::ranges::sort(keys_, [&](const Key& a, const Key& b) {
+  std::ranges::sort(keys_, [&](const SortKey& a, const SortKey& b) {
     if (one_by_one) return std::tie(a.order, a.row) < std::tie(b.order, b.row);
     return std::tie(a.what, a.order, a.row) < std::tie(b.what, b.order, b.row);
   });

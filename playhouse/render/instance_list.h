@@ -40,7 +40,7 @@ class InstanceList {
   template <typename InstanceOf>
   void finish(bool one_by_one, const InstanceOf& instance_of) {
     sort(one_by_one);
-    for (const Key& key : keys_) {
+    for (const SortKey& key : keys_) {
       if (one_by_one || runs.empty() || runs.back().what != key.what)
         runs.push_back({key.what, static_cast<std::uint32_t>(instances.size()), 0});
       ++runs.back().count;
@@ -52,14 +52,14 @@ class InstanceList {
   std::vector<DrawRun> runs;
 
  private:
-  struct Key {
+  struct SortKey {
     std::uint32_t what = 0;
     double order = 0;
     std::uint32_t row = 0;
   };
   void sort(bool one_by_one);
 
-  std::vector<Key> keys_;
+  std::vector<SortKey> keys_;
 };
 
 /// GPU data of an instance, and of a figure whose bones begin at `first_bone`, relative to an eye.

@@ -13,7 +13,7 @@ Framebuffer make_framebuffer() {
 
 }  // namespace
 
-void Page::begin(Sizes size) {
+void Page::begin(PictureSize size) {
   wanted_ = size;
   if (size.width > size_.width || size.height > size_.height)
     make({std::max(size.width, size_.width), std::max(size.height, size_.height)});
@@ -24,7 +24,7 @@ void Page::begin(Sizes size) {
   glClearNamedFramebufferfv(whole_, GL_DEPTH, 0, nothing);
 }
 
-void Page::make(Sizes size) {
+void Page::make(PictureSize size) {
   size_ = size;
   const auto width = static_cast<GLsizei>(size.width), height = static_cast<GLsizei>(size.height);
   depth_ = make_texture(GL_DEPTH_COMPONENT32F, width, height);
@@ -58,7 +58,7 @@ std::span<const std::uint32_t> Page::read() {
   return read_;
 }
 
-void MirrorPage::begin(Sizes size, std::size_t layers) {
+void MirrorPage::begin(PictureSize size, std::size_t layers) {
   if (size.width <= size_.width && size.height <= size_.height && layers <= whole_.size()) return;
   size_ = {std::max(size.width, size_.width), std::max(size.height, size_.height)};
   layers = std::max(layers, whole_.size());

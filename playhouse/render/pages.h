@@ -17,7 +17,7 @@ class Page {
   explicit Page(Shows shows) : shows_(shows) {}
 
   /// Ensures a minimum size, and clears it.
-  void begin(Sizes size);
+  void begin(PictureSize size);
   /// Binds colour and depth; or colour only, while depth is sampled as a texture.
   void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, whole_); }
   void bind_colors() const { glBindFramebuffer(GL_FRAMEBUFFER, colors_alone_); }
@@ -27,10 +27,10 @@ class Page {
   std::span<const std::uint32_t> read();
 
  private:
-  void make(Sizes size);
+  void make(PictureSize size);
 
   Shows shows_;
-  Sizes size_, wanted_;
+  PictureSize size_, wanted_;
   Texture color_, depth_;
   Framebuffer whole_, colors_alone_;
   std::vector<std::uint32_t> read_;
@@ -41,7 +41,7 @@ class Page {
 class MirrorPage {
  public:
   /// Ensures a minimum size and number of layers.
-  void begin(Sizes size, std::size_t layers);
+  void begin(PictureSize size, std::size_t layers);
   /// Clears a layer and the depths, within the scissor test.
   void clear(std::size_t layer) const;
   /// As those of Page.
@@ -51,7 +51,7 @@ class MirrorPage {
   GLuint colors() const { return colors_; }
 
  private:
-  Sizes size_;
+  PictureSize size_;
   Texture colors_, depth_;
   std::vector<Framebuffer> whole_, colors_alone_;
 };

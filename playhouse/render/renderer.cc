@@ -19,7 +19,7 @@ namespace {
 
 using geom::Vec3;
 
-constexpr Sizes kPage{4096, 4096};  // px; larger pictures have pages of their own
+constexpr PictureSize kPage{4096, 4096};  // px; larger pictures have pages of their own
 constexpr std::array<GLsizei, 3> kShadowTexels{512, 1024, 2048};  // of a side of a shadow map
 constexpr GLsizei kTexelsOfPixels = 2;  // of its side for each row of a picture, where that many can be
 constexpr double kShadowReach = 12;     // m along the way a view looks, up to which things throw shadows
@@ -332,7 +332,7 @@ void Renderer::Impl::set_bones(std::span<const Figure> figures) {
 void Renderer::Impl::draw_kind(const Drawn& drawn, Shows shows, std::span<const View> views,
                                std::vector<Picture>& pictures) {
   std::vector<std::size_t> rows;
-  std::vector<Sizes> sizes;
+  std::vector<PictureSize> sizes;
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i].shows != shows) continue;
     rows.push_back(i);
@@ -340,7 +340,7 @@ void Renderer::Impl::draw_kind(const Drawn& drawn, Shows shows, std::span<const 
   }
   const std::vector<PageSlot> places = pack(sizes, kPage);
   for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
-    Sizes used;
+    PictureSize used;
     for (end = begin; end < rows.size() && places[end].page == places[begin].page; ++end) {
       used.width = std::max(used.width, places[end].x + sizes[end].width);
       used.height = std::max(used.height, places[end].y + sizes[end].height);
@@ -754,7 +754,7 @@ void Renderer::Impl::draw_runs(const InstanceList& list, const Sight* sight, Ben
   const bool has_mirrors = sight != nullptr && !sight->mirror && !mirrors_.mirrors().empty();
   for (const DrawRun& run : list.runs) {
     if (is_bent) {
-      const FigureStore::Level& level = card_->figures.level(static_cast<int>(run.what));
+      const FigureStore::DetailLevel& level = card_->figures.level(static_cast<int>(run.what));
       SurfaceRange range;
       range.first_index = level.first_index;
       range.indices = level.indices;

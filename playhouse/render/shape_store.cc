@@ -120,7 +120,7 @@ void FigureStore::upload() {
   std::vector<std::uint32_t> indices;
   for (int number = 0; number < kHumanoidLevels; ++number) {
     const Humanoid humanoid = make_humanoid(number);
-    Level& level = levels_[static_cast<std::size_t>(number)];
+    DetailLevel& level = levels_[static_cast<std::size_t>(number)];
     level.first_index = static_cast<std::uint32_t>(indices.size());
     level.first_corner = static_cast<std::uint32_t>(corners.size() * sizeof(float) / kCornerBytes);
     for (const Humanoid::Corner& corner : humanoid.corners) {

@@ -58,16 +58,16 @@ class ShapeStore {
 class FigureStore {
  public:
   void upload();
-  struct Level {
+  struct DetailLevel {
     std::uint32_t first_index = 0, indices = 0, first_corner = 0;
   };
-  const Level& level(int number) const { return levels_[static_cast<std::size_t>(number)]; }
+  const DetailLevel& level(int number) const { return levels_[static_cast<std::size_t>(number)]; }
   const Buffer& corners() const { return corner_buffer_; }
   const Buffer& indices() const { return index_buffer_; }
   static constexpr GLsizei kCornerBytes = 14 * sizeof(float);  // position, normal, paint, bones
 
  private:
-  std::array<Level, kHumanoidLevels> levels_;
+  std::array<DetailLevel, kHumanoidLevels> levels_;
   Buffer corner_buffer_, index_buffer_;
 };
 

@@ -91,11 +91,11 @@ Matrix clip_from_eye(const SunBox& box) {
   return m;
 }
 
-std::vector<PageSlot> pack(std::span<const Sizes> pictures, Sizes page) {
+std::vector<PageSlot> pack(std::span<const PictureSize> pictures, PictureSize page) {
   std::vector<PageSlot> places;
   PageSlot next;
   std::uint32_t shelf = 0;  // its height
-  for (const Sizes& size : pictures) {
+  for (const PictureSize& size : pictures) {
     if (next.x > 0 && next.x + size.width > page.width) {
       next = {next.page, 0, next.y + shelf};
       shelf = 0;

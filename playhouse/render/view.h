@@ -77,10 +77,10 @@ Matrix clip_from_eye(const SunBox& box);
 struct PageSlot {
   std::uint32_t page = 0, x = 0, y = 0;  // px
 };
-struct Sizes {
+struct PictureSize {
   std::uint32_t width = 0, height = 0;  // px
 };
 /// Shelf packing, from the bottom row. A picture larger than a page gets a page of its own.
-std::vector<PageSlot> pack(std::span<const Sizes> pictures, Sizes page);
+std::vector<PageSlot> pack(std::span<const PictureSize> pictures, PictureSize page);
 
 }  // namespace playhouse::render

@@ -98,7 +98,7 @@ TEST(View, the_box_of_the_sun_holds_the_part_of_the_view_that_is_in_reach) {
 TEST(View, pictures_are_packed_side_by_side_on_pages) {
   Rng rng(4);
   for (int trial = 0; trial < 50; ++trial) {
-    std::vector<Sizes> sizes;
+    std::vector<PictureSize> sizes;
     for (int k = 0; k < 60; ++k)
       sizes.push_back({1 + static_cast<std::uint32_t>(rng.uniform(0, 120)),
                        1 + static_cast<std::uint32_t>(rng.uniform(0, 90))});

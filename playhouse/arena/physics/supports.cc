@@ -19,14 +19,14 @@ void Supports::set(const ByRow<RigidBody, Aabb>& boxes) {
   wide_.clear();
   for (const RigidBodyRow body : boxes.rows())
     (boxes[body].high.x - boxes[body].low.x > kWide ? wide_ : narrow_).push_back({boxes[body], body});
-  std::ranges::sort(narrow_, {}, [](const Entry& entry) { return std::pair(entry.box.low.x, entry.body); });
+  std::ranges::sort(narrow_, {}, [](const BodyBox& entry) { return std::pair(entry.box.low.x, entry.body); });
 }
 
 void Supports::find(const Aabb& box, std::vector<RigidBodyRow>& bodies) const {
   bodies.clear();
-  for (const Entry& entry : wide_)
+  for (const BodyBox& entry : wide_)
     if (overlap(entry.box, box)) bodies.push_back(entry.body);
-  const auto low_x = [](const Entry& entry) { return entry.box.low.x; };
+  const auto low_x = [](const BodyBox& entry) { return entry.box.low.x; };
   for (auto entry = std::ranges::lower_bound(narrow_, box.low.x - kWide, {}, low_x);
        entry != narrow_.end() && entry->box.low.x <= box.high.x; ++entry)
     if (overlap(entry->box, box)) bodies.push_back(entry->body);

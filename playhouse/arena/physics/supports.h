@@ -29,12 +29,12 @@ class Supports {
   void find(const Aabb& box, std::vector<RigidBodyRow>& bodies) const;
 
  private:
-  struct Entry {
+  struct BodyBox {
     Aabb box;
     RigidBodyRow body;
   };
-  std::vector<Entry> narrow_;  // sorted by the low side in x
-  std::vector<Entry> wide_;
+  std::vector<BodyBox> narrow_;  // sorted by the low side in x
+  std::vector<BodyBox> wide_;
 };
 
 }  // namespace playhouse::arena

@@ -34,14 +34,14 @@ struct Bvh {
   static constexpr std::uint32_t kLeaf = 0x80000000;  // of a child: the rest is a row of leaves
   static constexpr std::size_t kDepthMax = 36;        // nodes on a path from the root
 
-  struct alignas(64) Node {
+  struct alignas(64) BvhNode {
     float low[3][kWidth], high[3][kWidth];  // m; empty boxes where there is no child
     std::uint32_t child[kWidth];            // row of nodes, or of leaves
   };
   struct Leaf {
     std::uint32_t first = 0, count = 0;  // rows of order
   };
-  std::vector<Node> nodes;  // none without boxes
+  std::vector<BvhNode> nodes;  // none without boxes
   std::vector<Leaf> leaves;
   std::vector<std::uint32_t> order;  // rows of the boxes
   Bounds box;                        // of all

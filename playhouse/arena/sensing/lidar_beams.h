@@ -27,12 +27,12 @@ struct LidarBeams {
     std::uint32_t sensor = 0, sample = 0;  // sensor of the ranger; beam over all its rings
   };
   /// The beams of a sensor: ring by ring, from the lowest to the highest.
-  struct Sensor {
+  struct SensorBeams {
     std::uint32_t first = 0, samples = 0, rings = 1, level = 0;
     double weakest = 0;     // detection threshold of echo power; 0: no intensity model
     double noise_weak = 0;  // m, range noise at the threshold
   };
-  std::vector<Sensor> sensors;
+  std::vector<SensorBeams> sensors;
   std::vector<BeamRay> rays;
   std::vector<double> range_min, range_max;  // m (beams)
   bool is_noisy = false;                     // any sensor has range noise

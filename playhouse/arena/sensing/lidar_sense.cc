@@ -69,7 +69,7 @@ void LidarSense::populate_rangers(const world::World& world) {
     if (is_new) entry->second = beams_of(world.desc(model));
     most = std::max(most, entry->second.beams());
   }
-  for (Scratch& scratch : scratch_) {
+  for (LidarScratch& scratch : scratch_) {
     scratch.range.resize(most);
     scratch.intensity.resize(most);
   }
@@ -93,7 +93,7 @@ void LidarSense::populate_fixed(const world::World& world, const bodies::Solids&
 }
 
 void LidarSense::populate_moving(const world::World& world, const bodies::Solids& solids) {
-  std::vector<RayScene::Instance> instances;
+  std::vector<RayScene::OwnedShape> instances;
   instances_.clear();
   each_model(solids, solids.moving_rows(), [&](world::ModelRow model, bodies::SolidRows own) {
     const auto [entry, is_new] = shape_of_.try_emplace(world.models.desc[model]);
@@ -125,7 +125,7 @@ std::uint64_t LidarSense::sense(world::World& world, const bodies::Space&,
                                 world::Workers& workers) {
   place(world.models);
   workers.run(due.size(), 8, [&](std::size_t begin, std::size_t end) {
-    Scratch& scratch = scratch_[workers.current()];
+    LidarScratch& scratch = scratch_[workers.current()];
     for (std::size_t i = begin; i < end; ++i) measure(world, due[i], tick, scratch);
   });
   std::uint64_t rays = 0;
@@ -134,7 +134,7 @@ std::uint64_t LidarSense::sense(world::World& world, const bodies::Space&,
 }
 
 void LidarSense::measure(world::World& world, world::RangerRow ranger, std::uint64_t tick,
-                         Scratch& scratch) const {
+                         LidarScratch& scratch) const {
   const LidarBeams& beams = this->beams(world, ranger);
   const world::ModelRow model = world.rangers.model[ranger];
   const geom::Pose& X_WM = world.models.X_WM[model];
@@ -165,7 +165,7 @@ void LidarSense::measure(world::World& world, world::RangerRow ranger, std::uint
 }
 
 /// Casts the batch, and keeps the nearest hit of each beam.
-void LidarSense::cast(const Measurement& look, Scratch& scratch) const {
+void LidarSense::cast(const Measurement& look, LidarScratch& scratch) const {
   RayBatch& batch = scratch.rays;
   if (batch.count == 0) return;
   scene_.cast(batch);
@@ -180,7 +180,7 @@ void LidarSense::cast(const Measurement& look, Scratch& scratch) const {
   batch.count = 0;
 }
 
-void LidarSense::keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& scratch) const {
+void LidarSense::keep_nearest(const LidarBeams& beams, std::size_t k, LidarScratch& scratch) const {
   const RayBatch& batch = scratch.rays;
   const LidarBeams::BeamRay& ray = beams.rays[scratch.ray[k]];
   float range = batch.range[k], facing = batch.facing[k];
@@ -200,10 +200,10 @@ void LidarSense::keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& s
 }
 
 /// With a lidar's error model; intensities are percent of a white sheet's echo.
-void LidarSense::keep_echo(const Measurement& look, std::size_t k, Scratch& scratch) const {
+void LidarSense::keep_echo(const Measurement& look, std::size_t k, LidarScratch& scratch) const {
   const RayBatch& batch = scratch.rays;
   const LidarBeams::BeamRay& ray = look.beams.rays[scratch.ray[k]];
-  const LidarBeams::Sensor& sensor = look.beams.sensors[ray.sensor];
+  const LidarBeams::SensorBeams& sensor = look.beams.sensors[ray.sensor];
   const Beam beam{batch.p, {batch.dx[k], batch.dy[k], batch.dz[k]}, ray.range_max, batch.group};
   Met met{batch.range[k], batch.met[k], batch.facing[k], {batch.nx[k], batch.ny[k], batch.nz[k]}};
   if (const Met ground = ground_met(beam); ground.range < met.range) met = ground;
@@ -218,7 +218,7 @@ void LidarSense::keep_echo(const Measurement& look, std::size_t k, Scratch& scra
 }
 
 void LidarSense::store(world::World& world, const LidarBeams& beams, world::RangerRow ranger,
-                       Scratch& scratch) {
+                       LidarScratch& scratch) {
   for (std::size_t k = 0; k < beams.beams(); ++k) {
     const double range = std::max(scratch.range[k], beams.range_min[k]);
     scratch.range[k] = std::min(range, beams.range_max[k]);
@@ -229,7 +229,7 @@ void LidarSense::store(world::World& world, const LidarBeams& beams, world::Rang
   ring_ranges.clear();
   ring_intensities.clear();
   for (std::uint32_t i = 0; i < beams.sensors.size(); ++i) {
-    const LidarBeams::Sensor& sensor = beams.sensors[i];
+    const LidarBeams::SensorBeams& sensor = beams.sensors[i];
     const world::BeamRow to = sensors.first_beam[world.rangers.first_sensor[ranger] + i];
     const std::size_t level = sensor.first + std::size_t{sensor.level} * sensor.samples;
     for (std::uint32_t k = 0; k < sensor.samples; ++k) {

@@ -30,7 +30,7 @@ class LidarSense final : public senses::SensePhase {
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
-  struct Scratch {
+  struct LidarScratch {
     RayBatch rays;
     std::size_t ray[RayBatch::kMost] = {};  // rows of LidarBeams::rays
     std::vector<double> range;              // m (beams)
@@ -42,7 +42,7 @@ class LidarSense final : public senses::SensePhase {
   void populate_rangers(const world::World& world);
   void place(const world::Models& models);
   const LidarBeams& beams(const world::World& world, world::RangerRow ranger) const;
-  void measure(world::World& world, world::RangerRow ranger, std::uint64_t tick, Scratch& scratch) const;
+  void measure(world::World& world, world::RangerRow ranger, std::uint64_t tick, LidarScratch& scratch) const;
   /// One measurement.
   struct Measurement {
     const world::World& world;
@@ -50,10 +50,11 @@ class LidarSense final : public senses::SensePhase {
     std::uint64_t tick;
     const LidarBeams& beams;
   };
-  void cast(const Measurement& look, Scratch& scratch) const;
-  void keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& scratch) const;
-  void keep_echo(const Measurement& look, std::size_t k, Scratch& scratch) const;
-  static void store(world::World& world, const LidarBeams& beams, world::RangerRow ranger, Scratch& scratch);
+  void cast(const Measurement& look, LidarScratch& scratch) const;
+  void keep_nearest(const LidarBeams& beams, std::size_t k, LidarScratch& scratch) const;
+  void keep_echo(const Measurement& look, std::size_t k, LidarScratch& scratch) const;
+  static void store(world::World& world, const LidarBeams& beams, world::RangerRow ranger,
+                    LidarScratch& scratch);
 
   RayScene scene_;
   std::vector<bodies::StaticModel> fixed_;           // that scene_ has
@@ -62,7 +63,7 @@ class LidarSense final : public senses::SensePhase {
   std::map<std::uint32_t, LidarBeams> beams_;  // by row of SceneDesc::models
   std::vector<float> returns_;                 // return value of a beam that hits a model (models)
   std::vector<Optics> optics_;                 // (models)
-  std::vector<Scratch> scratch_;               // one per worker
+  std::vector<LidarScratch> scratch_;          // one per worker
 };
 
 std::unique_ptr<senses::SensePhase> make_lidar_sense(unsigned workers);

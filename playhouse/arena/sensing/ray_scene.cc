@@ -45,9 +45,9 @@ std::uint32_t RayScene::add_shape(const Triangles& triangles) {
   return static_cast<std::uint32_t>(index_.shapes.size() - 1);
 }
 
-void RayScene::set_instances(std::span<const Instance> instances) {
+void RayScene::set_instances(std::span<const OwnedShape> instances) {
   index_.instances.clear();
-  for (const Instance& instance : instances)
+  for (const OwnedShape& instance : instances)
     index_.instances.push_back({.shape = instance.shape, .owner = instance.owner});
 }
 

@@ -24,12 +24,12 @@ class RayScene {
   void set_fixed(std::span<const Triangles> fixed, std::span<const Owner> owners);
   /// Adds a shape for instances; shapes are numbered from 0.
   std::uint32_t add_shape(const Triangles& triangles);
-  struct Instance {
+  struct OwnedShape {
     std::uint32_t shape = 0;
     Owner owner;
   };
   /// Replaces all instances, placed at the origin.
-  void set_instances(std::span<const Instance> instances);
+  void set_instances(std::span<const OwnedShape> instances);
   void place(std::uint32_t instance, const geom::Vec3& p, const geom::Quaternion& q);
   /// Builds the index of instances. To be called after any change and before cast().
   void commit() { index_.place_instances(); }

@@ -64,7 +64,7 @@ struct World {
     }
     scene.set_fixed(fixed, fixed_owners);
     const std::uint32_t shape = scene.add_shape(box(0.4));
-    std::vector<RayScene::Instance> instances;
+    std::vector<RayScene::OwnedShape> instances;
     for (std::uint32_t i = 0; i < 30; ++i) {
       owners.push_back({i, i / 2});
       instances.push_back({shape, owners.back()});
@@ -207,7 +207,7 @@ TEST(RayScene, is_as_exact_far_from_the_origin) {
     Triangles wall = box(0.5);
     for (Vec3& p : wall.p) p = there + p;
     scene.set_fixed(std::span(&wall, 1), std::vector<Owner>{{1, 1}});
-    scene.set_instances(std::vector<RayScene::Instance>{{scene.add_shape(box(0.25)), {2, 2}}});
+    scene.set_instances(std::vector<RayScene::OwnedShape>{{scene.add_shape(box(0.25)), {2, 2}}});
     scene.place(0, there + Vec3{0, 2, 0}, geom::orientation(0, {}));
     scene.commit();
     RayBatch rays;
@@ -250,7 +250,7 @@ TEST(RayScene, all_instruction_sets_compute_the_same_bits) {
 TEST(RayScene, tells_the_normal_and_the_angle) {
   RayScene scene;
   const std::uint32_t shape = scene.add_shape(box(0.5));
-  scene.set_instances(std::vector<RayScene::Instance>{{shape, {3, 4}}});
+  scene.set_instances(std::vector<RayScene::OwnedShape>{{shape, {3, 4}}});
   scene.place(0, {1000, -2000, 5}, geom::orientation(0.3, {0, 0.2}));
   scene.commit();
   const geom::Quaternion q = geom::orientation(0.3, {0, 0.2});
@@ -322,7 +322,7 @@ TEST(RayScene, rays_ignore_their_own_group_alone) {
   RayScene scene;
   const std::uint32_t shape = scene.add_shape(box(0.5));
   scene.set_fixed(std::vector{box(0.6)}, std::vector<Owner>{{6, 1}});
-  scene.set_instances(std::vector<RayScene::Instance>{{shape, {7, 1}}, {shape, {8, 2}}, {shape, {9, 1}}});
+  scene.set_instances(std::vector<RayScene::OwnedShape>{{shape, {7, 1}}, {shape, {8, 2}}, {shape, {9, 1}}});
   scene.place(1, {0.9, 0, 0}, {});  // begins 0.1 m within the own one
   scene.place(2, {-3, 0, 0}, {});   // of the own group as well
   scene.commit();

@@ -17,12 +17,12 @@ namespace playhouse::behaviour::testing {
 
 /// Discs of all top-level models.
 struct Discs {
-  struct Disc {
+  struct RootDisc {
     geom::Vec2 center;  // m, in W
     double radius = 0;  // m
     world::ModelRow root;
   };
-  std::vector<Disc> all;
+  std::vector<RootDisc> all;
 };
 
 class DiscRanger final : public SensePhaseOf<Discs> {
@@ -64,7 +64,7 @@ class DiscRanger final : public SensePhaseOf<Discs> {
 
   static double nearest(const Discs& discs, const geom::Pose& X_WR, double range, world::ModelRow own) {
     const geom::Rotation rotation = geom::Rotation::of(X_WR.a);
-    for (const Discs::Disc& disc : discs.all) {
+    for (const Discs::RootDisc& disc : discs.all) {
       if (disc.root == own) continue;
       const geom::Vec2 p_R = rotation.inverse(disc.center - X_WR.xy());
       const double half = disc.radius * disc.radius - p_R.y * p_R.y;
@@ -144,12 +144,12 @@ class SpringEngine final : public PhasedEngine {
                 std::vector<world::ModelRow>& out) const override {
     const world::ModelRow own = world_.models.root[model];
     const auto disc_of = [&](world::ModelRow root) {
-      return *std::ranges::find(discs_.all, root, &Discs::Disc::root);
+      return *std::ranges::find(discs_.all, root, &Discs::RootDisc::root);
     };
-    const Discs::Disc mine = disc_of(own);
+    const Discs::RootDisc mine = disc_of(own);
     for (const world::ModelRow row : world_.models.rows()) {
       if (!wanted[row] || world_.models.root[row] == own) continue;
-      const Discs::Disc other = disc_of(world_.models.root[row]);
+      const Discs::RootDisc other = disc_of(world_.models.root[row]);
       const geom::Vec2 between = other.center - mine.center;
       const double reach = mine.radius + other.radius;
       if (geom::dot(between, between) <= reach * reach) out.push_back(row);
