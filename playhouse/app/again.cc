@@ -30,7 +30,7 @@ Result<std::unique_ptr<OpenedRecording>> open_recording(const std::string& file,
   same.engine = opened->recording.start.engine;
   same.seed = opened->recording.start.seed;
   Result<std::unique_ptr<world::Engine>> engine =
-      make_engine(opened->scene, same, controllers::Libraries::Use::kLoad, &warn, {}, others);
+      make_engine(opened->scene, same, controllers::Libraries::LibraryUse::kLoad, &warn, {}, others);
   if (!engine) return engine.error();
   opened->rerun = std::make_unique<record::Rerun>(opened->recording, std::move(*engine));
   if (const Result<void> begun = opened->rerun->begin(); !begun)

@@ -59,8 +59,8 @@ class Instance {
  public:
   explicit Instance(scene::SourceFiles sources, const std::string& engine = kStage, std::uint64_t seed = 1)
       : sources(std::move(sources)), scene_(*scene_of(this->sources, std::nullopt, nullptr)) {
-    this->engine = *make_engine(scene_, {.engine = engine, .seed = seed}, controllers::Libraries::Use::kLoad,
-                                [](const std::string&) {});
+    this->engine = *make_engine(scene_, {.engine = engine, .seed = seed},
+                                controllers::Libraries::LibraryUse::kLoad, [](const std::string&) {});
   }
   static scene::SourceFiles test_world() {
     scene::SourceFiles sources;

@@ -25,7 +25,7 @@ class Rewound {
  public:
   explicit Rewound(unsigned workers)
       : scene_(*scene::load_world(std::string(PLAYHOUSE_SOURCE_DIR) + "/worlds/cave.world")),
-        simulation_(*make_engine(scene_, {.workers = workers}, controllers::Libraries::Use::kLoad,
+        simulation_(*make_engine(scene_, {.workers = workers}, controllers::Libraries::LibraryUse::kLoad,
                                  [](const std::string&) {}),
                     {.speed = 0, .duration = 0, .clock = run::testing::no_time_passes}) {
     simulation_.requests().record(true);

@@ -42,7 +42,7 @@ Result<std::unique_ptr<world::Engine>> make_springs(const scene::SceneDesc& scen
 
 std::unique_ptr<world::Engine> springs_with_controllers(const scene::SceneDesc& scene, unsigned workers) {
   auto engine = app::make_engine(
-      scene, {.workers = workers}, controllers::Libraries::Use::kLoad, [](const std::string&) {},
+      scene, {.workers = workers}, controllers::Libraries::LibraryUse::kLoad, [](const std::string&) {},
       make_springs);
   EXPECT_TRUE(engine);
   return std::move(*engine);

@@ -68,7 +68,7 @@ class Service final : private ServerHost {
   /// Overrides the number of indices of an interface on a port, for tests. Before the first step.
   void use_indices(std::size_t indices) { indices_ = indices; }
   /// Locates controller libraries without loading them: the world cannot run then. Before the first step.
-  void load_no_code() { libraries_ = controllers::Libraries::Use::kFind; }
+  void load_no_code() { libraries_ = controllers::Libraries::LibraryUse::kFind; }
 
   // Steps, in this order; errors are one-line messages.
 
@@ -156,7 +156,7 @@ class Service final : private ServerHost {
   EngineMaker engine_maker_;
   std::size_t indices_ = drivers::AutoMap::kIndices;
   std::vector<Error> other_errors_;
-  controllers::Libraries::Use libraries_ = controllers::Libraries::Use::kLoad;
+  controllers::Libraries::LibraryUse libraries_ = controllers::Libraries::LibraryUse::kLoad;
 
   // In order of construction; later members use earlier ones.
   std::optional<scene::CfgFile> cfg_;

@@ -51,7 +51,7 @@ Result<EngineMaker> engine_named(std::string_view name) {
 }
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
-                                                   controllers::Libraries::Use use, const Warn& warn,
+                                                   controllers::Libraries::LibraryUse use, const Warn& warn,
                                                    const EngineMaker& make, std::vector<Error>* others) {
   for (const std::string& library : running.allowed_libraries)
     if (std::error_code ignored; !std::filesystem::exists(library, ignored))

@@ -45,7 +45,7 @@ Result<scene::SceneDesc> scene_of(const scene::SourceFiles& sources, const std::
 /// Makes an engine with the controllers that models name: by `make`, otherwise the one
 /// named in `running`. The scene must outlive it. `others`, if given, gets further errors.
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
-                                                   controllers::Libraries::Use use, const Warn& warn,
+                                                   controllers::Libraries::LibraryUse use, const Warn& warn,
                                                    const EngineMaker& make = {},
                                                    std::vector<Error>* others = nullptr);
 

@@ -78,8 +78,8 @@ std::vector<std::string_view> built_in_names() {
   return names;
 }
 
-constexpr libraries::Provided kProvided{"controller", "PLAYHOUSE_CONTROLLER", "playhouse_controller",
-                                        kControllerVersionLeast, kControllerVersion};
+constexpr libraries::LibraryAbi kProvided{"controller", "PLAYHOUSE_CONTROLLER", "playhouse_controller",
+                                          kControllerVersionLeast, kControllerVersion};
 
 /// The batches of a world under construction.
 class Batches {

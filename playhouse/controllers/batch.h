@@ -108,13 +108,13 @@ class BatchOf : public Batch {
   bool load_of(world::World&, std::size_t i, Unpacker& in) final {
     bool good = true;
     each_column([&](auto& column) {
-      using Number = std::remove_cvref_t<decltype(column[i])>;
-      if constexpr (std::is_floating_point_v<Number>) {
+      using ColumnNumber = std::remove_cvref_t<decltype(column[i])>;
+      if constexpr (std::is_floating_point_v<ColumnNumber>) {
         column[i] = in.f64();
         good = good && std::isfinite(column[i]);
       } else {
         const std::uint64_t value = in.u64();
-        column[i] = static_cast<Number>(value);
+        column[i] = static_cast<ColumnNumber>(value);
         good = good && static_cast<std::uint64_t>(column[i]) == value;
       }
     });

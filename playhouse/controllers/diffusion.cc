@@ -12,10 +12,10 @@ constexpr double kAhead = geom::radians(7.5);  // rad, tolerance for straight ah
 
 }  // namespace
 
-Diffusion::Ring Diffusion::ring_of(const world::World& world, world::ModelRow robot,
-                                   world::RangerRow ranger) {
+Diffusion::DiffusionRing Diffusion::ring_of(const world::World& world, world::ModelRow robot,
+                                            world::RangerRow ranger) {
   const std::vector<float> bearings = bearings_of(world, robot, ranger);
-  Ring ring;
+  DiffusionRing ring;
   for (const scene::RangerSensorDesc& sensor : world.desc(world.rangers.model[ranger]).sensors) {
     for (std::uint32_t k = 0; k < sensor.samples; ++k) {
       const auto [sin, cos] = geom::sincos(bearings[ring.size()]);
@@ -34,7 +34,7 @@ Result<void> Diffusion::join(world::World& world, const Post& post) {
   world::subscribe_controller(world, model);
   world::subscribe_controller(world, world.rangers.model[ranger]);
 
-  Ring ring = ring_of(world, model, ranger);
+  DiffusionRing ring = ring_of(world, model, ranger);
   const auto [place, is_new] = place_of_ring_.try_emplace(ring, static_cast<std::uint32_t>(rings_.size()));
   if (is_new) rings_.push_back(std::move(ring));
   ring_.push_back(place->second);
@@ -64,11 +64,11 @@ void Diffusion::decide(world::World& world, std::size_t begin, std::size_t end) 
     seen_[i] = measured;
 
     // Sum of proximity vectors, of length 1 at contact.
-    const Ring& ring = rings_[ring_[i]];
+    const DiffusionRing& ring = rings_[ring_[i]];
     const float* const range = world.sensors.ranges.from(first_beam_[i]);
     geom::Vec2 sum;
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Beam& beam = ring[k];
+      const RingBeam& beam = ring[k];
       if (range[k] >= beam.unnoticed) continue;
       const double near = (beam.unnoticed - range[k]) / (beam.unnoticed - beam.touches);
       sum = sum + geom::Vec2{near * beam.x, near * beam.y};

@@ -28,16 +28,16 @@ class Diffusion final : public BatchOf<Diffusion> {
 
   /// A beam of a ring: its direction in the robot's frame,
   /// and the ranges of full and of no activation. [m]
-  struct Beam {
+  struct RingBeam {
     double x = 0, y = 0;
     float touches = 0, unnoticed = 0;
-    auto operator<=>(const Beam&) const = default;
+    auto operator<=>(const RingBeam&) const = default;
   };
-  using Ring = std::vector<Beam>;  // shared by robots with equal rings
-  static Ring ring_of(const world::World& world, world::ModelRow robot, world::RangerRow ranger);
+  using DiffusionRing = std::vector<RingBeam>;  // shared by robots with equal rings
+  static DiffusionRing ring_of(const world::World& world, world::ModelRow robot, world::RangerRow ranger);
 
-  std::vector<Ring> rings_;
-  std::map<Ring, std::uint32_t> place_of_ring_;
+  std::vector<DiffusionRing> rings_;
+  std::map<DiffusionRing, std::uint32_t> place_of_ring_;
   std::vector<std::uint32_t> ring_;  // by robot
 
   // Rows of a robot and of its ring.

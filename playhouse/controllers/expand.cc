@@ -50,7 +50,7 @@ std::uint32_t Expand::ring_of(const std::vector<float>& bearings) {
   const auto [at, is_new] =
       ring_by_bearings_.try_emplace(bearings, static_cast<std::uint32_t>(rings_.size()));
   if (!is_new) return at->second;
-  Ring ring;
+  ExpandRing ring;
   for (const float bearing : bearings) {
     const auto [sin, cos] = geom::sincos(bearing);
     const bool looked_at = std::fabs(bearing) <= config_.looks;
@@ -109,7 +109,7 @@ void Expand::decide(world::World& world, std::size_t begin, std::size_t end) {
     if (measured == seen_[i]) continue;
     seen_[i] = measured;
 
-    const Ring& ring = rings_[ring_[i]];
+    const ExpandRing& ring = rings_[ring_[i]];
     const Look seen = look(world.sensors.ranges.from(first_beam_[i]), ring.x, ring.y, ring.clear);
     const double bearing = geom::atan2(seen.free.y, seen.free.x);
     const bool go = !seen.blocked && std::fabs(bearing) < config_.free_angle;

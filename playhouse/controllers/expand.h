@@ -70,7 +70,7 @@ class Expand final : public BatchOf<Expand> {
   void find_rows(const world::World& world, world::ModelRow model, std::size_t i);
 
   /// Precomputed for a ring's beam directions; shared by robots with equal rings.
-  struct Ring {
+  struct ExpandRing {
     std::vector<float> x, y;   // direction of each beam in the robot's frame
     std::vector<float> clear;  // m, minimum free range of each beam; negative: ignored
   };
@@ -79,7 +79,7 @@ class Expand final : public BatchOf<Expand> {
   double off_neighbour(const world::World& world, std::size_t i) const;
 
   ExpandConfig config_;
-  std::vector<Ring> rings_;
+  std::vector<ExpandRing> rings_;
   std::map<std::vector<float>, std::uint32_t> ring_by_bearings_;
 
   std::vector<std::uint32_t> ring_;

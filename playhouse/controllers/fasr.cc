@@ -86,7 +86,7 @@ std::uint32_t Fasr::task_of(const world::World& world, world::ModelId source, wo
                             world::ModelRow robot) {
   const geom::Size& size = world.desc(robot).size;
   const double clearance = std::sqrt(size.x * size.x + size.y * size.y) / 2;
-  const auto found = std::ranges::find_if(tasks_, [&](const Task& task) {
+  const auto found = std::ranges::find_if(tasks_, [&](const TransportTask& task) {
     return task.source.model == source && task.sink.model == sink && task.clearance == clearance &&
            task.height == size.z;
   });
@@ -107,12 +107,12 @@ void Fasr::resolve(const world::World& world, std::size_t i) {
 }
 
 void Fasr::prepare(const world::World& world, bool rebuilt) {
-  for (Task& task : tasks_) prepare(world, rebuilt, task);
+  for (TransportTask& task : tasks_) prepare(world, rebuilt, task);
 }
 
 /// Routes depend on the present state only, so they are the same after a load.
-void Fasr::prepare(const world::World& world, bool rebuilt, Task& task) {
-  for (End* end : {&task.source, &task.sink}) {
+void Fasr::prepare(const world::World& world, bool rebuilt, TransportTask& task) {
+  for (TaskEnd* end : {&task.source, &task.sink}) {
     end->row = world.row(end->model);
     if (!end->row) return;
     const geom::Vec2 p_W = rounded(world.models.X_WM[end->row].xy());
@@ -120,7 +120,7 @@ void Fasr::prepare(const world::World& world, bool rebuilt, Task& task) {
     end->p_W = p_W;
   }
   if (!rebuilt) return;
-  const auto make = [&](End& end, const std::vector<geom::Vec2>& oncoming_W) {
+  const auto make = [&](TaskEnd& end, const std::vector<geom::Vec2>& oncoming_W) {
     end.ways.emplace(world, end.p_W, end.reach, task.clearance, task.height, oncoming_W);
   };
   make(task.sink, {});
@@ -133,17 +133,17 @@ void Fasr::choose(const world::World& world, std::size_t i) {
   if (random.uniform() < kChange) choice_[i] = drawn_choice(choices_[i].size(), random);
 }
 
-const Fasr::End* Fasr::goal(std::size_t i, bool loaded) const {
-  const Task& task = this->task(i);
+const Fasr::TaskEnd* Fasr::goal(std::size_t i, bool loaded) const {
+  const TransportTask& task = this->task(i);
   return !task.source.row || !task.sink.row ? nullptr : loaded ? &task.sink : &task.source;
 }
 
-bool Fasr::is_there(const world::World& world, std::size_t i, const End& end) const {
+bool Fasr::is_there(const world::World& world, std::size_t i, const TaskEnd& end) const {
   const geom::Vec2 off = world.models.X_WM[end.row].xy() - world.models.X_WM[model_[i]].xy();
   return geom::dot(off, off) < end.reach * end.reach;
 }
 
-bool Fasr::go(world::World& world, std::size_t i, const End& end) {
+bool Fasr::go(world::World& world, std::size_t i, const TaskEnd& end) {
   const geom::Pose& X_WM = world.models.X_WM[model_[i]];
   const std::optional<geom::Vec2> next_W = end.ways->next(X_WM.xy());
   if (!next_W) return false;
@@ -177,7 +177,7 @@ void Fasr::decide(world::World& world, std::size_t begin, std::size_t end) {
     if (!steering_.is_new_scan(world, i)) continue;
     choose(world, i);
     const bool loaded = world.models.flags[model_[i]] > 0;
-    const End* const to = goal(i, loaded);
+    const TaskEnd* const to = goal(i, loaded);
     const bool there = to && is_there(world, i, *to);
     if (there) exchange_[i] = loaded ? Exchange::kGives : Exchange::kTakes;
     if (escape(world, i) || (to && !there && go(world, i, *to))) continue;
@@ -187,7 +187,7 @@ void Fasr::decide(world::World& world, std::size_t begin, std::size_t end) {
 
 void Fasr::deliver(world::World& world) {
   for (const std::uint32_t i : by_id()) {
-    const Task& task = this->task(i);
+    const TransportTask& task = this->task(i);
     const bool takes = exchange_[i] == Exchange::kTakes;
     say_waiting(world, model_[i], takes && !move_flag(world, task.source.row, model_[i]));
     if (exchange_[i] == Exchange::kGives) move_flag(world, model_[i], task.sink.row);

@@ -35,7 +35,7 @@ class Fasr final : public BatchOf<Fasr> {
   }
 
   /// Source or sink of a task, with the routes to it.
-  struct End {
+  struct TaskEnd {
     world::ModelId model;
     double reach = 0;     // m, from its origin: range for transferring flags
     world::ModelRow row;  // none: removed
@@ -43,8 +43,8 @@ class Fasr final : public BatchOf<Fasr> {
     std::optional<Ways> ways;
   };
   /// A task, for all robots of similar size.
-  struct Task {
-    End source, sink;
+  struct TransportTask {
+    TaskEnd source, sink;
     double clearance = 0, height = 0;  // m, of the robots
   };
 
@@ -55,26 +55,28 @@ class Fasr final : public BatchOf<Fasr> {
   void leave_rest(std::size_t i);
   void resolve(const world::World& world, std::size_t i) override;
   void prepare(const world::World& world, bool rebuilt) override;
-  static void prepare(const world::World& world, bool rebuilt, Task& task);
+  static void prepare(const world::World& world, bool rebuilt, TransportTask& task);
 
   /// Names of source and sink for each task of a robot with these arguments.
   std::vector<std::array<std::string, 2>> ends_of(const Post& post) const;
   std::uint32_t task_of(const world::World& world, world::ModelId source, world::ModelId sink,
                         world::ModelRow robot);
-  const Task& task(std::size_t i) const { return tasks_[choices_[i][choice_[i] % choices_[i].size()]]; }
+  const TransportTask& task(std::size_t i) const {
+    return tasks_[choices_[i][choice_[i] % choices_[i].size()]];
+  }
   /// Randomly chooses a new task, or the same, for a robot without flags.
   void choose(const world::World& world, std::size_t i);
   /// Goal of a robot with or without a flag; null if it was removed.
-  const End* goal(std::size_t i, bool loaded) const;
-  bool is_there(const world::World& world, std::size_t i, const End& end) const;
+  const TaskEnd* goal(std::size_t i, bool loaded) const;
+  bool is_there(const world::World& world, std::size_t i, const TaskEnd& end) const;
   /// Follows the route, avoiding sensed obstacles. False if there is no route or it is blocked.
-  bool go(world::World& world, std::size_t i, const End& end);
+  bool go(world::World& world, std::size_t i, const TaskEnd& end);
   /// Backs off from an obstacle in contact, in a random manner. False if there is none.
   bool escape(world::World& world, std::size_t i);
 
   Arguments arguments_;
   Steering steering_;
-  std::vector<Task> tasks_;
+  std::vector<TransportTask> tasks_;
 
   std::vector<world::ModelRow> model_;
   std::vector<std::vector<std::uint32_t>> choices_;  // rows of tasks_, non-empty

@@ -238,7 +238,7 @@ TEST(Library, outside_the_folders_is_loaded_only_if_it_is_allowed) {
 }
 
 TEST(Library, is_found_and_never_loaded_where_a_file_is_only_checked) {
-  const Libraries find{.folders = {TEST_LIBRARIES}, .use = Libraries::Use::kFind};
+  const Libraries find{.folders = {TEST_LIBRARIES}, .use = Libraries::LibraryUse::kFind};
   // stranger and broken would fail if they were loaded.
   for (const std::string name : {"probe", "stranger", "broken"}) {
     const Fixture f(name, find);

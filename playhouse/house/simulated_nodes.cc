@@ -24,7 +24,7 @@ void take_part(net::PolledNetwork& network) {
   static_cast<void>(node.run([&](world::SavedRun run) -> Result<world::Engine*> {
     scene = *app::scene_of(run.sources, std::nullopt, nullptr);
     engine = *app::make_engine(scene, {.engine = run.engine, .seed = run.seed},
-                               controllers::Libraries::Use::kLoad, [](const std::string&) {});
+                               controllers::Libraries::LibraryUse::kLoad, [](const std::string&) {});
     return engine.get();
   }));
 }

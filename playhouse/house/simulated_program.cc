@@ -70,7 +70,8 @@ scene::SourceFiles sources_of(const Setting& setting) {
 std::unique_ptr<world::Engine> engine_of(const scene::SceneDesc& scene, const Setting& setting,
                                          std::uint64_t seed) {
   const app::Running running{.engine = setting.is_arena ? "arena" : "stage", .seed = seed};
-  return *app::make_engine(scene, running, controllers::Libraries::Use::kLoad, [](const std::string&) {});
+  return *app::make_engine(scene, running, controllers::Libraries::LibraryUse::kLoad,
+                           [](const std::string&) {});
 }
 
 }  // namespace

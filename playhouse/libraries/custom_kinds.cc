@@ -15,8 +15,8 @@ namespace {
 using world::CustomCode;
 using world::CustomKind;
 
-constexpr Provided kProvided{"custom model", "PLAYHOUSE_CUSTOM_KIND", "playhouse_custom",
-                             world::kCustomVersion, world::kCustomVersion};
+constexpr LibraryAbi kProvided{"custom model", "PLAYHOUSE_CUSTOM_KIND", "playhouse_custom",
+                               world::kCustomVersion, world::kCustomVersion};
 
 using Opened = std::map<std::string, std::shared_ptr<SharedLibrary>>;
 

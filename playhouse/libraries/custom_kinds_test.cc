@@ -110,7 +110,7 @@ TEST(CustomKinds, that_can_not_be_made_are_refused) {
 }
 
 TEST(CustomKinds, are_found_and_never_loaded_where_a_file_is_only_checked) {
-  const Libraries find{.folders = {TEST_LIBRARIES}, .use = Libraries::Use::kFind};
+  const Libraries find{.folders = {TEST_LIBRARIES}, .use = Libraries::LibraryUse::kFind};
   const Fixture f("stranger", find);  // which would fail
   EXPECT_EQ(f.error, "");
   EXPECT_THAT(f.warnings,

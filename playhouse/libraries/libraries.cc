@@ -29,7 +29,7 @@ std::filesystem::path find(std::string_view name, const Libraries& libraries) {
 }
 
 /// All names in the search path, for suggestions.
-std::vector<std::string> known_names(const Wanted& wanted, const Libraries& libraries) {
+std::vector<std::string> known_names(const WantedLibrary& wanted, const Libraries& libraries) {
   std::vector<std::string> words(wanted.built_ins.begin(), wanted.built_ins.end());
   for (const std::filesystem::path& folder : libraries.folders) {
     std::error_code ignored;
@@ -43,7 +43,7 @@ std::vector<std::string> known_names(const Wanted& wanted, const Libraries& libr
   return words;
 }
 
-Error unknown(const Wanted& wanted, const Libraries& libraries) {
+Error unknown(const WantedLibrary& wanted, const Libraries& libraries) {
   const std::string no = "no " + std::string(wanted.provided.what) + " " + in_quotes(wanted.name);
   const std::string file = in_quotes(file_of(wanted.name));
   if (std::filesystem::path(wanted.name).is_absolute())
@@ -86,14 +86,14 @@ std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene
   return folders;
 }
 
-Result<std::shared_ptr<SharedLibrary>> load(const Wanted& wanted, const Libraries& libraries,
+Result<std::shared_ptr<SharedLibrary>> load(const WantedLibrary& wanted, const Libraries& libraries,
                                             std::vector<std::string>& warnings) {
   const std::filesystem::path file = find(wanted.name, libraries);
   if (file.empty()) return unknown(wanted, libraries);
   const std::string which = std::string(wanted.provided.what) + " " + in_quotes(wanted.name);
   const std::string path = escaped(std::filesystem::absolute(file).lexically_normal().string());
   const bool allowed = is_allowed(wanted.name, file, libraries);
-  if (libraries.use == Libraries::Use::kFind) {
+  if (libraries.use == Libraries::LibraryUse::kFind) {
     warnings.push_back(wanted.where + ": " + which + " is " + path +
                        ", which is there and not checked: checking loads no code" +
                        (allowed ? "" : "; running it takes --allow-library " + path));

@@ -18,11 +18,11 @@ namespace playhouse::libraries {
 /// Where a world's libraries may come from. Library code runs with all rights of
 /// the program, so a world file must not be able to load arbitrary files by path.
 struct Libraries {
-  enum class Use : std::uint8_t { kLoad, kFind };  // kFind: located but not loaded, for checks
+  enum class LibraryUse : std::uint8_t { kLoad, kFind };  // kFind: located but not loaded, for checks
 
   std::vector<std::filesystem::path> folders;  // search path for names, in order
   std::vector<std::filesystem::path> allowed;  // allowed files elsewhere, also found by their names alone
-  Use use = Use::kLoad;
+  LibraryUse use = LibraryUse::kLoad;
 };
 
 /// The search path: the scene's library_folder, those of
@@ -31,8 +31,8 @@ std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene
                                                    const std::filesystem::path& program_folder);
 
 /// A request of a world file.
-struct Wanted {
-  const Provided& provided;
+struct WantedLibrary {
+  const LibraryAbi& provided;
   std::string name;                             // file name, with or without ".so"
   std::string where;                            // "file:line"
   std::span<const std::string_view> built_ins;  // built-in names, for error messages
@@ -41,7 +41,7 @@ struct Wanted {
 /// Loads the library, announced in the log; null, with a warning in
 /// `warnings`, if libraries are only located. Fails with a one-line
 /// message if it is not found, not allowed, or of another kind.
-Result<std::shared_ptr<SharedLibrary>> load(const Wanted& wanted, const Libraries& libraries,
+Result<std::shared_ptr<SharedLibrary>> load(const WantedLibrary& wanted, const Libraries& libraries,
                                             std::vector<std::string>& warnings);
 
 /// Splits a text at spaces: the name, then arguments.

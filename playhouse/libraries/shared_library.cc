@@ -19,7 +19,7 @@ std::string loader_says(const std::string& file) {
   return line;
 }
 
-std::string why_not(const SharedLibrary& library, const Provided& provided) {
+std::string why_not(const SharedLibrary& library, const LibraryAbi& provided) {
   const std::string macro(provided.macro);
   if (library.symbol("Init"))
     return "is a controller built for Stage's library; write " + macro + " in its source and build it again";
@@ -57,7 +57,7 @@ bool is_cut_off(const std::string& path) {
 
 }  // namespace
 
-Result<SharedLibrary> SharedLibrary::open(const std::filesystem::path& path, const Provided& provided) {
+Result<SharedLibrary> SharedLibrary::open(const std::filesystem::path& path, const LibraryAbi& provided) {
   // An absolute path, since dlopen() would search its own path for a bare name.
   const std::string file = std::filesystem::absolute(path).string();
   if (is_cut_off(file))

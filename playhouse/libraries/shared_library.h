@@ -17,7 +17,7 @@ namespace playhouse::libraries {
 
 /// ABI of a kind of library: it exports PREFIX_version() and
 /// PREFIX_make(), defined by a macro of the header it is built with.
-struct Provided {
+struct LibraryAbi {
   std::string_view what;                 // "controller"
   std::string_view macro;                // "PLAYHOUSE_CONTROLLER"
   std::string_view prefix;               // "playhouse_controller"
@@ -27,7 +27,7 @@ struct Provided {
 class SharedLibrary {
  public:
   /// Loads `file` and checks its version. Fails with a one-line message with the file name and a remedy.
-  static Result<SharedLibrary> open(const std::filesystem::path& file, const Provided& provided);
+  static Result<SharedLibrary> open(const std::filesystem::path& file, const LibraryAbi& provided);
 
   SharedLibrary(SharedLibrary&&) noexcept;
   SharedLibrary& operator=(SharedLibrary&&) noexcept;

@@ -86,7 +86,7 @@ int bench_scene(const BenchOptions& options, std::string_view scenario, const sc
                 double duration, std::uint64_t memory_before) {
   Result<std::unique_ptr<world::Engine>> engine =
       make_engine(scene, {.engine = options.engine, .seed = options.seed, .workers = options.workers},
-                  controllers::Libraries::Use::kLoad, &warn);
+                  controllers::Libraries::LibraryUse::kLoad, &warn);
   if (!engine) return fail_in_file(engine.error());
   // The same run as `playhouse run --fast --headless`.
   run::Simulation simulation(std::move(*engine), {.speed = 0, .duration = duration});

@@ -59,7 +59,7 @@ int bench_load(const BenchOptions& options) {
   running.seed = options.seed;
   running.workers = options.workers;
   const Result<std::unique_ptr<world::Engine>> engine =
-      make_engine(*scene, running, controllers::Libraries::Use::kLoad, &warn);
+      make_engine(*scene, running, controllers::Libraries::LibraryUse::kLoad, &warn);
   if (!engine) return fail(engine.error());
   const double wall_time = since(start);
   const world::World& world = (*engine)->world();

@@ -121,7 +121,9 @@ int bench_open(const BenchOptions& options) {
   Running running;
   running.seed = options.seed;
   running.workers = options.workers;
-  const auto make = [&] { return make_engine(*scene, running, controllers::Libraries::Use::kLoad, &warn); };
+  const auto make = [&] {
+    return make_engine(*scene, running, controllers::Libraries::LibraryUse::kLoad, &warn);
+  };
   Result<std::unique_ptr<world::Engine>> one = make(), other = make();
   if (!one) return fail(one.error());
   if (!other) return fail(other.error());

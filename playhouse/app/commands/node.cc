@@ -49,7 +49,7 @@ class Replica {
     if (!scene) return scene.error();
     scene_ = std::move(*scene);
     Result<std::unique_ptr<world::Engine>> engine =
-        make_engine(scene_, running_, controllers::Libraries::Use::kLoad, &warn);
+        make_engine(scene_, running_, controllers::Libraries::LibraryUse::kLoad, &warn);
     if (!engine) return engine.error();
     engine_ = std::move(*engine);
     log::info("joins the run of {}, engine {}, {} robots", escaped(run.sources.path), run.engine,

@@ -37,7 +37,7 @@ Result<std::vector<Side>> open_sides(const scene::SceneDesc& scene, const Verify
     // Warnings are about the world: print them once.
     const Warn warn_once = sides.empty() ? Warn(&warn) : Warn([](const std::string&) {});
     Result<std::unique_ptr<world::Engine>> engine =
-        make_engine(scene, running, controllers::Libraries::Use::kLoad, warn_once, {}, &others);
+        make_engine(scene, running, controllers::Libraries::LibraryUse::kLoad, warn_once, {}, &others);
     if (!engine) return engine.error();
     sides.push_back({workers, std::move(*engine)});
   }

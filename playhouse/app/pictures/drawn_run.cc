@@ -20,7 +20,7 @@ Result<void> DrawnRun::begin(std::vector<Error>* others) {
     if (!again) warn(line);
   };
   Result<std::unique_ptr<world::Engine>> engine =
-      make_engine(scene_, running_, controllers::Libraries::Use::kLoad, tell_once, {}, others);
+      make_engine(scene_, running_, controllers::Libraries::LibraryUse::kLoad, tell_once, {}, others);
   if (!engine) return engine.error();
   seen_.watch((*engine)->world());
   run::Simulation::Options options;
