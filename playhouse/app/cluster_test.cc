@@ -124,7 +124,7 @@ class ClusterTest : public testing::Test {
   void begin(std::size_t nodes, Seconds patience = kLong) {
     run_ = std::make_unique<Instance>(Instance::test_world());
     head_ = std::make_unique<Head>(net::system_polled(), std::move(run_->engine), run_->sources,
-                                   Head::Options{.nodes = nodes, .patience = patience},
+                                   Head::HeadOptions{.nodes = nodes, .patience = patience},
                                    [this](const Error& why) { failure_ = why.line(); });
     port_ = *head_->listen();
   }
@@ -416,7 +416,7 @@ TEST_F(ClusterTest, a_hundred_nodes_that_do_not_read_share_one_copy_of_the_world
   sources.files["test.world"] += "\n# " + std::string(8 << 20, 'x');
   run_ = std::make_unique<Instance>(sources);
   head_ = std::make_unique<Head>(net::system_polled(), std::move(run_->engine), run_->sources,
-                                 Head::Options{}, [](const Error&) {});
+                                 Head::HeadOptions{}, [](const Error&) {});
   port_ = *head_->listen();
   std::vector<MessageStream> streams;
   for (int i = 0; i < 100; ++i) {
@@ -431,7 +431,7 @@ TEST_F(ClusterTest, a_hundred_nodes_that_do_not_read_share_one_copy_of_the_world
 TEST_F(ClusterTest, nodes_need_the_token_of_the_run) {
   run_ = std::make_unique<Instance>(Instance::test_world());
   head_ = std::make_unique<Head>(net::system_polled(), std::move(run_->engine), run_->sources,
-                                 Head::Options{.token = "secret"}, [](const Error&) {});
+                                 Head::HeadOptions{.token = "secret"}, [](const Error&) {});
   port_ = *head_->listen();
   for (const std::string token : {"", "secre", "secret2"}) {
     MessageStream stranger = *MessageStream::connect(net::system_polled(), "127.0.0.1", port_, kLong);

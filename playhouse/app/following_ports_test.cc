@@ -211,8 +211,8 @@ class Bob {
     const auto taken = loop.listen("127.0.0.1", 0, [](auto) {});
     return (*taken)->port();
   }
-  app::RobotsClient::Options options(std::uint16_t server_port) const {
-    app::RobotsClient::Options options;
+  app::RobotsClient::RobotsClientOptions options(std::uint16_t server_port) const {
+    app::RobotsClient::RobotsClientOptions options;
     options.host = options.bind = "127.0.0.1";
     options.server_port = server_port;
     options.port = port_;

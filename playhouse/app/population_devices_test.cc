@@ -87,7 +87,7 @@ class Town final : public app::ServerHost {
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override {
     return std::make_unique<run::Simulation>(
         std::make_unique<run::testing::StillEngine>(scene_),
-        run::Simulation::Options{.speed = 0, .paused = false, .duration = 0});
+        run::Simulation::SimulationOptions{.speed = 0, .paused = false, .duration = 0});
   }
 
   net::SimulatedNetwork simulated{11};
@@ -161,8 +161,7 @@ TEST(PopulationDevices, of_a_thousand_robots_that_come_and_go_are_lost_to_nobody
   std::deque<ModelId> living;
   std::size_t ticks = 1;
   for (std::uint16_t robot = 1; robot <= kRobots + kLiving; ++robot) {
-    if (robot <= kRobots)
-      town.ask([&](world::Journal& journal) { living.push_back(*journal.spawn(0, {})); });
+    if (robot <= kRobots) town.ask([&](world::Journal& journal) { living.push_back(*journal.spawn(0, {})); });
     town.tick();
     town.simulated.run();
     both([&](Listener& client) {

@@ -327,15 +327,15 @@ Result<std::unique_ptr<run::Simulation>> Service::open_world(const std::string& 
     for (const std::string& warning : bodies::blocked_starts((*engine)->world())) warn_(warning);
     for (const std::string& warning : bodies::blind_rangers((*engine)->world())) warn_(warning);
   }
-  const run::Simulation::Options pace = pace_of(scene_, serving_, running_, quit_time_);
+  const run::Simulation::SimulationOptions pace = pace_of(scene_, serving_, running_, quit_time_);
   if (!running_.cluster) return std::make_unique<run::Simulation>(std::move(*engine), pace);
   const bool is_open = !net::is_local(serving_.bind + ":0");
   if (is_open && running_.cluster_token.empty()) running_.cluster_token = web_server::random_token();
   auto head = std::make_unique<cluster::Head>(net::system_polled(), std::move(*engine), sources_,
-                                              cluster::Head::Options{.bind = serving_.bind,
-                                                                     .port = *running_.cluster,
-                                                                     .nodes = running_.nodes,
-                                                                     .token = running_.cluster_token},
+                                              cluster::Head::HeadOptions{.bind = serving_.bind,
+                                                                         .port = *running_.cluster,
+                                                                         .nodes = running_.nodes,
+                                                                         .token = running_.cluster_token},
                                               [this](const Error& why) { fail_run(why); });
   head_ = head.get();
   const Result<std::uint16_t> port = head_->listen();

@@ -77,12 +77,12 @@ Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene
   return engine;
 }
 
-run::Simulation::Options pace_of(const scene::SceneDesc& scene, const Serving& serving,
-                                 const Running& running, QuitTime quit_time) {
+run::Simulation::SimulationOptions pace_of(const scene::SceneDesc& scene, const Serving& serving,
+                                           const Running& running, QuitTime quit_time) {
   constexpr double kForever = std::numeric_limits<double>::infinity();
   const double file_end =
       quit_time == QuitTime::kHonoured && scene.quit_time > 0 ? scene.quit_time : kForever;
-  run::Simulation::Options options;
+  run::Simulation::SimulationOptions options;
   options.speed = running.speed.value_or(scene.speedup > 0 ? scene.speedup : 1.0);
   if (running.lock_step) {
     options.speed = running.speed.value_or(0);

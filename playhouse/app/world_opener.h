@@ -57,8 +57,8 @@ enum class QuitTime : std::uint8_t { kHonoured, kIgnored };
 /// could not keep up; use --fast for that. A file with paused starts
 /// paused only if there is a page to resume it. In lock-step the
 /// clients set the pace; a speed on the command line is an upper bound.
-run::Simulation::Options pace_of(const scene::SceneDesc& scene, const Serving& serving,
-                                 const Running& running, QuitTime quit_time);
+run::Simulation::SimulationOptions pace_of(const scene::SceneDesc& scene, const Serving& serving,
+                                           const Running& running, QuitTime quit_time);
 
 /// The number of robots: root position models.
 std::size_t count_robots(const world::World& world);

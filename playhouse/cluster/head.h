@@ -25,7 +25,7 @@ namespace playhouse::cluster {
 
 class Head final : public world::Engine, public run::Follower, private world::Division {
  public:
-  struct Options {
+  struct HeadOptions {
     std::string bind = "127.0.0.1";
     std::uint16_t port = 0;  // 0: any free one
     std::size_t nodes = 0;   // to wait for before the first tick
@@ -37,7 +37,7 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   /// a node that took part is found to compute something else: the run is worthless from then on. One that
   /// does so in its first tick is refused, and the run goes on.
   Head(net::PolledNetwork& network, std::unique_ptr<world::Engine> engine, scene::SourceFiles sources,
-       Options options, std::function<void(const Error&)> fail);
+       HeadOptions options, std::function<void(const Error&)> fail);
   ~Head() override;
 
   /// Opens the port, and returns it.
@@ -101,7 +101,7 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   net::PolledNetwork& network_;
   std::unique_ptr<world::Engine> engine_;
   scene::SourceFiles sources_;
-  Options options_;
+  HeadOptions options_;
   std::function<void(const Error&)> fail_;
   std::unique_ptr<net::PolledListener> listener_;
   std::atomic<bool> stopped_ = false;

@@ -102,7 +102,7 @@ class Program {
   }
 
   run::Simulation simulation_{*stage::make_engine(the_scene(), {}),
-                              {.speed = 0, .duration = 1e9, .lock_step = run::LockStep::Options{}}};
+                              {.speed = 0, .duration = 1e9, .lock_step = run::LockStep::LockStepOptions{}}};
   int socket_ = -1;
   std::unique_ptr<Link> link_;
   std::span<std::byte> memory_;

@@ -38,7 +38,7 @@ struct Gone {
 
 class House final {
  public:
-  House(const Options& options, const std::string& folder);
+  House(const HouseOptions& options, const std::string& folder);
   Report run();
 
  private:
@@ -72,7 +72,7 @@ class House final {
   void expect_all_answered(const std::vector<std::unique_ptr<SimulatedClient>>& clients);
   void wrong(std::string what);
 
-  const Options options_;
+  const HouseOptions options_;
   const Setting setting_;
   const std::string folder_;
   std::mt19937_64 random_;
@@ -101,7 +101,7 @@ class House final {
   Hash digest_;
 };
 
-House::House(const Options& options, const std::string& folder)
+House::House(const HouseOptions& options, const std::string& folder)
     : options_(options),
       setting_(options.setting.value_or(setting_of(options.seed))),
       folder_(folder),
@@ -118,7 +118,7 @@ House::House(const Options& options, const std::string& folder)
 
 /// The program begins, at the beginning or where a run was saved.
 void House::start(const Saved* saved) {
-  SimulatedProgram::Options options{.setting = setting_, .seed = options_.seed};
+  SimulatedProgram::ProgramOptions options{.setting = setting_, .seed = options_.seed};
   options.recording = fmt::format("{}/house-{}-{}.mcap", folder_, options_.seed, report_.crashes);
   if (setting_.disk_fails) options.room = 100000 + draw(1 << 20);
   options.loses_change = options_.sabotage == Sabotage::kLosesChange;
@@ -445,7 +445,7 @@ Report House::run() {
 
 }  // namespace
 
-Report run_house(const Options& options, const std::string& folder) {
+Report run_house(const HouseOptions& options, const std::string& folder) {
   return House(options, folder).run();
 }
 

@@ -23,7 +23,7 @@ enum class Sabotage : std::uint8_t {
   kLosesChange,  // one change is missing in the recording
 };
 
-struct Options {
+struct HouseOptions {
   std::uint64_t seed = 1;
   double seconds = 200;  // simulated, until all clients leave
   Sabotage sabotage = Sabotage::kNone;
@@ -43,6 +43,6 @@ struct Report {
 };
 
 /// Runs a house. `folder` is for its recording, and must exist.
-Report run_house(const Options& options, const std::string& folder);
+Report run_house(const HouseOptions& options, const std::string& folder);
 
 }  // namespace playhouse::house

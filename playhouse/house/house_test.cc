@@ -19,7 +19,7 @@ constexpr Setting kAll;  // all but a cluster, in Stage
 class House : public testing::Test {
  protected:
   static void SetUpTestSuite() { log::silence(); }
-  static Report run(const Options& options) {
+  static Report run(const HouseOptions& options) {
     const TestFolder folder;
     return run_house(options, folder.path().string());
   }

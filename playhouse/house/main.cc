@@ -17,7 +17,7 @@
 
 namespace {
 
-using playhouse::house::Options;
+using playhouse::house::HouseOptions;
 using playhouse::house::Report;
 
 /// A folder of its own, removed in the end.
@@ -63,7 +63,7 @@ struct Totals {
 
 int main(int argc, char** argv) {
   CLI::App app{"Runs the whole program on a simulated clock and network, seed after seed."};
-  Options options;
+  HouseOptions options;
   double seconds = 60;
   bool verbose = false;
   std::optional<std::uint64_t> seed;

@@ -38,7 +38,7 @@ RobotMachine::RobotMachine(net::SimulatedNetwork& network, std::uint16_t world_p
                                           },
                                       .say = [](const std::string&) {},
                                       .failed = [this](const Error&) { over_ = true; }},
-      app::RobotsClient::Options{
+      app::RobotsClient::RobotsClientOptions{
           .host = "world", .server_port = world_port, .bind = "127.0.0.1", .port = port},
       robot_named(name, seed));
   robots_->begin();

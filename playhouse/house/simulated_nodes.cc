@@ -34,7 +34,7 @@ void take_part(net::PolledNetwork& network) {
 std::unique_ptr<cluster::Head> SimulatedNodes::head(std::unique_ptr<world::Engine> engine,
                                                     scene::SourceFiles sources,
                                                     std::function<void(const std::string&)> fail) {
-  cluster::Head::Options options;
+  cluster::Head::HeadOptions options;
   options.port = kHeadPort;
   const auto failed = [fail = std::move(fail)](const Error& error) { fail(error.line()); };
   auto head =

@@ -76,7 +76,7 @@ std::unique_ptr<world::Engine> engine_of(const scene::SceneDesc& scene, const Se
 
 }  // namespace
 
-SimulatedProgram::SimulatedProgram(net::Network& network, Options options)
+SimulatedProgram::SimulatedProgram(net::Network& network, ProgramOptions options)
     : network_(network),
       options_(std::move(options)),
       sources_(sources_of(options_.setting)),
@@ -108,7 +108,8 @@ SimulatedProgram::~SimulatedProgram() {
 }
 
 Result<std::unique_ptr<run::Simulation>> SimulatedProgram::open_world(const std::string&) {
-  run::Simulation::Options options{.clock = [this] { return network_.now(); }, .wait = options_.wait};
+  run::Simulation::SimulationOptions options{.clock = [this] { return network_.now(); },
+                                             .wait = options_.wait};
   std::unique_ptr<world::Engine> engine = engine_of(scene_, options_.setting, options_.seed);
   if (options_.saved != nullptr) {
     const Result<world::SavedRun> saved = world::decode_saved_run(options_.saved->file);

@@ -41,7 +41,7 @@ struct Saved {
 
 class SimulatedProgram final : private app::ServerHost {
  public:
-  struct Options {
+  struct ProgramOptions {
     Setting setting;
     std::uint64_t seed = 1;
     std::string recording;                        // file
@@ -54,7 +54,7 @@ class SimulatedProgram final : private app::ServerHost {
     std::function<void(const world::World&)> reloaded = {};  // by a rewind
     std::function<void(std::string)> wrong = {};             // an invariant is broken
   };
-  SimulatedProgram(net::Network& network, Options options);
+  SimulatedProgram(net::Network& network, ProgramOptions options);
   ~SimulatedProgram() override;
 
   run::Simulation& simulation() { return *site_.simulation(); }
@@ -89,7 +89,7 @@ class SimulatedProgram final : private app::ServerHost {
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override;
 
   Process network_;
-  const Options options_;
+  const ProgramOptions options_;
   scene::SourceFiles sources_;
   scene::SceneDesc scene_;
   drivers::Site site_;

@@ -19,7 +19,7 @@ namespace playhouse::run {
 
 class LockStep final {
  public:
-  struct Options {
+  struct LockStepOptions {
     std::size_t members = 1;      // required for the first tick
     std::set<std::string> names;  // if not empty: only these may join
     double timeout = 0;  // s that the others wait for a silent member before it is dropped; 0: for ever
@@ -29,7 +29,7 @@ class LockStep final {
   /// Called once: without a reason when the ticks are done and published, else with the reason why not.
   using Done = std::function<void(std::optional<std::string> why_not)>;
 
-  explicit LockStep(Options options) : options_(std::move(options)) {}
+  explicit LockStep(LockStepOptions options) : options_(std::move(options)) {}
 
   /// An unnamed member joins implicitly with its first step(). `shown` is for the log. Returns
   /// why it may not join; empty if it may. Joining again under the same name has no effect.
@@ -76,7 +76,7 @@ class LockStep final {
   const Member* awaited() const;
   void tell() const;
 
-  const Options options_;
+  const LockStepOptions options_;
   std::vector<std::function<void()>> changed_;
 
   mutable std::mutex mutex_;     // guards what follows

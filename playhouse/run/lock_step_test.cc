@@ -150,7 +150,7 @@ TEST(LockStep, clients_without_names_join_with_their_first_step) {
 TEST(Simulation, in_lock_step_ticks_only_as_far_as_it_was_asked_to_and_tells_when_the_data_are_out) {
   const scene::SceneDesc scene = testing::scene_of(kRobot);
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),
-                        {.speed = 0, .duration = 0.5, .lock_step = LockStep::Options{}});
+                        {.speed = 0, .duration = 0.5, .lock_step = LockStep::LockStepOptions{}});
   std::atomic<int> shown = 0;
   simulation.follow(on_show([&](const world::World& world, const world::Pace&) {
     if (world.tick() == 3) ++shown;
@@ -172,7 +172,7 @@ TEST(Simulation, in_lock_step_ticks_only_as_far_as_it_was_asked_to_and_tells_whe
 TEST(Simulation, what_was_posted_before_a_step_is_carried_out_before_its_tick) {
   const scene::SceneDesc scene = testing::scene_of(kRobot);
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),
-                        {.speed = 0, .duration = 20, .lock_step = LockStep::Options{}});
+                        {.speed = 0, .duration = 20, .lock_step = LockStep::LockStepOptions{}});
   std::thread ticks([&] { simulation.run(); });
   const auto step = [&] {
     std::atomic<bool> done = false;
@@ -193,7 +193,7 @@ TEST(Simulation, in_lock_step_what_is_said_behind_the_last_tick_never_counts) {
   const scene::SceneDesc scene = testing::scene_of(kRobot);
   for (int repeat = 0; repeat < 50; ++repeat) {
     Simulation simulation(std::make_unique<testing::StillEngine>(scene),
-                          {.speed = 0, .duration = 0.2, .lock_step = LockStep::Options{}});
+                          {.speed = 0, .duration = 0.2, .lock_step = LockStep::LockStepOptions{}});
     bool is_carried_out = false;
     simulation.lock_step()->step(&simulation, "test", 2, [&](const auto&) {
       simulation.requests().post([&](const world::Journal&) { is_carried_out = true; });
@@ -207,7 +207,7 @@ TEST(Simulation, in_lock_step_what_is_said_behind_the_last_tick_never_counts) {
 TEST(Simulation, starts_again_with_the_models_and_ids_of_the_start_and_another_seed) {
   const scene::SceneDesc scene = testing::scene_of(kRobot);
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),
-                        {.speed = 0, .lock_step = LockStep::Options{}});
+                        {.speed = 0, .lock_step = LockStep::LockStepOptions{}});
   world::World& world = simulation.engine().world();
   const std::uint64_t hash = world.hash(), seed = world.seed();
   ASSERT_TRUE(world::spawn(world, 0, {1, 2, 0, 0}));
@@ -224,7 +224,7 @@ TEST(Simulation, starts_again_with_the_models_and_ids_of_the_start_and_another_s
 TEST(Simulation, gives_no_id_a_second_time_after_it_started_again) {
   const scene::SceneDesc scene = testing::scene_of(kRobot);
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),
-                        {.speed = 0, .duration = 0, .lock_step = LockStep::Options{}});
+                        {.speed = 0, .duration = 0, .lock_step = LockStep::LockStepOptions{}});
   const auto come = [&] {
     world::ModelId id;
     simulation.requests().post([&](world::Journal& journal) { id = *journal.spawn(0, {1, 2, 0, 0}); });
@@ -251,7 +251,7 @@ TEST(Simulation, is_after_a_new_start_the_run_of_a_fresh_one_also_where_models_c
   world::World fresh(scene, 7);
   ASSERT_TRUE(world::spawn(fresh, 0, {1, 2, 0, 0}));
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),
-                        {.speed = 0, .duration = 0, .lock_step = LockStep::Options{}});
+                        {.speed = 0, .duration = 0, .lock_step = LockStep::LockStepOptions{}});
   for (int run = 0; run < 3; ++run) {
     simulation.requests().post_to_all([&](const world::Journal&) { EXPECT_TRUE(simulation.restart(7)); });
     simulation.requests().post([](world::Journal& journal) { EXPECT_TRUE(journal.spawn(0, {1, 2, 0, 0})); });
@@ -283,7 +283,7 @@ TEST(Simulation, in_lock_step_tells_when_the_works_of_followers_are_done) {
   const scene::SceneDesc scene = testing::scene_of(kRobot);
   ManyParts parts;
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),
-                        {.speed = 0, .duration = 0.5, .lock_step = LockStep::Options{}});
+                        {.speed = 0, .duration = 0.5, .lock_step = LockStep::LockStepOptions{}});
   simulation.follow(parts);
   std::thread ticks([&] { simulation.run(); });
   std::atomic<bool> done = false;

@@ -40,7 +40,7 @@ std::uint64_t ticks_in(double duration, double interval) {
 
 }  // namespace
 
-Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
+Simulation::Simulation(std::unique_ptr<world::Engine> engine, SimulationOptions options)
     : engine_(std::move(engine)),
       end_tick_(ticks_in(options.duration, engine_->world().scene().interval)),
       requests_(options.speed, options.paused),

@@ -28,7 +28,7 @@ namespace playhouse::run {
 
 class Simulation final {
  public:
-  struct Options {
+  struct SimulationOptions {
     double speed = 1;  // times real time; 0: as fast as possible
     bool paused = false;
     double duration = std::numeric_limits<double>::infinity();  // simulated seconds until run() returns
@@ -36,10 +36,10 @@ class Simulation final {
     /// Sleeps until this time of `clock`; true: something was asked of the run meanwhile
     /// (Requests::is_woken). Default: the system's.
     std::function<bool(double until)> wait = {};
-    std::optional<LockStep::Options> lock_step = {};  // none: free-running
+    std::optional<LockStep::LockStepOptions> lock_step = {};  // none: free-running
   };
 
-  Simulation(std::unique_ptr<world::Engine> engine, Options options);
+  Simulation(std::unique_ptr<world::Engine> engine, SimulationOptions options);
 
   /// Shows the run to a follower, which must outlive run(). Before run(), or from a follower.
   void follow(Follower& follower) {

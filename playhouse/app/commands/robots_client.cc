@@ -84,7 +84,8 @@ std::optional<std::uint16_t> other_port(const std::string& device) {
 
 }  // namespace
 
-RobotsClient::RobotsClient(Surroundings surroundings, Options options, std::vector<scene::RobotDesc> robots)
+RobotsClient::RobotsClient(Surroundings surroundings, RobotsClientOptions options,
+                           std::vector<scene::RobotDesc> robots)
     : surroundings_(std::move(surroundings)), options_(std::move(options)), next_port_(options_.port) {
   for (scene::RobotDesc& desc : robots) robots_.push_back({std::move(desc), {}, {}, false, false, 0});
   auto relay = std::make_unique<drivers::Passthrough>(surroundings_.site, options_.host, options_.server_port,

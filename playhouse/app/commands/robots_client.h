@@ -22,7 +22,7 @@ class DeviceService;
 
 class RobotsClient {
  public:
-  struct Options {
+  struct RobotsClientOptions {
     std::string host;  // of the remote server
     std::uint16_t server_port = 6665;
     std::string bind;           // address of the local ports
@@ -39,7 +39,7 @@ class RobotsClient {
     std::function<void(const std::string& line)> say;                 // where a robot's devices are
     std::function<void(const Error&)> failed;                         // once: there are no robots any more
   };
-  RobotsClient(Surroundings surroundings, Options options, std::vector<scene::RobotDesc> robots);
+  RobotsClient(Surroundings surroundings, RobotsClientOptions options, std::vector<scene::RobotDesc> robots);
 
   /// Starts connecting.
   void begin();
@@ -67,7 +67,7 @@ class RobotsClient {
   void fail_with(const Error& error);
 
   const Surroundings surroundings_;
-  Options options_;
+  RobotsClientOptions options_;
   std::vector<Robot> robots_;
   std::size_t next_ = 0;  // next to be spawned
   std::uint16_t next_port_;

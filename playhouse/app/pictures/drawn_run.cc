@@ -23,7 +23,7 @@ Result<void> DrawnRun::begin(std::vector<Error>* others) {
       make_engine(scene_, running_, controllers::Libraries::LibraryUse::kLoad, tell_once, {}, others);
   if (!engine) return engine.error();
   seen_.watch((*engine)->world());
-  run::Simulation::Options options;
+  run::Simulation::SimulationOptions options;
   options.speed = 0;
   simulation_ = std::make_unique<run::Simulation>(std::move(*engine), std::move(options));
   return {};

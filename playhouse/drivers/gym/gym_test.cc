@@ -35,7 +35,7 @@ class Gym : public ::testing::Test {
  protected:
   explicit Gym(double duration = 0)
       : simulation_(std::make_unique<run::testing::StillEngine>(scene_),
-                    {.speed = 0, .duration = duration, .lock_step = run::LockStep::Options{}}) {}
+                    {.speed = 0, .duration = duration, .lock_step = run::LockStep::LockStepOptions{}}) {}
   void carry_out(std::function<void(world::Journal&)> change) {
     ASSERT_TRUE(simulation_.requests().post(std::move(change)));
     simulation_.run();

@@ -23,10 +23,10 @@ namespace sim = wire::simulation;
 /// A world, in lock-step or not, and a client of it.
 class WorldRequests : public ::testing::Test {
  protected:
-  void open(std::optional<run::LockStep::Options> lock_step) {
+  void open(std::optional<run::LockStep::LockStepOptions> lock_step) {
     simulation_ = std::make_unique<run::Simulation>(
         std::make_unique<run::testing::StillEngine>(scene_),
-        run::Simulation::Options{.speed = 0, .duration = 0, .lock_step = std::move(lock_step)});
+        run::Simulation::SimulationOptions{.speed = 0, .duration = 0, .lock_step = std::move(lock_step)});
   }
   /// The value of a NACK; empty where there is none yet, or an ACK.
   std::string ask(const std::string& property, const std::string& value) {
@@ -53,7 +53,7 @@ TEST_F(WorldRequests, for_steps_tell_how_many_there_may_be) {
   open({});
   EXPECT_EQ(step(1001), "invalid number of ticks: 1 to 1000 is valid, in 4 or 8 bytes");
   EXPECT_FALSE(simulation_->requests().pace().paused) << "it was refused";
-  open(run::LockStep::Options{});
+  open(run::LockStep::LockStepOptions{});
   EXPECT_EQ(step((1u << 20) + 1), "invalid number of ticks: 1 to 1048576 is valid, in 4 or 8 bytes");
 }
 
@@ -132,7 +132,7 @@ TEST_F(WorldRequests, for_spawns_are_refused_once_the_share_of_a_client_is_full)
 }
 
 TEST_F(WorldRequests, that_are_refused_leave_nothing_with_the_client) {
-  open(run::LockStep::Options{.members = 1, .names = {"left"}});
+  open(run::LockStep::LockStepOptions{.members = 1, .names = {"left"}});
   for (int k = 0; k < 100; ++k) {
     EXPECT_EQ(step(1), "clients of this world join by name first");
     EXPECT_NE(ask("join", wire::c_string("nobody")), "");
@@ -141,7 +141,7 @@ TEST_F(WorldRequests, that_are_refused_leave_nothing_with_the_client) {
 }
 
 TEST_F(WorldRequests, of_a_member_have_it_leave_once_however_many_there_were) {
-  open(run::LockStep::Options{.members = 1, .names = {"left"}});
+  open(run::LockStep::LockStepOptions{.members = 1, .names = {"left"}});
   for (int k = 0; k < 100; ++k) {
     EXPECT_EQ(ask("join", wire::c_string("left")), "");
     step(1);

@@ -105,7 +105,7 @@ class MemorySite final : public Host {
     scene_ = run::testing::scene_of(world_text_);
     return std::make_unique<run::Simulation>(
         std::make_unique<run::testing::StillEngine>(scene_),
-        run::Simulation::Options{
+        run::Simulation::SimulationOptions{
             .speed = 0, .paused = false, .duration = 0, .clock = run::testing::no_time_passes});
   }
 
