@@ -149,7 +149,7 @@ int Head::quarantine_of(const std::string& network) const {
 }
 
 void Head::join(Pending& pending) {
-  auto node = std::make_unique<Node>(Node{std::move(pending.stream), pending.name});
+  auto node = std::make_unique<NodeLink>(NodeLink{std::move(pending.stream), pending.name});
   joining_.push_back(std::move(node));
 }
 
@@ -219,7 +219,7 @@ void Head::send_steps() {
   if (check_ || step_bytes_ > 0) bound_shares();
   const Until end = until(network_.now(), options_.patience, nodes_.size() * step_bytes_, &stopped_);
   for (std::size_t index = 0; index < nodes_.size(); ++index) {
-    Node& node = *nodes_[index];
+    NodeLink& node = *nodes_[index];
     if (node.lost) continue;
     Step step{share_of(index), check_, {}, {}};
     if (node.is_new || sends_state_) {
@@ -269,7 +269,7 @@ void Head::gather(world::DividedWork& work) {
   for (;;) {
     std::vector<net::PollWish> missing;
     for (std::size_t index = 0; index < nodes_.size(); ++index) {
-      const Node& node = *nodes_[index];
+      const NodeLink& node = *nodes_[index];
       if (!node.lost && !node.has_shared) receive_share(work, index);
       if (!node.lost && !node.has_shared) missing.push_back({node.stream.wish()});
     }
@@ -285,7 +285,7 @@ void Head::gather(world::DividedWork& work) {
 }
 
 void Head::receive_share(world::DividedWork& work, std::size_t index) {
-  Node& node = *nodes_[index];
+  NodeLink& node = *nodes_[index];
   const Result<void> received = node.stream.receive();
   const Result<std::optional<NodeMessage>> message = node.stream.next();
   if (!message) return lose(node, message.error().text);
@@ -297,7 +297,7 @@ void Head::receive_share(world::DividedWork& work, std::size_t index) {
 
 /// The results stay in the stream of this node, which nothing is sent to or received from meanwhile.
 void Head::take_share(world::DividedWork& work, std::size_t index, std::span<const std::byte> body) {
-  Node& node = *nodes_[index];
+  NodeLink& node = *nodes_[index];
   Unpacker in(body);
   std::optional<Hashes> hashes;
   if (check_) hashes = Hashes{in.u64(), in.u64()};
@@ -325,14 +325,14 @@ void Head::pass_on(std::size_t share, std::span<const std::byte> results) {
   Bytes index;
   Packer(index).varint(share);
   for (std::size_t to = 0; to < nodes_.size(); ++to) {
-    Node& node = *nodes_[to];
+    NodeLink& node = *nodes_[to];
     if (node.lost || to + 1 == share) continue;
     const Result<void> sent = node.stream.send(NodeMessageType::kResults, {index, results}, end_);
     if (!sent) lose(node, sent.error().text);
   }
 }
 
-void Head::lose(Node& node, const std::string& why) {
+void Head::lose(NodeLink& node, const std::string& why) {
   if (node.lost) return;
   node.lost = true;
   log::warn("cluster: {} is lost: {}", node.name, why);
@@ -346,7 +346,7 @@ void Head::drop_lost() {
 }
 
 /// What this node has measured before may be wrong as well.
-void Head::fail(Node& node, const std::string& what) {
+void Head::fail(NodeLink& node, const std::string& what) {
   const world::World& world = engine_->world();
   const std::string why = fmt::format("at {:.1f} s {}", world.time(), what);
   if (node.is_new) return lose(node, why);  // it was verified before anything of it was used

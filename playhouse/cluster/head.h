@@ -64,7 +64,7 @@ class Head final : public world::Engine, public run::Follower, private world::Di
     double since = 0;        // s
     bool has_world = false;  // or is being sent it
   };
-  struct Node {
+  struct NodeLink {
     MessageStream stream;
     std::string name;    // of the peer
     bool is_new = true;  // in its first tick
@@ -94,9 +94,9 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   world::Share share_of(std::size_t index) const { return {index + 1, nodes_.size() + 1}; }
   void expect_shares(Seconds own, std::size_t bytes);
   void bound_shares();
-  void lose(Node& node, const std::string& why);
+  void lose(NodeLink& node, const std::string& why);
   void drop_lost();
-  void fail(Node& node, const std::string& what);
+  void fail(NodeLink& node, const std::string& what);
 
   net::PolledNetwork& network_;
   std::unique_ptr<world::Engine> engine_;
@@ -108,16 +108,16 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   bool started_ = false, failed_ = false;
 
   std::list<Pending> pending_;
-  std::vector<std::unique_ptr<Node>> nodes_, joining_;  // joining_ take part from the next tick on
-  std::shared_ptr<const Bytes> world_;                  // the body of a message kWorld
-  std::map<std::string, double> silenced_;              // networks of nodes that were silent, and when [s]
-  Bytes changes_;               // since the last tick, packed; none are kept without nodes
-  bool sends_state_ = false;    // instead of the changes since the last tick
-  std::uint64_t ticks_ = 0;     // with nodes
-  bool check_ = false;          // in this tick
-  std::size_t step_bytes_ = 0;  // most that a node has to read before it computes this tick
-  Until end_{};                 // of the exchange of results in this tick
-  Hashes hashes_;               // at the check
+  std::vector<std::unique_ptr<NodeLink>> nodes_, joining_;  // joining_ take part from the next tick on
+  std::shared_ptr<const Bytes> world_;                      // the body of a message kWorld
+  std::map<std::string, double> silenced_;  // networks of nodes that were silent, and when [s]
+  Bytes changes_;                           // since the last tick, packed; none are kept without nodes
+  bool sends_state_ = false;                // instead of the changes since the last tick
+  std::uint64_t ticks_ = 0;                 // with nodes
+  bool check_ = false;                      // in this tick
+  std::size_t step_bytes_ = 0;              // most that a node has to read before it computes this tick
+  Until end_{};                             // of the exchange of results in this tick
+  Hashes hashes_;                           // at the check
 };
 
 }  // namespace playhouse::cluster

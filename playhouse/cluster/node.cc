@@ -35,7 +35,7 @@ Result<NodeMessage> Node::next(std::optional<Seconds> patience) {
 }
 
 /// False: the run has ended.
-Result<bool> Node::join(const EngineMaker& make) {
+Result<bool> Node::join(const NodeEngineMaker& make) {
   if (const Result<void> sent = stream_.send(NodeMessageType::kHello, {hello(token_)}, kPatience); !sent)
     return sent.error();
   const Result<NodeMessage> world = next(patience_);
@@ -75,7 +75,7 @@ Result<void> Node::prepare(const Step& step) {
   return {};
 }
 
-Result<Node::Summary> Node::run(const EngineMaker& make) {
+Result<Node::Summary> Node::run(const NodeEngineMaker& make) {
   const Result<bool> joined = join(make);
   if (!joined) return joined.error();
   Summary summary;

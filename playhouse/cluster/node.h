@@ -18,7 +18,7 @@ namespace playhouse::cluster {
 class Node final : private world::Division {
  public:
   /// Makes the engine of a run; it must live until run() has returned.
-  using EngineMaker = std::function<Result<world::Engine*>(world::SavedRun)>;
+  using NodeEngineMaker = std::function<Result<world::Engine*>(world::SavedRun)>;
 
   struct Summary {
     std::uint64_t ticks = 0;
@@ -29,11 +29,11 @@ class Node final : private world::Division {
   explicit Node(MessageStream stream, std::string token = {}, Seconds patience = kPatience);
 
   /// Takes part until the run ends. Fails if the head refuses or is gone, or the engine cannot be made.
-  Result<Summary> run(const EngineMaker& make);
+  Result<Summary> run(const NodeEngineMaker& make);
 
  private:
   Result<NodeMessage> next(std::optional<Seconds> patience = {});
-  Result<bool> join(const EngineMaker& make);
+  Result<bool> join(const NodeEngineMaker& make);
   Result<void> prepare(const Step& step);
   void run(world::DividedWork& work) override;
   Result<void> share(world::DividedWork& work);

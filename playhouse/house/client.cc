@@ -193,7 +193,7 @@ void SimulatedClient::look_at_data(const wire::Header& header) {
 
 void SimulatedClient::answer(const wire::Header& header) {
   if (std::exchange(loses_answer_, false)) return;
-  const Question question{header.seq, header.interf, header.index, header.subtype};
+  const RequestKey question{header.seq, header.interf, header.index, header.subtype};
   if (asked_.erase(question) == 0)
     return wrong(fmt::format("request {} of interface {}:{}, subtype {} is answered although it is not open",
                              header.seq, header.interf, header.index, header.subtype));

@@ -62,7 +62,7 @@ class SimulatedClient {
 
  private:
   /// By sequence number, interface, index and subtype.
-  using Question = std::tuple<std::uint32_t, std::uint16_t, std::uint16_t, std::uint8_t>;
+  using RequestKey = std::tuple<std::uint32_t, std::uint16_t, std::uint16_t, std::uint8_t>;
 
   std::uint32_t draw(std::uint32_t below) { return static_cast<std::uint32_t>(random_() % below); }
   bool behaves() const { return manner_ != Manner::kGarbles && manner_ != Manner::kVanishes; }
@@ -84,7 +84,7 @@ class SimulatedClient {
   bool greeted_ = false, finishes_ = false, over_ = false, stalled_ = false;
   bool loses_answer_ = false, loses_tick_ = false;
   std::uint32_t next_ = 1;  // sequence number
-  std::set<Question> asked_;
+  std::set<RequestKey> asked_;
   std::map<std::pair<std::uint16_t, std::uint16_t>, double> data_times_;  // by interface and index: the last
   double excused_until_ = 0, now_ = 0;                                    // s
   std::size_t answered_ = 0;

@@ -26,16 +26,16 @@ History::History(double interval, std::function<double()> clock, std::size_t mos
 void History::record(const world::World& world) {
   if (!keyframes_.empty() && world.tick() % period_ != 0) return;
   if (clock_() < rest_until_) return;
-  std::optional<Moment> moment = save(world);
-  if (!moment) return;
-  bytes_ += moment->whole->size();
-  keyframes_.push_back(*std::move(moment));
+  std::optional<Keyframe> keyframe = save(world);
+  if (!keyframe) return;
+  bytes_ += keyframe->whole->size();
+  keyframes_.push_back(*std::move(keyframe));
   timeline_.reset();
   make_room();
 }
 
 /// None: `why_none_` is set.
-std::optional<History::Moment> History::save(const world::World& world) {
+std::optional<History::Keyframe> History::save(const world::World& world) {
   const double start = clock_();
   std::vector<std::byte> whole;
   if (!keyframes_.empty()) whole.reserve(keyframes_.back().whole->size() * 9 / 8);
@@ -47,7 +47,7 @@ std::optional<History::Moment> History::save(const world::World& world) {
   if (std::exchange(why_none_, std::move(why_none)) != why_none_) timeline_.reset();
   if (!why_none_.empty()) return std::nullopt;
   whole.shrink_to_fit();
-  return Moment{world.tick(), std::make_shared<const std::vector<std::byte>>(std::move(whole))};
+  return Keyframe{world.tick(), std::make_shared<const std::vector<std::byte>>(std::move(whole))};
 }
 
 void History::changed(std::span<const world::Change> changes) {
@@ -101,9 +101,9 @@ std::uint64_t History::nearest(std::uint64_t tick) const {
   return std::clamp(tick, keyframes_.front().tick, last);
 }
 
-const History::Moment& History::before(std::uint64_t tick) const {
+const History::Keyframe& History::before(std::uint64_t tick) const {
   if (present_ && tick >= present_->tick) return *present_;
-  const auto later = std::ranges::upper_bound(keyframes_, tick, {}, &Moment::tick);
+  const auto later = std::ranges::upper_bound(keyframes_, tick, {}, &Keyframe::tick);
   return later == keyframes_.begin() ? keyframes_.front() : *std::prev(later);
 }
 
@@ -166,7 +166,7 @@ void History::clear() {
 std::shared_ptr<const world::Timeline> History::timeline() {
   if (timeline_) return timeline_;
   auto timeline = std::make_shared<world::Timeline>();
-  for (const Moment& moment : keyframes_) timeline->ticks.push_back(moment.tick);
+  for (const Keyframe& keyframe : keyframes_) timeline->ticks.push_back(keyframe.tick);
   if (present_ && present_->tick > timeline->ticks.back()) timeline->ticks.push_back(present_->tick);
   timeline->why_none = why_none_;
   return timeline_ = std::move(timeline);

@@ -25,7 +25,7 @@ namespace playhouse::run {
 class History {
  public:
   /// A state of the run (world/saving/whole_state.h).
-  struct Moment {
+  struct Keyframe {
     std::uint64_t tick = 0;
     std::shared_ptr<const std::vector<std::byte>> whole;
     bool is_branch = false;  // the run went on from here after a rewind, with the users of another time
@@ -52,7 +52,7 @@ class History {
   /// The tick nearest to this one that the run can be taken to. There must be keyframes.
   std::uint64_t nearest(std::uint64_t tick) const;
   /// The last state at or before such a tick.
-  const Moment& before(std::uint64_t tick) const;
+  const Keyframe& before(std::uint64_t tick) const;
   /// The changes made between this tick and the next, packed (world/changes/packed_change.h).
   std::span<const std::byte> changes_at(std::uint64_t tick) const;
 
@@ -67,7 +67,7 @@ class History {
     std::uint64_t tick = 0;
     std::vector<std::byte> packed;
   };
-  std::optional<Moment> save(const world::World& world);
+  std::optional<Keyframe> save(const world::World& world);
   void make_room();
   void drop(std::size_t place);
   void drop_first();
@@ -75,11 +75,11 @@ class History {
   const std::uint64_t period_, span_;  // ticks
   const std::function<double()> clock_;
   const std::size_t most_bytes_;
-  std::vector<Moment> keyframes_;        // by tick, each without the changes of its tick
+  std::vector<Keyframe> keyframes_;      // by tick, each without the changes of its tick
   std::deque<Changes> changes_;          // by tick, from the first keyframe on
-  std::optional<Moment> present_;        // with the changes of its tick; none: the run was not taken back
+  std::optional<Keyframe> present_;      // with the changes of its tick; none: the run was not taken back
   std::vector<std::byte> new_changes_;   // since the last tick
-  std::optional<Moment> arrived_;        // where the run was taken to, and has not gone on
+  std::optional<Keyframe> arrived_;      // where the run was taken to, and has not gone on
   std::size_t bytes_ = 0, changed_ = 0;  // of keyframes and present_, of changes_ [B]
   double rest_until_ = 0;  // wall clock: a hundred times the cost of the last keyframe has passed
   std::string why_none_;   // empty: keyframes can be taken

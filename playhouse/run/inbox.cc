@@ -46,7 +46,7 @@ void Inbox::append(Request request, world::ModelId model) {
   slots_.erase(model);
 }
 
-void Inbox::take(std::vector<Entry>& out) {
+void Inbox::take(std::vector<InboxEntry>& out) {
   out.clear();
   const std::lock_guard lock(mutex_);
   slots_.clear();

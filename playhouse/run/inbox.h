@@ -24,7 +24,7 @@ using Request = std::function<void(world::Journal&)>;
 class Inbox {
  public:
   /// A command is a change and nothing more.
-  using Entry = std::variant<world::Change, Request>;
+  using InboxEntry = std::variant<world::Change, Request>;
 
   /// Replaces the command of its model that waits, or appends it.
   void command(world::Change command);
@@ -41,7 +41,7 @@ class Inbox {
   void post_always(Request request, world::ModelId model = {});
 
   /// Moves all entries to `out` (cleared first), in order.
-  void take(std::vector<Entry>& out);
+  void take(std::vector<InboxEntry>& out);
 
   bool empty() const;
 
@@ -53,7 +53,7 @@ class Inbox {
   void append(Request request, world::ModelId model);
 
   mutable std::mutex mutex_;
-  std::vector<Entry> entries_;
+  std::vector<InboxEntry> entries_;
   std::map<world::ModelId, std::size_t> slots_;  // replaceable commands: index in entries_
   std::size_t changes_ = 0;
   bool closed_ = false;

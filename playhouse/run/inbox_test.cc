@@ -22,13 +22,13 @@ struct Listening {
   }
   /// Numbers of what is taken now, in order.
   std::vector<int> take() {
-    std::vector<Inbox::Entry> taken;
+    std::vector<Inbox::InboxEntry> taken;
     inbox.take(taken);
     const scene::SceneDesc scene;
     world::World world(scene, 1);
     world::Journal journal(world);
     said.clear();
-    for (const Inbox::Entry& each : taken) {
+    for (const Inbox::InboxEntry& each : taken) {
       const auto* const command = std::get_if<world::Change>(&each);
       command ? said.push_back(std::get<world::changes::SetFiducial>(*command).id)
               : std::get<Request>(each)(journal);

@@ -67,26 +67,26 @@ void PublisherThread::run() {
 }
 
 void PublisherThread::do_parts() {
-  while (const std::optional<Part> part = take()) {
+  while (const std::optional<WorkPart> part = take()) {
     part->work->run(part->number);
     did(*part);
   }
 }
 
-std::optional<PublisherThread::Part> PublisherThread::take() {
+std::optional<PublisherThread::WorkPart> PublisherThread::take() {
   const std::lock_guard lock(mutex_);
-  const std::optional<Part> part = next();
+  const std::optional<WorkPart> part = next();
   if (part) ++part->progress->begun;
   return part;
 }
 
-std::optional<PublisherThread::Part> PublisherThread::next() {
+std::optional<PublisherThread::WorkPart> PublisherThread::next() {
   for (std::size_t k = 0; k < works_.size(); ++k)
-    if (progress_[k].begun < works_[k].parts) return Part{&works_[k], &progress_[k], progress_[k].begun};
+    if (progress_[k].begun < works_[k].parts) return WorkPart{&works_[k], &progress_[k], progress_[k].begun};
   return std::nullopt;
 }
 
-void PublisherThread::did(const Part& part) {
+void PublisherThread::did(const WorkPart& part) {
   {
     const std::lock_guard lock(mutex_);
     if (++part.progress->done < part.work->parts) return;

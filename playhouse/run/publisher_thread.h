@@ -50,7 +50,7 @@ class PublisherThread {
   struct Progress {
     std::size_t begun = 0, done = 0;  // parts
   };
-  struct Part {
+  struct WorkPart {
     const Work* work = nullptr;  // valid until all its parts are done
     Progress* progress = nullptr;
     std::size_t number = 0;
@@ -58,9 +58,9 @@ class PublisherThread {
   void wake();
   void run();
   void do_parts();
-  std::optional<Part> take();
-  std::optional<Part> next();  // holding the mutex
-  void did(const Part& part);
+  std::optional<WorkPart> take();
+  std::optional<WorkPart> next();  // holding the mutex
+  void did(const WorkPart& part);
   bool many_left() const;
 
   bool under_way_ = false, awake_ = false;

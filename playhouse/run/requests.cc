@@ -22,7 +22,7 @@ template <typename Edit>
 bool Requests::want(Edit edit) {
   {
     const std::lock_guard lock(mutex_);
-    if constexpr (std::is_void_v<std::invoke_result_t<Edit, Wanted&>>) {
+    if constexpr (std::is_void_v<std::invoke_result_t<Edit, WantedPace&>>) {
       edit(wanted_);
     } else if (!edit(wanted_)) {
       return false;
@@ -35,15 +35,15 @@ bool Requests::want(Edit edit) {
 }
 
 void Requests::stop() {
-  want([](Wanted& wanted) { wanted.stop = true; });
+  want([](WantedPace& wanted) { wanted.stop = true; });
 }
 
 void Requests::pause() {
-  want([](Wanted& wanted) { wanted.paused = true; });
+  want([](WantedPace& wanted) { wanted.paused = true; });
 }
 
 void Requests::resume() {
-  want([](Wanted& wanted) { wanted.paused = false; });
+  want([](WantedPace& wanted) { wanted.paused = false; });
 }
 
 void Requests::step_once() {
@@ -53,7 +53,7 @@ void Requests::step_once() {
 
 void Requests::step(std::uint64_t ticks, LockStep::Done done) {
   std::string why_not;
-  const bool taken = want([&](Wanted& wanted) {
+  const bool taken = want([&](WantedPace& wanted) {
     if (!wanted.paused) {
       why_not = "the world is running: pause it first, or start it with --lock-step";
     } else if (ticks > limits::kSingleSteps - wanted.steps) {
@@ -69,7 +69,7 @@ void Requests::step(std::uint64_t ticks, LockStep::Done done) {
 
 void Requests::set_speed(double times_real_time) {
   if (!std::isfinite(times_real_time) || times_real_time < 0) return;
-  want([=](Wanted& wanted) { wanted.speed = times_real_time; });
+  want([=](WantedPace& wanted) { wanted.speed = times_real_time; });
 }
 
 world::Pace Requests::pace() const {
@@ -118,7 +118,7 @@ void Requests::post_always(Request request, world::ModelId robot) {
 }
 
 void Requests::record(bool on) {
-  want([=](Wanted& wanted) { wanted.recording = on; });
+  want([=](WantedPace& wanted) { wanted.recording = on; });
 }
 
 std::shared_ptr<const world::Timeline> Requests::timeline() const {
@@ -127,7 +127,7 @@ std::shared_ptr<const world::Timeline> Requests::timeline() const {
 }
 
 void Requests::rewind(std::uint64_t tick) {
-  want([=](Wanted& wanted) { wanted.instant = tick; });
+  want([=](WantedPace& wanted) { wanted.instant = tick; });
 }
 
 std::uint64_t Requests::generation(world::ModelId model) const {
@@ -135,10 +135,10 @@ std::uint64_t Requests::generation(world::ModelId model) const {
   return found == generations_.end() ? 0 : found->second;
 }
 
-Requests::Wanted Requests::take() {
+Requests::WantedPace Requests::take() {
   const std::lock_guard lock(mutex_);
   if (!wanted_.paused) wanted_.steps = 0;  // a running world does not need them
-  Wanted now = wanted_;
+  WantedPace now = wanted_;
   wanted_.pace_changed = false;
   wanted_.instant.reset();
   return now;
@@ -185,7 +185,7 @@ void Requests::close() {
   }
   for (const LockStep::Done& each : steppers) each(kEnded);
   inbox_.close();
-  std::vector<Inbox::Entry> rejected;
+  std::vector<Inbox::InboxEntry> rejected;
   inbox_.take(rejected);
 }
 

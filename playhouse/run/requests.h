@@ -65,7 +65,7 @@ class Requests final : public world::Control {
   std::uint64_t generation(world::ModelId model) const override;
 
   /// All that is wanted of the pace.
-  struct Wanted {
+  struct WantedPace {
     double speed = 1;
     bool paused = false;
     bool stop = false;
@@ -78,8 +78,8 @@ class Requests final : public world::Control {
   /// True once after anything was asked for.
   bool any() { return woken_.exchange(false); }
   bool is_woken() const { return woken_.load(); }
-  Wanted take();
-  void take(std::vector<Inbox::Entry>& out) { inbox_.take(out); }
+  WantedPace take();
+  void take(std::vector<Inbox::InboxEntry>& out) { inbox_.take(out); }
   /// Wakes the tick thread; any thread.
   void wake();
   /// Sleeps until that time or a wake-up; true: a wake-up.
@@ -106,7 +106,7 @@ class Requests final : public world::Control {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::atomic<bool> woken_ = true;  // there is something that the tick thread has not seen
-  Wanted wanted_;
+  WantedPace wanted_;
   std::shared_ptr<const world::Timeline> timeline_ = std::make_shared<world::Timeline>();
   std::vector<LockStep::Done> steppers_;  // callbacks of single steps that are not done
   std::set<world::ModelId> reserved_;

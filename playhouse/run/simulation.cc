@@ -185,7 +185,7 @@ void Simulation::take_requests() {
   requests_.take(taken_);
   if (taken_.empty()) return;
   finish_works();
-  for (const Inbox::Entry& entry : taken_) {
+  for (const Inbox::InboxEntry& entry : taken_) {
     carry_out(entry);
     follow_events();
   }
@@ -194,7 +194,7 @@ void Simulation::take_requests() {
   show();
 }
 
-void Simulation::carry_out(const Inbox::Entry& entry) {
+void Simulation::carry_out(const Inbox::InboxEntry& entry) {
   if (const auto* const request = std::get_if<Request>(&entry)) return (*request)(journal_);
   journal_.apply(std::get<world::Change>(entry));  // no effect: its model is gone
 }
@@ -243,7 +243,7 @@ void Simulation::rewind_to(std::uint64_t tick) {
 /// The state at a tick of the run (world/saving/whole_state.h): a keyframe, or what the changes of the run
 /// make of the one before, which nobody sees, and after which the world is as before.
 std::vector<std::byte> Simulation::whole_at(std::uint64_t tick) {
-  const History::Moment from = history_.before(tick);
+  const History::Keyframe from = history_.before(tick);
   std::vector<std::byte> present;
   world::World& world = engine_->world();
   if (from.tick == tick || !world::save_whole(world, present)) return *from.whole;
@@ -258,7 +258,7 @@ std::vector<std::byte> Simulation::whole_at(std::uint64_t tick) {
 }
 
 /// Ends before the tick if that takes too long, or a change is not possible as it was.
-void Simulation::repeat(const History::Moment& from, std::uint64_t tick) {
+void Simulation::repeat(const History::Keyframe& from, std::uint64_t tick) {
   world::World& world = engine_->world();
   PLAYHOUSE_ASSERT(world::load_whole(world, *from.whole).ok());
   const double end = clock_() + kMostRepeat;

@@ -81,12 +81,12 @@ class Simulation final {
  private:
   void take_requests();
   void take_pace();
-  void carry_out(const Inbox::Entry& entry);
+  void carry_out(const Inbox::InboxEntry& entry);
   void finish_changes();
   void end_generations(const std::vector<world::ModelId>& before);
   void rewind_to(std::uint64_t tick);
   std::vector<std::byte> whole_at(std::uint64_t tick);
-  void repeat(const History::Moment& from, std::uint64_t tick);
+  void repeat(const History::Keyframe& from, std::uint64_t tick);
   void start_again_from_here();
   void publish_timeline();
   void keep_start();
@@ -107,7 +107,7 @@ class Simulation final {
   std::atomic<double> time_ = 0;
 
   // Tick thread.
-  Requests::Wanted now_;
+  Requests::WantedPace now_;
   std::function<double()> clock_;
   std::function<bool(double until)> wait_;
   Pacer pacer_;
@@ -117,7 +117,7 @@ class Simulation final {
   std::string why_no_start_;                             // otherwise the reason
   world::Journal journal_;                               // of the changes since the last tick
   std::uint64_t settled_;                                // number of events before those changes
-  std::vector<Inbox::Entry> taken_;
+  std::vector<Inbox::InboxEntry> taken_;
   std::uint64_t followed_;            // number of events passed to the followers
   std::vector<Work> works_;           // for the publisher thread
   PublisherThread publisher_thread_;  // reads all of the above
