@@ -38,7 +38,7 @@ class Caller {
   void when_gone(std::function<void()> task) { tasks_.push_back({nullptr, std::move(task)}); }
   /// The same, at most once per owner.
   void when_gone_once(const void* owner, std::function<void()> task) {
-    if (std::ranges::find(tasks_, owner, &Task::owner) == tasks_.end())
+    if (std::ranges::find(tasks_, owner, &OwnedTask::owner) == tasks_.end())
       tasks_.push_back({owner, std::move(task)});
   }
   std::size_t task_count() const { return tasks_.size(); }
@@ -53,18 +53,18 @@ class Caller {
 
   /// The client has disconnected: runs the tasks. For the server.
   void leave() {
-    for (const Task& task : std::exchange(tasks_, {})) task.run();
+    for (const OwnedTask& task : std::exchange(tasks_, {})) task.run();
   }
 
  private:
-  struct Task {
+  struct OwnedTask {
     const void* owner;  // null: none
     std::function<void()> run;
   };
 
   std::string name_, holder_;
   Rights rights_;
-  std::vector<Task> tasks_;
+  std::vector<OwnedTask> tasks_;
   std::function<void()> expect_alive_;
 };
 

@@ -34,7 +34,7 @@ class Opener {
   virtual void release(DeviceId device, Driver* holder) = 0;
 };
 
-class DeviceClient final : private Outlet, private DataFlow::Reader {
+class DeviceClient final : private Outlet, private DataFlow::DataReader {
  public:
   /// Called when a batch with data for the subscriptions has been
   /// delivered, on the publishing thread. Appended messages join the batch.

@@ -7,7 +7,7 @@
 
 namespace playhouse::device {
 
-void DataFlow::add(Reader& reader, std::span<const DeviceId> devices) {
+void DataFlow::add(DataReader& reader, std::span<const DeviceId> devices) {
   for (const DeviceId device : devices) {
     if (device.row >= ranks_of_.size()) ranks_of_.resize(device.row + 1);
     ranks_of_[device.row].push_back(readers_.size());

@@ -15,9 +15,9 @@ namespace playhouse::device {
 
 class DataFlow final : public Publisher {
  public:
-  class Reader {
+  class DataReader {
    public:
-    virtual ~Reader() = default;
+    virtual ~DataReader() = default;
     /// The reader's share of a batch, in order, non-empty, once per batch. Appends
     /// derived data to `more`, never for a device that an earlier reader reads. Calls
     /// for one device are sequential; for devices of several threads they may overlap.
@@ -25,7 +25,7 @@ class DataFlow final : public Publisher {
   };
 
   /// Subscribes `reader` to these devices, after all readers so far. It must outlive all publishing.
-  void add(Reader& reader, std::span<const DeviceId> devices);
+  void add(DataReader& reader, std::span<const DeviceId> devices);
   /// Sets the final destination.
   void pass_to(Publisher& next) { next_ = &next; }
 
@@ -38,7 +38,7 @@ class DataFlow final : public Publisher {
   using Rank = std::size_t;  // position of a reader in the order
   std::span<const Rank> readers_of(DeviceId device) const;
 
-  std::vector<Reader*> readers_;             // by rank
+  std::vector<DataReader*> readers_;         // by rank
   std::vector<std::vector<Rank>> ranks_of_;  // by the device's row
   Publisher* next_ = nullptr;
 };

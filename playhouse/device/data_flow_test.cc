@@ -18,7 +18,7 @@ Publication publication(std::uint32_t device, std::string_view body) {
 }
 
 /// Makes one message of its device from each batch: everything that it read, in brackets.
-struct Joiner final : DataFlow::Reader {
+struct Joiner final : DataFlow::DataReader {
   explicit Joiner(std::uint32_t device) : device(device) {}
   std::uint32_t device;
   int calls = 0;

@@ -27,7 +27,7 @@ DeviceTable::~DeviceTable() {
   ending_ = true;
   for (const auto& [robot, ids] : by_robot_) {
     for (const DeviceId id : ids) {
-      if (const Entry& entry = (*this)[id]; entry.users > 0) entry.driver->stop(id);
+      if (const ServedDevice& entry = (*this)[id]; entry.users > 0) entry.driver->stop(id);
     }
   }
 }
@@ -52,7 +52,7 @@ Result<DeviceId> DeviceTable::add(Address address, Driver& driver) {
 void DeviceTable::retire(DeviceId id) {
   const auto found = entries_.find(id);
   PLAYHOUSE_ASSERT(found != entries_.end());
-  const Entry entry = found->second;
+  const ServedDevice entry = found->second;
   entries_.erase(found);
   by_address_.erase(entry.address);
   const auto of_robot = by_robot_.find(entry.address.robot);
@@ -91,7 +91,7 @@ std::optional<Address> DeviceTable::nearest_on(std::uint32_t robot, Address want
   return nearest;
 }
 
-const DeviceTable::Entry& DeviceTable::operator[](DeviceId id) const {
+const DeviceTable::ServedDevice& DeviceTable::operator[](DeviceId id) const {
   const auto found = entries_.find(id);
   PLAYHOUSE_ASSERT(found != entries_.end());
   return found->second;
@@ -105,7 +105,7 @@ std::span<const DeviceId> DeviceTable::devices_of(std::uint32_t robot) const {
 Result<void> DeviceTable::open(DeviceId id) {
   const auto found = entries_.find(id);
   PLAYHOUSE_ASSERT(found != entries_.end());
-  Entry& entry = found->second;
+  ServedDevice& entry = found->second;
   if (entry.users == 0) {
     if (Result<void> started = entry.driver->start(id); !started) return started;
   }
@@ -117,7 +117,7 @@ void DeviceTable::close(DeviceId id) {
   if (ending_) return;
   const auto found = entries_.find(id);
   PLAYHOUSE_ASSERT(found != entries_.end() && found->second.users > 0);
-  Entry& entry = found->second;
+  ServedDevice& entry = found->second;
   if (--entry.users == 0) entry.driver->stop(id);
 }
 

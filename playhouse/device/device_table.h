@@ -23,7 +23,7 @@ std::string describe(Address address);
 
 class DeviceTable {
  public:
-  struct Entry {
+  struct ServedDevice {
     Address address;
     Driver* driver = nullptr;  // must outlive the device: until retire(), or the table
     std::size_t users = 0;     // number of opens
@@ -48,7 +48,7 @@ class DeviceTable {
   /// False for a retired device.
   bool has(DeviceId id) const { return entries_.contains(id); }
   /// Asserts that the device exists.
-  const Entry& operator[](DeviceId id) const;
+  const ServedDevice& operator[](DeviceId id) const;
   std::size_t size() const { return entries_.size(); }
   /// The devices of one port, in order of registration.
   std::span<const DeviceId> devices_of(std::uint32_t robot) const;
@@ -62,7 +62,7 @@ class DeviceTable {
  private:
   std::optional<Address> nearest_on(std::uint32_t robot, Address wanted) const;
 
-  std::unordered_map<DeviceId, Entry> entries_;
+  std::unordered_map<DeviceId, ServedDevice> entries_;
   std::uint32_t next_row_ = 0;
   bool ending_ = false;
   std::map<Address, DeviceId> by_address_;

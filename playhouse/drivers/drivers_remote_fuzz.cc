@@ -52,7 +52,7 @@ class HostileServer final : private net::ConnectionEvents {
 };
 
 /// Each request is answered once, and nothing comes without a connection.
-class User final : public RemoteServer::Events {
+class User final : public RemoteServer::RemoteServerEvents {
  public:
   explicit User(net::Network& network) : remote_(network, "lab", kPort, *this) {}
   ~User() override {

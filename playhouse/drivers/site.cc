@@ -72,15 +72,15 @@ Result<void> Site::open_world(const std::string& path) {
 }
 
 void Site::happened(const world::World& world, const world::Event& event) {
-  using Kind = world::Event::EventKind;
+  using EventKind = world::Event::EventKind;
   const Directory& directory = model_devices_->directory();
   std::vector<device::Address> gone;
-  if (event.kind == Kind::kReload) {
+  if (event.kind == EventKind::kReload) {
     for (const device::Address& address : directory.devices())
       if (!world.row(directory.model_of(address))) gone.push_back(address);
     return gone.empty() ? void() : retire(std::move(gone));
   }
-  if (event.kind != Kind::kDespawn) return;
+  if (event.kind != EventKind::kDespawn) return;
   for (std::uint32_t part = 0; part < event.count; ++part) {
     const auto devices = directory.devices_of({event.model.value + part});
     gone.insert(gone.end(), devices.begin(), devices.end());
@@ -184,7 +184,7 @@ Result<void> Site::finish() {
   if (!users) return users.error();
   for (const User* user : *users) {
     for (std::size_t i = 0; i < user->devices.size(); ++i) {
-      const Provided& provided = devices_.at(user->devices[i]);
+      const ProvidedDevice& provided = devices_.at(user->devices[i]);
       user->client->use(i, provided.id, *provided.driver);
     }
     user->client->join(data_flow_);

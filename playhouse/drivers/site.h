@@ -128,11 +128,11 @@ class Site {
   std::unique_ptr<run::Simulation> simulation_;
   device::DataFlow data_flow_;
   std::unique_ptr<ModelDevices> model_devices_;
-  struct Provided {
+  struct ProvidedDevice {
     device::DeviceId id;
     device::Driver* driver = nullptr;
   };
-  std::map<device::Address, Provided> devices_;  // io thread, once it runs
+  std::map<device::Address, ProvidedDevice> devices_;  // io thread, once it runs
   std::set<std::uint32_t> remote_ports_;
   std::vector<User> users_;
   std::vector<std::string> warnings_;

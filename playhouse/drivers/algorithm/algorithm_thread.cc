@@ -23,10 +23,10 @@ void AlgorithmThread::follow_ticks(std::uint64_t tick, std::uint64_t delay) {
   delay_ = delay;
 }
 
-void AlgorithmThread::post(Step step) {
+void AlgorithmThread::post(AlgorithmStep step) {
   {
     Lock lock(mutex_);
-    if (!tick_) std::erase_if(jobs_, [](const Job& job) { return job.step != nullptr; });
+    if (!tick_) std::erase_if(jobs_, [](const PostedStep& job) { return job.step != nullptr; });
     jobs_.push_back({++last_number_, tick_.value_or(0) + 1 + delay_, std::move(step), std::nullopt});
     if (steps_ == Steps::kOnCaller) return tick_ ? void() : run_posted(lock);
     if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
@@ -49,7 +49,7 @@ void AlgorithmThread::ticked(std::uint64_t tick) {
     const std::uint64_t number = jobs_.front().number;
     if (steps_ == Steps::kOnCaller) run_step(lock, jobs_.front());
     changed_.wait(lock, [&] {
-      const Job* job = find(number);
+      const PostedStep* job = find(number);
       return job == nullptr || job->result.has_value();
     });
     if (find(number) != nullptr) deliver_first(lock);
@@ -68,18 +68,18 @@ void AlgorithmThread::run() {
 /// On the thread that posts. What a delivery posts, it leaves to the call that delivers.
 void AlgorithmThread::run_posted(Lock& lock) {
   if (std::exchange(running_, true)) return;
-  while (Job* const job = next_to_begin()) run_step(lock, *job);
+  while (PostedStep* const job = next_to_begin()) run_step(lock, *job);
   running_ = false;
 }
 
-void AlgorithmThread::run_step(Lock& lock, Job& job) {
+void AlgorithmThread::run_step(Lock& lock, PostedStep& job) {
   const std::uint64_t number = job.number;
-  const Step step = std::exchange(job.step, nullptr);
+  const AlgorithmStep step = std::exchange(job.step, nullptr);
   const bool fresh = std::exchange(fresh_, false);
   lock.unlock();
   Delivery result = step(fresh);
   lock.lock();
-  Job* const done = find(number);
+  PostedStep* const done = find(number);
   if (done == nullptr) return;  // cleared in the meantime
   done->result = std::move(result);
   if (!tick_) return deliver_first(lock);
@@ -97,13 +97,13 @@ void AlgorithmThread::deliver_first(Lock& lock) {
   changed_.notify_all();
 }
 
-AlgorithmThread::Job* AlgorithmThread::next_to_begin() {
-  const auto found = std::ranges::find_if(jobs_, [](const Job& job) { return job.step != nullptr; });
+AlgorithmThread::PostedStep* AlgorithmThread::next_to_begin() {
+  const auto found = std::ranges::find_if(jobs_, [](const PostedStep& job) { return job.step != nullptr; });
   return found == jobs_.end() ? nullptr : &*found;
 }
 
-AlgorithmThread::Job* AlgorithmThread::find(std::uint64_t number) {
-  const auto found = std::ranges::find(jobs_, number, &Job::number);
+AlgorithmThread::PostedStep* AlgorithmThread::find(std::uint64_t number) {
+  const auto found = std::ranges::find(jobs_, number, &PostedStep::number);
   return found == jobs_.end() ? nullptr : &*found;
 }
 

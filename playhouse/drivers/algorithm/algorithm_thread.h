@@ -23,7 +23,7 @@ class AlgorithmThread {
   using Delivery = std::function<void()>;
   /// Runs on this thread, sequentially. `fresh`: discard state of
   /// earlier steps, as none has run since the start or since clear().
-  using Step = std::function<Delivery(bool fresh)>;
+  using AlgorithmStep = std::function<Delivery(bool fresh)>;
   /// Where steps run: on this thread, or inside of ticked() once they are due, without ticks inside of post().
   enum class Steps : std::uint8_t { kOnThread, kOnCaller };
 
@@ -41,29 +41,29 @@ class AlgorithmThread {
   void ticked(std::uint64_t tick);
 
   /// Any thread. Between two ticks it counts for the next one.
-  void post(Step step);
+  void post(AlgorithmStep step);
   /// Discards all posted steps. After it returns, no result of them
   /// is or will be delivered. Any thread, but not from a Delivery.
   void clear();
 
  private:
-  struct Job {
+  struct PostedStep {
     std::uint64_t number = 0, due = 0;
-    Step step;                       // empty once started
+    AlgorithmStep step;              // empty once started
     std::optional<Delivery> result;  // set when finished
   };
   using Lock = std::unique_lock<std::mutex>;
   void run();
   void run_posted(Lock& lock);
-  void run_step(Lock& lock, Job& job);
-  Job* next_to_begin();
-  Job* find(std::uint64_t number);
+  void run_step(Lock& lock, PostedStep& job);
+  PostedStep* next_to_begin();
+  PostedStep* find(std::uint64_t number);
   void deliver_first(Lock& lock);
 
   const Steps steps_;
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
-  std::deque<Job> jobs_;  // in the order of posting
+  std::deque<PostedStep> jobs_;  // in the order of posting
   std::uint64_t last_number_ = 0;
   std::optional<std::uint64_t> tick_;  // last tick; none without a simulated world
   std::uint64_t delay_ = 0;

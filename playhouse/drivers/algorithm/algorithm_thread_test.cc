@@ -17,7 +17,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 /// Appends `value` to `out` when its result is delivered.
-AlgorithmThread::Step appends(std::vector<int>& out, int value) {
+AlgorithmThread::AlgorithmStep appends(std::vector<int>& out, int value) {
   return [&out, value](bool) { return [&out, value] { out.push_back(value); }; };
 }
 

@@ -136,16 +136,16 @@ std::optional<GoalAlgorithm::Trip> GoalAlgorithm::trip() const {
   return Trip{goal_->drive, goal_->X_OG, *state_};
 }
 
-void GoalAlgorithm::steer(const Trip& trip, double speed, double turn_rate, End end) {
+void GoalAlgorithm::steer(const Trip& trip, double speed, double turn_rate, DriveEnd end) {
   std::string why;
   {
     const std::lock_guard lock(mutex_);
     if (!goal_ || goal_->drive != trip.drive) return;
-    if (end != End::kNot) {
+    if (end != DriveEnd::kNot) {
       if (trip.X_OG != goal_->X_OG) return;  // it is driving to another goal by now
       goal_.reset();
     }
-    gave_up_ = end == End::kStuck;
+    gave_up_ = end == DriveEnd::kStuck;
     if (gave_up_) refusal_ = why = "it gave up the goal " + goal_text(trip.X_OG) + ": the robot is stuck";
   }
   if (!why.empty()) log_refusal(shell_.name(), why);

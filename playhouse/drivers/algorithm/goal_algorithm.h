@@ -36,7 +36,7 @@ class GoalAlgorithm : public Algorithm {
     wire::position2d::Data state;  // latest of the input
   };
   /// How a step ends a drive.
-  enum class End : std::uint8_t { kNot, kAtGoal, kStuck };
+  enum class DriveEnd : std::uint8_t { kNot, kAtGoal, kStuck };
 
   /// Requests the geometry of the used devices.
   virtual void ask_geometry() = 0;
@@ -50,7 +50,7 @@ class GoalAlgorithm : public Algorithm {
   /// None without a goal or a state. With mutex_ held.
   std::optional<Trip> trip() const;
   /// Applies the result of a step, unless its drive has ended.
-  void steer(const Trip& trip, double speed, double turn_rate, End end);
+  void steer(const Trip& trip, double speed, double turn_rate, DriveEnd end);
 
   Shell& shell_;
   mutable std::mutex mutex_;  // guards what a subclass learns on other threads than its own, and what follows

@@ -49,11 +49,11 @@ Shell::Shell(std::string name, device::Opener& opener, std::size_t uses, Algorit
   client_.when_news([this](std::vector<device::Publication>& more) { algorithm_->take_news(more); });
 }
 
-void Shell::on_command(std::uint8_t subtype, Command take, std::size_t device) {
+void Shell::on_command(std::uint8_t subtype, TakeCommand take, std::size_t device) {
   commands_[{device, subtype}] = std::move(take);
 }
 
-void Shell::on_request(std::uint8_t subtype, Request take, std::size_t device) {
+void Shell::on_request(std::uint8_t subtype, TakeRequest take, std::size_t device) {
   answers_[{device, subtype}] = {std::move(take), std::nullopt};
 }
 
@@ -64,7 +64,7 @@ void Shell::forward_request(std::uint8_t subtype, std::size_t to, std::size_t de
                                  to};
 }
 
-void Shell::forward_others(std::size_t to, Command take) {
+void Shell::forward_others(std::size_t to, TakeCommand take) {
   others_ = {to, std::move(take)};
 }
 
@@ -108,7 +108,7 @@ void Shell::request(const device::Message& message, device::Replier replier) {
 }
 
 bool Shell::capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const {
-  const Key key{number_of(device), subtype};
+  const DeviceSubtype key{number_of(device), subtype};
   if (type == static_cast<std::uint8_t>(wire::MessageType::kCmd) && commands_.contains(key)) return true;
   if (refusal_ && may_ask_for_refusal(type, subtype)) return true;
   if (type == static_cast<std::uint8_t>(wire::MessageType::kReq)) {

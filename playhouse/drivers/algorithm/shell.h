@@ -47,10 +47,10 @@ class Shell final : public device::Driver {
 
   // For constructors of algorithms. A command or request that is not registered is refused.
 
-  using Command = std::function<device::Taken(const device::Message&)>;
-  using Request = std::function<void(const device::Message&, device::Replier)>;
-  void on_command(std::uint8_t subtype, Command take, std::size_t device = 0);
-  void on_request(std::uint8_t subtype, Request take, std::size_t device = 0);
+  using TakeCommand = std::function<device::Taken(const device::Message&)>;
+  using TakeRequest = std::function<void(const device::Message&, device::Replier)>;
+  void on_command(std::uint8_t subtype, TakeCommand take, std::size_t device = 0);
+  void on_request(std::uint8_t subtype, TakeRequest take, std::size_t device = 0);
   /// A body that is no T is refused.
   template <typename T>
   void on_command(std::uint8_t subtype, std::function<device::Taken(const T&)> take, std::size_t device = 0) {
@@ -77,7 +77,7 @@ class Shell final : public device::Driver {
   /// A request that a device which it uses answers.
   void forward_request(std::uint8_t subtype, std::size_t to, std::size_t device = 0);
   /// So are all that are not registered; what becomes of such commands is up to `take`.
-  void forward_others(std::size_t to, Command take);
+  void forward_others(std::size_t to, TakeCommand take);
   /// The property "refusal" (refusal.h).
   void on_refusal_asked(std::function<std::string()> why) { refusal_ = std::move(why); }
 
@@ -86,7 +86,7 @@ class Shell final : public device::Driver {
   device::DeviceClient& client() { return client_; }
   device::DeviceId device(std::size_t provided) const { return provided_[provided]; }
   bool provides(std::size_t provided) const { return provided < provided_.size(); }
-  void post(AlgorithmThread::Step step) { thread_.post(std::move(step)); }
+  void post(AlgorithmThread::AlgorithmStep step) { thread_.post(std::move(step)); }
   /// Drops steps (AlgorithmThread::clear()).
   void drop_steps() { thread_.clear(); }
   /// Of random numbers: of the run's seed and its first device.
@@ -116,15 +116,15 @@ class Shell final : public device::Driver {
   void set_seed(std::uint64_t seed) { seed_ = seed; }
 
  private:
-  struct Answer {
-    Request take;
+  struct RequestTaker {
+    TakeRequest take;
     std::optional<std::size_t> by;  // the device that answers
   };
   struct Others {
     std::size_t to = 0;
-    Command take;
+    TakeCommand take;
   };
-  using Key = std::pair<std::size_t, std::uint8_t>;  // device and subtype
+  using DeviceSubtype = std::pair<std::size_t, std::uint8_t>;  // device and subtype
   std::size_t number_of(device::DeviceId device) const;
   void close();
 
@@ -135,8 +135,8 @@ class Shell final : public device::Driver {
   std::atomic<std::uint64_t> seed_ = 0;
 
   // Not changed once the algorithm is made.
-  std::map<Key, Command> commands_;
-  std::map<Key, Answer> answers_;
+  std::map<DeviceSubtype, TakeCommand> commands_;
+  std::map<DeviceSubtype, RequestTaker> answers_;
   std::optional<Others> others_;
   std::function<std::string()> refusal_;
 

@@ -91,8 +91,8 @@ driver( name "stage" provides ["position2d:0"] model "r0" ))"),
               "");
     site.site().simulation()->engine().world().positions.motor_on[{0}] = 1;
   }
-  testing::OutputRecorder::Answer ask(device::Address address, std::uint8_t subtype,
-                                      const std::vector<std::byte>& body) {
+  testing::OutputRecorder::RecordedAnswer ask(device::Address address, std::uint8_t subtype,
+                                              const std::vector<std::byte>& body) {
     driver->request({site.id(address), kReq, subtype, body}, device::Replier(site.recorder, 1));
     site.run(0);
     return site.recorder.answers.at(1);
@@ -143,7 +143,7 @@ TEST_F(ShellTest, takes_and_answers_what_its_algorithm_registered) {
   EXPECT_EQ(driver->command({site.id(kOwn), kCmd, p2d::kCmdVel, {}}), device::Taken::kNo) << "no body";
   EXPECT_DOUBLE_EQ(wire::decode<p2d::Geom>(ask(kOwn, p2d::kReqGetGeom, {}).body)->size.sl, 0.4);
   EXPECT_FALSE(ask(kSecond, p2d::kReqGetGeom, {}).ack);
-  const testing::OutputRecorder::Answer odom =
+  const testing::OutputRecorder::RecordedAnswer odom =
       ask(kOwn, p2d::kReqSetOdom, wire::encode(p2d::SetOdomReq{{2, 0, 0}}));
   EXPECT_EQ(wire::decode<p2d::SetOdomReq>(odom.body)->pose.px, 3);
   EXPECT_FALSE(ask(kOwn, p2d::kReqSetOdom, wire::encode(p2d::SetOdomReq{{-2, 0, 0}})).ack);

@@ -71,8 +71,8 @@ class AmclTest : public ::testing::Test {
     EXPECT_NE(found, site.recorder.published.rend());
     return *wire::decode<T>(found->body);
   }
-  testing::OutputRecorder::Answer ask(device::Address address, std::uint8_t subtype,
-                                      const std::vector<std::byte>& body) {
+  testing::OutputRecorder::RecordedAnswer ask(device::Address address, std::uint8_t subtype,
+                                              const std::vector<std::byte>& body) {
     driver().request({site.id(address), kReq, subtype, body}, device::Replier(site.recorder, 1));
     site.run(0);
     return site.recorder.answers.at(1);

@@ -57,7 +57,7 @@ Result<void> Agents::begin() {
                                  in_quotes(world.name(world.row(agent.model))), beams_of(agent))};
   }
   const auto count = static_cast<std::uint32_t>(agents_.size());
-  const SharedColumns::Column columns[] = {
+  const SharedColumns::ColumnFormat columns[] = {
       {"actions", "<f4", count, 3, 4}, {"reset", "|u1", count, 0, 1},     {"ranges", "<f4", count, beams_, 4},
       {"pose", "<f8", count, 3, 8},    {"odometry", "<f8", count, 3, 8},  {"velocity", "<f8", count, 3, 8},
       {"stalled", "|u1", count, 0, 1}, {"range_max", "<f4", count, 0, 4}, {"tick", "<u8", 1, 0, 8},

@@ -49,7 +49,7 @@ class Gym : public ::testing::Test {
 
 TEST(SharedColumnsOfGym, keep_their_size_whatever_the_other_program_does) {
   SharedColumns columns;
-  const SharedColumns::Column column{"ranges", "<f4", 100, 3, 4};
+  const SharedColumns::ColumnFormat column{"ranges", "<f4", 100, 3, 4};
   ASSERT_TRUE(columns.make(std::span(&column, 1)));
   struct stat before {};
   ASSERT_EQ(fstat(columns.descriptor(), &before), 0);

@@ -53,9 +53,9 @@ SharedColumns::~SharedColumns() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
-Result<void> SharedColumns::make(std::span<const Column> columns) {
+Result<void> SharedColumns::make(std::span<const ColumnFormat> columns) {
   bytes_ = sizeof(Head) + columns.size() * sizeof(Entry);
-  for (const Column& column : columns) {
+  for (const ColumnFormat& column : columns) {
     offsets_.push_back(bytes_);
     bytes_ += aligned(std::size_t{column.rows} * std::max(column.columns, 1u) * column.value_bytes);
   }

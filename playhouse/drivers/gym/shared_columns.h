@@ -17,7 +17,7 @@ namespace playhouse::drivers::gym {
 class SharedColumns {
  public:
   /// Description of a column; `dtype` is numpy's code ("<f4").
-  struct Column {
+  struct ColumnFormat {
     std::string_view name;
     std::string_view dtype;
     std::uint32_t rows = 0, columns = 0;  // columns 0: a one-dimensional array
@@ -30,7 +30,7 @@ class SharedColumns {
   ~SharedColumns();
 
   /// Allocates all columns, zeroed. Call once. Fails if the system is out of memory.
-  Result<void> make(std::span<const Column> columns);
+  Result<void> make(std::span<const ColumnFormat> columns);
 
   /// File descriptor for the other process.
   int descriptor() const { return descriptor_; }

@@ -43,7 +43,7 @@ class MapOfModelTest : public ::testing::Test {
               "");
     ASSERT_TRUE(site->hold(site->id(kMap)));
   }
-  testing::OutputRecorder::Answer ask(std::uint8_t subtype, const std::vector<std::byte>& body) {
+  testing::OutputRecorder::RecordedAnswer ask(std::uint8_t subtype, const std::vector<std::byte>& body) {
     site->driver(kMap).request({site->id(kMap), kReq, subtype, body}, device::Replier(site->recorder, 1));
     site->run(0);
     return site->recorder.answers.at(1);

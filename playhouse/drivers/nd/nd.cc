@@ -94,7 +94,7 @@ void Nd::take_scans() {
                in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
     if (fresh) memory_ = {};
     const NdOut out = nd_step(options_, robot, in, memory_);
-    const End end = out.done ? End::kAtGoal : out.stuck ? End::kStuck : End::kNot;
+    const DriveEnd end = out.done ? DriveEnd::kAtGoal : out.stuck ? DriveEnd::kStuck : DriveEnd::kNot;
     return [this, trip, out, end] { steer(trip, out.speed, out.turn_rate, end); };
   });
 }

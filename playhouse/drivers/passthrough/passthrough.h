@@ -21,7 +21,7 @@
 
 namespace playhouse::drivers {
 
-class Passthrough final : public device::Driver, private RemoteServer::Events {
+class Passthrough final : public device::Driver, private RemoteServer::RemoteServerEvents {
  public:
   /// What happens to the devices when the connection is lost. Until the server was
   /// reached for the first time they stay: it may be started later than this program.

@@ -32,7 +32,8 @@ std::vector<std::byte> access_request(RemoteDevice device, std::uint16_t port, s
 
 }  // namespace
 
-RemoteServer::RemoteServer(net::Network& network, std::string host, std::uint16_t port, Events& events)
+RemoteServer::RemoteServer(net::Network& network, std::string host, std::uint16_t port,
+                           RemoteServerEvents& events)
     : network_(network), host_(std::move(host)), port_(port), name_(name_of(host_, port)), events_(events) {}
 
 void RemoteServer::connect() {
@@ -56,24 +57,24 @@ void RemoteServer::made(Result<std::unique_ptr<net::Connection>> connection) {
 void RemoteServer::disconnect() {
   attempt_.reset();
   if (connection_) connection_->close_after_flush();
-  for (const Heard& heard : forget()) heard(false, {});
+  for (const ReplyHeard& heard : forget()) heard(false, {});
 }
 
-std::vector<RemoteServer::Heard> RemoteServer::forget() {
+std::vector<RemoteServer::ReplyHeard> RemoteServer::forget() {
   connection_.reset();
   patience_.reset();
   greeted_ = false;
   input_.clear();
   held_.clear();
   waiting_ = 0;
-  std::vector<Heard> unheard;
+  std::vector<ReplyHeard> unheard;
   for (auto& [key, all] : std::exchange(asked_, {}))
     for (Asked& asked : all) unheard.push_back(std::move(asked.heard));
   return unheard;
 }
 
 void RemoteServer::fail(const std::string& why) {
-  for (const Heard& heard : forget()) heard(false, {});
+  for (const ReplyHeard& heard : forget()) heard(false, {});
   events_.lost(why);
 }
 
@@ -163,16 +164,16 @@ void RemoteServer::take_answer(const wire::Header& header, std::span<const std::
   if (found == asked_.end()) return;
   std::deque<Asked>& waiting = found->second;
   const auto meant = std::ranges::find(waiting, header.seq, &Asked::seq);
-  std::vector<Heard> unanswered;
+  std::vector<ReplyHeard> unanswered;
   for (auto count = meant == waiting.end() ? 0 : meant - waiting.begin(); count > 0; --count) {
     unanswered.push_back(std::move(waiting.front().heard));
     waiting.pop_front();
   }
-  const Heard heard = std::move(waiting.front().heard);
+  const ReplyHeard heard = std::move(waiting.front().heard);
   waiting.pop_front();
   waiting_ -= unanswered.size() + 1;
   if (waiting.empty()) asked_.erase(found);
-  for (const Heard& each : unanswered)
+  for (const ReplyHeard& each : unanswered)
     if (each) each(false, {});
   if (heard) heard(header.type == MessageType::kAck, body);
 }
@@ -200,12 +201,13 @@ void RemoteServer::close(RemoteDevice device) {
   request_of_server(player::kReqDev, access_request(device, port_, kClose), {});
 }
 
-void RemoteServer::request_of_server(std::uint8_t subtype, std::span<const std::byte> body, Heard heard) {
-  ask(kServer, subtype, body, heard ? std::move(heard) : Heard([](bool, std::span<const std::byte>) {}));
+void RemoteServer::request_of_server(std::uint8_t subtype, std::span<const std::byte> body,
+                                     ReplyHeard heard) {
+  ask(kServer, subtype, body, heard ? std::move(heard) : ReplyHeard([](bool, std::span<const std::byte>) {}));
 }
 
 void RemoteServer::ask(RemoteDevice device, std::uint8_t subtype, std::span<const std::byte> body,
-                       Heard heard) {
+                       ReplyHeard heard) {
   if (!greeted_ || waiting_ >= limits::kRequestQueue) return heard(false, {});
   ++seq_;
   asked_[{device, subtype}].push_back({seq_, std::move(heard)});

@@ -28,9 +28,9 @@ struct RemoteDevice {
 
 class RemoteServer final : private net::ConnectionEvents {
  public:
-  class Events {
+  class RemoteServerEvents {
    public:
-    virtual ~Events() = default;
+    virtual ~RemoteServerEvents() = default;
     /// The handshake is complete: requests and commands are sent from now on.
     virtual void connected() = 0;
     /// The connection failed or closed: pending requests got NACK, and no device is open.
@@ -45,10 +45,10 @@ class RemoteServer final : private net::ConnectionEvents {
     virtual void gone(RemoteDevice device) = 0;
   };
   /// Called once with the reply.
-  using Heard = std::function<void(bool ack, std::span<const std::byte> body)>;
+  using ReplyHeard = std::function<void(bool ack, std::span<const std::byte> body)>;
 
   /// `network` and `events` must outlive it.
-  RemoteServer(net::Network& network, std::string host, std::uint16_t port, Events& events);
+  RemoteServer(net::Network& network, std::string host, std::uint16_t port, RemoteServerEvents& events);
   RemoteServer(const RemoteServer&) = delete;
   RemoteServer& operator=(const RemoteServer&) = delete;
 
@@ -60,7 +60,7 @@ class RemoteServer final : private net::ConnectionEvents {
   /// Authenticates with a guest's token (docs/guests.md). Before connect().
   void set_token(std::string token) { token_ = std::move(token); }
 
-  /// Starts connecting unless connecting or connected. The outcome is reported to Events.
+  /// Starts connecting unless connecting or connected. The outcome is reported to RemoteServerEvents.
   void connect();
   /// Closes the connection after flushing. No event follows.
   void disconnect();
@@ -71,13 +71,13 @@ class RemoteServer final : private net::ConnectionEvents {
   /// Under back-pressure a newer command replaces an older one of its kind, unless a request
   /// to the device came in between: commands and requests of one device keep their order.
   void command(RemoteDevice device, std::uint8_t subtype, std::span<const std::byte> body);
-  void ask(RemoteDevice device, std::uint8_t subtype, std::span<const std::byte> body, Heard heard);
+  void ask(RemoteDevice device, std::uint8_t subtype, std::span<const std::byte> body, ReplyHeard heard);
 
  private:
-  using Key = std::pair<RemoteDevice, std::uint8_t>;  // device and subtype of a reply or command
+  using RemoteSubtype = std::pair<RemoteDevice, std::uint8_t>;  // device and subtype of a reply or command
   struct Asked {
     std::uint32_t seq = 0;
-    Heard heard;
+    ReplyHeard heard;
   };
 
   void received(std::span<const std::byte> bytes) override;
@@ -93,19 +93,19 @@ class RemoteServer final : private net::ConnectionEvents {
   void take_answer(const wire::Header& header, std::span<const std::byte> body);
   bool tells_of_end(const wire::Header& header, std::span<const std::byte> body);
   void authenticate();
-  void request_of_server(std::uint8_t subtype, std::span<const std::byte> body, Heard heard);
+  void request_of_server(std::uint8_t subtype, std::span<const std::byte> body, ReplyHeard heard);
   void send(wire::MessageType type, RemoteDevice device, std::uint8_t subtype,
             std::span<const std::byte> body);
   void send_held(RemoteDevice device);
   void fail(const std::string& why);
-  std::vector<Heard> forget();
+  std::vector<ReplyHeard> forget();
 
   net::Network& network_;
   const std::string host_;
   const std::uint16_t port_;
   const std::string name_;
   std::string token_;  // empty: none
-  Events& events_;
+  RemoteServerEvents& events_;
 
   std::unique_ptr<net::Attempt> attempt_;
   std::unique_ptr<net::Connection> connection_;
@@ -113,9 +113,9 @@ class RemoteServer final : private net::ConnectionEvents {
   bool greeted_ = false, reached_ = false;
   std::vector<std::byte> input_;  // starts with a header once greeted
   std::uint32_t seq_ = 0;
-  std::map<Key, std::deque<Asked>> asked_;
-  std::size_t waiting_ = 0;               // number of entries in asked_
-  std::map<Key, net::SharedBytes> held_;  // commands held back under back-pressure
+  std::map<RemoteSubtype, std::deque<Asked>> asked_;
+  std::size_t waiting_ = 0;                         // number of entries in asked_
+  std::map<RemoteSubtype, net::SharedBytes> held_;  // commands held back under back-pressure
 };
 
 }  // namespace playhouse::drivers

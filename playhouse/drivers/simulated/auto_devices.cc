@@ -46,11 +46,11 @@ bool AutoDevices::open_port(std::size_t number) {
 }
 
 void AutoDevices::happened(const world::World& world, const world::Event& event) {
-  using Kind = world::Event::EventKind;
-  if (event.kind == Kind::kReload) return go_and_come_back(world);
-  if (event.kind == Kind::kDespawn)
+  using EventKind = world::Event::EventKind;
+  if (event.kind == EventKind::kReload) return go_and_come_back(world);
+  if (event.kind == EventKind::kDespawn)
     for (std::uint32_t part = 0; part < event.count; ++part) go(world, {event.model.value + part});
-  if (event.kind != Kind::kSpawn) return;
+  if (event.kind != EventKind::kSpawn) return;
   const world::ModelRow top = world.row(event.model);
   // Otherwise it was removed again already, or spawned with its parent.
   if (top && !knows(event.model, event.count)) come(world, {{top}});
@@ -119,7 +119,7 @@ void AutoDevices::make(const world::World& world, std::span<const MappedDevice> 
 void AutoDevices::remember(const world::World& world, std::span<const MappedDevice> devices) {
   for (const MappedDevice& mapped : devices) {
     if (!mapped.model) continue;
-    Given& given = given_[world.id(mapped.model)];
+    GivenDevices& given = given_[world.id(mapped.model)];
     // The id was used by another model before a rewind or restart, which cannot come back.
     if (given.gone) given = {};
     given.devices.push_back(mapped);

@@ -58,12 +58,12 @@ class AutoDevices : private run::Follower {
   SimulatedDriver driver_;
   // Tick thread, once it runs.
   AutoMap map_;
-  struct Given {
+  struct GivenDevices {
     std::vector<MappedDevice> devices;
     std::optional<std::uint64_t> gone;  // the tick after which the model was removed
   };
   /// Of every model that exists or can come back.
-  std::map<world::ModelId, Given> given_;
+  std::map<world::ModelId, GivenDevices> given_;
   std::size_t forget_at_ = 0;  // size of given_ that triggers clean-up
   bool opens_ports_ = false;
   bool warned_ = false;

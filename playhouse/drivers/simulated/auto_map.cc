@@ -47,7 +47,7 @@ std::vector<MappedDevice> AutoMap::of_world(const world::World& world) {
 std::vector<MappedDevice> AutoMap::of_trees(const world::World& world,
                                             std::span<const world::ModelRow> tops) {
   // Robot numbers first: further devices are indexed behind them.
-  std::vector<std::pair<world::ModelRow, Number>> robots;
+  std::vector<std::pair<world::ModelRow, FreeNumber>> robots;
   for (const world::ModelRow top : tops)
     if (is_robot(world, top)) robots.emplace_back(top, next_robot(world.time()));
   for (const auto& [top, number] : robots) map_tree(world, top, true, number);
@@ -58,26 +58,26 @@ std::vector<MappedDevice> AutoMap::of_trees(const world::World& world,
   return std::exchange(out_, {});
 }
 
-AutoMap::Number AutoMap::next_robot(double time) {
+AutoMap::FreeNumber AutoMap::next_robot(double time) {
   std::size_t next = 0;
   each_numbered([&](std::uint16_t interf) { next = std::max(next, next_[interf]); });
-  const Number number = has_room_for(next) ? next : beyond_ports(kNumbers, next, time);
+  const FreeNumber number = has_room_for(next) ? next : beyond_ports(kNumbers, next, time);
   // Numbers that only some of these interfaces have used are no robot's any more.
   const std::size_t after = number == next ? next + 1 : next;
   each_numbered([&](std::uint16_t interf) { next_[interf] = after; });
   return number;
 }
 
-AutoMap::Number AutoMap::next_number(std::uint16_t interf, double time) {
+AutoMap::FreeNumber AutoMap::next_number(std::uint16_t interf, double time) {
   std::size_t& next = next_[interf];
-  const Number number = has_room_for(next) ? next : beyond_ports(place_of(interf), next, time);
+  const FreeNumber number = has_room_for(next) ? next : beyond_ports(place_of(interf), next, time);
   if (number == next) ++next;
   return number;
 }
 
-AutoMap::Number AutoMap::beyond_ports(std::uint16_t place, std::size_t next, double time) {
+AutoMap::FreeNumber AutoMap::beyond_ports(std::uint16_t place, std::size_t next, double time) {
   RetiredIndices& retired = retired_[place];
-  if (const Number rested = retired.take(time)) return rested;
+  if (const FreeNumber rested = retired.take(time)) return rested;
   if (retired.size() > indices_) return std::nullopt;
   has_all_ports_ = has_all_ports_ || ports_ == kPorts || !open_port_(ports_);
   if (has_all_ports_) return std::nullopt;
@@ -90,7 +90,7 @@ void AutoMap::add_world(std::size_t port) {
   for (const KindInterface& each : scene::world_kind().interfaces) add(each.code, port * indices_, {});
 }
 
-void AutoMap::map_tree(const world::World& world, world::ModelRow top, bool is_robot, Number number) {
+void AutoMap::map_tree(const world::World& world, world::ModelRow top, bool is_robot, FreeNumber number) {
   is_robot_ = is_robot;
   robot_ = number;
   numbered_.clear();
@@ -113,7 +113,7 @@ void AutoMap::visit(const world::World& world, world::ModelRow model) {
   for (const world::ModelRow child : world.children(model)) visit(world, {child});
 }
 
-void AutoMap::add(std::uint16_t interf, Number number, world::ModelRow model) {
+void AutoMap::add(std::uint16_t interf, FreeNumber number, world::ModelRow model) {
   if (!number) {
     ++left_out_;
     return;

@@ -75,18 +75,18 @@ class AutoMap {
   std::size_t left_out() const { return left_out_; }
 
  private:
-  using Found = std::pair<std::uint16_t, world::ModelRow>;
-  using Number = std::optional<std::size_t>;  // none: there is none left
+  using FoundDevice = std::pair<std::uint16_t, world::ModelRow>;
+  using FreeNumber = std::optional<std::size_t>;  // none: there is none left
 
-  Number next_robot(double time);
-  Number next_number(std::uint16_t interf, double time);
+  FreeNumber next_robot(double time);
+  FreeNumber next_number(std::uint16_t interf, double time);
   /// A retired number, or `next` once a further port has it; none while more numbers rest than a port has.
-  Number beyond_ports(std::uint16_t place, std::size_t next, double time);
+  FreeNumber beyond_ports(std::uint16_t place, std::size_t next, double time);
   bool has_room_for(std::size_t number) const { return number < ports_ * indices_; }
   void add_world(std::size_t port);
-  void map_tree(const world::World& world, world::ModelRow top, bool is_robot, Number number);
+  void map_tree(const world::World& world, world::ModelRow top, bool is_robot, FreeNumber number);
   void visit(const world::World& world, world::ModelRow model);
-  void add(std::uint16_t interf, Number number, world::ModelRow model);
+  void add(std::uint16_t interf, FreeNumber number, world::ModelRow model);
   std::size_t number_of(const MappedDevice& device) const { return device.port * indices_ + device.index; }
 
   const std::size_t indices_;  // of each interface on each port
@@ -101,9 +101,9 @@ class AutoMap {
 
   // Valid during a call that maps devices.
   std::vector<MappedDevice> out_;
-  std::vector<Found> further_;        // to be indexed behind the robots
+  std::vector<FoundDevice> further_;  // to be indexed behind the robots
   bool is_robot_ = false;             // the current tree
-  Number robot_;                      // its number
+  FreeNumber robot_;                  // its number
   std::set<std::uint16_t> numbered_;  // interfaces that have used it
 };
 

@@ -76,7 +76,7 @@ class Device : public ::testing::Test {
     still_.run(0);
   }
   /// The answer to a request, which must have come by the next moment between ticks.
-  testing::OutputRecorder::Answer ask(std::uint8_t subtype, std::span<const std::byte> body = {}) {
+  testing::OutputRecorder::RecordedAnswer ask(std::uint8_t subtype, std::span<const std::byte> body = {}) {
     driver_.request({kId, static_cast<std::uint8_t>(MessageType::kReq), subtype, body},
                     device::Replier(still_.recorder, ++ticket_));
     still_.run(0);
@@ -84,11 +84,11 @@ class Device : public ::testing::Test {
     return still_.recorder.answers[ticket_];
   }
   template <typename Payload>
-  testing::OutputRecorder::Answer ask_with(std::uint8_t subtype, const Payload& payload) {
+  testing::OutputRecorder::RecordedAnswer ask_with(std::uint8_t subtype, const Payload& payload) {
     return ask(subtype, wire::encode(payload));
   }
   template <typename Reply>
-  Reply reply(const testing::OutputRecorder::Answer& answer) {
+  Reply reply(const testing::OutputRecorder::RecordedAnswer& answer) {
     EXPECT_TRUE(answer.ack);
     const Result<Reply> value = wire::decode<Reply>(answer.body);
     EXPECT_TRUE(value);

@@ -26,9 +26,9 @@ using world::World;
 constexpr std::size_t kMostSensors = 64;  // limit for one robot
 
 /// "TYPE" or "TYPE X Y HEADING" [m, rad].
-Result<RobotRequest::Sensor> parse_sensor(const std::string& text) {
+Result<RobotRequest::SensorRequest> parse_sensor(const std::string& text) {
   std::istringstream words(text);
-  RobotRequest::Sensor sensor;
+  RobotRequest::SensorRequest sensor;
   words >> sensor.type;
   std::vector<double> numbers;
   for (std::string word; words >> word;) {
@@ -94,7 +94,7 @@ Result<scene::Color> color_of(const std::string& name) {
 
 /// Pose of a sensor on a robot: as in world files, on its top if that stacks.
 geom::Pose place_on(const World& world, const Joined& joined, const Type& type,
-                    const RobotRequest::Sensor& sensor) {
+                    const RobotRequest::SensorRequest& sensor) {
   const scene::ModelDesc& robot = world.desc(world.row(joined.robot));
   const geom::Pose said = world.scene().models[type.prototype].X_PM;
   geom::Pose X_RS = sensor.X_RS.value_or(said);
@@ -104,7 +104,7 @@ geom::Pose place_on(const World& world, const Joined& joined, const Type& type,
 
 /// Spawns a sensor, not attached yet. Returns where it goes.
 Result<world::AttachedChild> make_sensor(world::Journal& journal, Joined& joined,
-                                         const RobotRequest::Sensor& sensor) {
+                                         const RobotRequest::SensorRequest& sensor) {
   const World& world = journal.world();
   const Result<Type> type = find_type(world, sensor.type, false);
   if (!type) return type.error();
@@ -118,9 +118,9 @@ Result<world::AttachedChild> make_sensor(world::Journal& journal, Joined& joined
 }
 
 Result<void> add_sensors(world::Journal& journal, Joined& joined,
-                         std::span<const RobotRequest::Sensor> sensors) {
+                         std::span<const RobotRequest::SensorRequest> sensors) {
   world::changes::Attach attach{{}, joined.robot, {}};
-  for (const RobotRequest::Sensor& sensor : sensors) {
+  for (const RobotRequest::SensorRequest& sensor : sensors) {
     const Result<world::AttachedChild> made = make_sensor(journal, joined, sensor);
     if (!made) return made.error();
     attach.children.push_back(made->child);
@@ -152,7 +152,7 @@ Result<RobotRequest> parse_join_request(std::string_view type, std::string_view 
   if (texts.size() > 2 + kMostSensors)
     return Error{"", fmt::format("a robot brings {} sensors at most", kMostSensors)};
   for (std::size_t i = 2; i < texts.size(); ++i) {
-    Result<RobotRequest::Sensor> sensor = parse_sensor(texts[i]);
+    Result<RobotRequest::SensorRequest> sensor = parse_sensor(texts[i]);
     if (!sensor) return sensor.error();
     request.sensors.push_back(std::move(*sensor));
   }
@@ -165,7 +165,7 @@ Result<Joined> join(world::Journal& journal, const RobotRequest& request) {
   const Result<Type> type = find_type(world, request.type, true);
   if (!type) return type.error();
   // Validates everything before the first spawn: atomic.
-  for (const RobotRequest::Sensor& sensor : request.sensors)
+  for (const RobotRequest::SensorRequest& sensor : request.sensors)
     if (const Result<Type> known = find_type(world, sensor.type, false); !known) return known.error();
   std::optional<scene::Color> color;
   if (!request.color.empty()) {

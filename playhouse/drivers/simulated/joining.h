@@ -19,7 +19,7 @@ namespace playhouse::drivers {
 
 /// Wire format: docs/robot-client.md.
 struct RobotRequest {
-  struct Sensor {
+  struct SensorRequest {
     std::string type;
     std::optional<geom::Pose> X_RS;  // in the robot; z counts from its top. None: from the type.
   };
@@ -27,7 +27,7 @@ struct RobotRequest {
   geom::Pose X_WR;    // z is from the type
   std::string name;   // "": that of the type, or one derived from it
   std::string color;  // X11 name; "": that of the type
-  std::vector<Sensor> sensors;
+  std::vector<SensorRequest> sensors;
 };
 
 /// Parses a client's request. Fails with a message for the client.

@@ -38,12 +38,12 @@ class RetiredIndices {
     std::size_t index;
     double time;  // s
   };
-  struct Place {
+  struct IndexHolders {
     std::size_t holders = 0;
     std::uint64_t number = 0;  // key in order_, if without holders
   };
-  std::map<std::size_t, Place> places_;     // held and retired, by index
-  std::map<std::uint64_t, Retired> order_;  // ascending by number and by time
+  std::map<std::size_t, IndexHolders> places_;  // held and retired, by index
+  std::map<std::uint64_t, Retired> order_;      // ascending by number and by time
   std::uint64_t next_number_ = 0;
 };
 

@@ -94,8 +94,8 @@ class SimulatedDevice : public DataSource {
   }
 
   /// The same for a request that changes the world.
-  using Answer = std::function<std::optional<Bytes>(world::Journal&)>;
-  void answer_by(device::Replier replier, Answer answer) const {
+  using JournalAnswer = std::function<std::optional<Bytes>(world::Journal&)>;
+  void answer_by(device::Replier replier, JournalAnswer answer) const {
     auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
     simulation_.requests().post(
         [shared, answer = std::move(answer)](world::Journal& journal) {

@@ -26,11 +26,11 @@ void Sources::emit_range(const world::World& world, std::size_t range) {
   for (std::size_t i = range * kRange; i < end; ++i) all_[i]->emit(world, parts_[range]);
 }
 
-void Sources::join(Batch& out) {
+void Sources::join(PublicationBatch& out) {
   std::size_t count = out.size();
-  for (const Batch& part : parts_) count += part.size();
+  for (const PublicationBatch& part : parts_) count += part.size();
   out.reserve(count);
-  for (Batch& part : parts_) {
+  for (PublicationBatch& part : parts_) {
     std::ranges::move(part, std::back_inserter(out));
     part.clear();
   }

@@ -41,10 +41,10 @@ class Sources {
   void join(std::vector<device::Publication>& out);
 
  private:
-  using Batch = std::vector<device::Publication>;
+  using PublicationBatch = std::vector<device::Publication>;
 
   std::vector<std::shared_ptr<DataSource>> all_;
-  std::vector<Batch> parts_;  // of each range, reused
+  std::vector<PublicationBatch> parts_;  // of each range, reused
 };
 
 }  // namespace playhouse::drivers

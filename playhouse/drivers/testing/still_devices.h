@@ -16,7 +16,7 @@ namespace playhouse::drivers::testing {
 /// Remembers what drivers answer and publish.
 class OutputRecorder final : public device::Outlet, public device::Publisher {
  public:
-  struct Answer {
+  struct RecordedAnswer {
     bool ack = false;
     std::vector<std::byte> body;
   };
@@ -27,7 +27,7 @@ class OutputRecorder final : public device::Outlet, public device::Publisher {
     ++batches;
     for (device::Publication& publication : batch) published.push_back(std::move(publication));
   }
-  std::map<std::uint64_t, Answer> answers;
+  std::map<std::uint64_t, RecordedAnswer> answers;
   std::vector<device::Publication> published;
   int batches = 0;
 };

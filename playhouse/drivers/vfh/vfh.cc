@@ -65,7 +65,9 @@ void Vfh::take_scans() {
   shell_.post([this, trip = *trip, robot, in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
     if (fresh) memory_ = {};
     const VfhOut out = vfh_step(options_, robot, in, memory_);
-    return [this, trip, out] { steer(trip, out.speed, out.turn_rate, out.done ? End::kAtGoal : End::kNot); };
+    return [this, trip, out] {
+      steer(trip, out.speed, out.turn_rate, out.done ? DriveEnd::kAtGoal : DriveEnd::kNot);
+    };
   });
 }
 

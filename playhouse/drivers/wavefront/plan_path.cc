@@ -21,22 +21,22 @@ std::size_t count(const CostMap& map) {
   return static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
 }
 
-Cell cell_at(const CostMap& map, int x, int y) {
-  return static_cast<Cell>(y) * static_cast<Cell>(map.width) + static_cast<Cell>(x);
+CellIndex cell_at(const CostMap& map, int x, int y) {
+  return static_cast<CellIndex>(y) * static_cast<CellIndex>(map.width) + static_cast<CellIndex>(x);
 }
-int column(const CostMap& map, Cell cell) {
-  return static_cast<int>(cell % static_cast<Cell>(map.width));
+int column(const CostMap& map, CellIndex cell) {
+  return static_cast<int>(cell % static_cast<CellIndex>(map.width));
 }
-int row(const CostMap& map, Cell cell) {
-  return static_cast<int>(cell / static_cast<Cell>(map.width));
+int row(const CostMap& map, CellIndex cell) {
+  return static_cast<int>(cell / static_cast<CellIndex>(map.width));
 }
 
-Vec2 centre(const CostMap& map, Cell cell) {
+Vec2 centre(const CostMap& map, CellIndex cell) {
   return {(column(map, cell) - 0.5) * map.scale, (row(map, cell) - 0.5) * map.scale};  // 1: the border
 }
 
 /// None off the map.
-std::optional<Cell> cell_of(const CostMap& map, Vec2 p_G) {
+std::optional<CellIndex> cell_of(const CostMap& map, Vec2 p_G) {
   const double x = std::floor(p_G.x / map.scale) + 1, y = std::floor(p_G.y / map.scale) + 1;
   if (!(x >= 1 && y >= 1 && x <= map.width - 2 && y <= map.height - 2)) return std::nullopt;
   return cell_at(map, static_cast<int>(x), static_cast<int>(y));
@@ -71,18 +71,18 @@ struct Step {
 /// In the order of the cells' numbers.
 constexpr std::array<Step, 8> kSteps{{{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
-Cell after(const CostMap& map, Cell cell, int x, int y) {
-  return static_cast<Cell>(static_cast<std::int64_t>(cell) + std::int64_t{y} * map.width + x);
+CellIndex after(const CostMap& map, CellIndex cell, int x, int y) {
+  return static_cast<CellIndex>(static_cast<std::int64_t>(cell) + std::int64_t{y} * map.width + x);
 }
 
 /// True if a step leads to a cell of at least this weight, and past none below it.
-bool possible(const CostMap& map, Cell from, Step step, std::uint16_t least) {
+bool possible(const CostMap& map, CellIndex from, Step step, std::uint16_t least) {
   const auto fits = [&](int x, int y) { return map.weights[after(map, from, x, y)] >= least; };
   return fits(step.x, step.y) && (!step.diagonal() || (fits(step.x, 0) && fits(0, step.y)));
 }
 
 /// Of a step to a neighbouring free cell.
-std::uint32_t step_cost(const CostMap& map, Cell from, Cell to, bool diagonal) {
+std::uint32_t step_cost(const CostMap& map, CellIndex from, CellIndex to, bool diagonal) {
   const std::uint32_t both = std::uint32_t{map.weights[from]} + map.weights[to];
   return diagonal ? both * 181 / 128 : both;  // the square root of 2
 }
@@ -92,41 +92,41 @@ class Waiting {
  public:
   explicit Waiting(std::uint32_t most_step) : buckets_(std::size_t{most_step} + 1) {}
 
-  void add(Cell cell, std::uint64_t cost) {
+  void add(CellIndex cell, std::uint64_t cost) {
     buckets_[cost % buckets_.size()].push_back(cell);
     ++count_;
   }
   bool empty() const { return count_ == 0; }
   /// All cells of this cost.
-  std::vector<Cell> take(std::uint64_t cost) {
-    std::vector<Cell> cells = std::exchange(buckets_[cost % buckets_.size()], std::move(spare_));
+  std::vector<CellIndex> take(std::uint64_t cost) {
+    std::vector<CellIndex> cells = std::exchange(buckets_[cost % buckets_.size()], std::move(spare_));
     count_ -= cells.size();
     return cells;
   }
   /// Gives a taken vector back, for its memory.
-  void reuse(std::vector<Cell> cells) {
+  void reuse(std::vector<CellIndex> cells) {
     spare_ = std::move(cells);
     spare_.clear();
   }
 
  private:
-  std::vector<std::vector<Cell>> buckets_;
-  std::vector<Cell> spare_;
+  std::vector<std::vector<CellIndex>> buckets_;
+  std::vector<CellIndex> spare_;
   std::size_t count_ = 0;
 };
 
-void spread(const CostMap& map, Cell goal, std::vector<std::uint32_t>& costs) {
+void spread(const CostMap& map, CellIndex goal, std::vector<std::uint32_t>& costs) {
   const std::uint32_t most = *std::ranges::max_element(map.weights);
   Waiting waiting(2 * most * 181 / 128);
   costs[goal] = 0;
   waiting.add(goal, 0);
   for (std::uint64_t cost = 0; !waiting.empty(); ++cost) {
-    std::vector<Cell> cells = waiting.take(cost);
-    for (const Cell cell : cells) {
+    std::vector<CellIndex> cells = waiting.take(cost);
+    for (const CellIndex cell : cells) {
       if (costs[cell] != cost) continue;  // a cheaper path was found
       for (const Step step : kSteps) {
         if (!possible(map, cell, step, CostMap::kPlain)) continue;
-        const Cell next = after(map, cell, step.x, step.y);
+        const CellIndex next = after(map, cell, step.x, step.y);
         const std::uint64_t sum = cost + step_cost(map, cell, next, step.diagonal());
         if (sum >= costs[next]) continue;
         costs[next] = static_cast<std::uint32_t>(sum);
@@ -140,16 +140,16 @@ void spread(const CostMap& map, Cell goal, std::vector<std::uint32_t>& costs) {
 // From the robot to the goal.
 
 /// The nearest free cell that can be reached past no obstacle, unless the cell itself is free.
-std::optional<Cell> nearest_free(const CostMap& map, Cell from) {
+std::optional<CellIndex> nearest_free(const CostMap& map, CellIndex from) {
   if (map.free(from)) return from;
   std::vector<bool> seen(count(map));
-  std::vector<Cell> ring{from}, found, next;
+  std::vector<CellIndex> ring{from}, found, next;
   seen[from] = true;
   while (!ring.empty() && found.empty()) {
     next.clear();
-    for (const Cell cell : ring) {
+    for (const CellIndex cell : ring) {
       for (const Step step : kSteps) {
-        const Cell to = after(map, cell, step.x, step.y);
+        const CellIndex to = after(map, cell, step.x, step.y);
         if (seen[to] || !possible(map, cell, step, CostMap::kNear)) continue;
         seen[to] = true;
         (map.free(to) ? found : next).push_back(to);
@@ -158,7 +158,7 @@ std::optional<Cell> nearest_free(const CostMap& map, Cell from) {
     std::swap(ring, next);
   }
   if (found.empty()) return std::nullopt;
-  const auto far = [&](Cell cell) {
+  const auto far = [&](CellIndex cell) {
     const std::int64_t x = column(map, cell) - column(map, from), y = row(map, cell) - row(map, from);
     return std::pair(x * x + y * y, cell);
   };
@@ -166,15 +166,15 @@ std::optional<Cell> nearest_free(const CostMap& map, Cell from) {
 }
 
 /// All cells of the cheapest path, both ends included.
-std::vector<Cell> cheapest_path(const CostMap& map, const CostToGoal& goal, Cell from) {
-  std::vector<Cell> path{from};
+std::vector<CellIndex> cheapest_path(const CostMap& map, const CostToGoal& goal, CellIndex from) {
+  std::vector<CellIndex> path{from};
   while (goal.costs[path.back()] != 0) {
-    const Cell cell = path.back();
+    const CellIndex cell = path.back();
     std::uint64_t least = CostToGoal::kNone;
-    Cell best = cell;
+    CellIndex best = cell;
     for (const Step step : kSteps) {
       if (!possible(map, cell, step, CostMap::kPlain)) continue;
-      const Cell next = after(map, cell, step.x, step.y);
+      const CellIndex next = after(map, cell, step.x, step.y);
       const std::uint64_t sum = std::uint64_t{goal.costs[next]} + step_cost(map, cell, next, step.diagonal());
       if (sum >= least) continue;
       least = sum;
@@ -186,7 +186,7 @@ std::vector<Cell> cheapest_path(const CostMap& map, const CostToGoal& goal, Cell
 }
 
 /// Cost of a straight leg between two cells' centres; none if it passes a cell that is not free.
-std::optional<double> leg_cost(const CostMap& map, Cell from, Cell to) {
+std::optional<double> leg_cost(const CostMap& map, CellIndex from, CellIndex to) {
   const int dx = column(map, to) - column(map, from), dy = row(map, to) - row(map, from);
   const bool along_x = std::abs(dx) >= std::abs(dy);
   const int length = std::max(std::abs(dx), std::abs(dy)), across = std::min(std::abs(dx), std::abs(dy));
@@ -200,7 +200,7 @@ std::optional<double> leg_cost(const CostMap& map, Cell from, Cell to) {
     const auto at = [&](int side) {
       return along_x ? after(map, from, i * x, side * y) : after(map, from, side * x, i * y);
     };
-    const Cell near = at(low), other = off == 0 ? near : at(low + 1);
+    const CellIndex near = at(low), other = off == 0 ? near : at(low + 1);
     if (!map.free(near) || !map.free(other)) return std::nullopt;
     if (across == length && i < length && !possible(map, near, {x, y}, CostMap::kPlain)) return std::nullopt;
     const double share = static_cast<double>(off) / length;
@@ -211,7 +211,7 @@ std::optional<double> leg_cost(const CostMap& map, Cell from, Cell to) {
 }
 
 /// The end of a straight leg from place `from` of the path: far, and at least the next place.
-std::size_t leg_end(const CostMap& map, const CostToGoal& goal, const std::vector<Cell>& path,
+std::size_t leg_end(const CostMap& map, const CostToGoal& goal, const std::vector<CellIndex>& path,
                     std::size_t from) {
   const auto straight = [&](std::size_t to) {
     const std::optional<double> cost = leg_cost(map, path[from], path[to]);
@@ -240,7 +240,7 @@ CostMap cost_map(const GridMap& grid, const PlanOptions& options) {
   obstacles.reserve(count(map));
   for (const std::uint16_t weight : map.weights) obstacles.push_back(weight == CostMap::kObstacle ? 1 : 0);
   const std::vector<std::uint32_t> squares = squared_distances(map.width, map.height, obstacles);
-  for (Cell cell = 0; cell < squares.size(); ++cell) {
+  for (CellIndex cell = 0; cell < squares.size(); ++cell) {
     if (map.weights[cell] == CostMap::kObstacle) continue;
     const double clearance = std::sqrt(static_cast<double>(squares[cell])) - 0.5;
     map.weights[cell] = weight(clearance, map.scale, options);
@@ -249,7 +249,7 @@ CostMap cost_map(const GridMap& grid, const PlanOptions& options) {
 }
 
 Result<CostToGoal> cost_to_goal(const CostMap& map, Vec2 p_GT) {
-  const std::optional<Cell> goal = cell_of(map, p_GT);
+  const std::optional<CellIndex> goal = cell_of(map, p_GT);
   if (!goal) return Error{"", "the goal is off the map"};
   if (!map.free(*goal)) return Error{"", "the goal is within safety_dist of an obstacle"};
   CostToGoal result{p_GT, std::vector<std::uint32_t>(count(map), CostToGoal::kNone)};
@@ -258,12 +258,12 @@ Result<CostToGoal> cost_to_goal(const CostMap& map, Vec2 p_GT) {
 }
 
 Result<std::vector<Vec2>> path_to_goal(const CostMap& map, const CostToGoal& goal, Vec2 p_GR) {
-  const std::optional<Cell> robot = cell_of(map, p_GR);
+  const std::optional<CellIndex> robot = cell_of(map, p_GR);
   if (!robot) return Error{"", "the robot is off the map"};
-  const std::optional<Cell> start = nearest_free(map, *robot);
+  const std::optional<CellIndex> start = nearest_free(map, *robot);
   if (!start) return Error{"", "the robot is among obstacles"};
   if (goal.costs[*start] == CostToGoal::kNone) return Error{"", "no way leads to the goal"};
-  const std::vector<Cell> path = cheapest_path(map, goal, *start);
+  const std::vector<CellIndex> path = cheapest_path(map, goal, *start);
   std::vector<Vec2> corners;
   if (start != robot) corners.push_back(centre(map, *start));
   for (std::size_t place = 0; place + 1 < path.size();) {

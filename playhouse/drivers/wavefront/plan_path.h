@@ -36,7 +36,7 @@ struct PlanOptions {
 };
 
 /// Index of a cell of a CostMap.
-using Cell = std::uint32_t;
+using CellIndex = std::uint32_t;
 
 /// A map for planning: its cells with a border of obstacles, by rows from the bottom.
 struct CostMap {
@@ -49,7 +49,7 @@ struct CostMap {
   double scale = 0;           // m per cell
   std::vector<std::uint16_t> weights;
 
-  bool free(Cell cell) const { return weights[cell] >= kPlain; }
+  bool free(CellIndex cell) const { return weights[cell] >= kPlain; }
 };
 
 /// Costs of the cheapest paths to a goal.

@@ -39,7 +39,7 @@ class Wavefront final : public Algorithm {
  private:
   static constexpr std::size_t kOutput = 0, kInput = 1, kMap = 2;  // used devices
 
-  struct Goal {
+  struct PlannedGoal {
     geom::Pose X_WT;
     std::uint64_t number = 0;
     std::string no_path{}, no_drive{};  // why it is refused (refusal.h), both logged
@@ -69,7 +69,7 @@ class Wavefront final : public Algorithm {
   FollowMemory memory_;  // of the thread
 
   std::mutex mutex_;  // guards what follows
-  std::optional<Goal> goal_;
+  std::optional<PlannedGoal> goal_;
   std::uint64_t goals_ = 0;  // so far
   std::string unusable_;     // why a goal after that one was refused; empty: there was none
   bool enabled_ = true;
