@@ -180,7 +180,7 @@ class LinesOfLog {
 class Bob {
  public:
   explicit Bob(std::uint16_t server_port)
-      : port_(free_port()), client_(app::surroundings_of(service_, port_), options(server_port), {desc()}) {
+      : port_(free_port()), client_(app::serving_program(service_, port_), options(server_port), {desc()}) {
     client_.begin();
     program_ = std::thread([this] {
       code_ = service_.run();

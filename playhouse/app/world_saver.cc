@@ -13,10 +13,10 @@
 namespace playhouse::app {
 
 void WorldSaver::save(const world::World& world, const std::string& file) {
-  Job job{file, world::as_scene(world), world.time()};
+  SaveJob job{file, world::as_scene(world), world.time()};
   {
     const std::lock_guard lock(mutex_);
-    const auto waiting = std::ranges::find(jobs_, file, &Job::file);
+    const auto waiting = std::ranges::find(jobs_, file, &SaveJob::file);
     if (waiting == jobs_.end()) {
       jobs_.push_back(std::move(job));
     } else {
@@ -43,7 +43,7 @@ void WorldSaver::run() {
   for (;;) {
     changed_.wait(lock, [this] { return ending_ || !jobs_.empty(); });
     if (jobs_.empty()) return;
-    Job job = std::move(jobs_.front());
+    SaveJob job = std::move(jobs_.front());
     jobs_.pop_front();
     lock.unlock();
     const bool written = write(std::move(job));
@@ -52,7 +52,7 @@ void WorldSaver::run() {
   }
 }
 
-bool WorldSaver::write(Job job) {
+bool WorldSaver::write(SaveJob job) {
   const Result<std::string> text = world::world_file(job.standing, job.time, job.file);
   const Result<void> written =
       text ? write_file(job.file, std::as_bytes(std::span(*text)))

@@ -29,17 +29,17 @@ class WorldSaver {
   bool finish();
 
  private:
-  struct Job {
+  struct SaveJob {
     std::string file;
     scene::SceneDesc standing;
     double time = 0;  // s, simulated
   };
   void run();
-  static bool write(Job job);
+  static bool write(SaveJob job);
 
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
-  std::deque<Job> jobs_;
+  std::deque<SaveJob> jobs_;
   bool ending_ = false, all_saved_ = true;
   std::thread thread_;  // started by the first job; owned by the tick thread
 };

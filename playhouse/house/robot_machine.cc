@@ -28,16 +28,17 @@ RobotMachine::RobotMachine(net::SimulatedNetwork& network, std::uint16_t world_p
       server_(network_) {
   site_.data_flow().pass_to(server_);
   robots_ = std::make_unique<app::RobotsClient>(
-      app::RobotsClient::Surroundings{.site = site_,
-                                      .network = network_,
-                                      .keep = [this](auto driver) { drivers_.push_back(std::move(driver)); },
-                                      .listen =
-                                          [this](std::uint16_t wanted) {
-                                            serves_ = true;
-                                            return server_.listen(wanted);
-                                          },
-                                      .say = [](const std::string&) {},
-                                      .failed = [this](const Error&) { over_ = true; }},
+      app::RobotsClient::ServingProgram{
+          .site = site_,
+          .network = network_,
+          .keep = [this](auto driver) { drivers_.push_back(std::move(driver)); },
+          .listen =
+              [this](std::uint16_t wanted) {
+                serves_ = true;
+                return server_.listen(wanted);
+              },
+          .say = [](const std::string&) {},
+          .failed = [this](const Error&) { over_ = true; }},
       app::RobotsClient::RobotsClientOptions{
           .host = "world", .server_port = world_port, .bind = "127.0.0.1", .port = port},
       robot_named(name, seed));

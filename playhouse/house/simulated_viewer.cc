@@ -111,7 +111,7 @@ void SimulatedViewer::act() {
 
 void SimulatedViewer::hear(double patience) {
   if (over_) return;
-  for (const net::SimulatedPage::Message& message : page_.take()) {
+  for (const net::SimulatedPage::SocketMessage& message : page_.take()) {
     heard_ = std::max(heard_, network_.now());
     if (message.is_text) {
       take_text({reinterpret_cast<const char*>(message.bytes.data()), message.bytes.size()});

@@ -18,7 +18,7 @@ struct SimulatedSocket;
 
 class SimulatedPage {
  public:
-  struct Message {
+  struct SocketMessage {
     bool is_text = false;
     std::vector<std::byte> bytes;
   };
@@ -34,7 +34,7 @@ class SimulatedPage {
   void stall();
   void read_on();
   /// Everything received so far; clears it.
-  std::vector<Message> take();
+  std::vector<SocketMessage> take();
   /// Why the server has refused or closed the WebSocket; none: it has not.
   const std::optional<std::string>& closed() const;
 

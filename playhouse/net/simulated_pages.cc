@@ -15,7 +15,7 @@ namespace playhouse::net {
 /// Both directions of a WebSocket.
 struct SimulatedSocket {
   struct UnderWay {
-    SimulatedPage::Message message;
+    SimulatedPage::SocketMessage message;
     double arrival = 0;  // s
   };
 
@@ -25,11 +25,11 @@ struct SimulatedSocket {
   std::string name;  // peer
   WebSocketEvents* events = nullptr;
   std::deque<UnderWay> to_server;
-  std::deque<SimulatedPage::Message> in_flight;  // sent by the server, not accepted by the "system"
-  std::deque<UnderWay> window;                   // accepted, not read by the page
-  std::vector<SimulatedPage::Message> read;      // by the page, for take()
-  std::optional<std::string> closing;            // the server has closed it: why, told behind the rest
-  std::optional<std::string> closed;             // the page knows
+  std::deque<SimulatedPage::SocketMessage> in_flight;  // sent by the server, not accepted by the "system"
+  std::deque<UnderWay> window;                         // accepted, not read by the page
+  std::vector<SimulatedPage::SocketMessage> read;      // by the page, for take()
+  std::optional<std::string> closing;                  // the server has closed it: why, told behind the rest
+  std::optional<std::string> closed;                   // the page knows
   bool finished = false, vanished = false, stalled = false, paused = false;
   bool told_closed = false;
   bool draining = false;  // `drained` is pending
@@ -82,7 +82,7 @@ class SimulatedWebSocket final : public WebSocket {
   const std::string& peer() const override { return socket_->name; }
 
  private:
-  void send(SimulatedPage::Message message) {
+  void send(SimulatedPage::SocketMessage message) {
     if (socket_->vanished) return;
     socket_->in_flight.push_back(std::move(message));
     socket_->draining = true;
@@ -112,7 +112,7 @@ void SimulatedPage::stall() {
 void SimulatedPage::read_on() {
   socket_->stalled = false;
 }
-std::vector<SimulatedPage::Message> SimulatedPage::take() {
+std::vector<SimulatedPage::SocketMessage> SimulatedPage::take() {
   return std::exchange(socket_->read, {});
 }
 const std::optional<std::string>& SimulatedPage::closed() const {

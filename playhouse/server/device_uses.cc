@@ -27,13 +27,13 @@ void DeviceUses::release(device::DeviceId device, device::Driver& holder) {
   drop_if_unused(found);
 }
 
-DeviceUses::Use DeviceUses::take(device::DeviceId device) {
+DeviceUses::DeviceUse DeviceUses::take(device::DeviceId device) {
   auto node = uses_.extract(device);
-  return node.empty() ? Use() : std::move(node.mapped());
+  return node.empty() ? DeviceUse() : std::move(node.mapped());
 }
 
 void DeviceUses::drop_if_unused(Uses::iterator place) {
-  const Use& use = place->second;
+  const DeviceUse& use = place->second;
   if (use.sessions.empty() && use.tickets.empty() && use.holders.empty()) uses_.erase(place);
 }
 

@@ -17,7 +17,7 @@ namespace playhouse::server {
 
 class DeviceUses {
  public:
-  struct Use {
+  struct DeviceUse {
     std::set<std::uint32_t> sessions;      // session serials
     std::set<std::uint64_t> tickets;       // of pending requests, in order for each session
     std::vector<device::Driver*> holders;  // once per hold
@@ -32,12 +32,12 @@ class DeviceUses {
   void release(device::DeviceId device, device::Driver& holder);
 
   /// Removes and returns the entry of a device.
-  Use take(device::DeviceId device);
+  DeviceUse take(device::DeviceId device);
   /// Number of devices in use.
   std::size_t size() const { return uses_.size(); }
 
  private:
-  using Uses = std::unordered_map<device::DeviceId, Use>;
+  using Uses = std::unordered_map<device::DeviceId, DeviceUse>;
   void drop_if_unused(Uses::iterator place);
 
   Uses uses_;

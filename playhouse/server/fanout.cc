@@ -26,7 +26,7 @@ bool Fanout::has_readers(device::DeviceId device) const {
 }
 
 std::size_t Fanout::publish(const device::Publication& publication, device::Address address, double now) {
-  Channel& to = channels_[publication.device];
+  DeviceReaders& to = channels_[publication.device];
   const double timestamp = next_timestamp(to, publication, now);
   if (to.readers.empty()) return 0;
   if (publication.body.size() > limits::kBodyBytes) {
@@ -56,7 +56,7 @@ void Fanout::lose(device::DeviceId device, std::uint64_t messages) {
   for (Subscriber* reader : found->second.readers) reader->lose(messages);
 }
 
-double Fanout::next_timestamp(Channel& channel, const device::Publication& publication, double now) {
+double Fanout::next_timestamp(DeviceReaders& channel, const device::Publication& publication, double now) {
   const double told = std::isfinite(publication.timestamp) ? publication.timestamp : now;
   const auto [entry, first] = channel.last.try_emplace(publication.subtype, Timestamps{told, told});
   Timestamps& last = entry->second;

@@ -55,14 +55,14 @@ class Fanout {
   struct Timestamps {
     double told = 0, sent = 0;
   };
-  struct Channel {
+  struct DeviceReaders {
     std::vector<Subscriber*> readers;
     std::map<std::uint8_t, Timestamps> last;  // by subtype
   };
-  double next_timestamp(Channel& channel, const device::Publication& publication, double now);
+  double next_timestamp(DeviceReaders& channel, const device::Publication& publication, double now);
 
   const FrameBytes frame_bytes_;
-  std::unordered_map<device::DeviceId, Channel> channels_;
+  std::unordered_map<device::DeviceId, DeviceReaders> channels_;
   std::uint64_t encoded_ = 0;
   bool logged_too_long_ = false;
 };

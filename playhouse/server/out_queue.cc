@@ -23,11 +23,11 @@ void OutQueue::add(Frame frame) {
 
 void OutQueue::add_data(Frame frame, QueueAction action) {
   const std::uint64_t code = frame.kind();
-  Kind& kind = kinds_[code];
+  QueuedKind& kind = kinds_[code];
   if (action == QueueAction::kReplace && kind.waiting > 0) remove_data(kind.newest);
   data_bytes_ += frame.bytes->size();
   data_.push_back({{next_number_++, std::move(frame)}, data_.end(), data_.end()});
-  const Place place = std::prev(data_.end());
+  const QueuePlace place = std::prev(data_.end());
   if (kind.waiting > 0) {
     place->older = kind.newest;
     kind.newest->newer = place;
@@ -40,7 +40,7 @@ void OutQueue::add_data(Frame frame, QueueAction action) {
 }
 
 void OutQueue::count(std::uint64_t code, std::size_t waiting, std::uint64_t lost) {
-  Kind& kind = kinds_.at(code);
+  QueuedKind& kind = kinds_.at(code);
   if (kind.waiting > 0) shares_.erase({kind.waiting, kind.lost, code});
   kind.waiting = waiting;
   kind.lost = lost;
@@ -57,7 +57,7 @@ bool OutQueue::over_limits() const {
 // The kind with the most messages loses its oldest; ties go to the one with the fewest losses.
 void OutQueue::drop_one() {
   const std::uint64_t code = shares_.begin()->kind;
-  const Kind& kind = kinds_.at(code);
+  const QueuedKind& kind = kinds_.at(code);
   remove_data(kind.oldest);
   count(code, kind.waiting, kind.lost + 1);
   count_lost(1);
@@ -72,8 +72,9 @@ void OutQueue::count_lost(std::uint64_t messages) {
 
 void OutQueue::add_answer(Frame frame, QueueAction action) {
   if (action == QueueAction::kReplace) {
-    const auto old = std::find_if(answers_.rbegin(), answers_.rend(),
-                                  [&](const Entry& entry) { return entry.frame.kind() == frame.kind(); });
+    const auto old = std::find_if(answers_.rbegin(), answers_.rend(), [&](const QueuedFrame& entry) {
+      return entry.frame.kind() == frame.kind();
+    });
     if (old != answers_.rend()) {
       answer_bytes_ -= old->frame.bytes->size();
       answers_.erase(std::next(old).base());
@@ -132,9 +133,9 @@ void OutQueue::clear() {
   data_requested_ = data_delivered_ = false;
 }
 
-void OutQueue::remove_data(Place place) {
+void OutQueue::remove_data(QueuePlace place) {
   const std::uint64_t code = place->frame.kind();
-  Kind& kind = kinds_.at(code);
+  QueuedKind& kind = kinds_.at(code);
   (place->older == data_.end() ? kind.oldest : place->older->newer) = place->newer;
   (place->newer == data_.end() ? kind.newest : place->newer->older) = place->older;
   count(code, kind.waiting - 1, kind.lost);

@@ -75,31 +75,31 @@ class OutQueue {
   std::uint64_t dropped() const { return dropped_; }
 
  private:
-  struct Entry {
+  struct QueuedFrame {
     std::uint64_t number = 0;  // arrival order over both lists
     Frame frame;
   };
-  struct Message;
-  using Place = std::list<Message>::iterator;
-  struct Message : Entry {
-    Place older, newer;  // of the same kind; data_.end(): none
+  struct QueuedMessage;
+  using QueuePlace = std::list<QueuedMessage>::iterator;
+  struct QueuedMessage : QueuedFrame {
+    QueuePlace older, newer;  // of the same kind; data_.end(): none
   };
   struct Notice {
     std::uint16_t interf = 0, index = 0;  // of the device
     Frame frame;
   };
   /// Queued data of one Frame::kind().
-  struct Kind {
-    Place oldest, newest;
+  struct QueuedKind {
+    QueuePlace oldest, newest;
     std::size_t waiting = 0;
     std::uint64_t lost = 0;
   };
   /// Order of kinds with queued data: the first one loses the next message.
-  struct Share {
+  struct LossOrder {
     std::size_t waiting;
     std::uint64_t lost;
     std::uint64_t kind;
-    bool operator<(const Share& other) const {
+    bool operator<(const LossOrder& other) const {
       if (waiting != other.waiting) return waiting > other.waiting;
       return lost != other.lost ? lost < other.lost : kind < other.kind;
     }
@@ -107,7 +107,7 @@ class OutQueue {
 
   void add_data(Frame frame, QueueAction action);
   void add_answer(Frame frame, QueueAction action);
-  void remove_data(Place place);
+  void remove_data(QueuePlace place);
   void count(std::uint64_t code, std::size_t waiting, std::uint64_t lost);
   bool over_limits() const;
   void drop_one();
@@ -122,12 +122,12 @@ class OutQueue {
 
   DeliveryMode mode_ = DeliveryMode::kPush;
   ReplaceRules rules_;
-  std::list<Message> data_;
-  std::deque<Entry> answers_;
+  std::list<QueuedMessage> data_;
+  std::deque<QueuedFrame> answers_;
   std::map<std::uint64_t, Notice> notices_;                                          // by number
   std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint64_t> notice_numbers_;  // by device
-  std::map<std::uint64_t, Kind> kinds_;  // since their device was opened
-  std::set<Share> shares_;               // of the kinds in data_
+  std::map<std::uint64_t, QueuedKind> kinds_;  // since their device was opened
+  std::set<LossOrder> shares_;                 // of the kinds in data_
   std::size_t data_bytes_ = 0, answer_bytes_ = 0, notice_bytes_ = 0;
   std::uint64_t next_number_ = 1;
   std::uint64_t dropped_ = 0;

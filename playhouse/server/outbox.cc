@@ -28,7 +28,7 @@ bool Outbox::put(std::vector<device::Publication> batch) {
 }
 
 void Outbox::drop_data() {
-  dropped_ += std::erase_if(items_, [this](const Item& item) {
+  dropped_ += std::erase_if(items_, [this](const OutboxItem& item) {
     const auto* publication = std::get_if<device::Publication>(&item);
     if (publication != nullptr) ++dropped_of_[publication->device];
     return publication != nullptr;
@@ -44,7 +44,8 @@ bool Outbox::put(Answer answer) {
 
 bool Outbox::put(Forget forget) {
   const std::scoped_lock lock(mutex_);
-  std::erase_if(items_, [](const Item& item) { return std::holds_alternative<device::Publication>(item); });
+  std::erase_if(items_,
+                [](const OutboxItem& item) { return std::holds_alternative<device::Publication>(item); });
   data_messages_ = data_bytes_ = 0;
   items_.emplace_back(forget);
   return wake();
@@ -54,7 +55,7 @@ bool Outbox::wake() {
   return !std::exchange(woken_, true);
 }
 
-bool Outbox::take(std::vector<Item>& items, std::size_t most) {
+bool Outbox::take(std::vector<OutboxItem>& items, std::size_t most) {
   const std::scoped_lock lock(mutex_);
   for (; !items_.empty() && most > 0; --most, items_.pop_front()) {
     items.push_back(std::move(items_.front()));

@@ -25,7 +25,7 @@ struct Forget {};
 
 class Outbox {
  public:
-  using Item = std::variant<device::Publication, Answer, Forget>;
+  using OutboxItem = std::variant<device::Publication, Answer, Forget>;
 
   /// True if the io thread has to be woken: the outbox was empty. If the io
   /// thread lags by more than limits::kOutboxBytes or kOutboxMessages of
@@ -36,7 +36,7 @@ class Outbox {
   [[nodiscard]] bool put(Forget forget);
   /// Moves the oldest items, at most this many, to `items`. True
   /// if there are more: call again, no wake-up will follow.
-  bool take(std::vector<Item>& items, std::size_t most);
+  bool take(std::vector<OutboxItem>& items, std::size_t most);
   std::uint64_t data_dropped() const;
   /// Messages dropped since the last call, by device.
   std::map<device::DeviceId, std::uint64_t> take_dropped();
@@ -46,7 +46,7 @@ class Outbox {
   bool wake();       // holding the mutex
 
   mutable std::mutex mutex_;
-  std::deque<Item> items_;
+  std::deque<OutboxItem> items_;
   std::size_t data_messages_ = 0, data_bytes_ = 0;
   std::uint64_t dropped_ = 0;
   std::map<device::DeviceId, std::uint64_t> dropped_of_;  // since take_dropped()

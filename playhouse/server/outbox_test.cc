@@ -13,8 +13,8 @@ std::vector<device::Publication> data(double time, std::size_t bytes) {
   return batch;
 }
 
-std::vector<Outbox::Item> taken(Outbox& outbox) {
-  std::vector<Outbox::Item> items;
+std::vector<Outbox::OutboxItem> taken(Outbox& outbox) {
+  std::vector<Outbox::OutboxItem> items;
   EXPECT_FALSE(outbox.take(items, SIZE_MAX));
   return items;
 }
@@ -38,7 +38,7 @@ TEST(Outbox, gives_up_old_data_for_new_over_the_limit_and_answers_never) {
   EXPECT_EQ(outbox.data_dropped(), 0u);
   EXPECT_FALSE(outbox.put(data(3, kThird)));
   EXPECT_EQ(outbox.data_dropped(), 2u);
-  const std::vector<Outbox::Item> left = taken(outbox);
+  const std::vector<Outbox::OutboxItem> left = taken(outbox);
   ASSERT_EQ(left.size(), 2u);
   EXPECT_EQ(std::get<Answer>(left[0]).ticket, 7u);
   EXPECT_EQ(std::get<device::Publication>(left[1]).timestamp, 3);
@@ -68,7 +68,7 @@ TEST(Outbox, holds_so_many_messages_however_small) {
 
 TEST(Outbox, is_emptied_in_portions_by_one_who_comes_again_unwoken) {
   Outbox outbox;
-  std::vector<Outbox::Item> items;
+  std::vector<Outbox::OutboxItem> items;
   EXPECT_TRUE(outbox.put(data(1, 10)));
   EXPECT_FALSE(outbox.put(Answer{7, true, {}}));
   EXPECT_TRUE(outbox.take(items, 1));

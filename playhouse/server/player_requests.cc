@@ -40,7 +40,7 @@ QueueAction queue_action(std::int32_t code) {
 
 }  // namespace
 
-void Session::player_message(const wire::Header& header, Body body) {
+void Session::player_message(const wire::Header& header, MessageBody body) {
   // Even commands get a reply here, for compatibility.
   if (header.type != wire::MessageType::kReq)
     return refuse(header, Fault::kNotForServer, "only requests go there");
@@ -69,7 +69,7 @@ void Session::player_message(const wire::Header& header, Body body) {
 }
 
 /// Without access control there is nothing to authenticate for: NACK, as in the original.
-void Session::authenticate(const wire::Header& header, Body body) {
+void Session::authenticate(const wire::Header& header, MessageBody body) {
   const auto asked = wire::decode<player::DeviceAuthReq>(body);
   if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
   if (!board_.admit)
@@ -98,7 +98,7 @@ void Session::list_devices(const wire::Header& header) {
   reply(header, true, known->second);
 }
 
-void Session::tell_driver(const wire::Header& header, Body body) {
+void Session::tell_driver(const wire::Header& header, MessageBody body) {
   const auto asked = wire::decode<player::DeviceDriverinfo>(body);
   if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
   const device::Address address{robot_, asked->addr.interf, asked->addr.index};
@@ -113,7 +113,7 @@ void Session::tell_driver(const wire::Header& header, Body body) {
   reply(header, true, wire::encode(answer));
 }
 
-void Session::open_or_close(const wire::Header& header, Body body) {
+void Session::open_or_close(const wire::Header& header, MessageBody body) {
   const auto asked = wire::decode<player::DeviceReq>(body);
   if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
 
@@ -198,7 +198,7 @@ bool Session::close(device::DeviceId device) {
 }
 
 /// In PULL mode SYNCH OVERFLOW reports losses; in PUSH mode old clients would take that for an error.
-void Session::tell_lost(const wire::Header& header, Body body) {
+void Session::tell_lost(const wire::Header& header, MessageBody body) {
   auto asked = wire::decode<wire::IntpropReq>(body);
   if (!asked || wire::text(asked->key) != kLostProperty)
     return refuse(header, Fault::kUnknownMessage, "no such property");
@@ -207,7 +207,7 @@ void Session::tell_lost(const wire::Header& header, Body body) {
   reply(header, true, wire::encode(*asked));
 }
 
-void Session::set_data_mode(const wire::Header& header, Body body) {
+void Session::set_data_mode(const wire::Header& header, MessageBody body) {
   const auto asked = wire::decode<player::DeviceDatamodeReq>(body);
   if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
   if (asked->mode == player::kDatamodePush) queue_.set_mode(DeliveryMode::kPush);
@@ -215,7 +215,7 @@ void Session::set_data_mode(const wire::Header& header, Body body) {
   reply(header, true);  // unknown modes are acknowledged too, without effect
 }
 
-void Session::add_replace_rule(const wire::Header& header, Body body) {
+void Session::add_replace_rule(const wire::Header& header, MessageBody body) {
   const auto asked = wire::decode<player::AddReplaceRuleReq>(body);
   if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
   if (!queue_.add_rule(

@@ -101,7 +101,7 @@ class Server::Impl final : public ClientOwner {
   /// The same without a limit.
   void deliver_whole_outbox();
   /// Returns the number of deliveries, at least 1.
-  std::size_t deliver(const Outbox::Item& item);
+  std::size_t deliver(const Outbox::OutboxItem& item);
   void deliver(const Answer& answer);
   std::size_t device_rows() const;
   void tell_of_lost_data();
@@ -255,7 +255,7 @@ void Server::Impl::turn() {
 }
 
 void Server::Impl::deliver_outbox() {
-  std::vector<Outbox::Item> items;
+  std::vector<Outbox::OutboxItem> items;
   for (bool more = true; more;) {
     if (deliveries_left_ == 0) {
       if (!std::exchange(delivers_on_, true)) wake();
@@ -263,19 +263,20 @@ void Server::Impl::deliver_outbox() {
     }
     items.clear();
     more = outbox_.take(items, std::min(deliveries_left_, kOutboxBatch));
-    for (const Outbox::Item& item : items) deliveries_left_ -= std::min(deliveries_left_, deliver(item));
+    for (const Outbox::OutboxItem& item : items)
+      deliveries_left_ -= std::min(deliveries_left_, deliver(item));
   }
   tell_of_lost_data();
 }
 
 void Server::Impl::deliver_whole_outbox() {
-  std::vector<Outbox::Item> items;
+  std::vector<Outbox::OutboxItem> items;
   outbox_.take(items, SIZE_MAX);
-  for (const Outbox::Item& item : items) deliver(item);
+  for (const Outbox::OutboxItem& item : items) deliver(item);
   tell_of_lost_data();
 }
 
-std::size_t Server::Impl::deliver(const Outbox::Item& item) {
+std::size_t Server::Impl::deliver(const Outbox::OutboxItem& item) {
   if (const auto* answer = std::get_if<Answer>(&item)) {
     deliver(*answer);
     return 1;
@@ -315,7 +316,7 @@ void Server::Impl::retire_device(device::DeviceId id) {
   deliver_whole_outbox();
   const auto [address, driver, users] = board_.devices[id];
   const Frame notice = counted(make_notice(address, *driver, board_.clock()), board_.frame_bytes);
-  const DeviceUses::Use use = board_.uses.take(id);
+  const DeviceUses::DeviceUse use = board_.uses.take(id);
   board_.device_lists.erase(address.robot);
   board_.fanout.retire(id);
   board_.devices.retire(id);

@@ -131,7 +131,7 @@ void Session::take_credit(device::DeviceId device) {
 std::size_t Session::work() {
   std::size_t at = 0, messages = 0;
   while (messages < limits::kTurnMessages && owed_answers() < limits::kSessionAnswers) {
-    const Body rest = std::span(input_).subspan(at);
+    const MessageBody rest = std::span(input_).subspan(at);
     if (!begins_with_message(rest)) break;
     const wire::Header header = wire::decode_header(rest.first<limits::kHeaderBytes>());
     if (waits_for_turn(header)) break;
@@ -193,7 +193,7 @@ bool Session::matters_without_peer(const wire::Header& header) const {
   return def && !only_reads(*def);
 }
 
-void Session::dispatch(const wire::Header& header, Body body) {
+void Session::dispatch(const wire::Header& header, MessageBody body) {
   if (peer_lost_ && !matters_without_peer(header)) return;
   ++board_.counters.messages_received;
   if (header.interf == wire::player::kCode) return player_message(header, body);
@@ -207,7 +207,7 @@ void Session::dispatch(const wire::Header& header, Body body) {
   }
 }
 
-void Session::command(const wire::Header& header, Body body) {
+void Session::command(const wire::Header& header, MessageBody body) {
   const device::DeviceId device = board_.devices.find(address_of(header));
   if (!device.valid())
     return drop_command(header, Fault::kUnknownDevice, board_.devices.why_missing(address_of(header)));
@@ -236,7 +236,7 @@ void Session::command(const wire::Header& header, Body body) {
   }
 }
 
-void Session::request(const wire::Header& header, Body body) {
+void Session::request(const wire::Header& header, MessageBody body) {
   const device::DeviceId device = board_.devices.find(address_of(header));
   if (!device.valid())
     return refuse(header, Fault::kUnknownDevice, board_.devices.why_missing(address_of(header)));
@@ -266,7 +266,7 @@ void Session::request(const wire::Header& header, Body body) {
                                          device::Replier(*board_.outlet, ticket));
 }
 
-void Session::capability(device::DeviceId device, const wire::Header& header, Body body) {
+void Session::capability(device::DeviceId device, const wire::Header& header, MessageBody body) {
   const Result<wire::CapabilitiesReq> asked = wire::decode<wire::CapabilitiesReq>(body);
   constexpr std::uint32_t kLargest = std::numeric_limits<std::uint8_t>::max();
   const bool capable = asked && asked->type <= kLargest && asked->subtype <= kLargest &&
@@ -331,13 +331,13 @@ void Session::answer(std::uint32_t number, bool ack, std::span<const std::byte> 
   reply(header, ack, body);
 }
 
-void Session::reply(const wire::Header& to, bool ack, Body body) {
+void Session::reply(const wire::Header& to, bool ack, MessageBody body) {
   if (peer_lost_) return;
   queue_.add(make_reply(to, ack, body));
   mark_due();
 }
 
-Frame Session::make_reply(const wire::Header& to, bool ack, Body body) const {
+Frame Session::make_reply(const wire::Header& to, bool ack, MessageBody body) const {
   wire::Header header = to;
   header.host = wire::kLocalhost;
   header.robot = robot_;

@@ -125,7 +125,7 @@ class Session final : public Subscriber {
     kStart,
     kDrop,
   };
-  using Body = std::span<const std::byte>;
+  using MessageBody = std::span<const std::byte>;
 
   // session.cc: framing, commands and requests
   std::size_t owed_answers() const;
@@ -135,14 +135,14 @@ class Session final : public Subscriber {
   bool matters_without_peer(const wire::Header& header) const;
   void forget_input(std::size_t count);
   void count_input(std::size_t bytes);
-  void dispatch(const wire::Header& header, Body body);
-  void command(const wire::Header& header, Body body);
-  void request(const wire::Header& header, Body body);
-  void capability(device::DeviceId device, const wire::Header& header, Body body);
+  void dispatch(const wire::Header& header, MessageBody body);
+  void command(const wire::Header& header, MessageBody body);
+  void request(const wire::Header& header, MessageBody body);
+  void capability(device::DeviceId device, const wire::Header& header, MessageBody body);
   void drop_command(const wire::Header& header, Fault fault, const std::string& why);
   void refuse(const wire::Header& header, Fault fault, const std::string& why);
-  void reply(const wire::Header& to, bool ack, Body body = {});
-  Frame make_reply(const wire::Header& to, bool ack, Body body) const;
+  void reply(const wire::Header& to, bool ack, MessageBody body = {});
+  Frame make_reply(const wire::Header& to, bool ack, MessageBody body) const;
   void count_dropped(std::uint64_t messages);
   void log_once(Fault fault, const std::string& what, const std::string& why);
   device::Address address_of(const wire::Header& header) const;
@@ -151,14 +151,14 @@ class Session final : public Subscriber {
   std::string why_not_admitted() const;
 
   // player_requests.cc: requests to the server itself
-  void player_message(const wire::Header& header, Body body);
-  void authenticate(const wire::Header& header, Body body);
+  void player_message(const wire::Header& header, MessageBody body);
+  void authenticate(const wire::Header& header, MessageBody body);
   void list_devices(const wire::Header& header);
-  void tell_driver(const wire::Header& header, Body body);
-  void open_or_close(const wire::Header& header, Body body);
-  void set_data_mode(const wire::Header& header, Body body);
-  void add_replace_rule(const wire::Header& header, Body body);
-  void tell_lost(const wire::Header& header, Body body);
+  void tell_driver(const wire::Header& header, MessageBody body);
+  void open_or_close(const wire::Header& header, MessageBody body);
+  void set_data_mode(const wire::Header& header, MessageBody body);
+  void add_replace_rule(const wire::Header& header, MessageBody body);
+  void tell_lost(const wire::Header& header, MessageBody body);
   std::uint8_t open(device::DeviceId device, Access access, std::uint8_t code);
   bool close(device::DeviceId device);
 

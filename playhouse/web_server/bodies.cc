@@ -34,7 +34,7 @@ Result<void> Bodies::join(const replicate::Join& join, std::uint32_t viewer, con
   if (const auto own = bodies_.find(viewer); own != bodies_.end() && now - own->second->asked < join_period_)
     return Error{"", "you have joined just now; try again in a second"};
   leave(viewer);
-  const auto body = bodies_[viewer] = std::make_shared<Body>();
+  const auto body = bodies_[viewer] = std::make_shared<ViewerBody>();
   body->asked = now;
   body->desc = person->desc;
   return post_change(control_,
@@ -56,7 +56,7 @@ Result<void> Bodies::join(const replicate::Join& join, std::uint32_t viewer, con
                      });
 }
 
-void Bodies::came(std::uint32_t viewer, Body& body, world::ModelId model) {
+void Bodies::came(std::uint32_t viewer, ViewerBody& body, world::ModelId model) {
   body.model = model;
   if (body.is_left) return remove(body);
   control_.reserve(model, true);
@@ -76,7 +76,7 @@ bool Bodies::is_of_another(world::ModelId model, std::uint32_t viewer) const {
       bodies_, [=](const auto& each) { return each.first != viewer && each.second->model == model; });
 }
 
-void Bodies::remove(const Body& body) {
+void Bodies::remove(const ViewerBody& body) {
   if (!body.model) return;
   control_.reserve(*body.model, false);
   const auto change = [model = *body.model, desc = body.desc](world::Journal& journal) {

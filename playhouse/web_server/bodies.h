@@ -63,15 +63,15 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
   std::optional<world::ModelId> of(std::uint32_t viewer, const replicate::Layout& now) const;
 
  private:
-  struct Body {
+  struct ViewerBody {
     double asked = 0;                     // for it [s]
     std::optional<world::ModelId> model;  // none: not spawned yet
     std::uint32_t desc = 0;               // its prototype
     bool is_left = false;                 // the viewer has left or has a newer body
   };
 
-  void came(std::uint32_t viewer, Body& body, world::ModelId model);
-  void remove(const Body& body);
+  void came(std::uint32_t viewer, ViewerBody& body, world::ModelId model);
+  void remove(const ViewerBody& body);
   std::string walk_text(const scene::PositionDesc& desc) const;
 
   net::Network& network_;
@@ -82,7 +82,7 @@ class Bodies : public std::enable_shared_from_this<Bodies> {
   const double join_period_;
   const PlaceOfBody place_;
   const Came came_;
-  std::map<std::uint32_t, std::shared_ptr<Body>> bodies_;  // by viewer number
+  std::map<std::uint32_t, std::shared_ptr<ViewerBody>> bodies_;  // by viewer number
 };
 
 }  // namespace playhouse::web_server

@@ -4,7 +4,7 @@
 
 namespace playhouse::web_server {
 
-void DrivenRobots::drive(const replicate::Drive& drive, Driver driver) {
+void DrivenRobots::drive(const replicate::Drive& drive, DrivingViewer driver) {
   const world::ModelId robot = drive.model;
   const geom::Twist velocity = velocity_of(drive);
   if (velocity == geom::Twist{}) {
@@ -24,7 +24,7 @@ void DrivenRobots::drive(const replicate::Drive& drive, Driver driver) {
   hold_until_deadline(robot, held);
 }
 
-void DrivenRobots::left(Driver driver) {
+void DrivenRobots::left(DrivingViewer driver) {
   std::vector<world::ModelId> left;
   for (const auto& [robot, held] : held_) {
     if (held.driver == driver) left.push_back(robot);

@@ -19,19 +19,19 @@ namespace playhouse::web_server {
 class DrivenRobots {
  public:
   /// Identity of a viewer; compared only.
-  using Driver = const void*;
+  using DrivingViewer = const void*;
 
   DrivenRobots(net::Network& network, world::Control& control) : network_(network), control_(control) {}
 
   /// The model must have a drive; no effect if it is removed before the tick.
-  void drive(const replicate::Drive& drive, Driver driver);
+  void drive(const replicate::Drive& drive, DrivingViewer driver);
 
   /// Stops the robots last driven by this viewer.
-  void left(Driver driver);
+  void left(DrivingViewer driver);
 
  private:
   struct Held {
-    Driver driver = nullptr;
+    DrivingViewer driver = nullptr;
     std::shared_ptr<world::Use> use;  // owned by the tick thread once posted; null: its queue was full
     std::unique_ptr<net::Timer> deadline;
   };

@@ -41,7 +41,7 @@ void SpeechLog::add(std::uint64_t tick, std::string json) {
 
 std::shared_ptr<const std::string> SpeechLog::text() {
   if (!text_ && !lines_.empty()) {
-    const std::string lines = replicate::list(lines_, [](const Line& line) { return line.json; });
+    const std::string lines = replicate::list(lines_, [](const SpeechLine& line) { return line.json; });
     text_ = std::make_shared<const std::string>(fmt::format("{{\"said\":{}}}\n", lines));
   }
   return text_;

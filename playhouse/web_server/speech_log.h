@@ -27,15 +27,15 @@ class SpeechLog {
   std::shared_ptr<const std::string> text();
 
  private:
-  struct Line {
+  struct SpeechLine {
     std::uint64_t tick = 0;
     std::string json;
   };
 
   void add(std::uint64_t tick, std::string json);
 
-  std::deque<Line> lines_;  // by tick
-  std::size_t bytes_ = 0;   // of `lines_`
+  std::deque<SpeechLine> lines_;  // by tick
+  std::size_t bytes_ = 0;         // of `lines_`
   std::shared_ptr<const std::string> text_;
   // Of the last snapshot.
   std::shared_ptr<const replicate::Layout> layout_;

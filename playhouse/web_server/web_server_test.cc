@@ -813,7 +813,7 @@ TEST(Budget, a_page_gets_no_more_bytes_a_second) {
     small.tick();
     if (feed.wants_show()) feed.show(small.world, {});
     network.run_for(kTurn);
-    for (const net::SimulatedPage::Message& message : page.take()) {
+    for (const net::SimulatedPage::SocketMessage& message : page.take()) {
       if (message.is_text) continue;
       bytes += message.bytes.size();
       largest = std::max(largest, message.bytes.size());

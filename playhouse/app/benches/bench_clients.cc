@@ -183,7 +183,7 @@ std::uint64_t frame_of(std::span<const std::byte> packet) {
 Result<std::uint64_t> be_page(PageSocket& page, double seconds) {
   std::uint64_t packets = 0;
   for (const Clock::time_point start = Clock::now(); seconds_since(start) < seconds;) {
-    const Result<PageSocket::Message> message = page.next();  // at least a packet per second arrives
+    const Result<PageSocket::PageMessage> message = page.next();  // at least a packet per second arrives
     if (!message) return message.error();
     if (!message->binary) continue;
     const std::uint64_t frame = frame_of(std::as_bytes(std::span(message->bytes)));

@@ -72,7 +72,7 @@ Result<void> PageSocket::send_text(std::string_view text) {
   return send(frame);
 }
 
-Result<PageSocket::Message> PageSocket::next() {
+Result<PageSocket::PageMessage> PageSocket::next() {
   for (;;) {
     in_.erase(0, std::exchange(taken_, 0));
     if (const Result<void> read = fill(2); !read) return read.error();
@@ -86,7 +86,8 @@ Result<PageSocket::Message> PageSocket::next() {
     taken_ = head + static_cast<std::size_t>(size);
     if (opcode == kClose) return Error{"", "a page: the server has closed"};
     if (opcode == kText || opcode == kBinary)
-      return Message{opcode == kBinary, std::string_view(in_).substr(head, static_cast<std::size_t>(size))};
+      return PageMessage{opcode == kBinary,
+                         std::string_view(in_).substr(head, static_cast<std::size_t>(size))};
   }
 }
 

@@ -23,12 +23,12 @@ class PageSocket {
 
   Result<void> send_text(std::string_view text);
 
-  struct Message {
+  struct PageMessage {
     bool binary = false;
     std::string_view bytes;  // until the next call
   };
   /// Waits for the next message.
-  Result<Message> next();
+  Result<PageMessage> next();
 
  private:
   explicit PageSocket(int socket) : socket_(socket) {}

@@ -32,7 +32,7 @@ int robot(const RobotOptions& options) {
   Result<std::vector<scene::RobotDesc>> robots = read_files(options.files);
   if (!robots) return fail_in_file(robots.error(), {});
   DeviceService service(options.bind);
-  RobotsClient client(surroundings_of(service, options.port),
+  RobotsClient client(serving_program(service, options.port),
                       {server->host, server->port, options.bind, options.port, options.wait, options.token},
                       std::move(*robots));
   client.begin();

@@ -84,15 +84,15 @@ std::optional<std::uint16_t> other_port(const std::string& device) {
 
 }  // namespace
 
-RobotsClient::RobotsClient(Surroundings surroundings, RobotsClientOptions options,
+RobotsClient::RobotsClient(ServingProgram program, RobotsClientOptions options,
                            std::vector<scene::RobotDesc> robots)
-    : surroundings_(std::move(surroundings)), options_(std::move(options)), next_port_(options_.port) {
+    : program_(std::move(program)), options_(std::move(options)), next_port_(options_.port) {
   for (scene::RobotDesc& desc : robots) robots_.push_back({std::move(desc), {}, {}, false, false, 0});
-  auto relay = std::make_unique<drivers::Passthrough>(surroundings_.site, options_.host, options_.server_port,
+  auto relay = std::make_unique<drivers::Passthrough>(program_.site, options_.host, options_.server_port,
                                                       drivers::Passthrough::AfterLoss::kRetire);
   relay_ = relay.get();
   relay_->remote().set_token(options_.token);
-  surroundings_.keep(std::move(relay));
+  program_.keep(std::move(relay));
   relay_->watch({.connected = [this] { greet(); },
                  .lost =
                      [this](const std::string& why) {
@@ -107,12 +107,12 @@ void RobotsClient::begin() {
 
 void RobotsClient::fail_with(const Error& error) {
   relay_->remote().disconnect();
-  if (!std::exchange(failed_, true)) surroundings_.failed(error);
+  if (!std::exchange(failed_, true)) program_.failed(error);
 }
 
 /// A peer may speak the protocol up to its banner, and no further.
 void RobotsClient::expect_answer() {
-  answer_ = surroundings_.network.after(options_.patience, [this] {
+  answer_ = program_.network.after(options_.patience, [this] {
     fail_with({relay_->remote().name(), fmt::format("has not answered for {:g} s", options_.patience)});
   });
 }
@@ -142,7 +142,7 @@ void RobotsClient::greet() {
 
 void RobotsClient::bring_next() {
   if (next_ == robots_.size()) return;
-  Robot& robot = robots_[next_++];
+  RemoteRobot& robot = robots_[next_++];
   expect_answer();
   relay_->remote().ask(
       kWorld, sim::kReqSetProperty, property(robot.desc.type, "robot", value_of(robot.desc)),
@@ -155,7 +155,7 @@ void RobotsClient::bring_next() {
       });
 }
 
-void RobotsClient::came(Robot& robot, std::string name) {
+void RobotsClient::came(RemoteRobot& robot, std::string name) {
   robot.name = std::move(name);
   expect_answer();
   relay_->remote().ask(kWorld, sim::kReqGetProperty, property(robot.name, "devices", {}),
@@ -167,19 +167,20 @@ void RobotsClient::came(Robot& robot, std::string name) {
                        });
 }
 
-Result<std::uint16_t> RobotsClient::open_port(const Robot& robot) {
+Result<std::uint16_t> RobotsClient::open_port(const RemoteRobot& robot) {
   if (robot.desc.port) {
-    const Result<std::uint16_t> port = surroundings_.listen(*robot.desc.port);
+    const Result<std::uint16_t> port = program_.listen(*robot.desc.port);
     if (!port) return Error{robot.desc.where, port.error().line()};
     return port;
   }
-  const Result<std::uint16_t> port = surroundings_.listen(next_port_);
+  const Result<std::uint16_t> port = program_.listen(next_port_);
   if (!port) return port_error(port.error(), true, "--port");
   if (next_port_ != 0) ++next_port_;
   return port;
 }
 
-device::Address RobotsClient::address_of(const Robot& robot, std::uint16_t port, std::uint16_t interf) const {
+device::Address RobotsClient::address_of(const RemoteRobot& robot, std::uint16_t port,
+                                         std::uint16_t interf) const {
   const auto first = robot.desc.first_index.find(std::string(wire::find_interface(interf)->name));
   const auto before = std::ranges::count(robot.devices, interf, &drivers::RemoteDevice::interf);
   const long index = before + (first == robot.desc.first_index.end() ? 0 : first->second);
@@ -188,7 +189,7 @@ device::Address RobotsClient::address_of(const Robot& robot, std::uint16_t port,
 
 /// Port and devices appear in one turn of the loop, so no client can see a port without devices. The robot's
 /// first device decides on the server's port: as interfaces count for themselves, no port may have them all.
-void RobotsClient::serve(Robot& robot, const std::string& devices) {
+void RobotsClient::serve(RemoteRobot& robot, const std::string& devices) {
   if (const std::optional<std::uint16_t> other = other_port(devices.substr(0, devices.find(' '))))
     return fail_with({robot.desc.where, fmt::format("{} has devices on port {} of the server: --server {}:{}",
                                                     in_quotes(robot.name), *other, options_.host, *other)});
@@ -214,8 +215,8 @@ void RobotsClient::serve(Robot& robot, const std::string& devices) {
   if (robot.devices.empty())
     return fail_with({robot.desc.where, relay_->remote().name() + " gives robots that join no devices"});
   robot.joined = true;
-  surroundings_.say(fmt::format("Player clients: {}:{} ({}: {})", shown_host(options_.bind), *port,
-                                escaped(robot.name), fmt::join(shown, " ")));
+  program_.say(fmt::format("Player clients: {}:{} ({}: {})", shown_host(options_.bind), *port,
+                           escaped(robot.name), fmt::join(shown, " ")));
   if (!elsewhere.empty())
     warn(Error{robot.desc.where, fmt::format("{} has devices on other ports of the server, left out: {}",
                                              in_quotes(robot.name), fmt::join(elsewhere, " "))}
@@ -226,7 +227,7 @@ void RobotsClient::serve(Robot& robot, const std::string& devices) {
 
 /// Polls, since robots without open devices are removed without notice.
 void RobotsClient::look_after() {
-  for (Robot& robot : robots_) {
+  for (RemoteRobot& robot : robots_) {
     if (robot.gone || !robot.joined) continue;
     relay_->remote().ask(kWorld, sim::kReqGetProperty, property(robot.name, "devices", {}),
                          [this, &robot](bool ack, std::span<const std::byte>) {
@@ -234,24 +235,24 @@ void RobotsClient::look_after() {
                            if (robot.missed >= kMissed && relay_->remote().is_connected()) gone(robot);
                          });
   }
-  look_after_ = surroundings_.network.after(kLookAfter, [this] { look_after(); });
+  look_after_ = program_.network.after(kLookAfter, [this] { look_after(); });
 }
 
 /// A robot's first device is its own.
 void RobotsClient::retired(drivers::RemoteDevice device) {
-  for (Robot& robot : robots_)
+  for (RemoteRobot& robot : robots_)
     if (!robot.devices.empty() && robot.devices.front() == device) gone(robot);
 }
 
-void RobotsClient::gone(Robot& robot) {
+void RobotsClient::gone(RemoteRobot& robot) {
   if (std::exchange(robot.gone, true)) return;
   const Error gone{robot.desc.where, in_quotes(robot.name) + " was taken out of the world"};
-  const bool was_last = std::ranges::all_of(robots_, [](const Robot& each) { return each.gone; });
+  const bool was_last = std::ranges::all_of(robots_, [](const RemoteRobot& each) { return each.gone; });
   if (was_last) return fail_with(gone);
   warn(gone.line());
 }
 
-RobotsClient::Surroundings surroundings_of(DeviceService& service, std::uint16_t port) {
+RobotsClient::ServingProgram serving_program(DeviceService& service, std::uint16_t port) {
   return {.site = service.open_site(port),
           .network = service.loop(),
           .keep = [&service](std::unique_ptr<device::Driver> driver) { service.take(std::move(driver)); },

@@ -31,7 +31,7 @@ class RobotsClient {
     std::string token;          // of a guest; empty: none
   };
   /// The program that serves the robots' devices. Its site and network must outlive this.
-  struct Surroundings {
+  struct ServingProgram {
     drivers::Site& site;
     net::Network& network;
     std::function<void(std::unique_ptr<device::Driver>)> keep;        // a driver with devices in the site
@@ -39,13 +39,13 @@ class RobotsClient {
     std::function<void(const std::string& line)> say;                 // where a robot's devices are
     std::function<void(const Error&)> failed;                         // once: there are no robots any more
   };
-  RobotsClient(Surroundings surroundings, RobotsClientOptions options, std::vector<scene::RobotDesc> robots);
+  RobotsClient(ServingProgram program, RobotsClientOptions options, std::vector<scene::RobotDesc> robots);
 
   /// Starts connecting.
   void begin();
 
  private:
-  struct Robot {
+  struct RemoteRobot {
     scene::RobotDesc desc;
     std::string name;  // in the world
     std::vector<drivers::RemoteDevice> devices;
@@ -56,19 +56,19 @@ class RobotsClient {
   void greet();
   void bring_next();
   void expect_answer();
-  void came(Robot& robot, std::string name);
-  void serve(Robot& robot, const std::string& devices);
+  void came(RemoteRobot& robot, std::string name);
+  void serve(RemoteRobot& robot, const std::string& devices);
   void retired(drivers::RemoteDevice device);
   void look_after();
-  void gone(Robot& robot);
-  Result<std::uint16_t> open_port(const Robot& robot);
+  void gone(RemoteRobot& robot);
+  Result<std::uint16_t> open_port(const RemoteRobot& robot);
   /// The local address of the robot's next device of an interface.
-  device::Address address_of(const Robot& robot, std::uint16_t port, std::uint16_t interf) const;
+  device::Address address_of(const RemoteRobot& robot, std::uint16_t port, std::uint16_t interf) const;
   void fail_with(const Error& error);
 
-  const Surroundings surroundings_;
+  const ServingProgram program_;
   RobotsClientOptions options_;
-  std::vector<Robot> robots_;
+  std::vector<RemoteRobot> robots_;
   std::size_t next_ = 0;  // next to be spawned
   std::uint16_t next_port_;
   drivers::Passthrough* relay_;
@@ -78,6 +78,6 @@ class RobotsClient {
 
 /// Of the robots of a service, whose site is opened. Errors end the service, with one log line. It must outlive
 /// the client.
-RobotsClient::Surroundings surroundings_of(DeviceService& service, std::uint16_t port);
+RobotsClient::ServingProgram serving_program(DeviceService& service, std::uint16_t port);
 
 }  // namespace playhouse::app

@@ -18,11 +18,11 @@ namespace playhouse::app {
 class DevTools {
  public:
   /// Handles events of a browser or page that arrive while waiting for something else.
-  using Events = std::function<void(std::string_view event, const boost::json::object& about)>;
+  using BrowserEvents = std::function<void(std::string_view event, const boost::json::object& about)>;
 
   /// The browser must be running, and outlive this.
   explicit DevTools(Browser& browser) : browser_(browser) {}
-  void on_events(Events events) { events_ = std::move(events); }
+  void on_events(BrowserEvents events) { events_ = std::move(events); }
   /// Directs further calls to the page of that session.
   void attach(std::string session) { session_ = std::move(session); }
 
@@ -43,7 +43,7 @@ class DevTools {
   Result<std::optional<boost::json::object>> take_message(Browser::Deadline deadline);
 
   Browser& browser_;
-  Events events_;
+  BrowserEvents events_;
   std::string session_;  // empty: the browser itself
   std::int64_t calls_ = 0;
 };
