@@ -219,7 +219,7 @@ void SimulatedProgram::run_again() {
     return;
   }
   const auto recorded = static_cast<std::size_t>(std::ranges::count_if(
-      recording->items, [](const record::Recording::Item& item) { return !item.change.empty(); }));
+      recording->items, [](const record::Recording::ChangeOrCheck& item) { return !item.change.empty(); }));
   if (!disk_.room && recorded < changes)
     return wrong(fmt::format("the recording of a killed program has {} changes of {}", recorded, changes));
   record::Rerun rerun(*recording, engine_of(scene_, options_.setting, options_.seed));

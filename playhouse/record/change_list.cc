@@ -51,7 +51,7 @@ Result<ChangeCount> list_changes(const ByteSource& source,
   if (std::ranges::none_of(reader.channels(), is_kept))
     return Error{{}, "has no list of changes: it was not recorded by this version of Playhouse"};
   if (count.changes == 0) write(kHeader);
-  count.cut = *end == McapReader::End::kCut;
+  count.cut = *end == McapReader::FileEnd::kCut;
   return count;
 }
 

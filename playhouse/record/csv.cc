@@ -198,7 +198,7 @@ class Export {
                      },
                      .attachment = {}});
     if (!end) return end.error();
-    done_.cut = *end == McapReader::End::kCut;
+    done_.cut = *end == McapReader::FileEnd::kCut;
     return {};
   }
 

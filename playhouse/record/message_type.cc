@@ -98,7 +98,7 @@ Result<void> MessageSchema::add_line(std::string_view line, Fields& into) {
   std::string_view name = trimmed(line.substr(space));
   if (name.find('=') != std::string_view::npos) return {};  // a constant
   name = name.substr(0, name.find_first_of(" \t"));         // what follows is a default
-  Field field;
+  MessageField field;
   field.name = name;
   if (const std::size_t bracket = type.find('['); bracket != std::string_view::npos) {
     const std::string_view count = type.substr(bracket + 1, type.size() - bracket - 2);
@@ -113,12 +113,12 @@ Result<void> MessageSchema::add_line(std::string_view line, Fields& into) {
   }
   type = type.substr(0, type.find("<="));
   field.type = short_name(type);
-  field.kind = field.type == kTime                                   ? Kind::kTime
-               : type == "string"                                    ? Kind::kText
-               : std::ranges::find(kNumbers, type) != kNumbers.end() ? Kind::kNumber
-                                                                     : Kind::kMessage;
+  field.kind = field.type == kTime                                   ? FieldKind::kTime
+               : type == "string"                                    ? FieldKind::kText
+               : std::ranges::find(kNumbers, type) != kNumbers.end() ? FieldKind::kNumber
+                                                                     : FieldKind::kMessage;
   field.model = model && field.type == "uint32";
-  if (field.list && field.kind == Kind::kNumber) field.parts = std::move(parts);
+  if (field.list && field.kind == FieldKind::kNumber) field.parts = std::move(parts);
   into.push_back(std::move(field));
   return {};
 }
@@ -150,12 +150,12 @@ Result<void> MessageSchema::number_fields(const std::string& type, const std::st
   if (++messages_ > kTableColumns) return Error{{}, "has a schema with too many messages in each other"};
   if (depth > kDepth) return Error{{}, "has a schema of messages too deep in each other"};
   bool has_list = false;
-  for (const Field& field : found->second) {
-    if (field.kind == Kind::kTime) continue;
+  for (const MessageField& field : found->second) {
+    if (field.kind == FieldKind::kTime) continue;
     if (fields_.size() >= kTableColumns) return Error{{}, "has a schema with too many fields"};
     letters_ += path.size() + field.name.size();
     if (letters_ > kPathLetters) return Error{{}, "has a schema with names that are too long in each other"};
-    if (field.kind != Kind::kMessage) {
+    if (field.kind != FieldKind::kMessage) {
       fields_.push_back(path + field.name);
       lists_.push_back(field.list || field.count != 1);
       parts_.push_back(field.parts);
@@ -174,21 +174,21 @@ Result<void> MessageSchema::number_fields(const std::string& type, const std::st
 
 std::size_t MessageSchema::width_of(const std::string& type) const {
   std::size_t width = 0;
-  for (const Field& field : types_.at(type))
-    if (field.kind != Kind::kTime) width += field.kind == Kind::kMessage ? width_of(field.type) : 1;
+  for (const MessageField& field : types_.at(type))
+    if (field.kind != FieldKind::kTime) width += field.kind == FieldKind::kMessage ? width_of(field.type) : 1;
   return width;
 }
 
 bool MessageSchema::read(const std::string& type, CdrReader& in, Walk& walk) const {
-  for (const Field& field : types_.at(type)) {
+  for (const MessageField& field : types_.at(type)) {
     if (!in.ok()) return false;
-    if (field.kind == Kind::kMessage && !field.list) {
+    if (field.kind == FieldKind::kMessage && !field.list) {
       if (!read(field.type, in, walk)) return false;
       continue;
     }
     const std::uint32_t count = field.list ? in.number<std::uint32_t>() : field.count;
     if (!in.ok() || (field.list && count > in.left())) return false;
-    if (field.kind == Kind::kMessage) {
+    if (field.kind == FieldKind::kMessage) {
       walk.has_list = true;
       if (count > kMessageValues / (fields_.size() + messages_)) walk.is_too_large = true;
       if (walk.is_too_large) return false;
@@ -203,13 +203,13 @@ bool MessageSchema::read(const std::string& type, CdrReader& in, Walk& walk) con
       walk.field = first + width_of(field.type);
       continue;
     }
-    if (field.kind == Kind::kTime) {
+    if (field.kind == FieldKind::kTime) {
       for (std::uint32_t i = 0; i < count && in.ok(); ++i) in.time();
       continue;
     }
     std::vector<std::string>& values = (*walk.to)[walk.field++];
     for (std::uint32_t i = 0; i < count && in.ok(); ++i) {
-      values.push_back(field.kind == Kind::kText ? in.text() : number_text(field.type, in));
+      values.push_back(field.kind == FieldKind::kText ? in.text() : number_text(field.type, in));
       const bool model = field.parts ? (*field.parts)[i % field.parts->size()].model : field.model;
       if (model && values.back() == kNoId) values.back().clear();
     }

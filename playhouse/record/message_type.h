@@ -52,23 +52,23 @@ class MessageSchema {
   Result<Rows> rows(std::span<const std::byte> message) const;
 
  private:
-  enum class Kind : std::uint8_t { kNumber, kText, kMessage, kTime };
+  enum class FieldKind : std::uint8_t { kNumber, kText, kMessage, kTime };
   /// A number of an element of a list.
-  struct Part {
+  struct ElementNumber {
     std::string name;
     bool model = false;
   };
-  using Parts = std::vector<Part>;
+  using Parts = std::vector<ElementNumber>;
   using SharedParts = std::shared_ptr<const Parts>;  // a message's, wherever it is within others
-  struct Field {
+  struct MessageField {
     std::string name, type;
-    Kind kind = Kind::kNumber;
+    FieldKind kind = FieldKind::kNumber;
     bool list = false;
     std::uint32_t count = 1;  // of a fixed-size array
     bool model = false;       // a model's id, or none
     SharedParts parts{};      // of an element
   };
-  using Fields = std::vector<Field>;
+  using Fields = std::vector<MessageField>;
   struct Walk;
 
   static SharedParts parts_of(std::string_view note);

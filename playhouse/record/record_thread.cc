@@ -62,13 +62,13 @@ bool RecordThread::finish() {
   if (thread_.joinable()) {
     thread_.join();
   } else {
-    write(End::kFile);
+    write(WriteEnd::kFile);
   }
   return !failed_;
 }
 
-void RecordThread::write(End end) {
-  const Result<void> written = end == End::kFile ? sink_->finish() : sink_->flush();
+void RecordThread::write(WriteEnd end) {
+  const Result<void> written = end == WriteEnd::kFile ? sink_->finish() : sink_->flush();
   if (written) return;
   {
     const std::lock_guard lock(mutex_);
@@ -81,7 +81,7 @@ void RecordThread::write(End end) {
 void RecordThread::pass_on(const Bytes& records) {
   sink_->add(records);
   if (sink_->waiting() >= chunk_bytes_) {
-    write(End::kChunk);
+    write(WriteEnd::kChunk);
     chunk_bytes_ = std::min(2 * chunk_bytes_, limits::kRecordChunkBytes);
   }
   {
@@ -96,7 +96,7 @@ void RecordThread::take(const std::deque<Bytes>& records, double now) {
   if (sink_->waiting() == 0 && !records.empty()) due_ = now + kChunkTime;
   for (const Bytes& each : records) pass_on(each);
   if (now < due_ || sink_->waiting() == 0) return;
-  write(End::kChunk);
+  write(WriteEnd::kChunk);
   due_ = now + kChunkTime;
 }
 
@@ -116,7 +116,7 @@ void RecordThread::run() {
       last = ending_;
     }
     take(records, monotonic_seconds());
-    if (last) return write(End::kFile);
+    if (last) return write(WriteEnd::kFile);
   }
 }
 

@@ -46,8 +46,8 @@ class RecordThread {
   void run();
   void take(const std::deque<Bytes>& records, double now);
   void pass_on(const Bytes& records);
-  enum class End { kChunk, kFile };
-  void write(End end);
+  enum class WriteEnd { kChunk, kFile };
+  void write(WriteEnd end);
 
   const std::unique_ptr<RecordSink> sink_;  // used by the thread once that runs
   const std::size_t most_bytes_;

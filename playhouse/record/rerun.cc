@@ -23,7 +23,7 @@ namespace {
 Result<void> take(const std::string& schema, std::span<const std::byte> body, Recording& into,
                   std::size_t& left) {
   CdrReader in(body);
-  std::size_t kept = sizeof(Recording::Item);
+  std::size_t kept = sizeof(Recording::ChangeOrCheck);
   if (schema == kState) {
     Recording::State state;
     state.tick = in.number<std::uint64_t>();
@@ -32,7 +32,7 @@ Result<void> take(const std::string& schema, std::span<const std::byte> body, Re
     state.items = into.items.size();
     if (in.ok()) into.states.push_back(std::move(state));
   } else if (schema == kChange) {
-    Recording::Item item;
+    Recording::ChangeOrCheck item;
     item.tick = in.number<std::uint64_t>();
     for (int text = 0; text < 3; ++text) in.text();  // for people
     item.change = PackedBytes(in.bytes());
@@ -40,7 +40,7 @@ Result<void> take(const std::string& schema, std::span<const std::byte> body, Re
     if (in.ok() && item.change.empty()) return Error{{}, "a change in it is damaged"};
     if (in.ok()) into.items.push_back(std::move(item));
   } else if (schema == kCheck) {
-    Recording::Item item;
+    Recording::ChangeOrCheck item;
     item.tick = in.number<std::uint64_t>();
     item.hash = in.number<std::uint64_t>();
     item.sensed_hash = in.number<std::uint64_t>();
@@ -89,7 +89,7 @@ Result<Recording> read_recording(const ByteSource& source, std::size_t most) {
          return {};
        }});
   if (!end) return end.error();
-  recording.cut = *end == McapReader::End::kCut;
+  recording.cut = *end == McapReader::FileEnd::kCut;
   if (recording.cut && !has_message)
     return Error{{}, "was not finished and ends before its first whole chunk: there is nothing to run again"};
   if (!has_start)
@@ -131,7 +131,7 @@ void Rerun::fail_to_load(const std::string& what) {
   static_cast<void>(load(recording_->states.front()));
 }
 
-void Rerun::check(const Recording::Item& item) {
+void Rerun::check(const Recording::ChangeOrCheck& item) {
   if (differs_) return;
   if (world().hash() != item.hash)
     fail(
@@ -143,7 +143,7 @@ void Rerun::check(const Recording::Item& item) {
     ++checks_;
 }
 
-void Rerun::change(const Recording::Item& item) {
+void Rerun::change(const Recording::ChangeOrCheck& item) {
   const Bytes bytes = item.change.unpacked();
   Unpacker in(bytes);
   const Result<world::Change> change = world::unpack_change(in);
@@ -157,7 +157,7 @@ void Rerun::change(const Recording::Item& item) {
 /// Applies the changes of this tick, including rewinds that happened at it.
 void Rerun::happen() {
   while (!differs_ && !at_end() && recording_->items[next_].tick == world().tick()) {
-    const Recording::Item& item = recording_->items[next_++];
+    const Recording::ChangeOrCheck& item = recording_->items[next_++];
     item.change.empty() ? check(item) : change(item);
   }
   if (!differs_ && !at_end() && recording_->items[next_].tick < world().tick())

@@ -25,14 +25,14 @@ struct Recording {
     PackedBytes bytes;      // whole_state.h
   };
   /// A change, or a check.
-  struct Item {
+  struct ChangeOrCheck {
     std::uint64_t tick = 0;  // of the world before it
     PackedBytes change;      // world/changes/packed_change.h; empty: a check
     std::uint64_t hash = 0, sensed_hash = 0;
   };
   world::SavedRun start;
   std::vector<State> states;
-  std::vector<Item> items;
+  std::vector<ChangeOrCheck> items;
   bool cut = false;  // truncated: the recording program was killed
 };
 
@@ -72,8 +72,8 @@ class Rerun final : public world::Engine {
  private:
   Result<void> load(const Recording::State& state);
   void happen();
-  void check(const Recording::Item& item);
-  void change(const Recording::Item& item);
+  void check(const Recording::ChangeOrCheck& item);
+  void change(const Recording::ChangeOrCheck& item);
   void fail(const std::string& what);
   void fail_to_load(const std::string& what);
 

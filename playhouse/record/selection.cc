@@ -48,14 +48,14 @@ bool Selection::has(const world::World& world, world::ModelRow model, std::strin
       if (world.name(row) == name || world.alias(row) == name) return true;
     return false;
   };
-  return std::ranges::any_of(entries_, [&](const Entry& entry) {
+  return std::ranges::any_of(entries_, [&](const Selector& entry) {
     return (entry.kind.empty() || entry.kind == kind) && (entry.name.empty() || is_in(entry.name));
   });
 }
 
 std::vector<std::string> Selection::unknown_names(const world::World& world) const {
   std::vector<std::string> unknown;
-  for (const Entry& entry : entries_)
+  for (const Selector& entry : entries_)
     if (!entry.name.empty() && !world.find(entry.name)) unknown.push_back(entry.name);
   return unknown;
 }

@@ -31,12 +31,12 @@ class Selection {
   std::vector<std::string> unknown_names(const world::World& world) const;
 
  private:
-  struct Entry {
+  struct Selector {
     std::string kind;  // empty: all
     std::string name;  // empty: all
   };
   bool everything_ = true;
-  std::vector<Entry> entries_;
+  std::vector<Selector> entries_;
 };
 
 }  // namespace playhouse::record

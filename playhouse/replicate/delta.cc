@@ -180,9 +180,10 @@ class PacketWriter {
                                             : importance(wish_, selected(row), at, change_of(from, to));
       deferred.candidates.push_back({gathered, row});
     }
-    std::ranges::sort(deferred.candidates, [](const Deferred::Candidate& a, const Deferred::Candidate& b) {
-      return std::tuple(-a.priority, a.row) < std::tuple(-b.priority, b.row);
-    });
+    std::ranges::sort(deferred.candidates,
+                      [](const Deferred::DeferredModel& a, const Deferred::DeferredModel& b) {
+                        return std::tuple(-a.priority, a.row) < std::tuple(-b.priority, b.row);
+                      });
     for (const auto& [priority, row] : deferred.candidates) {
       if (full(models_budget())) return false;
       model(row);

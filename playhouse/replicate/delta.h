@@ -89,12 +89,12 @@ enum class Sent { kNothing, kPart, kAll };
 
 /// Priorities of models that frames had no room for.
 struct Deferred {
-  struct Candidate {
+  struct DeferredModel {
     double priority = 0;
     world::ModelRow row;
   };
-  world::ByModel<double> gathered;    // since its last update; empty: the last frame had room for all
-  std::vector<Candidate> candidates;  // scratch
+  world::ByModel<double> gathered;        // since its last update; empty: the last frame had room for all
+  std::vector<DeferredModel> candidates;  // scratch
 };
 
 /// Writes the deltas between replicas and snapshots of one population, within a

@@ -14,7 +14,7 @@ SnapshotFeed::SnapshotFeed(const world::World& world, DeviceNames devices, Clock
       clock_(std::move(clock)),
       devices_(std::move(devices)),
       layout_(std::make_shared<const Layout>(world, prototypes_, devices_)) {
-  for (int k = 0; k < 2; ++k) buffers_.push_back(std::make_unique<Buffer>());
+  for (int k = 0; k < 2; ++k) buffers_.push_back(std::make_unique<SnapshotBuffer>());
   newest_ = buffers_.front().get();
   capture(world, {}, layout_, {}, newest_->snapshot);
 }
@@ -33,7 +33,7 @@ bool SnapshotFeed::wants_show() const {
 void SnapshotFeed::show(const world::World& world, const world::Pace& pace) {
   capture_time_ = clock_();
   interest_.clear();
-  Buffer* written = nullptr;
+  SnapshotBuffer* written = nullptr;
   {
     const std::lock_guard lock(mutex_);
     for (const SnapshotReader* reader : readers_) interest_.add(reader->interest_);
@@ -50,22 +50,22 @@ void SnapshotFeed::show(const world::World& world, const world::Pace& pace) {
 }
 
 /// It stays free without the lock: readers take the newest one alone.
-SnapshotFeed::Buffer& SnapshotFeed::free_buffer() {
-  const auto found = std::ranges::find_if(buffers_, [this](const std::unique_ptr<Buffer>& buffer) {
+SnapshotFeed::SnapshotBuffer& SnapshotFeed::free_buffer() {
+  const auto found = std::ranges::find_if(buffers_, [this](const std::unique_ptr<SnapshotBuffer>& buffer) {
     return buffer->readers == 0 && buffer.get() != newest_;
   });
   PLAYHOUSE_ASSERT(found != buffers_.end());
   return **found;
 }
 
-SnapshotReader::SnapshotReader(SnapshotFeed& feed, Post post, std::function<void()> serve)
+SnapshotReader::SnapshotReader(SnapshotFeed& feed, PostTask post, std::function<void()> serve)
     : feed_(feed),
       post_(std::move(post)),
       serve_(std::make_shared<const std::function<void()>>(std::move(serve))),
       taken_(feed.newest_) {
   ++taken_->readers;
   feed_.readers_.push_back(this);
-  feed_.buffers_.push_back(std::make_unique<SnapshotFeed::Buffer>());
+  feed_.buffers_.push_back(std::make_unique<SnapshotFeed::SnapshotBuffer>());
 }
 
 SnapshotReader::~SnapshotReader() {

@@ -49,12 +49,12 @@ class SnapshotFeed {
  private:
   friend class SnapshotReader;
 
-  struct Buffer {
+  struct SnapshotBuffer {
     Snapshot snapshot;
     std::size_t readers = 0;  // guarded by mutex_
   };
 
-  Buffer& free_buffer();
+  SnapshotBuffer& free_buffer();
 
   const scene::SceneDesc& scene_;
   const std::string light_;  // see light_text()
@@ -62,15 +62,15 @@ class SnapshotFeed {
   const Clock clock_;
   const DeviceNames devices_;
   std::vector<SnapshotReader*> readers_;  // as long as show() is called always the same
-  std::vector<std::unique_ptr<Buffer>> buffers_;
+  std::vector<std::unique_ptr<SnapshotBuffer>> buffers_;
 
   // Thread: that of show().
   std::shared_ptr<const Layout> layout_;  // of the newest capture
   double capture_time_ = -kFramePeriod;
   Interest interest_;  // of all readers
 
-  std::mutex mutex_;  // guards newest_, Buffer::readers and SnapshotReader::interest_
-  Buffer* newest_;    // whose snapshot is the newest
+  std::mutex mutex_;        // guards newest_, SnapshotBuffer::readers and SnapshotReader::interest_
+  SnapshotBuffer* newest_;  // whose snapshot is the newest
 };
 
 /// A server's access to the snapshots. Construct it before the first show() of its feed and destroy it after the
@@ -78,11 +78,11 @@ class SnapshotFeed {
 class SnapshotReader {
  public:
   /// Runs a task on the thread that serves viewers; any thread.
-  using Post = std::function<void(std::function<void()>)>;
+  using PostTask = std::function<void(std::function<void()>)>;
 
   /// Posts `serve` whenever there is a newer snapshot, once before the next take(). What is posted does nothing
   /// after the reader's end.
-  SnapshotReader(SnapshotFeed& feed, Post post, std::function<void()> serve);
+  SnapshotReader(SnapshotFeed& feed, PostTask post, std::function<void()> serve);
   ~SnapshotReader();
   SnapshotReader(const SnapshotReader&) = delete;
   SnapshotReader& operator=(const SnapshotReader&) = delete;
@@ -102,11 +102,11 @@ class SnapshotReader {
   void notify();
 
   SnapshotFeed& feed_;
-  const Post post_;
+  const PostTask post_;
   const std::shared_ptr<const std::function<void()>> serve_;  // posted tasks have a weak one
   std::atomic<bool> watches_ = false, told_ = false;
-  Interest interest_;            // guarded by the feed's mutex
-  SnapshotFeed::Buffer* taken_;  // this thread's
+  Interest interest_;                    // guarded by the feed's mutex
+  SnapshotFeed::SnapshotBuffer* taken_;  // this thread's
 };
 
 }  // namespace playhouse::replicate

@@ -91,7 +91,7 @@ Error McapReader::damaged(const std::string& what) const {
   return {{}, fmt::format("is damaged: the record at byte {} {}", at_, what)};
 }
 
-Result<McapReader::End> McapReader::read(const Listener& listener) {
+Result<McapReader::FileEnd> McapReader::read(const McapListener& listener) {
   std::array<std::byte, kMagic.size()> magic{};
   if (source_->size() < magic.size() || !source_->read_at(0, magic) ||
       !std::ranges::equal(magic, std::as_bytes(std::span(kMagic))))
@@ -100,13 +100,13 @@ Result<McapReader::End> McapReader::read(const Listener& listener) {
   for (at_ = magic.size();;) {
     const std::uint64_t left = source_->size() - at_;
     std::array<std::byte, kRecordHeadBytes> bytes{};
-    if (left < bytes.size()) return End::kCut;
+    if (left < bytes.size()) return FileEnd::kCut;
     if (!source_->read_at(at_, bytes)) return Error{{}, "cannot be read"};
     Unpacker head(bytes);
     const auto op = static_cast<Op>(head.u8());
     const std::uint64_t length = head.u64();
-    if (op == Op::kDataEnd) return End::kWhole;
-    if (length > left - bytes.size()) return End::kCut;
+    if (op == Op::kDataEnd) return FileEnd::kWhole;
+    if (length > left - bytes.size()) return FileEnd::kCut;
     const bool skipped = op != Op::kSchema && op != Op::kChannel && op != Op::kMessage && op != Op::kChunk &&
                          op != Op::kAttachment;
     if (!skipped) {
@@ -119,7 +119,7 @@ Result<McapReader::End> McapReader::read(const Listener& listener) {
   }
 }
 
-Result<void> McapReader::take(Op op, std::span<const std::byte> content, const Listener& listener) {
+Result<void> McapReader::take(Op op, std::span<const std::byte> content, const McapListener& listener) {
   switch (op) {
     case Op::kSchema:
       return take_schema(content);
@@ -136,7 +136,7 @@ Result<void> McapReader::take(Op op, std::span<const std::byte> content, const L
   }
 }
 
-Result<void> McapReader::take_chunk(std::span<const std::byte> content, const Listener& listener) {
+Result<void> McapReader::take_chunk(std::span<const std::byte> content, const McapListener& listener) {
   Fields in(content);
   in.u64(), in.u64();
   const std::uint64_t size = in.u64();
@@ -206,7 +206,7 @@ Result<void> McapReader::take_channel(std::span<const std::byte> content) {
   return {};
 }
 
-Result<void> McapReader::take_message(std::span<const std::byte> content, const Listener& listener) {
+Result<void> McapReader::take_message(std::span<const std::byte> content, const McapListener& listener) {
   Fields in(content);
   MessageRecord message;
   message.channel = in.u16();
@@ -220,7 +220,7 @@ Result<void> McapReader::take_message(std::span<const std::byte> content, const 
   return listener.message ? listener.message(channel->second, message) : Result<void>();
 }
 
-Result<void> McapReader::take_attachment(std::span<const std::byte> content, const Listener& listener) {
+Result<void> McapReader::take_attachment(std::span<const std::byte> content, const McapListener& listener) {
   if (!listener.attachment) return {};
   Fields in(content);
   Attachment attachment;

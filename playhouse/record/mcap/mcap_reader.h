@@ -31,12 +31,12 @@ Result<std::unique_ptr<ByteSource>> open_source(const std::string& path);
 class McapReader {
  public:
   /// Callbacks in file order; an error aborts reading and is returned.
-  struct Listener {
+  struct McapListener {
     std::function<Result<void>(const Channel&, const MessageRecord&)> message = {};
     std::function<Result<void>(const Attachment&)> attachment = {};
   };
   /// Whether the file ends properly or is truncated.
-  enum class End : std::uint8_t { kWhole, kCut };
+  enum class FileEnd : std::uint8_t { kWhole, kCut };
 
   /// The source must outlive the reader.
   explicit McapReader(const ByteSource& source, const UnpackedRoom& room = {})
@@ -44,19 +44,19 @@ class McapReader {
 
   /// Reads everything. Fails, without a file name, on data that
   /// is not MCAP or damaged, and at limits; not on truncation.
-  Result<End> read(const Listener& listener);
+  Result<FileEnd> read(const McapListener& listener);
 
   /// Read so far.
   const std::map<std::uint16_t, Channel>& channels() const { return channels_; }
   const std::map<std::uint16_t, Schema>& schemas() const { return schemas_; }
 
  private:
-  Result<void> take(Op op, std::span<const std::byte> content, const Listener& listener);
-  Result<void> take_chunk(std::span<const std::byte> content, const Listener& listener);
+  Result<void> take(Op op, std::span<const std::byte> content, const McapListener& listener);
+  Result<void> take_chunk(std::span<const std::byte> content, const McapListener& listener);
   Result<void> take_schema(std::span<const std::byte> content);
   Result<void> take_channel(std::span<const std::byte> content);
-  Result<void> take_message(std::span<const std::byte> content, const Listener& listener);
-  Result<void> take_attachment(std::span<const std::byte> content, const Listener& listener);
+  Result<void> take_message(std::span<const std::byte> content, const McapListener& listener);
+  Result<void> take_attachment(std::span<const std::byte> content, const McapListener& listener);
   Error damaged(const std::string& what) const;
 
   const ByteSource* source_;

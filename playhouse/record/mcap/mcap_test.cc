@@ -56,7 +56,7 @@ class Mcap : public testing::Test {
     return bytes_of(text);
   }
 
-  Result<McapReader::End> read(const Bytes& bytes, const UnpackedRoom& room = {}) {
+  Result<McapReader::FileEnd> read(const Bytes& bytes, const UnpackedRoom& room = {}) {
     said_.clear();
     const MemorySource source(bytes);
     McapReader reader(source, room);
@@ -84,7 +84,7 @@ TEST_F(Mcap, gives_back_what_was_written_in_its_order) {
   ASSERT_TRUE(writer_->finish().ok());
   const auto end = read(file());
   ASSERT_TRUE(end.ok()) << end.error().line();
-  EXPECT_EQ(*end, McapReader::End::kWhole);
+  EXPECT_EQ(*end, McapReader::FileEnd::kWhole);
   EXPECT_THAT(said_, ElementsAre("world = a world", "/words one", "/words two"));
 }
 
@@ -94,7 +94,7 @@ TEST_F(Mcap, that_is_not_finished_reads_up_to_its_last_flush) {
   writer_->add(message(7, 20, "two"));
   const auto end = read(file());
   ASSERT_TRUE(end.ok()) << end.error().line();
-  EXPECT_EQ(*end, McapReader::End::kCut);
+  EXPECT_EQ(*end, McapReader::FileEnd::kCut);
   EXPECT_THAT(said_, ElementsAre("/words one"));
 }
 
@@ -200,7 +200,7 @@ TEST_F(Mcap, of_images_that_pack_to_nothing_is_as_large_as_readers_ask) {
   const Bytes whole = written(kRoom, ends);
   const auto end = read(whole, kRoom);
   ASSERT_TRUE(end) << end.error().line();
-  EXPECT_EQ(*end, McapReader::End::kWhole);
+  EXPECT_EQ(*end, McapReader::FileEnd::kWhole);
   EXPECT_EQ(said_.size(), kFrames + 1u);
   // Twice 3.75 MiB, less what is free, by 64; and the summary.
   EXPECT_GT(whole.size(), 118'000u);

@@ -143,7 +143,7 @@ Result<void> McapWriter::flush() {
     Packer into(index);
     into.u16(channel);
     into.u32(static_cast<std::uint32_t>(entries.size() * 16));
-    for (const Entry& entry : entries) {
+    for (const MessageIndexEntry& entry : entries) {
       into.u64(entry.time);
       into.u64(entry.offset);
     }

@@ -37,7 +37,7 @@ class McapWriter final : public RecordSink {
   Result<void> finish() override;
 
  private:
-  struct Entry {
+  struct MessageIndexEntry {
     std::uint64_t time = 0, offset = 0;
   };
   struct AttachmentEntry {
@@ -63,9 +63,9 @@ class McapWriter final : public RecordSink {
   std::uint64_t unpacked_ = 0;  // bytes of all chunks
   bool failed_ = false;
 
-  Bytes chunk_;                                        // buffered records
-  std::map<std::uint16_t, std::vector<Entry>> index_;  // of their messages
-  std::uint64_t chunk_from_ = 0, chunk_to_ = 0;        // their times [ns]
+  Bytes chunk_;                                                    // buffered records
+  std::map<std::uint16_t, std::vector<MessageIndexEntry>> index_;  // of their messages
+  std::uint64_t chunk_from_ = 0, chunk_to_ = 0;                    // their times [ns]
 
   // For the summary.
   Bytes schemas_, channels_;  // records

@@ -37,7 +37,7 @@ Seq DatagramChannel::write(double now, std::size_t text_room, std::vector<std::b
   return sent_;
 }
 
-Result<Heard> DatagramChannel::receive(std::span<const std::byte> rest, double now) {
+Result<ReceivedPacket> DatagramChannel::receive(std::span<const std::byte> rest, double now) {
   Unpacker in(rest);
   const std::uint64_t seq = in.varint(), ack = in.varint();
   const std::uint32_t before = in.u32();
@@ -46,13 +46,13 @@ Result<Heard> DatagramChannel::receive(std::span<const std::byte> rest, double n
   const std::uint64_t at = size > 0 ? in.varint() : 0;
   if (!in.ok() || seq == 0 || seq > kSeqMost || ack > sent_ || size > in.left())
     return Error{"", "invalid packet"};
-  if (!note(seq)) return Heard{};
+  if (!note(seq)) return ReceivedPacket{};
   const auto body = rest.last(in.left());
   acknowledge(ack, before, now);
   if (!sender_.taken(taken)) return Error{"", "a packet acknowledges texts that were never sent"};
   const Result<void> fits = receiver_.take(at, body.first(static_cast<std::size_t>(size)));
   if (!fits) return fits.error();
-  return Heard{true, seq, size > 0, body.subspan(static_cast<std::size_t>(size))};
+  return ReceivedPacket{true, seq, size > 0, body.subspan(static_cast<std::size_t>(size))};
 }
 
 bool DatagramChannel::note(Seq seq) {

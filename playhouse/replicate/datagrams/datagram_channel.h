@@ -22,7 +22,7 @@ struct Settled {
   std::vector<Seq> acknowledged, lost;
 };
 
-struct Heard {
+struct ReceivedPacket {
   bool is_new = false;  // false: a duplicate, or too old to tell
   Seq seq = 0;
   bool has_text = false;  // has to be acknowledged
@@ -43,7 +43,7 @@ class DatagramChannel {
   Seq write(double now, std::size_t text_room, std::vector<std::byte>& out);
 
   /// Processes a packet of the session. Fails on a protocol violation.
-  Result<Heard> receive(std::span<const std::byte> rest, double now);
+  Result<ReceivedPacket> receive(std::span<const std::byte> rest, double now);
   Result<std::optional<ReceivedText>> next_text() { return receiver_.next(); }
 
   /// Packets acknowledged or declared lost since the last call.

@@ -54,7 +54,7 @@ void DatagramObserver::take_welcome(const Welcome& welcome) {
 
 void DatagramObserver::take_packet(const PacketOf& packet, double now) {
   if (!channel_ || packet.session != channel_->session()) return;
-  const Result<Heard> heard = channel_->receive(packet.rest, now);
+  const Result<ReceivedPacket> heard = channel_->receive(packet.rest, now);
   if (!heard) {
     ended_ = heard.error().text;
     return;

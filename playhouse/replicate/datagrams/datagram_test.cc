@@ -428,7 +428,8 @@ TEST(DatagramChannel, goes_on_after_more_packets_than_32_bits_count) {
   std::vector<std::byte> packet;
   for (Seq k = 1; k <= 5; ++k) {
     ASSERT_EQ(one.write(static_cast<double>(k), 100, packet), kMany + k);
-    const Result<Heard> heard = other.receive(std::span(packet).subspan(kSession), static_cast<double>(k));
+    const Result<ReceivedPacket> heard =
+        other.receive(std::span(packet).subspan(kSession), static_cast<double>(k));
     ASSERT_TRUE(heard.ok()) << heard.error().text;
     EXPECT_TRUE(heard->is_new);
     EXPECT_EQ(heard->seq, kMany + k);

@@ -49,7 +49,7 @@ DatagramViewer::DatagramViewer(std::uint64_t session, Terms terms, std::shared_p
 }
 
 Result<void> DatagramViewer::receive(std::span<const std::byte> rest, double now) {
-  const Result<Heard> heard = channel_.receive(rest, now);
+  const Result<ReceivedPacket> heard = channel_.receive(rest, now);
   if (!heard) return heard.error();
   if (!heard->is_new) return {};
   heard_ = now;
@@ -114,9 +114,11 @@ void DatagramViewer::settle(double now) {
     }
   };
   for (const Seq seq : settled.lost)
-    each_row(seq, [seq](Row& row, const ModelState&) { row.is_lost = row.is_lost || row.sent_seq == seq; });
+    each_row(seq, [seq](ReplicatedModel& row, const ModelState&) {
+      row.is_lost = row.is_lost || row.sent_seq == seq;
+    });
   for (const Seq seq : settled.acknowledged) {
-    each_row(seq, [seq](Row& row, const ModelState& state) {
+    each_row(seq, [seq](ReplicatedModel& row, const ModelState& state) {
       if (seq > row.acknowledged_seq) {
         row.acknowledged = state;
         row.acknowledged_seq = seq;
@@ -134,7 +136,7 @@ void DatagramViewer::follow(const Snapshot& snapshot, ChangesTexts& changes) {
   const auto text = changes.text(told_, snapshot.layout);
   if (text) post(*text);
   const Layout& to = *snapshot.layout;
-  world::ByModel<Row> rows(to.id.size());
+  world::ByModel<ReplicatedModel> rows(to.id.size());
   compare(
       *told_, to, [&](world::ModelRow before) { said_.erase(told_->id[before]); },
       [&](world::ModelRow before, world::ModelRow now) { rows[now] = rows_[before]; },
@@ -188,7 +190,7 @@ void DatagramViewer::prioritise(const Snapshot& snapshot, double now) {
   if (wish_.selected)
     if (const auto row = snapshot.layout->row(*wish_.selected)) selected = snapshot.layout->root[row];
   for (const world::ModelRow told : rows_.rows()) {
-    Row& row = rows_[told];
+    ReplicatedModel& row = rows_[told];
     const world::ModelRow is = now_row_[told];
     if (!is || row.told_at > channel_.texts().taken()) continue;
     if (row.sent == snapshot.models[is] && !row.is_lost) continue;
@@ -198,7 +200,7 @@ void DatagramViewer::prioritise(const Snapshot& snapshot, double now) {
     row.gathered += importance(wish_, is_selected, at, change_of(row.acknowledged, snapshot.models[is]));
     candidates_.push_back({row.gathered, told});
   }
-  std::ranges::sort(candidates_, [](const Candidate& a, const Candidate& b) {
+  std::ranges::sort(candidates_, [](const SendCandidate& a, const SendCandidate& b) {
     return std::tuple(-a.gathered, a.row) < std::tuple(-b.gathered, b.row);
   });
 }
@@ -237,7 +239,7 @@ void DatagramViewer::write_rows(const Snapshot& snapshot, double now, Seq seq, s
   for (; next_candidate_ < candidates_.size(); ++next_candidate_) {
     const world::ModelRow told = candidates_[next_candidate_].row;
     if (!add_row(snapshot, seq, told, room)) break;
-    Row& row = rows_[told];
+    ReplicatedModel& row = rows_[told];
     row.sent = snapshot.models[now_row_[told]];
     row.sent_seq = seq;
     row.sent_time = now;
@@ -262,7 +264,7 @@ bool DatagramViewer::is_whole(const Snapshot& snapshot, Seq seq) {
   if (channel_.texts().taken() < first_told_at_) return false;
   bool is_known = true;  // before this packet
   for (const world::ModelRow told : rows_.rows()) {
-    const Row& row = rows_[told];
+    const ReplicatedModel& row = rows_[told];
     const world::ModelRow is = now_row_[told];
     if (!is || row.acknowledged_seq > 0 || row.told_at > first_told_at_) continue;
     if (row.sent_seq == 0 && snapshot.models[is] == row.start) continue;
@@ -275,7 +277,7 @@ bool DatagramViewer::is_whole(const Snapshot& snapshot, Seq seq) {
 
 /// Returns false if the row does not fit. The size is an upper bound, because rows are sorted later.
 bool DatagramViewer::add_row(const Snapshot& snapshot, Seq seq, world::ModelRow told, std::size_t& room) {
-  const Row& row = rows_[told];
+  const ReplicatedModel& row = rows_[told];
   const ModelState& to = snapshot.models[now_row_[told]];
   const bool has_baseline = row.acknowledged_seq > 0 && seq - row.acknowledged_seq <= kOldestBaseline;
   const ModelState& from = has_baseline ? row.acknowledged : row.start;

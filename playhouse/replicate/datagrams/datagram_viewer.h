@@ -49,7 +49,7 @@ class DatagramViewer {
 
  private:
   /// Replication state of one model. States older than `acknowledged` are obsolete.
-  struct Row {
+  struct ReplicatedModel {
     ModelState start, acknowledged, sent;
     Seq acknowledged_seq = 0;  // 0: none, the baseline is `start`
     Seq sent_seq = 0;
@@ -63,7 +63,7 @@ class DatagramViewer {
     world::ModelId id;
     ModelState state;
   };
-  struct Candidate {
+  struct SendCandidate {
     double gathered = 0;
     world::ModelRow row;  // of told_
   };
@@ -89,8 +89,8 @@ class DatagramViewer {
   DatagramChannel channel_;
   const Terms terms_;
   Wish wish_;
-  std::shared_ptr<const Layout> told_;  // the population announced to the observer
-  world::ByModel<Row> rows_;            // of told_
+  std::shared_ptr<const Layout> told_;    // the population announced to the observer
+  world::ByModel<ReplicatedModel> rows_;  // of told_
   std::shared_ptr<const Layout> mapped_;
   world::ByModel<world::ModelRow> now_row_;        // rows of told_ in the layout mapped_; none: removed
   std::map<Seq, std::vector<SentRow>> sent_rows_;  // by seq
@@ -103,7 +103,7 @@ class DatagramViewer {
   bool was_whole_ = false;           // see is_whole(); never reset
   std::uint64_t first_told_at_ = 0;  // stream offset from which on the observer knows the scene
   std::size_t faults_ = 0;
-  std::vector<Candidate> candidates_;  // of this frame, by priority
+  std::vector<SendCandidate> candidates_;  // of this frame, by priority
   std::size_t next_candidate_ = 0;
   // Scratch buffers of one packet.
   std::vector<std::byte> packet_, fields_;
