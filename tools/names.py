@@ -1,5 +1,5 @@
-"""One word, one meaning (docs/conventions.md): a type is defined by one header, types that the glossary names exist, and
-nothing is called by a word for which the glossary has another."""
+"""One word, one meaning (docs/conventions.md): a type has a name of its own, within other types too, types that the
+glossary names exist, and nothing is called by a word for which the glossary has another."""
 
 import pathlib
 import re
@@ -7,28 +7,31 @@ import re
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "playhouse"
 
-# At the start of a line, where types of a namespace are: nested ones are indented. Declarations end in a semicolon.
-DEFINITION = re.compile(r"^(?:(?:class|struct|union|enum(?: class)?) (?:alignas\(\w+\) )?(\w+)(?: final)?(?: :[^;]*)?(?: \{.*)?|using (\w+) =.*)$", re.M)
+# Types of namespaces and, indented, those within others. Declarations end in a semicolon.
+DEFINITION = re.compile(r"^ *(?:template <.*> )?(?:(?:class|struct|union|enum(?: class)?) (?:\[\[\w+\]\] )?(?:alignas\(\w+\) )?(?:\w+::)*(\w+)(?: final)?(?:\s+:[^;{]*)?\s*\{|using (\w+)\s*=\s*([^;]*);)", re.M)
 TEXT = re.compile(r"""'\\?.'|"(?:[^"\\]|\\.)*\"""")  # what the program says, and names of headers
 OTHERS = re.compile(r"\b(?:bt[A-Z]\w*::\w+|m_\w+|(?!k[A-Z])[a-z]+[A-Z]\w*)")
 
 
 def definitions(path):
-    """(line, name) of each type that a header defines in a namespace."""
+    """(line, name, of) of each type that a header defines; `of` is what an alias is one of, else None."""
     text = path.read_text()
     for found in DEFINITION.finditer(text):
-        yield text.count("\n", 0, found.start()) + 1, found[1] or found[2]
+        of = found[3] and " ".join(found[3].split())
+        yield text.count("\n", 0, found.start()) + 1, found[1] or found[2], of
 
 
 def defined_twice():
-    first = {}  # where each name is
+    first = {}  # where each name is, and what it is an alias of
     for path in sorted(SOURCE.rglob("*.h")):
         if "generated" in path.parts:
             continue
-        for number, name in definitions(path):
+        for number, name, of in definitions(path):
+            if of and of.rpartition("::")[2] == name:
+                continue  # the same thing, from another scope
             where = f"{path.relative_to(ROOT)}:{number}"
-            other = first.setdefault(name, where)
-            if other.rpartition(":")[0] != str(path.relative_to(ROOT)):
+            other, other_of = first.setdefault(name, (where, of))
+            if other != where and (of is None or of != other_of):
                 yield f"{where}: {name} is another thing in {other}: a name that says which (docs/conventions.md)"
 
 
@@ -45,7 +48,7 @@ def glossary():
 
 
 def unknown_types():
-    known = {name for path in SOURCE.rglob("*.h") for _, name in definitions(path)}
+    known = {name for path in SOURCE.rglob("*.h") for _, name, _ in definitions(path)}
     for number, cells in glossary():
         for name in re.findall(r"`([A-Z]\w+)`", cells[1]):
             if name not in known:

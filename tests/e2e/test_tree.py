@@ -212,15 +212,24 @@ class Names(Tree):
 
     def test_of_types_that_two_headers_define_are_found(self):
         for kind in ("class Door final : public Wall {", "struct Door {};", "struct alignas(32) Door : Wall {", "enum class Door : std::uint8_t { kOpen };",
-                     "enum Door {", "union Door {", "using Door = std::vector<int>;"):
+                     "enum Door {", "union Door {", "class [[nodiscard]] Door {", "class Door\n    : public Wall {", "using Door = std::vector<int>;",
+                     "  struct Door {", "  using Door = roof::Window;", "class Roof::Door {", "template <typename T> struct Door {"):
             with self.subTest(kind):
                 self.assertEqual(self.twice(house="namespace playhouse::house {\nclass Door {\n};", roof=f"// Door\n\n{kind}"),
                                  ["playhouse/roof/roof.h:3: Door is another thing in playhouse/house/house.h:2: a name that says which (docs/conventions.md)"])
 
-    def test_may_be_declared_nested_or_defined_once_more_for_other_arguments(self):
+    def test_of_types_within_others_are_found(self):
+        self.assertEqual(self.twice(house="class House : public Wall {\n  struct Door {\n    int width;\n  };\n};\n\nclass Barn {\n  enum class Door { kOpen };\n};"),
+                         ["playhouse/house/house.h:8: Door is another thing in playhouse/house/house.h:2: a name that says which (docs/conventions.md)"])
+
+    def test_may_be_declared_or_defined_once_more_for_other_arguments(self):
         self.assertEqual(self.twice(house="class Door {\n};\ntemplate <>\nclass Door<int> {\n};\nclass Door;",
-                                    roof="class Door;\nenum class Door : int;\nclass Tile {\n  struct Door {};\n};\nusing house::Door;\nstruct Door* open();",
+                                    roof="class Door;\nenum class Door : int;\nclass Tile {\n  struct Door;\n  friend class Door;\n};\nusing house::Door;\nstruct Door* open();",
                                     chimney="// class Door {\nDoor door() {\n}"), [])
+
+    def test_may_be_aliases_of_the_same(self):
+        self.assertEqual(self.twice(house="class Door {\n};\nusing Bell = std::function<double()>;",
+                                    roof="class Tile {\n  using Door = house::Door;\n  using Bell =\n      std::function<double()>;\n};"), [])
 
 
 class Glossary(Tree):
