@@ -17,13 +17,15 @@ install(DIRECTORY clients/python DESTINATION ${DATA_DIR}/clients REGEX "/(tests|
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} REGEX "/adr$" EXCLUDE)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-# What custom models and controllers include; tests/e2e/test_libraries.py builds with nothing else.
+# What custom models, controllers and drivers include; tests/e2e/test_libraries.py and test_plugins.py build with
+# nothing else.
 foreach(MODULE base geom scene world)
   install(DIRECTORY playhouse/${MODULE} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse FILES_MATCHING PATTERN "*.h"
     PATTERN "testing*" EXCLUDE PATTERN "fuzz_script.h" EXCLUDE)
 endforeach()
 install(FILES playhouse/mesh/placement.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse/mesh)  # of scene_desc.h
 install(FILES playhouse/controllers/controller.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse/controllers)
+install(FILES playhouse/drivers/plugin/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse/drivers/plugin)
 
 set(PACKAGE_DIR ${DATA_DIR}/cmake)
 configure_package_config_file(cmake/playhouse-config.cmake.in ${CMAKE_BINARY_DIR}/playhouse-config.cmake

@@ -42,8 +42,9 @@ std::optional<std::string> address_for_others() {
 
 }  // namespace
 
-DeviceService::DeviceService(const std::string& bind)
-    : server_(std::make_unique<server::Server>(
+DeviceService::DeviceService(const std::string& bind, std::span<const std::string> allowed)
+    : libraries_{.folders = {}, .allowed = {allowed.begin(), allowed.end()}},
+      server_(std::make_unique<server::Server>(
           loop_, server::ServerOptions{.bind = bind, .sessions = sessions_that_fit()})) {}
 
 drivers::Site& DeviceService::open_site(std::uint16_t port) {
@@ -53,7 +54,9 @@ drivers::Site& DeviceService::open_site(std::uint16_t port) {
   return *site_;
 }
 
-DeviceService::~DeviceService() = default;
+DeviceService::~DeviceService() {
+  if (site_ != nullptr) end_drivers(*site_, drivers_);
+}
 
 Result<void> DeviceService::make_drivers(const scene::CfgFile& file) {
   Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::make_drivers(file, *site_);
@@ -92,22 +95,21 @@ bool has_world(const scene::CfgFile& file) {
                              [](const scene::CfgSection& section) { return section.name() == "stage"; });
 }
 
-int serve_devices(const scene::CfgFile& file, const std::string& bind, std::uint16_t port,
-                  const std::string& port_option,
+int serve_devices(const scene::CfgFile& file, const Serving& serving, const Running& running,
                   const std::function<void(const std::vector<std::uint16_t>&)>& opened) {
   std::vector<std::uint16_t> ports;
-  DeviceService service(bind);
-  std::uint16_t default_port = port;
-  for (const std::uint16_t wanted : ports_of(file, port)) {
-    const Result<std::uint16_t> listening = service.listen(wanted == 0 ? port : wanted);
-    if (!listening) return fail(port_error(listening.error(), wanted == 0, port_option));
+  DeviceService service(serving.bind, running.allowed_libraries);
+  std::uint16_t default_port = serving.port;
+  for (const std::uint16_t wanted : ports_of(file, serving.port)) {
+    const Result<std::uint16_t> listening = service.listen(wanted == 0 ? serving.port : wanted);
+    if (!listening) return fail(port_error(listening.error(), wanted == 0, serving.port_option));
     if (wanted == 0) default_port = *listening;
     ports.push_back(*listening);
   }
   service.open_site(default_port);
   if (const Result<void> made = service.make_drivers(file); !made) return fail_in_file(made.error(), {});
   for (const std::uint16_t each : ports)
-    log::say(fmt::format("Player clients: {}:{}", shown_host(bind), each));
+    log::say(fmt::format("Player clients: {}:{}", shown_host(serving.bind), each));
   if (opened) opened(ports);
   return service.run();
 }

@@ -5,9 +5,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "playhouse/app/commands/options.h"
 #include "playhouse/app/server_host.h"
 #include "playhouse/drivers/registry.h"
 #include "playhouse/drivers/site.h"
@@ -19,7 +21,8 @@ namespace playhouse::app {
 
 class DeviceService final : private ServerHost {
  public:
-  explicit DeviceService(const std::string& bind);
+  /// `allowed`: files of libraries that plug-ins may come from.
+  explicit DeviceService(const std::string& bind, std::span<const std::string> allowed = {});
   ~DeviceService() override;
 
   /// Opens a port for Player clients (0: any free one).
@@ -43,8 +46,10 @@ class DeviceService final : private ServerHost {
   server::Server& the_server() override { return *server_; }
   net::Network& the_network() override { return loop_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override;
+  libraries::Libraries libraries() const override { return libraries_; }
 
   // In order of construction: later members use earlier ones.
+  libraries::Libraries libraries_;
   net::IoLoop loop_;
   std::unique_ptr<drivers::Site> site_;
   std::vector<std::unique_ptr<device::Driver>> drivers_;
@@ -58,8 +63,7 @@ bool has_world(const scene::CfgFile& file);
 
 /// Serves the devices of a configuration file without a world. `opened` is
 /// called with the ports once clients can connect. Returns the exit code.
-int serve_devices(const scene::CfgFile& file, const std::string& bind, std::uint16_t port,
-                  const std::string& port_option,
+int serve_devices(const scene::CfgFile& file, const Serving& serving, const Running& running,
                   const std::function<void(const std::vector<std::uint16_t>&)>& opened = {});
 
 /// The address for clients to use: `bind`, or for a wildcard

@@ -28,10 +28,9 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
                 const std::vector<SaveAt>& saves) {
   if (const Result<void> step = read(); !step) return fail_in_file(step.error(), service.other_errors());
   if (const scene::CfgFile* const file = service.file_without_world())
-    return serve_devices(*file, service.serving().bind, service.serving().port, service.serving().port_option,
-                         [&](const std::vector<std::uint16_t>& ports) {
-                           if (opened) opened(ports);
-                         });
+    return serve_devices(*file, service.serving(), running, [&](const std::vector<std::uint16_t>& ports) {
+      if (opened) opened(ports);
+    });
   if (const Result<void> step = service.open_ports(); !step) return fail(step.error());
   if (const Result<void> step = service.make_devices(); !step)
     return fail_in_file(step.error(), service.other_errors());

@@ -4,6 +4,8 @@
 /// by a Server on a network. Derived classes own both, and open worlds.
 
 #include <functional>
+#include <memory>
+#include <span>
 #include <utility>
 
 #include "playhouse/drivers/site.h"
@@ -13,6 +15,15 @@
 namespace playhouse::app {
 
 class ServerHost : public drivers::Host {
+ protected:
+  /// For destructors: what drivers have begun ends while the server, which sends their answers, and all drivers
+  /// are there.
+  void end_drivers(drivers::Site& site, std::span<const std::unique_ptr<device::Driver>> drivers) {
+    site.data_flow().close();
+    the_server().stop_devices();
+    for (const auto& driver : drivers) driver->finish();
+  }
+
  private:
   virtual server::Server& the_server() = 0;
   virtual net::Network& the_network() = 0;

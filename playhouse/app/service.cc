@@ -97,6 +97,7 @@ Service::Service(Serving serving, Running running, QuitTime quit_time)
 Service::~Service() {
   // Pending requests are rejected while the server, which sends the replies, exists.
   if (site_ != nullptr && site_->simulation() != nullptr) site_->simulation()->discard();
+  if (site_ != nullptr) end_drivers(*site_, drivers_);
 }
 
 Result<void> Service::read_world(const std::string& path, scene::NamedBy by) {
@@ -122,6 +123,12 @@ Result<void> Service::read_saved(const std::string& path) {
   if (!scene) return Error{escaped(path), scene.error().text};
   scene_ = std::move(*scene);
   return {};
+}
+
+libraries::Libraries Service::libraries() const {
+  return {.folders = {},
+          .allowed = {running_.allowed_libraries.begin(), running_.allowed_libraries.end()},
+          .use = libraries_};
 }
 
 std::vector<std::string> Service::files_read() const {

@@ -137,6 +137,7 @@ class Service final : private ServerHost {
   net::Network& the_network() override { return loop_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override;
   Result<void> open_port(std::uint32_t port) override;
+  libraries::Libraries libraries() const override;
 
   std::uint16_t first_of_free_ports();
   Result<void> open_playback();

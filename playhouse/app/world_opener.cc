@@ -64,7 +64,7 @@ Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene
   if (!make && running.engine == kStage)
     for (const std::string& warning : bodies::left_out_in_the_plane(scene)) warn(warning);
   const libraries::Libraries allowed{
-      .folders = libraries::library_folders(scene, program_folder()),
+      .folders = libraries::library_folders(scene.library_folder, "STAGEPATH", program_folder()),
       .allowed = {running.allowed_libraries.begin(), running.allowed_libraries.end()},
       .use = use};
   world::World& world = (*engine)->world();

@@ -118,6 +118,12 @@ inline constexpr std::size_t kRadioMessageBytes = 2304;  // of one, as of a fram
 inline constexpr std::size_t kRadioSends = 64;           // messages that one radio sends in a tick
 inline constexpr std::size_t kRadioReceives = 256;       // messages that one radio receives in a tick
 
+// Plug-ins; heeded by drivers.
+inline constexpr double kPluginSeconds = 5;         // of one hook; who takes longer has failed
+inline constexpr int kPluginEndSeconds = 2;         // of the last hook, at the end of the program
+inline constexpr double kPluginStepSeconds = 1e-3;  // between two steps
+inline constexpr std::size_t kPluginQueue = 1024;   // hooks that wait
+
 // Files; heeded by bodies, controllers, drivers, scene, world.
 inline constexpr std::size_t kFileBytes = 64u << 20;
 inline constexpr std::size_t kSavedRunBytes = 1u << 30;

@@ -256,13 +256,9 @@ TEST(Library, is_found_and_never_loaded_where_a_file_is_only_checked) {
 TEST(Library, is_looked_for_beside_the_world_then_in_the_environment_then_with_the_program) {
   setenv("PLAYHOUSE_PATH", "/a:/b", 1);
   setenv("STAGEPATH", ":/c", 1);
-  scene::SceneDesc scene;
-  scene.library_folder = "worlds";
   const std::vector<std::filesystem::path> expected{"worlds", "/a", "/b", "/c", "/program"};
-  EXPECT_EQ(libraries::library_folders(scene, "/program"), expected);
-  scene.library_folder.clear();
-  scene.path = "/forged/x.world";
-  EXPECT_EQ(libraries::library_folders(scene, "/program"),
+  EXPECT_EQ(libraries::library_folders("worlds", "STAGEPATH", "/program"), expected);
+  EXPECT_EQ(libraries::library_folders("", "STAGEPATH", "/program"),
             (std::vector<std::filesystem::path>{"/a", "/b", "/c", "/program"}));
   unsetenv("PLAYHOUSE_PATH");
   unsetenv("STAGEPATH");

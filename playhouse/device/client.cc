@@ -59,12 +59,13 @@ Taken DeviceClient::command(std::size_t device, std::uint8_t subtype, std::span<
   return used_[device].driver->command({used_[device].id, kCmd, subtype, body});
 }
 
-void DeviceClient::ask(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body, Heard heard) {
+void DeviceClient::ask(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body,
+                       Heard heard) {
   forward(device, subtype, body, replier_for(std::move(heard)));
 }
 
 void DeviceClient::forward(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body,
-                     Replier replier) {
+                           Replier replier) {
   used_[device].driver->request({used_[device].id, kReq, subtype, body}, std::move(replier));
 }
 

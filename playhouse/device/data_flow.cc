@@ -1,6 +1,7 @@
 #include "playhouse/device/data_flow.h"
 
 #include <map>
+#include <thread>
 #include <utility>
 
 #include "playhouse/base/assert.h"
@@ -21,6 +22,17 @@ std::span<const DataFlow::Rank> DataFlow::readers_of(DeviceId device) const {
 }
 
 void DataFlow::publish(std::vector<Publication> batch) {
+  ++publishing_;
+  if (!is_closed_) pass(std::move(batch));
+  --publishing_;
+}
+
+void DataFlow::close() {
+  is_closed_ = true;
+  while (publishing_ != 0) std::this_thread::yield();
+}
+
+void DataFlow::pass(std::vector<Publication> batch) {
   std::map<Rank, std::vector<std::size_t>> due;  // batch indices for each reader
   const auto note = [&](std::size_t place) {
     for (const Rank rank : readers_of(batch[place].device)) due[rank].push_back(place);

@@ -5,6 +5,7 @@
 /// chained converters work within one batch. Readers are added in topological
 /// order during construction; publish() is for any thread and calls readers on it.
 
+#include <atomic>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -28,6 +29,9 @@ class DataFlow final : public Publisher {
   void add(DataReader& reader, std::span<const DeviceId> devices);
   /// Sets the final destination.
   void pass_to(Publisher& next) { next_ = &next; }
+  /// From now on what is published is dropped; waits for what is being published. For the end of the program,
+  /// before the destination is destroyed: threads of drivers may still have something to say.
+  void close();
 
   void publish(std::vector<Publication> batch) override;
   void forget() override {
@@ -37,10 +41,13 @@ class DataFlow final : public Publisher {
  private:
   using Rank = std::size_t;  // position of a reader in the order
   std::span<const Rank> readers_of(DeviceId device) const;
+  void pass(std::vector<Publication> batch);
 
   std::vector<DataReader*> readers_;         // by rank
   std::vector<std::vector<Rank>> ranks_of_;  // by the device's row
   Publisher* next_ = nullptr;
+  std::atomic<bool> is_closed_ = false;
+  std::atomic<int> publishing_ = 0;  // threads
 };
 
 }  // namespace playhouse::device

@@ -5,6 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <future>
+#include <thread>
+
 #include "playhouse/device/fake_device.h"
 
 namespace playhouse::device {
@@ -70,6 +74,29 @@ TEST(DataFlow, with_nowhere_to_go_data_still_reach_the_readers) {
   flow.add(reader, std::vector{DeviceId{0}});
   flow.publish({publication(0, "a")});
   EXPECT_EQ(reader.calls, 1);
+}
+
+TEST(DataFlow, closes_once_what_is_being_published_is_and_drops_the_rest) {
+  struct Slow final : Publisher {
+    std::promise<void> begun, go;
+    std::atomic<int> published = 0;
+    void publish(std::vector<Publication>) override {
+      begun.set_value();
+      go.get_future().wait();
+      ++published;
+    }
+  } out;
+  DataFlow flow;
+  flow.pass_to(out);
+  std::thread driver([&flow] { flow.publish({publication(0, "a")}); });
+  out.begun.get_future().wait();
+  std::thread other([&out] { out.go.set_value(); });
+  flow.close();
+  EXPECT_EQ(out.published, 1);
+  flow.publish({publication(0, "b")});
+  EXPECT_EQ(out.published, 1);
+  driver.join();
+  other.join();
 }
 
 TEST(Subscription, keeps_the_newest_and_counts_what_gave_way) {

@@ -23,8 +23,8 @@ std::string describe(Address address) {
                 : fmt::format("{}:{}:{}", address.robot, address.interf, address.index);
 }
 
-DeviceTable::~DeviceTable() {
-  ending_ = true;
+void DeviceTable::end() {
+  if (std::exchange(ending_, true)) return;
   for (const auto& [robot, ids] : by_robot_) {
     for (const DeviceId id : ids) {
       if (const ServedDevice& entry = (*this)[id]; entry.users > 0) entry.driver->stop(id);

@@ -30,7 +30,9 @@ class DeviceTable {
   };
 
   DeviceTable() = default;
-  ~DeviceTable();
+  ~DeviceTable() { end(); }
+  /// Stops all devices that are open, for good: nothing opens or closes them afterwards.
+  void end();
   DeviceTable(const DeviceTable&) = delete;
   DeviceTable& operator=(const DeviceTable&) = delete;
 

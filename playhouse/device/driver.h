@@ -120,6 +120,10 @@ class Driver {
   /// ahead, so that no client fills a queue shared with others. Override in drivers that queue.
   virtual void barrier(Replier replier) { replier.ack(); }
 
+  /// The program ends: called once, after the last stop, while the server and all drivers exist. Override in
+  /// drivers whose threads are to end what they have begun; may take a few seconds.
+  virtual void finish() {}
+
   /// A held device has retired, which ended the hold; called once per hold, on the io thread.
   /// Its driver may be destroyed after the call. Override in drivers that hold devices.
   virtual void retired(DeviceId) {}

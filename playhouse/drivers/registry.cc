@@ -15,6 +15,7 @@
 #include "playhouse/drivers/mapfile/map_file.h"
 #include "playhouse/drivers/nd/nd.h"
 #include "playhouse/drivers/passthrough/passthrough.h"
+#include "playhouse/drivers/plugin/plugin_shell.h"
 #include "playhouse/drivers/rangertolaser/ranger_to_laser.h"
 #include "playhouse/drivers/relay/relay.h"
 #include "playhouse/drivers/stage_driver/stage_driver.h"
@@ -46,9 +47,12 @@ constexpr std::pair<std::string_view, std::string_view> kInstead[] = {
     {"writelog", "; the option --record records a run"},
 };
 
-Factory find_driver(std::string_view name) {
-  const auto found = std::ranges::find(kDrivers, name, &std::pair<std::string_view, Factory>::first);
-  return found == std::end(kDrivers) ? nullptr : found->second;
+/// That of a section: a driver of the program, or the plug-in that the section names; null if there is neither.
+Factory factory_of(const scene::CfgSection& section) {
+  const auto found =
+      std::ranges::find(kDrivers, section.name(), &std::pair<std::string_view, Factory>::first);
+  if (found != std::end(kDrivers)) return found->second;
+  return section.has("plugin") ? make_plugin : nullptr;
 }
 
 std::string no_such_driver(const std::string& name) {
@@ -83,7 +87,7 @@ std::vector<const scene::CfgSection*> sections_to_make(const scene::CfgFile& fil
       lacking[device] = section.at();
   };
   for (const scene::CfgSection& section : file.drivers) {
-    if (find_driver(section.name()) != nullptr)
+    if (factory_of(section) != nullptr)
       kept.push_back(&section);
     else
       leave_out(section, no_such_driver(section.name()));
@@ -120,9 +124,7 @@ Result<void> keep_open(const scene::CfgSection& section, Site& site) {
 
 Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::CfgFile& file, Site& site) {
   std::vector<std::unique_ptr<device::Driver>> drivers;
-  const auto is_known = [](const scene::CfgSection& section) {
-    return find_driver(section.name()) != nullptr;
-  };
+  const auto is_known = [](const scene::CfgSection& section) { return factory_of(section) != nullptr; };
   if (std::ranges::none_of(file.drivers, is_known)) {
     const scene::CfgSection& first = file.drivers.front();
     return Error{first.at("name"),
@@ -130,7 +132,7 @@ Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::C
   }
   const std::vector<const scene::CfgSection*> sections = sections_to_make(file, site);
   for (const scene::CfgSection* section : sections) {
-    Result<std::unique_ptr<device::Driver>> driver = find_driver(section->name())(*section, site);
+    Result<std::unique_ptr<device::Driver>> driver = factory_of(*section)(*section, site);
     if (!driver) return driver.error();
     drivers.push_back(std::move(*driver));
     if (const Result<void> fault = section->fault(); !fault) return fault.error();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
@@ -69,6 +70,11 @@ Result<void> Site::open_world(const std::string& path) {
   simulation_->follow(run::on_event(
       [this](const world::World& world, const world::Event& event) { happened(world, event); }));
   return {};
+}
+
+double Site::time() const {
+  if (simulation_ != nullptr) return simulation_->time();
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 void Site::happened(const world::World& world, const world::Event& event) {

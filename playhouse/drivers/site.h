@@ -21,6 +21,7 @@
 #include "playhouse/device/data_flow.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/simulated/model_devices.h"
+#include "playhouse/libraries/libraries.h"
 #include "playhouse/net/network.h"
 #include "playhouse/run/simulation.h"
 #include "playhouse/scene/device_address.h"
@@ -47,6 +48,8 @@ class Host : public device::Opener {
   virtual bool has_threads() const { return true; }
   /// For drivers that connect to other machines. Same thread as tasks of post().
   virtual net::Network& network() = 0;
+  /// Where plug-ins may come from.
+  virtual libraries::Libraries libraries() const { return {}; }
   /// Loads a world file into a new engine.
   virtual Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) = 0;
 };
@@ -79,6 +82,8 @@ class Site {
   /// The world, once a driver has opened it.
   run::Simulation* simulation() const { return simulation_.get(); }
   Result<void> open_world(const std::string& path);
+  /// Simulated time, or that of the clock, since 1970, without a world. Any thread. [s]
+  double time() const;
   /// The devices of its models; null before.
   ModelDevices* model_devices() const { return model_devices_.get(); }
 

@@ -76,11 +76,11 @@ bool is_allowed(const std::string& name, const std::filesystem::path& file, cons
 
 }  // namespace
 
-std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene,
+std::vector<std::filesystem::path> library_folders(const std::string& of_file, const char* of_original,
                                                    const std::filesystem::path& program_folder) {
   std::vector<std::filesystem::path> folders;
-  if (!scene.library_folder.empty()) folders.emplace_back(scene.library_folder);
-  for (const char* variable : {"PLAYHOUSE_PATH", "STAGEPATH"})
+  if (!of_file.empty()) folders.emplace_back(of_file);
+  for (const char* variable : {"PLAYHOUSE_PATH", of_original})
     for (std::string& named : folders_of(variable)) folders.emplace_back(std::move(named));
   folders.push_back(program_folder);
   return folders;

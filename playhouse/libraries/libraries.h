@@ -25,9 +25,9 @@ struct Libraries {
   LibraryUse use = LibraryUse::kLoad;
 };
 
-/// The search path: the scene's library_folder, those of
-/// PLAYHOUSE_PATH and STAGEPATH (colon-separated), and `program_folder`.
-std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene,
+/// The search path: the folder of the file that names a library, unless empty, those of PLAYHOUSE_PATH and of
+/// the variable of the original, STAGEPATH or PLAYERPATH (colon-separated), and `program_folder`.
+std::vector<std::filesystem::path> library_folders(const std::string& of_file, const char* of_original,
                                                    const std::filesystem::path& program_folder);
 
 /// A request of a world file.

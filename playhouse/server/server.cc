@@ -77,6 +77,7 @@ class Server::Impl final : public ClientOwner {
   void finish(std::function<void()> done);
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);
   void retire_device(device::DeviceId id);
+  void stop_devices() { board_.devices.end(); }
   void close_clients(std::function<bool(const std::string& token, const std::string& peer)> which);
   void take_turns(device::Turns& turns);
   Result<void> hold(device::DeviceId device, device::Driver* holder);
@@ -466,6 +467,10 @@ Result<std::uint16_t> Server::listen(std::uint16_t port) {
 Result<device::DeviceId> Server::add_device(device::Address address, device::Driver& driver) {
   return impl_->add_device(address, driver);
 }
+void Server::stop_devices() {
+  impl_->stop_devices();
+}
+
 void Server::retire_device(device::DeviceId device) {
   impl_->retire_device(device);
 }

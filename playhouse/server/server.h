@@ -82,6 +82,8 @@ class Server final : public device::Publisher, public device::Outlet {
   /// From another thread: network.post([&server, id] { server.retire_device(id); }),
   /// which stays in order with what that thread published.
   void retire_device(device::DeviceId device);
+  /// Stops all devices, at the end of the program: their drivers may still answer. Not while the network runs.
+  void stop_devices();
 
   /// Opens a device on behalf of the program, or of a driver that wants to be notified of its
   /// retirement. release() undoes one hold() of the same holder, without effect once the device has

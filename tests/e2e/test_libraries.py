@@ -5,18 +5,15 @@ import json
 import os
 import re
 import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
-from house import ROOT, House, HouseTest, finish
+from house import ROOT, House, finish
+from installed import InstalledTest, tool
 
 EXAMPLE = ROOT / "examples" / "custom"
-# Of the program: it has the install script.
-BUILD = os.environ.get("PLAYHOUSE_BUILD", str(ROOT / "build" / "release"))
 
 PROJECT = """
 cmake_minimum_required(VERSION 3.25)
@@ -27,36 +24,15 @@ target_link_libraries(listen PRIVATE playhouse::client)
 """
 
 
-def tool(*command, **more) -> str:
-    """What it prints. Fails with all that it says."""
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=300, **more)
-    if done.returncode:
-        raise AssertionError(f"{command}: {done.stdout}{done.stderr}")
-    return done.stdout
-
-
-class Libraries(HouseTest):
+class Libraries(InstalledTest):
     @classmethod
     def setUpClass(cls):
-        """The package in a folder of its own, and the example built with that alone."""
+        """The example, built with the package alone."""
         super().setUpClass()
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.place = Path(folder.name)
         cls.libraries = cls.place / "build"
-        tool("cmake", "--install", BUILD, "--prefix", cls.place / "prefix")
         shutil.copytree(EXAMPLE, cls.place / "custom")
         cls.build(cls.place / "custom", cls.libraries)
         cls.yard = cls.place / "custom" / "yard.world"
-
-    @classmethod
-    def build(cls, source, build):
-        """With the installed package alone, and without the optimiser, which costs time and tells nothing. By the
-        compiler of the program, whose sanitizers the client library may have."""
-        compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$", (Path(BUILD) / "CMakeCache.txt").read_text(), re.M).group(1)
-        tool("cmake", "-G", "Ninja", "-S", source, "-B", build, "-DCMAKE_BUILD_TYPE=Debug",
-             f"-DCMAKE_PREFIX_PATH={cls.place}/prefix", f"-DCMAKE_CXX_COMPILER={compiler}")
-        tool("cmake", "--build", build)
 
     def setUp(self):
         super().setUp()
@@ -149,12 +125,7 @@ class Libraries(HouseTest):
                 self.assertIn("is not in", done.stderr)
 
     def test_the_walk_of_the_documentation_leads_to_what_it_says(self):
-        walk = (ROOT / "docs" / "libraries.md").read_text()
-        files = dict(re.findall(r"`([\w.]+)`:\n\n```\w*\n(.*?)```", walk, re.DOTALL))
-        self.assertEqual(set(files), {"crowd.cc", "CMakeLists.txt", "crowd.world", "read.py"})
-        for name, content in files.items():
-            self.write(name, content)
-        self.build(self.folder, self.folder / "build")
+        walk = self.build_walk("libraries.md", {"crowd.cc", "CMakeLists.txt", "crowd.world", "read.py"})
         with mock.patch.dict(os.environ, PLAYHOUSE_PATH=str(self.folder / "build")):
             told = self.run_beside(self.folder / "crowd.world", self.folder / "read.py")
         self.assertIn(f"It prints `{told.strip()}`:", walk)

@@ -1,6 +1,5 @@
 #include "playhouse/drivers/relay/relay.h"
 
-#include <chrono>
 #include <vector>
 
 #include "playhouse/drivers/section_devices.h"
@@ -8,19 +7,10 @@
 #include "playhouse/wire/header.h"
 
 namespace playhouse::drivers {
-namespace {
-
-/// Simulated time, or that of the clock if there is no world. [s]
-double now(const Site& site) {
-  if (site.simulation() != nullptr) return site.simulation()->time();
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
 
 device::Taken Relay::command(const device::Message& message) {
   if (message.subtype != wire::opaque::kCmdData) return device::Taken::kNo;
-  site_.data_flow().publish({{device_, wire::opaque::kDataState, now(site_),
+  site_.data_flow().publish({{device_, wire::opaque::kDataState, site_.time(),
                               std::vector<std::byte>(message.body.begin(), message.body.end())}});
   return device::Taken::kQueued;
 }

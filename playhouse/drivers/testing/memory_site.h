@@ -99,7 +99,7 @@ class MemorySite final : public Host {
   }
   void post(std::function<void()> task) override { posted_.push_back(std::move(task)); }
   bool has_threads() const override { return has_threads_; }
-  net::Network& network() override { return network_; }
+  net::SimulatedNetwork& network() override { return network_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override {
     opened.push_back(path);
     scene_ = run::testing::scene_of(world_text_);

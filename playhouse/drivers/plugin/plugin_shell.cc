@@ -1,0 +1,390 @@
+#include "playhouse/drivers/plugin/plugin_shell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <thread>
+#include <utility>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
+#include "playhouse/base/log.h"
+#include "playhouse/base/program_folder.h"
+#include "playhouse/libraries/libraries.h"
+#include "playhouse/wire/messages.h"
+
+namespace playhouse::drivers {
+
+class PluginDoor final : public PluginProgram {
+ public:
+  explicit PluginDoor(PluginShell& shell) : shell_(&shell) {}
+
+  /// From now on calls have no effect; waits for those that have begun.
+  void shut() {
+    shell_ = nullptr;
+    while (inside_ != 0) std::this_thread::yield();
+  }
+  void fail(const std::string& why) {
+    pass([&](PluginShell& shell) { shell.failed(why); });
+  }
+
+  void closed() {
+    pass([](PluginShell& shell) { shell.site_.surroundings().post([&shell] { shell.closed(); }); });
+  }
+
+  double time() const override {
+    double time = 0;
+    pass([&](PluginShell& shell) { time = shell.site_.time(); });
+    return time;
+  }
+  void publish(std::size_t provided, std::uint8_t subtype, std::vector<std::byte> body,
+               double timestamp) override {
+    pass([&](PluginShell& shell) {
+      if (provided < shell.ids_.size())
+        shell.site_.data_flow().publish({{shell.ids_[provided], subtype, timestamp, std::move(body)}});
+    });
+  }
+  void command(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body) override {
+    pass([&](PluginShell& shell) {
+      if (used < shell.uses_) static_cast<void>(shell.client_.command(used, subtype, body));
+    });
+  }
+  void ask(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body, Heard heard) override {
+    pass([&](PluginShell& shell) {
+      if (used >= shell.uses_) return;
+      shell.client_.ask(used, subtype, body,
+                        [&shell, heard = std::move(heard)](std::optional<std::vector<std::byte>> answer) {
+                          shell.thread_.post([heard, answer = std::move(answer)] {
+                            heard(answer.has_value(), answer ? std::span<const std::byte>(*answer)
+                                                             : std::span<const std::byte>());
+                          });
+                        });
+    });
+  }
+  void say(bool is_warning, std::string_view line) override {
+    pass([&](PluginShell& shell) {
+      const std::string text = escaped(line);
+      if (is_warning)
+        log::warn("driver {}: {}", in_quotes(shell.name_), text);
+      else
+        log::info("driver {}: {}", in_quotes(shell.name_), text);
+    });
+  }
+
+ private:
+  template <typename Call>
+  void pass(const Call& call) const {
+    ++inside_;
+    if (PluginShell* const shell = shell_) call(*shell);
+    --inside_;
+  }
+  std::atomic<PluginShell*> shell_;
+  mutable std::atomic<int> inside_ = 0;
+};
+
+namespace {
+
+constexpr libraries::LibraryAbi kProvided{.what = "driver",
+                                        .macro = "PLAYHOUSE_DRIVER",
+                                        .prefix = "playhouse_driver",
+                                        .version_least = kPluginVersionLeast,
+                                        .version = kPluginVersion};
+
+/// A section of the file, as plug-ins read it.
+class FileSection final : public PluginSection {
+ public:
+  explicit FileSection(const scene::CfgSection& section) : section_(section) {}
+  bool has(std::string_view key) const override { return section_.has(key); }
+  std::size_t count(std::string_view key) const override { return section_.count(key); }
+  double number(std::string_view key, double otherwise, std::size_t element) const override {
+    return section_.number(key, otherwise, element);
+  }
+  double length(std::string_view key, double otherwise, std::size_t element) const override {
+    return section_.length(key, otherwise, element);
+  }
+  double angle(std::string_view key, double otherwise, std::size_t element) const override {
+    return section_.angle(key, otherwise, element);
+  }
+  int integer(std::string_view key, int otherwise, std::size_t element) const override {
+    return section_.integer(key, otherwise, element);
+  }
+  bool flag(std::string_view key, bool otherwise) const override { return section_.flag(key, otherwise); }
+  std::string text(std::string_view key, std::string_view otherwise, std::size_t element) const override {
+    return section_.text(key, otherwise, element);
+  }
+  std::string filename(std::string_view key, std::string_view otherwise) const override {
+    return section_.filename(key, otherwise);
+  }
+
+ private:
+  const scene::CfgSection& section_;
+};
+
+/// Devices of a field, with their addresses. Fails with "file:line".
+Result<std::vector<std::pair<PluginDevice, device::Address>>> devices_of(const scene::CfgSection& section,
+                                                                         const Site& site,
+                                                                         std::string_view key) {
+  std::vector<std::pair<PluginDevice, device::Address>> devices;
+  for (const scene::DeviceAddress& named : section.addresses(key)) {
+    const Result<device::Address> address = site.resolve(named);
+    if (!address) return Error{section.at(key), address.error().text};
+    devices.push_back({{named.key, named.interf, address->interf, address->index, address->robot}, *address});
+  }
+  return devices;
+}
+
+/// Why a registration can't be served; "" if it can.
+std::string fault_of(const Plugin::Key& key, std::span<const PluginDevice> devices, std::string_view field,
+                     wire::MessageType type) {
+  if (key.first >= devices.size())
+    return fmt::format("it registers device {} of {}, which names {}", key.first, field, devices.size());
+  const PluginDevice& device = devices[key.first];
+  if (wire::find_message(device.code, type, key.second) != nullptr) return "";
+  return fmt::format("it registers subtype {}, which no message of {} has", key.second, device.interf);
+}
+
+std::string fault_of(const Plugin::Registered& registered, std::span<const PluginDevice> provides,
+                     std::span<const PluginDevice> uses) {
+  std::string fault;
+  const auto check = [&fault](const auto& entries, std::span<const PluginDevice> devices,
+                              std::string_view field, wire::MessageType type) {
+    for (const auto& [key, hook] : entries)
+      if (fault.empty()) fault = fault_of(key, devices, field, type);
+  };
+  check(registered.commands, provides, "provides", wire::MessageType::kCmd);
+  check(registered.requests, provides, "provides", wire::MessageType::kReq);
+  check(registered.data, uses, "requires", wire::MessageType::kData);
+  const double period = registered.period;
+  if (fault.empty() && period != 0 && !(period >= limits::kPluginStepSeconds))
+    fault = fmt::format("invalid period of steps {} s: 0, or {} s and more is valid", period,
+                        limits::kPluginStepSeconds);
+  return fault;
+}
+
+/// What a hook uses; destroyed from the last to the first.
+struct Kept {
+  Kept(std::shared_ptr<void> code, std::shared_ptr<PluginDoor> program, std::shared_ptr<Plugin> made)
+      : library(std::move(code)), door(std::move(program)), plugin(std::move(made)) {}
+  std::shared_ptr<void> library;
+  std::shared_ptr<PluginDoor> door;
+  std::shared_ptr<Plugin> plugin;
+};
+
+std::vector<std::byte> copy_of(std::span<const std::byte> body) {
+  return {body.begin(), body.end()};
+}
+
+}  // namespace
+
+PluginShell::PluginShell(const scene::CfgSection& section, Site& site, std::shared_ptr<void> library,
+                         std::unique_ptr<Plugin> plugin)
+    : name_(section.name()),
+      site_(site),
+      uses_(section.addresses("requires").size()),
+      library_(std::move(library)),
+      plugin_(std::move(plugin)),
+      door_(std::make_shared<PluginDoor>(*this)),
+      client_(site.surroundings(), *this, uses_),
+      thread_(
+          site.surroundings().has_threads() ? PluginThread::Hooks::kOnThread : PluginThread::Hooks::kOnCaller,
+          [&network = site.surroundings().network()] { return network.now(); },
+          [door = door_](const std::string& why) { door->fail(why); }) {
+  thread_.keep(std::make_shared<Kept>(library_, door_, plugin_));
+  client_.when_news([this](std::vector<device::Publication>&) { take_news(); });
+}
+
+PluginShell::~PluginShell() {
+  thread_.end();
+  door_->shut();
+}
+
+Result<void> PluginShell::begin(const scene::CfgSection& section) {
+  const auto provides = devices_of(section, site_, "provides");
+  if (!provides) return provides.error();
+  const auto uses = devices_of(section, site_, "requires");
+  if (!uses) return uses.error();
+  std::vector<PluginDevice> own, others;
+  std::vector<device::Address> used;
+  for (const auto& [device, address] : *provides) {
+    own.push_back(device);
+    provides_.push_back(address);
+  }
+  for (const auto& [device, address] : *uses) {
+    others.push_back(device);
+    used.push_back(address);
+  }
+  if (plugin_ != nullptr)
+    if (const Result<void> good = configure(section, own, others); !good) return good;
+  for (const device::Address& address : provides_) {
+    const Result<device::DeviceId> id = site_.add_device(address, *this);
+    if (!id) return Error{section.at("provides"), id.error().text};
+    ids_.push_back(*id);
+  }
+  site_.add_user({this, &client_, provides_, used, section.at("requires"), [] { return Result<void>(); }});
+  return {};
+}
+
+Result<void> PluginShell::configure(const scene::CfgSection& section,
+                                    const std::vector<PluginDevice>& provides,
+                                    const std::vector<PluginDevice>& uses) {
+  plugin_->join(*door_, provides, uses);
+  try {
+    plugin_->configure(FileSection(section));
+  } catch (const std::exception& error) {
+    return Error{section.at(), fmt::format("driver {}: {}", in_quotes(name_), escaped(error.what()))};
+  } catch (...) {
+    return Error{section.at(),
+                 fmt::format("driver {} threw something that is not a std::exception", in_quotes(name_))};
+  }
+  const Plugin::Registered& registered = plugin_->registered();
+  if (const std::string fault = fault_of(registered, provides, uses); !fault.empty())
+    return Error{section.at(), fmt::format("driver {}: {}", in_quotes(name_), fault)};
+  for (const auto& [key, hook] : registered.data)
+    data_.push_back(
+        {&client_.latest(key.first, key.second), &hook, std::make_shared<std::atomic<bool>>(false)});
+  return {};
+}
+
+Result<void> PluginShell::start(device::DeviceId) {
+  if (plugin_ == nullptr) return Error{"", "the code of its driver is not loaded"};
+  if (has_failed_) return Error{"", fmt::format("driver {} has failed", in_quotes(name_))};
+  if (open_ == 0) {
+    if (!client_.is_open())  // it is if close() has not come back yet
+      if (const Result<void> opened = client_.open(); !opened) return opened;
+    thread_.post([plugin = plugin_.get()] { plugin->open(); });
+    look();
+    if (plugin_->registered().period > 0) step();
+  }
+  ++open_;
+  return {};
+}
+
+void PluginShell::stop(device::DeviceId) {
+  if (--open_ == 0 && !post_close()) client_.close();
+}
+
+/// What it uses stays open until the plug-in has stopped what it moves. False: it has failed.
+bool PluginShell::post_close() {
+  step_timer_.reset();
+  return thread_.post([plugin = plugin_.get(), door = door_] {
+    plugin->close();
+    door->closed();
+  });
+}
+
+void PluginShell::closed() {
+  if (open_ > 0) return;  // it was opened again
+  look_timer_.reset();
+  client_.close();
+}
+
+/// Its own devices retire as well.
+void PluginShell::retired(device::DeviceId) {
+  if (client_.is_open()) post_close();
+  client_.close();
+}
+
+std::size_t PluginShell::number_of(device::DeviceId device) const {
+  return static_cast<std::size_t>(std::ranges::find(ids_, device) - ids_.begin());
+}
+
+device::Taken PluginShell::command(const device::Message& message) {
+  if (!client_.is_open()) return device::Taken::kNo;  // it must not wait for the next client
+  const auto& commands = plugin_->registered().commands;
+  const auto found = commands.find({number_of(message.device), message.subtype});
+  if (found == commands.end()) return device::Taken::kNo;
+  const bool queued = thread_.post([take = &found->second, body = copy_of(message.body)] { (*take)(body); });
+  return queued ? device::Taken::kQueued : device::Taken::kNo;
+}
+
+void PluginShell::request(const device::Message& message, device::Replier replier) {
+  if (!client_.is_open()) return;
+  const auto& requests = plugin_->registered().requests;
+  const auto found = requests.find({number_of(message.device), message.subtype});
+  if (found == requests.end()) return;
+  // A std::function must be copyable.
+  const auto reply = std::make_shared<PluginReply>(
+      [shared = std::make_shared<device::Replier>(std::move(replier))](
+          bool ack, std::vector<std::byte> body) { ack ? shared->ack(std::move(body)) : shared->nack(); });
+  thread_.post(
+      [answer = &found->second, body = copy_of(message.body), reply] { (*answer)(body, std::move(*reply)); });
+}
+
+bool PluginShell::capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const {
+  if (plugin_ == nullptr) return false;
+  const Plugin::Registered& registered = plugin_->registered();
+  const Plugin::Key key{number_of(device), subtype};
+  if (type == static_cast<std::uint8_t>(wire::MessageType::kCmd)) return registered.commands.contains(key);
+  return type == static_cast<std::uint8_t>(wire::MessageType::kReq) && registered.requests.contains(key);
+}
+
+void PluginShell::barrier(device::Replier replier) {
+  const auto shared = std::make_shared<device::Replier>(std::move(replier));
+  if (!thread_.post([shared] { shared->ack(); })) shared->ack();
+}
+
+/// A hook for each of its data at a time: what comes meanwhile replaces what waits.
+void PluginShell::take_news() {
+  for (const Datum& datum : data_) {
+    if (datum.is_posted->exchange(true)) continue;
+    const bool posted = thread_.post([datum] {
+      *datum.is_posted = false;
+      if (const auto latest = datum.latest->take_latest()) (*datum.take)(latest->body, latest->timestamp);
+    });
+    if (!posted) *datum.is_posted = false;
+  }
+}
+
+/// Whether a hook has come back, while there may be one.
+void PluginShell::look() {
+  if (const double busy = thread_.busy(); busy > limits::kPluginSeconds)
+    return failed(fmt::format("it has not come back for {:.0f} s", busy));
+  look_timer_ = site_.surroundings().network().after(1, [this] { look(); });
+}
+
+void PluginShell::step() {
+  if (!step_waits_->exchange(true)) {
+    const bool posted = thread_.post([plugin = plugin_.get(), waits = step_waits_] {
+      *waits = false;
+      plugin->step();
+    });
+    if (!posted) *step_waits_ = false;
+  }
+  step_timer_ = site_.surroundings().network().after(plugin_->registered().period, [this] { step(); });
+}
+
+void PluginShell::failed(const std::string& why) {
+  if (has_failed_.exchange(true)) return;
+  log::error("driver {} has failed, and its devices retire: {}", in_quotes(name_), why);
+  thread_.end();
+  site_.surroundings().post([this] {
+    client_.close();
+    site_.retire_later(provides_);
+  });
+}
+
+Result<std::unique_ptr<device::Driver>> make_plugin(const scene::CfgSection& section, Site& site) {
+  std::vector<std::string> warnings;
+  libraries::Libraries libraries = site.surroundings().libraries();
+  const std::string beside = std::filesystem::path(section.filename("plugin", "")).parent_path().string();
+  libraries.folders = libraries::library_folders(beside, "PLAYERPATH", program_folder());
+  const auto library =
+      libraries::load({kProvided, section.text("plugin", ""), section.at("plugin"), {}}, libraries, warnings);
+  if (!library) return library.error();
+  for (const std::string& line : warnings) site.warn(line);
+  std::unique_ptr<Plugin> plugin;
+  if (*library != nullptr) {
+    auto made = (*library)->make<Plugin>();
+    if (!made) return Error{section.at("plugin"), made.error().line()};
+    plugin = std::move(*made);
+  }
+  auto shell = std::make_unique<PluginShell>(section, site, *library, std::move(plugin));
+  if (const Result<void> begun = shell->begin(section); !begun) return begun.error();
+  return std::unique_ptr<device::Driver>(std::move(shell));
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,90 @@
+#pragma once
+
+/// PluginShell: the driver around a Plugin. It has its devices, uses those that the section requires while one of
+/// its own is open, and calls the hooks on a PluginThread. Once the plug-in has failed, its devices retire.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/device/client.h"
+#include "playhouse/device/driver.h"
+#include "playhouse/drivers/plugin/plugin.h"
+#include "playhouse/drivers/plugin/plugin_thread.h"
+#include "playhouse/drivers/site.h"
+#include "playhouse/scene/cfg.h"
+
+namespace playhouse::drivers {
+
+/// What a plug-in calls, until it is shut: a thread that was left behind calls it as well.
+class PluginDoor;
+
+class PluginShell final : public device::Driver {
+ public:
+  /// `library` keeps the code of `plugin` loaded. No plug-in where no code is to be loaded: its devices are there
+  /// and cannot be opened.
+  PluginShell(const scene::CfgSection& section, Site& site, std::shared_ptr<void> library,
+              std::unique_ptr<Plugin> plugin);
+  ~PluginShell() override;
+
+  /// Configures the plug-in and registers its devices. Fails with "file:line".
+  Result<void> begin(const scene::CfgSection& section);
+
+  // device::Driver
+
+  std::string_view name() const override { return name_; }
+  Result<void> start(device::DeviceId device) override;
+  void stop(device::DeviceId device) override;
+  void retired(device::DeviceId) override;
+  device::Taken command(const device::Message& message) override;
+  void request(const device::Message& message, device::Replier replier) override;
+  bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
+  void barrier(device::Replier replier) override;
+  void finish() override { thread_.finish(); }
+
+ private:
+  friend class PluginDoor;
+  /// Data of a device that it uses.
+  struct Datum {
+    device::Subscription* latest;
+    const std::function<void(std::span<const std::byte>, double)>* take;
+    std::shared_ptr<std::atomic<bool>> is_posted;  // a hook for it waits
+  };
+  Result<void> configure(const scene::CfgSection& section, const std::vector<PluginDevice>& provides,
+                         const std::vector<PluginDevice>& uses);
+  std::size_t number_of(device::DeviceId device) const;
+  bool post_close();
+  void closed();
+  void take_news();
+  void look();
+  void step();
+  void failed(const std::string& why);
+
+  const std::string name_;
+  Site& site_;
+  const std::size_t uses_;
+  const std::shared_ptr<void> library_;  // outlives the plug-in
+  const std::shared_ptr<Plugin> plugin_;
+  const std::shared_ptr<PluginDoor> door_;
+  device::DeviceClient client_;
+  std::vector<device::Address> provides_;
+  std::vector<device::DeviceId> ids_;
+  std::vector<Datum> data_;
+  int open_ = 0;  // own devices; io thread
+  std::atomic<bool> has_failed_ = false;
+  const std::shared_ptr<std::atomic<bool>> step_waits_ = std::make_shared<std::atomic<bool>>(false);
+  std::unique_ptr<net::Timer> look_timer_, step_timer_;  // io thread
+  PluginThread thread_;                                  // last member: it ends before what hooks use
+};
+
+/// The driver of a section whose field `plugin` names a library.
+Result<std::unique_ptr<device::Driver>> make_plugin(const scene::CfgSection& section, Site& site);
+
+}  // namespace playhouse::drivers

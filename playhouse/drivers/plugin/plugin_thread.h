@@ -1,0 +1,64 @@
+#pragma once
+
+/// PluginThread: the hooks of one plug-in, one at a time, on a thread of their own. A hook that throws is the
+/// last one. A thread that does not come back is left behind with what it uses, for nobody can end it.
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace playhouse::drivers {
+
+class PluginThread {
+ public:
+  using Hook = std::function<void()>;
+  /// In a simulation of the whole program there is no thread: post() runs the hook, or leaves it to the post()
+  /// that is running one.
+  enum class Hooks : std::uint8_t { kOnThread, kOnCaller };
+  /// Called once, on the thread, with what a hook threw, as one line.
+  using Failed = std::function<void(const std::string& why)>;
+
+  /// `clock`: monotonic seconds, of any thread.
+  PluginThread(Hooks hooks, std::function<double()> clock, Failed failed);
+  ~PluginThread() { finish(); }
+  PluginThread(const PluginThread&) = delete;
+  PluginThread& operator=(const PluginThread&) = delete;
+
+  /// `used` lives as long as the thread, which may be longer than this object.
+  void keep(std::shared_ptr<void> used) { state_->used = std::move(used); }
+  /// Any thread. False: limits::kPluginQueue hooks wait already, or it has ended; the hook is dropped.
+  bool post(Hook hook);
+  /// For how long a hook has been running. [s]
+  double busy() const;
+  /// Drops hooks that wait, and those that are posted from now on. Any thread.
+  void end();
+  /// Takes no more hooks, and waits for those that it has, for limits::kPluginEndSeconds at most.
+  void finish();
+
+ private:
+  struct State {
+    mutable std::mutex mutex;  // guards what follows, but for `failed`, `clock` and `used`
+    std::condition_variable changed;
+    std::deque<Hook> waiting;
+    std::optional<double> began;         // of the running hook; s
+    bool ending = false, ended = false;  // no more hooks; none is left
+    Failed failed;
+    std::function<double()> clock;
+    std::shared_ptr<void> used;
+  };
+  using Lock = std::unique_lock<std::mutex>;
+  static void run(State& state);
+  static void run_first(State& state, Lock& lock);
+
+  const Hooks hooks_;
+  std::shared_ptr<State> state_;
+  std::thread thread_;  // started by the first hook; under the mutex
+};
+
+}  // namespace playhouse::drivers
