@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -18,14 +19,20 @@ struct Rights {
   bool manages = true;  // the same to the world as a whole: pause, reset, poses, spawn and removal
 };
 
+/// Number of the drivers of this program, which are no clients of the server: all of them have one.
+inline constexpr std::uint32_t kDrivers = 0;
+
 class Caller {
  public:
-  /// `name` is for the log: "127.0.0.1:40312".
-  explicit Caller(std::string name) : name_(std::move(name)), holder_(name_) {}
+  /// `name` is for the log: "127.0.0.1:40312"; `serial`: see there.
+  explicit Caller(std::string name, std::uint32_t serial = kDrivers)
+      : serial_(serial), name_(std::move(name)), holder_(name_) {}
   Caller(const Caller&) = delete;
   Caller& operator=(const Caller&) = delete;
   ~Caller() { leave(); }
 
+  /// Its number in its server, never reused: for data to it alone (Publication::clients).
+  std::uint32_t serial() const { return serial_; }
   const std::string& name() const { return name_; }
   const Rights& rights() const { return rights_; }
   /// Whose share of a run it takes what it brings from: who has several connections has one share.
@@ -62,6 +69,7 @@ class Caller {
     std::function<void()> run;
   };
 
+  const std::uint32_t serial_;
   std::string name_, holder_;
   Rights rights_;
   std::vector<OwnedTask> tasks_;

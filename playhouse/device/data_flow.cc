@@ -35,6 +35,7 @@ void DataFlow::close() {
 void DataFlow::pass(std::vector<Publication> batch) {
   std::map<Rank, std::vector<std::size_t>> due;  // batch indices for each reader
   const auto note = [&](std::size_t place) {
+    if (!batch[place].is_for(kDrivers)) return;
     for (const Rank rank : readers_of(batch[place].device)) due[rank].push_back(place);
   };
   for (std::size_t place = 0; place < batch.size(); ++place) note(place);

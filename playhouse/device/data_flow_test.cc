@@ -57,6 +57,19 @@ TEST(DataFlow, a_reader_of_two_devices_gets_both_at_once_in_the_order_of_the_bat
   EXPECT_EQ(steering.calls, 1);
 }
 
+TEST(DataFlow, what_is_for_clients_alone_passes_the_readers_by) {
+  FakePublisher out;
+  DataFlow flow;
+  Joiner reader(7);
+  const DeviceId read[] = {{1}};
+  flow.add(reader, read);
+  flow.pass_to(out);
+  flow.publish({{DeviceId{1}, 1, 0, bytes("a"), {3}},
+                {DeviceId{1}, 1, 0, bytes("b"), {kDrivers, 3}},
+                {DeviceId{1}, 1, 0, bytes("c")}});
+  EXPECT_THAT(out.lines, ElementsAre("1.1 a", "1.1 b", "1.1 c", "7.1 [bc]"));
+}
+
 TEST(DataFlow, who_reads_nothing_of_a_batch_is_not_called) {
   FakePublisher out;
   DataFlow flow;

@@ -4,6 +4,7 @@
 /// never blocks on it; other drivers send commands and requests from any thread (client.h).
 /// A driver replies through a Replier and publishes through a Publisher, both on any thread.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -61,12 +62,19 @@ class Replier {
   std::uint64_t ticket_;
 };
 
-/// A message to all subscribers of a device.
+/// A message to the subscribers of a device: all of them, or some.
 struct Publication {
   DeviceId device;
   std::uint8_t subtype = 0;     // of a DATA message
   double timestamp = 0;         // s; less than the previous one of this device and subtype: time went back
   std::vector<std::byte> body;  // encoded once
+  /// Serial numbers (Caller::serial()) of those who get it, ascending; kDrivers stands for all drivers. Empty:
+  /// everybody.
+  std::vector<std::uint32_t> clients{};
+
+  bool is_for(std::uint32_t serial) const {
+    return clients.empty() || std::ranges::binary_search(clients, serial);
+  }
 };
 
 /// Receives published data. Any thread; one wake-up of the io thread per batch.

@@ -28,7 +28,8 @@ bool Fanout::has_readers(device::DeviceId device) const {
 std::size_t Fanout::publish(const device::Publication& publication, device::Address address, double now) {
   DeviceReaders& to = channels_[publication.device];
   const double timestamp = next_timestamp(to, publication, now);
-  if (to.readers.empty()) return 0;
+  const auto is_for = [&](const Subscriber* reader) { return publication.is_for(reader->serial()); };
+  if (std::ranges::none_of(to.readers, is_for)) return 0;
   if (publication.body.size() > limits::kBodyBytes) {
     if (!std::exchange(logged_too_long_, true)) {
       log::error("data of {} bytes from device {}:{} is over the limit and not sent", publication.body.size(),
@@ -46,8 +47,13 @@ std::size_t Fanout::publish(const device::Publication& publication, device::Addr
   header.timestamp = timestamp;
   const Frame frame = counted(make_frame(header, publication.body), frame_bytes_);
   ++encoded_;
-  for (Subscriber* reader : to.readers) reader->deliver(frame);
-  return to.readers.size();
+  std::size_t deliveries = 0;
+  for (Subscriber* reader : to.readers) {
+    if (!is_for(reader)) continue;
+    reader->deliver(frame);
+    ++deliveries;
+  }
+  return deliveries;
 }
 
 void Fanout::lose(device::DeviceId device, std::uint64_t messages) {

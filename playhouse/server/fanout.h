@@ -20,6 +20,8 @@ namespace playhouse::server {
 class Subscriber {
  public:
   virtual ~Subscriber() = default;
+  /// Its number (device::Publication::clients).
+  virtual std::uint32_t serial() const = 0;
   virtual void deliver(const Frame& frame) = 0;
   /// Data for this reader were lost.
   virtual void lose(std::uint64_t messages) = 0;
@@ -39,7 +41,7 @@ class Fanout {
   /// Number of devices with state.
   std::size_t size() const { return channels_.size(); }
 
-  /// Encodes the message if the device has readers, and delivers it in the order
+  /// Encodes the message if it is for readers of the device, and delivers it in the order
   /// of joining. A repeated timestamp is raised by the least step, because
   /// clients take equal ones for old data; a lower one means that time went back,
   /// NaN becomes `now`. Data over limits::kBodyBytes is dropped and logged once.

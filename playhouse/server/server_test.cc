@@ -95,6 +95,34 @@ TEST_F(ServerTest, lists_the_devices_of_its_port_and_names_their_drivers) {
   EXPECT_TRUE(replies[0].body.empty());
 }
 
+TEST_F(ServerTest, sends_data_to_the_clients_alone_that_they_are_for) {
+  std::vector<std::uint32_t> serials;
+  wheels.on_caller = [&](const device::Caller& caller) { serials.push_back(caller.serial()); };
+  TestClient one(network, kPort), other(network, kPort), third(network, kPort);
+  for (TestClient* client : {&one, &other, &third}) {
+    ASSERT_EQ(outline(client->ask(open_request(kWheels, 0))), "ACK 3");
+    ASSERT_EQ(outline(client->ask(request(kWheels, position2d::kReqGetGeom))), "ACK 1");
+  }
+  ASSERT_EQ(serials.size(), 3u);
+  EXPECT_NE(serials[0], device::kDrivers);
+  const auto publish_for = [&](double time, std::vector<std::uint32_t> clients) {
+    server.publish({{wheels_id, 1, time, Bytes(52), std::move(clients)}});
+  };
+  publish_for(1, {serials[0], serials[1]});
+  publish_for(2, {serials[1]});
+  publish_for(3, {device::kDrivers});
+  publish_for(4, {});
+  const auto times = [](const std::vector<Received>& messages) {
+    std::vector<double> times;
+    for (const Received& message : messages) times.push_back(message.header.timestamp);
+    return times;
+  };
+  EXPECT_EQ(times(one.read()), (std::vector<double>{1, 4}));
+  EXPECT_EQ(times(other.read()), (std::vector<double>{1, 2, 4}));
+  EXPECT_EQ(times(third.read()), (std::vector<double>{4}));
+  EXPECT_EQ(server.status().messages_encoded, 3u) << "what is for nobody is not encoded";
+}
+
 TEST_F(ServerTest, lists_devices_that_came_after_the_first_list) {
   TestClient client(network, kPort);
   const auto count = [&] {

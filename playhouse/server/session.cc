@@ -61,7 +61,7 @@ Session::Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, 
       robot_(robot),
       peer_(std::move(peer)),
       token_(kNoToken),
-      caller_(peer_) {
+      caller_(peer_, serial_) {
   caller_.set_holder(net::holder_of(token_, peer_));
   if (board_.admit) caller_.set_rights(board_.admit(token_, peer_).value_or(kNothing));
 }

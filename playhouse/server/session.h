@@ -79,6 +79,7 @@ class Session final : public Subscriber {
 
   /// A driver's reply to the request or barrier of this number (low 32 bits of its ticket).
   void answer(std::uint32_t number, bool ack, std::span<const std::byte> body);
+  std::uint32_t serial() const override { return serial_; }
   void deliver(const Frame& frame) override;
   void lose(std::uint64_t messages) override { queue_.lose(messages); }
 
