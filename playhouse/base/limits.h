@@ -48,6 +48,13 @@ inline constexpr std::size_t kModelListBytes = 256u << 10;  // of its text; one 
 inline constexpr std::size_t kOutboxBytes = 64u << 20;      // data the io thread has not taken yet
 inline constexpr std::size_t kOutboxMessages = 65536;       // the same in messages
 
+// Blackboards; heeded by drivers.
+// Of one blackboard: a group fits into what waits for one client (kSessionQueueMessages).
+inline constexpr std::size_t kBlackboardEntries = 1024;
+inline constexpr std::size_t kBlackboardEntryBytes = 32768;   // of its key, its group and its value
+inline constexpr std::size_t kBlackboardNameBytes = 256;      // of a key and its group
+inline constexpr std::size_t kBlackboardSubscriptions = 256;  // keys and groups of one client
+
 // Viewers, in the browser page; heeded by net, replicate, web_server.
 // Viewers included; over it the one that waited longest is closed.
 inline constexpr std::size_t kHttpConnections = 256;
@@ -163,6 +170,7 @@ static_assert(kViewers + kHttpConnectionsPerAddress <= kHttpConnections,
               "viewers alone must not fill the server");
 static_assert(kViewers * kViewerCommandsPerTurn * 2 <= kRequestQueue / 2,
               "viewers alone must not fill the queue of all; a command is two entries at most");
+static_assert(kBlackboardEntries <= kSessionQueueMessages, "a group must reach who subscribes to it");
 static_assert(kSessionAnswers * 8 <= kRequestQueue, "one client alone must not fill the queue of all");
 
 // Clusters; heeded by cluster.

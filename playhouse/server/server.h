@@ -117,7 +117,7 @@ class Server final : public device::Publisher, public device::Outlet {
 
   ServerStatus status() const;
 
-  /// Sends each message to all sessions with its device open for reading. Any thread; one
+  /// Sends each message to those sessions with its device open for reading that it is for. Any thread; one
   /// wake-up per batch. Timestamps that do not increase are raised by the least step.
   void publish(std::vector<device::Publication> batch) override;
   /// Removes data that clients have not been sent, before what follows. Any thread.

@@ -30,16 +30,20 @@ std::string describe(const wire::Header& header) {
 constexpr const char* kNoToken = "*";  // as in files of guests
 constexpr device::Rights kNothing{.reads = false, .drives = false, .manages = false};
 
-/// True for requests without side effects. By message
-/// name: get_*, capabilities, and the exceptions below.
+/// True for requests without side effects but for the client itself. By
+/// message name: get_*, capabilities, and the exceptions below.
 bool only_reads(const wire::MessageDef& def) {
-  constexpr std::array<std::string_view, 7> kReadersByOtherNames = {"ptz.req.geom",
-                                                                    "ptz.req.status",
-                                                                    "ir.req.pose",
-                                                                    "wifi.req.mac",
-                                                                    "limb.req.geom",
-                                                                    "audio.req.mixer_channel_list",
-                                                                    "audio.req.sample_retrieve"};
+  constexpr std::array<std::string_view, 11> kReadersByOtherNames = {"ptz.req.geom",
+                                                                     "ptz.req.status",
+                                                                     "ir.req.pose",
+                                                                     "wifi.req.mac",
+                                                                     "limb.req.geom",
+                                                                     "audio.req.mixer_channel_list",
+                                                                     "audio.req.sample_retrieve",
+                                                                     "blackboard.req.subscribe_to_key",
+                                                                     "blackboard.req.unsubscribe_from_key",
+                                                                     "blackboard.req.subscribe_to_group",
+                                                                     "blackboard.req.unsubscribe_from_group"};
   const std::string_view last = def.name.substr(def.name.rfind('.') + 1);
   return last.starts_with("get_") || last == "capabilities" ||
          std::find(kReadersByOtherNames.begin(), kReadersByOtherNames.end(), def.name) !=

@@ -11,11 +11,13 @@ import zlib
 from house import ACK, CMD, DATA, NACK, POSITION2D, REQ, ROOT, SIMULATION, Client, House, HouseTest, wait_until
 
 sys.path.insert(0, str(ROOT / "clients/python"))
-from playhouse_client import GoalRefused, Mode, connect  # noqa: E402
+from playhouse_client import Access, GoalRefused, Mode, RequestRefused, connect  # noqa: E402
+from playhouse_client.generated import blackboard  # noqa: E402
 from playhouse_client.generated import map as grid  # noqa: E402
 from playhouse_client.generated import planner  # noqa: E402
 from playhouse_client.connection import Message  # noqa: E402
-from playhouse_client.wire import Kind  # noqa: E402
+from playhouse_client.generated.common import BlackboardEntry  # noqa: E402
+from playhouse_client.wire import Kind, c_string, text  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "clients/python/tests"))
 from fake_server import FakeServer, Peer  # noqa: E402
@@ -399,6 +401,55 @@ class WithoutAWorld(HouseTest):
                     client.read(30)
                     heard += radio.take_messages()
                 self.assertEqual(heard, sent)
+
+    def test_a_blackboard_tells_each_client_of_its_own_keys_alone(self):
+        with self.serve(ROOT / "worlds/board.cfg") as house:
+            clients = [connect(f":{house.port()}", mode=Mode.PUSH) for _ in range(3)]
+            boards = [client.device("blackboard", 0) for client in clients]
+            heard: list[list[tuple[str, str, bytes]]] = [[], [], []]
+            for board, told in zip(boards, heard):
+                board.on_data(lambda _message, entry, _time, told=told:
+                              told.append((text(entry.group), text(entry.key), entry.data)))
+
+            def ask(board, request, group, key="", data=b""):
+                return board.request(request, BlackboardEntry(c_string(key), c_string(group), 1, 2, data))
+
+            one, two, _ = boards
+            self.assertIsNone(ask(one, blackboard.REQ_SET_ENTRY, "team", "goal", b"left"))
+            entry = ask(two, blackboard.REQ_SUBSCRIBE_TO_KEY, "team", "goal")
+            self.assertEqual((text(entry.group), text(entry.key), entry.type, entry.subtype, entry.data),
+                             ("team", "goal", 1, 2, b"left"))
+            self.assertGreater(entry.timestamp_sec, 0, "the server's time")
+            self.assertEqual(ask(one, blackboard.REQ_GET_ENTRY, "team", "none").data, b"")
+            ask(one, blackboard.REQ_SET_ENTRY, "map", "a", b"1")
+            ask(one, blackboard.REQ_SUBSCRIBE_TO_GROUP, "map")
+            ask(two, blackboard.REQ_SET_ENTRY, "map", "b", b"2")
+            ask(one, blackboard.REQ_SET_ENTRY, "team", "goal", b"right")
+            ask(two, blackboard.REQ_UNSUBSCRIBE_FROM_KEY, "team", "goal")
+            ask(one, blackboard.REQ_SET_ENTRY, "team", "goal", b"back")
+            self.assertEqual(ask(two, blackboard.REQ_GET_ENTRY, "team", "goal").data, b"back")
+            # An answer overtakes data that are not sent yet, and those go with it: before the second one they are here.
+            for client, board in zip(clients, boards):
+                for _ in range(2):
+                    ask(board, blackboard.REQ_GET_ENTRY, "team", "goal")
+                client.deliver_pushed()
+            self.assertEqual(heard, [[("map", "a", b"1"), ("map", "b", b"2")], [("team", "goal", b"right")], []])
+            clients[0].close()
+            ask(two, blackboard.REQ_SET_ENTRY, "map", "b", b"3")  # the subscriber has gone
+            self.assertEqual(ask(two, blackboard.REQ_GET_ENTRY, "map", "b").data, b"3")
+            for client in clients[1:]:
+                client.close()
+
+    def test_who_opened_a_blackboard_for_reading_subscribes_and_sets_nothing(self):
+        with self.serve(ROOT / "worlds/board.cfg") as house, connect(f":{house.port()}") as client:
+            board = client.device("blackboard", 0, Access.READ)
+            entry = BlackboardEntry(c_string("key"), c_string("group"), 1, 2, b"value")
+            for request in (blackboard.REQ_SUBSCRIBE_TO_KEY, blackboard.REQ_SUBSCRIBE_TO_GROUP,
+                            blackboard.REQ_UNSUBSCRIBE_FROM_KEY, blackboard.REQ_UNSUBSCRIBE_FROM_GROUP):
+                board.request(request, entry)
+            with self.assertRaises(RequestRefused):
+                board.request(blackboard.REQ_SET_ENTRY, entry)
+            self.assertEqual(board.request(blackboard.REQ_GET_ENTRY, entry).data, b"")
 
     def serve(self, cfg) -> House:
         return House("serve", cfg, "--port", 0, "--headless")
