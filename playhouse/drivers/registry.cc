@@ -12,6 +12,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/drivers/amcl/amcl.h"
+#include "playhouse/drivers/health/health.h"
 #include "playhouse/drivers/localbb/local_blackboard.h"
 #include "playhouse/drivers/mapfile/map_file.h"
 #include "playhouse/drivers/nd/nd.h"
@@ -32,6 +33,7 @@ using Factory = Result<std::unique_ptr<device::Driver>> (*)(const scene::CfgSect
 /// All drivers, by name.
 constexpr std::pair<std::string_view, Factory> kDrivers[] = {
     {"amcl", make_amcl},
+    {"health", make_health},
     {"localbb", make_local_blackboard},
     {"mapfile", make_map_file},
     {"nd", make_nd},
@@ -39,6 +41,7 @@ constexpr std::pair<std::string_view, Factory> kDrivers[] = {
     {"rangertolaser", make_ranger_to_laser},
     {"relay", make_relay},
     {"stage", make_stage_driver},
+    {"statgrabdriver", make_health},
     {"vfh", make_vfh},
     {"wavefront", make_wavefront},
 };

@@ -12,7 +12,7 @@ from house import ACK, CMD, DATA, NACK, POSITION2D, REQ, ROOT, SIMULATION, Clien
 
 sys.path.insert(0, str(ROOT / "clients/python"))
 from playhouse_client import Access, GoalRefused, Mode, RequestRefused, connect  # noqa: E402
-from playhouse_client.generated import blackboard  # noqa: E402
+from playhouse_client.generated import blackboard, health  # noqa: E402
 from playhouse_client.generated import map as grid  # noqa: E402
 from playhouse_client.generated import planner  # noqa: E402
 from playhouse_client.connection import Message  # noqa: E402
@@ -450,6 +450,23 @@ class WithoutAWorld(HouseTest):
             with self.assertRaises(RequestRefused):
                 board.request(blackboard.REQ_SET_ENTRY, entry)
             self.assertEqual(board.request(blackboard.REQ_GET_ENTRY, entry).data, b"")
+
+    def test_the_health_of_the_machine_adds_up(self):
+        for name in ("health", "statgrabdriver"):
+            cfg = self.write("health.cfg", f'driver( name "{name}" provides ["health:0"] interval 0.1 )\n')
+            with self.serve(cfg) as house, connect(f":{house.port()}", mode=Mode.PULL) as client:
+                device = client.device("health", 0)
+                self.assertEqual(device.driver, name)
+                for _ in range(2):
+                    device.next_data(30)
+                    state = device.latest(health.DATA_STATE)
+                    cpu = state.cpu_usage
+                    self.assertAlmostEqual(cpu.idle + cpu.system + cpu.user, 100, 3)
+                    self.assertGreaterEqual(min(cpu.idle, cpu.system, cpu.user), 0)
+                    for memory in (state.mem, state.swap):
+                        self.assertEqual(memory.used + memory.free, memory.total)
+                    self.assertGreater(state.mem.used, 1 << 20)
+                    self.assertGreater(state.mem.free, 0)
 
     def serve(self, cfg) -> House:
         return House("serve", cfg, "--port", 0, "--headless")
