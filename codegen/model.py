@@ -509,13 +509,13 @@ def _match_units(schema: Schema, interface: Interface) -> None:
     """One unit for the whole value, or one for each of its parts."""
     for struct in interface.structs:
         for f in struct.fields:
-            units, parts = len(f.unit.split(",")), _parts(schema, f)
+            units, parts = len(f.unit.split(",")), parts_of(schema, f)
             if units not in (1, parts):
                 where = _place(interface.source, struct.name, f.name, f.line)
                 raise SchemaError(f"{where}: {units} units for a value of {parts} part{'' if parts == 1 else 's'}")
 
 
-def _parts(schema: Schema, f: Field) -> int:
+def parts_of(schema: Schema, f: Field) -> int:
     """Numbers in one value of the field. The elements of a list without a fixed length are alike and count once."""
-    one = 1 if f.is_scalar else sum(_parts(schema, inner) for inner in schema.struct_of(f).fields)
+    one = 1 if f.is_scalar else sum(parts_of(schema, inner) for inner in schema.struct_of(f).fields)
     return one * (f.length or 1)

@@ -47,6 +47,8 @@ inline constexpr std::size_t kListedModels = 4096;          // of one answer to 
 inline constexpr std::size_t kModelListBytes = 256u << 10;  // of its text; one model is always told
 inline constexpr std::size_t kOutboxBytes = 64u << 20;      // data the io thread has not taken yet
 inline constexpr std::size_t kOutboxMessages = 65536;       // the same in messages
+// What clients have set of one device of driver "dummy", which remembers it; over it a further set is refused.
+inline constexpr std::size_t kDummyBytes = 1u << 20;
 
 // Blackboards; heeded by drivers.
 // Of one blackboard: a group fits into what waits for one client (kSessionQueueMessages).

@@ -12,6 +12,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/drivers/amcl/amcl.h"
+#include "playhouse/drivers/dummy/dummy.h"
 #include "playhouse/drivers/health/health.h"
 #include "playhouse/drivers/localbb/local_blackboard.h"
 #include "playhouse/drivers/mapfile/map_file.h"
@@ -33,6 +34,7 @@ using Factory = Result<std::unique_ptr<device::Driver>> (*)(const scene::CfgSect
 /// All drivers, by name.
 constexpr std::pair<std::string_view, Factory> kDrivers[] = {
     {"amcl", make_amcl},
+    {"dummy", make_dummy},
     {"health", make_health},
     {"localbb", make_local_blackboard},
     {"mapfile", make_map_file},
