@@ -63,7 +63,7 @@ std::optional<Property> property_of(const wire::MessageDef& request, std::span<c
 }
 
 /// The cells of a rectangle of the map; none if a part of it is elsewhere.
-std::optional<Bytes> cells(const GridMap& map, const wire::map::Data& asked) {
+std::optional<Bytes> map_cells(const GridMap& map, const wire::map::Data& asked) {
   const bool is_inside = std::uint64_t{asked.col} + asked.width <= map.info.width &&
                          std::uint64_t{asked.row} + asked.height <= map.info.height;
   if (!is_inside) return std::nullopt;
@@ -73,7 +73,7 @@ std::optional<Bytes> cells(const GridMap& map, const wire::map::Data& asked) {
 
 /// Keeps a body unless the device then has more than its limit.
 template <typename Map>
-bool keep(Map& bodies, typename Map::key_type key, std::span<const std::byte> body, std::size_t& bytes) {
+bool keep_body(Map& bodies, typename Map::key_type key, std::span<const std::byte> body, std::size_t& bytes) {
   const auto found = bodies.find(key);
   const std::size_t old = found == bodies.end() ? 0 : found->second.size() + kEntryBytes;
   if (bytes - old + body.size() + kEntryBytes > limits::kDummyBytes) return false;
@@ -151,7 +151,7 @@ std::optional<Bytes> Dummy::answer(Device& device, const wire::MessageDef& known
                                    std::span<const std::byte> body) {
   if (const std::optional<Property> property = property_of(known, body)) {
     const std::pair<std::uint8_t, std::string> key{property->read_by, property->key};
-    if (property->is_set && !keep(device.properties, key, known.reencode(body), device.set_bytes))
+    if (property->is_set && !keep_body(device.properties, key, known.reencode(body), device.set_bytes))
       return std::nullopt;
     const auto found = device.properties.find(key);
     return found == device.properties.end() ? std::nullopt : std::optional(found->second);
@@ -160,11 +160,11 @@ std::optional<Bytes> Dummy::answer(Device& device, const wire::MessageDef& known
   if (known.has_payload && !body.empty()) {
     if (!is_question(known)) {
       Bytes canonical = known.reencode(body);
-      if (!keep(device.set, known.payload, canonical, device.set_bytes)) return std::nullopt;
+      if (!keep_body(device.set, known.payload, canonical, device.set_bytes)) return std::nullopt;
       return canonical;
     }
     if (known.payload == kMapTile)
-      return cells(plausible_map(device.values.device()), *wire::decode<wire::map::Data>(body));
+      return map_cells(plausible_map(device.values.device()), *wire::decode<wire::map::Data>(body));
   }
   const auto set = device.set.find(known.payload);
   return set != device.set.end() ? set->second : device.values.body(known, 0);

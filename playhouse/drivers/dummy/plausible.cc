@@ -16,10 +16,10 @@
 namespace playhouse::drivers {
 namespace {
 
-constexpr std::uint32_t kFewest = 2, kMost = 5;                  // elements of lists
+constexpr std::uint32_t kFewestElements = 2, kMostElements = 5;  // elements of lists
 constexpr std::uint64_t kShortestPeriod = 20, kPeriodSpan = 80;  // messages
 
-constexpr UnitRange kRanges[] = {
+constexpr UnitRange kUnitRanges[] = {
     {"1", 0, 1},
     {"0.1", 5, 30},
     {"%", 0, 100},
@@ -76,8 +76,8 @@ bool is_byte(FieldType type) {
 }  // namespace
 
 std::optional<UnitRange> range_of_unit(std::string_view unit) {
-  const auto found = std::ranges::find(kRanges, unit, &UnitRange::unit);
-  return found == std::end(kRanges) ? std::nullopt : std::optional(*found);
+  const auto found = std::ranges::find(kUnitRanges, unit, &UnitRange::unit);
+  return found == std::end(kUnitRanges) ? std::nullopt : std::optional(*found);
 }
 
 double Place::wave(std::uint64_t which) const {
@@ -243,7 +243,7 @@ class PlausibleWriter {
 Plausible::Plausible(std::uint64_t seed, device::Address address)
     : device_(
           part_of(part_of(mix64(seed), std::uint64_t{address.robot} << 16 | address.interf), address.index)),
-      count_(kFewest + static_cast<std::uint32_t>(device_ % (kMost - kFewest + 1))),
+      count_(kFewestElements + static_cast<std::uint32_t>(device_ % (kMostElements - kFewestElements + 1))),
       is_still_(wire_structs().size()) {
   for (const wire::MessageDef& message : wire::find_interface(address.interf)->messages)
     if (message.type == wire::MessageType::kReq && message.has_payload)
