@@ -37,7 +37,7 @@ struct All {
   }
   device::DeviceId id(std::uint16_t interf) const { return site.id({6665, interf, 3}); }
   device::Driver& driver(std::uint16_t interf) const { return site.driver({6665, interf, 3}); }
-  testing::OutputRecorder::Answer ask(std::uint16_t interf, std::uint8_t subtype, const Bytes& body) {
+  testing::OutputRecorder::RecordedAnswer ask(std::uint16_t interf, std::uint8_t subtype, const Bytes& body) {
     driver(interf).request({id(interf), kReq, subtype, body}, device::Replier(site.recorder, ++tickets));
     return site.recorder.answers.at(tickets);
   }

@@ -34,7 +34,7 @@ class Blackboard : public ::testing::Test {
     site.driver(board).request({site.id(board), kRequest, subtype, body, caller},
                                device::Replier(site.recorder, ticket));
     site.hear();
-    const testing::OutputRecorder::Answer& answer = site.recorder.answers.at(ticket);
+    const testing::OutputRecorder::RecordedAnswer& answer = site.recorder.answers.at(ticket);
     if (!answer.body.empty()) value = *wire::decode<wire::BlackboardEntry>(answer.body);
     return answer.ack;
   }
