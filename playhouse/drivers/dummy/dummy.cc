@@ -88,7 +88,7 @@ Result<void> Dummy::add(device::Address address) {
   const Result<device::DeviceId> id = site_.add_device(address, *this);
   if (!id) return id.error();
   const std::lock_guard lock(mutex_);
-  devices_.emplace(*id, Device{address.interf, Plausible(seed_, address), {}, {}});
+  devices_.emplace(*id, DummyDevice{address.interf, Plausible(seed_, address), {}, {}});
   return {};
 }
 
@@ -114,7 +114,7 @@ Result<void> Dummy::start(device::DeviceId id) {
 
 void Dummy::send(device::DeviceId id) {
   Open& open = open_.at(id);
-  const Device& device = devices_.at(id);
+  const DummyDevice& device = devices_.at(id);
   const double time = site_.time();
   std::vector<device::Publication> batch;
   for (const wire::MessageDef& message : wire::find_interface(device.interf)->messages)
@@ -147,7 +147,7 @@ void Dummy::request(const device::Message& message, device::Replier replier) {
 }
 
 /// None: NACK.
-std::optional<Bytes> Dummy::answer(Device& device, const wire::MessageDef& known,
+std::optional<Bytes> Dummy::answer(DummyDevice& device, const wire::MessageDef& known,
                                    std::span<const std::byte> body) {
   if (const std::optional<Property> property = property_of(known, body)) {
     const std::pair<std::uint8_t, std::string> key{property->read_by, property->key};

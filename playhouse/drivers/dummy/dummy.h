@@ -48,7 +48,7 @@ class Dummy final : public device::Driver {
   void forget(device::DeviceId id) override;
 
  private:
-  struct Device {
+  struct DummyDevice {
     std::uint16_t interf;
     Plausible values;
     std::map<std::string_view, Bytes> set;                             // by payload: the newest
@@ -61,7 +61,8 @@ class Dummy final : public device::Driver {
     std::unique_ptr<net::Timer> timer;
   };
 
-  std::optional<Bytes> answer(Device& device, const wire::MessageDef& known, std::span<const std::byte> body);
+  std::optional<Bytes> answer(DummyDevice& device, const wire::MessageDef& known,
+                              std::span<const std::byte> body);
   const wire::MessageDef* definition(device::DeviceId id, std::uint8_t type, std::uint8_t subtype) const;
   void send(device::DeviceId id);
 
@@ -70,7 +71,7 @@ class Dummy final : public device::Driver {
   const std::uint64_t seed_;
   std::map<device::DeviceId, Open> open_;
   mutable std::mutex mutex_;  // guards what clients have set, and which devices there are for other threads
-  std::map<device::DeviceId, Device> devices_;
+  std::map<device::DeviceId, DummyDevice> devices_;
 };
 
 }  // namespace playhouse::drivers

@@ -80,7 +80,7 @@ std::optional<UnitRange> range_of_unit(std::string_view unit) {
   return found == std::end(kUnitRanges) ? std::nullopt : std::optional(*found);
 }
 
-double Place::wave(std::uint64_t which) const {
+double FieldPlace::wave(std::uint64_t which) const {
   const std::uint64_t own = part_of(key, which);
   const std::uint64_t period = kShortestPeriod + own % kPeriodSpan;
   const double turns = static_cast<double>(number % period) / static_cast<double>(period);
@@ -106,7 +106,7 @@ class PlausibleWriter {
     Units units;  // of all numbers, or of each; empty: none, or those of the fields
   };
 
-  Place place(const Context& context) const {
+  FieldPlace place(const Context& context) const {
     return {values_.device_, context.key, context.is_still ? 0 : number_, values_.count_};
   }
 
@@ -176,7 +176,7 @@ class PlausibleWriter {
   }
 
   double number_of(const WireField& field, const Context& context) const {
-    const Place here = place(context);
+    const FieldPlace here = place(context);
     if (!field.values.empty()) {
       const double choices = static_cast<double>(field.values.size());
       return field.values[static_cast<std::size_t>(std::min(here.between(0, choices), choices - 1))];

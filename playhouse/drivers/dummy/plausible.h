@@ -33,7 +33,7 @@ struct UnitRange {
 std::optional<UnitRange> range_of_unit(std::string_view unit);
 
 /// What a value depends on, for rules.
-struct Place {
+struct FieldPlace {
   std::uint64_t device;  // of the seed and the address
   std::uint64_t key;     // of the value's place in the payload, too
   std::uint64_t number;  // of the message; 0 for what does not move
@@ -48,7 +48,7 @@ struct Place {
 };
 
 /// Writes a struct whose fields depend on each other.
-using PlausibleRule = void (*)(wire::Writer& out, const Place& place);
+using PlausibleRule = void (*)(wire::Writer& out, const FieldPlace& place);
 /// Null if there is none.
 PlausibleRule find_plausible_rule(std::string_view payload);
 /// The map of a device of interface map.

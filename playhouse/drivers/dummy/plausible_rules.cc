@@ -30,25 +30,25 @@ constexpr std::uint32_t kCells = 40;                                 // of a sid
 constexpr double kCell = 0.1;                                        // m
 
 /// In [-1, 1], along a scan and from scan to scan; the same in all messages of a device.
-double beam_wave(Place place, std::uint32_t beam) {
+double beam_wave(FieldPlace place, std::uint32_t beam) {
   place.key = place.device;
   return geom::sincos(geom::kPi * (0.25 * place.wave() + 6.0 * beam / kBeams)).sin;
 }
 template <typename Number>
-std::vector<Number> ranges_of(const Place& place) {
+std::vector<Number> ranges_of(const FieldPlace& place) {
   std::vector<Number> ranges;
   for (std::uint32_t beam = 0; beam < kBeams; ++beam)
     ranges.push_back(static_cast<Number>(0.5 * kMaxRange + 2 * beam_wave(place, beam)));
   return ranges;
 }
-std::vector<std::uint8_t> intensities_of(const Place& place) {
+std::vector<std::uint8_t> intensities_of(const FieldPlace& place) {
   std::vector<std::uint8_t> intensities;
   for (std::uint32_t beam = 0; beam < kBeams; ++beam)
     intensities.push_back(static_cast<std::uint8_t>(128 + 100 * beam_wave(place, beam)));
   return intensities;
 }
 
-wire::laser::Data scan_of(const Place& place) {
+wire::laser::Data scan_of(const FieldPlace& place) {
   wire::laser::Data scan;
   scan.min_angle = static_cast<float>(kFirstAngle);
   scan.max_angle = static_cast<float>(-kFirstAngle);
@@ -59,7 +59,7 @@ wire::laser::Data scan_of(const Place& place) {
   scan.id = static_cast<std::uint32_t>(place.number + 1);
   return scan;
 }
-wire::laser::DataScanangle scan_with_angles_of(const Place& place) {
+wire::laser::DataScanangle scan_with_angles_of(const FieldPlace& place) {
   wire::laser::Data scan = scan_of(place);
   wire::laser::DataScanangle other{
       scan.max_range, std::move(scan.ranges), {}, std::move(scan.intensity), scan.id};
@@ -67,7 +67,7 @@ wire::laser::DataScanangle scan_with_angles_of(const Place& place) {
     other.angles.push_back(static_cast<float>(kFirstAngle + kStep * beam));
   return other;
 }
-wire::laser::Config laser_config(const Place&) {
+wire::laser::Config laser_config(const FieldPlace&) {
   wire::laser::Config config;
   config.min_angle = static_cast<float>(kFirstAngle);
   config.max_angle = static_cast<float>(-kFirstAngle);
@@ -79,24 +79,24 @@ wire::laser::Config laser_config(const Place&) {
   return config;
 }
 
-wire::ranger::DataRange ranger_ranges(const Place& place) {
+wire::ranger::DataRange ranger_ranges(const FieldPlace& place) {
   return {ranges_of<double>(place)};
 }
-wire::ranger::DataIntns ranger_intensities(const Place& place) {
+wire::ranger::DataIntns ranger_intensities(const FieldPlace& place) {
   const std::vector<std::uint8_t> intensities = intensities_of(place);
   return {{intensities.begin(), intensities.end()}};
 }
-wire::ranger::Config ranger_config(const Place&) {
+wire::ranger::Config ranger_config(const FieldPlace&) {
   return {kFirstAngle, -kFirstAngle, kStep, kMinRange, kMaxRange, kRangeStep, 10};
 }
 /// Of one scanner.
-wire::ranger::Geom ranger_geometry(const Place&) {
+wire::ranger::Geom ranger_geometry(const FieldPlace&) {
   const wire::Bbox3d size{0.1, 0.1, 0.1};
   return {{0.1, 0, 0.2, 0, 0, 0}, size, {{}}, {size}};
 }
 
 /// Stripes that go past.
-wire::camera::Data image_of(const Place& place) {
+wire::camera::Data image_of(const FieldPlace& place) {
   wire::camera::Data image;
   image.width = kWidth;
   image.height = kHeight;
@@ -115,7 +115,7 @@ wire::camera::Data image_of(const Place& place) {
   return image;
 }
 
-wire::blobfinder::Data blobs_of(const Place& place) {
+wire::blobfinder::Data blobs_of(const FieldPlace& place) {
   wire::blobfinder::Data data;
   data.width = kWidth;
   data.height = kHeight;
@@ -136,29 +136,29 @@ wire::blobfinder::Data blobs_of(const Place& place) {
   return data;
 }
 
-wire::Color color_of(const Place& place) {
+wire::Color color_of(const FieldPlace& place) {
   const auto part = [&](std::uint64_t which) {
     return static_cast<std::uint8_t>(place.between(0, 255, which));
   };
   return {255, part(0), part(1), part(2)};
 }
-wire::stereo::Pointcloud3dStereoElement point_of(const Place& place) {
+wire::stereo::Pointcloud3dStereoElement point_of(const FieldPlace& place) {
   const wire::Color color = color_of(place);
   const auto part = [&](std::uint64_t which) { return static_cast<float>(place.between(-2, 2, which)); };
   return {part(3), part(4), part(5), color.red, color.green, color.blue};
 }
-wire::Extent2d extent_of(const Place& place) {
+wire::Extent2d extent_of(const FieldPlace& place) {
   return {place.between(-4, -1, 0), place.between(-4, -1, 1), place.between(1, 4, 2), place.between(1, 4, 3)};
 }
 
-wire::map::Info map_info(const Place& place) {
+wire::map::Info map_info(const FieldPlace& place) {
   return plausible_map(place.device).info;
 }
-wire::map::Data whole_map(const Place& place) {
+wire::map::Data whole_map(const FieldPlace& place) {
   return *map_tile(plausible_map(place.device), {0, 0, kCells, kCells, 0, {}});
 }
 /// Its outer walls.
-wire::map::DataVector map_lines(const Place&) {
+wire::map::DataVector map_lines(const FieldPlace&) {
   const double end = 0.5 * kCells * kCell;
   const auto low = static_cast<float>(-end), high = static_cast<float>(end);
   return {low,
@@ -168,18 +168,18 @@ wire::map::DataVector map_lines(const Place&) {
           {{-end, -end, end, -end}, {end, -end, end, end}, {end, end, -end, end}, {-end, end, -end, -end}}};
 }
 
-wire::health::Memory memory_of(const Place& place) {
+wire::health::Memory memory_of(const FieldPlace& place) {
   constexpr std::int64_t kTotal = 8'000'000'000;
   const auto used = static_cast<std::int64_t>(place.between(1e9, 7e9));
   return {kTotal, used, kTotal - used};
 }
-wire::health::Cpu load_of(const Place& place) {
+wire::health::Cpu load_of(const FieldPlace& place) {
   const auto user = static_cast<float>(place.between(5, 60, 0)),
              system = static_cast<float>(place.between(1, 20, 1));
   return {100 - user - system, system, user};
 }
 
-wire::joystick::Data joystick_of(const Place& place) {
+wire::joystick::Data joystick_of(const FieldPlace& place) {
   wire::joystick::Data data;
   constexpr std::int32_t kScale = 32767;
   for (std::size_t axis = 0; axis < data.pos.size(); ++axis) {
@@ -190,7 +190,7 @@ wire::joystick::Data joystick_of(const Place& place) {
   data.buttons = place.wave(data.pos.size()) > 0 ? 1 : 0;
   return data;
 }
-wire::dio::Data inputs_of(const Place& place) {
+wire::dio::Data inputs_of(const FieldPlace& place) {
   wire::dio::Data data;
   data.count = 8;
   for (std::uint32_t bit = 0; bit < data.count; ++bit) data.bits |= (place.wave(bit) > 0 ? 1u : 0u) << bit;
@@ -200,7 +200,7 @@ wire::dio::Data inputs_of(const Place& place) {
 std::vector<std::uint8_t> bytes_of(std::string_view text) {
   return {text.begin(), text.end()};
 }
-wire::wifi::Link link_of(const Place& place) {
+wire::wifi::Link link_of(const FieldPlace& place) {
   wire::wifi::Link link;
   link.mac = bytes_of("02:00:00:00:00:01");
   link.ip = bytes_of("192.0.2.1");
@@ -212,12 +212,12 @@ wire::wifi::Link link_of(const Place& place) {
   link.noise = -100;
   return link;
 }
-wire::wifi::MacReq mac_of(const Place&) {
+wire::wifi::MacReq mac_of(const FieldPlace&) {
   return {bytes_of("02:00:00:00:00:02")};
 }
 
 template <auto kMake>
-void write_made(wire::Writer& out, const Place& place) {
+void write_made(wire::Writer& out, const FieldPlace& place) {
   write(out, kMake(place));
 }
 

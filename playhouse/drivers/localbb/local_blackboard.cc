@@ -42,7 +42,7 @@ void LocalBlackboard::carry_out(std::uint8_t subtype, std::span<const std::byte>
                                 device::Replier replier) {
   Result<Entry> entry = wire::decode<Entry>(body);
   if (!entry) return;
-  const Place place{wire::text(entry->group), wire::text(entry->key)};
+  const EntryPlace place{wire::text(entry->group), wire::text(entry->key)};
   if (!keeps_limits(place, *entry)) return;
   const auto& [group, key] = place;
   switch (subtype) {
@@ -70,7 +70,7 @@ void LocalBlackboard::carry_out(std::uint8_t subtype, std::span<const std::byte>
   }
 }
 
-bool LocalBlackboard::keeps_limits(const Place& place, const Entry& entry) {
+bool LocalBlackboard::keeps_limits(const EntryPlace& place, const Entry& entry) {
   const std::size_t names = place.first.size() + place.second.size();
   if (names > limits::kBlackboardNameBytes) {
     log_once(fmt::format("key and group of an entry have {} bytes at most", limits::kBlackboardNameBytes));
@@ -84,7 +84,7 @@ bool LocalBlackboard::keeps_limits(const Place& place, const Entry& entry) {
 }
 
 /// False if there is no room.
-bool LocalBlackboard::set(const Place& place, Entry entry) {
+bool LocalBlackboard::set(const EntryPlace& place, Entry entry) {
   const auto found = entries_.find(place);
   if (found == entries_.end() && entries_.size() >= limits::kBlackboardEntries) {
     log_once(fmt::format("a blackboard has {} entries at most", limits::kBlackboardEntries));
@@ -102,7 +102,7 @@ bool LocalBlackboard::set(const Place& place, Entry entry) {
 }
 
 /// Without a value if there is none.
-LocalBlackboard::Entry LocalBlackboard::entry_at(const Place& place) const {
+LocalBlackboard::Entry LocalBlackboard::entry_at(const EntryPlace& place) const {
   if (const auto found = entries_.find(place); found != entries_.end()) return found->second;
   Entry none;
   none.group = wire::c_string(place.first);
@@ -140,7 +140,7 @@ void LocalBlackboard::leave(std::uint32_t client) {
 }
 
 /// An entry, to who subscribed to its key or its group.
-void LocalBlackboard::publish(const Place& place) const {
+void LocalBlackboard::publish(const EntryPlace& place) const {
   std::set<std::uint32_t> clients;
   for (const Topic& topic : {Topic{place.first, place.second}, Topic{place.first, std::nullopt}})
     if (const auto found = clients_of_.find(topic); found != clients_of_.end())

@@ -45,26 +45,26 @@ class LocalBlackboard final : public device::Driver {
  private:
   using Entry = wire::BlackboardEntry;
   /// Of an entry: its group, and its key.
-  using Place = std::pair<std::string, std::string>;
+  using EntryPlace = std::pair<std::string, std::string>;
   /// What is subscribed to: a key of a group, or the whole group.
   using Topic = std::pair<std::string, std::optional<std::string>>;
 
   // Io thread.
   void carry_out(std::uint8_t subtype, std::span<const std::byte> body, device::Caller* caller,
                  device::Replier replier);
-  bool keeps_limits(const Place& place, const Entry& entry);
-  bool set(const Place& place, Entry entry);
-  Entry entry_at(const Place& place) const;
+  bool keeps_limits(const EntryPlace& place, const Entry& entry);
+  bool set(const EntryPlace& place, Entry entry);
+  Entry entry_at(const EntryPlace& place) const;
   bool subscribe(const Topic& topic, device::Caller* caller);
   void unsubscribe(const Topic& topic, std::uint32_t client);
   void leave(std::uint32_t client);
-  void publish(const Place& place) const;
+  void publish(const EntryPlace& place) const;
   void publish_group(const std::string& group, std::uint32_t client) const;
   void log_once(std::string_view why);
 
   Site& site_;
   device::DeviceId device_;
-  std::map<Place, Entry> entries_;
+  std::map<EntryPlace, Entry> entries_;
   std::map<Topic, std::set<std::uint32_t>> clients_of_;  // by their serial numbers
   std::map<std::uint32_t, std::set<Topic>> topics_of_;   // the same the other way round
   std::set<std::string, std::less<>> logged_;

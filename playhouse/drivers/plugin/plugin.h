@@ -56,8 +56,8 @@ class PluginSection {
 /// The one answer to a request. Destroyed unused it is NACK. Any thread.
 class PluginReply {
  public:
-  using Send = std::function<void(bool ack, std::vector<std::byte> body)>;
-  explicit PluginReply(Send send) : send_(std::move(send)) {}
+  using SendAnswer = std::function<void(bool ack, std::vector<std::byte> body)>;
+  explicit PluginReply(SendAnswer send) : send_(std::move(send)) {}
   PluginReply(PluginReply&& other) noexcept : send_(std::exchange(other.send_, nullptr)) {}
   PluginReply& operator=(PluginReply&& other) noexcept {
     std::swap(send_, other.send_);
@@ -74,21 +74,22 @@ class PluginReply {
 
  private:
   void finish(bool good, std::vector<std::byte> body) {
-    if (const Send send = std::exchange(send_, nullptr)) send(good, std::move(body));
+    if (const SendAnswer send = std::exchange(send_, nullptr)) send(good, std::move(body));
   }
-  Send send_;
+  SendAnswer send_;
 };
 
 /// What the program does for a plug-in. Any thread; once the driver has ended, nothing.
 class PluginProgram {
  public:
-  using Heard = std::function<void(bool ack, std::span<const std::byte> body)>;
+  using AnswerHeard = std::function<void(bool ack, std::span<const std::byte> body)>;
   virtual ~PluginProgram() = default;
   virtual double time() const = 0;
   virtual void publish(std::size_t provided, std::uint8_t subtype, std::vector<std::byte> body,
                        double timestamp) = 0;
   virtual void command(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body) = 0;
-  virtual void ask(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body, Heard heard) = 0;
+  virtual void ask(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body,
+                   AnswerHeard heard) = 0;
   virtual void say(bool is_warning, std::string_view line) = 0;
 };
 
@@ -107,12 +108,13 @@ class Plugin {
   virtual void step() {}
 
   /// What was registered, for the program.
-  using Key = std::pair<std::size_t, std::uint8_t>;  // number of the device, subtype
+  using MessageKey = std::pair<std::size_t, std::uint8_t>;  // number of the device, subtype
   struct Registered {
-    std::map<Key, std::function<void(std::span<const std::byte>)>> commands;
-    std::map<Key, std::function<void(std::span<const std::byte>, PluginReply)>> requests;
-    std::map<Key, std::function<void(std::span<const std::byte>, double)>> data;  // of required devices
-    double period = 0;                                                            // s; 0: no steps
+    std::map<MessageKey, std::function<void(std::span<const std::byte>)>> commands;
+    std::map<MessageKey, std::function<void(std::span<const std::byte>, PluginReply)>> requests;
+    std::map<MessageKey, std::function<void(std::span<const std::byte>, double)>>
+        data;           // of required devices
+    double period = 0;  // s; 0: no steps
   };
   const Registered& registered() const { return registered_; }
   /// For the program, before configure(): `program` outlives the plug-in.

@@ -53,7 +53,8 @@ class PluginDoor final : public PluginProgram {
       if (used < shell.uses_) static_cast<void>(shell.client_.command(used, subtype, body));
     });
   }
-  void ask(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body, Heard heard) override {
+  void ask(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body,
+           AnswerHeard heard) override {
     pass([&](PluginShell& shell) {
       if (used >= shell.uses_) return;
       shell.client_.ask(used, subtype, body,
@@ -89,10 +90,10 @@ class PluginDoor final : public PluginProgram {
 namespace {
 
 constexpr libraries::LibraryAbi kProvided{.what = "driver",
-                                        .macro = "PLAYHOUSE_DRIVER",
-                                        .prefix = "playhouse_driver",
-                                        .version_least = kPluginVersionLeast,
-                                        .version = kPluginVersion};
+                                          .macro = "PLAYHOUSE_DRIVER",
+                                          .prefix = "playhouse_driver",
+                                          .version_least = kPluginVersionLeast,
+                                          .version = kPluginVersion};
 
 /// A section of the file, as plug-ins read it.
 class FileSection final : public PluginSection {
@@ -138,8 +139,8 @@ Result<std::vector<std::pair<PluginDevice, device::Address>>> devices_of(const s
 }
 
 /// Why a registration can't be served; "" if it can.
-std::string fault_of(const Plugin::Key& key, std::span<const PluginDevice> devices, std::string_view field,
-                     wire::MessageType type) {
+std::string fault_of(const Plugin::MessageKey& key, std::span<const PluginDevice> devices,
+                     std::string_view field, wire::MessageType type) {
   if (key.first >= devices.size())
     return fmt::format("it registers device {} of {}, which names {}", key.first, field, devices.size());
   const PluginDevice& device = devices[key.first];
@@ -317,7 +318,7 @@ void PluginShell::request(const device::Message& message, device::Replier replie
 bool PluginShell::capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const {
   if (plugin_ == nullptr) return false;
   const Plugin::Registered& registered = plugin_->registered();
-  const Plugin::Key key{number_of(device), subtype};
+  const Plugin::MessageKey key{number_of(device), subtype};
   if (type == static_cast<std::uint8_t>(wire::MessageType::kCmd)) return registered.commands.contains(key);
   return type == static_cast<std::uint8_t>(wire::MessageType::kReq) && registered.requests.contains(key);
 }

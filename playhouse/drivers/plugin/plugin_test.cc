@@ -51,7 +51,8 @@ class PluginTest : public ::testing::Test {
     const std::vector<std::byte> body = wire::encode(value);
     return site_.driver(address).command({site_.id(address), kCmd, subtype, body});
   }
-  testing::OutputRecorder::RecordedAnswer ask(device::Address address, std::uint8_t subtype, const op::Data& value) {
+  testing::OutputRecorder::RecordedAnswer ask(device::Address address, std::uint8_t subtype,
+                                              const op::Data& value) {
     const std::vector<std::byte> body = wire::encode(value);
     site_.driver(address).request({site_.id(address), kReq, subtype, body},
                                   device::Replier(site_.recorder, ++ticket_));

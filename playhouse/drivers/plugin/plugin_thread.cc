@@ -26,7 +26,7 @@ std::optional<std::string> thrown_by(const PluginThread::Hook& hook) {
 }  // namespace
 
 PluginThread::PluginThread(Hooks hooks, std::function<double()> clock, Failed failed)
-    : hooks_(hooks), state_(std::make_shared<State>()) {
+    : hooks_(hooks), state_(std::make_shared<ThreadState>()) {
   state_->clock = std::move(clock);
   state_->failed = std::move(failed);
 }
@@ -78,7 +78,7 @@ void PluginThread::end() {
   state_->changed.notify_all();
 }
 
-void PluginThread::run(State& state) {
+void PluginThread::run(ThreadState& state) {
   Lock lock(state.mutex);
   for (;;) {
     state.changed.wait(lock, [&state] { return state.ending || !state.waiting.empty(); });
@@ -89,7 +89,7 @@ void PluginThread::run(State& state) {
   state.changed.notify_all();
 }
 
-void PluginThread::run_first(State& state, Lock& lock) {
+void PluginThread::run_first(ThreadState& state, Lock& lock) {
   Hook hook = std::move(state.waiting.front());
   state.waiting.pop_front();
   state.began = state.clock();

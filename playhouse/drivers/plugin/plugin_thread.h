@@ -42,7 +42,7 @@ class PluginThread {
   void finish();
 
  private:
-  struct State {
+  struct ThreadState {
     mutable std::mutex mutex;  // guards what follows, but for `failed`, `clock` and `used`
     std::condition_variable changed;
     std::deque<Hook> waiting;
@@ -53,11 +53,11 @@ class PluginThread {
     std::shared_ptr<void> used;
   };
   using Lock = std::unique_lock<std::mutex>;
-  static void run(State& state);
-  static void run_first(State& state, Lock& lock);
+  static void run(ThreadState& state);
+  static void run_first(ThreadState& state, Lock& lock);
 
   const Hooks hooks_;
-  std::shared_ptr<State> state_;
+  std::shared_ptr<ThreadState> state_;
   std::thread thread_;  // started by the first hook; under the mutex
 };
 
