@@ -14,7 +14,7 @@ namespace {
 DiscIndex::Disc thing(std::size_t i) {
   Rng rng(i);
   const double z = i % 2 == 0 ? 0 : 2, x = rng.uniform(-9, 9);
-  return {{x, rng.uniform(-9, 9)}, rng.uniform(0.1, 0.5), z, z + 1, static_cast<std::uint32_t>(i), 0};
+  return {{x, rng.uniform(-9, 9)}, rng.uniform(0.1, 0.5), z, z + 1, static_cast<std::uint32_t>(i), {0}};
 }
 
 DiscIndex index_of(std::size_t count, unsigned threads) {
@@ -131,8 +131,12 @@ TEST(DiscIndex, looks_no_farther_for_small_things_where_there_is_a_large_one) {
     for (std::size_t i = 0; i < 10000; ++i) {
       radius.push_back(i == 7 ? largest : 0.15);
       const auto x = static_cast<double>(i % 100), y = static_cast<double>(i / 100);
-      discs.push_back({i == 7 ? geom::Vec2{-30, -30} : geom::Vec2{x, y}, radius[i], 0, 1,
-                       static_cast<std::uint32_t>(i), 0});
+      discs.push_back({i == 7 ? geom::Vec2{-30, -30} : geom::Vec2{x, y},
+                       radius[i],
+                       0,
+                       1,
+                       static_cast<std::uint32_t>(i),
+                       {0}});
     }
     DiscIndex index;
     index.populate(discs.size(), 0.15, {}, radius);

@@ -38,13 +38,13 @@ inline DiscIndex::Disc disc_of(const Solids& solids, SolidRow row) {
 }
 
 struct Ray {
-  Vec2 p, d;                  // origin, unit vector in W
-  double z_low = 0;           // m; heights z_low .. z_high are tested
-  double z_high = 0;          // m
-  double range = 0;           // m
-  SeenByBits by = 0;          // solids that none of these sees are ignored
-  world::ModelRow root{0};    // of the tree that is ignored
-  world::ModelRow also_root;  // another one
+  Vec2 p, d;                    // origin, unit vector in W
+  double z_low = 0;             // m; heights z_low .. z_high are tested
+  double z_high = 0;            // m
+  double range = 0;             // m
+  SeenByBits by = 0;            // solids that none of these sees are ignored
+  world::ModelRow root{0};      // of the tree that is ignored
+  world::ModelRow also_root{};  // another one
 };
 
 struct Hit {

@@ -19,8 +19,12 @@ bodies::DiscIndex draw_index(Rng& rng, geom::Vec2 p, std::size_t count) {
   std::vector<bodies::DiscIndex::Disc> discs;
   for (std::uint32_t row = 0; row < count; ++row) {
     const double z = rng.uniform() < 0.8 ? 0 : 1;
-    bodies::DiscIndex::Disc disc{
-        p + geom::Vec2{rng.uniform(-6, 6), rng.uniform(-6, 6)}, rng.uniform(0.1, 0.5), z, z + 0.5, row, row};
+    bodies::DiscIndex::Disc disc{p + geom::Vec2{rng.uniform(-6, 6), rng.uniform(-6, 6)},
+                                 rng.uniform(0.1, 0.5),
+                                 z,
+                                 z + 0.5,
+                                 row,
+                                 {row}};
     disc.convex = 4;
     disc.seen_by = rng.uniform() < 0.9 ? bit(bodies::SeenBy::kRanger) : bodies::SeenByBits{0};
     discs.push_back(disc);
@@ -111,7 +115,7 @@ TEST(FindBodies, looks_at_no_heights_where_rangers_see_everything) {
   bodies::DiscIndex index;
   world::Workers workers(1);
   const auto disc = [](double z_max, bodies::SeenByBits seen_by) {
-    bodies::DiscIndex::Disc made{{1, 0}, 0.3, 0, z_max, 0, 0};
+    bodies::DiscIndex::Disc made{{1, 0}, 0.3, 0, z_max, 0, {0}};
     made.seen_by = seen_by;
     return made;
   };
