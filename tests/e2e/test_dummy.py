@@ -26,7 +26,7 @@ class EveryInterface(HouseTest):
         self.house = self.enterContext(House("serve", DUMMY, "--port", 0, "--headless"))
 
     def connect(self):
-        return self.enterContext(connect(port=self.house.port(), mode=Mode.PUSH, timeout=20))
+        return self.enterContext(connect(f":{self.house.port()}", mode=Mode.PUSH, timeout=20))
 
     def test_sends_its_data(self):
         client = self.connect()
@@ -61,7 +61,7 @@ class EveryInterface(HouseTest):
 
     def test_begins_anew_for_who_opens_it(self):
         for _ in range(2):
-            with connect(port=self.house.port(), mode=Mode.PUSH, timeout=20) as client:
+            with connect(f":{self.house.port()}", mode=Mode.PUSH, timeout=20) as client:
                 laser = client.device("laser")
                 laser.next_data()
                 scan = laser.latest(find_message(laser.code, Kind.DATA, 1))
@@ -70,7 +70,7 @@ class EveryInterface(HouseTest):
     def test_the_documented_section_is_one_that_runs(self):
         documented = (ROOT / "docs/drivers.md").read_text().split('## driver "dummy"')[1].split("```")[1]
         with House("serve", self.write("documented.cfg", documented), "--port", 0, "--headless") as house, \
-                connect(port=house.port(), mode=Mode.PUSH, timeout=20) as client:
+                connect(f":{house.port()}", mode=Mode.PUSH, timeout=20) as client:
             self.assertEqual(len(client.devices()), 4)
             client.device("rfid").next_data()
 
