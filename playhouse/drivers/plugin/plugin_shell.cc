@@ -342,6 +342,7 @@ void PluginShell::take_news() {
 
 /// Whether a hook has come back, while there may be one.
 void PluginShell::look() {
+  if (has_failed_) return;
   if (const double busy = thread_.busy(); busy > limits::kPluginSeconds)
     return failed(fmt::format("it has not come back for {:.0f} s", busy));
   look_timer_ = site_.surroundings().network().after(1, [this] { look(); });
