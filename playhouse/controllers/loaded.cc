@@ -1,10 +1,10 @@
 #include "playhouse/controllers/loaded.h"
 
 #include <algorithm>
-#include <exception>
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log_at.h"
+#include "playhouse/libraries/thrown_by.h"
 
 namespace playhouse::controllers {
 namespace {
@@ -15,20 +15,6 @@ using world::World;
 // increment kControllerVersion together with these sizes.
 static_assert(kControllerVersion == 2 && sizeof(Robot) == 272 && sizeof(Ranger) == 56 &&
               sizeof(Sighting) == 32);
-
-/// Calls `what`; returns the message of an exception as one line, or nullptr. Valid as long as `text`.
-template <typename Call>
-const char* thrown_by(std::string& text, const Call& what) {
-  try {
-    what();
-    return nullptr;
-  } catch (const std::exception& error) {
-    text = escaped(error.what());
-  } catch (...) {
-    text = "threw something that is not a std::exception";
-  }
-  return text.c_str();
-}
 
 }  // namespace
 
@@ -78,7 +64,8 @@ Result<void> Loaded::join(World& world, const Post& post) {
 
   show(world, *seat);
   std::string text;
-  if (const char* why = thrown_by(text, [&] { seat->controller->start(seat->robot); })) return Error{{}, why};
+  if (const char* why = libraries::thrown_by(text, [&] { seat->controller->start(seat->robot); }))
+    return Error{{}, why};
   world::subscribe_controller(world, seat->model);
   for (std::size_t k = 0; k < seat->rangers.size(); ++k) {
     if (seat->rangers[k].used) {
@@ -167,7 +154,7 @@ void Loaded::decide(World& world, std::size_t begin, std::size_t end_row) {
     if (seat.ended) continue;
     show(world, seat);
     std::string text;
-    if (const char* why = thrown_by(text, [&] { seat.controller->decide(seat.robot); })) {
+    if (const char* why = libraries::thrown_by(text, [&] { seat.controller->decide(seat.robot); })) {
       end(world, seat, why);
     } else {
       gives_[i] = take_orders(world, seat);
@@ -184,7 +171,8 @@ void Loaded::deliver(World& world) {
 bool Loaded::remember(const Seat& seat, std::string& memory, std::string& why) const {
   constexpr std::uint32_t kSaves = 2;  // first version with Controller::save
   bool saved = false;
-  if (library_->version() >= kSaves) thrown_by(why, [&] { saved = seat.controller->save(memory); });
+  if (library_->version() >= kSaves)
+    libraries::thrown_by(why, [&] { saved = seat.controller->save(memory); });
   return saved;
 }
 
@@ -219,7 +207,7 @@ bool Loaded::load_of(World& world, std::size_t i, Unpacker& in) {
   const std::string memory = in.text();
   if (!in.ok()) return false;
   std::string text;
-  const char* const why = thrown_by(text, [&] { seat.controller->load(memory); });
+  const char* const why = libraries::thrown_by(text, [&] { seat.controller->load(memory); });
   if (why != nullptr && !seat.ended) end(world, seat, why);
   return true;
 }

@@ -1,7 +1,6 @@
 #include "playhouse/device/data_flow.h"
 
 #include <map>
-#include <thread>
 #include <utility>
 
 #include "playhouse/base/assert.h"
@@ -22,14 +21,7 @@ std::span<const DataFlow::Rank> DataFlow::readers_of(DeviceId device) const {
 }
 
 void DataFlow::publish(std::vector<Publication> batch) {
-  ++publishing_;
-  if (!is_closed_) pass(std::move(batch));
-  --publishing_;
-}
-
-void DataFlow::close() {
-  is_closed_ = true;
-  while (publishing_ != 0) std::this_thread::yield();
+  gate_.pass([&] { pass(std::move(batch)); });
 }
 
 void DataFlow::pass(std::vector<Publication> batch) {

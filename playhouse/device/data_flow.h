@@ -5,12 +5,12 @@
 /// chained converters work within one batch. Readers are added in topological
 /// order during construction; publish() is for any thread and calls readers on it.
 
-#include <atomic>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "playhouse/device/driver.h"
+#include "playhouse/device/gate.h"
 
 namespace playhouse::device {
 
@@ -31,7 +31,7 @@ class DataFlow final : public Publisher {
   void pass_to(Publisher& next) { next_ = &next; }
   /// From now on what is published is dropped; waits for what is being published. For the end of the program,
   /// before the destination is destroyed: threads of drivers may still have something to say.
-  void close();
+  void close() { gate_.close(); }
 
   void publish(std::vector<Publication> batch) override;
   void forget() override {
@@ -46,8 +46,7 @@ class DataFlow final : public Publisher {
   std::vector<DataReader*> readers_;         // by rank
   std::vector<std::vector<Rank>> ranks_of_;  // by the device's row
   Publisher* next_ = nullptr;
-  std::atomic<bool> is_closed_ = false;
-  std::atomic<int> publishing_ = 0;  // threads
+  Gate gate_;
 };
 
 }  // namespace playhouse::device

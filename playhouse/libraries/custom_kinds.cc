@@ -6,6 +6,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/libraries/thrown_by.h"
 #include "playhouse/world/custom_hooks.h"
 #include "playhouse/world/custom_library.h"
 
@@ -40,15 +41,11 @@ Result<std::shared_ptr<SharedLibrary>> open(const std::string& name, const std::
 
 Result<CustomKind::Sizes> configure(CustomKind& kind, const std::vector<std::string>& arguments) {
   constexpr std::size_t kMost = limits::kCustomNumbers;
-  try {
-    const CustomKind::Sizes sizes = kind.configure(arguments);
-    if (sizes.commands <= kMost && sizes.state <= kMost && sizes.readings <= kMost) return sizes;
-    return Error{{}, "needs more than " + std::to_string(kMost) + " commands, state or readings"};
-  } catch (const std::exception& error) {
-    return Error{{}, escaped(error.what())};
-  } catch (...) {
-    return Error{{}, "threw something that is not a std::exception"};
-  }
+  CustomKind::Sizes sizes;
+  std::string thrown;
+  if (const char* why = thrown_by(thrown, [&] { sizes = kind.configure(arguments); })) return Error{{}, why};
+  if (sizes.commands <= kMost && sizes.state <= kMost && sizes.readings <= kMost) return sizes;
+  return Error{{}, "needs more than " + std::to_string(kMost) + " commands, state or readings"};
 }
 
 /// Null if libraries are only located.

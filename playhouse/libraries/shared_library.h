@@ -4,7 +4,6 @@
 /// during the object's lifetime, which must exceed that of everything it made.
 
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/result.h"
+#include "playhouse/libraries/thrown_by.h"
 
 namespace playhouse::libraries {
 
@@ -43,15 +43,12 @@ class SharedLibrary {
   /// Makes an object of its class. Fails if the constructor throws or returns null.
   template <typename Made>
   Result<std::unique_ptr<Made>> make() const {
-    try {
-      std::unique_ptr<Made> made(reinterpret_cast<Made* (*)()>(make_)());
-      if (!made) return Error{escaped(file_), "made nothing"};
-      return made;
-    } catch (const std::exception& error) {
-      return Error{escaped(file_), escaped(error.what())};
-    } catch (...) {
-      return Error{escaped(file_), "threw something that is not a std::exception"};
-    }
+    std::unique_ptr<Made> made;
+    std::string thrown;
+    const auto construct = [&] { made.reset(reinterpret_cast<Made* (*)()>(make_)()); };
+    if (const char* why = thrown_by(thrown, construct)) return Error{escaped(file_), why};
+    if (!made) return Error{escaped(file_), "made nothing"};
+    return made;
   }
 
  private:

@@ -3,31 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <thread>
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/program_folder.h"
+#include "playhouse/device/gate.h"
 #include "playhouse/libraries/libraries.h"
+#include "playhouse/libraries/thrown_by.h"
 #include "playhouse/wire/messages.h"
 
 namespace playhouse::drivers {
 
 class PluginDoor final : public PluginProgram {
  public:
-  explicit PluginDoor(PluginShell& shell) : shell_(&shell) {}
+  explicit PluginDoor(PluginShell& shell) : shell_(shell) {}
 
   /// From now on calls have no effect; waits for those that have begun.
-  void shut() {
-    shell_ = nullptr;
-    while (inside_ != 0) std::this_thread::yield();
-  }
+  void shut() { gate_.close(); }
   void fail(const std::string& why) {
     pass([&](PluginShell& shell) { shell.failed(why); });
   }
@@ -79,12 +76,10 @@ class PluginDoor final : public PluginProgram {
  private:
   template <typename Call>
   void pass(const Call& call) const {
-    ++inside_;
-    if (PluginShell* const shell = shell_) call(*shell);
-    --inside_;
+    gate_.pass([&] { call(shell_); });
   }
-  std::atomic<PluginShell*> shell_;
-  mutable std::atomic<int> inside_ = 0;
+  PluginShell& shell_;
+  mutable device::Gate gate_;
 };
 
 namespace {
@@ -233,20 +228,14 @@ Result<void> PluginShell::configure(const scene::CfgSection& section,
                                     const std::vector<PluginDevice>& provides,
                                     const std::vector<PluginDevice>& uses) {
   plugin_->join(*door_, provides, uses);
-  try {
-    plugin_->configure(FileSection(section));
-  } catch (const std::exception& error) {
-    return Error{section.at(), fmt::format("driver {}: {}", in_quotes(name_), escaped(error.what()))};
-  } catch (...) {
-    return Error{section.at(),
-                 fmt::format("driver {} threw something that is not a std::exception", in_quotes(name_))};
-  }
+  std::string thrown;
+  if (const char* why = libraries::thrown_by(thrown, [&] { plugin_->configure(FileSection(section)); }))
+    return Error{section.at(), fmt::format("driver {}: {}", in_quotes(name_), why)};
   const Plugin::Registered& registered = plugin_->registered();
   if (const std::string fault = fault_of(registered, provides, uses); !fault.empty())
     return Error{section.at(), fmt::format("driver {}: {}", in_quotes(name_), fault)};
   for (const auto& [key, hook] : registered.data)
-    data_.push_back(
-        {&client_.latest(key.first, key.second), &hook, std::make_shared<std::atomic<bool>>(false)});
+    data_.emplace_back(client_.latest(key.first, key.second), hook);
   return {};
 }
 
@@ -330,13 +319,13 @@ void PluginShell::barrier(device::Replier replier) {
 
 /// A hook for each of its data at a time: what comes meanwhile replaces what waits.
 void PluginShell::take_news() {
-  for (const Datum& datum : data_) {
-    if (datum.is_posted->exchange(true)) continue;
-    const bool posted = thread_.post([datum] {
-      *datum.is_posted = false;
-      if (const auto latest = datum.latest->take_latest()) (*datum.take)(latest->body, latest->timestamp);
+  for (Datum& datum : data_) {
+    if (datum.is_posted.exchange(true)) continue;
+    const bool posted = thread_.post([&datum] {
+      datum.is_posted = false;
+      if (const auto latest = datum.latest.take_latest()) datum.take(latest->body, latest->timestamp);
     });
-    if (!posted) *datum.is_posted = false;
+    if (!posted) datum.is_posted = false;
   }
 }
 
@@ -349,12 +338,12 @@ void PluginShell::look() {
 }
 
 void PluginShell::step() {
-  if (!step_waits_->exchange(true)) {
-    const bool posted = thread_.post([plugin = plugin_.get(), waits = step_waits_] {
-      *waits = false;
+  if (!step_waits_.exchange(true)) {
+    const bool posted = thread_.post([this, plugin = plugin_.get()] {
+      step_waits_ = false;
       plugin->step();
     });
-    if (!posted) *step_waits_ = false;
+    if (!posted) step_waits_ = false;
   }
   step_timer_ = site_.surroundings().network().after(plugin_->registered().period, [this] { step(); });
 }

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <span>
@@ -53,9 +54,11 @@ class PluginShell final : public device::Driver {
   friend class PluginDoor;
   /// Data of a device that it uses.
   struct Datum {
-    device::Subscription* latest;
-    const std::function<void(std::span<const std::byte>, double)>* take;
-    std::shared_ptr<std::atomic<bool>> is_posted;  // a hook for it waits
+    using Take = std::function<void(std::span<const std::byte>, double)>;
+    Datum(device::Subscription& subscription, const Take& hook) : latest(subscription), take(hook) {}
+    device::Subscription& latest;
+    const Take& take;
+    std::atomic<bool> is_posted = false;  // a hook for it waits
   };
   Result<void> configure(const scene::CfgSection& section, const std::vector<PluginDevice>& provides,
                          const std::vector<PluginDevice>& uses);
@@ -76,10 +79,10 @@ class PluginShell final : public device::Driver {
   device::DeviceClient client_;
   std::vector<device::Address> provides_;
   std::vector<device::DeviceId> ids_;
-  std::vector<Datum> data_;
+  std::deque<Datum> data_;
   int open_ = 0;  // own devices; io thread
   std::atomic<bool> has_failed_ = false;
-  const std::shared_ptr<std::atomic<bool>> step_waits_ = std::make_shared<std::atomic<bool>>(false);
+  std::atomic<bool> step_waits_ = false;
   std::unique_ptr<net::Timer> look_timer_, step_timer_;  // io thread
   PluginThread thread_;                                  // last member: it ends before what hooks use
 };

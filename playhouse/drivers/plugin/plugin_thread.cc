@@ -1,29 +1,13 @@
 #include "playhouse/drivers/plugin/plugin_thread.h"
 
 #include <chrono>
-#include <exception>
 #include <utility>
 
-#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
+#include "playhouse/libraries/thrown_by.h"
 
 namespace playhouse::drivers {
-namespace {
-
-/// What the hook threw, as one line; none if it did not.
-std::optional<std::string> thrown_by(const PluginThread::Hook& hook) {
-  try {
-    hook();
-    return std::nullopt;
-  } catch (const std::exception& error) {
-    return escaped(error.what());
-  } catch (...) {
-    return "threw something that is not a std::exception";
-  }
-}
-
-}  // namespace
 
 PluginThread::PluginThread(Hooks hooks, std::function<double()> clock, Failed failed)
     : hooks_(hooks), state_(std::make_shared<ThreadState>()) {
@@ -94,9 +78,10 @@ void PluginThread::run_first(ThreadState& state, Lock& lock) {
   state.waiting.pop_front();
   state.began = state.clock();
   lock.unlock();
-  const std::optional<std::string> why = thrown_by(hook);
+  std::string thrown;
+  const char* const why = libraries::thrown_by(thrown, hook);
   hook = nullptr;
-  if (why) state.failed(*why);
+  if (why != nullptr) state.failed(thrown);
   lock.lock();
   state.began.reset();
 }
