@@ -142,7 +142,7 @@ class Cluster(HouseTest):
 
     def test_beyond_this_machine_nodes_need_a_token(self):
         world = self.world(SWARM)
-        with self.head(world, "--speed", 1, "--bind", "0.0.0.0") as head:
+        with self.head(world, "--speed", 1, "--bind", "0.0.0.0", "--insecure") as head:
             line = head.wait_for_line(r"^cluster nodes: [^ ]+:(\d+) --token (\w{26})$")
             address = f"127.0.0.1:{line.group(1)}"
             refused = finish("node", address, "--wait", 1)

@@ -58,9 +58,9 @@ TEST(CommandLine, run_has_the_defaults_of_a_players_server) {
 }
 
 TEST(CommandLine, run_takes_every_option) {
-  const auto run =
-      parsed<RunOptions>({"run", "--port", "0", "--web=9000", "--bind", "0.0.0.0", "--speed", "2.5",
-                          "--duration", "60", "--seed", "7", "--workers", "4", "--paused", "--json", "w"});
+  const auto run = parsed<RunOptions>({"run", "--port", "0", "--web=9000", "--bind", "0.0.0.0", "--insecure",
+                                       "--speed", "2.5", "--duration", "60", "--seed", "7", "--workers", "4",
+                                       "--paused", "--json", "w"});
   EXPECT_EQ(run.serving.port, 0);
   EXPECT_EQ(run.serving.web, 9000);
   EXPECT_EQ(run.serving.bind, "0.0.0.0");
@@ -245,7 +245,25 @@ TEST(CommandLine, only_an_address_can_be_bound) {
   for (const char* text : {"abc", "", "127.0.0.1:80", "1.2.3", "[::1]"})
     EXPECT_THAT(fault({"run", "w", "--bind", text}), HasSubstr("--bind: invalid address")) << text;
   for (const char* text : {"0.0.0.0", "localhost", "::", "fe80::1%lo"})
+    EXPECT_EQ(parsed<RunOptions>({"run", "w", "--bind", text, "--insecure"}).serving.bind, text);
+}
+
+TEST(CommandLine, an_address_that_others_reach_needs_guests_or_a_word_that_it_is_meant) {
+  for (const char* text : {"0.0.0.0", "::", "192.168.7.5", "fe80::1%lo"}) {
+    for (std::vector<const char*> words :
+         std::vector<std::vector<const char*>>{{"run", "w"},
+                                               {"serve", "w.cfg"},
+                                               {"replay", "w.mcap"},
+                                               {"robot", "r.toml", "--server", "lab"}}) {
+      words.insert(words.end(), {"--bind", text});
+      EXPECT_THAT(fault(words), HasSubstr("--insecure allows it")) << text;
+      words.push_back("--insecure");
+      EXPECT_EQ(fault(words), "accepted") << text;
+    }
+  }
+  for (const char* text : {"127.0.0.1", "127.1.2.3", "localhost", "::1"})
     EXPECT_EQ(parsed<RunOptions>({"run", "w", "--bind", text}).serving.bind, text);
+  EXPECT_EQ(parsed<RunOptions>({"run", "w", "--bind", "0.0.0.0", "--guests", "g"}).serving.guests, "g");
 }
 
 TEST(CommandLine, the_page_may_have_further_names) {

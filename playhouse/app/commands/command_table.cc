@@ -45,7 +45,7 @@ std::vector<Command> commands() {
       command("serve", "serve the devices of a Player configuration file", serve, add_serve,
               R"(Examples:
   playhouse serve my.cfg
-  playhouse serve my.cfg --bind 0.0.0.0 --paused)"),
+  playhouse serve my.cfg --bind 0.0.0.0 --insecure --paused)"),
       command("node", "compute a share of a run with --cluster (docs/cluster.md)", node, add_node,
               R"(Examples:
   playhouse node 127.0.0.1 --wait 1
@@ -54,7 +54,7 @@ std::vector<Command> commands() {
               add_robot,
               R"(Examples:
   playhouse robot examples/robot.toml --server 127.0.0.1:6665 --port 7000
-  playhouse robot examples/robot.toml --server 127.0.0.1 --bind 0.0.0.0)"),
+  playhouse robot examples/robot.toml --server 127.0.0.1 --bind 0.0.0.0 --insecure)"),
       command("gym", "let a learning program step all robots of a world (docs/gym.md)", gym, add_gym,
               R"(Started by the Python package playhouse_gym:
   env = playhouse_gym.VectorEnv("my.world"))"),

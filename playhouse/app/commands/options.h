@@ -28,8 +28,10 @@ inline constexpr std::uint16_t kClusterPort = 6675;
 struct Serving {
   std::uint16_t port = kPlayerPort;             // 0: any free one
   std::optional<std::uint16_t> web = kWebPort;  // none: no page; 0: any free port
-  bool web_was_asked_for = true;  // false: a server without a world goes on without a page if the port is in use
+  bool web_was_asked_for =
+      true;  // false: a server without a world goes on without a page if the port is in use
   std::string bind = "127.0.0.1";
+  bool insecure = false;                    // may be bound wider than this machine without guests
   std::string port_option = "--port";       // name of the option of `port`, for errors
   std::vector<std::string> web_hosts = {};  // host names of the page besides the machine's
   net::TrustedProxies proxies = {};         // in front of the page
@@ -121,6 +123,7 @@ struct RobotOptions {
   std::string token;               // of a guest; empty: none
   std::uint16_t port = kPlayerPort;
   std::string bind = "127.0.0.1";
+  bool insecure = false;  // may be bound wider than this machine
 };
 
 struct GymOptions {

@@ -1,6 +1,7 @@
 #include "playhouse/app/commands/shared_options.h"
 
 #include "playhouse/base/limits.h"
+#include "playhouse/net/fair_share.h"
 
 namespace playhouse::app {
 namespace {
@@ -66,12 +67,26 @@ void add_bind(CLI::App& app, std::string& address) {
       ->capture_default_str();
 }
 
+void add_insecure(CLI::App& app, bool& insecure) {
+  app.add_flag("--insecure", insecure,
+               "let everybody who reaches --bind ADDRESS do everything, without --guests");
+}
+
+void check_access(const std::string& bind, bool insecure, const std::string& guests) {
+  const std::string peer = bind.find(':') == std::string::npos ? bind + ":0" : "[" + bind + "]:0";
+  if (insecure || !guests.empty() || net::is_local(peer) || bind == "localhost") return;
+  throw CLI::ValidationError("--bind " + bind +
+                             ": everybody on the network could do everything: --guests gives tokens to those "
+                             "who may, --insecure allows it");
+}
+
 void add_auth_key(CLI::App& app, std::string& token) {
   app.add_option("--token", token, "token of a guest, for a run with --guests")->check(check_auth_key);
 }
 
 void add_hosts(CLI::App& app, Serving& serving) {
   add_bind(app, serving.bind);
+  add_insecure(app, serving.insecure);
   app.add_option("--web-host", serving.web_hosts, "a further host name for the page; may be repeated")
       ->check(check_web_host)
       ->expected(1)

@@ -31,6 +31,9 @@ void add_workers(CLI::App& app, unsigned& workers, const std::string& help = "wo
 inline constexpr const char* kWorkersOfARun = "worker threads; the result does not depend on it";
 void add_allowed_libraries(CLI::App& app, Running& running);
 void add_bind(CLI::App& app, std::string& address);
+void add_insecure(CLI::App& app, bool& insecure);
+/// For callbacks of commands: throws if others could come in without a token and nobody has said that they may.
+void check_access(const std::string& bind, bool insecure, const std::string& guests);
 /// --token of a Player client.
 void add_auth_key(CLI::App& app, std::string& token);
 /// Listening address, access control and limits of viewers and observers.
