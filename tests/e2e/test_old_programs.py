@@ -48,7 +48,7 @@ class OldPrograms(HouseTest):
         self.assertEqual(said[0], "udp -1: the transport is 2: only TCP (1) is supported")
         self.assertIn("position2d:1 (stage)", said)
         self.assertIn("ranger:3 (stage)", said)
-        self.assertEqual(said[-5:], ["laser:7 -1", "driver stage", "nobody -2", "property -2", "r1 1.50 -2.00 0.50"])
+        self.assertEqual(said[-5:], ["laser:7 -1 there is no laser:7", "driver stage", "nobody -2", "property -2", "r1 1.50 -2.00 0.50"])
 
     def test_messages_are_read_one_by_one_until_the_run_ends(self):
         with self.run_house("--speed", 10) as house:

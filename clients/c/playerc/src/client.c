@@ -279,14 +279,20 @@ static int set_access(playerc_client_t *client, int code, int index, int access,
   void *answer = NULL;
   int result = ask_server(client, PLAYER_PLAYER_REQ_DEV, &wanted, &answer);
   player_device_req_t *granted = answer;
-  if (result == 0 && granted != NULL && granted->access == PLAYER_ERROR_MODE)
-    result = playerc_fail("the driver of %s:%d cannot do it", interf_to_str((uint16_t)code), index);
+  const char *verb = access == PLAYER_CLOSE_MODE ? "close" : "open";
+  if (result == -2) {
+    result = playerc_fail("%s:%d: there is no %s:%d", client->host, client->port,
+                          interf_to_str((uint16_t)code), index);
+  } else if (granted != NULL && granted->access == PLAYER_ERROR_MODE) {
+    result = playerc_fail("%s:%d: cannot %s %s:%d", client->host, client->port, verb,
+                          interf_to_str((uint16_t)code), index);
+  }
   if (result == 0 && drivername != NULL && length > 0) {
     snprintf(drivername, length, "%.*s", granted != NULL ? (int)sizeof granted->driver_name : 0,
              granted != NULL ? granted->driver_name : "");
   }
   player_device_req_t_free(granted);
-  return result == 0 ? 0 : -1;
+  return result;
 }
 
 int playerc_client_subscribe(playerc_client_t *client, int code, int index, int access, char *drivername,

@@ -62,14 +62,17 @@ int playerc_simulation_set_property(playerc_simulation_t *device, const char *na
 
 int playerc_simulation_get_property(playerc_simulation_t *device, const char *name, const char *property,
                                     void *value, size_t value_len) {
+  char *room = calloc(1, value_len + 1);  // the question has room for the answer
+  if (room == NULL) return playerc_fail_no_memory();
   const player_simulation_property_req_t question = {.name_count = playerc_text_count(name),
                                                      .name = playerc_text(name),
                                                      .prop_count = playerc_text_count(property),
                                                      .prop = playerc_text(property),
                                                      .value_count = (uint32_t)value_len,
-                                                     .value = value};
+                                                     .value = room};
   player_simulation_property_req_t *answer = NULL;
   const int result = playerc_ask(&device->info, PLAYER_SIMULATION_REQ_GET_PROPERTY, &question, &answer);
+  free(room);
   if (result != 0) return result;
   const size_t told = answer->value_count < value_len ? answer->value_count : value_len;
   if (told > 0) memcpy(value, answer->value, told);

@@ -23,7 +23,8 @@ int main(int argc, char *argv[])
     printf("%s:%d (%s)\n", interf_to_str(client->devinfos[i].addr.interf), client->devinfos[i].addr.index,
            client->devinfos[i].drivername);
   laser = playerc_laser_create(client, 7);
-  printf("laser:7 %d\n", playerc_laser_subscribe(laser, PLAYER_OPEN_MODE));
+  i = playerc_laser_subscribe(laser, PLAYER_OPEN_MODE);
+  printf("laser:7 %d %s\n", i, strstr(playerc_error_str(), "there is no laser:7"));
   simulation = playerc_simulation_create(client, 0);
   if (playerc_simulation_subscribe(simulation, PLAYER_OPEN_MODE))
     return 1;
