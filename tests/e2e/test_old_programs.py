@@ -24,9 +24,9 @@ class OldPrograms(HouseTest):
         tool("cmake", "--build", cls.place / "build")
         tool("cmake", "--install", cls.place / "build", "--prefix", cls.place / "prefix")
 
-    def flags(self, *what) -> list[str]:
+    def flags(self, *what, package="playerc") -> list[str]:
         path = self.place / "prefix" / "lib" / "pkgconfig"
-        return tool("pkg-config", *what, "playerc", env={"PATH": "/usr/bin:/bin", "PKG_CONFIG_PATH": str(path)}).split()
+        return tool("pkg-config", *what, package, env={"PATH": "/usr/bin:/bin", "PKG_CONFIG_PATH": str(path)}).split()
 
     def build(self, name: str, *more, libraries=()) -> Path:
         program = self.folder / name
@@ -79,6 +79,18 @@ class OldPrograms(HouseTest):
         libraries = [folder / "libplayerc.a", folder / "libplayhouse_c.a", "-lz", "-lm"]
         with self.run_house() as house:
             self.assertIn("driver stage", tool(self.build("devices", libraries=libraries), house.port()))
+
+    def test_a_robot_in_cpp_drives_along_and_exceptions_tell_what_fails(self):
+        program = self.folder / "drive"
+        tool("c++", "-std=c++11", "-Wall", "-Wextra", "-Werror", *self.flags("--cflags", package="playerc++"), PROGRAMS / "drive.cc",
+             *self.flags("--libs", package="playerc++"), "-o", program)
+        with self.run_house("--speed", 10) as house:
+            said = tool(program, house.port()).splitlines()
+        self.assertEqual(said[0], f"localhost:{house.port()}")
+        self.assertRegex(said[1], r"^at 1\.\d+ 0 0, speed 0\.\d+ 0 0$")
+        self.assertEqual(said[2:5], ["181 181 2 ranges", "where it is: as its odometry says", "-1 0.3 1.5708"])
+        self.assertRegex(said[5], r"^ClientProxy\(-1\): there is no element 181 of 181 of laser$")
+        self.assertRegex(said[6], r"^ClientProxy\(-1\): .*there is no sonar:9$")
 
     def test_the_headers_are_of_cpp_as_well_and_clash_with_none_of_ours(self):
         source = self.write("both.cc", "#include <libplayerc/playerc.h>\n#include <playhouse/c.h>\n"

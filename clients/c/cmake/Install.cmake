@@ -1,4 +1,4 @@
-# cmake --install: find_package(playhouse_c), playhouse::c, and pkg-config playhouse_c; pkg-config playerc.
+# cmake --install: find_package(playhouse_c), playhouse::c, and pkg-config playhouse_c; pkg-config playerc and playerc++.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -29,7 +29,7 @@ install(FILES cmake/playhouse_c-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/playhou
   DESTINATION ${PACKAGE_DIR})
 
 file(RELATIVE_PATH UP "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")  # from the file to the prefix
-foreach(PACKAGE playhouse_c playerc)
+foreach(PACKAGE playhouse_c playerc playerc++)
   configure_file(cmake/${PACKAGE}.pc.in ${PACKAGE}.pc @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${PACKAGE}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
