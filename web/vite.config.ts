@@ -26,7 +26,7 @@ function compress(): Plugin {
 export default defineConfig({
   base: './',
   plugins: [compress()],
-  server: { proxy: { '/live': { target: `ws://${program}`, ws: true }, '/meshes': { target: `http://${program}` } } },
-  build: { target: 'es2022', chunkSizeWarningLimit: 1500 },
+  server: { proxy: { '/live': { target: `ws://${program}`, ws: true }, '/meshes': { target: `http://${program}` }, '/player': { target: `ws://${program}`, ws: true }, '/status.json': { target: `http://${program}` } } },
+  build: { target: 'es2022', chunkSizeWarningLimit: 1500, rollupOptions: { input: ['index.html', 'devices.html'] } },
   test: { include: ['src/**/*.test.ts'] },
 });

@@ -62,7 +62,7 @@ class _Module(Spelling):
         convert |= {_maker_of(v) for v in self.proxies.values.values() if v.by_hand}
         if convert & words - set(self.makers):
             lines.append(f"import {{ {', '.join(sorted(convert & words - set(self.makers)))} }} from '../../proxies/convert.js';")
-        texts = sorted(set(re.findall(r"(?<![.])\b(cString|text)\(", code)))
+        texts = sorted(set(re.findall(r"(?<![.])\b(bytesOf|cString|joined|text)\(", code)))
         if texts:
             lines.append(f"import {{ {', '.join(texts)} }} from '../../text.js';")
         made = {v.name for v in self.proxies.values.values() if v.by_hand}
@@ -224,7 +224,7 @@ class _Module(Spelling):
         if isinstance(value, Node):
             return self._payload(value, True)
         if isinstance(value, list):
-            return f"Buffer.concat([{', '.join(self._sent(f, a) for a in value)}])"
+            return f"joined([{', '.join(self._sent(f, a) for a in value)}])"
         if not isinstance(value, Argument):
             return str(value)
         name = camel(value.name)
@@ -239,7 +239,7 @@ class _Module(Spelling):
             return f"common.{f.type}.make({made})" if kind == "Attitude" and f.type == "Pose3d" else made
         if value.type.is_list:
             return f"{TYPED_ARRAYS[f.type]}.from({name})"
-        made = {"bool": "Number({})", "text": "cString({})", "bytes": "Buffer.from({})", "rgb": "wireColor({})"}
+        made = {"bool": "Number({})", "text": "cString({})", "bytes": "bytesOf({})", "rgb": "wireColor({})"}
         return made.get(kind, "{}").format(name)
 
     # Expressions

@@ -7,6 +7,9 @@
 #include <netinet/in.h>
 
 #include <algorithm>
+#include <boost/json/array.hpp>
+#include <boost/json/object.hpp>
+#include <boost/json/serialize.hpp>
 #include <csignal>
 #include <cstdlib>
 #include <optional>
@@ -15,13 +18,22 @@
 #include "playhouse/app/commands/options.h"
 #include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/fail.h"
+#include "playhouse/app/guest_list.h"
 #include "playhouse/app/interrupt.h"
+#include "playhouse/app/kept_files.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/base/monotonic.h"
+#include "playhouse/device/device_table.h"
+#include "playhouse/record/mcap/mcap_writer.h"
+#include "playhouse/server/websocket_connection.h"
+#include "playhouse/web_server/page_files.h"
 
 namespace playhouse::app {
 namespace {
+
+constexpr double kLookSeconds = 1;  // period of looking for devices to record
 
 /// The first non-loopback IPv4 address of this machine; none without a network.
 std::optional<std::string> address_for_others() {
@@ -50,12 +62,19 @@ DeviceService::DeviceService(const std::string& bind, std::span<const std::strin
 drivers::Site& DeviceService::open_site(std::uint16_t port) {
   drivers::Host& surroundings = *this;  // private base, not accessible to make_unique
   site_ = std::make_unique<drivers::Site>(surroundings, port);
-  site_->data_flow().pass_to(*server_);
+  site_->data_flow().pass_to(tap_);
   return *site_;
 }
 
 DeviceService::~DeviceService() {
   if (site_ != nullptr) end_drivers(*site_, drivers_);
+  end_recording();
+}
+
+Result<std::uint16_t> DeviceService::listen(std::uint16_t port) {
+  Result<std::uint16_t> opened = server_->listen(port);
+  if (opened) ports_.push_back(*opened);
+  return opened;
 }
 
 Result<void> DeviceService::make_drivers(const scene::CfgFile& file) {
@@ -64,6 +83,101 @@ Result<void> DeviceService::make_drivers(const scene::CfgFile& file) {
   if (!made) return made.error();
   drivers_ = std::move(*made);
   return {};
+}
+
+Result<void> DeviceService::read_guests(const std::string& file) {
+  Result<web_server::GuestBook> guests = read_guest_file(file);
+  if (!guests) return guests.error();
+  guests_ = std::move(*guests);
+  admit_guests(*server_, guests_);
+  return {};
+}
+
+Result<void> DeviceService::open_page(const Serving& serving, std::uint16_t player_port) {
+  if (!serving.web) return {};
+  web_server::DevicePage::DevicePageOptions options{.bind = serving.bind,
+                                                    .port = *serving.web,
+                                                    .page = web_server::page_files(),
+                                                    .host_name = {},
+                                                    .further_names = serving.web_hosts,
+                                                    .guests = guests_,
+                                                    .proxies = serving.proxies,
+                                                    .player_port = player_port};
+  page_ = std::make_unique<web_server::DevicePage>(
+      loop_, std::move(options),
+      [this](std::uint16_t port, std::unique_ptr<net::WebSocket> socket) {
+        if (std::ranges::find(ports_, port) == ports_.end())
+          return socket->close(fmt::format("this server has no port {}", port));
+        server_->accept(port, server::websocket_connection(std::move(socket)));
+      },
+      [this] { return status_text(); });
+  const Result<std::uint16_t> port = page_->listen();
+  if (!port) {
+    const std::string text = port.error().text + "; --web takes another port";
+    page_.reset();
+    if (serving.web_was_asked_for) return Error{port.error().where, text};
+    log::warn("no web page: {}: {}", port.error().where, text);
+    return {};
+  }
+  web_port_ = *port;
+  return {};
+}
+
+Result<void> DeviceService::record(const std::string& file) {
+  Result<std::unique_ptr<record::McapWriter>> writer = record::McapWriter::create(file, "");
+  if (!writer) return writer.error();
+  recording_ = file;
+  record_file_ = std::make_unique<record::RecordThread>(std::move(*writer));
+  recorder_ = std::make_unique<record::DeviceRecorder>(*record_file_, *server_, unix_seconds);
+  tap_.record(*recorder_);
+  open_recorded();
+  return {};
+}
+
+void DeviceService::open_recorded() {
+  for (const auto& [address, device] : server_->devices()) {
+    if (recorded_.contains(device)) continue;
+    recorder_->add(device, address);
+    if (server_->hold(device)) recorded_.insert(device);
+  }
+  look_ = loop_.after(kLookSeconds, [this] { open_recorded(); });
+}
+
+void DeviceService::end_recording() {
+  if (!recorder_) return;
+  look_.reset();
+  recorder_->finish();
+  recording_works_ = record_file_->finish() && recorder_->status().dropped == 0;
+}
+
+std::vector<std::string> DeviceService::places(const std::string& host) const {
+  return guest_places(guests_, host, page_ ? std::optional(web_port_) : std::nullopt);
+}
+
+/// {"ports":[6665],"clients":[{"peer":"127.0.0.1:4242","port":6665,"devices":["laser:0"]}]}, and with a recording
+/// "recording":{"file":"lab.mcap","messages":7,"bytes":900,"dropped":0}.
+std::string DeviceService::status_text() const {
+  boost::json::array clients;
+  for (const server::ClientStatus& client : server_->clients()) {
+    boost::json::array devices;
+    for (const device::Address& address : client.open) {
+      const std::string whole = device::describe(address);  // "6665:laser:0"
+      devices.push_back(boost::json::string(whole.substr(whole.find(':') + 1)));
+    }
+    clients.push_back(
+        boost::json::object{{"peer", client.peer}, {"port", client.port}, {"devices", std::move(devices)}});
+  }
+  boost::json::array ports;
+  for (const std::uint16_t port : ports_) ports.push_back(port);
+  boost::json::object status{{"ports", std::move(ports)}, {"clients", std::move(clients)}};
+  if (recorder_) {
+    const record::DeviceRecorder::RecordingStatus recording = recorder_->status();
+    status["recording"] = boost::json::object{{"file", escaped(recording_)},
+                                              {"messages", recording.messages},
+                                              {"bytes", recording.bytes},
+                                              {"dropped", recording.dropped}};
+  }
+  return boost::json::serialize(status);
 }
 
 Result<std::unique_ptr<run::Simulation>> DeviceService::open_world(const std::string& path) {
@@ -81,7 +195,8 @@ int DeviceService::run() {
     loop_.on_signal({SIGINT, SIGTERM}, caught);
   }
   loop_.run();
-  return code_;
+  end_recording();
+  return code_ == kDone && !recording_works_ ? kFailed : code_;
 }
 
 void DeviceService::end(int code) {
@@ -97,6 +212,10 @@ bool has_world(const scene::CfgFile& file) {
 
 int serve_devices(const scene::CfgFile& file, const Serving& serving, const Running& running,
                   const std::function<void(const std::vector<std::uint16_t>&)>& opened) {
+  if (!running.for_a_world.empty())
+    return fail_at({escaped(file.path),
+                    fmt::format("invalid option {}: the file has no world", running.for_a_world.front())},
+                   kUsage);
   std::vector<std::uint16_t> ports;
   DeviceService service(serving.bind, running.allowed_libraries);
   std::uint16_t default_port = serving.port;
@@ -108,8 +227,16 @@ int serve_devices(const scene::CfgFile& file, const Serving& serving, const Runn
   }
   service.open_site(default_port);
   if (const Result<void> made = service.make_drivers(file); !made) return fail_in_file(made.error(), {});
-  for (const std::uint16_t each : ports)
-    log::say(fmt::format("Player clients: {}:{}", shown_host(serving.bind), each));
+  if (!running.record.empty()) {
+    if (const Result<void> kept = keep_files(running.record, file.files); !kept)
+      return fail_in_file(kept.error());
+    if (const Result<void> step = service.record(running.record); !step) return fail_at(step.error());
+  }
+  if (const Result<void> read = service.read_guests(serving.guests); !read) return fail_in_file(read.error());
+  if (const Result<void> page = service.open_page(serving, default_port); !page) return fail(page.error());
+  const std::string host = shown_host(serving.bind);
+  for (const std::uint16_t each : ports) log::say(fmt::format("Player clients: {}:{}", host, each));
+  for (const std::string& place : service.places(host)) log::say(place);
   if (opened) opened(ports);
   return service.run();
 }

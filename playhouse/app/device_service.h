@@ -1,10 +1,12 @@
 #pragma once
 
-/// DeviceService: serves devices of drivers
-/// without a world. Single-threaded.
+/// DeviceService: serves devices of drivers, and their
+/// page, without a world. Single-threaded.
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,8 +16,11 @@
 #include "playhouse/drivers/registry.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/io_loop.h"
+#include "playhouse/record/device_recorder.h"
+#include "playhouse/record/record_thread.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/server/server.h"
+#include "playhouse/web_server/device_page.h"
 
 namespace playhouse::app {
 
@@ -26,13 +31,24 @@ class DeviceService final : private ServerHost {
   ~DeviceService() override;
 
   /// Opens a port for Player clients (0: any free one).
-  Result<std::uint16_t> listen(std::uint16_t port) { return server_->listen(port); }
+  Result<std::uint16_t> listen(std::uint16_t port);
   /// Makes the drivers of a configuration file, in the site.
   Result<void> make_drivers(const scene::CfgFile& file);
   /// Adds a driver; its devices may be added while it runs.
   void take(std::unique_ptr<device::Driver> driver) { drivers_.push_back(std::move(driver)); }
   /// Makes the site; `port` is the default port of addresses. Call once, before any driver.
   drivers::Site& open_site(std::uint16_t port);
+
+  /// Reads the guest file. Fails if it is invalid or admits nobody.
+  Result<void> read_guests(const std::string& file);
+  /// Starts the page of the devices, if enabled; `player_port` is for clients that name none.
+  Result<void> open_page(const Serving& serving, std::uint16_t player_port);
+  /// Records the data of all devices from now on, which opens them for reading. Fails if the file is not writable.
+  Result<void> record(const std::string& file);
+  /// After run(). False: not everything was recorded; see the log.
+  bool succeeded() const { return recording_works_; }
+  /// Of the page and of guests, one line each.
+  std::vector<std::string> places(const std::string& host) const;
 
   /// For timers.
   net::IoLoop& loop() { return loop_; }
@@ -47,6 +63,27 @@ class DeviceService final : private ServerHost {
   net::Network& the_network() override { return loop_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override;
   libraries::Libraries libraries() const override { return libraries_; }
+  std::string status_text() const;
+  /// Opens devices that have come since, and those that could not be opened before.
+  void open_recorded();
+  void end_recording();
+
+  /// Publishes to the recorder, once there is one, which passes on to the server. Any thread.
+  class Tap final : public device::Publisher {
+   public:
+    explicit Tap(server::Server& server) : server_(server) {}
+    void record(record::DeviceRecorder& recorder) { recorder_ = &recorder; }
+    void publish(std::vector<device::Publication> batch) override { next().publish(std::move(batch)); }
+    void forget() override { next().forget(); }
+
+   private:
+    device::Publisher& next() {
+      record::DeviceRecorder* const recorder = recorder_;
+      return recorder != nullptr ? static_cast<device::Publisher&>(*recorder) : server_;
+    }
+    server::Server& server_;
+    std::atomic<record::DeviceRecorder*> recorder_ = nullptr;
+  };
 
   // In order of construction: later members use earlier ones.
   libraries::Libraries libraries_;
@@ -54,6 +91,17 @@ class DeviceService final : private ServerHost {
   std::unique_ptr<drivers::Site> site_;
   std::vector<std::unique_ptr<device::Driver>> drivers_;
   std::unique_ptr<server::Server> server_;
+  Tap tap_{*server_};
+  std::string recording_;  // file; empty: none
+  std::unique_ptr<record::RecordThread> record_file_;
+  std::unique_ptr<record::DeviceRecorder> recorder_;
+  std::set<device::DeviceId> recorded_;  // opened for the recording
+  std::unique_ptr<net::Timer> look_;     // for devices
+  bool recording_works_ = true;
+  std::vector<std::uint16_t> ports_;  // for Player clients
+  web_server::GuestBook guests_;
+  std::unique_ptr<web_server::DevicePage> page_;
+  std::uint16_t web_port_ = 0;
   bool ending_ = false;
   int code_ = 0;
 };

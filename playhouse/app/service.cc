@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <future>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <span>
@@ -19,6 +20,7 @@
 #include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
+#include "playhouse/app/guest_list.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/kept_files.h"
 #include "playhouse/app/whole_file.h"
@@ -365,19 +367,10 @@ void Service::stop() {
 }
 
 Result<void> Service::read_guests() {
-  if (serving_.guests.empty()) return {};
-  Result<std::string> text = read_file(serving_.guests);
-  if (!text) return text.error();
-  Result<std::vector<web_server::Guest>> guests = web_server::parse_guests(*text, serving_.guests);
+  Result<web_server::GuestBook> guests = read_guest_file(serving_.guests);
   if (!guests) return guests.error();
-  guests_ = web_server::GuestBook(std::move(*guests));
-  server_->admit_by(
-      [book = guests_](const std::string& token, const std::string& peer) -> std::optional<device::Rights> {
-        const std::optional<web_server::Guest> guest = book.admit(token, peer);
-        if (!guest) return std::nullopt;
-        const web_server::GuestRights rights = web_server::rights_of(guest->role);
-        return device::Rights{.reads = true, .drives = rights.drives, .manages = rights.manages};
-      });
+  guests_ = std::move(*guests);
+  admit_guests(*server_, guests_);
   return {};
 }
 
@@ -454,19 +447,8 @@ std::vector<std::string> Service::places() const {
   const std::string host = shown_host(serving_.bind);
   for (const std::uint16_t port : player_ports_)
     lines.push_back(fmt::format("Player clients: {}:{}", host, port));
-  if (web_) lines.push_back(fmt::format("web page: http://{}:{}/", host, web_port_));
-  for (const web_server::Guest& guest : guests_.guests()) {
-    const bool has_token = guest.token != "*";
-    const std::string who = has_token && !guest.name.empty()
-                                ? fmt::format("{} ({})", guest.name, name_of(guest.role))
-                                : std::string(name_of(guest.role));
-    if (web_) {
-      lines.push_back(fmt::format("  {}: http://{}:{}/{}{}", who, host, web_port_, has_token ? "#" : "",
-                                  has_token ? guest.token : ""));
-    } else {
-      lines.push_back(fmt::format("  {}: {}", who, has_token ? "--token " + guest.token : "no token"));
-    }
-  }
+  std::ranges::move(guest_places(guests_, host, web_ ? std::optional(web_port_) : std::nullopt),
+                    std::back_inserter(lines));
   if (observers_) lines.push_back(fmt::format("observers: {}:{}", host, observer_port_));
   const std::string& token = running_.cluster_token;
   if (head_ != nullptr)

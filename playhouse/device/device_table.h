@@ -52,6 +52,7 @@ class DeviceTable {
   /// Asserts that the device exists.
   const ServedDevice& operator[](DeviceId id) const;
   std::size_t size() const { return entries_.size(); }
+  const std::map<Address, DeviceId>& by_address() const { return by_address_; }
   /// The devices of one port, in order of registration.
   std::span<const DeviceId> devices_of(std::uint32_t robot) const;
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/monotonic.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/device/device_table.h"
 #include "playhouse/drivers/data_order.h"
@@ -74,7 +74,7 @@ Result<void> Site::open_world(const std::string& path) {
 
 double Site::time() const {
   if (simulation_ != nullptr) return simulation_->time();
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  return unix_seconds();
 }
 
 void Site::happened(const world::World& world, const world::Event& event) {

@@ -24,6 +24,7 @@ using SharedBytes = std::shared_ptr<const std::vector<std::byte>>;
 
 inline constexpr int kConnectSeconds = 10;  // timeout of connecting
 inline constexpr int kAliveSeconds = 30;    // timeout for a dead peer, with expect_alive()
+inline constexpr int kFlushSeconds = 5;     // timeout of flushing before a close
 
 class HttpService;
 

@@ -26,6 +26,7 @@ class SimulatedPage {
   explicit SimulatedPage(std::shared_ptr<SimulatedSocket> socket) : socket_(std::move(socket)) {}
 
   void send(std::string_view text);
+  void send(SocketMessage message);
   /// Closes; the server still gets what was sent.
   void finish();
   /// Vanishes silently: what is on its way in either direction is lost.

@@ -75,6 +75,7 @@ class SimulatedWebSocket final : public WebSocket {
   void pause() override { socket_->paused = true; }
   void resume() override { socket_->paused = false; }
   std::size_t messages_in_flight() const override { return socket_->in_flight.size(); }
+  void close_after_flush(std::string reason) override { close(std::move(reason)); }
   void close(std::string reason) override {
     socket_->events = nullptr;
     if (!socket_->closing) socket_->closing = std::move(reason);
@@ -92,10 +93,13 @@ class SimulatedWebSocket final : public WebSocket {
 };
 
 void SimulatedPage::send(std::string_view text) {
-  if (socket_->finished || socket_->vanished) return;
   const auto bytes = std::as_bytes(std::span(text));
+  send({true, {bytes.begin(), bytes.end()}});
+}
+void SimulatedPage::send(SocketMessage message) {
+  if (socket_->finished || socket_->vanished) return;
   socket_->to_server.push_back(
-      {{true, {bytes.begin(), bytes.end()}}, socket_->network.arrival(last_arrival(socket_->to_server))});
+      {std::move(message), socket_->network.arrival(last_arrival(socket_->to_server))});
 }
 void SimulatedPage::finish() {
   socket_->finished = true;
@@ -173,9 +177,14 @@ bool SimulatedNetwork::step_socket(SimulatedSocket& socket) {
 bool SimulatedNetwork::carry_commands(SimulatedSocket& socket) {
   if (!socket.events || socket.paused) return false;
   if (has_arrived(socket.to_server, now_)) {
-    const std::vector<std::byte> bytes = std::move(socket.to_server.front().message.bytes);
+    const SimulatedPage::SocketMessage message = std::move(socket.to_server.front().message);
     socket.to_server.pop_front();
-    socket.events->received({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const std::vector<std::byte>& bytes = message.bytes;
+    if (message.is_text) {
+      socket.events->received({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    } else if (!socket.events->received_bytes(bytes)) {
+      std::exchange(socket.events, nullptr)->closed("sent a binary message");
+    }
     return true;
   }
   if (!socket.to_server.empty() || !(socket.finished || socket.vanished) ||

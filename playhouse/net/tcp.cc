@@ -27,7 +27,6 @@ using asio::ip::tcp;
 using boost::system::error_code;
 
 constexpr std::size_t kGathered = 64;  // parts in one call, which are as many as asio gives the system
-constexpr std::chrono::seconds kFlushTime{5};   // a closing connection may use this long to send the rest
 constexpr std::chrono::seconds kLingerTime{1};  // and then its peer this long to end
 
 bool is_end(const error_code& error) {
@@ -76,7 +75,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     events_ = nullptr;
     if (in_flight_bytes_ == 0) return end_of_output();
     closing_ = true;
-    close_after(kFlushTime);
+    close_after(std::chrono::seconds(kFlushSeconds));
   }
 
   std::size_t in_flight_bytes() const { return in_flight_bytes_; }

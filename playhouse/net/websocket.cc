@@ -37,7 +37,6 @@ class Stream : public std::enable_shared_from_this<Stream> {
     // Pings an idle peer and closes one that does not answer.
     socket_.set_option(websocket::stream_base::timeout{std::chrono::seconds(limits::kHttpHeadSeconds),
                                                        std::chrono::seconds(limits::kHttpIdleSeconds), true});
-    socket_.read_message_max(limits::kViewerCommandBytes);
     socket_.auto_fragment(false);
   }
 
@@ -53,6 +52,7 @@ class Stream : public std::enable_shared_from_this<Stream> {
 
   void start(WebSocketEvents& events) {
     events_ = &events;
+    socket_.read_message_max(events.message_bytes());
     read();
   }
 
@@ -74,16 +74,13 @@ class Stream : public std::enable_shared_from_this<Stream> {
 
   void close(std::string reason) {
     if (closing_ || failed_) return;
-    events_ = nullptr;
-    closing_ = true;
-    if (place_) place_->gives_way([this] { end(); });
-    reason_ = std::move(reason);
-    close_deadline_.expires_after(kCloseTime);
-    close_deadline_.async_wait([weak = weak_from_this()](const error_code&) {
-      if (const auto self = weak.lock()) self->end();
-    });
     if (queued_.size() > 1) queued_.resize(1);  // drops all but the current write
-    if (queued_.empty()) send_close();
+    close_within(kCloseTime, std::move(reason));
+  }
+
+  void close_after_flush(std::string reason) {
+    if (closing_ || failed_) return;
+    close_within(std::chrono::seconds(kFlushSeconds), std::move(reason));
   }
 
   void drop() {
@@ -102,13 +99,28 @@ class Stream : public std::enable_shared_from_this<Stream> {
   void read_done(const error_code& error) {
     if (error) return fail(error == websocket::error::closed ? "closed" : error.message());
     if (events_) {
-      if (!socket_.got_text()) return fail("sent a binary message");
       const auto bytes = buffer_.cdata();
-      events_->received({static_cast<const char*>(bytes.data()), bytes.size()});
+      if (socket_.got_text()) {
+        events_->received({static_cast<const char*>(bytes.data()), bytes.size()});
+      } else if (!events_->received_bytes({static_cast<const std::byte*>(bytes.data()), bytes.size()})) {
+        return fail("sent a binary message");
+      }
     }
     buffer_.clear();
     reading_ = false;
     if (closing_ || (events_ && !paused_)) read();
+  }
+
+  void close_within(std::chrono::seconds time, std::string reason) {
+    events_ = nullptr;
+    closing_ = true;
+    if (place_) place_->gives_way([this] { end(); });
+    reason_ = std::move(reason);
+    close_deadline_.expires_after(time);
+    close_deadline_.async_wait([weak = weak_from_this()](const error_code&) {
+      if (const auto self = weak.lock()) self->end();
+    });
+    if (queued_.empty()) send_close();
   }
 
   void fail(const std::string& why) {
@@ -188,6 +200,7 @@ class BeastWebSocket final : public WebSocket {
   void resume() override { stream_->resume(); }
   std::size_t messages_in_flight() const override { return stream_->messages_in_flight(); }
   void close(std::string reason) override { stream_->close(std::move(reason)); }
+  void close_after_flush(std::string reason) override { stream_->close_after_flush(std::move(reason)); }
   const std::string& peer() const override { return stream_->peer(); }
 
  private:

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <utility>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
+#include "playhouse/base/monotonic.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/server/client.h"
 #include "playhouse/server/outbox.h"
@@ -23,10 +23,6 @@ constexpr std::uint8_t kErrorLetter = 'e';  // access code that replies to opens
 constexpr std::size_t kOutboxBatch = 16;    // items per lock of the outbox
 constexpr double kLastRounds = 1;           // s; after the run, for clients to request remaining data
 constexpr double kLastWrites = 1;           // s; then, to flush unrequested data
-
-double wall_clock() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 net::SharedBytes make_banner(const std::string& version) {
   std::string text = "Player v." + version;
@@ -58,11 +54,12 @@ class Server::Impl final : public ClientOwner {
  public:
   Impl(net::Network& network, ServerOptions options, device::Outlet& outlet)
       : network_(network), options_(std::move(options)), banner_(make_banner(options_.version)) {
-    board_.clock = wall_clock;
+    board_.clock = unix_seconds;
     board_.outlet = &outlet;
   }
 
   Result<std::uint16_t> listen(std::uint16_t port);
+  void accept(std::uint32_t robot, std::unique_ptr<net::Connection> connection);
   void publish(std::vector<device::Publication> batch) {
     if (outbox_.put(std::move(batch))) wake();
   }
@@ -83,6 +80,8 @@ class Server::Impl final : public ClientOwner {
   Result<void> hold(device::DeviceId device, device::Driver* holder);
   void release(device::DeviceId device, device::Driver* holder);
 
+  std::vector<ClientStatus> clients() const;
+
  private:
   /// Connections from one address.
   struct Host {
@@ -90,7 +89,6 @@ class Server::Impl final : public ClientOwner {
     bool full = false;
   };
 
-  void accept(std::uint32_t robot, std::unique_ptr<net::Connection> connection);
   bool has_room_for(const net::Connection& connection);
   void remove(std::uint32_t serial) override;
   void wake();
@@ -457,6 +455,15 @@ ServerStatus Server::Impl::status() const {
   return status;
 }
 
+std::vector<ClientStatus> Server::Impl::clients() const {
+  std::vector<ClientStatus> all;
+  for (const auto& [serial, client] : clients_) {
+    const Session& session = client->session();
+    all.push_back({session.peer(), session.robot(), session.open_devices()});
+  }
+  return all;
+}
+
 Server::Server(net::Network& network, ServerOptions options)
     : impl_(std::make_unique<Impl>(network, std::move(options), *this)) {}
 Server::~Server() = default;
@@ -502,6 +509,15 @@ bool Server::has_readers(device::DeviceId device) const {
 }
 ServerStatus Server::status() const {
   return impl_->status();
+}
+std::map<device::Address, device::DeviceId> Server::devices() const {
+  return impl_->board().devices.by_address();
+}
+std::vector<ClientStatus> Server::clients() const {
+  return impl_->clients();
+}
+void Server::accept(std::uint16_t port, std::unique_ptr<net::Connection> connection) {
+  impl_->accept(port, std::move(connection));
 }
 void Server::publish(std::vector<device::Publication> batch) {
   impl_->publish(std::move(batch));

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,6 +57,13 @@ struct ServerStatus {
   std::size_t device_rows = 0;  // now: entries for devices in tables of the server and its sessions
 };
 
+/// A connected client.
+struct ClientStatus {
+  std::string peer;                   // "address:port"
+  std::uint32_t port = 0;             // of the server
+  std::vector<device::Address> open;  // devices
+};
+
 class Server final : public device::Publisher, public device::Outlet {
  public:
   /// `network` must outlive the server, as must the drivers of devices
@@ -69,6 +77,9 @@ class Server final : public device::Publisher, public device::Outlet {
   /// Starts listening on one more port (0: any free one) and returns
   /// it; it is the `robot` of its devices: each port is a name space.
   Result<std::uint16_t> listen(std::uint16_t port);
+
+  /// Serves a client that has connected in another way, as one of this open port.
+  void accept(std::uint16_t port, std::unique_ptr<net::Connection> connection);
 
   /// Registers a device, also while clients are connected. Clients list devices in order of registration.
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);
@@ -116,6 +127,10 @@ class Server final : public device::Publisher, public device::Outlet {
   bool has_readers(device::DeviceId device) const;
 
   ServerStatus status() const;
+  /// The devices of all ports, by their addresses.
+  std::map<device::Address, device::DeviceId> devices() const;
+  /// Those connected now, in the order of their connections.
+  std::vector<ClientStatus> clients() const;
 
   /// Sends each message to those sessions with its device open for reading that it is for. Any thread; one
   /// wake-up per batch. Timestamps that do not increase are raised by the least step.

@@ -107,6 +107,12 @@ void Session::leave() {
   }
 }
 
+std::vector<device::Address> Session::open_devices() const {
+  std::vector<device::Address> all;
+  for (const auto& [device, opened] : open_) all.push_back(board_.devices[device].address);
+  return all;
+}
+
 void Session::retire(device::DeviceId device, device::Address address, const Frame& notice) {
   open_.erase(device);
   if (peer_lost_) return;

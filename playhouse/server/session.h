@@ -94,6 +94,10 @@ class Session final : public Subscriber {
   void take(std::vector<net::SharedBytes>& out, std::size_t max_bytes);
 
   const std::string& peer() const { return peer_; }
+  /// The port of its connection.
+  std::uint32_t robot() const { return robot_; }
+  /// What it has open.
+  std::vector<device::Address> open_devices() const;
   /// That it has the rights of; "*": none.
   const std::string& token() const { return token_; }
   device::Caller& caller() { return caller_; }

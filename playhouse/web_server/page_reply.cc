@@ -17,21 +17,6 @@ constexpr std::string_view kPagePolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self' "
     "blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-net::HttpReply failed(unsigned status, std::string_view text) {
-  net::HttpReply reply;
-  reply.status = status;
-  reply.constant = text;
-  return reply;
-}
-
-net::HttpReply mesh_reply(const MeshFiles::File& mesh) {
-  net::HttpReply reply;
-  reply.content_type = "model/gltf-binary";
-  reply.etag = mesh.etag;
-  reply.text = mesh.bytes;
-  return reply;
-}
-
 net::HttpReply file_reply(const PageFile& file, bool accepts_gzip) {
   const bool gzip = accepts_gzip && !file.gzip.empty();
   net::HttpReply reply;
@@ -48,14 +33,26 @@ net::HttpReply file_reply(const PageFile& file, bool accepts_gzip) {
 
 }  // namespace
 
-net::HttpReply page_reply(std::span<const PageFile> page, MeshFiles& meshes,
-                          const net::HttpRequest& request) {
-  if (page.empty()) return failed(503, kNoPage);
-  const std::string_view path = request.path == "/" ? "/index.html" : std::string_view(request.path);
-  if (const MeshFiles::File* mesh = meshes.find(path)) return mesh_reply(*mesh);
+net::HttpReply failed_reply(unsigned status, std::string_view text) {
+  net::HttpReply reply;
+  reply.status = status;
+  reply.constant = text;
+  return reply;
+}
+
+net::HttpReply mesh_reply(const MeshFiles::File& mesh) {
+  net::HttpReply reply;
+  reply.content_type = "model/gltf-binary";
+  reply.etag = mesh.etag;
+  reply.text = mesh.bytes;
+  return reply;
+}
+
+net::HttpReply page_reply(std::span<const PageFile> page, std::string_view path, bool accepts_gzip) {
+  if (page.empty()) return failed_reply(503, kNoPage);
   const auto file = std::ranges::find(page, path, &PageFile::path);
-  if (file == page.end()) return failed(404, "There is no such page; the viewer is at /\n");
-  return file_reply(*file, request.accepts_gzip);
+  if (file == page.end()) return failed_reply(404, "There is no such page; the viewer is at /\n");
+  return file_reply(*file, accepts_gzip);
 }
 
 }  // namespace playhouse::web_server

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "playhouse/base/assert.h"
-#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/net/fair_share.h"
@@ -23,8 +22,8 @@
 #include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/web_server/bodies.h"
 #include "playhouse/web_server/driven_robots.h"
-#include "playhouse/web_server/host_names.h"
 #include "playhouse/web_server/mesh_files.h"
+#include "playhouse/web_server/page_gate.h"
 #include "playhouse/web_server/page_reply.h"
 #include "playhouse/web_server/speech_log.h"
 #include "playhouse/web_server/watched_sensors.h"
@@ -62,7 +61,7 @@ class WebServer::Impl final : public net::HttpService,
        replicate::SnapshotFeed& feed)
       : network_(network),
         options_(std::move(options)),
-        names_(options_.host_name, options_.further_names),
+        gate_(options_.host_name, options_.further_names, options_.proxies),
         control_(control),
         scene_(world.scene()),
         feed_(feed),
@@ -134,39 +133,19 @@ class WebServer::Impl final : public net::HttpService,
 
   // HttpService
 
-  Result<void> serves(const std::string& host) override {
-    if (host.empty() || names_.has(host)) return {};
-    const std::string text = in_quotes(host) +
-                             " is not a name of this program; open it by its address or as " +
-                             names_.machine() + " (--web-host gives it another name)";
-    if (hosts_refused_++ == 0) log::warn("web: a request refused: {} (logged once)", text);
-    return Error{"", text};
-  }
-
-  Result<std::string> client_of(const net::HttpRequest& request) override {
-    if (!request.forwarded_for.empty() && options_.proxies.empty() && net::is_local(request.peer) &&
-        forwarded_ignored_++ == 0)
-      log::warn(
-          "web: {} forwards requests of others (X-Forwarded-For), who all count as one: --trusted-proxy "
-          "with its address tells them apart",
-          request.peer);
-    return options_.proxies.client_of(request.peer, request.forwarded_for);
-  }
+  Result<void> serves(const std::string& host) override { return gate_.serves(host); }
+  Result<std::string> client_of(const net::HttpRequest& request) override { return gate_.client_of(request); }
 
   net::HttpReply get(const net::HttpRequest& request) override {
-    return page_reply(options_.page, mesh_files_, request);
+    const MeshFiles::File* const mesh = mesh_files_.find(request.path);
+    if (mesh && !options_.page.empty()) return mesh_reply(*mesh);
+    return page_reply(options_.page, request.path == "/" ? "/index.html" : request.path,
+                      request.accepts_gzip);
   }
 
   Result<void> may_upgrade(const net::HttpRequest& request) override {
     if (request.path != "/live") return Error{"", "viewers connect to /live"};
-    if (!request.origin.empty() && !names_.may_control(request.origin, request.host)) {
-      const std::string text = "a page from " + in_quotes(request.origin) + " may not control this program";
-      if (origins_refused_++ == 0)
-        log::warn("web: {} refused: {}; its own page may, at http://{}/ (logged once)", request.peer, text,
-                  request.host);
-      return Error{"", text};
-    }
-    return {};
+    return gate_.may_control(request);
   }
 
   void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest& request) override {
@@ -225,12 +204,6 @@ class WebServer::Impl final : public net::HttpService,
     return {};
   }
   Result<void> execute(const replicate::Acknowledge&, WebViewer&) { return {}; }
-
-  /// Token of a request; "*": none.
-  static std::string token_of(const net::HttpRequest& request) {
-    constexpr std::string_view kToken = "token=";
-    return request.query.starts_with(kToken) ? request.query.substr(kToken.size()) : std::string("*");
-  }
 
   void turn_away(net::WebSocket& socket, const std::string& token) {
     if (turned_away_++ == 0)
@@ -624,7 +597,7 @@ class WebServer::Impl final : public net::HttpService,
 
   net::Network& network_;
   WebOptions options_;
-  const HostNames names_;
+  PageGate gate_;
   world::Control& control_;
   const scene::SceneDesc& scene_;
   const replicate::SnapshotFeed& feed_;
@@ -647,7 +620,7 @@ class WebServer::Impl final : public net::HttpService,
   double past_time_ = -kPastPeriod;
   std::shared_ptr<const std::string> history_text_;  // of timeline_
   WebStatus status_;
-  std::uint64_t hosts_refused_ = 0, origins_refused_ = 0, turned_away_ = 0, forwarded_ignored_ = 0;
+  std::uint64_t turned_away_ = 0;
   std::uint32_t viewers_ever_ = 0;
   std::set<Person> muted_;
 };

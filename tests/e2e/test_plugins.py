@@ -82,7 +82,7 @@ class Plugins(InstalledTest):
         self.enterContext(mock.patch.dict(os.environ, PLAYHOUSE_PATH=folders))
 
     def serve(self, cfg: str) -> House:
-        return House("serve", self.write("plugin.cfg", cfg), "--port", 0)
+        return House("serve", self.write("plugin.cfg", cfg), "--port", 0, "--headless")
 
     def test_a_sensor_reads_what_the_machine_says(self):
         self.write("load", "0.25 1.5 3.75 1/100 4242\n")
@@ -168,7 +168,7 @@ class Plugins(InstalledTest):
         walk = self.build_walk("plugins.md", {"knob.cc", "CMakeLists.txt", "knob.cfg", "turn.py"})
         environment = os.environ | {"PYTHONPATH": str(ROOT / "clients" / "python")}
         with mock.patch.dict(os.environ, PLAYHOUSE_PATH=str(self.folder / "build")):
-            with House("serve", self.folder / "knob.cfg", "--port", 0) as house:
+            with House("serve", self.folder / "knob.cfg", "--port", 0, "--headless") as house:
                 said = tool(sys.executable, self.folder / "turn.py", f"127.0.0.1:{house.port()}", env=environment)
         self.assertIn(f"It prints `{said.strip()}`.", walk)
 

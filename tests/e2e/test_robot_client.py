@@ -285,7 +285,7 @@ class RobotClient(HouseTest):
         lab = self.lab()
         cfg = self.write("relay.cfg", f"""driver( name "passthrough"
   provides ["position2d:3"] requires ["127.0.0.1:{lab.port()}:position2d:0"] )""")
-        relay = House("serve", cfg, "--port", 0)
+        relay = House("serve", cfg, "--port", 0, "--headless")
         self.addCleanup(relay.__exit__)
         client = self.client(relay.port())
         self.assertEqual(client.devices(), [(POSITION2D, 3)])

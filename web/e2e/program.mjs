@@ -27,6 +27,11 @@ export async function startProgram(world, options = [], port = '0') {
   return started(program, ['run', resolve(root, world), '--port', '0', '--web', port, ...options]);
 }
 
+/** Serves the devices of a configuration file and waits until its page is there. */
+export async function serve(file, options = ['--port', '0'], port = '0') {
+  return started(program, ['serve', file, '--web', port, ...options]);
+}
+
 /** Runs an experiment, named from the source root, in the same way; its page is on any free port. */
 export async function startScenario(script, options = []) {
   return started('python3', [resolve(root, script), ...options, '--', '--web', '0'], { ...process.env, PLAYHOUSE_PROGRAM: program });

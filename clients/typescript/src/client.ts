@@ -10,7 +10,9 @@ import { askModels, families, type Model } from './models.js';
 import { Openers, PROXIES, type ProxyOf } from './generated/proxies/index.js';
 import { Robot } from './robot.js';
 import { decodedData, Session } from './session.js';
-import { cString, didYouMean, text } from './text.js';
+import type { Route } from './stream.js';
+import { cString, didYouMean, text, utf8 } from './text.js';
+import { overWebSocket } from './websocket.js';
 import type { AnyMessage } from './wire.js';
 
 const kDefaultHost = '127.0.0.1'; // not localhost: a machine without /etc/hosts cannot resolve it
@@ -67,10 +69,11 @@ type DeviceClass<T extends Device> = new (
 ) => T;
 
 /**
- * Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults are 127.0.0.1 and 6665. Throws ConnectionLost,
- * and RequestRefused for a wrong token.
+ * Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults are 127.0.0.1 and 6665. Or to a server's page,
+ * "ws://host:8080/player", also in a browser. Throws ConnectionLost, and RequestRefused for a wrong token.
  */
 export async function connect(address = kDefaultHost, options: ClientOptions = {}): Promise<Client> {
+  if (/^wss?:/.test(address)) return Client.over(overWebSocket(address), options);
   const [host, port] = split(address);
   if (!/^\d+$/.test(port) || Number(port) < 1 || Number(port) > 65535) {
     throw new ConnectionLost(`"${address}" is not HOST or HOST:PORT`);
@@ -111,8 +114,14 @@ export class Client extends Openers {
 
   /** Connects to a host by name or address. Throws ConnectionLost, and RequestRefused for a wrong token. */
   static async open(host: string, port: number, options: ClientOptions = {}): Promise<Client> {
+    const { overTcp } = await import('./tcp.js'); // not in browsers
+    return Client.over(overTcp(host, port), options);
+  }
+
+  /** The same by any route. */
+  static async over(route: Route, options: ClientOptions = {}): Promise<Client> {
     const { mode = Mode.PULL, timeout = 5, token = '' } = options;
-    const client = new Client(await Connection.open(host, port, checkedSeconds(timeout)), timeout);
+    const client = new Client(await Connection.open(route, checkedSeconds(timeout)), timeout);
     try {
       if (token !== '') await client.authenticate(token);
       if (mode !== Mode.PUSH) await client.setMode(mode);
@@ -173,7 +182,7 @@ export class Client extends Openers {
   }
 
   private async authenticate(token: string): Promise<void> {
-    const authKey = Buffer.from(token);
+    const authKey = utf8(token);
     if (authKey.length > kTokenBytes) throw new InvalidValue(`a token has ${kTokenBytes} letters at most, not ${authKey.length}`);
     try {
       await this.ask(player.REQ_AUTH, { authKey });

@@ -1,10 +1,9 @@
-/** One TCP connection to a Player server: banner, framing, deadlines. It interprets headers only. */
+/** One connection to a Player server: banner, framing, deadlines. It interprets headers only. */
 
-import { connect, type Socket } from 'node:net';
-import { getSystemErrorMap } from 'node:util';
 import { after, Bell, now } from './bell.js';
 import { ConnectionLost, InvalidValue, RunEnded, WireError } from './errors.js';
-import { shown } from './text.js';
+import type { Route, Stream } from './stream.js';
+import { joined, shown } from './text.js';
 import { decodeHeader, encodeHeader, HEADER_BYTES, MAX_BODY_BYTES, type Header } from './wire.js';
 
 const kBannerBytes = 32;
@@ -28,36 +27,39 @@ export function checkedSeconds(timeout: number): number {
  * call throws the reason.
  */
 export class Connection {
-  /** HOST:PORT of the server. */
+  /** HOST:PORT of the server, or its URL. */
   readonly peer: string;
+  /** The server's port; 0 if that is not known. */
+  readonly port: number;
   /** The server's greeting. */
   banner = '';
   /** Rings when bytes have arrived, and at the end of the connection. */
   readonly news = new Bell();
-  private socket: Socket | undefined;
+  private stream: Stream | undefined;
   private fault = ''; // why nothing can be sent
   private lastWord = ''; // why nothing more will be received
   private ended = false; // by the server, in order
   private closing = false;
-  private bytes = Buffer.allocUnsafe(1 << 16);
+  private bytes = new Uint8Array(1 << 16);
   private start = 0;
   private end = 0;
 
-  private constructor(host: string, readonly port: number, private readonly timeout: number) {
-    this.peer = `${host}:${port}`;
+  private constructor(route: Route, private readonly timeout: number) {
+    this.peer = route.peer;
+    this.port = route.port;
   }
 
   /** Connects and reads the banner within `timeout` s. Throws ConnectionLost. */
-  static async open(host: string, port: number, timeout: number): Promise<Connection> {
-    const made = new Connection(host, port, checkedSeconds(timeout));
+  static async open(route: Route, timeout: number): Promise<Connection> {
+    const made = new Connection(route, checkedSeconds(timeout));
     const deadline = now() + timeout;
-    await made.connect(host, deadline);
+    await made.connect(route, deadline);
     await made.readBanner(deadline);
     return made;
   }
 
   get alive(): boolean {
-    return this.socket !== undefined && !this.fault;
+    return this.stream !== undefined && !this.fault;
   }
 
   /** Sends a message; returns when the system has taken it. Throws ConnectionLost; WireError for one that is too long. */
@@ -65,17 +67,17 @@ export class Connection {
     if (body.length > MAX_BODY_BYTES) {
       throw new WireError(`a message of ${body.length} bytes is over the wire's limit of ${MAX_BODY_BYTES}`);
     }
-    const { socket } = this;
-    if (!socket || this.fault) throw this.lost();
+    const { stream } = this;
+    if (!stream || this.fault) throw this.lost();
     return new Promise((resolve, reject) => {
       const fail = (why: string): void => {
         this.fault ||= `the server is gone: ${why}`; // a partially sent message cannot be continued
         reject(this.lost());
       };
       const cancel = after(this.timeout, () => fail('timed out'));
-      socket.write(Buffer.concat([encodeHeader(header), body]), (error) => {
+      stream.write(joined([encodeHeader(header), body]), (why) => {
         cancel();
-        if (error) fail(systemText(error));
+        if (why) fail(why);
         else resolve();
       });
     });
@@ -89,12 +91,12 @@ export class Connection {
     }
     if (this.available >= size) {
       const header = decodeHeader(this.bytes, this.start);
-      const body = Buffer.from(this.bytes.subarray(this.start + HEADER_BYTES, this.start + size));
+      const body = this.bytes.slice(this.start + HEADER_BYTES, this.start + size);
       this.start += size;
       return { header, body };
     }
-    if (!this.socket || this.lastWord) throw this.drop(this.lastWord);
-    this.socket.resume();
+    if (!this.stream || this.lastWord) throw this.drop(this.lastWord);
+    this.stream.resume();
     return undefined;
   }
 
@@ -109,16 +111,16 @@ export class Connection {
    * TCP discard data in transit, such as a last stop command.
    */
   async close(timeout: number): Promise<void> {
-    const { socket } = this;
-    if (socket && !this.lastWord) {
+    const { stream } = this;
+    if (stream && !this.lastWord) {
       const deadline = now() + timeout;
       this.closing = true;
       this.start = this.end = 0;
-      socket.resume();
-      socket.end();
+      stream.resume();
+      stream.finish();
       while (!this.lastWord && (await this.news.wait(deadline)));
     }
-    if (socket) this.drop('the connection is closed');
+    if (stream) this.drop('the connection is closed');
   }
 
   private get available(): number {
@@ -127,27 +129,26 @@ export class Connection {
 
   /** Bytes of the next message, those of its header if it has not arrived. */
   private nextSize(): number {
-    return this.available < HEADER_BYTES ? HEADER_BYTES : HEADER_BYTES + this.bytes.readUInt32BE(this.start + 36);
+    return this.available < HEADER_BYTES ? HEADER_BYTES : HEADER_BYTES + decodeHeader(this.bytes, this.start).size;
   }
 
-  private async connect(host: string, deadline: number): Promise<void> {
+  private async connect(route: Route, deadline: number): Promise<void> {
     let connected = false;
     try {
-      // With autoSelectFamily every address of a name is tried; Node.js has it since 18.13.
-      const options = { host, port: this.port, noDelay: true, allowHalfOpen: true, autoSelectFamily: true };
-      this.socket = connect(options, () => {
-        connected = true;
-        this.news.ring();
+      this.stream = route.open({
+        connected: () => {
+          connected = true;
+          this.news.ring();
+        },
+        data: (bytes) => this.append(bytes),
+        end: (why, inOrder = false) => {
+          if (inOrder) this.noMore('the run ended: the server closed the connection', true);
+          else this.noMore(`${connected ? 'the server is gone' : 'cannot connect'}: ${why}`);
+        },
       });
     } catch (error) { // the port or the host is invalid
       throw this.drop(`cannot connect: ${(error as Error).message}`);
     }
-    this.socket.on('data', (chunk) => this.append(chunk));
-    this.socket.on('end', () => this.noMore('the run ended: the server closed the connection', true));
-    this.socket.on('error', (error) => {
-      this.noMore(`${connected ? 'the server is gone' : 'cannot connect'}: ${systemText(error)}`);
-    });
-    this.socket.on('close', () => this.noMore('the connection is closed'));
     while (!connected) { // the server may have said its last already
       if (this.lastWord) throw this.drop(this.lastWord);
       if (!(await this.news.wait(deadline))) throw this.drop('cannot connect: timed out');
@@ -159,18 +160,18 @@ export class Connection {
       if (this.lastWord) throw this.drop(this.lastWord);
       if (!(await this.news.wait(deadline))) throw this.drop('cannot connect: no banner in time');
     }
-    const banner = this.bytes.toString('latin1', this.start, this.start + kBannerBytes);
+    const banner = String.fromCharCode(...this.bytes.subarray(this.start, this.start + kBannerBytes));
     this.start += kBannerBytes;
     if (!banner.startsWith('Player v.')) throw this.drop(`not a Player server (it says ${shown(banner)})`);
     this.banner = banner.replace(/\0+$/, '');
   }
 
-  private append(chunk: Buffer): void {
+  private append(chunk: Uint8Array): void {
     if (this.closing) return;
     if (this.end + chunk.length > this.bytes.length) this.makeRoom(chunk.length);
     this.bytes.set(chunk, this.end);
     this.end += chunk.length;
-    if (this.available >= kEnough && this.buffered()) this.socket?.pause();
+    if (this.available >= kEnough && this.buffered()) this.stream?.pause();
     this.news.ring();
   }
 
@@ -179,7 +180,7 @@ export class Connection {
     const from = this.bytes.subarray(this.start, this.end);
     const capacity = Math.max(this.bytes.length, 2 * (available + count));
     const fits = available + count <= this.bytes.length / 2;
-    const to = fits ? this.bytes : Buffer.allocUnsafe(capacity);
+    const to = fits ? this.bytes : new Uint8Array(capacity);
     to.set(from, 0);
     this.bytes = to;
     this.start = 0;
@@ -203,17 +204,10 @@ export class Connection {
   private drop(fault: string): ConnectionLost {
     this.fault ||= fault;
     this.lastWord ||= fault;
-    const { socket } = this;
-    this.socket = undefined;
-    socket?.destroy();
+    const { stream } = this;
+    this.stream = undefined;
+    stream?.destroy();
     this.news.ring();
     return this.lost();
   }
-}
-
-/** What the system says about an error: "Connection refused". */
-function systemText(error: Error): string {
-  const one = (error as AggregateError).errors?.[0] ?? error; // of several addresses of a host
-  const known = getSystemErrorMap().get((one as NodeJS.ErrnoException).errno ?? 0);
-  return known ? known[1].charAt(0).toUpperCase() + known[1].slice(1) : one.message;
 }

@@ -20,6 +20,27 @@ export function cString(value: string): Uint8Array {
   return kEncoder.encode(`${value}\0`);
 }
 
+/** Bytes one behind the other. */
+export function joined(parts: readonly Uint8Array[]): Uint8Array {
+  const whole = new Uint8Array(parts.reduce((size, part) => size + part.length, 0));
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
+}
+
+/** Text as UTF-8, other bytes as they are. */
+export function bytesOf(message: Uint8Array | string): Uint8Array {
+  return typeof message === 'string' ? utf8(message) : message;
+}
+
+/** Encodes text as UTF-8. */
+export function utf8(value: string): Uint8Array {
+  return kEncoder.encode(value);
+}
+
 /** A value of any type for an error's line, as the other languages show it. */
 export function shown(value: unknown): string {
   if (typeof value === 'number') return shownNumber(value);

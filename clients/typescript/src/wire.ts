@@ -5,7 +5,6 @@
  * as a length before its elements; the rules are in docs/wire.md.
  */
 
-import { endianness } from 'node:os';
 import { WireError } from './errors.js';
 import { shown } from './text.js';
 
@@ -34,17 +33,18 @@ export interface Header {
 }
 
 export function encodeHeader(header: Header): Uint8Array {
-  const to = Buffer.allocUnsafe(HEADER_BYTES);
-  to.writeUInt32BE(header.host, 0);
-  to.writeUInt32BE(header.robot, 4);
-  to.writeUInt32BE(header.interface, 8);
-  to.writeUInt32BE(header.index, 12);
-  to.writeUInt32BE(header.kind, 16);
-  to.writeUInt32BE(header.subtype, 20);
-  to.writeDoubleBE(header.timestamp, 24);
-  to.writeUInt32BE(header.sequence, 32);
-  to.writeUInt32BE(header.size, 36);
-  return to;
+  const bytes = new Uint8Array(HEADER_BYTES);
+  const to = new DataView(bytes.buffer);
+  to.setUint32(0, header.host);
+  to.setUint32(4, header.robot);
+  to.setUint32(8, header.interface);
+  to.setUint32(12, header.index);
+  to.setUint32(16, header.kind);
+  to.setUint32(20, header.subtype);
+  to.setFloat64(24, header.timestamp);
+  to.setUint32(32, header.sequence);
+  to.setUint32(36, header.size);
+  return bytes;
 }
 
 /** Reads 40 bytes at `at`; narrow fields keep their low bits only, as in every Player receiver. */
@@ -63,22 +63,24 @@ export function decodeHeader(bytes: Uint8Array, at = 0): Header {
   };
 }
 
-const kSwapped = endianness() === 'LE';
+const kSwapped = new Uint8Array(new Uint16Array([1]).buffer)[0] === 1;
 
 /** Turns big-endian numbers of four or eight bytes into those of this machine, or back, in place. */
-function swapBytes(numbers: Float32Array | Float64Array): Buffer {
-  const bytes = Buffer.from(numbers.buffer, numbers.byteOffset, numbers.byteLength);
+function swapBytes(numbers: Float32Array | Float64Array): Uint8Array {
+  const bytes = new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength);
   if (!kSwapped) return bytes;
-  return numbers.BYTES_PER_ELEMENT === 4 ? bytes.swap32() : bytes.swap64();
+  const size = numbers.BYTES_PER_ELEMENT;
+  for (let at = 0; at < bytes.length; at += size) bytes.subarray(at, at + size).reverse();
+  return bytes;
 }
 
 /** Reads values from a body, front to back. Allocations are bounded by the size of the body. */
 export class Reader {
   private at = 0;
-  private readonly data: Buffer;
+  private readonly view: DataView;
 
-  constructor(data: Uint8Array) {
-    this.data = Buffer.from(data.buffer, data.byteOffset, data.byteLength);
+  constructor(private readonly data: Uint8Array) {
+    this.view = new DataView(data.buffer, data.byteOffset, data.byteLength);
   }
 
   uint8(): number {
@@ -98,23 +100,23 @@ export class Reader {
   }
 
   uint32(): number {
-    return this.data.readUInt32BE(this.take(4));
+    return this.view.getUint32(this.take(4));
   }
 
   int32(): number {
-    return this.data.readInt32BE(this.take(4));
+    return this.view.getInt32(this.take(4));
   }
 
   int64(): bigint {
-    return this.data.readBigInt64BE(this.take(8));
+    return this.view.getBigInt64(this.take(8));
   }
 
   float32(): number {
-    return this.data.readFloatBE(this.take(4));
+    return this.view.getFloat32(this.take(4));
   }
 
   float64(): number {
-    return this.data.readDoubleBE(this.take(8));
+    return this.view.getFloat64(this.take(8));
   }
 
   float32s(count: number): Float32Array {
@@ -128,7 +130,7 @@ export class Reader {
   /** `count` raw bytes and the zero padding of the last word. */
   opaque(count: number): Uint8Array {
     const at = this.take(count + padding(count));
-    return new Uint8Array(this.data.subarray(at, at + count));
+    return this.data.slice(at, at + count);
   }
 
   /** As many values as `one` reads in `count` calls. */
@@ -157,7 +159,7 @@ export class Reader {
     const size = count * list.BYTES_PER_ELEMENT;
     const at = this.take(size);
     const values = new list(count);
-    this.data.copy(Buffer.from(values.buffer), 0, at, at + size);
+    new Uint8Array(values.buffer).set(this.data.subarray(at, at + size));
     swapBytes(values);
     return values;
   }
@@ -173,7 +175,8 @@ export class Reader {
 
 /** Appends values to a body. A value outside the range of its field is a WireError. */
 export class Writer {
-  private data = Buffer.allocUnsafe(256);
+  private data = new Uint8Array(256);
+  private view = new DataView(this.data.buffer);
   private size = 0;
 
   uint8(value: number): void {
@@ -204,17 +207,17 @@ export class Writer {
     if (typeof value !== 'bigint') throw new WireError(`${shown(value)} is not a bigint`);
     if (BigInt.asIntN(64, value) !== value) throw new WireError(`${value} is outside the range of 64 bits`);
     const at = this.grow(8);
-    this.data.writeBigInt64BE(value, at);
+    this.view.setBigInt64(at, value);
   }
 
   float32(value: number): void {
     const at = this.grow(4);
-    this.data.writeFloatBE(single(value), at);
+    this.view.setFloat32(at, single(value));
   }
 
   float64(value: number): void {
     const at = this.grow(8);
-    this.data.writeDoubleBE(double(value), at);
+    this.view.setFloat64(at, double(value));
   }
 
   /** Any list of numbers; the generated types ask for a Float32Array. */
@@ -249,14 +252,14 @@ export class Writer {
   }
 
   bytes(): Uint8Array {
-    return new Uint8Array(this.data.subarray(0, this.size));
+    return this.data.slice(0, this.size);
   }
 
   private whole(value: number, low: number, high: number): void {
     if (!Number.isInteger(value)) throw new WireError(`${shown(value)} is not a whole number`);
     if (value < low || value > high) throw new WireError(`${value} is outside [${low}, ${high}]`);
     const at = this.grow(4);
-    this.data.writeInt32BE(value | 0, at);
+    this.view.setInt32(at, value | 0);
   }
 
   private floats(values: Float32Array | Float64Array): void {
@@ -276,9 +279,10 @@ export class Writer {
     const at = this.size;
     this.size = at + size;
     if (this.size > this.data.length) {
-      const larger = Buffer.allocUnsafe(Math.max(2 * this.data.length, this.size));
+      const larger = new Uint8Array(Math.max(2 * this.data.length, this.size));
       larger.set(this.data.subarray(0, at));
       this.data = larger;
+      this.view = new DataView(larger.buffer);
     }
     return at;
   }

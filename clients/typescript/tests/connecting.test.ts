@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Connection } from '../src/connection.js';
+import { overTcp } from '../src/tcp.js';
 import { Client, connect, ConnectionLost, InvalidValue, Mode, RunEnded, WireError } from '../src/index.js';
 import { MAX_BODY_BYTES } from '../src/wire.js';
 import { fails, withServer, type Peer } from './fake_server.js';
@@ -79,7 +80,7 @@ test('a server that reads nothing is gone after the time-out', async () => {
   };
   await withServer(deaf, async ({ address }) => {
     const [host, port] = address.split(':') as [string, string];
-    const connection = await Connection.open(host, Number(port), 0.1);
+    const connection = await Connection.open(overTcp(host, Number(port)), 0.1);
     const header = { interface: 1, index: 0, kind: 3, subtype: 1, timestamp: 0, sequence: 0, size: 0, host: 0, robot: 0 };
     const body = Buffer.alloc(MAX_BODY_BYTES); // more than the system takes
     await fails(() => connection.send({ ...header, size: body.length }, body), ConnectionLost, /: the server is gone: timed out$/);

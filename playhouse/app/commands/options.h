@@ -28,6 +28,7 @@ inline constexpr std::uint16_t kClusterPort = 6675;
 struct Serving {
   std::uint16_t port = kPlayerPort;             // 0: any free one
   std::optional<std::uint16_t> web = kWebPort;  // none: no page; 0: any free port
+  bool web_was_asked_for = true;  // false: a server without a world goes on without a page if the port is in use
   std::string bind = "127.0.0.1";
   std::string port_option = "--port";       // name of the option of `port`, for errors
   std::vector<std::string> web_hosts = {};  // host names of the page besides the machine's
@@ -67,6 +68,7 @@ struct Running {
       {};                          // port for nodes of a cluster; none: no cluster; 0: any free one
   std::size_t nodes = 0;           // of the cluster, to wait for
   std::string cluster_token = {};  // that its nodes have to have; empty: a random one beyond this machine
+  std::vector<std::string> for_a_world = {};  // names of given options that a server without a world lacks
   bool paused = false;
   bool json = false;  // the result as the last line of standard output
 };

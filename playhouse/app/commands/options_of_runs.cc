@@ -97,6 +97,14 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   app.add_option("FILE", options.file, "a .cfg file")->required();
   add_serving(app, options.serving);
   add_running(app, options.running);
+  app.callback([&app, &options] {
+    options.serving.web_was_asked_for = app.count("--web") > 0;
+    for (const char* const name :
+         {"--engine", "--fast", "--speed", "--duration", "--seed", "--workers", "--save-world",
+          "--record-only", "--lock-step", "--lock-step-timeout", "--cluster", "--nodes", "--cluster-token",
+          "--paused", "--json", "--viewers", "--page-bytes", "--observers", "--observer-bytes"})
+      if (app.count(name) > 0) options.running.for_a_world.push_back(name);
+  });
 }
 
 void add_node(CLI::App& app, NodeOptions& options) {

@@ -2,7 +2,7 @@ import { Color, Group } from 'three';
 import type { Motion } from '../motion';
 import type { Model, Pose, Rgba, Sensor } from '../protocol/scene';
 import { el, setText } from '../ui/dom';
-import { PolarPlot } from '../ui/polar_plot';
+import { type PolarScan, PolarPlot } from '../ui/polar_plot';
 import { degrees, metres, shortName } from '../ui/texts';
 import { bearingOf } from '../view/beams';
 import { type Frame, frameOf } from '../view/frames';
@@ -166,10 +166,17 @@ function panel(model: Model, tools: PanelTools): Node[] {
     if (drawnOnce && scans.every((scan, k) => scan === drawn[k])) return;
     drawnOnce = canvas.clientWidth > 0;
     scans.forEach((scan, k) => (drawn[k] = scan));
-    plot.draw(sensors, scans);
+    plot.draw(sensors.map((sensor, k) => polarScan(sensor, scans[k])));
   });
   nodes.push(laser ? laserTable(tools, sensors[0], () => scansNow()[0]) : values(tools, sensors, scansNow));
   return nodes;
+}
+
+function polarScan(sensor: Sensor, beams: Uint16Array | undefined): PolarScan {
+  const [x, y, , heading] = sensor.pose;
+  const { fov, range: [, farthest] } = sensor;
+  const ranges = Array.from(beams ?? [], (beam) => (beam / 65535) * farthest);
+  return { x, y, heading, fov, farthest, ranges, bearings: ranges.map((_, k) => bearingOf(sensor, k)) };
 }
 
 function laserTable({ line }: PanelTools, sensor: Sensor, scan: () => Uint16Array | undefined): HTMLElement {

@@ -1,7 +1,15 @@
-import type { Sensor } from '../protocol/scene';
-import { bearingOf } from '../view/beams';
-
 const kConeSteps = 4;
+
+/** What one sensor of a ranger measures. */
+export interface PolarScan {
+  x: number; // place of the sensor in the frame of the plot, m
+  y: number;
+  heading: number; // rad
+  fov: number; // rad
+  bearings: ArrayLike<number>; // of each range, from the heading, rad
+  ranges: ArrayLike<number>; // m
+  farthest: number; // m
+}
 
 /** Polar plot of a ranger's sensors, robot frame pointing up: an outline per scan, and range rings. */
 export class PolarPlot {
@@ -11,7 +19,7 @@ export class PolarPlot {
     this.pen = canvas.getContext('2d')!;
   }
 
-  draw(sensors: Sensor[], scans: (Uint16Array | undefined)[]): void {
+  draw(scans: PolarScan[]): void {
     const ratio = window.devicePixelRatio;
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
@@ -19,13 +27,13 @@ export class PolarPlot {
     this.canvas.width = Math.round(width * ratio);
     this.canvas.height = Math.round(height * ratio);
     this.pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const range = Math.max(...sensors.map(({ range }) => range[1]), 0.1);
-    const ahead = sensors.every(({ pose, fov }) => Math.abs(pose[3]) + fov / 2 <= Math.PI / 2 + 0.2);
+    const range = Math.max(...scans.map(({ farthest }) => farthest), 0.1);
+    const ahead = scans.every(({ heading, fov }) => Math.abs(heading) + fov / 2 <= Math.PI / 2 + 0.2);
     const x = width / 2;
     const y = ahead ? height - 16 : height / 2;
     const scale = Math.min(ahead ? height - 26 : height / 2 - 8, width / 2 - 8) / range;
     this.rings(x, y, scale, range, ahead);
-    sensors.forEach((sensor, k) => this.scan(x, y, scale, sensor, scans[k]));
+    for (const scan of scans) this.scan(x, y, scale, scan);
     this.pen.fillStyle = getComputedStyle(this.canvas).color;
     this.pen.beginPath();
     this.pen.arc(x, y, 2.5, 0, 2 * Math.PI);
@@ -47,24 +55,23 @@ export class PolarPlot {
     }
   }
 
-  private scan(x: number, y: number, scale: number, sensor: Sensor, beams?: Uint16Array): void {
-    if (!beams) return;
+  private scan(x: number, y: number, scale: number, scan: PolarScan): void {
     const { pen } = this;
-    const unit = (sensor.range[1] / 65535) * scale;
-    const [sx, sy, , sa] = sensor.pose;
+    const { ranges, fov, farthest } = scan;
+    if (ranges.length === 0) return;
     const at = (bearing: number, length: number): [number, number] => [
-      x - sy * scale - Math.sin(sa + bearing) * length,
-      y - sx * scale - Math.cos(sa + bearing) * length,
+      x - scan.y * scale - Math.sin(scan.heading + bearing) * length * scale,
+      y - scan.x * scale - Math.cos(scan.heading + bearing) * length * scale,
     ];
     pen.beginPath();
     pen.moveTo(...at(0, 0));
-    if (beams.length === 1) {
-      for (let k = 0; k <= kConeSteps; ++k) pen.lineTo(...at(sensor.fov * (k / kConeSteps - 0.5), beams[0] * unit));
+    if (ranges.length === 1) {
+      for (let k = 0; k <= kConeSteps; ++k) pen.lineTo(...at(fov * (k / kConeSteps - 0.5), ranges[0]));
     } else {
-      beams.forEach((beam, k) => pen.lineTo(...at(bearingOf(sensor, k), beam * unit)));
+      for (let k = 0; k < ranges.length; ++k) pen.lineTo(...at(scan.bearings[k], Math.min(ranges[k], farthest)));
     }
     pen.closePath();
-    const far = beams.length === 1 && beams[0] === 65535;
+    const far = ranges.length === 1 && ranges[0] >= farthest;
     pen.fillStyle = far ? '#4a8cf71c' : '#4a8cf740';
     pen.strokeStyle = far ? '#4a8cf755' : '#4a8cf7';
     pen.lineWidth = 1.2;

@@ -1,7 +1,7 @@
-import { constants, inflateSync } from 'node:zlib';
 import { Device } from '../device.js';
 import { WireError } from '../errors.js';
 import { map } from '../generated/index.js';
+import { joined } from '../text.js';
 import { Grid } from '../values.js';
 import { contents, poseOf } from './convert.js';
 
@@ -49,7 +49,7 @@ export class Map extends Device {
 
   private async tile(column: number, row: number, width: number, height: number): Promise<Int8Array> {
     const tile = await contents(this.request(map.REQ_GET_DATA, { col: column, row, width, height }));
-    const values = uncompressed(tile.data, width * height);
+    const values = await uncompressed(tile.data, width * height);
     if (values?.length !== width * height) {
       throw new WireError(`${this.name}: a tile of ${width} x ${height} cells is damaged`);
     }
@@ -59,12 +59,21 @@ export class Map extends Device {
 }
 
 /** At most `count` bytes, else undefined; the data themselves if they are not a zlib stream, as of a server without it. */
-function uncompressed(data: Uint8Array, count: number): Uint8Array | undefined {
+async function uncompressed(data: Uint8Array, count: number): Promise<Uint8Array | undefined> {
+  const parts: Uint8Array[] = [];
+  let size = 0;
   try {
-    return inflateSync(data, { maxOutputLength: count, finishFlush: constants.Z_SYNC_FLUSH });
-  } catch (error) {
-    return (error as NodeJS.ErrnoException).code === 'ERR_BUFFER_TOO_LARGE' ? undefined : data;
+    const stream = new Blob([data.slice()]).stream().pipeThrough(new DecompressionStream('deflate'));
+    for (const reader = stream.getReader(); size <= count; ) {
+      const { done, value } = await reader.read();
+      if (done) break;
+      parts.push(value);
+      size += value.length;
+    }
+  } catch {
+    if (size === 0) return data;
   }
+  return size > count ? undefined : joined(parts);
 }
 
 function occupancy(twice: number, limit: number): number {

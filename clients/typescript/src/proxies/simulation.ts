@@ -2,7 +2,7 @@ import { Device } from '../device.js';
 import { RequestRefused, RunEnded } from '../errors.js';
 import { simulation } from '../generated/index.js';
 import type { RequestOptions } from '../session.js';
-import { cString, text } from '../text.js';
+import { cString, joined, text } from '../text.js';
 import type { Pose, Pose3d } from '../values.js';
 import type { MessageType } from '../wire.js';
 import { contents, pose3dOf, poseOf, wirePose, wirePose3d } from './convert.js';
@@ -52,8 +52,8 @@ export class Simulation extends Device {
       return;
     }
     this.insistOnWhole('seed', seed, 0, 2n ** 64n - 1n);
-    const value = Buffer.alloc(8);
-    value.writeBigUInt64LE(BigInt(seed));
+    const value = new Uint8Array(8);
+    new DataView(value.buffer).setBigUint64(0, BigInt(seed), true);
     await this.ofWorld('reset', value, { answered: () => this.client.forgetRun() });
   }
 
@@ -72,8 +72,8 @@ export class Simulation extends Device {
    */
   async step(ticks = 1, timeout = Infinity): Promise<void> {
     this.insistOnWhole('ticks', ticks, 1, 2 ** 20);
-    const value = Buffer.alloc(4);
-    value.writeUInt32LE(ticks);
+    const value = new Uint8Array(4);
+    new DataView(value.buffer).setUint32(0, ticks, true);
     await this.ofWorld('step', value, { timeout });
     await this.client.deliverPushed();
   }
@@ -81,9 +81,9 @@ export class Simulation extends Device {
   /** Spawns a robot like the model `like` at a pose in the world; returns its name. */
   async spawn(like: string, { x, y, a }: Pose, name = ''): Promise<string> {
     this.insistOnFinite({ x, y, a });
-    const pose = Buffer.alloc(24);
-    [x, y, a].forEach((number, i) => pose.writeDoubleLE(number, 8 * i));
-    const value = Buffer.concat([pose, name ? cString(name) : new Uint8Array()]);
+    const pose = new Uint8Array(24);
+    [x, y, a].forEach((number, i) => new DataView(pose.buffer).setFloat64(8 * i, number, true));
+    const value = joined([pose, name ? cString(name) : new Uint8Array()]);
     return text((await this.ofWorld('spawn', value, {}, like)).value);
   }
 

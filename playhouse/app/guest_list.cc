@@ -1,0 +1,50 @@
+#include "playhouse/app/guest_list.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "playhouse/app/whole_file.h"
+
+namespace playhouse::app {
+
+Result<web_server::GuestBook> read_guest_file(const std::string& file) {
+  if (file.empty()) return web_server::GuestBook();
+  const Result<std::string> text = read_file(file);
+  if (!text) return text.error();
+  Result<std::vector<web_server::Guest>> guests = web_server::parse_guests(*text, file);
+  if (!guests) return guests.error();
+  return web_server::GuestBook(std::move(*guests));
+}
+
+void admit_guests(server::Server& server, const web_server::GuestBook& guests) {
+  if (guests.guests().empty()) return;
+  server.admit_by(
+      [guests](const std::string& token, const std::string& peer) -> std::optional<device::Rights> {
+        const std::optional<web_server::Guest> guest = guests.admit(token, peer);
+        if (!guest) return std::nullopt;
+        const web_server::GuestRights rights = web_server::rights_of(guest->role);
+        return device::Rights{.reads = true, .drives = rights.drives, .manages = rights.manages};
+      });
+}
+
+std::vector<std::string> guest_places(const web_server::GuestBook& guests, const std::string& host,
+                                      std::optional<std::uint16_t> web_port) {
+  std::vector<std::string> lines;
+  if (web_port) lines.push_back(fmt::format("web page: http://{}:{}/", host, *web_port));
+  for (const web_server::Guest& guest : guests.guests()) {
+    const bool has_token = guest.token != "*";
+    const std::string who = has_token && !guest.name.empty()
+                                ? fmt::format("{} ({})", guest.name, name_of(guest.role))
+                                : std::string(name_of(guest.role));
+    if (web_port) {
+      lines.push_back(fmt::format("  {}: http://{}:{}/{}{}", who, host, *web_port, has_token ? "#" : "",
+                                  has_token ? guest.token : ""));
+    } else {
+      lines.push_back(fmt::format("  {}: {}", who, has_token ? "--token " + guest.token : "no token"));
+    }
+  }
+  return lines;
+}
+
+}  // namespace playhouse::app

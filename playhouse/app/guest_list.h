@@ -1,0 +1,26 @@
+#pragma once
+
+/// The access list of a program (--guests, docs/guests.md): read once, and given to every server it holds for.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/server/server.h"
+#include "playhouse/web_server/guests.h"
+
+namespace playhouse::app {
+
+/// Reads the guest file; without a name everybody is admitted. Fails if it is invalid or admits nobody.
+Result<web_server::GuestBook> read_guest_file(const std::string& file);
+
+/// Player clients have the rights of their guests. No effect for a book without guests. Before the server runs.
+void admit_guests(server::Server& server, const web_server::GuestBook& guests);
+
+/// "web page: http://HOST:PORT/", if there is one, and a line for each guest: a link, or a token.
+std::vector<std::string> guest_places(const web_server::GuestBook& guests, const std::string& host,
+                                      std::optional<std::uint16_t> web_port);
+
+}  // namespace playhouse::app
