@@ -263,7 +263,7 @@ class ClientProxy {
   }
   /** An element of a list of `count`; throws if there is none of that number. */
   template <typename T, typename Count>
-  T GetElement(const T *const &list, const Count &count, uint32_t aIndex) const {
+  T GetElement(T *const &list, const Count &count, uint32_t aIndex) const {
     scoped_lock_t lock(mPc->mMutex);
     if (aIndex < static_cast<uint32_t>(count)) return list[aIndex];
     throw PlayerError("ClientProxy", "there is no element " + std::to_string(aIndex) + " of " +
@@ -763,6 +763,187 @@ class PtzProxy : public PLAYERCC_BASE(ptz) {
   double GetPan() const { return GetVar(mDevice->pan); }
   double GetTilt() const { return GetVar(mDevice->tilt); }
   double GetZoom() const { return GetVar(mDevice->zoom); }
+};
+
+// --- inputs and outputs, arms
+
+class AioProxy : public PLAYERCC_BASE(aio) {
+ public:
+  AioProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex) {}
+
+  uint32_t GetCount() const { return GetVar(mDevice->voltages_count); }
+  double GetVoltage(uint32_t aIndex) const {
+    return static_cast<double>(GetElement<float>(mDevice->voltages, mDevice->voltages_count, aIndex));
+  }
+  void SetVoltage(uint32_t aIndex, double aVoltage) {
+    PLAYERCC_DO(playerc_aio_set_output, mDevice, static_cast<uint8_t>(aIndex), static_cast<float>(aVoltage));
+  }
+  double operator[](uint32_t aIndex) const { return GetVoltage(aIndex); }
+};
+
+class DioProxy : public PLAYERCC_BASE(dio) {
+ public:
+  DioProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex) {}
+
+  uint32_t GetCount() const { return GetVar(mDevice->count); }
+  uint32_t GetDigin() const { return GetVar(mDevice->digin); }
+  bool GetInput(uint32_t aIndex) const {
+    if (aIndex >= GetCount()) throw PlayerError("DioProxy::GetInput()", "there is no such input");
+    return (GetDigin() >> aIndex & 1) != 0;
+  }
+  void SetOutput(uint32_t aCount, uint32_t aDigout) {
+    PLAYERCC_DO(playerc_dio_set_output, mDevice, static_cast<uint8_t>(aCount), aDigout);
+  }
+  uint32_t operator[](uint32_t aIndex) const { return GetInput(aIndex); }
+};
+
+class IrProxy : public PLAYERCC_BASE(ir) {
+ public:
+  IrProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex) {}
+
+  uint32_t GetCount() const { return GetVar(mDevice->data.ranges_count); }
+  double GetRange(uint32_t aIndex) const {
+    return static_cast<double>(GetElement<float>(mDevice->data.ranges, mDevice->data.ranges_count, aIndex));
+  }
+  double GetVoltage(uint32_t aIndex) const {
+    return static_cast<double>(
+        GetElement<float>(mDevice->data.voltages, mDevice->data.voltages_count, aIndex));
+  }
+  uint32_t GetPoseCount() const { return GetVar(mDevice->poses.poses_count); }
+  player_pose3d_t GetPose(uint32_t aIndex) const {
+    return GetElement<player_pose3d_t>(mDevice->poses.poses, mDevice->poses.poses_count, aIndex);
+  }
+  void RequestGeom() { PLAYERCC_DO(playerc_ir_get_geom, mDevice); }
+  double operator[](uint32_t aIndex) const { return GetRange(aIndex); }
+};
+
+class GpsProxy : public PLAYERCC_BASE(gps) {
+ public:
+  GpsProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex) {}
+
+  double GetLatitude() const { return GetVar(mDevice->lat); }
+  double GetLongitude() const { return GetVar(mDevice->lon); }
+  double GetAltitude() const { return GetVar(mDevice->alt); }
+  uint32_t GetSatellites() const { return static_cast<uint32_t>(GetVar(mDevice->sat_count)); }
+  uint32_t GetQuality() const { return static_cast<uint32_t>(GetVar(mDevice->quality)); }
+  double GetHdop() const { return GetVar(mDevice->hdop); }
+  double GetVdop() const { return GetVar(mDevice->vdop); }
+  double GetUtmEasting() const { return GetVar(mDevice->utm_e); }
+  double GetUtmNorthing() const { return GetVar(mDevice->utm_n); }
+  double GetTime() const { return GetVar(mDevice->utc_time); }
+  double GetErrHorizontal() const { return GetVar(mDevice->err_horz); }
+  double GetErrVertical() const { return GetVar(mDevice->err_vert); }
+};
+
+class ImuProxy : public PLAYERCC_BASE(imu) {
+ public:
+  ImuProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex) {}
+
+  player_pose3d_t GetPose() const { return GetVar(mDevice->pose); }
+  player_imu_data_calib_t GetRawValues() const { return GetVar(mDevice->calib_data); }
+  float GetXAccel() { return GetRawValues().accel_x; }
+  float GetYAccel() { return GetRawValues().accel_y; }
+  float GetZAccel() { return GetRawValues().accel_z; }
+  float GetXGyro() { return GetRawValues().gyro_x; }
+  float GetYGyro() { return GetRawValues().gyro_y; }
+  float GetZGyro() { return GetRawValues().gyro_z; }
+  float GetXMagn() { return GetRawValues().magn_x; }
+  float GetYMagn() { return GetRawValues().magn_y; }
+  float GetZMagn() { return GetRawValues().magn_z; }
+  void SetDatatype(int aDatatype) { PLAYERCC_DO(playerc_imu_datatype, mDevice, aDatatype); }
+  void ResetOrientation(int aValue) { PLAYERCC_DO(playerc_imu_reset_orientation, mDevice, aValue); }
+};
+
+class ActArrayProxy : public PLAYERCC_BASE(actarray) {
+ public:
+  ActArrayProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex) {}
+
+  void RequestGeometry() { PLAYERCC_DO(playerc_actarray_get_geom, mDevice); }
+  void SetPowerConfig(bool aVal) { PLAYERCC_DO(playerc_actarray_power, mDevice, aVal ? 1 : 0); }
+  void SetBrakesConfig(bool aVal) { PLAYERCC_DO(playerc_actarray_brakes, mDevice, aVal ? 1 : 0); }
+  void SetSpeedConfig(uint32_t aJoint, float aSpeed) {
+    PLAYERCC_DO(playerc_actarray_speed_config, mDevice, static_cast<int>(aJoint), aSpeed);
+  }
+  void SetAccelerationConfig(uint32_t aJoint, float aAcc) {
+    PLAYERCC_DO(playerc_actarray_accel_config, mDevice, static_cast<int>(aJoint), aAcc);
+  }
+  void MoveTo(uint32_t aJoint, float aPos) {
+    PLAYERCC_DO(playerc_actarray_position_cmd, mDevice, static_cast<int>(aJoint), aPos);
+  }
+  void MoveToMulti(std::vector<float> aPos) {
+    PLAYERCC_DO(playerc_actarray_multi_position_cmd, mDevice, aPos.data(), static_cast<int>(aPos.size()));
+  }
+  void MoveAtSpeed(uint32_t aJoint, float aSpeed) {
+    PLAYERCC_DO(playerc_actarray_speed_cmd, mDevice, static_cast<int>(aJoint), aSpeed);
+  }
+  void MoveAtSpeedMulti(std::vector<float> aSpeed) {
+    PLAYERCC_DO(playerc_actarray_multi_speed_cmd, mDevice, aSpeed.data(), static_cast<int>(aSpeed.size()));
+  }
+  void MoveHome(int aJoint) { PLAYERCC_DO(playerc_actarray_home_cmd, mDevice, aJoint); }
+  uint32_t GetCount() const { return GetVar(mDevice->actuators_count); }
+  player_actarray_actuator_t GetActuatorData(uint32_t aJoint) const {
+    return GetElement<player_actarray_actuator_t>(mDevice->actuators_data, mDevice->actuators_count, aJoint);
+  }
+  player_actarray_actuatorgeom_t GetActuatorGeom(uint32_t aJoint) const {
+    return GetElement<player_actarray_actuatorgeom_t>(mDevice->actuators_geom, mDevice->actuators_geom_count,
+                                                      aJoint);
+  }
+  player_point_3d_t GetBasePos() const { return GetVar(mDevice->base_pos); }
+  player_orientation_3d_t GetBaseOrientation() const { return GetVar(mDevice->base_orientation); }
+  player_actarray_actuator_t operator[](uint32_t aJoint) { return GetActuatorData(aJoint); }
+};
+
+// --- pictures
+
+/** Images are as the server sends them: there is no Decompress(). */
+class CameraProxy : public PLAYERCC_BASE(camera) {
+ public:
+  CameraProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex), frame_(0) {}
+
+  /** Writes `aPrefix`, the number of the frame in so many digits, and ".ppm". */
+  void SaveFrame(const std::string aPrefix, uint32_t aWidth = 4) {
+    scoped_lock_t lock(mPc->mMutex);
+    std::string number = std::to_string(frame_++);
+    if (number.size() < aWidth) number.insert(0, aWidth - number.size(), '0');
+    playerc_camera_save(mDevice, (aPrefix + number + ".ppm").c_str());
+  }
+  uint32_t GetDepth() const { return static_cast<uint32_t>(GetVar(mDevice->bpp)); }
+  uint32_t GetWidth() const { return static_cast<uint32_t>(GetVar(mDevice->width)); }
+  uint32_t GetHeight() const { return static_cast<uint32_t>(GetVar(mDevice->height)); }
+  uint32_t GetFormat() const { return static_cast<uint32_t>(GetVar(mDevice->format)); }
+  uint32_t GetImageSize() const { return static_cast<uint32_t>(GetVar(mDevice->image_count)); }
+  uint32_t GetCompression() const { return static_cast<uint32_t>(GetVar(mDevice->compression)); }
+  void GetImage(uint8_t *aImage) const {
+    scoped_lock_t lock(mPc->mMutex);
+    playerc_camera_copy_image(mDevice, aImage, GetImageSize());
+  }
+
+ private:
+  uint32_t frame_;
+};
+
+class Graphics2dProxy : public PLAYERCC_BASE(graphics2d) {
+ public:
+  Graphics2dProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex) {}
+
+  void Color(player_color_t col) { PLAYERCC_DO(playerc_graphics2d_setcolor, mDevice, col); }
+  void Color(uint8_t red, uint8_t green, uint8_t blue, uint8_t alpha) {
+    const player_color_t color = {alpha, red, green, blue};
+    Color(color);
+  }
+  void Clear() { PLAYERCC_DO(playerc_graphics2d_clear, mDevice); }
+  void DrawPoints(player_point_2d_t pts[], int count) {
+    PLAYERCC_DO(playerc_graphics2d_draw_points, mDevice, pts, count);
+  }
+  void DrawPolygon(player_point_2d_t pts[], int count, bool filled, player_color_t fill_color) {
+    PLAYERCC_DO(playerc_graphics2d_draw_polygon, mDevice, pts, count, filled ? 1 : 0, fill_color);
+  }
+  void DrawPolyline(player_point_2d_t pts[], int count) {
+    PLAYERCC_DO(playerc_graphics2d_draw_polyline, mDevice, pts, count);
+  }
+  void DrawMultiline(player_point_2d_t pts[], int count) {
+    PLAYERCC_DO(playerc_graphics2d_draw_multiline, mDevice, pts, count);
+  }
 };
 
 // --- others
