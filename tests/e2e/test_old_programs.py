@@ -92,6 +92,15 @@ class OldPrograms(HouseTest):
         self.assertRegex(said[5], r"^ClientProxy\(-1\): there is no element 181 of 181 of laser$")
         self.assertRegex(said[6], r"^ClientProxy\(-1\): .*there is no sonar:9$")
 
+    def test_a_new_program_links_the_shared_library_by_pkg_config(self):
+        examples = ROOT / "clients" / "c" / "examples"
+        flags = self.flags("--cflags", "--libs", package="playhouse_c")
+        tool("cc", "-std=c11", examples / "square.c", examples / "program.c", *flags, "-o", self.folder / "square")
+        said = subprocess.run([self.folder / "square", "127.0.0.1:65536"], capture_output=True, text=True)
+        self.assertIn("127.0.0.1:65536", said.stderr, "it is loaded and refuses the port")
+        needed = tool("readelf", "-d", self.folder / "square")
+        self.assertRegex(needed, r"libplayhouse_c\.so\.\d+\.\d+\]")
+
     def test_the_headers_are_of_cpp_as_well_and_clash_with_none_of_ours(self):
         source = self.write("both.cc", "#include <libplayerc/playerc.h>\n#include <playhouse/c.h>\n"
                                        "int main() { return PLAYER_LASER_CODE == PH_LASER_CODE ? 0 : 1; }\n")
