@@ -3,6 +3,8 @@
 
 #include "inside.h"
 
+enum { MOST_WAYPOINTS = 1 << 20 };  // that data may announce
+
 // --- localize
 
 static void put_localize(void *proxy, char *header, char *body) {
@@ -53,6 +55,14 @@ int playerc_localize_get_particles(playerc_localize_t *device) {
 
 // --- planner
 
+/** Their number comes with the data, before or without the list itself: what is not known of it is zeros. */
+static void count_waypoints(playerc_planner_t *device, uint32_t count) {
+  const uint32_t known = (uint32_t)device->waypoint_count;
+  if (!playerc_room(&device->waypoints, count, sizeof *device->waypoints)) return;
+  if (count > known) memset(device->waypoints + known, 0, (count - known) * sizeof *device->waypoints);
+  device->waypoint_count = (int)count;
+}
+
 static void put_planner(void *proxy, char *header, char *body) {
   playerc_planner_t *device = proxy;
   const void *message = body;
@@ -70,6 +80,7 @@ static void put_planner(void *proxy, char *header, char *body) {
   device->wy = data->waypoint.py;
   device->wa = data->waypoint.pa;
   device->curr_waypoint = data->waypoint_idx;
+  if (data->waypoints_count < MOST_WAYPOINTS) count_waypoints(device, data->waypoints_count);
 }
 
 static void release_planner(playerc_planner_t *device) {

@@ -465,8 +465,9 @@ typedef struct {
   double gx, gy, ga;
   double wx, wy, wa;
   int curr_waypoint;
+  /** With the data, as all above. */
   int waypoint_count;
-  /** Of playerc_planner_get_waypoints(): x, y and heading of each, and the length of the way (m). */
+  /** Of playerc_planner_get_waypoints(), zeros before: x, y and heading of each, and the length of the way (m). */
   double (*waypoints)[3];
   double waypoint_distance;
 } playerc_planner_t;
