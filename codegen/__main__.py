@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 from codegen import (emit_c, emit_changes, emit_commands, emit_cpp, emit_cpp_fields, emit_docs, emit_engine_words, emit_java,
-                     emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_lisp, emit_looks, emit_python, emit_stage_words,
+                     emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_lisp, emit_looks, emit_playerc, emit_python, emit_stage_words,
                      emit_tables, emit_tcl, emit_typescript, emit_views, emit_wire_fields)
 from codegen.checks import SchemaError
 from codegen.commands import load_commands
@@ -21,13 +21,13 @@ from codegen.model import load
 from codegen.proxies import build_proxies, c, cpp, java, lisp, python, tcl, typescript
 
 ROOT = Path(__file__).resolve().parent.parent
-EMITTERS = [emit_c, emit_cpp, emit_cpp_fields, emit_docs, emit_java, emit_lisp, emit_python, emit_tcl, emit_typescript,
+EMITTERS = [emit_c, emit_cpp, emit_cpp_fields, emit_docs, emit_java, emit_lisp, emit_playerc, emit_python, emit_tcl, emit_typescript,
             emit_wire_fields]  # of interfaces/
 PROXY_EMITTERS = [c, cpp, java, lisp, python, tcl, typescript]
 KIND_EMITTERS = [emit_changes, emit_engine_words, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_tables, emit_views]
 # Folders owned by the emitters: other files there are left over, also of emitters that are no more.
 OWNED = ["playhouse/*/generated", emit_c.FOLDER, emit_c.SOURCES, emit_docs.FOLDER, emit_java.FOLDER, emit_kinds_docs.FOLDER, emit_lisp.FOLDER, c.FOLDER,
-         emit_looks.FOLDER, cpp.FOLDER, emit_python.FOLDER, emit_tcl.FOLDER, emit_typescript.FOLDER, emit_views.WEB_FOLDER]
+         emit_looks.FOLDER, cpp.FOLDER, emit_playerc.FOLDER, emit_python.FOLDER, emit_tcl.FOLDER, emit_typescript.FOLDER, emit_views.WEB_FOLDER]
 
 
 def wanted() -> dict[str, str]:

@@ -70,7 +70,7 @@ def _constant_name(interface: Interface, name: str) -> str:
     return f"PH_{interface.name.upper()}_{name}"
 
 
-def _comment(text: str, indent: str = "") -> list[str]:
+def comment(text: str, indent: str = "") -> list[str]:
     lines = textwrap.wrap(text.strip(), WIDTH - len(indent) - 7)
     if not lines:
         return []
@@ -85,7 +85,7 @@ def _header(interface: Interface) -> str:
     shared = interface.code is None
     guard = f"PLAYHOUSE_C_GENERATED_{interface.name.upper()}_H"
     title = "What every interface shares." if shared else f"Interface {interface.name}, code {interface.code}."
-    lines = _comment(f"{title} {interface.doc} Generated from {interface.source} by codegen; do not edit.")
+    lines = comment(f"{title} {interface.doc} Generated from {interface.source} by codegen; do not edit.")
     lines += [f"#ifndef {guard}", f"#define {guard}", ""]
     lines += [f'#include "playhouse/c/generated/{name}.h"' for name in _includes(interface)]
     lines += ['#include "playhouse/c/wire.h"', "", "#ifdef __cplusplus", 'extern "C" {', "#endif", ""]
@@ -107,16 +107,16 @@ def _includes(interface: Interface) -> list[str]:
 
 
 def _constants(interface: Interface, group: Constants) -> list[str]:
-    lines = [*_comment(group.doc), "enum {"]
+    lines = [*comment(group.doc), "enum {"]
     lines += [f"  {_constant_name(interface, name)} = {value}," for name, value in group.values.items()]
     return [*lines, "};", ""]
 
 
 def _struct(interface: Interface, struct: Struct) -> list[str]:
     name = struct_name(interface.name, struct.name)
-    lines = [*_comment(f"{struct.doc} ({struct.c_name})"), f"typedef struct {name} {{"]
+    lines = [*comment(f"{struct.doc} ({struct.c_name})"), f"typedef struct {name} {{"]
     for f in struct.fields:
-        lines += [*_comment(_about(f), "  "), *(f"  {member}" for member in _members(f))]
+        lines += [*comment(_about(f), "  "), *(f"  {member}" for member in _members(f))]
     return [*lines, f"}} {name};", f"PH_CODEC({name})", ""]
 
 
@@ -137,13 +137,13 @@ def _messages(interface: Interface) -> list[str]:
     lines = ["/** The messages, each under its name below. */"]
     lines.append(f"extern const ph_message_type {rows}[{len(interface.messages)}];")
     for at, m in enumerate(interface.sorted_messages()):
-        lines += [*_comment(m.doc), f"#define {_message_name(interface, m)} (&{rows}[{at}])"]
+        lines += [*comment(m.doc), f"#define {_message_name(interface, m)} (&{rows}[{at}])"]
     return lines
 
 
 def _all_headers(schema: Schema) -> str:
     guard = "PLAYHOUSE_C_GENERATED_ALL_H"
-    lines = _comment("Every interface. Generated from interfaces/ by codegen; do not edit.")
+    lines = comment("Every interface. Generated from interfaces/ by codegen; do not edit.")
     lines += [f"#ifndef {guard}", f"#define {guard}", ""]
     lines += [f'#include "playhouse/c/generated/{name}.h"' for name in sorted(i.name for i in schema.all())]
     return "\n".join([*lines, "", f"#endif  /* {guard} */", ""])
@@ -153,7 +153,7 @@ def _all_headers(schema: Schema) -> str:
 
 
 def _source(interface: Interface) -> str:
-    lines = [*_comment(f"Generated from {interface.source} by codegen; do not edit."),
+    lines = [*comment(f"Generated from {interface.source} by codegen; do not edit."),
              f'#include "playhouse/c/generated/{interface.name}.h"', "", "#include <stddef.h>", ""]
     for struct in interface.in_order():
         lines += _tables(interface, struct)
@@ -174,8 +174,12 @@ def _tables(interface: Interface, struct: Struct) -> list[str]:
 
 
 def _field(name: str, struct: Struct, f: Field) -> list[str]:
-    """The initializer of a ph_field."""
-    shape = "DYNAMIC" if f.dynamic else "COUNTED" if f.has_count else "FIXED" if f.is_array else "ONE"
+    return field_row(name, struct, f, "COUNTED", struct_name(f.owner, f.type))
+
+
+def field_row(name: str, struct: Struct, f: Field, counted: str, of: str) -> list[str]:
+    """The initializer of a ph_field of the C struct `name`, whose bounded lists have the shape `counted`; `of` is the C struct of its value."""
+    shape = "DYNAMIC" if f.dynamic else counted if f.has_count else "FIXED" if f.is_array else "ONE"
     early = [at for at, g in enumerate(struct.fields, 1) if g.has_count and g.count_before == f.name]
     if len(early) > 1 or (f.count_before and not f.dynamic):
         raise SchemaError(f"{struct.c_name}: this order of counts is not written in C yet")
@@ -183,7 +187,7 @@ def _field(name: str, struct: Struct, f: Field) -> list[str]:
         f'"{f.name}"', f"PH_TYPE_{f.type.upper() if f.is_scalar else 'STRUCT'}", f"PH_SHAPE_{shape}",
         str(early[0] if early else 0), "1" if f.count_before else "0", str(f.length or f.max or 1),
         f"offsetof({name}, {f.name})", f"offsetof({name}, {f.count_name})" if f.has_count else "0",
-        "NULL" if f.is_scalar else f"&{struct_name(f.owner, f.type)}_type",
+        "NULL" if f.is_scalar else f"&{of}_type",
     ]
 
 
@@ -192,7 +196,7 @@ def _field(name: str, struct: Struct, f: Field) -> list[str]:
 
 def _catalogue_header(schema: Schema) -> str:
     return "\n".join([
-        *_comment("The interfaces and their messages, by code. Generated from interfaces/ by codegen; do not edit."),
+        *comment("The interfaces and their messages, by code. Generated from interfaces/ by codegen; do not edit."),
         "#ifndef PLAYHOUSE_C_CATALOGUE_H", "#define PLAYHOUSE_C_CATALOGUE_H", "", '#include "playhouse/c/wire.h"',
         "",
         "typedef struct ph_interface {", "  uint16_t code;", "  uint16_t message_count;", "  const char *name;",
@@ -203,7 +207,7 @@ def _catalogue_header(schema: Schema) -> str:
 
 
 def _catalogue(schema: Schema) -> str:
-    lines = [*_comment("Generated from interfaces/ by codegen; do not edit."), '#include "catalogue.h"', "",
+    lines = [*comment("Generated from interfaces/ by codegen; do not edit."), '#include "catalogue.h"', "",
              '#include "playhouse/c/generated/all.h"', "", "const ph_interface ph_interfaces[PH_INTERFACE_COUNT] = {"]
     for i in schema.all():
         name = "universal" if i.name == COMMON else i.name

@@ -2,16 +2,12 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-#include <zlib.h>
 
 #include "playhouse/c/generated/map.h"
 #include "proxy.h"
+#include "tile.h"
 
-enum {
-  TILE = 512,            // cells along a side of a tile of a map, so that any map fits into messages
-  MOST_CELLS = 1 << 26,  // of a map
-};
+enum { MOST_CELLS = 1 << 26 };  // of a map
 
 struct ph_map {
   ph_device device;
@@ -52,23 +48,6 @@ ph_status ph_map_grid(ph_map *map, ph_grid *grid, ph_error *error) {
                  ph_number_text(at->y, y), ph_number_text(at->a, a));
 }
 
-/** The bytes of a tile, which are to be `count`: a stream of zlib, or the cells themselves as of a server
- * without it. Returns how many there are, `count` + 1 if there are more. */
-static size_t uncompress_tile(const ph_map_data *tile, uint8_t *bytes, size_t count) {
-  z_stream stream = {.next_in = (Bytef *)(uintptr_t)tile->data,
-                     .avail_in = tile->data_count,
-                     .next_out = bytes,
-                     .avail_out = (uInt)(count + 1)};
-  if (inflateInit(&stream) != Z_OK) return 0;
-  const int result = inflate(&stream, Z_SYNC_FLUSH);
-  const size_t size = stream.total_out;
-  inflateEnd(&stream);
-  if (result != Z_DATA_ERROR && result != Z_NEED_DICT) return size;
-  const size_t raw = tile->data_count <= count ? tile->data_count : count + 1;
-  if (raw > 0) memcpy(bytes, tile->data, raw);
-  return raw;
-}
-
 /** What a byte of a map says: 1 and -1 beyond half of the range of values, else 0. */
 static int8_t occupancy(uint8_t byte, int range) {
   const int limit = range > 1 ? range : 1, twice = 2 * (int8_t)byte;
@@ -83,7 +62,7 @@ static ph_status fill_tile(ph_map *map, const ph_grid *grid, const ph_map_data *
   PH_TRY(ph_device_ask(&map->device, PH_MAP_REQ_GET_DATA, asked, &answer, error));
   const ph_map_data *tile = answer->data;
   const int range = tile->data_range;
-  const size_t size = uncompress_tile(tile, bytes, count);
+  const size_t size = ph_tile_uncompress(tile->data, tile->data_count, bytes, count);
   ph_value_free(answer);
   if (size != count) {
     return ph_fail(error, PH_WIRE_ERROR, "%s: a tile of %lu x %lu cells is damaged", map->device.name,
@@ -97,17 +76,13 @@ static ph_status fill_tile(ph_map *map, const ph_grid *grid, const ph_map_data *
   return PH_OK;
 }
 
-static uint32_t part_of(uint32_t whole, uint32_t from) {
-  return whole - from < TILE ? whole - from : TILE;
-}
-
 static ph_status fill(ph_map *map, const ph_grid *grid, uint8_t *bytes, ph_error *error) {
-  for (uint32_t row = 0; row < grid->height; row += TILE) {
-    for (uint32_t column = 0; column < grid->width; column += TILE) {
+  for (uint32_t row = 0; row < grid->height; row += PH_TILE) {
+    for (uint32_t column = 0; column < grid->width; column += PH_TILE) {
       const ph_map_data asked = {.col = column,
                                  .row = row,
-                                 .width = part_of(grid->width, column),
-                                 .height = part_of(grid->height, row)};
+                                 .width = ph_tile_part(grid->width, column),
+                                 .height = ph_tile_part(grid->height, row)};
       PH_TRY(fill_tile(map, grid, &asked, bytes, error));
     }
   }
@@ -122,7 +97,7 @@ ph_status ph_map_cells(ph_map *map, ph_cells *cells, ph_error *error) {
     return ph_fail(error, PH_WIRE_ERROR, "%s: %lu x %lu cells are over the limit of %d", map->device.name,
                    (unsigned long)grid.width, (unsigned long)grid.height, (int)MOST_CELLS);
   }
-  uint8_t *bytes = malloc(TILE * TILE + 1);
+  uint8_t *bytes = malloc(PH_TILE * PH_TILE + 1);
   ph_status status =
       bytes != NULL && ph_list_new(&map->cells, count, 1) != NULL ? PH_OK : ph_fail_no_memory(error);
   if (status == PH_OK && count > 0) status = fill(map, &grid, bytes, error);

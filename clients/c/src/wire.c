@@ -17,6 +17,11 @@ static const struct {
     [PH_TYPE_FLOAT64] = {8, 8},
 };
 
+/** Whether a length precedes the elements on the wire. */
+static bool has_length(const ph_field *field) {
+  return field->shape >= PH_SHAPE_COUNTED;
+}
+
 /** Whether an array of these travels as raw bytes. */
 static bool is_opaque(const ph_field *field) {
   return field->type <= PH_TYPE_UINT8;
@@ -144,8 +149,8 @@ static ph_status write_count(const ph_field *field, const uint8_t *value, ph_buf
 }
 
 static ph_status write_list(const ph_field *field, const uint8_t *value, ph_buffer *out, ph_error *error) {
-  const uint8_t *elements = NULL;
-  memcpy(&elements, value + field->offset, sizeof elements);
+  const uint8_t *elements = value + field->offset;
+  if (field->shape != PH_SHAPE_INLINE) memcpy(&elements, value + field->offset, sizeof elements);
   if (!field->count_is_early) PH_TRY(write_count(field, value, out, error));
   PH_TRY(write_count(field, value, out, error));
   const uint32_t count = count_of(field, value);
@@ -160,7 +165,7 @@ static ph_status write_struct(const ph_struct_type *type, const uint8_t *value, 
   for (size_t i = 0; i < type->field_count; ++i) {
     const ph_field *field = &type->fields[i];
     if (field->early != 0) PH_TRY(write_count(&type->fields[field->early - 1], value, out, error));
-    if (field->shape == PH_SHAPE_COUNTED || field->shape == PH_SHAPE_DYNAMIC) {
+    if (has_length(field)) {
       PH_TRY(write_list(field, value, out, error));
     } else {
       PH_TRY(write_elements(field, value + field->offset, field->limit, out, error));
@@ -278,6 +283,8 @@ static ph_status read_list(reader *in, const ph_field *field, uint32_t early_cou
   uint32_t count = early_count, length = 0;
   if (!field->count_is_early) PH_TRY(read_word(in, &count));
   PH_TRY(read_length(in, field, field->shape == PH_SHAPE_DYNAMIC ? count : field->limit, &length));
+  memcpy(value + field->count_offset, &length, sizeof length);
+  if (field->shape == PH_SHAPE_INLINE) return read_elements(in, field, length, value + field->offset);
   const size_t nul = field->type == PH_TYPE_CHAR ? 1 : 0;  // texts are C strings
   uint8_t *elements = NULL;
   if (length + nul > 0) {
@@ -286,7 +293,6 @@ static ph_status read_list(reader *in, const ph_field *field, uint32_t early_cou
     PH_TRY(read_elements(in, field, length, elements));
   }
   memcpy(value + field->offset, &elements, sizeof elements);
-  memcpy(value + field->count_offset, &length, sizeof length);
   return PH_OK;
 }
 
@@ -295,7 +301,7 @@ static ph_status read_struct(reader *in, const ph_struct_type *type, uint8_t *va
   for (size_t i = 0; i < type->field_count; ++i) {
     const ph_field *field = &type->fields[i];
     if (field->early != 0) PH_TRY(read_word(in, &early_count));
-    if (field->shape == PH_SHAPE_COUNTED || field->shape == PH_SHAPE_DYNAMIC) {
+    if (has_length(field)) {
       PH_TRY(read_list(in, field, early_count, value));
     } else {
       PH_TRY(read_elements(in, field, field->limit, value + field->offset));

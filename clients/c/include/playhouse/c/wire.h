@@ -79,7 +79,8 @@ typedef enum ph_shape {
   PH_SHAPE_ONE,
   PH_SHAPE_FIXED,   /**< an array of `limit` elements, without a length on the wire */
   PH_SHAPE_COUNTED, /**< a pointer and a count, at most `limit` elements */
-  PH_SHAPE_DYNAMIC  /**< the same; only the size of a message limits it */
+  PH_SHAPE_DYNAMIC, /**< the same; only the size of a message limits it */
+  PH_SHAPE_INLINE   /**< an array of `limit` elements with a count: how many of them are meant */
 } ph_shape;
 
 typedef struct ph_struct_type ph_struct_type;

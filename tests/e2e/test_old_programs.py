@@ -1,0 +1,113 @@
+"""C programs as they were written for Player, built with the installed pkg-config package and nothing else, against the real
+server: clients/c/playerc/tests."""
+
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from house import ROOT, House, HouseTest
+from installed import tool
+
+PROGRAMS = ROOT / "clients" / "c" / "playerc" / "tests"
+OLD = ("-std=gnu89", "-Wall", "-Wextra", "-Werror")
+
+
+class OldPrograms(HouseTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.place = Path(folder.name)
+        tool("cmake", "-G", "Ninja", "-S", ROOT / "clients" / "c", "-B", cls.place / "build", "-DCMAKE_BUILD_TYPE=Debug")
+        tool("cmake", "--build", cls.place / "build")
+        tool("cmake", "--install", cls.place / "build", "--prefix", cls.place / "prefix")
+
+    def flags(self, *what, package="playerc") -> list[str]:
+        path = self.place / "prefix" / "lib" / "pkgconfig"
+        return tool("pkg-config", *what, package, env={"PATH": "/usr/bin:/bin", "PKG_CONFIG_PATH": str(path)}).split()
+
+    def build(self, name: str, *more, libraries=()) -> Path:
+        program = self.folder / name
+        tool("cc", *OLD, *self.flags("--cflags"), *more, PROGRAMS / f"{name}.c", *(libraries or self.flags("--libs")), "-o", program)
+        return program
+
+    def test_a_robot_wanders_by_its_laser(self):
+        with self.run_house("--speed", 10) as house:
+            said = tool(self.build("wander"), house.port()).splitlines()
+        self.assertEqual(said[0], "size 0.40 0.40")
+        self.assertEqual(said[1], "beams 181 start -1.5708 step 0.0175 max 8.0 bad 0")
+        x, y, heading = map(float, said[2].split()[1:4])
+        self.assertTrue(1.5 < x < 2.5 and abs(y) < 0.1 and 0.78 < heading < 1.6, said)
+        self.assertEqual(said[2].split()[4:], ["time", "1"])
+
+    def test_devices_are_listed_and_refusals_told(self):
+        with self.run_house() as house:
+            said = tool(self.build("devices"), house.port()).splitlines()
+        self.assertEqual(said[0], "udp -1: the transport is 2: only TCP (1) is supported")
+        self.assertIn("position2d:1 (stage)", said)
+        self.assertIn("ranger:3 (stage)", said)
+        self.assertEqual(said[-5:], ["laser:7 -1 there is no laser:7", "driver stage", "nobody -2", "property -2", "r1 1.50 -2.00 0.50"])
+
+    def test_messages_are_read_one_by_one_until_the_run_ends(self):
+        with self.run_house("--speed", 10) as house:
+            program = subprocess.Popen([self.build("push"), str(house.port())], stdout=subprocess.PIPE, text=True)
+            self.addCleanup(program.stdout.close)
+            self.addCleanup(program.kill)
+            self.assertEqual(program.stdout.readline(), "others 0 calls as many\n")
+            house.end()
+            self.assertRegex(program.communicate(timeout=60)[0], "the run ended")
+            self.assertEqual(program.returncode, 0)
+
+    def test_a_map_is_fetched(self):
+        self.write("room.pgm", "P2 4 3 255 0 0 0 0 0 255 255 0 0 0 255 0")
+        cfg = self.write("map.cfg", 'driver ( name "mapfile" provides ["map:0"] filename "room.pgm" resolution 0.5 )')
+        with House("serve", cfg, "--port", 0) as house:
+            said = tool(self.build("map"), house.port())
+        self.assertEqual(said, "4 x 3 of 0.50 m from -1.0 -0.8\n####\n#..#\n##.#\n")
+
+    def test_several_servers_are_read_together(self):
+        with self.run_house("--speed", 10) as one, self.run_house("--speed", 10) as other:
+            said = tool(self.build("several"), one.port(), other.port()).splitlines()
+        self.assertEqual(said[-1], "time 1")
+        for line in said[:2]:
+            self.assertRegex(line, r"^181 ranges, 181 points, the middle one at 2\.\d\d (-0|0)\.00$")
+
+    def test_a_program_may_be_linked_without_shared_libraries(self):
+        folder = self.place / "prefix" / "lib"
+        libraries = [folder / "libplayerc.a", folder / "libplayhouse_c.a", "-lz", "-lm"]
+        with self.run_house() as house:
+            self.assertIn("driver stage", tool(self.build("devices", libraries=libraries), house.port()))
+
+    def test_a_robot_in_cpp_drives_along_and_exceptions_tell_what_fails(self):
+        program = self.folder / "drive"
+        tool("c++", "-std=c++11", "-Wall", "-Wextra", "-Werror", *self.flags("--cflags", package="playerc++"), PROGRAMS / "drive.cc",
+             *self.flags("--libs", package="playerc++"), "-o", program)
+        with self.run_house("--speed", 10) as house:
+            said = tool(program, house.port()).splitlines()
+        self.assertEqual(said[0], f"localhost:{house.port()}")
+        self.assertRegex(said[1], r"^at 1\.\d+ 0 0, speed 0\.\d+ 0 0$")
+        self.assertEqual(said[2:5], ["181 181 2 ranges", "where it is: as its odometry says", "-1 0.3 1.5708"])
+        self.assertRegex(said[5], r"^ClientProxy\(-1\): there is no element 181 of 181 of laser$")
+        self.assertRegex(said[6], r"^ClientProxy\(-1\): .*there is no sonar:9$")
+
+    def test_a_new_program_links_the_shared_library_by_pkg_config(self):
+        examples = ROOT / "clients" / "c" / "examples"
+        flags = self.flags("--cflags", "--libs", package="playhouse_c")
+        tool("cc", "-std=c11", examples / "square.c", examples / "program.c", *flags, "-o", self.folder / "square")
+        said = subprocess.run([self.folder / "square", "127.0.0.1:65536"], capture_output=True, text=True)
+        self.assertIn("127.0.0.1:65536", said.stderr, "it is loaded and refuses the port")
+        needed = tool("readelf", "-d", self.folder / "square")
+        self.assertRegex(needed, r"libplayhouse_c\.so\.\d+\.\d+\]")
+
+    def test_the_headers_are_of_cpp_as_well_and_clash_with_none_of_ours(self):
+        source = self.write("both.cc", "#include <libplayerc/playerc.h>\n#include <playhouse/c.h>\n"
+                                       "int main() { return PLAYER_LASER_CODE == PH_LASER_CODE ? 0 : 1; }\n")
+        include = self.place / "prefix" / "include"
+        tool("c++", "-Wall", "-Wextra", "-Werror", *self.flags("--cflags"), f"-I{include}", source, "-o", self.folder / "both", *self.flags("--libs"))
+        tool(self.folder / "both")
+
+
+if __name__ == "__main__":
+    unittest.main()
