@@ -1,8 +1,8 @@
 /// A detector as interface ranger, by beam, and as
 /// interface fiducial, by detection (docs/detectors.md).
 
-#include "playhouse/drivers/interfaces/fiducial.h"
-#include "playhouse/drivers/interfaces/ranger.h"
+#include "playhouse/drivers/interfaces/ranging/fiducial.h"
+#include "playhouse/drivers/interfaces/ranging/ranger.h"
 #include "playhouse/drivers/interfaces/shapes.h"
 
 namespace playhouse::drivers {

@@ -1,4 +1,4 @@
-#include "playhouse/drivers/interfaces/radio_address.h"
+#include "playhouse/drivers/interfaces/talk/radio_address.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "playhouse/drivers/generated/device_makers.h"
-#include "playhouse/drivers/interfaces/radio_address.h"
+#include "playhouse/drivers/interfaces/talk/radio_address.h"
 
 namespace playhouse::drivers {
 namespace {

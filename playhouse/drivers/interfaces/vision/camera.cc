@@ -1,7 +1,7 @@
 /// A camera as interface camera (docs/drivers.md).
 
 #include "playhouse/drivers/generated/device_makers.h"
-#include "playhouse/drivers/interfaces/image.h"
+#include "playhouse/drivers/interfaces/vision/image.h"
 
 namespace playhouse::drivers {
 namespace {

@@ -4,7 +4,7 @@
 /// array of transducers (docs/drivers.md); a subclass for each kind of model.
 
 #include "playhouse/drivers/generated/device_makers.h"
-#include "playhouse/drivers/interfaces/scan.h"
+#include "playhouse/drivers/interfaces/ranging/scan.h"
 #include "playhouse/wire/generated/ranger.h"
 
 namespace playhouse::drivers {

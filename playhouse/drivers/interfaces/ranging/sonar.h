@@ -3,7 +3,7 @@
 /// A ranger's array of transducers as interface sonar (docs/drivers.md).
 
 #include "playhouse/drivers/generated/device_makers.h"
-#include "playhouse/drivers/interfaces/scan.h"
+#include "playhouse/drivers/interfaces/ranging/scan.h"
 
 namespace playhouse::drivers {
 

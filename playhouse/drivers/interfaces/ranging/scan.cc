@@ -1,4 +1,4 @@
-#include "playhouse/drivers/interfaces/scan.h"
+#include "playhouse/drivers/interfaces/ranging/scan.h"
 
 namespace playhouse::drivers {
 namespace {

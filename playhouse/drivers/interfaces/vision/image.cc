@@ -1,4 +1,4 @@
-#include "playhouse/drivers/interfaces/image.h"
+#include "playhouse/drivers/interfaces/vision/image.h"
 
 #include <turbojpeg.h>
 

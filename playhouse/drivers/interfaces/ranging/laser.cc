@@ -1,4 +1,4 @@
-#include "playhouse/drivers/interfaces/laser.h"
+#include "playhouse/drivers/interfaces/ranging/laser.h"
 
 #include <algorithm>
 

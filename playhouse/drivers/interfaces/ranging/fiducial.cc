@@ -1,4 +1,4 @@
-#include "playhouse/drivers/interfaces/fiducial.h"
+#include "playhouse/drivers/interfaces/ranging/fiducial.h"
 
 #include "playhouse/drivers/interfaces/shapes.h"
 

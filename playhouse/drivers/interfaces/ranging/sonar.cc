@@ -1,4 +1,4 @@
-#include "playhouse/drivers/interfaces/sonar.h"
+#include "playhouse/drivers/interfaces/ranging/sonar.h"
 
 #include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/wire/generated/sonar.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "playhouse/drivers/generated/device_makers.h"
-#include "playhouse/drivers/interfaces/scan.h"
+#include "playhouse/drivers/interfaces/ranging/scan.h"
 #include "playhouse/geom/orientation.h"
 #include "playhouse/scene/forms/sensor_rays.h"
 

@@ -8,7 +8,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/generated/device_makers.h"
-#include "playhouse/drivers/interfaces/radio_address.h"
+#include "playhouse/drivers/interfaces/talk/radio_address.h"
 #include "playhouse/world/radio_messages.h"
 
 namespace playhouse::drivers {

@@ -3,7 +3,7 @@
 /// A ranger's scanner as interface laser (docs/drivers.md).
 
 #include "playhouse/drivers/generated/device_makers.h"
-#include "playhouse/drivers/interfaces/scan.h"
+#include "playhouse/drivers/interfaces/ranging/scan.h"
 #include "playhouse/wire/generated/laser.h"
 
 namespace playhouse::drivers {

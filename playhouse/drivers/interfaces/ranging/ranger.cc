@@ -1,4 +1,4 @@
-#include "playhouse/drivers/interfaces/ranger.h"
+#include "playhouse/drivers/interfaces/ranging/ranger.h"
 
 #include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/world/periods.h"

@@ -1,4 +1,4 @@
-#include "playhouse/drivers/interfaces/position2d.h"
+#include "playhouse/drivers/interfaces/motion/position2d.h"
 
 #include <algorithm>
 #include <cmath>
