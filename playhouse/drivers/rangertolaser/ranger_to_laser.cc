@@ -76,7 +76,8 @@ void convert_answers(Shell& shell, std::size_t ranger, std::uint8_t subtype, std
 RangerToLaser::RangerToLaser(Shell& shell)
     : shell_(shell),
       ranges_(shell.client().latest(kRanger, rng::kDataRange)),
-      intensities_(shell.client().latest(kRanger, rng::kDataIntns)) {
+      intensities_(shell.client().latest(kRanger, rng::kDataIntns)),
+      configured_(shell.client().latest(kRanger, rng::kDataRangestamped)) {
   convert_answers<rng::Geom>(shell, kRanger, lsr::kReqGetGeom, rng::kReqGetGeom, laser_geom);
   convert_answers<rng::Config>(shell, kRanger, lsr::kReqGetConfig, rng::kReqGetConfig, laser_config);
   // POWER has the same payload in both.
@@ -108,6 +109,7 @@ void RangerToLaser::closed() {
 void RangerToLaser::take_news(std::vector<device::Publication>& more) {
   const std::optional<device::Publication> ranges = ranges_.take_latest();
   const std::optional<device::Publication> intensities = intensities_.take_latest();
+  const std::optional<device::Publication> configured = configured_.take_latest();
   if (!ranges) return;
   const Result<rng::DataRange> range_values = wire::decode<rng::DataRange>(ranges->body);
   if (!range_values) return;
@@ -118,6 +120,10 @@ void RangerToLaser::take_news(std::vector<device::Publication>& more) {
   }
   const std::lock_guard lock(mutex_);
   if (!config_) return;
+  if (configured) {
+    const auto stamped = wire::decode<rng::DataRangestamped>(configured->body);
+    if (stamped && stamped->have_config != 0) config_ = stamped->config;
+  }
   const lsr::Data scan = laser_scan(*config_, *range_values, intensity_values, ++scans_);
   more.push_back({shell_.device(0), lsr::kDataScan, ranges->timestamp, wire::encode(scan)});
 }

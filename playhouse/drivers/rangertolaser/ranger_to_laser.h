@@ -39,6 +39,7 @@ class RangerToLaser final : public Algorithm {
   Shell& shell_;
   device::Subscription& ranges_;
   device::Subscription& intensities_;
+  device::Subscription& configured_;  // of the first scan in another configuration
 
   std::mutex mutex_;                            // guards what follows
   std::optional<wire::ranger::Config> config_;  // while the laser is open

@@ -4,6 +4,7 @@
 #include "playhouse/drivers/interfaces/ranging/fiducial.h"
 #include "playhouse/drivers/interfaces/ranging/ranger.h"
 #include "playhouse/drivers/interfaces/shapes.h"
+#include "playhouse/world/periods.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -27,25 +28,25 @@ rng::Geom geometry(const world::World& world, world::ModelRow model) {
 }
 
 /// Beams point at the centres of equal shares of the field of view, rightmost first.
-rng::Config configuration(const world::World& world, world::ModelRow model) {
+ScanSource source_of(const world::World& world, world::ModelRow model) {
   const scene::DetectorDesc& detector = *world.desc(model).detector;
   const double share = detector.fov / detector.samples;
-  rng::Config config;
-  config.min_angle = 0.5 * (share - detector.fov);
-  config.max_angle = 0.5 * (detector.fov - share);
-  config.angular_res = share;
-  config.min_range = detector.range_min;
-  config.max_range = detector.range_max;
-  config.range_res = detector.resolution;
-  config.frequency = measuring_frequency(world, model);
-  return config;
+  ScanSource source{{}, static_cast<std::uint32_t>(detector.samples), world::update_ticks(world, model)};
+  source.usual.min_angle = 0.5 * (share - detector.fov);
+  source.usual.max_angle = 0.5 * (detector.fov - share);
+  source.usual.resolution = share;
+  source.usual.min_range = detector.range_min;
+  source.usual.max_range = detector.range_max;
+  source.usual.range_res = detector.resolution;
+  source.usual.frequency = measuring_frequency(world, model);
+  return source;
 }
 
 class DetectorRanger final : public RangerDevice {
  public:
   DetectorRanger(run::Simulation& simulation, world::ModelRow model)
       : RangerDevice(simulation, model, geometry(simulation.world(), model),
-                     configuration(simulation.world(), model)) {}
+                     source_of(simulation.world(), model)) {}
 
  private:
   bool read(const world::World& world, std::vector<Reading>& out) const override {
@@ -58,10 +59,9 @@ class DetectorRanger final : public RangerDevice {
   }
 };
 
-fid::Fov field_of_view(const world::World& world, world::ModelRow model) {
+FovSettings field_of_view(const world::World& world, world::ModelRow model) {
   const scene::DetectorDesc& detector = *world.desc(model).detector;
-  return {static_cast<float>(detector.range_min), static_cast<float>(detector.range_max),
-          static_cast<float>(detector.fov)};
+  return {detector.range_min, detector.range_max, detector.fov};
 }
 
 class DetectorFiducial final : public FiducialDevice {

@@ -1,5 +1,9 @@
 #include "playhouse/drivers/interfaces/ranging/fiducial.h"
 
+#include <cmath>
+#include <utility>
+
+#include "playhouse/drivers/interfaces/ranging/scan_settings.h"
 #include "playhouse/drivers/interfaces/shapes.h"
 
 namespace playhouse::drivers {
@@ -9,10 +13,14 @@ using wire::MessageType;
 
 namespace {
 
-fid::Fov field_of_view(const world::World& world, world::ModelRow model) {
+FovSettings field_of_view(const world::World& world, world::ModelRow model) {
   const scene::FiducialDesc& finder = *world.desc(model).fiducial;
-  return {static_cast<float>(finder.range_min), static_cast<float>(finder.range_max),
-          static_cast<float>(finder.fov)};
+  return {finder.range_min, finder.range_max, finder.fov};
+}
+
+fid::Fov fov(const FovSettings& settings) {
+  return {static_cast<float>(settings.min_range), static_cast<float>(settings.max_range),
+          static_cast<float>(settings.view_angle)};
 }
 
 class Fiducial final : public FiducialDevice {
@@ -46,31 +54,67 @@ fid::Item fiducial_item(std::int32_t id, double range, double bearing, double he
 }
 
 FiducialDevice::FiducialDevice(run::Simulation& simulation, world::ModelRow model,
-                               const fid::Fov& field_of_view)
-    : SimulatedDevice(simulation, simulation.world().id(model)),
+                               const FovSettings& field_of_view)
+    : DeviceWithSettings(simulation, simulation.world().id(model), field_of_view),
       geometry_(wire::encode(fid::Geom{pose3d(pose_on_robot(simulation.world(), model)),
                                        bbox3d(simulation.world().desc(model).size),
-                                       {}})),
-      field_of_view_(wire::encode(field_of_view)) {}
+                                       {}})) {}
 
 std::span<const Served> FiducialDevice::served() const {
   static constexpr Served kServed[] = {
-      {MessageType::kReq, fid::kReqGetGeom},
-      {MessageType::kReq, fid::kReqGetFov},
-      {MessageType::kReq, fid::kReqGetId},
+      {MessageType::kReq, fid::kReqGetGeom}, {MessageType::kReq, fid::kReqGetFov},
+      {MessageType::kReq, fid::kReqSetFov},  {MessageType::kReq, fid::kReqGetId},
       {MessageType::kReq, fid::kReqSetId},
   };
   return kServed;
 }
 
+std::span<const FiducialDevice::NamedSetting> FiducialDevice::named() const {
+  static constexpr NamedSetting kNamed[] = {
+      {"min_range", &FovSettings::min_range},
+      {"max_range", &FovSettings::max_range},
+      {"view_angle", &FovSettings::view_angle},
+  };
+  return kNamed;
+}
+
+/// Not more than the model measures.
+bool FiducialDevice::settle(FovSettings& wanted) const {
+  if (is_same(wanted.min_range, usual().min_range)) wanted.min_range = usual().min_range;
+  if (is_same(wanted.max_range, usual().max_range)) wanted.max_range = usual().max_range;
+  if (is_same(wanted.view_angle, usual().view_angle)) wanted.view_angle = usual().view_angle;
+  return wanted.min_range >= usual().min_range && wanted.min_range <= wanted.max_range &&
+         wanted.max_range <= usual().max_range && wanted.view_angle >= 0 &&
+         wanted.view_angle <= usual().view_angle;
+}
+
+bool FiducialDevice::is_seen(const fid::Item& item) const {
+  const FovSettings& set = settings();
+  const double range = std::hypot(item.pose.px, item.pose.py);
+  const double bearing = std::atan2(item.pose.py, item.pose.px);
+  return (set.min_range == usual().min_range || range >= set.min_range) &&
+         (set.max_range == usual().max_range || range <= set.max_range) &&
+         (set.view_angle == usual().view_angle || std::fabs(bearing) <= set.view_angle / 2);
+}
+
 void FiducialDevice::request(const device::Message& message, device::Replier replier) {
+  const auto answer = [](const FovSettings& settings) { return wire::encode(fov(settings)); };
   switch (message.subtype) {
     case fid::kReqGetGeom:
       replier.ack(geometry_);
       return;
     case fid::kReqGetFov:
-      replier.ack(field_of_view_);
-      return;
+      return tell_settings(std::move(replier), answer);
+    case fid::kReqSetFov: {
+      const auto value = wire::decode<fid::Fov>(message.body);
+      if (!value) return;
+      const auto edit = [value = *value](FovSettings& wanted) {
+        wanted = {static_cast<double>(value.min_range), static_cast<double>(value.max_range),
+                  static_cast<double>(value.view_angle)};
+        return true;
+      };
+      return change_settings(std::move(replier), edit, answer);
+    }
     case fid::kReqGetId:
     case fid::kReqSetId:
       exchange_id(message, std::move(replier));
@@ -99,7 +143,10 @@ void FiducialDevice::exchange_id(const device::Message& message, device::Replier
 }
 
 void FiducialDevice::emit(const world::World& world, std::vector<device::Publication>& out) {
-  if (const std::optional<fid::Data> data = read(world)) publish(world, fid::kDataScan, *data, out);
+  std::optional<fid::Data> data = read(world);
+  if (!data) return;
+  std::erase_if(data->fiducials, [&](const fid::Item& item) { return !is_seen(item); });
+  publish(world, fid::kDataScan, *data, out);
 }
 
 std::unique_ptr<SimulatedDevice> make_fiducial_device(run::Simulation& simulation, world::ModelRow model) {

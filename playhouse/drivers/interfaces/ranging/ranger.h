@@ -5,28 +5,39 @@
 
 #include "playhouse/drivers/generated/device_makers.h"
 #include "playhouse/drivers/interfaces/ranging/scan.h"
+#include "playhouse/drivers/interfaces/ranging/scan_settings.h"
+#include "playhouse/drivers/settings/settings.h"
 #include "playhouse/wire/generated/ranger.h"
 
 namespace playhouse::drivers {
 
-class RangerDevice : public SimulatedDevice {
+class RangerDevice : public DeviceWithSettings<ScanSettings> {
  public:
-  RangerDevice(run::Simulation& simulation, world::ModelRow model, const wire::ranger::Geom& geometry,
-               const wire::ranger::Config& configuration);
+  RangerDevice(run::Simulation& simulation, world::ModelRow model, wire::ranger::Geom geometry,
+               const ScanSource& source);
 
   std::span<const Served> served() const override;
   void request(const device::Message& message, device::Replier replier) override;
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
+  void ended(world::Journal& journal) override;
 
  private:
+  std::span<const NamedSetting> named() const override;
+  bool settle(ScanSettings& wanted) const override { return choose(source_, wanted).has_value(); }
+  void settled() override;
+
   /// Replaces `out` by the measurements of this very tick. False if there are none.
   virtual bool read(const world::World& world, std::vector<Reading>& out) const = 0;
 
-  Bytes geometry_, configuration_;
+  void set_configuration(const wire::ranger::Config& config, device::Replier replier);
+  /// What was chosen of the readings.
+  void pick();
+
+  wire::ranger::Geom geometry_;
+  ScanSource source_;
+  ScanChoice choice_;
+  bool is_new_ = false;            // set since the last scan
   std::vector<Reading> readings_;  // reused for its capacity
 };
-
-/// Update rate of a model.  [Hz]
-double measuring_frequency(const world::World& world, world::ModelRow model);
 
 }  // namespace playhouse::drivers

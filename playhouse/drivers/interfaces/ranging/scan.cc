@@ -1,5 +1,7 @@
 #include "playhouse/drivers/interfaces/ranging/scan.h"
 
+#include "playhouse/world/periods.h"
+
 namespace playhouse::drivers {
 namespace {
 
@@ -39,6 +41,10 @@ world::SensorRow scanner_of(const world::World& world, world::ModelRow model) {
 
 double angular_resolution(const scene::RangerSensorDesc& sensor) {
   return sensor.samples > 1 ? sensor.fov / (sensor.samples - 1) : sensor.fov;
+}
+
+double measuring_frequency(const world::World& world, world::ModelRow model) {
+  return 1 / (static_cast<double>(world::update_ticks(world, model)) * world.scene().interval);
 }
 
 Beams beams(const world::World& world, world::SensorRow sensor) {

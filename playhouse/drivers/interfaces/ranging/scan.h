@@ -28,6 +28,9 @@ world::SensorRow scanner_of(const world::World& world, world::ModelRow model);
 /// Angle between neighbouring beams [rad]; the whole field of view for a single beam.
 double angular_resolution(const scene::RangerSensorDesc& sensor);
 
+/// Update rate of a model.  [Hz]
+double measuring_frequency(const world::World& world, world::ModelRow model);
+
 /// One reading of a ranger: a distance [m] and an intensity [1].
 struct Reading {
   double range = 0;

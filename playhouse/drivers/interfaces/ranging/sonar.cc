@@ -1,5 +1,7 @@
 #include "playhouse/drivers/interfaces/ranging/sonar.h"
 
+#include <utility>
+
 #include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/wire/generated/sonar.h"
 
@@ -9,7 +11,7 @@ namespace snr = wire::sonar;
 using wire::MessageType;
 
 Sonar::Sonar(run::Simulation& simulation, world::ModelRow model)
-    : SimulatedDevice(simulation, simulation.world().id(model)) {
+    : DeviceWithSettings(simulation, simulation.world().id(model), SonarSettings{}) {
   const world::World& world = simulation.world();
   const geom::SpatialPose X_RB = pose_on_robot(world, model);
   snr::Geom geom;
@@ -27,23 +29,24 @@ std::span<const Served> Sonar::served() const {
   return kServed;
 }
 
+std::span<const Sonar::NamedSetting> Sonar::named() const {
+  static constexpr NamedSetting kNamed[] = {{"power", &SonarSettings::power}};
+  return kNamed;
+}
+
 void Sonar::request(const device::Message& message, device::Replier replier) {
-  switch (message.subtype) {
-    case snr::kReqGetGeom:
-      replier.ack(geometry_);
-      return;
-    case snr::kReqPower:  // always on while the device is open
-      if (const auto value = wire::decode<snr::PowerConfig>(message.body); value && value->state != 0)
-        replier.ack();
-      return;
-    default:
-      return;
-  }
+  if (message.subtype == snr::kReqGetGeom) return replier.ack(geometry_);
+  const auto value = wire::decode<snr::PowerConfig>(message.body);
+  if (!value) return;
+  change_settings(std::move(replier), [on = value->state != 0](SonarSettings& wanted) {
+    wanted.power = on;
+    return true;
+  });
 }
 
 void Sonar::emit(const world::World& world, std::vector<device::Publication>& out) {
   const std::optional<RangerRows> rows = fresh_rows(world, model());
-  if (!rows) return;
+  if (!rows || !settings().power) return;
   readings(world, *rows, readings_);
   snr::Data data;
   data.ranges.reserve(readings_.size());

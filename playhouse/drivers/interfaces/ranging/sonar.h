@@ -4,10 +4,15 @@
 
 #include "playhouse/drivers/generated/device_makers.h"
 #include "playhouse/drivers/interfaces/ranging/scan.h"
+#include "playhouse/drivers/settings/settings.h"
 
 namespace playhouse::drivers {
 
-class Sonar final : public SimulatedDevice {
+struct SonarSettings {
+  bool power = true;
+};
+
+class Sonar final : public DeviceWithSettings<SonarSettings> {
  public:
   /// `model` is of kind kRanger.
   Sonar(run::Simulation& simulation, world::ModelRow model);
@@ -17,6 +22,9 @@ class Sonar final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
 
  private:
+  std::span<const NamedSetting> named() const override;
+  bool settle(SonarSettings&) const override { return true; }
+
   Bytes geometry_;
   std::vector<Reading> readings_;  // reused for its capacity
 };
