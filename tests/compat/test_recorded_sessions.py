@@ -21,6 +21,7 @@ with_stage = unittest.skipUnless(NAMED or BESIDE.is_dir(), "needs Stage's own wo
 
 # (interface, subtype of the request) -> (type, size) recorded, (type, size) here, why
 IMPROVED = {
+    (POSITION2D, 7): ((NACK, 0), (ACK, 0), "gains are kept (docs/drivers.md)"),
     (POSITION2D, 255): ((NACK, 0), (ACK, 0), "capabilities are told truly; the original says no to everything"),
 }
 

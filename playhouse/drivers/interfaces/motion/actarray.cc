@@ -68,7 +68,7 @@ class Actarray final : public SimulatedDevice {
         {MessageType::kCmd, act::kCmdSpeed},  {MessageType::kCmd, act::kCmdMultiSpeed},
         {MessageType::kCmd, act::kCmdHome},   {MessageType::kReq, act::kReqPower},
         {MessageType::kReq, act::kReqBrakes}, {MessageType::kReq, act::kReqGetGeom},
-        {MessageType::kReq, act::kReqSpeed},
+        {MessageType::kReq, act::kReqSpeed},  {MessageType::kReq, act::kReqAccel},
     };
     return kServed;
   }
@@ -101,6 +101,11 @@ class Actarray final : public SimulatedDevice {
         if (const auto value = wire::decode<act::BrakesConfig>(message.body))
           change_world(std::move(replier), changes::BrakeJoint{model(), value->value != 0});
         return;
+      case act::kReqAccel:
+        if (const auto value = wire::decode<act::AccelConfig>(message.body); value && is_joint(value->joint))
+          change_world(std::move(replier),
+                       changes::SetJointAcceleration{model(), static_cast<double>(value->accel)});
+        return;
       default:  // SPEED
         if (const auto value = wire::decode<act::SpeedConfig>(message.body);
             value && is_joint(value->joint) && can_go_at(value->speed))
@@ -127,6 +132,9 @@ class Actarray final : public SimulatedDevice {
     journal.apply(changes::PowerJoint{model(), true});
     journal.apply(changes::BrakeJoint{model(), false});
     journal.apply(changes::SetJointSpeed{model(), desc_.max_speed});
+    const world::World& world = journal.world();
+    if (world.actuators.acceleration[world.models.part[world.row(model())]] != 0)
+      journal.apply(changes::SetJointAcceleration{model(), 0});
   }
 
  private:

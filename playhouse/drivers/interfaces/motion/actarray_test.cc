@@ -125,6 +125,14 @@ TEST_F(ActarrayDevice, has_power_and_brakes_until_the_last_client_closes_it) {
   EXPECT_EQ(lifts().command[{0}], 0);
 }
 
+TEST_F(ActarrayDevice, has_an_acceleration_until_the_last_client_closes_it) {
+  EXPECT_TRUE(ask(act::kReqAccel, wire::encode(act::AccelConfig{-1, 0.25f})));
+  EXPECT_EQ(lifts().acceleration[{0}], 0.25);
+  driver_.stop(kId);
+  still_.run(0);
+  EXPECT_EQ(lifts().acceleration[{0}], 0);
+}
+
 TEST_F(ActarrayDevice, refuses_other_joints_and_what_makes_no_sense) {
   const float nan = std::nanf("");
   EXPECT_EQ(command(act::kCmdPos, act::PositionCmd{1, 0}), device::Taken::kNo);
@@ -138,6 +146,9 @@ TEST_F(ActarrayDevice, refuses_other_joints_and_what_makes_no_sense) {
   EXPECT_FALSE(ask(act::kReqSpeed, wire::encode(act::SpeedConfig{1, 0.1f})));
   EXPECT_FALSE(ask(act::kReqSpeed, wire::encode(act::SpeedConfig{0, 0.6f}))) << "faster than it can";
   EXPECT_FALSE(ask(act::kReqSpeed, wire::encode(act::SpeedConfig{0, nan})));
+  EXPECT_FALSE(ask(act::kReqAccel, wire::encode(act::AccelConfig{1, 0.1f})));
+  EXPECT_FALSE(ask(act::kReqAccel, wire::encode(act::AccelConfig{0, -0.1f})));
+  EXPECT_FALSE(ask(act::kReqAccel, wire::encode(act::AccelConfig{0, nan})));
   EXPECT_FALSE(ask(act::kReqPower));
   EXPECT_EQ(lifts().command[{0}], 0);
 }

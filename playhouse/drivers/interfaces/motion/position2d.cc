@@ -24,8 +24,7 @@ bool are_finite(Number... number) {
 }  // namespace
 
 Position2d::Position2d(run::Simulation& simulation, world::ModelRow model)
-    : SimulatedDevice(simulation, simulation.world().id(model)),
-      update_ticks_(world::update_ticks(simulation.world(), model)) {
+    : DriveDevice(simulation, model), update_ticks_(world::update_ticks(simulation.world(), model)) {
   const scene::ModelDesc& desc = simulation.world().desc(model);
   geometry_ = wire::encode(p2d::Geom{pose3d(desc.X_MB), bbox3d(desc.size)});
 }
@@ -36,7 +35,9 @@ std::span<const Served> Position2d::served() const {
       {MessageType::kCmd, p2d::kCmdCar},          {MessageType::kCmd, p2d::kCmdVelHead},
       {MessageType::kReq, p2d::kReqGetGeom},      {MessageType::kReq, p2d::kReqMotorPower},
       {MessageType::kReq, p2d::kReqPositionMode}, {MessageType::kReq, p2d::kReqSetOdom},
-      {MessageType::kReq, p2d::kReqResetOdom},
+      {MessageType::kReq, p2d::kReqResetOdom},    {MessageType::kReq, p2d::kReqVelocityMode},
+      {MessageType::kReq, p2d::kReqSpeedPid},     {MessageType::kReq, p2d::kReqPositionPid},
+      {MessageType::kReq, p2d::kReqSpeedProf},
   };
   return kServed;
 }
@@ -83,8 +84,17 @@ void Position2d::request(const device::Message& message, device::Replier replier
       replier.ack(geometry_);
       return;
     case p2d::kReqPositionMode:
+    case p2d::kReqVelocityMode:
       replier.ack();
       return;  // the command implies the mode
+    case p2d::kReqSpeedPid:
+      return set_gains<p2d::SpeedPidReq>(message, true, std::move(replier));
+    case p2d::kReqPositionPid:
+      return set_gains<p2d::PositionPidReq>(message, false, std::move(replier));
+    case p2d::kReqSpeedProf:
+      if (const auto value = wire::decode<p2d::SpeedProfReq>(message.body))
+        limit_way(value->speed, value->acc, &geom::Twist::x, std::move(replier));
+      return;
     case p2d::kReqResetOdom:
       set_odometry({}, std::move(replier));
       return;
@@ -115,10 +125,6 @@ void Position2d::emit(const world::World& world, std::vector<device::Publication
   const world::PositionRow row = robot;
   publish(world, p2d::kDataState,
           p2d::Data{pose2d(positions.X_OM[row]), pose2d(positions.velocity[row]), positions.stall[row]}, out);
-}
-
-void Position2d::closed(world::Journal& journal) {
-  journal.apply(changes::PowerWheels{model(), true});
 }
 
 std::unique_ptr<SimulatedDevice> make_position2d_device(run::Simulation& simulation, world::ModelRow model) {

@@ -3,21 +3,20 @@
 /// A robot's drive as interface position2d: velocities, goals and odometry (docs/drivers.md).
 
 #include "playhouse/drivers/generated/device_makers.h"
+#include "playhouse/drivers/interfaces/motion/drive_settings.h"
 
 namespace playhouse::drivers {
 
-class Position2d final : public SimulatedDevice {
+class Position2d final : public DriveDevice {
  public:
   /// `model` is of kind kPosition.
   Position2d(run::Simulation& simulation, world::ModelRow model);
 
-  world::ModelId robot() const override { return model(); }
   std::span<const Served> served() const override;
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   bool acts(std::uint8_t request) const override;
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
-  void closed(world::Journal& journal) override;
 
  private:
   /// The change that a command requests; none if it is invalid.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "playhouse/drivers/generated/device_makers.h"
+#include "playhouse/drivers/interfaces/motion/drive_settings.h"
 #include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/world/periods.h"
@@ -40,22 +41,19 @@ bool are_finite(const wire::Pose3d& v) {
   return std::isfinite(v.px) && std::isfinite(v.py) && std::isfinite(v.pyaw);
 }
 
-class Position3d final : public SimulatedDevice {
+class Position3d final : public DriveDevice {
  public:
   Position3d(run::Simulation& simulation, world::ModelRow model)
-      : SimulatedDevice(simulation, simulation.world().id(model)),
-        update_ticks_(world::update_ticks(simulation.world(), model)) {
+      : DriveDevice(simulation, model), update_ticks_(world::update_ticks(simulation.world(), model)) {
     const scene::ModelDesc& desc = simulation.world().desc(model);
     geometry_ = wire::encode(p3d::Geom{pose3d(desc.X_MB), bbox3d(desc.size)});
   }
 
-  world::ModelId robot() const override { return model(); }
   std::span<const Served> served() const override;
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   bool acts(std::uint8_t request) const override { return request == p3d::kReqMotorPower; }
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
-  void closed(world::Journal& journal) override { journal.apply(changes::PowerWheels{model(), true}); }
 
  private:
   std::optional<world::Change> meaning(const device::Message& message) const;
@@ -71,6 +69,8 @@ std::span<const Served> Position3d::served() const {
       {MessageType::kReq, p3d::kReqGetGeom},      {MessageType::kReq, p3d::kReqMotorPower},
       {MessageType::kReq, p3d::kReqVelocityMode}, {MessageType::kReq, p3d::kReqPositionMode},
       {MessageType::kReq, p3d::kReqSetOdom},      {MessageType::kReq, p3d::kReqResetOdom},
+      {MessageType::kReq, p3d::kReqSpeedPid},     {MessageType::kReq, p3d::kReqPositionPid},
+      {MessageType::kReq, p3d::kReqSpeedProf},
   };
   return kServed;
 }
@@ -101,6 +101,14 @@ void Position3d::request(const device::Message& message, device::Replier replier
     case p3d::kReqVelocityMode:
     case p3d::kReqPositionMode:
       return replier.ack();  // the command implies the mode
+    case p3d::kReqSpeedPid:
+      return set_gains<p3d::SpeedPidReq>(message, true, std::move(replier));
+    case p3d::kReqPositionPid:
+      return set_gains<p3d::PositionPidReq>(message, false, std::move(replier));
+    case p3d::kReqSpeedProf:
+      if (const auto value = wire::decode<p3d::SpeedProfReq>(message.body))
+        limit_way(value->speed, value->acc, &geom::Twist::a, std::move(replier));
+      return;
     case p3d::kReqResetOdom:
       return set_odometry({}, std::move(replier));
     case p3d::kReqSetOdom:
