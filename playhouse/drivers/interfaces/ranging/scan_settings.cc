@@ -21,6 +21,9 @@ bool has_numbers(const ScanSettings& wanted) {
 /// Beams of a source whose beams are evenly spaced.
 bool choose_beams(const ScanSource& source, ScanSettings& wanted, ScanChoice& choice) {
   const ScanSettings& usual = source.usual;
+  if (wanted.min_angle == usual.min_angle && wanted.max_angle == usual.max_angle &&
+      wanted.resolution == usual.resolution)
+    return true;  // whatever its numbers are
   const double last_beam = source.beams - 1, step = usual.resolution;
   const double from = (wanted.min_angle - usual.min_angle) / step,
                to = (wanted.max_angle - usual.min_angle) / step;
