@@ -264,12 +264,24 @@ TEST_F(RangerToLaserTest, follows_the_configuration_of_its_ranger) {
   EXPECT_EQ(scan->ranges.size(), 1u) << "the middle one";
 }
 
-TEST_F(RangerToLaserTest, has_the_power_of_its_ranger_and_no_configuration_of_its_own) {
-  const std::vector<std::byte> config = wire::encode(wire::laser::Config{});
-  driver().request({laser(), 3, wire::laser::kReqSetConfig, config}, device::Replier(site.recorder, 1));
-  EXPECT_FALSE(site.recorder.answers[1].ack);
-  const std::vector<std::byte> off = wire::encode(wire::laser::PowerConfig{0});
-  driver().request({laser(), 3, wire::laser::kReqPower, off}, device::Replier(site.recorder, 2));
+TEST_F(RangerToLaserTest, sets_the_configuration_and_the_power_of_its_ranger) {
+  const float quarter = 1.5708f;
+  const auto set = [&](const wire::laser::Config& config) {
+    driver().request({laser(), 3, wire::laser::kReqSetConfig, wire::encode(config)},
+                     device::Replier(site.recorder, 1));
+    site.run(0);
+    site.run(0);  // it asks for what there is first
+    return site.recorder.answers.at(1);
+  };
+  const auto now = wire::decode<wire::laser::Config>(set({-quarter, quarter, 18000, 0, 1, 1, 5}).body);
+  ASSERT_TRUE(now);
+  EXPECT_NEAR(now->resolution, 2 * quarter, 1e-3) << "in hundredths of a degree";
+  EXPECT_EQ(now->max_range, 8);
+  EXPECT_EQ(now->range_res, 1);
+  EXPECT_EQ(now->scanning_frequency, 5);
+  EXPECT_FALSE(set({-2, quarter, 0, 0, 0, 1, 0}).ack) << "the ranger does not see that far round";
+  driver().request({laser(), 3, wire::laser::kReqPower, wire::encode(wire::laser::PowerConfig{0})},
+                   device::Replier(site.recorder, 2));
   site.run(0);
   EXPECT_TRUE(site.recorder.answers[2].ack);
 }

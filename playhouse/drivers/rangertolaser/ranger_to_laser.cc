@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "playhouse/drivers/decoded.h"
+#include "playhouse/drivers/interfaces/ranging/scan_settings.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/laser.h"
@@ -80,6 +81,9 @@ RangerToLaser::RangerToLaser(Shell& shell)
       configured_(shell.client().latest(kRanger, rng::kDataRangestamped)) {
   convert_answers<rng::Geom>(shell, kRanger, lsr::kReqGetGeom, rng::kReqGetGeom, laser_geom);
   convert_answers<rng::Config>(shell, kRanger, lsr::kReqGetConfig, rng::kReqGetConfig, laser_config);
+  shell.on_request(lsr::kReqSetConfig, [this](const device::Message& message, device::Replier replier) {
+    set_configuration(message, std::move(replier));
+  });
   // POWER has the same payload in both.
   shell.on_request(lsr::kReqPower, [&shell](const device::Message& message, device::Replier replier) {
     shell.client().forward(kRanger, rng::kReqPower, message.body, std::move(replier));
@@ -90,6 +94,29 @@ Result<void> RangerToLaser::fits(const world::World& world, world::ModelRow rang
   const std::size_t sensors = ranger ? world.desc(ranger).sensors.size() : 1;
   if (sensors == 1) return {};
   return Error{{}, fmt::format("has {} sensors, and a laser shows the scan of one", sensors)};
+}
+
+/// What a laser does not tell, the minimum range, stays; so does what is 0. Intensities are a setting of the ranger.
+void RangerToLaser::set_configuration(const device::Message& message, device::Replier replier) {
+  const auto asked = wire::decode<lsr::Config>(message.body);
+  if (!asked) return;
+  const auto shared =
+      std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
+  const auto set = [this, shared, laser = *asked](const AnswerBody& body) {
+    std::optional<rng::Config> wanted = decoded<rng::Config>(body);
+    if (!wanted) return;
+    wanted->min_angle = static_cast<double>(laser.min_angle);
+    wanted->max_angle = static_cast<double>(laser.max_angle);
+    if (laser.resolution != 0) wanted->angular_res = laser_resolution(laser.resolution);
+    if (laser.max_range != 0) wanted->max_range = static_cast<double>(laser.max_range);
+    if (laser.range_res != 0) wanted->range_res = static_cast<double>(laser.range_res);
+    if (laser.scanning_frequency != 0) wanted->frequency = static_cast<double>(laser.scanning_frequency);
+    shell_.client().ask(kRanger, rng::kReqSetConfig, wire::encode(*wanted), [shared](const AnswerBody& now) {
+      if (const std::optional<rng::Config> config = decoded<rng::Config>(now))
+        shared->ack(wire::encode(laser_config(*config)));
+    });
+  };
+  shell_.client().ask(kRanger, rng::kReqGetConfig, {}, set);
 }
 
 void RangerToLaser::opened() {

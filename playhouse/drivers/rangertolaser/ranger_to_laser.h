@@ -34,6 +34,9 @@ class RangerToLaser final : public Algorithm {
   void take_news(std::vector<device::Publication>& more) override;
 
  private:
+  /// SET_CONFIG, as a change of the ranger's configuration.
+  void set_configuration(const device::Message& message, device::Replier replier);
+
   static constexpr std::size_t kRanger = 0;  // used device
 
   Shell& shell_;

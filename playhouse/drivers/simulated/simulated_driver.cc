@@ -82,7 +82,8 @@ void SimulatedDriver::request(const device::Message& message, device::Replier re
 
 bool SimulatedDriver::capable(device::DeviceId id, std::uint8_t type, std::uint8_t subtype) const {
   const Device device = find(id);
-  return device != nullptr && (is_property_request(type, subtype) || device->serves(type, subtype));
+  if (device == nullptr) return false;
+  return is_property_request(type, subtype) ? device->model().valid() : device->serves(type, subtype);
 }
 
 void SimulatedDriver::barrier(device::Replier replier) {

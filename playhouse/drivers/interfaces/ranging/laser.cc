@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "playhouse/drivers/interfaces/shapes.h"
@@ -16,8 +15,7 @@ using wire::MessageType;
 
 namespace {
 
-constexpr double kHundredth = std::numbers::pi / 18000;  // rad, of a degree
-constexpr std::int32_t kMostScans = 10;                  // that MEAN averages
+constexpr std::int32_t kMostScans = 10;  // that MEAN averages
 
 std::uint32_t index_of_scanner(const world::World& world, world::ModelRow model) {
   return scanner_of(world, model) - ranger_rows(world, model).sensors.front();
@@ -120,15 +118,12 @@ void Laser::request(const device::Message& message, device::Replier replier) {
   }
 }
 
-/// 0 leaves a value as it is: libplayerc sends no max_range. Its older programs, and the test program of
-/// libplayerc++, have a resolution in hundredths of a degree.
+/// 0 leaves a value as it is: libplayerc sends no max_range.
 void Laser::set_configuration(const lsr::Config& config, device::Replier replier) {
   const auto edit = [config](LaserSettings& wanted) {
-    const auto resolution = static_cast<double>(config.resolution);
     wanted.min_angle = static_cast<double>(config.min_angle);
     wanted.max_angle = static_cast<double>(config.max_angle);
-    if (resolution != 0)
-      wanted.resolution = resolution > 2 * std::numbers::pi ? resolution * kHundredth : resolution;
+    if (config.resolution != 0) wanted.resolution = laser_resolution(config.resolution);
     if (config.max_range != 0) wanted.max_range = static_cast<double>(config.max_range);
     if (config.range_res != 0) wanted.range_res = static_cast<double>(config.range_res);
     if (config.scanning_frequency != 0) wanted.frequency = static_cast<double>(config.scanning_frequency);

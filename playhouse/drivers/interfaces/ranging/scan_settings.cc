@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace playhouse::drivers {
 namespace {
@@ -94,6 +95,12 @@ std::optional<ScanChoice> choose(const ScanSource& source, ScanSettings& wanted)
   choice.all = choice.count == source.beams && wanted.min_range == usual.min_range &&
                wanted.max_range == usual.max_range && wanted.range_res == usual.range_res;
   return choice;
+}
+
+double laser_resolution(float resolution) {
+  constexpr double kHundredth = std::numbers::pi / 18000;  // rad, of a degree
+  const auto wanted = static_cast<double>(resolution);
+  return wanted > 2 * std::numbers::pi ? wanted * kHundredth : wanted;
 }
 
 double shown_range(const ScanSource& source, const ScanSettings& settings, double range) {

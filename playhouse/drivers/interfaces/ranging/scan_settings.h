@@ -45,6 +45,10 @@ bool is_same(double a, double b);
 /// wider field of view, finer or more frequent scans, a longer range, a shorter minimum range.
 std::optional<ScanChoice> choose(const ScanSource& source, ScanSettings& wanted);
 
+/// The resolution of a request to a laser.  [rad] Older programs, and the test program of libplayerc++, send hundredths
+/// of a degree, which are more than a full turn if they are read as radians.
+double laser_resolution(float resolution);
+
 /// A measured range as settings have it: in whole steps of another range_res than the usual one, and between min_range
 /// and max_range; of an array, between those that are not as usual.
 double shown_range(const ScanSource& source, const ScanSettings& settings, double range);
