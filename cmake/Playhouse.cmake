@@ -122,7 +122,7 @@ function(playhouse_fuzzer TARGET)
 endfunction()
 
 # playhouse_module(NAME DEPS a b c COMPUTED UNSANITIZED Suite.test HOT VECTORS PRECOMPILED world EXCEPT x.cc TOGETHER 8 APART y.cc ALONE z.cc)
-# Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
+# Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and two levels of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
 # COMPUTED, SHARDS n, UNSANITIZED: see playhouse_gtest; UNSANITIZED * are all its tests. HOT: optimised with sanitizers,
@@ -136,7 +136,8 @@ function(playhouse_module NAME)
   if(ARG_VECTORS)
     set(ARG_PRECOMPILED world)
   endif()
-  file(GLOB SOURCES CONFIGURE_DEPENDS *.cc */*.cc)
+  file(GLOB SOURCES CONFIGURE_DEPENDS *.cc */*.cc */*/*.cc)
+  list(FILTER SOURCES EXCLUDE REGEX "/testing/libraries/")  # of playhouse_test_libraries()
   set(TESTS ${SOURCES})
   set(BENCHES ${SOURCES})
   set(FUZZERS ${SOURCES})

@@ -110,7 +110,7 @@ def _voltages(kinds: Kinds) -> str:
 def _devices(kinds: Kinds) -> str:
     found = _makers(kinds)
     lines = [BANNER.rstrip(), "#pragma once", "",
-             "/// The device of each interface of simulated models, defined in playhouse/drivers/interfaces/NAME.cc,",
+             "/// The device of each interface of simulated models, defined in a NAME.cc below playhouse/drivers/interfaces/,",
              "/// and devices specific to a kind, with NAME of the kind. Those with `voltages` are in voltages.cc.", "",
              "#include <cstdint>", "#include <memory>", "#include <optional>", "", '#include "playhouse/drivers/simulated/simulated_device.h"', "",
              "namespace playhouse::drivers {", "", "/// `model` fits the interface (model_interfaces.h)."]

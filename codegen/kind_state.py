@@ -22,7 +22,7 @@ WORDED = {"flag": ("flag",), "float64": ("number", "length", "angle")}
 MEASURED = {"float32", "float64", "size", "vector3", "pose", "twist", "tilt", "velocity6"}
 
 # What a column is to a run (playhouse/world/columns.h).
-ROLES = ("population", "motion", "mark", "sensed", "use", "derived")
+ROLES = ("population", "motion", "mark", "setting", "sensed", "use", "derived")
 UNCHANGED = {"population", "derived"}  # written only when the population changes
 # Phases of the tick, and the ways to change the world between ticks.
 WRITERS = ("decide", "act", "move", "sense", "energy", "commands", "devices", "place", "attach", "detach", "set_odometry",

@@ -34,7 +34,10 @@ double velocity_of(const world::World& world, world::ActuatorRow row) {
       actuators.mode[row] == world::ControlMode::kPosition
           ? towards(actuators.goal[row] - position, std::clamp(actuators.speed[row], 0.0, desc.max_speed), dt)
           : std::clamp(actuators.command[row], -desc.max_speed, desc.max_speed);
-  const double velocity = before_the_ends(desc, position, wanted, dt);
+  const bool is_limited = actuators.mode[row] == world::ControlMode::kPosition;
+  const double gained =
+      is_limited ? sped_up(actuators.velocity[row], wanted, actuators.acceleration[row], dt) : wanted;
+  const double velocity = before_the_ends(desc, position, gained, dt);
   return std::fabs(velocity) * dt < kRest ? 0 : velocity;
 }
 

@@ -73,6 +73,26 @@ TEST_F(Slide, goes_to_a_position_no_faster_than_it_is_told) {
   EXPECT_EQ(velocity(), -0.1);
 }
 
+TEST_F(Slide, speeds_up_as_fast_as_it_is_told_and_brakes_at_its_goal) {
+  world.actuators.acceleration[{0}] = 1;
+  go_to(0.8);
+  step();
+  EXPECT_NEAR(velocity(), 0.1, 1e-12);
+  step();
+  EXPECT_NEAR(velocity(), 0.2, 1e-12);
+  step(3);
+  EXPECT_EQ(velocity(), 0.5);
+  go_to(-1);
+  step();
+  EXPECT_NEAR(velocity(), -0.1, 1e-12) << "the other way round, from rest";
+  step(100);
+  EXPECT_NEAR(position(), -1, 1e-9);
+  EXPECT_EQ(velocity(), 0);
+  move_at(0.5);
+  step();
+  EXPECT_EQ(velocity(), 0.5) << "a velocity is as commanded";
+}
+
 TEST_F(Slide, ends_where_its_way_ends_whatever_it_is_told) {
   go_to(50);
   EXPECT_EQ(world.actuators.goal[{0}], 2);

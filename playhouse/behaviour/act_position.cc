@@ -45,36 +45,42 @@ Twist follow_velocity(const scene::PositionDesc& desc, const Twist& command) {
   return {};
 }
 
-Twist diff_to_goal(Vec2 error_O, double distance, const Pose& X_OM, const Pose& goal, double dt) {
+/// Speeds on the way to a goal.
+struct Pace {
+  double speed = kSpeed;  // m/s
+  double turn = kTurn;    // rad/s
+};
+
+Twist diff_to_goal(Vec2 error_O, double distance, const Pose& X_OM, const Pose& goal, Pace pace, double dt) {
   if (std::fabs(error_O.x) < kArrived && std::fabs(error_O.y) < kArrived)
-    return {0, 0, 0, approach(geom::normalize(goal.a - X_OM.a), kTurn, dt)};
+    return {0, 0, 0, approach(geom::normalize(goal.a - X_OM.a), pace.turn, dt)};
   const double angle = geom::normalize(geom::atan2(error_O.y, error_O.x) - X_OM.a);
-  const double ahead = std::fabs(angle) < kFacing ? approach(distance, kSpeed, dt) : 0;
-  return {ahead, 0, 0, approach(angle, kTurn, dt)};
+  const double ahead = std::fabs(angle) < kFacing ? approach(distance, pace.speed, dt) : 0;
+  return {ahead, 0, 0, approach(angle, pace.turn, dt)};
 }
 
-Twist omni_to_goal(Vec2 error_M, const Pose& X_OM, const Pose& goal, double dt) {
-  return {approach(error_M.x, kSpeed, dt), approach(error_M.y, kSpeed, dt), 0,
-          approach(geom::normalize(goal.a - X_OM.a), kTurn, dt)};
+Twist omni_to_goal(Vec2 error_M, const Pose& X_OM, const Pose& goal, Pace pace, double dt) {
+  return {approach(error_M.x, pace.speed, dt), approach(error_M.y, pace.speed, dt), 0,
+          approach(geom::normalize(goal.a - X_OM.a), pace.turn, dt)};
 }
 
 /// Pure pursuit: the circle through the car, tangent to its
 /// heading, through the goal; in reverse if that is behind.
-Twist car_to_goal(Vec2 error_M, double distance, double wheelbase, double dt) {
+Twist car_to_goal(Vec2 error_M, double distance, double wheelbase, Pace pace, double dt) {
   if (distance < kCarArrived) return {};
   const double curvature = 2 * error_M.y / (distance * distance);
   const double steering = std::clamp(geom::atan2(curvature * wheelbase, 1.0), -kSteering, kSteering);
-  const double speed = approach(distance, kSpeed, dt);
+  const double speed = approach(distance, pace.speed, dt);
   return car(error_M.x < 0 ? -speed : speed, steering, wheelbase);
 }
 
-Twist follow_goal(const scene::PositionDesc& desc, const Pose& X_OM, const Pose& goal, double dt) {
+Twist follow_goal(const scene::PositionDesc& desc, const Pose& X_OM, const Pose& goal, Pace pace, double dt) {
   const Vec2 error_O = goal.xy() - X_OM.xy();
   const double distance = std::sqrt(geom::dot(error_O, error_O));
-  if (desc.drive == Drive::kDiff) return diff_to_goal(error_O, distance, X_OM, goal, dt);
+  if (desc.drive == Drive::kDiff) return diff_to_goal(error_O, distance, X_OM, goal, pace, dt);
   const Vec2 error_M = geom::Rotation::of(X_OM.a).inverse(error_O);
-  if (is_free(desc)) return omni_to_goal(error_M, X_OM, goal, dt);
-  return car_to_goal(error_M, distance, desc.wheelbase, dt);
+  if (is_free(desc)) return omni_to_goal(error_M, X_OM, goal, pace, dt);
+  return car_to_goal(error_M, distance, desc.wheelbase, pace, dt);
 }
 
 Twist accelerate(const scene::PositionDesc& desc, const Twist& velocity, const Twist& command, double dt) {
@@ -101,6 +107,17 @@ Twist within(const scene::Interval* bounds, const Twist& velocity) {
           std::clamp(velocity.a, bounds[3].min, bounds[3].max)};
 }
 
+Pace pace_of(const world::Positions& positions, world::PositionRow robot) {
+  const Twist& limit = positions.speed_limit[robot];
+  return {limit.x > 0 ? limit.x : kSpeed, limit.a > 0 ? limit.a : kTurn};
+}
+
+Twist limited(const world::Positions& positions, world::PositionRow robot, const Twist& wanted, double dt) {
+  const Twist &limit = positions.acceleration_limit[robot], &before = positions.velocity[robot];
+  return {sped_up(before.x, wanted.x, limit.x, dt), sped_up(before.y, wanted.y, limit.x, dt), wanted.z,
+          sped_up(before.a, wanted.a, limit.a, dt)};
+}
+
 Twist velocity_of(const world::World& world, world::PositionRow robot) {
   const world::Positions& positions = world.positions;
   const world::ModelRow model = positions.model[robot];
@@ -113,7 +130,8 @@ Twist velocity_of(const world::World& world, world::PositionRow robot) {
       wanted = follow_velocity(desc, positions.command[robot]);
       break;
     case world::ControlMode::kPosition:
-      wanted = follow_goal(desc, positions.X_OM[robot], positions.goal[robot], dt);
+      wanted = follow_goal(desc, positions.X_OM[robot], positions.goal[robot], pace_of(positions, robot), dt);
+      wanted = limited(positions, robot, wanted, dt);
       break;
     case world::ControlMode::kAcceleration:
       wanted = accelerate(desc, positions.velocity[robot], positions.command[robot], dt);

@@ -229,6 +229,7 @@ TEST_F(RangerToLaserTest, has_done_what_it_was_told_when_the_ranger_has) {
 TEST_F(RangerToLaserTest, asks_the_ranger_for_geometry_and_configuration) {
   driver().request({laser(), 3, wire::laser::kReqGetGeom, {}}, device::Replier(site.recorder, 1));
   driver().request({laser(), 3, wire::laser::kReqGetConfig, {}}, device::Replier(site.recorder, 2));
+  site.run(0);
   const auto geom = wire::decode<wire::laser::Geom>(site.recorder.answers[1].body);
   ASSERT_TRUE(geom);
   EXPECT_NEAR(geom->pose.px, 0.15, 1e-12) << "the scanner is 5 cm in front of its ranger";
@@ -237,13 +238,52 @@ TEST_F(RangerToLaserTest, asks_the_ranger_for_geometry_and_configuration) {
   EXPECT_EQ(config->max_range, 8.0f);
 }
 
-TEST_F(RangerToLaserTest, refuses_what_a_ranger_cannot_do) {
-  const std::vector<std::byte> config = wire::encode(wire::laser::Config{});
-  driver().request({laser(), 3, wire::laser::kReqSetConfig, config}, device::Replier(site.recorder, 1));
-  EXPECT_FALSE(site.recorder.answers[1].ack);
-  const std::vector<std::byte> off = wire::encode(wire::laser::PowerConfig{0});
-  driver().request({laser(), 3, wire::laser::kReqPower, off}, device::Replier(site.recorder, 2));
-  EXPECT_FALSE(site.recorder.answers[2].ack);
+TEST_F(RangerToLaserTest, follows_the_configuration_of_its_ranger) {
+  ASSERT_TRUE(driver().start(laser()));
+  site.run(1);
+  wire::ranger::Config wanted;
+  wanted.min_angle = 0;
+  wanted.max_angle = 1.5;
+  wanted.min_range = 0.1;
+  wanted.max_range = 4;
+  site.driver({6665, 62, 1})
+      .request({ranger(), 3, wire::ranger::kReqSetConfig, wire::encode(wanted)},
+               device::Replier(site.recorder, 1));
+  site.run(0);
+  ASSERT_TRUE(site.recorder.answers[1].ack);
+  site.recorder.published.clear();
+  site.run(2);
+  const auto& published = site.recorder.published;
+  const auto newest = std::find_if(published.rbegin(), published.rend(),
+                                   [&](const auto& publication) { return publication.device == laser(); });
+  ASSERT_NE(newest, published.rend());
+  const auto scan = wire::decode<wire::laser::Data>(newest->body);
+  ASSERT_TRUE(scan);
+  EXPECT_EQ(scan->min_angle, 0);
+  EXPECT_EQ(scan->max_range, 4);
+  EXPECT_EQ(scan->ranges.size(), 1u) << "the middle one";
+}
+
+TEST_F(RangerToLaserTest, sets_the_configuration_and_the_power_of_its_ranger) {
+  const float quarter = 1.5708f;
+  const auto set = [&](const wire::laser::Config& config) {
+    driver().request({laser(), 3, wire::laser::kReqSetConfig, wire::encode(config)},
+                     device::Replier(site.recorder, 1));
+    site.run(0);
+    site.run(0);  // it asks for what there is first
+    return site.recorder.answers.at(1);
+  };
+  const auto now = wire::decode<wire::laser::Config>(set({-quarter, quarter, 18000, 0, 1, 1, 5}).body);
+  ASSERT_TRUE(now);
+  EXPECT_NEAR(now->resolution, 2 * quarter, 1e-3) << "in hundredths of a degree";
+  EXPECT_EQ(now->max_range, 8);
+  EXPECT_EQ(now->range_res, 1);
+  EXPECT_EQ(now->scanning_frequency, 5);
+  EXPECT_FALSE(set({-2, quarter, 0, 0, 0, 1, 0}).ack) << "the ranger does not see that far round";
+  driver().request({laser(), 3, wire::laser::kReqPower, wire::encode(wire::laser::PowerConfig{0})},
+                   device::Replier(site.recorder, 2));
+  site.run(0);
+  EXPECT_TRUE(site.recorder.answers[2].ack);
 }
 
 TEST(RangerToLaser, goes_with_its_ranger_open_or_not) {

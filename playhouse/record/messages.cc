@@ -202,11 +202,12 @@ void put_field(CdrWriter& out, const T& value) {
   }
 }
 
-/// Images have messages of their own.
+/// Images have messages of their own, and settings are changes of the run.
 template <typename Column>
 bool is_told(const Column& column) {
   if (std::is_same_v<typename Column::Values::value_type, std::vector<world::Pixel>>) return false;
-  return world::is_saved(column.role) && !std::string_view(column.name).ends_with(".measured_tick");
+  return world::is_saved(column.role) && column.role != world::Role::kSetting &&
+         !std::string_view(column.name).ends_with(".measured_tick");
 }
 
 /// Columns that are named by their frames, and what they are.

@@ -22,6 +22,7 @@ enum class Role : std::uint8_t {
   kPopulation,  // which models there are, and the tree structure                                  hash, saved
   kMotion,      // poses and velocities; reset by return_to_start()                                hash, saved
   kMark,        // flags, colours, texts and other properties                                      hash, saved
+  kSetting,     // limits that clients set, 0 until then             hash while it is not 0; saved
   kSensed,      // measurements    sensed_hash, and hash if a controller subscribes the sensor; saved
   kUse,         // subscriptions: change with devices and controllers            sensed_hash
   kDerived,     // function of the population, the scene, the seed or poses; recomputed
@@ -31,7 +32,7 @@ inline constexpr bool is_saved(Role role) {
 }
 /// True if part of hash() regardless of subscriptions.
 inline constexpr bool is_done(Role role) {
-  return role == Role::kPopulation || role == Role::kMotion || role == Role::kMark;
+  return role == Role::kPopulation || role == Role::kMotion || role == Role::kMark || role == Role::kSetting;
 }
 
 /// Granularity of a column: one value per row, or per beam of a row.

@@ -275,8 +275,8 @@ TEST_F(EveryColumn, returns_to_the_start_if_it_says_how_things_move) {
     if (column->role != Role::kPopulation && column->role != Role::kDerived) column->change_part(0);
   return_to_start(world);
   for (const auto& column : columns) {
-    const bool stays =
-        column->role == Role::kMark || column->role == Role::kSensed || column->role == Role::kUse;
+    const bool stays = column->role == Role::kMark || column->role == Role::kSetting ||
+                       column->role == Role::kSensed || column->role == Role::kUse;
     EXPECT_EQ(column->equals_in(start), !stays) << column->name;
   }
 }

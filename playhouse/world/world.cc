@@ -49,6 +49,18 @@ PLAYHOUSE_PER_TYPE void add_values(Hash& hash, const World& world, const Values&
   for (std::uint32_t i = range.begin; i < range.end; ++i) add_value(hash, world, values[i]);
 }
 
+/// True if every value is what it begins as.
+template <typename Values>
+PLAYHOUSE_PER_TYPE bool are_unset(const Values& values, Range range) {
+  using T = std::remove_cvref_t<decltype(values[0])>;
+  if constexpr (requires(const T& value) { value == T{}; }) {
+    for (std::uint32_t i = range.begin; i < range.end; ++i)
+      if (!(values[i] == T{})) return false;
+    return true;
+  }
+  return false;
+}
+
 template <typename Values>
 PLAYHOUSE_PER_TYPE void assign(Values& values, const Values& others) {
   values = others;
@@ -283,6 +295,12 @@ std::uint64_t World::hash_of(ModelRow model, bool (*is_in)(Role)) const {
       *this, model,
       [&](const auto& column, const auto& values, Range range) {
         if (!is_in(column.role)) return;
+        // So a run in which nobody sets anything has the hash that it had before there was the setting.
+        if (column.role == Role::kSetting) {
+          if (are_unset(values, range)) return;
+          for (const char letter : std::string_view(column.name))
+            hash.add(static_cast<std::uint64_t>(letter));
+        }
         if (static_cast<const void*>(&values) == &models.desc) return hash.add(std::uint64_t{like(model)});
         add_values(hash, *this, values, range);
       },

@@ -10,7 +10,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "e2e"))
 
-from house import ACK, NACK, PLAYER, POSITION2D, REFERENCE, REQ, ROOT, SYNCH, Client, House, Message
+from house import ACK, LASER, NACK, PLAYER, POSITION2D, REFERENCE, REQ, ROOT, SYNCH, Client, House, Message
 
 CAPTURES = REFERENCE / "player" / "captures"
 # Stage's own worlds are not in this tree; stage_source() of playhouse/base/testing_reference.h looks in the same places.
@@ -21,6 +21,8 @@ with_stage = unittest.skipUnless(NAMED or BESIDE.is_dir(), "needs Stage's own wo
 
 # (interface, subtype of the request) -> (type, size) recorded, (type, size) here, why
 IMPROVED = {
+    (LASER, 2): ((NACK, 0), (ACK, 28), "a laser takes a configuration"),
+    (POSITION2D, 7): ((NACK, 0), (ACK, 0), "gains are kept (docs/drivers.md)"),
     (POSITION2D, 255): ((NACK, 0), (ACK, 0), "capabilities are told truly; the original says no to everything"),
 }
 

@@ -63,7 +63,7 @@ class Actuators(HouseTest):
         self.assertEqual(geom.type, ACK)
         self.assertEqual(struct.unpack(">II", geom.body[:8])[0], 1)
         self.assertEqual(self.client.request(ACTARRAY, 0, POWER, struct.pack(">I", 1)).type, ACK)
-        self.assertEqual(self.client.request(ACTARRAY, 0, 5, struct.pack(">if", 0, 1)).type, NACK)
+        self.assertEqual(self.client.request(ACTARRAY, 0, 5, struct.pack(">if", 1, 1)).type, NACK, "there is no joint 1")
 
     def test_a_gate_that_rises_lets_a_robot_through(self):
         self.connect(ROOT / "worlds/gate.world")

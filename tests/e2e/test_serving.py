@@ -75,7 +75,7 @@ class Serving(HouseTest):
     def test_what_cannot_be_served_is_answered_no(self):
         client = self.client()
         client.open(POSITION2D, 0)
-        self.assertEqual(client.request(POSITION2D, 0, 7, bytes(12)).type, NACK)       # SPEED_PID
+        self.assertEqual(client.request(POSITION2D, 0, 9, struct.pack(">ff", -1, 0)).type, NACK)  # SPEED_PROF
         self.assertEqual(client.request(POSITION2D, 9, 1).type, NACK)                  # no such robot
         self.assertEqual(client.request(SIMULATION, 0, 1, text("nobody") + bytes(24)).type, NACK)
 
@@ -83,7 +83,7 @@ class Serving(HouseTest):
         client = self.client()
         client.open(POSITION2D, 0)
         self.assertEqual(client.request(POSITION2D, 0, 255, struct.pack(">II", REQ, 1)).type, ACK)
-        self.assertEqual(client.request(POSITION2D, 0, 255, struct.pack(">II", REQ, 7)).type, NACK)
+        self.assertEqual(client.request(POSITION2D, 0, 255, struct.pack(">II", REQ, 100)).type, NACK)
 
     def test_a_reader_may_look_but_not_drive(self):
         reader, driver = self.client(), self.client()

@@ -173,9 +173,12 @@ TEST_P(AnyGoalTest, requests_are_its_robot_s) {
   EXPECT_TRUE(answer(p2d::kReqMotorPower, wire::encode(p2d::PowerConfig{0})).ack);
   EXPECT_EQ(world().positions.motor_on[{0}], 0);
   EXPECT_TRUE(answer(p2d::kReqSetOdom, wire::encode(p2d::SetOdomReq{{1, 2, 0}})).ack);
-  EXPECT_FALSE(answer(p2d::kReqSpeedProf, wire::encode(p2d::SpeedProfReq{})).ack);
+  EXPECT_TRUE(answer(p2d::kReqSpeedProf, wire::encode(p2d::SpeedProfReq{0.25f, 0})).ack);
+  EXPECT_EQ(world().positions.speed_limit[{0}].x, 0.25);
+  constexpr std::uint8_t kUnknown = 100;
+  EXPECT_FALSE(answer(kUnknown, {}).ack);
   EXPECT_TRUE(driver().capable(site.id(kGoalDriver), kReq, p2d::kReqSetOdom));
-  EXPECT_FALSE(driver().capable(site.id(kGoalDriver), kReq, p2d::kReqSpeedProf));
+  EXPECT_FALSE(driver().capable(site.id(kGoalDriver), kReq, kUnknown));
   EXPECT_TRUE(driver().capable(site.id(kGoalDriver), kCmd, p2d::kCmdPos));
 }
 

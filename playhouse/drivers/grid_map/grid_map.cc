@@ -32,6 +32,43 @@ std::optional<wire::map::Data> map_tile(const GridMap& map, const wire::map::Dat
   return wire::map::Data{request.col, request.row, request.width, request.height, 1, compressed(tile)};
 }
 
+std::optional<wire::map::DataVector> map_lines(const GridMap& map) {
+  constexpr std::size_t kSegmentBytes = 32, kHeadBytes = 24;  // on the wire
+  constexpr std::size_t kMost = (limits::kBodyBytes - kHeadBytes) / kSegmentBytes;
+  const auto scale = static_cast<double>(map.info.scale);
+  const int width = map.width(), height = map.height();
+  const auto is_occupied = [&](int col, int row) {
+    return col >= 0 && col < width && row >= 0 && row < height &&
+           map.cells[static_cast<std::size_t>(row) * map.info.width + static_cast<std::size_t>(col)] > 0;
+  };
+  wire::map::DataVector lines{
+      0, static_cast<float>(width * scale), 0, static_cast<float>(height * scale), {}};
+  // Straight runs of edges on one grid line; a run ends where the occupied side changes.
+  const auto add_runs = [&](int count, const auto& side_at, const auto& line) {
+    for (int from = 0; from < count && lines.segments.size() <= kMost;) {
+      const int side = side_at(from);
+      int to = from + 1;
+      while (to < count && side_at(to) == side) ++to;
+      if (side != 0) lines.segments.push_back(line(from * scale, to * scale));
+      from = to;
+    }
+  };
+  for (int row = 0; row <= height; ++row)
+    add_runs(
+        width, [&](int col) { return int{is_occupied(col, row)} - int{is_occupied(col, row - 1)}; },
+        [&](double from, double to) {
+          return wire::Segment{from, row * scale, to, row * scale};
+        });
+  for (int col = 0; col <= width; ++col)
+    add_runs(
+        height, [&](int row) { return int{is_occupied(col, row)} - int{is_occupied(col - 1, row)}; },
+        [&](double from, double to) {
+          return wire::Segment{col * scale, from, col * scale, to};
+        });
+  if (lines.segments.size() > kMost) return std::nullopt;
+  return lines;
+}
+
 bool is_map_request(std::uint8_t type, std::uint8_t subtype) {
   return type == static_cast<std::uint8_t>(wire::MessageType::kReq) &&
          (subtype == wire::map::kReqGetInfo || subtype == wire::map::kReqGetData);

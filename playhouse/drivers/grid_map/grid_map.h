@@ -26,6 +26,10 @@ struct GridMap {
 /// beyond the map is unknown. None if the rectangle has more cells than a message.
 std::optional<wire::map::Data> map_tile(const GridMap& map, const wire::map::Data& request);
 
+/// The edges between occupied cells and others as lines, in the frame G of the map: those along x first, from the bottom up,
+/// then those along y, from the left; straight runs are one line. None if they are more than a message holds.
+std::optional<wire::map::DataVector> map_lines(const GridMap& map);
+
 /// True for the requests that answer_map_request() knows: GET_INFO and GET_DATA.
 bool is_map_request(std::uint8_t type, std::uint8_t subtype);
 

@@ -59,12 +59,18 @@ class Map final : public SimulatedDevice {
 
   std::span<const Served> served() const override {
     static constexpr Served kServed[] = {{MessageType::kReq, wire::map::kReqGetInfo},
-                                         {MessageType::kReq, wire::map::kReqGetData}};
+                                         {MessageType::kReq, wire::map::kReqGetData},
+                                         {MessageType::kReq, wire::map::kReqGetVector}};
     return kServed;
   }
 
   void request(const device::Message& message, device::Replier replier) override {
-    if (map_) answer_map_request(*map_, message, std::move(replier));
+    if (!map_) return;
+    if (message.subtype == wire::map::kReqGetVector) {
+      if (const auto lines = map_lines(*map_)) replier.ack(wire::encode(*lines));
+      return;
+    }
+    answer_map_request(*map_, message, std::move(replier));
   }
 
  private:

@@ -68,6 +68,18 @@ TEST_F(MapOfModelTest, has_its_walls_and_those_of_its_parts_where_they_are) {
                                                  -1, -1, -1, -1}));
 }
 
+/// The cells above, with two lines of each direction.
+TEST_F(MapOfModelTest, has_its_walls_as_lines_between_cells) {
+  build("map_resolution 0.5");
+  const auto lines = wire::decode<map::DataVector>(ask(map::kReqGetVector, {}).body);
+  ASSERT_TRUE(lines);
+  EXPECT_EQ(lines->maxx, 2);
+  EXPECT_EQ(lines->maxy, 3.5f);
+  EXPECT_THAT(lines->segments,
+              ElementsAreArray({wire::Segment{0.5, 0.5, 1.5, 0.5}, wire::Segment{0.5, 3, 1.5, 3},
+                                wire::Segment{0.5, 0.5, 0.5, 3}, wire::Segment{1.5, 0.5, 1.5, 3}}));
+}
+
 /// A frame whose sides are a third of a cell, in one body.
 TEST_F(MapOfModelTest, walls_thinner_than_a_cell_are_closed) {
   build(R"(map_resolution 0.3 size [3 3 1] pose [0 0 0 0] block( points 10
@@ -114,9 +126,8 @@ TEST_F(MapOfModelTest, shows_what_stands_at_its_map_height) {
 }
 
 TEST_F(MapOfModelTest, refuses_what_there_is_not) {
-  build("map_resolution 0.5");
-  EXPECT_FALSE(ask(map::kReqGetVector, {}).ack);
   build("map_resolution 0");
+  EXPECT_FALSE(ask(map::kReqGetVector, {}).ack);
   EXPECT_FALSE(ask(map::kReqGetInfo, {}).ack);
   build("", "robot");
   EXPECT_FALSE(ask(map::kReqGetInfo, {}).ack) << "it moves";

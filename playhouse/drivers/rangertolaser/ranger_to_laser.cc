@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "playhouse/drivers/decoded.h"
+#include "playhouse/drivers/interfaces/ranging/scan_settings.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/laser.h"
@@ -76,9 +77,13 @@ void convert_answers(Shell& shell, std::size_t ranger, std::uint8_t subtype, std
 RangerToLaser::RangerToLaser(Shell& shell)
     : shell_(shell),
       ranges_(shell.client().latest(kRanger, rng::kDataRange)),
-      intensities_(shell.client().latest(kRanger, rng::kDataIntns)) {
+      intensities_(shell.client().latest(kRanger, rng::kDataIntns)),
+      configured_(shell.client().latest(kRanger, rng::kDataRangestamped)) {
   convert_answers<rng::Geom>(shell, kRanger, lsr::kReqGetGeom, rng::kReqGetGeom, laser_geom);
   convert_answers<rng::Config>(shell, kRanger, lsr::kReqGetConfig, rng::kReqGetConfig, laser_config);
+  shell.on_request(lsr::kReqSetConfig, [this](const device::Message& message, device::Replier replier) {
+    set_configuration(message, std::move(replier));
+  });
   // POWER has the same payload in both.
   shell.on_request(lsr::kReqPower, [&shell](const device::Message& message, device::Replier replier) {
     shell.client().forward(kRanger, rng::kReqPower, message.body, std::move(replier));
@@ -89,6 +94,29 @@ Result<void> RangerToLaser::fits(const world::World& world, world::ModelRow rang
   const std::size_t sensors = ranger ? world.desc(ranger).sensors.size() : 1;
   if (sensors == 1) return {};
   return Error{{}, fmt::format("has {} sensors, and a laser shows the scan of one", sensors)};
+}
+
+/// What a laser does not tell, the minimum range, stays; so does what is 0. Intensities are a setting of the ranger.
+void RangerToLaser::set_configuration(const device::Message& message, device::Replier replier) {
+  const auto asked = wire::decode<lsr::Config>(message.body);
+  if (!asked) return;
+  const auto shared =
+      std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
+  const auto set = [this, shared, laser = *asked](const AnswerBody& body) {
+    std::optional<rng::Config> wanted = decoded<rng::Config>(body);
+    if (!wanted) return;
+    wanted->min_angle = static_cast<double>(laser.min_angle);
+    wanted->max_angle = static_cast<double>(laser.max_angle);
+    if (laser.resolution != 0) wanted->angular_res = laser_resolution(laser.resolution);
+    if (laser.max_range != 0) wanted->max_range = static_cast<double>(laser.max_range);
+    if (laser.range_res != 0) wanted->range_res = static_cast<double>(laser.range_res);
+    if (laser.scanning_frequency != 0) wanted->frequency = static_cast<double>(laser.scanning_frequency);
+    shell_.client().ask(kRanger, rng::kReqSetConfig, wire::encode(*wanted), [shared](const AnswerBody& now) {
+      if (const std::optional<rng::Config> config = decoded<rng::Config>(now))
+        shared->ack(wire::encode(laser_config(*config)));
+    });
+  };
+  shell_.client().ask(kRanger, rng::kReqGetConfig, {}, set);
 }
 
 void RangerToLaser::opened() {
@@ -108,6 +136,7 @@ void RangerToLaser::closed() {
 void RangerToLaser::take_news(std::vector<device::Publication>& more) {
   const std::optional<device::Publication> ranges = ranges_.take_latest();
   const std::optional<device::Publication> intensities = intensities_.take_latest();
+  const std::optional<device::Publication> configured = configured_.take_latest();
   if (!ranges) return;
   const Result<rng::DataRange> range_values = wire::decode<rng::DataRange>(ranges->body);
   if (!range_values) return;
@@ -118,6 +147,10 @@ void RangerToLaser::take_news(std::vector<device::Publication>& more) {
   }
   const std::lock_guard lock(mutex_);
   if (!config_) return;
+  if (configured) {
+    const auto stamped = wire::decode<rng::DataRangestamped>(configured->body);
+    if (stamped && stamped->have_config != 0) config_ = stamped->config;
+  }
   const lsr::Data scan = laser_scan(*config_, *range_values, intensity_values, ++scans_);
   more.push_back({shell_.device(0), lsr::kDataScan, ranges->timestamp, wire::encode(scan)});
 }

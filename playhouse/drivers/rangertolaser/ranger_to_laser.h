@@ -34,11 +34,15 @@ class RangerToLaser final : public Algorithm {
   void take_news(std::vector<device::Publication>& more) override;
 
  private:
+  /// SET_CONFIG, as a change of the ranger's configuration.
+  void set_configuration(const device::Message& message, device::Replier replier);
+
   static constexpr std::size_t kRanger = 0;  // used device
 
   Shell& shell_;
   device::Subscription& ranges_;
   device::Subscription& intensities_;
+  device::Subscription& configured_;  // of the first scan in another configuration
 
   std::mutex mutex_;                            // guards what follows
   std::optional<wire::ranger::Config> config_;  // while the laser is open

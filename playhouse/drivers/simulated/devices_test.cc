@@ -11,9 +11,7 @@
 #include "playhouse/base/formats.h"
 #include "playhouse/base/version.h"
 #include "playhouse/drivers/interfaces/shapes.h"
-#include "playhouse/drivers/simulated/device_factory.h"
-#include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/drivers/testing/still_devices.h"
+#include "playhouse/drivers/testing/one_device.h"
 #include "playhouse/wire/generated/blobfinder.h"
 #include "playhouse/wire/generated/bumper.h"
 #include "playhouse/wire/generated/camera.h"
@@ -57,69 +55,9 @@ wifi( name "post" pose [5 0 0 0] essid "lab" ip "192.168.0.9" )
 )";
 
 /// One device of kWorld, open, with a driver in front of it.
-class Device : public ::testing::Test {
+class Device : public testing::OneDevice {
  protected:
-  Device() : still_(kWorld), driver_(still_.devices, "stage") {}
-
-  void open(std::uint16_t interf, const char* model) {
-    const world::ModelRow row =
-        interf == wire::simulation::kCode ? world::ModelRow{} : still_.world().find(model);
-    driver_.add(kId, make_device(still_.devices, interf, row));
-    ASSERT_TRUE(driver_.start(kId));
-    still_.run(0);
-  }
-  template <typename Payload>
-  void command(std::uint8_t subtype, const Payload& payload) {
-    const std::vector<std::byte> body = wire::encode(payload);
-    EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), subtype, body}),
-              device::Taken::kLatest);
-    still_.run(0);
-  }
-  /// The answer to a request, which must have come by the next moment between ticks.
-  testing::OutputRecorder::RecordedAnswer ask(std::uint8_t subtype, std::span<const std::byte> body = {}) {
-    driver_.request({kId, static_cast<std::uint8_t>(MessageType::kReq), subtype, body},
-                    device::Replier(still_.recorder, ++ticket_));
-    still_.run(0);
-    EXPECT_TRUE(still_.recorder.answers.contains(ticket_));
-    return still_.recorder.answers[ticket_];
-  }
-  template <typename Payload>
-  testing::OutputRecorder::RecordedAnswer ask_with(std::uint8_t subtype, const Payload& payload) {
-    return ask(subtype, wire::encode(payload));
-  }
-  template <typename Reply>
-  Reply reply(const testing::OutputRecorder::RecordedAnswer& answer) {
-    EXPECT_TRUE(answer.ack);
-    const Result<Reply> value = wire::decode<Reply>(answer.body);
-    EXPECT_TRUE(value);
-    return value ? *value : Reply{};
-  }
-  template <typename T>
-  T last(std::uint8_t subtype) {
-    for (auto it = still_.recorder.published.rbegin(); it != still_.recorder.published.rend(); ++it) {
-      if (it->subtype != subtype) continue;
-      EXPECT_EQ(it->device, kId);
-      return *wire::decode<T>(it->body);
-    }
-    ADD_FAILURE() << "nothing was published";
-    return {};
-  }
-  /// Puts ranges and intensities into a ranger's sensor.
-  void measure(const char* ranger, std::uint32_t sensor, std::vector<float> ranges,
-               std::vector<float> intensities) {
-    world::World& world = still_.world();
-    const world::ModelRow model = world.find(ranger);
-    const world::SensorRow row = world.rangers.first_sensor[world.models.part[model]] + sensor;
-    for (std::uint32_t i = 0; i < ranges.size(); ++i) {
-      world.sensors.ranges[world.sensors.first_beam[row] + i] = ranges[i];
-      world.sensors.intensities[world.sensors.first_beam[row] + i] = intensities[i];
-    }
-  }
-
-  static constexpr device::DeviceId kId{3};
-  testing::StillDevices still_;
-  SimulatedDriver driver_;
-  std::uint64_t ticket_ = 0;
+  Device() : OneDevice(kWorld) {}
 };
 
 using Position2dDevice = Device;
@@ -241,11 +179,12 @@ TEST_F(Position2dDevice, motors_go_off_and_on_and_are_on_again_for_the_next_user
 
 TEST_F(Position2dDevice, refuses_what_it_cannot_do_and_says_what_it_can) {
   open(p2d::kCode, "r0");
-  EXPECT_FALSE(ask_with(p2d::kReqSpeedPid, p2d::SpeedPidReq{}).ack);
+  constexpr std::uint8_t kUnknown = 100;
+  EXPECT_FALSE(ask_with(kUnknown, p2d::SpeedPidReq{}).ack);
   EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdVelHead, {}}),
             device::Taken::kNo);
   EXPECT_TRUE(driver_.capable(kId, static_cast<std::uint8_t>(MessageType::kReq), p2d::kReqGetGeom));
-  EXPECT_FALSE(driver_.capable(kId, static_cast<std::uint8_t>(MessageType::kReq), p2d::kReqSpeedPid));
+  EXPECT_FALSE(driver_.capable(kId, static_cast<std::uint8_t>(MessageType::kReq), kUnknown));
 }
 
 TEST_F(RangerDevice, a_scanner_publishes_all_its_samples) {
@@ -290,14 +229,6 @@ TEST_F(RangerDevice, geometry_places_the_device_on_the_robot_and_the_sensors_on_
   EXPECT_NEAR(geom.element_poses[0].px, 0.05, 1e-12);
   ASSERT_EQ(geom.element_sizes.size(), 1u);
   EXPECT_EQ(geom.element_sizes[0], (wire::Bbox3d{0.02, 0.01, 0.03}));
-}
-
-TEST_F(RangerDevice, power_and_intensities_can_be_on_but_not_off) {
-  open(wire::ranger::kCode, "r0.scanner");
-  EXPECT_TRUE(ask_with(wire::ranger::kReqPower, wire::ranger::PowerConfig{1}).ack);
-  EXPECT_FALSE(ask_with(wire::ranger::kReqPower, wire::ranger::PowerConfig{0}).ack);
-  EXPECT_TRUE(ask_with(wire::ranger::kReqIntns, wire::ranger::IntnsConfig{1}).ack);
-  EXPECT_FALSE(ask(wire::ranger::kReqSetConfig).ack);
 }
 
 TEST_F(LaserDevice, a_scan_has_its_angles_ranges_and_whole_intensities) {

@@ -11,7 +11,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "playhouse/base/packing.h"
@@ -29,7 +32,10 @@ struct Served {
   std::uint8_t subtype;
 };
 
-class SimulatedDevice : public DataSource {
+/// The value of a named property of a device.
+using SettingValue = std::variant<bool, std::int32_t, double, std::string>;
+
+class SimulatedDevice : public DataSource, public std::enable_shared_from_this<SimulatedDevice> {
  public:
   /// `model` is watched while the device is open, and used from a client's first command on: whoever reads
   /// draws no power and changes nothing. None for a device of the whole world.
@@ -82,18 +88,16 @@ class SimulatedDevice : public DataSource {
   /// Called on the tick thread after the last close, even if the model is gone.
   virtual void ended(world::Journal& journal) { static_cast<void>(journal); }
 
- protected:
-  run::Simulation& simulation() const { return simulation_; }
-
-  /// Runs on the tick thread; returns the body of the ACK, or none for NACK.
-  using Question = std::function<std::optional<Bytes>(const world::World&)>;
-  void ask_world(device::Replier replier, Question question) const {
-    answer_by(std::move(replier), [question = std::move(question)](world::Journal& journal) {
-      return question(journal.world());
-    });
+  /// Tick thread: what clients can set by name (settings/settings.h); none, false if there is no such setting, or
+  /// not of that type, or not with that value.
+  virtual std::optional<SettingValue> setting(std::string_view name) const {
+    return static_cast<void>(name), std::nullopt;
+  }
+  virtual bool set_setting(std::string_view name, const SettingValue& value) {
+    return static_cast<void>(name), static_cast<void>(value), false;
   }
 
-  /// The same for a request that changes the world.
+  /// Answers a request on the tick thread; returns the body of the ACK, or none for NACK.
   using JournalAnswer = std::function<std::optional<Bytes>(world::Journal&)>;
   void answer_by(device::Replier replier, JournalAnswer answer) const {
     auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
@@ -106,6 +110,17 @@ class SimulatedDevice : public DataSource {
           }
         },
         robot());
+  }
+
+ protected:
+  run::Simulation& simulation() const { return simulation_; }
+
+  /// The same for a request that only reads the world.
+  using Question = std::function<std::optional<Bytes>(const world::World&)>;
+  void ask_world(device::Replier replier, Question question) const {
+    answer_by(std::move(replier), [question = std::move(question)](world::Journal& journal) {
+      return question(journal.world());
+    });
   }
 
   /// An empty ACK if the change can be, else NACK.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "playhouse/base/assert.h"
+#include "playhouse/drivers/settings/device_properties.h"
 
 namespace playhouse::drivers {
 
@@ -70,7 +71,10 @@ void SimulatedDriver::note_act(const Device& device) {
 
 void SimulatedDriver::request(const device::Message& message, device::Replier replier) {
   const Device device = find(message.device);
-  if (device == nullptr || !device->serves(message.type, message.subtype)) return;
+  if (device == nullptr) return;
+  if (is_property_request(message.type, message.subtype))
+    return answer_property_request(device, message, std::move(replier));
+  if (!device->serves(message.type, message.subtype)) return;
   if (device->acts(message.subtype) && requests_.is_reserved(device->model())) return;
   if (device->acts(message.subtype)) note_act(device);
   device->request(message, std::move(replier));
@@ -78,7 +82,8 @@ void SimulatedDriver::request(const device::Message& message, device::Replier re
 
 bool SimulatedDriver::capable(device::DeviceId id, std::uint8_t type, std::uint8_t subtype) const {
   const Device device = find(id);
-  return device != nullptr && device->serves(type, subtype);
+  if (device == nullptr) return false;
+  return is_property_request(type, subtype) ? device->model().valid() : device->serves(type, subtype);
 }
 
 void SimulatedDriver::barrier(device::Replier replier) {

@@ -98,6 +98,16 @@ bool carry_out(World& world, PositionRow row, const PowerWheels& change) {
   return true;
 }
 
+bool carry_out(World& world, PositionRow row, const LimitWay& change) {
+  const auto is_limit = [](double value) { return value >= 0 && std::isfinite(value); };
+  if (!is_limit(change.speed) || !is_limit(change.turn) || !is_limit(change.acceleration) ||
+      !is_limit(change.turn_acceleration))
+    return false;
+  world.positions.speed_limit[row] = {change.speed, 0, 0, change.turn};
+  world.positions.acceleration_limit[row] = {change.acceleration, 0, 0, change.turn_acceleration};
+  return true;
+}
+
 // --- other kinds
 
 bool carry_out(World& world, ActuatorRow row, const MoveJoint& change) {
@@ -122,6 +132,12 @@ bool carry_out(World& world, ActuatorRow row, const SetJointSpeed& change) {
   if (!(change.speed > 0)) return false;
   const scene::ActuatorDesc& desc = *world.desc(world.actuators.model[row]).actuator;
   world.actuators.speed[row] = std::min(change.speed, desc.max_speed);
+  return true;
+}
+
+bool carry_out(World& world, ActuatorRow row, const SetJointAcceleration& change) {
+  if (!(change.acceleration >= 0) || !std::isfinite(change.acceleration)) return false;
+  world.actuators.acceleration[row] = change.acceleration;
   return true;
 }
 
