@@ -163,6 +163,48 @@ driver( name "vfh" provides ["position2d:1"] requires ["{port}:position2d:0" "{p
                     self.fail("it does not get there")
 
 
+class OffBoard(HouseTest):
+    """A robot is localized by another program, which was there before the robot and outlives it."""
+
+    def test_a_robot_is_waited_for_and_found_again(self):
+        world = self.write("cave.world", OnAMap.CAVE.replace('ctrl "wander"', ""))
+        with socket.create_server(("127.0.0.1", 0)) as free:
+            port = free.getsockname()[1]
+        brain = self.write("brain.cfg", f"""
+driver( name "passthrough" provides ["position2d:0" "laser:0"] requires ["127.0.0.1:{port}:position2d:0" "127.0.0.1:{port}:laser:0"] )
+driver( name "mapfile" provides ["map:0"] filename "{ROOT}/worlds/bitmaps/cave.png" resolution 0.025 )
+driver( name "amcl" provides ["localize:0" "position2d:2"] requires ["position2d:0" "laser:0" "map:0"] alwayson 1
+  init_pose [-5.8 -4.3 20] init_pose_var [0.1 0.1 5] )
+""")
+        with House("serve", brain, "--port", 0) as house:
+            house.wait_for_line(rf'brain.cfg:4: driver "amcl" waits: 127.0.0.1:{port} cannot connect')
+            with Client(house.port()) as early:
+                self.assertEqual(access(early.open(POSITION2D, 2)), 3)
+            with House("run", world, "--port", port, "--headless"):
+                house.wait_for_line('brain.cfg:4: driver "amcl" has started')
+                with Client(house.port()) as client, Client(port) as robot:
+                    self.assertEqual(access(client.open(POSITION2D, 2)), 1)
+                    self.check(client, robot, 0.3)
+            house.wait_for_line(f"passthrough: 127.0.0.1:{port} .*: trying again")
+            with House("run", world, "--port", port, "--headless"):
+                house.wait_for_line(f"passthrough: 127.0.0.1:{port} is connected")
+                with Client(house.port()) as client, Client(port) as robot:
+                    self.assertEqual(access(client.open(POSITION2D, 2)), 1)
+                    self.check(client, robot, 0.6)  # it goes on from where it believed the robot to be
+            lines = [line for line in house.lines if " waits: " in line]
+            self.assertEqual(len(lines), 1, lines)
+
+    def check(self, client: Client, robot: Client, most: float) -> None:
+        """The robot drives, and is where it is believed to be, to so many metres."""
+        robot.drive(0, 0.3)
+        start = robot.pose("r0")
+        way = [start[:2]]
+        while math.dist(way[-1], start[:2]) < 0.3:
+            believed = struct.unpack_from(">ddd", client.next_data(POSITION2D, 2).body)
+            way.append(robot.pose("r0")[:2])
+            self.assertLess(min(math.dist(believed[:2], place) for place in way), most)
+
+
 class InACircle(HouseTest):
     """Programs whose devices stand for each other."""
 

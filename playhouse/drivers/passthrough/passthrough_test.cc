@@ -487,6 +487,40 @@ TEST_F(Relay, a_proxy_that_is_moved_into_a_ring_is_not_open_any_more) {
   EXPECT_EQ(wheels.commands.size(), 0u);
 }
 
+TEST_F(Relay, a_driver_that_is_always_on_waits_for_its_robot_and_starts) {
+  ASSERT_EQ(build("driver( name \"vfh\" provides [\"position2d:1\"] requires [\"7000:position2d:5\" "
+                  "\"7000:laser:0\"] alwayson 1 )"),
+            "");
+  network_.run_for(3);
+  open_lab();
+  ASSERT_TRUE(lab->add_device({kThere, lsr::kCode, 0}, laser));
+  network_.run_for(10);
+  EXPECT_EQ(wheels.starts, 1);
+  EXPECT_EQ(laser.starts, 1);
+  lab.reset();
+  network_.run_for(3);
+  open_lab();
+  ASSERT_TRUE(lab->add_device({kThere, lsr::kCode, 0}, laser));
+  network_.run_for(10);
+  EXPECT_EQ(wheels.starts, 2);
+  EXPECT_EQ(laser.starts, 2);
+}
+
+TEST_F(Relay, a_passthrough_that_is_always_on_stays_connected) {
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\" \"laser:0\"] "
+                  "requires [\"lab:7000:position2d:5\" \"lab:7000:laser:0\"] alwayson 1 )"),
+            "");
+  network_.run_for(3);
+  open_lab();
+  network_.run_for(10);
+  EXPECT_EQ(wheels.starts, 1) << "though there is no laser";
+  ASSERT_TRUE(lab->add_device({kThere, lsr::kCode, 0}, laser));
+  network_.run_for(30);
+  EXPECT_EQ(laser.starts, 1);
+  EXPECT_EQ(wheels.starts, 1);
+  EXPECT_EQ(lab_sessions(), 1u);
+}
+
 /// position2d:0 stands for position2d:1, and so on, the last one for the `back`th.
 std::string ring(int devices, int back) {
   std::string cfg;
