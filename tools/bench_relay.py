@@ -63,7 +63,7 @@ def main() -> int:
                    for _ in range(options.servers)]
         cfg = folder / "relay.cfg"
         cfg.write_text("".join(section(nth, server.port(), options.robots) for nth, server in enumerate(servers)))
-        relay = stack.enter_context(House("serve", cfg, "--port", 0, program=options.program))
+        relay = stack.enter_context(House("serve", cfg, "--port", 0, "--headless", program=options.program))
         robots = options.servers * options.robots
         print(json.dumps({"servers": options.servers, "robots": robots, "devices": len(INTERFACES) * robots}
                          | read(relay.port(), robots, options.seconds, relay.process.pid)))

@@ -176,7 +176,7 @@ driver( name "mapfile" provides ["map:0"] filename "{ROOT}/worlds/bitmaps/cave.p
 driver( name "amcl" provides ["localize:0" "position2d:2"] requires ["position2d:0" "laser:0" "map:0"] alwayson 1
   init_pose [-5.8 -4.3 20] init_pose_var [0.1 0.1 5] )
 """)
-        with House("serve", brain, "--port", 0) as house:
+        with House("serve", brain, "--port", 0, "--headless") as house:
             house.wait_for_line(rf'brain.cfg:4: driver "amcl" waits: 127.0.0.1:{port} cannot connect')
             with Client(house.port()) as early:
                 self.assertEqual(access(early.open(POSITION2D, 2)), 3)
@@ -217,7 +217,7 @@ class InACircle(HouseTest):
         for nth, port in enumerate(ports):
             cfg = self.write(f"{nth}.cfg", 'driver( name "passthrough" provides ["position2d:0"] '
                              f'requires ["127.0.0.1:{ports[(nth + 1) % size]}:position2d:0"] )')
-            houses.append(House("serve", cfg, "--port", port))
+            houses.append(House("serve", cfg, "--port", port, "--headless"))
             self.addCleanup(houses[-1].__exit__)
             houses[-1].port()
         for nth in reversed(range(size)):
