@@ -51,6 +51,12 @@ inline constexpr std::size_t kOutboxMessages = 65536;       // the same in messa
 // What clients have set of one device of driver "dummy", which remembers it; over it a further set is refused.
 inline constexpr std::size_t kDummyBytes = 1u << 20;
 
+// Devices of other servers; heeded by device, drivers.
+// Until a device there is open, from the first connection on; the original's clients wait for 5 s.
+inline constexpr double kRelaySeconds = 3;
+inline constexpr std::size_t kRelayWaiting = 1024;  // opens, requests and commands of one device until then
+inline constexpr std::uint32_t kRelayHops = 8;      // servers from a device to where it is made
+
 // Blackboards; heeded by drivers.
 // Of one blackboard: a group fits into what waits for one client (kSessionQueueMessages).
 inline constexpr std::size_t kBlackboardEntries = 1024;

@@ -36,6 +36,27 @@ void DeviceClient::join(DataFlow& flow) {
   flow.add(*this, held_);
 }
 
+bool DeviceClient::ready() const {
+  return std::ranges::all_of(used_, [](const Used& used) { return used.driver->ready(used.id); });
+}
+
+void DeviceClient::prepare(Driver::Prepared heard) {
+  // Shared by the pending ones: the last one reports.
+  struct Pending {
+    std::size_t left;
+    Driver::Prepared heard;
+    Result<void> outcome;
+  };
+  const auto pending = std::make_shared<Pending>(Pending{used_.size() + 1, std::move(heard), {}});
+  const auto report = [pending](const Result<void>& outcome) {
+    if (!outcome && pending->outcome) pending->outcome = outcome.error();
+    if (--pending->left == 0) pending->heard(pending->outcome);
+  };
+  for (const Used& used : used_)
+    used.driver->ready(used.id) ? report({}) : used.driver->prepare(used.id, report);
+  report({});
+}
+
 Result<void> DeviceClient::open() {
   for (const Used& used : used_)
     for (const auto& subscription : used.subscriptions) subscription->clear();

@@ -63,6 +63,10 @@ class DeviceClient final : private Outlet, private DataFlow::DataReader {
 
   // Io thread.
 
+  /// True if all devices are (Driver::ready()).
+  bool ready() const;
+  /// Prepares those that are not (Driver::prepare()), with the first error.
+  void prepare(Driver::Prepared heard);
   /// Atomic: opens all devices or none, with the first error. Subscriptions start empty.
   Result<void> open();
   /// No effect if closed.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -110,6 +111,15 @@ class Driver {
 
   /// Reply once, now or later; dropping the replier means NACK.
   virtual void request(const Message& message, Replier replier) = 0;
+
+  /// True if start() has what it needs of other servers. Io thread, like prepare(). Override both in drivers
+  /// whose devices others provide.
+  virtual bool ready(DeviceId) const { return true; }
+  /// Outcome of prepare(), with the reason.
+  using Prepared = std::function<void(const Result<void>&)>;
+  /// Gets it, within limits::kRelaySeconds: `heard` is called once, on the io thread, maybe at once. It stays for
+  /// a moment, so that whoever asked can start the device.
+  virtual void prepare(DeviceId, Prepared heard) { heard({}); }
 
   /// True if `request` supports this (type, subtype); for CAPABILITIES.
   virtual bool capable(DeviceId device, std::uint8_t type, std::uint8_t subtype) const = 0;

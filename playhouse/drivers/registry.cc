@@ -113,18 +113,17 @@ std::vector<const scene::CfgSection*> sections_to_make(const scene::CfgFile& fil
   return kept;
 }
 
-/// Holds all devices of the section open for the program's lifetime.
-Result<void> keep_open(const scene::CfgSection& section, Site& site) {
+/// Keeps all devices of the section open for the program's lifetime.
+Result<void> keep_open(const scene::CfgSection& section, device::Driver& driver, Site& site) {
+  std::vector<device::DeviceId> devices;
   for (const scene::DeviceAddress& provided : section.addresses("provides")) {
     const Result<device::Address> address = site.resolve(provided);
     if (!address) return Error{section.at("provides"), address.error().text};
-    const auto device = site.find(*address);
-    if (!device) continue;
-    if (const Result<void> held = site.surroundings().hold(*device, nullptr); !held) {
-      return Error{section.at("alwayson"), held.error().text};
-    }
+    if (const auto device = site.find(*address)) devices.push_back(*device);
   }
-  return {};
+  const Result<void> begun = site.keep_open(
+      driver, std::move(devices), fmt::format("{}: driver {}", section.at(), in_quotes(section.name())));
+  return begun ? begun : Error{section.at("alwayson"), begun.error().text};
 }
 
 }  // namespace
@@ -148,11 +147,12 @@ Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::C
   if (!remote) return remote.error();
   std::ranges::move(*remote, std::back_inserter(drivers));
   if (const Result<void> finished = site.finish(); !finished) return finished.error();
-  for (const scene::CfgSection* section : sections) {
-    if (section->flag("alwayson", false)) {
-      if (const Result<void> open = keep_open(*section, site); !open) return open.error();
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const scene::CfgSection& section = *sections[i];
+    if (section.flag("alwayson", false)) {
+      if (const Result<void> open = keep_open(section, *drivers[i], site); !open) return open.error();
     }
-    for (const std::string& line : section->unread()) site.warn(line);
+    for (const std::string& line : section.unread()) site.warn(line);
   }
   if (site.device_count() == 0) return Error{file.path, "no driver of this file provides a device"};
   return drivers;

@@ -183,6 +183,13 @@ Error Site::circle_error(std::span<const std::size_t> circle) const {
                       fmt::join(devices, ", which requires "))};
 }
 
+Result<void> Site::keep_open(device::Driver& driver, std::vector<device::DeviceId> devices,
+                             std::string name) {
+  always_on_.push_back(
+      std::make_unique<AlwaysOn>(surroundings_, driver, std::move(devices), std::move(name)));
+  return always_on_.back()->begin();
+}
+
 Result<void> Site::finish() {
   for (const User& user : users_)
     if (const Result<void> provided = check_provided(user); !provided) return provided.error();

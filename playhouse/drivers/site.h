@@ -20,6 +20,7 @@
 #include "playhouse/device/client.h"
 #include "playhouse/device/data_flow.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/always_on.h"
 #include "playhouse/drivers/simulated/model_devices.h"
 #include "playhouse/libraries/libraries.h"
 #include "playhouse/net/network.h"
@@ -108,6 +109,9 @@ class Site {
   /// Devices that drivers require of a port on which this file provides none: those of another server on
   /// this machine. From now on that is where the port is.
   std::set<device::Address> take_remote_devices();
+  /// Opens these devices of a driver for good, those that are not ready once they are (AlwaysOn). Once all drivers
+  /// of the file exist. Fails if one that is ready cannot start.
+  Result<void> keep_open(device::Driver& driver, std::vector<device::DeviceId> devices, std::string name);
   /// Called when all drivers of the file exist: connects clients
   /// to their devices, in topological order of data flow. Fails
   /// on a device without a provider and on cyclic requirements.
@@ -142,6 +146,7 @@ class Site {
   std::vector<User> users_;
   std::vector<std::string> warnings_;
   std::set<std::pair<std::uint16_t, std::uint32_t>> taken_models_;
+  std::vector<std::unique_ptr<AlwaysOn>> always_on_;
 };
 
 }  // namespace playhouse::drivers

@@ -33,7 +33,19 @@ class FakeDriver final : public device::Driver {
   std::function<void()> on_request = [] {};
   std::function<void(device::Caller&)> on_caller;
 
+  std::string unprepared;  // why it is not ready; empty: it is
+  std::vector<Prepared> preparing;
+  void prepare_now() {
+    unprepared.clear();
+    for (const Prepared& heard : std::exchange(preparing, {})) heard({});
+  }
+  void refuse_now() {
+    for (const Prepared& heard : std::exchange(preparing, {})) heard(Error{"", unprepared});
+  }
+
   std::string_view name() const override { return name_; }
+  bool ready(device::DeviceId) const override { return unprepared.empty(); }
+  void prepare(device::DeviceId, Prepared heard) override { preparing.push_back(std::move(heard)); }
   Result<void> start(device::DeviceId) override {
     if (fails_to_start) return Error{"/dev/none", "no such device"};
     ++starts;

@@ -26,6 +26,22 @@ constexpr std::string_view kLostProperty = "lost";  // data messages lost for th
 
 // Access codes before version 3, letters as for files; sent as numbers.
 constexpr std::uint8_t kReadLetter = 'r', kWriteLetter = 'w', kAllLetter = 'a', kCloseLetter = 'c';
+constexpr std::uint8_t kError = player::kErrorMode;
+
+/// None if the code asks for no access.
+std::optional<Access> access_asked(std::uint8_t code) {
+  switch (code) {
+    case player::kOpenMode:
+    case kAllLetter:
+      return Access::kAll;
+    case kReadLetter:
+      return Access::kRead;
+    case kWriteLetter:
+      return Access::kWrite;
+    default:
+      return std::nullopt;
+  }
+}
 
 QueueAction queue_action(std::int32_t code) {
   switch (code) {
@@ -117,37 +133,60 @@ void Session::open_or_close(const wire::Header& header, MessageBody body) {
   const auto asked = wire::decode<player::DeviceReq>(body);
   if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
 
-  player::DeviceReq answer;
-  answer.addr = {wire::kLocalhost, robot_, asked->addr.interf, asked->addr.index};
-  answer.access = player::kErrorMode;
   const device::Address address{robot_, asked->addr.interf, asked->addr.index};
   const device::DeviceId device = board_.devices.find(address);
   if (!device.valid()) {
     ++board_.counters.requests_refused;
     log_once(Fault::kUnknownDevice, "open of " + device::describe(address),
              board_.devices.why_missing(address) + "; answered NACK");
-    return reply(header, false, wire::encode(answer));
+    return tell_access(header, address, kError);
   }
-  answer.driver_name = wire::c_string(board_.devices[device].driver->name());
-  switch (asked->access) {
-    case player::kOpenMode:
-    case kAllLetter:
-      answer.access = open(device, Access::kAll, asked->access);
-      break;
-    case kReadLetter:
-      answer.access = open(device, Access::kRead, asked->access);
-      break;
-    case kWriteLetter:
-      answer.access = open(device, Access::kWrite, asked->access);
-      break;
-    case player::kCloseMode:
-    case kCloseLetter:
-      if (close(device)) answer.access = asked->access;
-      break;
-    default:
-      break;
+  if (asked->access == player::kCloseMode || asked->access == kCloseLetter)
+    return tell_access(header, address, close(device) ? asked->access : kError);
+  const std::optional<Access> access = access_asked(asked->access);
+  if (!access) return tell_access(header, address, kError);
+  if (!board_.devices[device].driver->ready(device)) return prepare(header, device, asked->access);
+  tell_access(header, address, open(device, *access, asked->access));
+}
+
+/// Has its driver get what the device needs; until then the client's next messages to it wait.
+void Session::prepare(const wire::Header& header, device::DeviceId device, std::uint8_t code) {
+  const device::DeviceTable::ServedDevice& served = board_.devices[device];
+  const std::uint32_t number = next_request_++;
+  const std::uint64_t ticket = make_ticket(serial_, number);
+  opening_[number] = {served.address, code};
+  pending_[number] = {header, device};
+  pending_bytes_ += header.size;
+  queue_.set_awaited(true);
+  board_.uses.ask(device, ticket);
+  served.driver->prepare(device, [outlet = board_.outlet, ticket](const Result<void>& outcome) {
+    const std::string why = outcome ? std::string() : outcome.error().line();
+    const auto bytes = std::as_bytes(std::span(why));
+    outlet->answer(ticket, outcome.ok(), {bytes.begin(), bytes.end()});
+  });
+}
+
+void Session::prepared(const wire::Header& header, const Opening& opening, bool ack, MessageBody why) {
+  const device::DeviceId device = board_.devices.find(opening.address);
+  std::uint8_t access = kError;
+  if (ack && device.valid()) {
+    access = open(device, *access_asked(opening.code), opening.code);
+  } else if (!why.empty()) {
+    log_once(
+        Fault::kStart, "open of " + device::describe(opening.address),
+        "the device cannot start: " + std::string(reinterpret_cast<const char*>(why.data()), why.size()));
   }
-  reply(header, true, wire::encode(answer));
+  tell_access(header, opening.address, access);
+}
+
+/// Answers an open or a close: NACK if there is no such device.
+void Session::tell_access(const wire::Header& header, device::Address address, std::uint8_t access) {
+  player::DeviceReq answer;
+  answer.addr = {wire::kLocalhost, robot_, address.interf, address.index};
+  answer.access = access;
+  const device::DeviceId device = board_.devices.find(address);
+  if (device.valid()) answer.driver_name = wire::c_string(board_.devices[device].driver->name());
+  reply(header, device.valid(), wire::encode(answer));
 }
 
 // Returns the access code for the reply: the requested one, or that of an error.
@@ -159,12 +198,12 @@ std::uint8_t Session::open(device::DeviceId device, Access access, std::uint8_t 
       log_once(Fault::kLimit, "open of " + device::describe(address),
                fmt::format("{} devices are open, or have retired and the client has not read so: the limit",
                            open_.size() + queue_.notices_waiting()));
-      return player::kErrorMode;
+      return kError;
     }
     if (const Result<void> started = board_.devices.open(device); !started) {
       log_once(Fault::kStart, "open of " + device::describe(address),
                "the device cannot start: " + started.error().line());
-      return player::kErrorMode;
+      return kError;
     }
     if (board_.devices[device].users == 1) take_credit(device);
     found = open_.try_emplace(device).first;

@@ -170,6 +170,53 @@ TEST_F(ServerTest, answers_a_failed_open_as_the_protocol_says) {
   EXPECT_EQ(access_of(client.ask(open_request(kWheels, 0))[0]), 1);
 }
 
+TEST_F(ServerTest, answers_an_open_once_the_device_is_prepared_and_lets_what_follows_wait) {
+  wheels.unprepared = "lab:6665 is away";
+  TestClient client(network, kPort);
+  client.send(open_request(kWheels, 0));
+  client.send(open_request(kLaser, 0));
+  client.send(drive(1));
+  std::vector<Received> answers = client.read();
+  ASSERT_EQ(outline(answers), "ACK 3") << "of the laser";
+  EXPECT_TRUE(wheels.commands.empty());
+  wheels.prepare_now();
+  answers = client.read();
+  ASSERT_EQ(outline(answers), "ACK 3");
+  EXPECT_EQ(access_of(answers[0]), 1);
+  EXPECT_EQ(wheels.commands.size(), 1u);
+  EXPECT_EQ(wheels.starts, 1);
+}
+
+TEST_F(ServerTest, answers_an_open_of_what_cannot_be_prepared_or_retires_meanwhile) {
+  wheels.unprepared = "lab:6665 is away";
+  TestClient client(network, kPort);
+  client.ask(open_request(kWheels, 0));
+  wheels.refuse_now();
+  std::vector<Received> answers = client.read();
+  ASSERT_EQ(outline(answers), "ACK 3");
+  EXPECT_EQ(access_of(answers[0]), 3);
+  client.ask(open_request(kWheels, 0));
+  server.retire_device(wheels_id);
+  answers = client.read();
+  ASSERT_EQ(outline(answers), "NACK 3");
+  EXPECT_EQ(access_of(answers[0]), 3);
+  wheels.prepare_now();
+  EXPECT_EQ(client.read().size(), 0u);
+  EXPECT_EQ(wheels.starts, 0);
+}
+
+TEST_F(ServerTest, opens_nothing_for_a_client_that_left_while_it_was_prepared) {
+  wheels.unprepared = "lab:6665 is away";
+  TestClient client(network, kPort);
+  client.ask(open_request(kWheels, 0));
+  client.peer.reset();
+  network.run_for(10);
+  wheels.prepare_now();
+  network.run();
+  EXPECT_EQ(wheels.starts, 0);
+  EXPECT_EQ(server.status().sessions, 0u);
+}
+
 TEST_F(ServerTest, does_not_let_a_stray_close_disturb_others) {
   TestClient reader(network, kPort), stray(network, kPort);
   reader.ask(open_request(kWheels, 0));

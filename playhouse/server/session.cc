@@ -150,7 +150,9 @@ std::size_t Session::work() {
                           limits::kBodyBytes));
       return messages;
     }
-    dispatch(header, rest.subspan(limits::kHeaderBytes, header.size));
+    const MessageBody body = rest.subspan(limits::kHeaderBytes, header.size);
+    if (waits_for_opening(header, body)) break;
+    dispatch(header, body);
     at += limits::kHeaderBytes + header.size;
     ++messages;
   }
@@ -183,8 +185,25 @@ void Session::give_up(std::string why) {
 }
 
 bool Session::is_held_back() const {
-  return board_.turns != nullptr && has_message() &&
-         waits_for_turn(wire::decode_header(std::span(input_).first<limits::kHeaderBytes>()));
+  if ((board_.turns == nullptr && opening_.empty()) || !has_message()) return false;
+  const wire::Header header = wire::decode_header(std::span(input_).first<limits::kHeaderBytes>());
+  const MessageBody rest = std::span(input_).subspan(limits::kHeaderBytes);
+  return waits_for_turn(header) ||
+         waits_for_opening(header, rest.first(std::min<std::size_t>(rest.size(), header.size)));
+}
+
+/// What a client says to a device comes behind its open. All else goes on, since it may be what that waits for:
+/// opens of other devices, and the CAPABILITIES by which circles of servers are found.
+bool Session::waits_for_opening(const wire::Header& header, MessageBody body) const {
+  if (opening_.empty() || header.subtype == wire::kReqCapabilities) return false;
+  device::Address address = address_of(header);
+  if (header.interf == wire::player::kCode) {
+    if (header.subtype != wire::player::kReqDev) return false;
+    const auto asked = wire::decode<wire::player::DeviceReq>(body);
+    if (!asked) return false;
+    address = {robot_, asked->addr.interf, asked->addr.index};
+  }
+  return std::ranges::any_of(opening_, [&](const auto& entry) { return entry.second.address == address; });
 }
 
 /// Reads, opens and closes are never delayed: the run does not depend on their timing.
@@ -334,6 +353,7 @@ void Session::answer(std::uint32_t number, bool ack, std::span<const std::byte> 
   pending_bytes_ -= header.size;
   queue_.set_awaited(!pending_.empty());
   board_.uses.answer(device, make_ticket(serial_, number));
+  if (const auto opening = opening_.extract(number)) return prepared(header, opening.mapped(), ack, body);
   // A request dropped at the end of the run was not refused: that the connection is closed says why.
   if (!ack && body.empty() && board_.run_is_over) return;
   if (body.size() > limits::kBodyBytes)

@@ -7,7 +7,8 @@
 /// serves all sessions with work round robin: those on its list (Switchboard::due).
 /// Back-pressure: a session stops reading input while it owes limits::kSessionAnswers
 /// replies, pending opens, closes and commands of drivers included, so that a client
-/// that asks without reading, or faster than the world ticks, blocks only itself.
+/// that asks without reading, or faster than the world ticks, blocks only itself. It also
+/// stops at a message to a device that it opens and that is not prepared yet (Driver::prepare).
 
 #include <cstddef>
 #include <cstdint>
@@ -117,6 +118,11 @@ class Session final : public Subscriber {
     wire::Header header;
     device::DeviceId device;
   };
+  /// A device that is being prepared.
+  struct Opening {
+    device::Address address;
+    std::uint8_t code = 0;  // the access that the client asked for
+  };
   /// Categories of errors; each is logged once per session.
   enum class Fault : std::uint8_t {
     kUnknownDevice,
@@ -137,6 +143,7 @@ class Session final : public Subscriber {
   void take_credit(device::DeviceId device);
   bool is_held_back() const;
   bool waits_for_turn(const wire::Header& header) const;
+  bool waits_for_opening(const wire::Header& header, MessageBody body) const;
   bool matters_without_peer(const wire::Header& header) const;
   void forget_input(std::size_t count);
   void count_input(std::size_t bytes);
@@ -164,6 +171,9 @@ class Session final : public Subscriber {
   void set_data_mode(const wire::Header& header, MessageBody body);
   void add_replace_rule(const wire::Header& header, MessageBody body);
   void tell_lost(const wire::Header& header, MessageBody body);
+  void prepare(const wire::Header& header, device::DeviceId device, std::uint8_t code);
+  void prepared(const wire::Header& header, const Opening& opening, bool ack, MessageBody why);
+  void tell_access(const wire::Header& header, device::Address address, std::uint8_t access);
   std::uint8_t open(device::DeviceId device, Access access, std::uint8_t code);
   bool close(device::DeviceId device);
 
@@ -180,9 +190,10 @@ class Session final : public Subscriber {
   OutQueue queue_;
   std::map<device::DeviceId, OpenDevice> open_;
   std::map<std::uint32_t, PendingRequest> pending_;
-  std::size_t pending_bytes_ = 0;     // of the requests in pending_
-  std::set<std::uint32_t> barriers_;  // pending barriers
-  std::uint32_t next_request_ = 0;    // counter for both
+  std::map<std::uint32_t, Opening> opening_;  // of those in pending_
+  std::size_t pending_bytes_ = 0;             // of the requests in pending_
+  std::set<std::uint32_t> barriers_;          // pending barriers
+  std::uint32_t next_request_ = 0;            // counter for both
   bool due_ = false, peer_lost_ = false;
   std::string broken_;
   std::set<Fault> logged_;

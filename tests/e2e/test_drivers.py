@@ -9,6 +9,7 @@ import unittest
 import zlib
 
 from house import ACK, CMD, DATA, NACK, POSITION2D, REQ, ROOT, SIMULATION, Client, House, HouseTest, wait_until
+from house import Message as Received
 
 sys.path.insert(0, str(ROOT / "clients/python"))
 from playhouse_client import Access, GoalRefused, Mode, RequestRefused, connect  # noqa: E402
@@ -66,6 +67,10 @@ class Chain(HouseTest):
     def test_the_documented_section_is_that_of_the_example(self):
         documented = (ROOT / "docs/drivers.md").read_text().split('## driver "vfh"')[1].split("```")[1]
         self.assertIn(documented.strip(), (ROOT / "worlds/avoid.cfg").read_text())
+
+
+def access(answer: Received) -> int:
+    return struct.unpack_from(">I", answer.body, 16)[0]
 
 
 class OnAMap(HouseTest):
@@ -143,8 +148,8 @@ driver( name "vfh" provides ["position2d:1"] requires ["{port}:position2d:0" "{p
             with House("serve", brain, "--port", 0, "--headless") as house, Client(house.port()) as client, \
                     Client(port) as truth:
                 self.assertRegex(house.log(), f'"{port}:laser:0" is taken from the server at localhost:{port}')
-                for index in (1, 2):  # refused until the servers are connected
-                    wait_until(lambda: struct.unpack_from(">I", client.open(POSITION2D, index).body, 16)[0] == 1, "connected")
+                for index in (1, 2):
+                    self.assertEqual(access(client.open(POSITION2D, index)), 1)
                 start = truth.pose("r0")
                 client.send(POSITION2D, 1, CMD, 2, struct.pack(">ddddddI", 2, 0, 0, 0, 0, 0, 1))
                 way = [start[:2]]  # what is believed was so a while ago: how long depends on the machine
@@ -158,21 +163,78 @@ driver( name "vfh" provides ["position2d:1"] requires ["{port}:position2d:0" "{p
                     self.fail("it does not get there")
 
 
-class InACircle(HouseTest):
-    """Two programs whose devices stand for each other."""
+class OffBoard(HouseTest):
+    """A robot is localized by another program, which was there before the robot and outlives it."""
 
-    def test_both_say_so_and_their_devices_retire(self):
-        with socket.create_server(("127.0.0.1", 0)) as one, socket.create_server(("127.0.0.1", 0)) as two:
-            ports = one.getsockname()[1], two.getsockname()[1]
-        section = 'driver( name "passthrough" provides ["position2d:0"] requires ["127.0.0.1:{}:position2d:0"] reconnect 1 )'
-        files = [self.write(f"{nth}.cfg", section.format(ports[1 - nth])) for nth in (0, 1)]
-        with House("serve", files[0], "--port", ports[0]) as first, House("serve", files[1], "--port", ports[1]) as second:
-            for house, other in ((first, ports[1]), (second, ports[0])):
-                house.wait_for_line(f"passthrough: position2d:0 leads back to itself by way of 127.0.0.1:{other}: it retires")
-            for port in ports:
-                with Client(port) as client:
-                    self.assertEqual(client.devices(), [])
-                    self.assertEqual(client.request(POSITION2D, 0, GET_GEOM).type, NACK)
+    def test_a_robot_is_waited_for_and_found_again(self):
+        world = self.write("cave.world", OnAMap.CAVE.replace('ctrl "wander"', ""))
+        with socket.create_server(("127.0.0.1", 0)) as free:
+            port = free.getsockname()[1]
+        brain = self.write("brain.cfg", f"""
+driver( name "passthrough" provides ["position2d:0" "laser:0"] requires ["127.0.0.1:{port}:position2d:0" "127.0.0.1:{port}:laser:0"] )
+driver( name "mapfile" provides ["map:0"] filename "{ROOT}/worlds/bitmaps/cave.png" resolution 0.025 )
+driver( name "amcl" provides ["localize:0" "position2d:2"] requires ["position2d:0" "laser:0" "map:0"] alwayson 1
+  init_pose [-5.8 -4.3 20] init_pose_var [0.1 0.1 5] )
+""")
+        with House("serve", brain, "--port", 0, "--headless") as house:
+            house.wait_for_line(rf'brain.cfg:4: driver "amcl" waits: 127.0.0.1:{port} cannot connect')
+            with Client(house.port()) as early:
+                self.assertEqual(access(early.open(POSITION2D, 2)), 3)
+            with House("run", world, "--port", port, "--headless"):
+                house.wait_for_line('brain.cfg:4: driver "amcl" has started')
+                with Client(house.port()) as client, Client(port) as robot:
+                    self.assertEqual(access(client.open(POSITION2D, 2)), 1)
+                    self.check(client, robot, 0.3)
+            house.wait_for_line(f"passthrough: 127.0.0.1:{port} .*: trying again")
+            with House("run", world, "--port", port, "--headless"):
+                house.wait_for_line(f"passthrough: 127.0.0.1:{port} is connected")
+                with Client(house.port()) as client, Client(port) as robot:
+                    self.assertEqual(access(client.open(POSITION2D, 2)), 1)
+                    self.check(client, robot, 0.6)  # it goes on from where it believed the robot to be
+            lines = [line for line in house.lines if " waits: " in line]
+            self.assertEqual(len(lines), 1, lines)
+
+    def check(self, client: Client, robot: Client, most: float) -> None:
+        """The robot drives, and is where it is believed to be, to so many metres."""
+        robot.drive(0, 0.3)
+        start = robot.pose("r0")
+        way = [start[:2]]
+        while math.dist(way[-1], start[:2]) < 0.3:
+            believed = struct.unpack_from(">ddd", client.next_data(POSITION2D, 2).body)
+            way.append(robot.pose("r0")[:2])
+            self.assertLess(min(math.dist(believed[:2], place) for place in way), most)
+
+
+class InACircle(HouseTest):
+    """Programs whose devices stand for each other."""
+
+    def check_ring(self, size: int) -> None:
+        free = [socket.create_server(("127.0.0.1", 0)) for _ in range(size)]
+        ports = [each.getsockname()[1] for each in free]
+        for each in free:
+            each.close()
+        houses = []
+        for nth, port in enumerate(ports):
+            cfg = self.write(f"{nth}.cfg", 'driver( name "passthrough" provides ["position2d:0"] '
+                             f'requires ["127.0.0.1:{ports[(nth + 1) % size]}:position2d:0"] )')
+            houses.append(House("serve", cfg, "--port", port, "--headless"))
+            self.addCleanup(houses[-1].__exit__)
+            houses[-1].port()
+        for nth in reversed(range(size)):
+            with Client(ports[nth]) as client:
+                for _ in range(2):
+                    self.assertEqual(access(client.open(POSITION2D, 0)), 3)
+                self.assertEqual(client.request(POSITION2D, 0, GET_GEOM).type, NACK)
+                self.assertEqual(client.devices(), [(POSITION2D, 0)])
+        for nth, house in enumerate(houses):
+            house.wait_for_line(f"passthrough: position2d:0 leads in a circle by way of 127.0.0.1:{ports[(nth + 1) % size]}")
+            self.assertEqual(sum(line.startswith("error: ") for line in house.lines), 1, house.log())
+
+    def test_two_say_so_and_open_nothing(self):
+        self.check_ring(2)
+
+    def test_three_say_so_and_open_nothing(self):
+        self.check_ring(3)
 
 
 class Planned(HouseTest):

@@ -289,15 +289,14 @@ class RobotClient(HouseTest):
         self.addCleanup(relay.__exit__)
         client = self.client(relay.port())
         self.assertEqual(client.devices(), [(POSITION2D, 3)])
-        while client.open(POSITION2D, 3).body[19] != 1:   # the relay connects once it runs
-            pass
+        self.assertEqual(client.open(POSITION2D, 3).body[19], 1)
         client.drive(3, 0.5)
         while struct.unpack(">d", client.next_data(POSITION2D, 3).body[:8])[0] < 0.2:
             pass
         lab.end()
-        relay.wait_for_line(r"its devices retire")
-        while client.devices():
-            pass
+        relay.wait_for_line(r"trying again")
+        self.assertEqual(client.devices(), [(POSITION2D, 3)])
+        self.assertEqual(client.open(POSITION2D, 3).body[19], 3)
         self.assertEqual(relay.end(), 128 + signal.SIGTERM)
 
 

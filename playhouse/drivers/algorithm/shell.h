@@ -95,6 +95,8 @@ class Shell final : public device::Driver {
   // device::Driver
 
   std::string_view name() const override { return name_; }
+  bool ready(device::DeviceId) const override { return client_.ready(); }
+  void prepare(device::DeviceId, Prepared heard) override { client_.prepare(std::move(heard)); }
   Result<void> start(device::DeviceId device) override;
   void stop(device::DeviceId device) override;
   void retired(device::DeviceId) override { close(); }

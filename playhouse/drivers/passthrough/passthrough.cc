@@ -4,13 +4,18 @@
 #include <sys/random.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/packing.h"
 #include "playhouse/device/device_table.h"
+#include "playhouse/drivers/back_off.h"
 #include "playhouse/wire/auth_key.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/common.h"
@@ -19,21 +24,33 @@
 namespace playhouse::drivers {
 namespace {
 
-constexpr double kFirstWait = 0.5, kLongestWait = 30;  // s between attempts (back-off)
-constexpr std::uint16_t kPlayerPort = 6665;            // default port of a remote host
+constexpr double kLinger = 1;  // s that what nobody uses any more stays open
+constexpr const char* kNotConnected = "is not connected";
+constexpr const char* kHasRetired = "the device has retired";
+constexpr std::uint16_t kPlayerPort = 6665;  // default port of a remote host
 
 std::string describe(RemoteDevice device) {
   const std::string whole = device::describe({0, device.interf, device.index});
   return whole.substr(whole.find(':') + 1);
 }
 
-/// Beyond every type of message, even where somebody reads its last byte alone.
-constexpr std::uint32_t kMarked = 0x80000000, kTypeBits = 0xFF;
+/// Clients see where a device comes from, within what they have room for.
+std::string driver_name(const std::string& host, std::uint16_t port) {
+  return ("passthrough (" + name_of_server(host, port) + ")").substr(0, limits::kDriverNameBytes - 1);
+}
+
+/// Beyond every type of message, even where somebody reads its last byte alone; the bits above that byte count the
+/// servers that have passed it on.
+constexpr std::uint32_t kMarked = 0x80000000, kTypeBits = 0xFF, kHop = 0x100, kHopBits = 0xF00;
+static_assert(limits::kRelayHops * kHop <= kHopBits);
+
+/// In the NACK of a look that did not get to the end of its way, which may be a circle.
+constexpr std::size_t kNotReachedBytes = 1;
 
 std::uint32_t random_mark() {
   std::uint32_t number = 0;
   PLAYHOUSE_ASSERT(getrandom(&number, sizeof number, 0) == sizeof number);
-  return (number | kMarked) & ~kTypeBits;
+  return (number | kMarked) & ~(kTypeBits | kHopBits);
 }
 
 /// CAPABILITIES, whose answer is NACK from every device: there is no such message.
@@ -49,82 +66,149 @@ std::optional<wire::CapabilitiesReq> as_circle_request(const device::Message& me
   return is_one ? std::optional(*asked) : std::nullopt;
 }
 
+constexpr std::string_view kHost = "remote_host", kPort = "remote_port", kIndex = "remote_index",
+                           kConnect = "connect";
+
+/// Of a request for a property of the proxy itself: whether it sets it. None if the request is another.
+std::optional<bool> own_property(const device::Message& message) {
+  const auto is_ours = [](const auto& asked, std::initializer_list<std::string_view> keys) {
+    return asked && std::ranges::find(keys, wire::text(asked->key)) != keys.end();
+  };
+  switch (message.subtype) {
+    case wire::kReqGetStrprop:
+    case wire::kReqSetStrprop:
+      if (!is_ours(wire::decode<wire::StrpropReq>(message.body), {kHost})) return std::nullopt;
+      return message.subtype == wire::kReqSetStrprop;
+    case wire::kReqGetIntprop:
+    case wire::kReqSetIntprop:
+      if (!is_ours(wire::decode<wire::IntpropReq>(message.body), {kPort, kIndex, kConnect}))
+        return std::nullopt;
+      return message.subtype == wire::kReqSetIntprop;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_uint16(std::int32_t value) {
+  return value >= 0 && value <= std::numeric_limits<std::uint16_t>::max();
+}
+
 }  // namespace
 
 Passthrough::Passthrough(Site& site, std::string host, std::uint16_t port, AfterLoss after_loss)
     : site_(site),
+      name_(driver_name(host, port)),
       after_loss_(after_loss),
       mark_(random_mark()),
-      remote_(site.surroundings().network(), std::move(host), port, *this) {}
+      remote_(site.surroundings().network(), std::move(host), port, *this),
+      why_lost_(kNotConnected) {}
 
 Result<void> Passthrough::add(device::Address address, RemoteDevice device) {
   const Result<device::DeviceId> id = site_.add_device(address, *this);
   if (!id) return id.error();
-  here_[device] = *id;
-  {
-    const std::lock_guard lock(mutex_);
-    relayed_[*id] = {address, device};
-  }
-  if (remote_.is_connected()) look_for_circle(device);
+  Proxy& proxy = proxies_[device];
+  proxy.here = *id;
+  proxy.address = address;
+  const std::lock_guard lock(mutex_);
+  relayed_[*id] = device;
   return {};
+}
+
+void Passthrough::connect() {
+  stays_connected_ = true;
+  remote_.connect();
 }
 
 std::optional<RemoteDevice> Passthrough::there(device::DeviceId id) const {
   const std::lock_guard lock(mutex_);
   const auto found = relayed_.find(id);
-  return found == relayed_.end() ? std::nullopt : std::optional(found->second.there);
+  return found == relayed_.end() ? std::nullopt : std::optional(found->second);
 }
 
 // --- from our clients; order is kept per device, whichever the thread
 
+bool Passthrough::ready(device::DeviceId id) const {
+  const std::optional<RemoteDevice> device = there(id);
+  return device && remote_.is_connected() && proxies_.at(*device).is_open();
+}
+
+/// Deferred: before the program runs nobody listens at its own ports, which may be the other server's.
+void Passthrough::prepare(device::DeviceId id, Prepared heard) {
+  site_.surroundings().post([this, id, heard = std::move(heard)] {
+    const std::optional<RemoteDevice> device = there(id);
+    device ? when_open(*device, heard) : heard(Error{"", kHasRetired});
+  });
+}
+
 Result<void> Passthrough::start(device::DeviceId id) {
-  if (!remote_.is_connected()) {
-    if (retry_) retry_ = site_.surroundings().network().after(0, [this] { remote_.connect(); });
-    return Error{"", remote_.name() + " " + why_lost_};
-  }
-  wanted_.insert(id);
-  remote_.open(*there(id));
+  if (!ready(id))
+    return Error{"", remote_.name() + (remote_.is_connected() ? " has not opened it" : " " + why_lost_)};
+  proxies_.at(*there(id)).is_wanted = true;
   return {};
 }
 
 void Passthrough::stop(device::DeviceId id) {
-  if (wanted_.erase(id) == 0) return;
   const std::optional<RemoteDevice> device = there(id);
+  if (!device || !std::exchange(proxies_.at(*device).is_wanted, false)) return;
   // After earlier commands.
-  site_.surroundings().post([this, id, device] {
-    if (!wanted_.contains(id) && remote_.is_connected()) remote_.close(*device);
+  site_.surroundings().post([this, device = *device] {
+    if (const auto found = proxies_.find(device); found != proxies_.end())
+      close_if_idle(device, found->second);
+    tidy_later();
   });
 }
 
 void Passthrough::forget(device::DeviceId id) {
-  const std::lock_guard lock(mutex_);
-  const auto found = relayed_.find(id);
-  if (found == relayed_.end()) return;
-  here_.erase(found->second.there);
-  relayed_.erase(found);
+  const std::optional<RemoteDevice> device = there(id);
+  if (!device) return;
+  {
+    const std::lock_guard lock(mutex_);
+    relayed_.erase(id);
+  }
+  Proxies::node_type node = proxies_.extract(*device);
+  close_if_idle(*device, node.mapped());
+  refuse(node.mapped(), kHasRetired);
+  tidy_later();
 }
 
 device::Taken Passthrough::command(const device::Message& message) {
   const std::optional<RemoteDevice> device = there(message.device);
   if (!device) return device::Taken::kNo;
-  site_.surroundings().post(
-      [this, device = *device, subtype = message.subtype,
-       body = Bytes(message.body.begin(), message.body.end())] { remote_.command(device, subtype, body); });
+  site_.surroundings().post([this, device = *device, subtype = message.subtype,
+                             body = Bytes(message.body.begin(), message.body.end())] {
+    when_reached(device, [this, device, subtype, body](const Result<void>& open) {
+      if (open) remote_.command(device, subtype, body);
+    });
+  });
   return device::Taken::kLatest;
 }
 
 void Passthrough::request(const device::Message& message, device::Replier replier) {
   const std::optional<RemoteDevice> device = there(message.device);
   if (!device) return;
-  const std::optional<wire::CapabilitiesReq> circle = as_circle_request(message);
-  if (circle == circle_request(mark_, *device)) return replier.ack({});
   auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
-  site_.surroundings().post([this, shared, device = *device, subtype = message.subtype, circle,
+  if (const std::optional<wire::CapabilitiesReq> look = as_circle_request(message))
+    return site_.surroundings().post(
+        [this, device = *device, look = *look, shared] { pass_look_on(device, look, std::move(*shared)); });
+  if (const std::optional<bool> sets = own_property(message)) {
+    if (*sets && message.caller != nullptr && !message.caller->rights().manages) return;
+    return site_.surroundings().post([this, shared, id = message.device, subtype = message.subtype,
+                                      body = Bytes(message.body.begin(), message.body.end())] {
+      const std::optional<RemoteDevice> now = there(id);
+      if (std::optional<Bytes> answer = now ? answer_property(*now, subtype, body) : std::nullopt)
+        shared->ack(std::move(*answer));
+    });
+  }
+  site_.surroundings().post([this, shared, device = *device, subtype = message.subtype,
                              body = Bytes(message.body.begin(), message.body.end())] {
-    remote_.ask(device, subtype, body, [=, this](bool ack, std::span<const std::byte> answer) {
-      Bytes bytes(answer.begin(), answer.end());
-      ack ? shared->ack(std::move(bytes)) : shared->nack(std::move(bytes));
-      if (ack && circle) end_circle(device);  // another's, which came back to it through this device
+    when_reached(device, [this, shared, device, subtype, body](const Result<void>& open) {
+      if (!open) return;
+      ++under_way_;
+      remote_.ask(device, subtype, body, [this, shared](bool ack, std::span<const std::byte> answer) {
+        --under_way_;
+        Bytes bytes(answer.begin(), answer.end());
+        ack ? shared->ack(std::move(bytes)) : shared->nack(std::move(bytes));
+      });
     });
   });
 }
@@ -136,62 +220,319 @@ bool Passthrough::capable(device::DeviceId id, std::uint8_t type, std::uint8_t s
          wire::find_message(device->interf, static_cast<wire::MessageType>(type), subtype) != nullptr;
 }
 
+/// Whoever waits is answered while he is there.
+void Passthrough::finish() {
+  retry_.reset();
+  tidy_.reset();
+  remote_.disconnect();
+  for (auto& [device, proxy] : proxies_) refuse(proxy, "the program ends");
+  callers_.clear();
+}
+
+// --- what devices wait for
+
+void Passthrough::when_open(RemoteDevice device, Prepared then) {
+  Proxy& proxy = proxies_.at(device);
+  if (!proxy.is_wanted) tidy_later();
+  if (proxy.is_open()) return then({});
+  if (is_over()) return then(Error{"", remote_.name() + " " + why_lost_});
+  if (proxy.circle) return then(Error{"", "it " + proxy.told});
+  if (proxy.openers.size() >= limits::kRelayWaiting) return then(Error{"", "too many wait for it"});
+  proxy.openers.push_back(std::move(then));
+  wait_at(device, proxy);
+}
+
+/// For messages, which clients send without opening the device: it is open there for them as well, since what leads
+/// in a circle is never open, and nothing goes round. Those to a device that is open here wait for no lost server.
+void Passthrough::when_reached(RemoteDevice device, Prepared then) {
+  const auto found = proxies_.find(device);
+  if (found == proxies_.end()) return then(Error{"", kHasRetired});
+  if (stays_connected_ && remote_.is_connected()) return then({});
+  const Proxy& proxy = found->second;
+  if (proxy.is_wanted && !proxy.is_open()) return then(Error{"", "it is not open there"});
+  when_open(device, std::move(then));
+}
+
+void Passthrough::when_connected(Prepared then) {
+  tidy_later();
+  if (remote_.is_connected()) return then({});
+  if (is_over() || callers_.size() >= limits::kRelayWaiting) return then(Error{"", "it is not connected"});
+  callers_.push_back(std::move(then));
+  retry_.reset();
+  remote_.connect();
+}
+
+void Passthrough::wait_at(RemoteDevice device, Proxy& proxy) {
+  if (!proxy.patience)
+    proxy.patience = site_.surroundings().network().after(limits::kRelaySeconds, [this, device] {
+      const auto found = proxies_.find(device);
+      if (found != proxies_.end())
+        refuse(found->second,
+               fmt::format("{} does not answer within {:g} s", remote_.name(), limits::kRelaySeconds));
+    });
+  if (remote_.is_connected()) return advance(device, proxy);
+  retry_.reset();
+  remote_.connect();
+}
+
+/// Says what there is to be said to the server, with a connection.
+void Passthrough::advance(RemoteDevice device, Proxy& proxy) {
+  if (proxy.is_idle()) return;
+  if (proxy.way == Proxy::Way::kUnknown) look_for_circle(device, proxy);
+  if (proxy.there != Proxy::There::kClosed) return;
+  proxy.there = Proxy::There::kAsked;
+  remote_.open(device);
+}
+
+/// A request that comes back here if the device leads in a circle. The original's servers are not asked: some of
+/// their drivers end with such a request. In a circle with one of them nothing is ever open.
+void Passthrough::look_for_circle(RemoteDevice device, Proxy& proxy) {
+  if (!remote_.is_playhouse()) {
+    proxy.way = Proxy::Way::kFree;
+    return settle(proxy);
+  }
+  proxy.way = Proxy::Way::kAsked;
+  remote_.ask(device, wire::kReqCapabilities, wire::encode(circle_request(mark_, device)),
+              [this, device](bool ack, std::span<const std::byte> why) {
+                const auto found = proxies_.find(device);
+                if (!remote_.is_connected() || found == proxies_.end()) return;
+                Proxy& proxy = found->second;
+                if (ack) return meet_circle(device, proxy);
+                const bool is_reached = why.size() != kNotReachedBytes;
+                proxy.way = is_reached ? Proxy::Way::kFree : Proxy::Way::kUnknown;
+                is_reached ? settle(proxy) : refuse(proxy, remote_.name() + " does not reach it");
+              });
+}
+
+/// Another's look, or ours that has come back.
+void Passthrough::pass_look_on(RemoteDevice device, wire::CapabilitiesReq look, device::Replier replier) {
+  const std::uint32_t hops = look.type & kHopBits;
+  const bool is_ours = look.type - hops == mark_ && look.subtype == circle_request(mark_, device).subtype;
+  if (is_ours || hops >= limits::kRelayHops * kHop) return replier.ack();
+  look.type += kHop;
+  auto shared = std::make_shared<device::Replier>(std::move(replier));
+  when_connected([this, device, look, shared](const Result<void>& there) {
+    if (!there) return shared->nack(Bytes(kNotReachedBytes));
+    if (!remote_.is_playhouse()) return;
+    ++under_way_;
+    remote_.ask(
+        device, wire::kReqCapabilities, wire::encode(look),
+        [this, shared](bool ack, std::span<const std::byte> why) {
+          --under_way_;
+          if (ack) return shared->ack();
+          shared->nack(remote_.is_connected() ? Bytes(why.begin(), why.end()) : Bytes(kNotReachedBytes));
+        });
+  });
+}
+
+void Passthrough::meet_circle(RemoteDevice device, Proxy& proxy) {
+  const std::string why = fmt::format("leads in a circle by way of {}, or through more than {} servers",
+                                      remote_.name(), limits::kRelayHops);
+  if (std::exchange(proxy.told, why) != why)
+    log::error("passthrough: {} {}: it cannot be opened", site_.shown(proxy.address), why);
+  proxy.way = Proxy::Way::kUnknown;
+  // An open that goes round, with its refusals behind it, ends here; later whoever opens it looks again.
+  proxy.circle = site_.surroundings().network().after(limits::kRelaySeconds, [this, device] {
+    if (const auto found = proxies_.find(device); found != proxies_.end()) found->second.circle.reset();
+  });
+  if (std::exchange(proxy.there, Proxy::There::kClosed) == Proxy::There::kOpen) remote_.close(device);
+  refuse(proxy, "it " + why);
+  if (proxy.is_wanted) try_later();
+}
+
+/// Tells those whose wait is over.
+void Passthrough::settle(Proxy& proxy) {
+  if (!proxy.is_open()) return;
+  proxy.told.clear();
+  proxy.patience.reset();
+  for (const Prepared& heard : std::exchange(proxy.openers, {})) heard({});
+}
+
+void Passthrough::refuse(Proxy& proxy, const std::string& why) {
+  proxy.patience.reset();
+  for (const Prepared& heard : std::exchange(proxy.openers, {})) heard(Error{"", why});
+}
+
+void Passthrough::close_if_idle(RemoteDevice device, Proxy& proxy) {
+  if (!proxy.is_idle() || proxy.there != Proxy::There::kOpen) return;
+  proxy.there = Proxy::There::kClosed;
+  remote_.close(device);
+}
+
+void Passthrough::tidy_later() {
+  tidy_ = site_.surroundings().network().after(kLinger, [this] { tidy(); });
+}
+
+/// Closes what nobody has started after all, and the connection that nobody uses.
+void Passthrough::tidy() {
+  bool is_wanted = stays_connected_, is_idle = under_way_ == 0 && callers_.empty();
+  for (auto& [device, proxy] : proxies_) {
+    close_if_idle(device, proxy);
+    is_wanted |= proxy.is_wanted;
+    is_idle &= proxy.is_idle();
+  }
+  if (is_wanted) return;
+  is_idle ? disconnect() : tidy_later();
+}
+
+/// What is known of it holds for one connection.
+void Passthrough::forget_server() {
+  for (auto& [device, proxy] : proxies_) {
+    proxy.way = Proxy::Way::kUnknown;
+    proxy.there = Proxy::There::kClosed;
+  }
+}
+
+void Passthrough::try_later() {
+  if (retry_) return;
+  wait_ = next_wait(wait_);
+  retry_ = site_.surroundings().network().after(wait_, [this] {
+    retry_.reset();
+    remote_.is_connected() ? advance_all() : remote_.connect();
+  });
+}
+
+void Passthrough::advance_all() {
+  for (auto& [device, proxy] : proxies_) advance(device, proxy);
+}
+
+// --- properties of the proxies
+
+/// None: NACK.
+std::optional<Bytes> Passthrough::answer_property(RemoteDevice device, std::uint8_t subtype,
+                                                  const Bytes& body) {
+  if (subtype == wire::kReqGetStrprop || subtype == wire::kReqSetStrprop)
+    return answer_host(*wire::decode<wire::StrpropReq>(body), subtype == wire::kReqSetStrprop);
+  return answer_number(device, *wire::decode<wire::IntpropReq>(body), subtype == wire::kReqSetIntprop);
+}
+
+std::optional<Bytes> Passthrough::answer_host(wire::StrpropReq asked, bool sets) {
+  if (sets) {
+    const std::string host(wire::text(asked.value));
+    if (host.empty() || stays_connected_) return std::nullopt;
+    move_to(host, remote_.port());
+  }
+  asked.value = wire::c_string(remote_.host());
+  return wire::encode(asked);
+}
+
+std::optional<Bytes> Passthrough::answer_number(RemoteDevice device, wire::IntpropReq asked, bool sets) {
+  const std::string_view key = wire::text(asked.key);
+  if (sets && (stays_connected_ || !is_uint16(asked.value))) return std::nullopt;
+  const auto value = static_cast<std::uint16_t>(asked.value);
+  if (sets && key == kPort) move_to(remote_.host(), value);
+  if (sets && key == kIndex && !move_proxy(device, value)) return std::nullopt;
+  if (sets && key == kConnect) set_connected(asked.value != 0);
+  if (!sets) asked.value = key == kPort ? remote_.port() : key == kIndex ? device.index : is_cut_ ? 0 : 1;
+  return wire::encode(asked);
+}
+
+/// The devices of another server from now on.
+void Passthrough::move_to(const std::string& host, std::uint16_t port) {
+  if (host == remote_.host() && port == remote_.port()) return;
+  disconnect();
+  for (auto& [device, proxy] : proxies_) proxy.circle.reset();
+  remote_.set_server(host, port);
+  name_ = driver_name(host, port);
+  log::info("passthrough: its devices are those of {}", remote_.name());
+  set_connected(!is_cut_);
+}
+
+/// Another device of the server. False if it has a proxy already.
+bool Passthrough::move_proxy(RemoteDevice from, std::uint16_t index) {
+  if (index == from.index) return true;
+  const RemoteDevice to{from.interf, index};
+  if (proxies_.contains(to)) return false;
+  Proxies::node_type node = proxies_.extract(from);
+  Proxy& proxy = node.mapped();
+  if (proxy.there == Proxy::There::kOpen) remote_.close(from);
+  refuse(proxy, "another device takes its place");
+  proxy.way = Proxy::Way::kUnknown;
+  proxy.there = Proxy::There::kClosed;
+  proxy.patience.reset();
+  proxy.circle.reset();  // these are of the old device
+  {
+    const std::lock_guard lock(mutex_);
+    relayed_[proxy.here] = to;
+  }
+  node.key() = to;
+  proxies_.insert(std::move(node));
+  if (remote_.is_connected()) advance(to, proxies_.at(to));
+  return true;
+}
+
+/// Connects if somebody has a device open, or disconnects until further notice.
+void Passthrough::set_connected(bool connects) {
+  is_cut_ = !connects;
+  if (is_cut_) return disconnect();
+  const auto is_wanted = [](const auto& entry) { return entry.second.is_wanted; };
+  if (std::ranges::any_of(proxies_, is_wanted)) remote_.connect();
+}
+
+void Passthrough::disconnect() {
+  retry_.reset();
+  wait_ = 0;
+  remote_.disconnect();
+  why_lost_ = kNotConnected;
+  forget_server();
+  for (const Prepared& heard : std::exchange(callers_, {})) heard(Error{"", kNotConnected});
+  for (auto& [device, proxy] : proxies_) refuse(proxy, remote_.name() + " " + kNotConnected);
+}
+
 // --- from the server
 
 void Passthrough::connected() {
   if (wait_ > 0) log::info("passthrough: {} is connected", remote_.name());
   retry_.reset();
   wait_ = 0;
-  why_lost_.clear();
-  for (const auto& [device, id] : here_) look_for_circle(device);
-  for (const device::DeviceId id : wanted_) remote_.open(*there(id));
+  for (const Prepared& heard : std::exchange(callers_, {})) heard({});
+  advance_all();
   if (watcher_.connected) watcher_.connected();
-}
-
-void Passthrough::look_for_circle(RemoteDevice device) {
-  remote_.ask(device, wire::kReqCapabilities, wire::encode(circle_request(mark_, device)),
-              [this, device](bool ack, std::span<const std::byte>) {
-                if (ack) end_circle(device);
-              });
-}
-
-void Passthrough::end_circle(RemoteDevice device) {
-  const auto here = here_.find(device);
-  if (here == here_.end()) return;
-  device::Address address;
-  {
-    const std::lock_guard lock(mutex_);
-    address = relayed_.at(here->second).address;
-  }
-  log::error("passthrough: {} leads back to itself by way of {}: it retires", site_.shown(address),
-             remote_.name());
-  site_.retire_later({address});
 }
 
 void Passthrough::lost(const std::string& why) {
   why_lost_ = why;
+  forget_server();
+  for (const Prepared& heard : std::exchange(callers_, {})) heard(Error{"", why});
+  for (auto& [device, proxy] : proxies_) refuse(proxy, remote_.name() + " " + why);
   if (watcher_.lost) return watcher_.lost(why);
-  if (after_loss_ == AfterLoss::kConnect || !remote_.was_reached()) return connect_later();
-  log::error("passthrough: {} {}: its devices retire", remote_.name(), why);
-  std::vector<device::Address> devices;
-  const std::lock_guard lock(mutex_);
-  for (const auto& [id, relayed] : relayed_) devices.push_back(relayed.address);
-  if (!devices.empty()) site_.retire_later(std::move(devices));
+  const auto is_wanted = [](const auto& entry) { return entry.second.is_wanted; };
+  if (std::ranges::none_of(proxies_, is_wanted)) return;
+  if (after_loss_ == AfterLoss::kRetire) return retire_all();
+  if (wait_ == 0) log::warn("passthrough: {} {}: trying again", remote_.name(), why);
+  try_later();
 }
 
-void Passthrough::connect_later() {
-  if (wait_ == 0) log::warn("passthrough: {} {}: trying again", remote_.name(), why_lost_);
-  wait_ = std::clamp(2 * wait_, kFirstWait, kLongestWait);
-  retry_ = site_.surroundings().network().after(wait_, [this] { remote_.connect(); });
+void Passthrough::retire_all() {
+  log::error("passthrough: {} {}: its devices retire", remote_.name(), why_lost_);
+  std::vector<device::Address> devices;
+  for (const auto& [device, proxy] : proxies_) devices.push_back(proxy.address);
+  site_.retire_later(std::move(devices));
+}
+
+void Passthrough::opened(RemoteDevice device, bool is_open) {
+  const auto found = proxies_.find(device);
+  if (found == proxies_.end()) {
+    if (is_open) remote_.close(device);  // it has retired here
+    return;
+  }
+  Proxy& proxy = found->second;
+  proxy.there = is_open ? Proxy::There::kOpen : Proxy::There::kClosed;
+  if (is_open) return settle(proxy);
+  const std::string why = fmt::format("{} does not open {}", remote_.name(), describe(device));
+  refuse(proxy, why);
+  if (!proxy.is_wanted) return;
+  if (std::exchange(proxy.told, why) != why) log::warn("passthrough: {}: trying again", why);
+  try_later();
 }
 
 void Passthrough::data(RemoteDevice device, const wire::Header& header, std::span<const std::byte> body) {
-  const auto here = here_.find(device);
-  if (here == here_.end()) return;
+  const auto found = proxies_.find(device);
+  if (found == proxies_.end()) return;
   const wire::MessageDef* def = wire::find_message(device.interf, wire::MessageType::kData, header.subtype);
   const std::string wrong = def == nullptr ? std::string() : def->check(body);
   if (wrong.empty()) {
-    batch_.push_back({here->second, header.subtype, header.timestamp, Bytes(body.begin(), body.end())});
+    batch_.push_back({found->second.here, header.subtype, header.timestamp, Bytes(body.begin(), body.end())});
   } else if (told_.insert(device).second) {
     log::warn("passthrough: {}: data of {} is left out: {}", remote_.name(), describe(device), wrong);
   }
@@ -201,16 +542,11 @@ void Passthrough::caught_up() {
   if (!batch_.empty()) site_.data_flow().publish(std::exchange(batch_, {}));
 }
 
-void Passthrough::refused(RemoteDevice device) {
-  log::warn("passthrough: {} does not open {}", remote_.name(), describe(device));
-}
-
 void Passthrough::gone(RemoteDevice device) {
   caught_up();
-  const auto here = here_.find(device);
-  if (here != here_.end()) {
-    const std::lock_guard lock(mutex_);
-    site_.retire_later({relayed_.at(here->second).address});
+  if (const auto found = proxies_.find(device); found != proxies_.end()) {
+    found->second.there = Proxy::There::kClosed;
+    site_.retire_later({found->second.address});
   }
   if (watcher_.retired) watcher_.retired(device);
 }
@@ -282,7 +618,7 @@ Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection
   const Result<Section> read = read_section(section, site);
   if (!read) return read.error();
   const auto after_loss =
-      section.flag("reconnect", false) ? Passthrough::AfterLoss::kConnect : Passthrough::AfterLoss::kRetire;
+      section.flag("reconnect", true) ? Passthrough::AfterLoss::kConnect : Passthrough::AfterLoss::kRetire;
   auto driver = std::make_unique<Passthrough>(site, read->host, read->port, after_loss);
   const std::string token = section.text("token", "");
   if (token.size() > wire::kAuthKeyBytes)
@@ -291,8 +627,6 @@ Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection
   for (std::size_t i = 0; i < read->here.size(); ++i)
     if (const Result<void> added = driver->add(read->here[i], read->there[i]); !added)
       return Error{section.at("provides"), added.error().text};
-  // Deferred until the program runs, since the other server may be this program.
-  site.surroundings().post([relay = driver.get()] { relay->connect(); });
   return std::unique_ptr<device::Driver>(std::move(driver));
 }
 
@@ -308,10 +642,7 @@ Result<std::vector<std::unique_ptr<device::Driver>>> make_remote_devices(Site& s
       return added.error();
   }
   std::vector<std::unique_ptr<device::Driver>> drivers;
-  for (auto& [port, server] : servers) {
-    site.surroundings().post([relay = server.get()] { relay->connect(); });
-    drivers.push_back(std::move(server));
-  }
+  for (auto& [port, server] : servers) drivers.push_back(std::move(server));
   return drivers;
 }
 

@@ -14,7 +14,7 @@
 #include "playhouse/server/fake_driver.h"
 #include "playhouse/server/server.h"
 #include "playhouse/server/test_client.h"
-#include "playhouse/wire/generated/aio.h"
+#include "playhouse/wire/generated/common.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
 
@@ -32,15 +32,19 @@ using wire::MessageType;
 constexpr std::uint16_t kHere = 6665, kThere = 7000;
 constexpr const char* kWheels =
     "driver( name \"passthrough\" provides [\"position2d:0\"] requires [\"lab:7000:position2d:5\"] )";
-constexpr const char* kKept =
+constexpr const char* kRetiring =
     "driver( name \"passthrough\" provides [\"position2d:0\"] requires [\"lab:7000:position2d:5\"] reconnect "
-    "1 )";
+    "0 )";
 
 class Relay : public ::testing::Test, public Host {
  protected:
   Relay() {
     site.data_flow().pass_to(here);
     EXPECT_TRUE(here.listen(kHere));
+  }
+  // As programs end: whoever waits is answered while the server is there.
+  ~Relay() override {
+    for (const auto& driver : drivers) driver->finish();
   }
   /// The other server, with position2d:5.
   void open_lab() {
@@ -64,6 +68,8 @@ class Relay : public ::testing::Test, public Host {
   static Bytes close_request() { return server::open_request(p2d::kCode, 0, 2); }
   static Bytes push() { return server::mode_request(1); }
   static bool is_open(const std::vector<Received>& answers) { return server::access_of(answers.at(0)) == 1; }
+  static Bytes open() { return server::open_request(p2d::kCode, 0); }
+  std::size_t lab_sessions() const { return lab->status().sessions; }
 
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
     return here.add_device(address, driver);
@@ -181,13 +187,88 @@ TEST_F(Relay, a_device_that_retires_there_retires_here) {
   EXPECT_EQ(site.device_count(), 0u);
 }
 
-TEST_F(Relay, devices_retire_with_their_server) {
+TEST_F(Relay, connects_when_a_device_is_opened_until_the_last_one_is_closed) {
   open_lab();
-  wheels.holds_requests = true;
+  ASSERT_TRUE(lab->add_device({kThere, lsr::kCode, 0}, laser));
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\" \"laser:0\"] "
+                  "requires [\"lab:7000:position2d:5\" \"lab:7000:laser:0\"] )"),
+            "");
+  network_.run_for(10);
+  EXPECT_EQ(lab->status().sessions_accepted, 0u);
+  TestClient client(network_, kHere);
+  EXPECT_TRUE(is_open(client.ask(open())));
+  EXPECT_TRUE(is_open(client.ask(server::open_request(lsr::kCode, 0))));
+  EXPECT_EQ(lab->status().sessions_accepted, 1u);
+  client.ask(close_request());
+  network_.run_for(10);
+  EXPECT_EQ(lab_sessions(), 1u) << "the laser is open";
+  client.ask(server::open_request(lsr::kCode, 0, 2));
+  network_.run_for(2);
+  EXPECT_EQ(lab_sessions(), 0u);
+  EXPECT_TRUE(is_open(client.ask(open())));
+  EXPECT_EQ(lab->status().sessions_accepted, 2u);
+  EXPECT_EQ(wheels.starts, 2);
+}
+
+TEST_F(Relay, a_client_that_leaves_before_it_is_told_leaves_nothing_open) {
+  open_lab();
+  ASSERT_EQ(build(kWheels), "");
+  {
+    TestClient client(network_, kHere);
+    network_.cut(1);
+    client.send(open());
+    client.peer.vanish();
+  }
+  network_.run_for(10);
+  EXPECT_EQ(wheels.starts, wheels.stops);
+  EXPECT_EQ(lab_sessions(), 0u);
+}
+
+TEST_F(Relay, what_a_client_says_behind_its_open_comes_behind_it) {
+  open_lab();
   ASSERT_EQ(build(kWheels), "");
   TestClient client(network_, kHere);
+  client.send(open());
+  client.send(drive(0.5));
+  const std::vector<Received> answers = client.ask(ask(p2d::kReqGetGeom));
+  EXPECT_EQ(server::outline(answers), "ACK 3, NACK " + std::to_string(p2d::kReqGetGeom));
+  EXPECT_EQ(wheels.commands.size(), 1u);
+}
+
+TEST_F(Relay, whoever_has_not_opened_a_device_commands_it_and_asks_it) {
+  open_lab();
+  wheels.answers[p2d::kReqGetGeom] = wire::encode(p2d::Geom{});
+  ASSERT_EQ(build(kWheels), "");
+  TestClient client(network_, kHere);
+  EXPECT_EQ(client.ask(ask(p2d::kReqGetGeom)).at(0).header.type, MessageType::kAck);
+  client.ask(drive(0.5));
+  EXPECT_EQ(wheels.commands.size(), 1u);
+  EXPECT_EQ(wheels.starts, 1);
+  network_.run_for(2);
+  EXPECT_EQ(wheels.stops, 1);
+  EXPECT_EQ(lab_sessions(), 0u);
+}
+
+TEST_F(Relay, a_device_that_the_other_server_does_not_open_does_not_open_here) {
+  open_lab();
+  wheels.fails_to_start = true;
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\" \"laser:0\"] "
+                  "requires [\"lab:7000:position2d:5\" \"lab:7000:laser:8\"] )"),
+            "");
+  TestClient client(network_, kHere);
+  EXPECT_EQ(server::access_of(client.ask(open()).at(0)), 3);
+  EXPECT_EQ(server::access_of(client.ask(server::open_request(lsr::kCode, 0)).at(0)), 3) << "there is none";
+  wheels.fails_to_start = false;
+  EXPECT_TRUE(is_open(client.ask(open())));
+}
+
+TEST_F(Relay, devices_retire_with_their_server_where_the_file_says_so) {
+  open_lab();
+  wheels.holds_requests = true;
+  ASSERT_EQ(build(kRetiring), "");
+  TestClient client(network_, kHere);
   client.ask(push());
-  client.ask(server::open_request(p2d::kCode, 0));
+  client.ask(open());
   client.ask(ask(p2d::kReqGetGeom));
   wheels.held.clear();
   network_.run();
@@ -202,21 +283,75 @@ TEST_F(Relay, devices_retire_with_their_server) {
   EXPECT_EQ(site.device_count(), 0u);
 }
 
-TEST_F(Relay, a_server_that_starts_later_is_found) {
+TEST_F(Relay, a_server_that_is_away_is_an_error_at_once_and_found_once_it_is_there) {
   ASSERT_EQ(build(kWheels), "");
-  network_.run_for(100);
-  EXPECT_EQ(site.device_count(), 1u);
   TestClient client(network_, kHere);
-  EXPECT_EQ(server::access_of(client.ask(server::open_request(p2d::kCode, 0)).at(0)), 3) << "nobody is there";
+  EXPECT_EQ(server::access_of(client.ask(open()).at(0)), 3) << "nobody is there";
   open_lab();
-  // Whoever opens the device shortens the wait, of half a minute by now.
-  EXPECT_EQ(server::access_of(client.ask(server::open_request(p2d::kCode, 0)).at(0)), 3);
-  network_.run_for(0.1);
-  ASSERT_TRUE(is_open(client.ask(server::open_request(p2d::kCode, 0))));
-  EXPECT_EQ(wheels.starts, 1);
+  EXPECT_TRUE(is_open(client.ask(open())));
+}
+
+TEST_F(Relay, devices_outlive_a_loss_and_are_opened_again) {
+  open_lab();
+  ASSERT_EQ(build(kWheels), "");
+  TestClient client(network_, kHere), later(network_, kHere);
+  client.ask(push());
+  ASSERT_TRUE(is_open(client.ask(open())));
   lab.reset();
   network_.run();
-  EXPECT_EQ(site.device_count(), 0u) << "once it was there";
+  EXPECT_EQ(site.device_count(), 1u);
+  EXPECT_EQ(client.ask(ask(p2d::kReqGetGeom)).at(0).header.type, MessageType::kNack);
+  EXPECT_EQ(server::access_of(later.ask(open()).at(0)), 3) << "it is away, whoever has it open";
+  network_.run_for(20);
+  open_lab();
+  network_.run_for(40);
+  EXPECT_EQ(wheels.starts, 2);
+  const Bytes state = wire::encode(p2d::Data{{1, 2, 3}, {4, 5, 6}, 1});
+  lab->publish({{wheels_id, p2d::kDataState, 12.5, state}});
+  EXPECT_EQ(server::outline(client.read()), "DATA 1 of 4");
+  EXPECT_TRUE(is_open(later.ask(open())));
+}
+
+TEST_F(Relay, whoever_opens_a_device_does_not_wait_for_the_next_attempt) {
+  open_lab();
+  ASSERT_EQ(build(kWheels), "");
+  TestClient client(network_, kHere);
+  ASSERT_TRUE(is_open(client.ask(open())));
+  lab.reset();
+  network_.run_for(100);  // half a minute from one attempt to the next
+  open_lab();
+  TestClient later(network_, kHere);
+  EXPECT_TRUE(is_open(later.ask(open())));
+  EXPECT_EQ(wheels.starts, 2);
+}
+
+TEST_F(Relay, a_device_that_comes_after_its_server_is_opened_again) {
+  open_lab();
+  ASSERT_EQ(build(kWheels), "");
+  TestClient client(network_, kHere);
+  ASSERT_TRUE(is_open(client.ask(open())));
+  lab = std::make_unique<server::Server>(network_);
+  EXPECT_TRUE(lab->listen(kThere));
+  network_.run_for(5);
+  wheels_id = *lab->add_device({kThere, p2d::kCode, 5}, wheels);
+  network_.run_for(10);
+  EXPECT_EQ(wheels.starts, 2);
+}
+
+TEST_F(Relay, nobody_looks_for_a_server_whose_last_user_has_left) {
+  open_lab();
+  ASSERT_EQ(build(kWheels), "");
+  {
+    TestClient client(network_, kHere);
+    ASSERT_TRUE(is_open(client.ask(open())));
+    lab.reset();
+    network_.run_for(1);
+    client.peer.finish();
+  }
+  network_.run_for(5);
+  open_lab();
+  network_.run_for(100);
+  EXPECT_EQ(lab->status().sessions_accepted, 0u);
 }
 
 TEST_F(Relay, a_token_opens_the_other_server) {
@@ -232,38 +367,205 @@ TEST_F(Relay, a_token_opens_the_other_server) {
   EXPECT_EQ(wheels.starts, 1);
 }
 
-TEST_F(Relay, or_stay_and_are_opened_again_where_the_file_says_reconnect) {
-  ASSERT_EQ(build(kKept), "");
-  TestClient client(network_, kHere);
-  client.ask(push());
-  EXPECT_EQ(server::access_of(client.ask(server::open_request(p2d::kCode, 0)).at(0)), 3) << "nobody is there";
-  open_lab();
-  network_.run_for(1);
-  ASSERT_TRUE(is_open(client.ask(server::open_request(p2d::kCode, 0))));
-  EXPECT_EQ(wheels.starts, 1);
-  lab.reset();
-  network_.run();
-  EXPECT_EQ(site.device_count(), 1u);
-  EXPECT_EQ(client.ask(ask(p2d::kReqGetGeom)).at(0).header.type, MessageType::kNack);
-  network_.run_for(20);
-  open_lab();
-  network_.run_for(40);
-  EXPECT_EQ(wheels.starts, 2);
-  wheels.answers[p2d::kReqGetGeom] = wire::encode(p2d::Geom{});
-  EXPECT_EQ(client.ask(ask(p2d::kReqGetGeom)).at(0).header.type, MessageType::kAck);
-}
-
 /// Each asked the other for ever, and so did every command.
-TEST_F(Relay, two_that_stand_for_each_other_retire) {
+TEST_F(Relay, two_that_stand_for_each_other_are_not_opened) {
   ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\" \"laser:0\"] "
                   "requires [\"here:6665:position2d:1\" \"here:6665:laser:3\"] )\n"
                   "driver( name \"passthrough\" provides [\"position2d:1\" \"laser:1\"] "
                   "requires [\"here:6665:position2d:0\" \"here:6665:laser:3\"] )"),
             "");
-  EXPECT_EQ(site.device_count(), 2u) << "the lasers: both lead to one that is absent";
   TestClient client(network_, kHere);
-  EXPECT_FALSE(is_open(client.ask(server::open_request(p2d::kCode, 0))));
+  EXPECT_EQ(server::access_of(client.ask(open()).at(0)), 3);
   EXPECT_EQ(client.ask(ask(p2d::kReqGetGeom)).at(0).header.type, MessageType::kNack);
+  EXPECT_EQ(server::access_of(client.ask(server::open_request(lsr::kCode, 0)).at(0)), 3)
+      << "both lead to one that is absent";
+}
+
+TEST_F(Relay, a_hundred_devices_of_a_server_share_a_connection) {
+  open_lab();
+  std::string here_named, there_named;
+  for (std::uint16_t i = 0; i < 100; ++i) {
+    ASSERT_TRUE(lab->add_device({kThere, lsr::kCode, i}, laser));
+    here_named += "\"laser:" + std::to_string(i) + "\" ";
+    there_named += "\"lab:7000:laser:" + std::to_string(i) + "\" ";
+  }
+  ASSERT_EQ(
+      build("driver( name \"passthrough\" provides [" + here_named + "] requires [" + there_named + "] )"),
+      "");
+  TestClient client(network_, kHere);
+  for (std::uint16_t i = 0; i < 100; ++i) client.send(server::open_request(lsr::kCode, i));
+  const std::vector<Received> answers = client.read();
+  ASSERT_EQ(answers.size(), 100u);
+  for (const Received& answer : answers) EXPECT_EQ(server::access_of(answer), 1);
+  EXPECT_EQ(laser.starts, 100);
+  EXPECT_EQ(lab->status().sessions_accepted, 1u);
+}
+
+TEST_F(Relay, clients_see_where_a_device_comes_from) {
+  ASSERT_EQ(build(kWheels), "");
+  TestClient client(network_, kHere);
+  const Bytes asked = wire::encode(wire::player::DeviceDriverinfo{{0, 0, p2d::kCode, 0}, ""});
+  const std::vector<Received> answer =
+      client.ask(server::player_request(wire::player::kReqDriverinfo, asked));
+  EXPECT_EQ(wire::text(wire::decode<wire::player::DeviceDriverinfo>(answer.at(0).body)->driver_name),
+            "passthrough (lab:7000)");
+}
+
+TEST_F(Relay, a_server_whose_name_is_long_is_named_in_part) {
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\"] requires [\"" +
+                  std::string(200, 'a') + ":7000:position2d:5\"] )"),
+            "");
+}
+
+/// Asks a property, or sets it.
+template <typename Request, typename Value>
+Bytes property(std::uint8_t subtype, const std::string& key, Value value) {
+  Request request;
+  request.key = wire::c_string(key);
+  request.value = value;
+  return message(MessageType::kReq, p2d::kCode, 0, subtype, wire::encode(request));
+}
+Bytes set_number(const std::string& key, std::int32_t value) {
+  return property<wire::IntpropReq>(wire::kReqSetIntprop, key, value);
+}
+
+TEST_F(Relay, properties_of_a_proxy_move_it_to_another_server) {
+  open_lab();
+  FakeDriver other_wheels;
+  server::Server other(network_);
+  ASSERT_TRUE(other.listen(7001));
+  ASSERT_TRUE(other.add_device({7001, p2d::kCode, 8}, other_wheels));
+  ASSERT_EQ(build(kWheels), "");
+  TestClient client(network_, kHere);
+  ASSERT_TRUE(is_open(client.ask(open())));
+  const auto number = [&](const std::string& key) {
+    const std::vector<Received> answer = client.ask(property<wire::IntpropReq>(wire::kReqGetIntprop, key, 0));
+    return wire::decode<wire::IntpropReq>(answer.at(0).body)->value;
+  };
+  EXPECT_EQ(number("remote_port"), 7000);
+  EXPECT_EQ(number("remote_index"), 5);
+  EXPECT_EQ(number("connect"), 1);
+
+  EXPECT_EQ(client.ask(set_number("remote_port", 7001)).at(0).header.type, MessageType::kAck);
+  EXPECT_EQ(wheels.stops, 1);
+  EXPECT_EQ(other.status().sessions, 1u);
+  EXPECT_EQ(client.ask(set_number("remote_index", 8)).at(0).header.type, MessageType::kAck);
+  network_.run_for(1);
+  EXPECT_EQ(other_wheels.starts, 1) << "which is open here";
+  EXPECT_EQ(client.ask(set_number("connect", 0)).at(0).header.type, MessageType::kAck);
+  network_.run_for(100);
+  EXPECT_EQ(other.status().sessions, 0u);
+  TestClient later(network_, kHere);
+  EXPECT_EQ(server::access_of(later.ask(open()).at(0)), 3);
+  EXPECT_EQ(client.ask(set_number("connect", 1)).at(0).header.type, MessageType::kAck);
+  EXPECT_EQ(other_wheels.starts, 2);
+
+  const Bytes host = property<wire::StrpropReq>(wire::kReqSetStrprop, "remote_host", wire::c_string("attic"));
+  EXPECT_EQ(client.ask(host).at(0).header.type, MessageType::kAck);
+  const Bytes asked = property<wire::StrpropReq>(wire::kReqGetStrprop, "remote_host", std::string());
+  EXPECT_EQ(wire::text(wire::decode<wire::StrpropReq>(client.ask(asked).at(0).body)->value), "attic");
+  EXPECT_EQ(drivers.front()->name(), "passthrough (attic:7001)");
+  EXPECT_EQ(client.ask(set_number("remote_port", 70000)).at(0).header.type, MessageType::kNack);
+}
+
+/// A ring that nobody saw when its first devices were opened.
+TEST_F(Relay, a_proxy_that_is_moved_into_a_ring_is_not_open_any_more) {
+  open_lab();
+  ASSERT_EQ(
+      build(
+          "driver( name \"passthrough\" provides [\"position2d:0\"] requires [\"lab:7000:position2d:5\"] )"
+          "driver( name \"passthrough\" provides [\"position2d:1\"] requires [\"here:6665:position2d:0\"] )"),
+      "");
+  TestClient client(network_, kHere);
+  ASSERT_TRUE(is_open(client.ask(server::open_request(p2d::kCode, 1))));
+  EXPECT_EQ(client.ask(set_number("remote_port", kHere)).at(0).header.type, MessageType::kAck);
+  EXPECT_EQ(client.ask(set_number("remote_index", 1)).at(0).header.type, MessageType::kAck);
+  network_.run_for(5);
+  EXPECT_EQ(server::access_of(client.ask(open()).at(0)), 3);
+  client.ask(drive(1));
+  network_.run_for(100);
+  EXPECT_EQ(wheels.commands.size(), 0u);
+}
+
+TEST_F(Relay, a_driver_that_is_always_on_waits_for_its_robot_and_starts) {
+  ASSERT_EQ(build("driver( name \"vfh\" provides [\"position2d:1\"] requires [\"7000:position2d:5\" "
+                  "\"7000:laser:0\"] alwayson 1 )"),
+            "");
+  network_.run_for(3);
+  open_lab();
+  ASSERT_TRUE(lab->add_device({kThere, lsr::kCode, 0}, laser));
+  network_.run_for(10);
+  EXPECT_EQ(wheels.starts, 1);
+  EXPECT_EQ(laser.starts, 1);
+  lab.reset();
+  network_.run_for(3);
+  open_lab();
+  ASSERT_TRUE(lab->add_device({kThere, lsr::kCode, 0}, laser));
+  network_.run_for(10);
+  EXPECT_EQ(wheels.starts, 2);
+  EXPECT_EQ(laser.starts, 2);
+}
+
+TEST_F(Relay, a_passthrough_that_is_always_on_stays_connected) {
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\" \"laser:0\"] "
+                  "requires [\"lab:7000:position2d:5\" \"lab:7000:laser:0\"] alwayson 1 )"),
+            "");
+  network_.run_for(3);
+  open_lab();
+  network_.run_for(10);
+  EXPECT_EQ(wheels.starts, 1) << "though there is no laser";
+  ASSERT_TRUE(lab->add_device({kThere, lsr::kCode, 0}, laser));
+  network_.run_for(30);
+  EXPECT_EQ(laser.starts, 1);
+  EXPECT_EQ(wheels.starts, 1);
+  EXPECT_EQ(lab_sessions(), 1u);
+}
+
+/// position2d:0 stands for position2d:1, and so on, the last one for the `back`th.
+std::string ring(int devices, int back) {
+  std::string cfg;
+  for (int i = 0; i < devices; ++i)
+    cfg += "driver( name \"passthrough\" provides [\"position2d:" + std::to_string(i) +
+           "\"] requires [\"here:6665:position2d:" + std::to_string(i + 1 < devices ? i + 1 : back) +
+           "\"] )\n";
+  return cfg;
+}
+
+TEST_F(Relay, no_device_of_a_ring_is_opened_in_any_order) {
+  ASSERT_EQ(build(ring(3, 0)), "");
+  TestClient client(network_, kHere);
+  for (const std::vector<std::uint16_t>& order :
+       {std::vector<std::uint16_t>{0, 1, 2}, {2, 1, 0}, {1, 0, 2}, {0, 0, 0}}) {
+    for (const std::uint16_t device : order)
+      EXPECT_EQ(server::access_of(client.ask(server::open_request(p2d::kCode, device)).at(0)), 3);
+    for (const std::uint16_t device : order) client.send(server::open_request(p2d::kCode, device));
+    EXPECT_EQ(client.read().size(), order.size()) << "all at a time, and without waiting";
+    client.send(drive(1));
+    client.send(ask(p2d::kReqGetGeom));
+    EXPECT_EQ(server::outline(client.read()), "NACK " + std::to_string(p2d::kReqGetGeom));
+    network_.run_for(10);
+    EXPECT_EQ(here.status().sessions, 1u) << "the client";
+    const std::uint64_t messages = here.status().messages_received;
+    network_.run_for(100);
+    EXPECT_EQ(here.status().messages_received, messages) << "nothing goes round";
+  }
+}
+
+TEST_F(Relay, a_way_into_a_ring_is_not_opened) {
+  ASSERT_EQ(build(ring(3, 1)), "");
+  TestClient client(network_, kHere);
+  EXPECT_EQ(server::access_of(client.ask(open()).at(0)), 3);
+  EXPECT_EQ(client.ask(ask(p2d::kReqGetGeom)).at(0).header.type, MessageType::kNack);
+}
+
+TEST_F(Relay, a_way_through_eight_servers_is_opened_and_a_longer_one_is_not) {
+  open_lab();
+  ASSERT_EQ(build(ring(9, 9) + "driver( name \"passthrough\" provides [\"position2d:9\"] "
+                               "requires [\"lab:7000:position2d:5\"] )"),
+            "");
+  TestClient client(network_, kHere);
+  EXPECT_EQ(server::access_of(client.ask(open()).at(0)), 3);
+  EXPECT_TRUE(is_open(client.ask(server::open_request(p2d::kCode, 1))));
 }
 
 TEST_F(Relay, a_way_through_two_devices_of_one_section_is_no_circle) {
@@ -296,6 +598,11 @@ class Script final : public net::ConnectionEvents {
     one->send(std::span(&shared, 1));
   }
   void greet() { say(std::string("Player v.3.1.0").append(18, '\0')); }
+  /// Opens position2d:5.
+  void take_open() {
+    say(message(MessageType::kAck, wire::player::kCode, 0, wire::player::kReqDev,
+                wire::encode(wire::player::DeviceReq{{0, kThere, p2d::kCode, 5}, 1, ""})));
+  }
   void received(std::span<const std::byte> bytes) override {
     heard.insert(heard.end(), bytes.begin(), bytes.end());
   }
@@ -310,34 +617,54 @@ class Script final : public net::ConnectionEvents {
 };
 
 TEST_F(Relay, who_is_no_player_server_is_left) {
+  ASSERT_EQ(build(kWheels), "");
   for (const std::string_view text : {"HTTP/1.1 400 Bad Request\r\n", "Player w.3", "P\0"}) {
     Script script(network_);
-    ASSERT_EQ(build(kWheels), "");
+    TestClient client(network_, kHere);
+    client.ask(open());
     script.say(text);
     network_.run_for(11);  // for the last one, which says too little
-    EXPECT_EQ(site.device_count(), 0u) << text;
+    EXPECT_EQ(server::access_of(client.read().at(0)), 3) << text;
     EXPECT_TRUE(script.ended) << text;
   }
+}
+
+TEST_F(Relay, a_server_that_does_not_answer_is_waited_for_three_seconds) {
+  Script script(network_);
+  ASSERT_EQ(build(kWheels), "");
+  TestClient client(network_, kHere);
+  client.ask(open());
+  script.greet();
+  network_.run_for(2.9);
+  EXPECT_TRUE(client.read().empty());
+  network_.run_for(0.2);
+  EXPECT_EQ(server::access_of(client.read().at(0)), 3);
+  network_.run_for(2);
+  EXPECT_TRUE(script.ended);
 }
 
 TEST_F(Relay, a_frame_that_cannot_be_ends_the_connection) {
   Script script(network_);
   ASSERT_EQ(build(kWheels), "");
+  TestClient client(network_, kHere);
+  client.ask(open());
   script.greet();
   Bytes bytes = message(MessageType::kData, p2d::kCode, 5, 1);
   std::ranges::fill(std::span(bytes).last(4), std::byte{0x7f});
   script.say(bytes);
-  network_.run();
-  EXPECT_EQ(site.device_count(), 0u);
+  EXPECT_EQ(server::access_of(client.read().at(0)), 3);
+  EXPECT_TRUE(script.ended);
 }
 
 TEST_F(Relay, data_that_does_not_decode_is_left_out) {
   Script script(network_);
   ASSERT_EQ(build(kWheels), "");
-  script.greet();
   TestClient client(network_, kHere);
   client.ask(push());
-  client.ask(server::open_request(p2d::kCode, 0));
+  client.ask(open());
+  script.greet();
+  script.take_open();
+  ASSERT_TRUE(is_open(client.read()));
   script.say(message(MessageType::kData, p2d::kCode, 5, p2d::kDataState, Bytes(3)));
   script.say(message(MessageType::kData, p2d::kCode, 6, p2d::kDataState, wire::encode(p2d::Data{})));
   script.say(message(MessageType::kData, p2d::kCode, 5, p2d::kDataState, wire::encode(p2d::Data{})));
@@ -347,10 +674,11 @@ TEST_F(Relay, data_that_does_not_decode_is_left_out) {
 TEST_F(Relay, answers_without_the_number_of_their_request_are_taken_in_order) {
   Script script(network_);
   ASSERT_EQ(build(kWheels), "");
-  script.greet();
   TestClient client(network_, kHere);
   client.ask(message(MessageType::kReq, p2d::kCode, 0, p2d::kReqGetGeom, {}, 1));
   client.ask(message(MessageType::kReq, p2d::kCode, 0, p2d::kReqGetGeom, {}, 2));
+  script.greet();
+  script.take_open();
   script.say(message(MessageType::kAck, p2d::kCode, 5, p2d::kReqGetGeom, wire::encode(p2d::Geom{})));
   const std::vector<Received> first = client.read();
   ASSERT_EQ(first.size(), 1u);
@@ -361,13 +689,26 @@ TEST_F(Relay, answers_without_the_number_of_their_request_are_taken_in_order) {
   EXPECT_TRUE(client.read().empty());
 }
 
+/// A server of the original is not asked for circles: some of its drivers end with such a request.
+TEST_F(Relay, a_server_of_the_original_is_asked_to_open_and_nothing_else) {
+  Script script(network_);
+  ASSERT_EQ(build(kWheels), "");
+  TestClient client(network_, kHere);
+  client.ask(open());
+  script.greet();
+  network_.run();
+  EXPECT_EQ(server::outline(server::cut_messages(script.heard)), "REQ 5, REQ 3");  // DATAMODE, DEV
+}
+
 /// A server that takes nothing while a client drives.
 class PausedRelay : public Relay {
  protected:
   void SetUp() override {
     ASSERT_EQ(build(kWheels), "");
-    script.greet();
     client = std::make_unique<TestClient>(network_, kHere);
+    client->ask(open());
+    script.greet();
+    script.take_open();
     network_.run();
     script.one->pause();
     for (double speed = 1; speed <= kMost; ++speed) client->send(drive(speed));

@@ -17,14 +17,10 @@ namespace player = wire::player;
 using wire::MessageType;
 
 constexpr RemoteDevice kServer{player::kCode, 0};
-constexpr std::string_view kGreeting = "Player v.";
+constexpr std::string_view kGreeting = "Player v.", kOwnName = "Playhouse";
 constexpr std::uint8_t kPush = 1;                            // mode of DATAMODE
 constexpr std::uint8_t kOpen = 1, kClose = 2, kEnded = 'e';  // access
 constexpr std::size_t kUnderWay = limits::kSessionAnswerBytes;
-
-std::string name_of(const std::string& host, std::uint16_t port) {
-  return (host.find(':') == std::string::npos ? host : "[" + host + "]") + ":" + std::to_string(port);
-}
 
 std::vector<std::byte> access_request(RemoteDevice device, std::uint16_t port, std::uint8_t access) {
   return wire::encode(player::DeviceReq{{0, port, device.interf, device.index}, access, ""});
@@ -32,9 +28,23 @@ std::vector<std::byte> access_request(RemoteDevice device, std::uint16_t port, s
 
 }  // namespace
 
+std::string name_of_server(const std::string& host, std::uint16_t port) {
+  return (host.find(':') == std::string::npos ? host : "[" + host + "]") + ":" + std::to_string(port);
+}
+
 RemoteServer::RemoteServer(net::Network& network, std::string host, std::uint16_t port,
                            RemoteServerEvents& events)
-    : network_(network), host_(std::move(host)), port_(port), name_(name_of(host_, port)), events_(events) {}
+    : network_(network),
+      host_(std::move(host)),
+      port_(port),
+      name_(name_of_server(host_, port)),
+      events_(events) {}
+
+void RemoteServer::set_server(std::string host, std::uint16_t port) {
+  host_ = std::move(host);
+  port_ = port;
+  name_ = name_of_server(host_, port_);
+}
 
 void RemoteServer::connect() {
   if (connection_ || attempt_) return;
@@ -46,7 +56,6 @@ void RemoteServer::connect() {
 void RemoteServer::made(Result<std::unique_ptr<net::Connection>> connection) {
   const std::unique_ptr<net::Attempt> done = std::move(attempt_);
   if (!connection) return fail(connection.error().text);
-  reached_ = true;
   connection_ = std::move(*connection);
   connection_->expect_alive();
   patience_ = network_.after(net::kConnectSeconds,
@@ -95,6 +104,7 @@ bool RemoteServer::greet() {
   const std::size_t compared = std::min(text.size(), kGreeting.size());
   if (text.substr(0, compared) != kGreeting.substr(0, compared)) return false;
   if (text.size() < limits::kBannerBytes) return true;
+  is_playhouse_ = text.substr(0, limits::kBannerBytes).find(kOwnName) != std::string_view::npos;
   input_.erase(input_.begin(), input_.begin() + limits::kBannerBytes);
   patience_.reset();
   greeted_ = true;
@@ -157,20 +167,22 @@ bool RemoteServer::tells_of_end(const wire::Header& header, std::span<const std:
   return true;
 }
 
-/// Requests of one kind to one device are answered in order. When a reply
-/// matches a later request by its number, earlier ones will not be answered.
+/// The original answers requests of one kind to one device in order: when a reply matches a later
+/// request by its number, earlier ones will not be answered. This program answers each, in any order.
 void RemoteServer::take_answer(const wire::Header& header, std::span<const std::byte> body) {
   const auto found = asked_.find({{header.interf, header.index}, header.subtype});
   if (found == asked_.end()) return;
   std::deque<Asked>& waiting = found->second;
   const auto meant = std::ranges::find(waiting, header.seq, &Asked::seq);
+  const auto answered = meant == waiting.end() ? waiting.begin() : meant;
   std::vector<ReplyHeard> unanswered;
-  for (auto count = meant == waiting.end() ? 0 : meant - waiting.begin(); count > 0; --count) {
-    unanswered.push_back(std::move(waiting.front().heard));
-    waiting.pop_front();
+  const ReplyHeard heard = std::move(answered->heard);
+  if (is_playhouse_) {
+    waiting.erase(answered);
+  } else {
+    for (auto each = waiting.begin(); each != answered; ++each) unanswered.push_back(std::move(each->heard));
+    waiting.erase(waiting.begin(), answered + 1);
   }
-  const ReplyHeard heard = std::move(waiting.front().heard);
-  waiting.pop_front();
   waiting_ -= unanswered.size() + 1;
   if (waiting.empty()) asked_.erase(found);
   for (const ReplyHeard& each : unanswered)
@@ -192,7 +204,7 @@ void RemoteServer::open(RemoteDevice device) {
                     [this, device](bool ack, std::span<const std::byte> body) {
                       if (!greeted_) return;
                       const Result<player::DeviceReq> told = wire::decode<player::DeviceReq>(body);
-                      if (!ack || !told || told->access != kOpen) events_.refused(device);
+                      events_.opened(device, ack && told && told->access == kOpen);
                     });
 }
 

@@ -26,6 +26,9 @@ struct RemoteDevice {
   friend constexpr auto operator<=>(const RemoteDevice&, const RemoteDevice&) = default;
 };
 
+/// "lab:6665", "[::1]:6665"
+std::string name_of_server(const std::string& host, std::uint16_t port);
+
 class RemoteServer final : private net::ConnectionEvents {
  public:
   class RemoteServerEvents {
@@ -39,8 +42,8 @@ class RemoteServer final : private net::ConnectionEvents {
     virtual void data(RemoteDevice device, const wire::Header& header, std::span<const std::byte> body) = 0;
     /// Called after data() for everything that arrived together.
     virtual void caught_up() = 0;
-    /// The server refused to open the device.
-    virtual void refused(RemoteDevice device) = 0;
+    /// The server's answer to open().
+    virtual void opened(RemoteDevice device, bool is_open) = 0;
     /// The device was open and has retired.
     virtual void gone(RemoteDevice device) = 0;
   };
@@ -52,11 +55,15 @@ class RemoteServer final : private net::ConnectionEvents {
   RemoteServer(const RemoteServer&) = delete;
   RemoteServer& operator=(const RemoteServer&) = delete;
 
-  /// "lab:6665"
+  /// As name_of_server().
   const std::string& name() const { return name_; }
   bool is_connected() const { return greeted_; }
-  /// True once a connection was made, whoever answered there.
-  bool was_reached() const { return reached_; }
+  /// True if the server is one of this program, of any version. While connected.
+  bool is_playhouse() const { return is_playhouse_; }
+  const std::string& host() const { return host_; }
+  std::uint16_t port() const { return port_; }
+  /// Another server from now on. While disconnected.
+  void set_server(std::string host, std::uint16_t port);
   /// Authenticates with a guest's token (docs/guests.md). Before connect().
   void set_token(std::string token) { token_ = std::move(token); }
 
@@ -101,16 +108,16 @@ class RemoteServer final : private net::ConnectionEvents {
   std::vector<ReplyHeard> forget();
 
   net::Network& network_;
-  const std::string host_;
-  const std::uint16_t port_;
-  const std::string name_;
+  std::string host_;
+  std::uint16_t port_;
+  std::string name_;
   std::string token_;  // empty: none
   RemoteServerEvents& events_;
 
   std::unique_ptr<net::Attempt> attempt_;
   std::unique_ptr<net::Connection> connection_;
   std::unique_ptr<net::Timer> patience_;  // timeout of the greeting
-  bool greeted_ = false, reached_ = false;
+  bool greeted_ = false, is_playhouse_ = false;
   std::vector<std::byte> input_;  // starts with a header once greeted
   std::uint32_t seq_ = 0;
   std::map<RemoteSubtype, std::deque<Asked>> asked_;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "playhouse/drivers/section_devices.h"
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/wire/generated/opaque.h"
 #include "playhouse/wire/header.h"
 
@@ -10,18 +10,22 @@ namespace playhouse::drivers {
 
 device::Taken Relay::command(const device::Message& message) {
   if (message.subtype != wire::opaque::kCmdData) return device::Taken::kNo;
-  site_.data_flow().publish({{device_, wire::opaque::kDataState, site_.time(),
+  site_.data_flow().publish({{message.device, wire::opaque::kDataState, site_.time(),
                               std::vector<std::byte>(message.body.begin(), message.body.end())}});
   return device::Taken::kQueued;
 }
 
 Result<std::unique_ptr<device::Driver>> make_relay(const scene::CfgSection& section, Site& site) {
-  const auto provided = section_devices(section, site, "provides", {"opaque"});
-  if (!provided) return provided.error();
   auto driver = std::make_unique<Relay>(site);
-  const Result<device::DeviceId> id = site.add_device(provided->front(), *driver);
-  if (!id) return Error{section.at("provides"), id.error().text};
-  driver->set_device(*id);
+  for (const scene::DeviceAddress& provided : section.addresses("provides")) {
+    const Result<device::Address> address = site.resolve(provided);
+    if (!address) return Error{section.at("provides"), address.error().text};
+    if (address->interf != wire::opaque::kCode)
+      return Error{section.at("provides"),
+                   in_quotes(provided.text()) + ": driver \"relay\" provides devices of opaque alone"};
+    if (const Result<device::DeviceId> id = site.add_device(*address, *driver); !id)
+      return Error{section.at("provides"), id.error().text};
+  }
   return std::unique_ptr<device::Driver>(std::move(driver));
 }
 

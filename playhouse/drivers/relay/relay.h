@@ -1,7 +1,8 @@
 #pragma once
 
 /// The .cfg driver "relay": passes the bytes of each command of interface opaque on to
-/// everybody who has the device open, the sender included, for programs that talk to each other.
+/// everybody who has the device open, the sender included, for programs that talk to each other. Each device
+/// of a section is a circle of its own.
 
 #include <memory>
 #include <string_view>
@@ -19,8 +20,6 @@ class Relay final : public device::Driver {
  public:
   explicit Relay(Site& site) : site_(site) {}
 
-  void set_device(device::DeviceId device) { device_ = device; }
-
   std::string_view name() const override { return "relay"; }
   Result<void> start(device::DeviceId) override { return {}; }
   void stop(device::DeviceId) override {}
@@ -30,7 +29,6 @@ class Relay final : public device::Driver {
 
  private:
   Site& site_;
-  device::DeviceId device_;
 };
 
 }  // namespace playhouse::drivers
