@@ -67,6 +67,7 @@ drivers::Site& DeviceService::open_site(std::uint16_t port) {
 }
 
 DeviceService::~DeviceService() {
+  alive_.reset();
   if (site_ != nullptr) end_drivers(*site_, drivers_);
   end_recording();
 }
@@ -136,9 +137,12 @@ Result<void> DeviceService::record(const std::string& file) {
 
 void DeviceService::open_recorded() {
   for (const auto& [address, device] : server_->devices()) {
-    if (recorded_.contains(device)) continue;
+    if (!recorded_.insert(device).second) continue;
     recorder_->add(device, address);
-    if (server_->hold(device)) recorded_.insert(device);
+    server_->prepare(
+        device, [this, device = device, alive = std::weak_ptr<int>(alive_)](const Result<void>& outcome) {
+          if (!alive.expired() && (!outcome || !server_->hold(device))) recorded_.erase(device);
+        });
   }
   look_ = loop_.after(kLookSeconds, [this] { open_recorded(); });
 }

@@ -95,8 +95,9 @@ class DeviceService final : private ServerHost {
   std::string recording_;  // file; empty: none
   std::unique_ptr<record::RecordThread> record_file_;
   std::unique_ptr<record::DeviceRecorder> recorder_;
-  std::set<device::DeviceId> recorded_;  // opened for the recording
-  std::unique_ptr<net::Timer> look_;     // for devices
+  std::set<device::DeviceId> recorded_;                    // opened for the recording, or being opened
+  std::shared_ptr<int> alive_ = std::make_shared<int>(0);  // for devices that are being opened
+  std::unique_ptr<net::Timer> look_;                       // for devices
   bool recording_works_ = true;
   std::vector<std::uint16_t> ports_;  // for Player clients
   web_server::GuestBook guests_;

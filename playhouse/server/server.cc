@@ -510,6 +510,12 @@ bool Server::has_readers(device::DeviceId device) const {
 ServerStatus Server::status() const {
   return impl_->status();
 }
+void Server::prepare(device::DeviceId device, device::Driver::Prepared heard) {
+  const device::DeviceTable& devices = impl_->board().devices;
+  if (!devices.has(device)) return heard(Error{"", "the device has retired"});
+  device::Driver& driver = *devices[device].driver;
+  driver.ready(device) ? heard({}) : driver.prepare(device, std::move(heard));
+}
 std::map<device::Address, device::DeviceId> Server::devices() const {
   return impl_->board().devices.by_address();
 }

@@ -100,6 +100,8 @@ class Server final : public device::Publisher, public device::Outlet {
   /// retirement. release() undoes one hold() of the same holder, without effect once the device has
   /// retired. A holder must outlive its holds. Fails if the device cannot start, or has retired.
   Result<void> hold(device::DeviceId device, device::Driver* holder = nullptr);
+  /// Gets what the device needs of other servers before a hold(): Driver::prepare().
+  void prepare(device::DeviceId device, device::Driver::Prepared heard);
   void release(device::DeviceId device, device::Driver* holder = nullptr);
 
   /// Clock for timestamps of replies [s]; called on the io thread. Default: Unix time.
