@@ -193,7 +193,7 @@ class Server(unittest.TestCase):
             with self.assertRaises(RequestRefused):
                 robot.get_property("nosuch", int)
             with self.assertRaises(RequestRefused):
-                robot.request(position2d.REQ_SPEED_PID, position2d.SpeedPidReq(1.0, 0.0, 0.0))
+                robot.request(position2d.REQ_SPEED_PROF, position2d.SpeedProfReq(-1.0, 0.0))
             with self.assertRaises(RequestRefused):
                 client.position2d(99)
 
