@@ -106,7 +106,7 @@ export async function openPage(browser, options = {}) {
 
 /** A page that shows the world at this tick or later, and the errors it met. */
 export async function watch(browser, url, options = {}, leastTick = 1) {
-  const page = await openPage(browser, { viewport: { width: 1280, height: 800 }, deviceScaleFactor: 0.5, ...options });
+  const page = await openPage(browser, { viewport: { width: 1280, height: 800 }, ...options });
   const errors = [];
   page.on('pageerror', (error) => errors.push(error.message));
   page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
