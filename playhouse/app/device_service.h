@@ -45,8 +45,6 @@ class DeviceService final : private ServerHost {
   Result<void> open_page(const Serving& serving, std::uint16_t player_port);
   /// Records the data of all devices from now on, which opens them for reading. Fails if the file is not writable.
   Result<void> record(const std::string& file);
-  /// After run(). False: not everything was recorded; see the log.
-  bool succeeded() const { return recording_works_; }
   /// Of the page and of guests, one line each.
   std::vector<std::string> places(const std::string& host) const;
 
@@ -98,7 +96,6 @@ class DeviceService final : private ServerHost {
   std::set<device::DeviceId> recorded_;                    // opened for the recording, or being opened
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);  // for devices that are being opened
   std::unique_ptr<net::Timer> look_;                       // for devices
-  bool recording_works_ = true;
   std::vector<std::uint16_t> ports_;  // for Player clients
   web_server::GuestBook guests_;
   std::unique_ptr<web_server::DevicePage> page_;
