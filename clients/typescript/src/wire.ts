@@ -63,17 +63,6 @@ export function decodeHeader(bytes: Uint8Array, at = 0): Header {
   };
 }
 
-const kSwapped = new Uint8Array(new Uint16Array([1]).buffer)[0] === 1;
-
-/** Turns big-endian numbers of four or eight bytes into those of this machine, or back, in place. */
-function swapBytes(numbers: Float32Array | Float64Array): Uint8Array {
-  const bytes = new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength);
-  if (!kSwapped) return bytes;
-  const size = numbers.BYTES_PER_ELEMENT;
-  for (let at = 0; at < bytes.length; at += size) bytes.subarray(at, at + size).reverse();
-  return bytes;
-}
-
 /** Reads values from a body, front to back. Allocations are bounded by the size of the body. */
 export class Reader {
   private at = 0;
@@ -156,11 +145,10 @@ export class Reader {
   private floats<T extends Float32Array | Float64Array>(
     list: { new (count: number): T; BYTES_PER_ELEMENT: number }, count: number,
   ): T {
-    const size = count * list.BYTES_PER_ELEMENT;
-    const at = this.take(size);
+    const size = list.BYTES_PER_ELEMENT;
+    const at = this.take(count * size);
     const values = new list(count);
-    new Uint8Array(values.buffer).set(this.data.subarray(at, at + size));
-    swapBytes(values);
+    for (let i = 0; i < count; ++i) values[i] = size === 4 ? this.view.getFloat32(at + 4 * i) : this.view.getFloat64(at + 8 * i);
     return values;
   }
 
@@ -222,11 +210,13 @@ export class Writer {
 
   /** Any list of numbers; the generated types ask for a Float32Array. */
   float32s(values: ArrayLike<number>): void {
-    this.floats(values instanceof Float32Array ? values.slice() : Float32Array.from(values, single));
+    const at = this.grow(4 * values.length);
+    for (let i = 0; i < values.length; ++i) this.view.setFloat32(at + 4 * i, single(values[i]!));
   }
 
   float64s(values: ArrayLike<number>): void {
-    this.floats(values instanceof Float64Array ? values.slice() : Float64Array.from(values, double));
+    const at = this.grow(8 * values.length);
+    for (let i = 0; i < values.length; ++i) this.view.setFloat64(at + 8 * i, double(values[i]!));
   }
 
   /** A count or length word before a list of at most `limit` elements. */
@@ -260,12 +250,6 @@ export class Writer {
     if (value < low || value > high) throw new WireError(`${value} is outside [${low}, ${high}]`);
     const at = this.grow(4);
     this.view.setInt32(at, value | 0);
-  }
-
-  private floats(values: Float32Array | Float64Array): void {
-    const bytes = swapBytes(values);
-    const at = this.grow(bytes.length);
-    this.data.set(bytes, at);
   }
 
   private padded(data: Uint8Array, size: number): void {
