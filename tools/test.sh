@@ -6,7 +6,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 . tools/steps.sh
-trap report_steps EXIT
+trap 'report_steps; python3 tools/test_summary.py --failures build/release build/ci build/tsan' EXIT
 
 step "building the page" make --no-print-directory web
 step "configuring the program" tools/configure.sh release-test
