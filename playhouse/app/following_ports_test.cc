@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <functional>
+#include <future>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -20,6 +21,7 @@
 #include "playhouse/app/commands/options.h"
 #include "playhouse/app/commands/robots_client.h"
 #include "playhouse/app/device_service.h"
+#include "playhouse/app/free_ports.h"
 #include "playhouse/app/service.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/run/testing/still_engine.h"
@@ -77,6 +79,11 @@ class FollowingPorts : public ::testing::Test {
     program.join();
     return fault;
   }
+  /// As many in a row are free.
+  static std::uint16_t first_of_free_ports(std::size_t count) {
+    net::IoLoop loop;
+    return app::hold_free_ports(loop, "127.0.0.1", count).front()->port();
+  }
   std::uint16_t port(std::size_t number) const {
     return static_cast<std::uint16_t>(service->player_ports().front() + number);
   }
@@ -129,7 +136,7 @@ TEST_F(FollowingPorts, have_the_robots_behind_the_first_and_the_world_on_each) {
 }
 
 TEST_F(FollowingPorts, are_opened_during_the_run_for_robots_that_come) {
-  ASSERT_EQ(prepare(0), "");
+  ASSERT_EQ(prepare(first_of_free_ports(4)), "");
   EXPECT_EQ(run_beside([&]() -> Result<void> {
               Result<Client> first = connect(0);
               if (!first) return first.error();
@@ -142,11 +149,6 @@ TEST_F(FollowingPorts, are_opened_during_the_run_for_robots_that_come) {
               if (!models) return models.error();
               EXPECT_EQ(models->at(5).devices.front(),
                         (client::DeviceAddress{port(2), wire::position2d::kCode, 1}));
-              if (models->at(6).devices.empty()) {  // another program has the port, and a line says so
-                net::IoLoop probe;
-                EXPECT_FALSE(probe.listen("127.0.0.1", port(3), [](auto) {})) << "it was free";
-                return {};
-              }
               EXPECT_EQ(models->at(6).devices.front(),
                         (client::DeviceAddress{port(3), wire::position2d::kCode, 0}));
               Result<Client> driver = connect(3);
@@ -179,12 +181,11 @@ class LinesOfLog {
 /// `playhouse robot` with the bug "bob", in a thread of its own.
 class Bob {
  public:
-  explicit Bob(std::uint16_t server_port)
-      : port_(free_port()), client_(app::serving_program(service_, port_), options(server_port), {desc()}) {
+  explicit Bob(std::uint16_t server_port) : client_(program(), options(server_port), {desc()}) {
     client_.begin();
     program_ = std::thread([this] {
       code_ = service_.run();
-      ended_ = true;
+      if (!is_listening_) listening_.set_value(early_end());
     });
   }
   ~Bob() {
@@ -192,12 +193,10 @@ class Bob {
     if (program_.joinable()) program_.join();
   }
   /// To his port, once he has joined.
-  Result<Client> connect() const {
-    for (;;) {
-      const bool is_last = ended_;
-      Result<Client> client = Client::connect("127.0.0.1", port_);
-      if (client || is_last) return client;
-    }
+  Result<Client> connect() {
+    const Result<std::uint16_t> port = listening_.get_future().get();
+    if (!port) return port.error();
+    return Client::connect("127.0.0.1", *port);
   }
   /// The exit code.
   int wait() {
@@ -206,16 +205,22 @@ class Bob {
   }
 
  private:
-  static std::uint16_t free_port() {
-    net::IoLoop loop;
-    const auto taken = loop.listen("127.0.0.1", 0, [](auto) {});
-    return (*taken)->port();
+  static Error early_end() { return {"bob", "ended before he joined"}; }
+  app::RobotsClient::ServingProgram program() {
+    auto program = app::serving_program(service_, 0);
+    program.listen = [this](std::uint16_t wanted) {
+      const Result<std::uint16_t> port = service_.listen(wanted);
+      is_listening_ = true;
+      listening_.set_value(port);
+      return port;
+    };
+    return program;
   }
-  app::RobotsClient::RobotsClientOptions options(std::uint16_t server_port) const {
+  static app::RobotsClient::RobotsClientOptions options(std::uint16_t server_port) {
     app::RobotsClient::RobotsClientOptions options;
     options.host = options.bind = "127.0.0.1";
     options.server_port = server_port;
-    options.port = port_;
+    options.port = 0;
     return options;
   }
   static scene::RobotDesc desc() {
@@ -227,11 +232,11 @@ class Bob {
     return bob;
   }
 
-  const std::uint16_t port_;
   app::DeviceService service_{"127.0.0.1"};
+  std::promise<Result<std::uint16_t>> listening_;
+  bool is_listening_ = false;  // thread of the program
   app::RobotsClient client_;
   std::atomic<int> code_ = -1;
-  std::atomic<bool> ended_ = false;
   std::thread program_;
 };
 
@@ -240,7 +245,7 @@ TEST_F(FollowingPorts, let_a_robot_join_by_the_one_of_its_wheels_without_what_is
   ASSERT_EQ(prepare(0), "");
   const LinesOfLog log;
   EXPECT_EQ(run_beside([&]() -> Result<void> {
-              const Bob bob(port(2));
+              Bob bob(port(2));
               Result<Client> driver = bob.connect();
               if (!driver) return driver.error();
               const Result<std::vector<client::DeviceEntry>> devices = driver->devices();
@@ -272,22 +277,21 @@ TEST_F(FollowingPorts, send_a_robot_that_joins_by_another_to_the_one_of_its_whee
 
 TEST_F(FollowingPorts, in_use_refuse_the_run_before_it_starts_and_none_later) {
   net::IoLoop other;
-  std::string why;
-  for (int tries = 0; tries < 20 && why.find("robots") == std::string::npos; ++tries) {
-    const auto taken = other.listen("127.0.0.1", 0, [](auto) {});
+  const std::uint16_t first = first_of_free_ports(4);
+  const auto listen = [&](int port) {
+    return other.listen("127.0.0.1", static_cast<std::uint16_t>(port), [](auto) {});
+  };
+  {
+    const auto taken = listen(first + 1);
     ASSERT_TRUE(taken);
-    why = prepare(static_cast<std::uint16_t>((*taken)->port() - 1));
-    if (why.find("robots") == std::string::npos) continue;  // the first one was in use too
-    EXPECT_THAT(why, HasSubstr(fmt::format("127.0.0.1:{}: cannot listen", (*taken)->port())));
-    EXPECT_THAT(why,
-                HasSubstr(fmt::format("the devices of 5 robots need 3 ports, from {} on; --port takes others",
-                                      (*taken)->port() - 1)));
+    const std::string why = prepare(first);
+    EXPECT_THAT(why, HasSubstr(fmt::format("127.0.0.1:{}: cannot listen", first + 1)));
+    EXPECT_THAT(why, HasSubstr(fmt::format(
+                         "the devices of 5 robots need 3 ports, from {} on; --port takes others", first)));
   }
-  EXPECT_THAT(why, HasSubstr("robots"));
-
-  ASSERT_EQ(prepare(0), "");
-  const auto taken =
-      other.listen("127.0.0.1", port(3), [](auto) {});  // fails if another program has it: as good
+  ASSERT_EQ(prepare(first), "");
+  const auto taken = listen(first + 3);
+  ASSERT_TRUE(taken);
   EXPECT_EQ(run_beside([&]() -> Result<void> {
               Result<Client> first = connect(0);
               if (!first) return first.error();

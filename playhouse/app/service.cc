@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <future>
 #include <iterator>
-#include <limits>
 #include <set>
 #include <span>
 #include <system_error>
@@ -20,6 +19,7 @@
 #include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
+#include "playhouse/app/free_ports.h"
 #include "playhouse/app/guest_list.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/kept_files.h"
@@ -58,7 +58,6 @@ class FeedLink final : public run::Follower {
 };
 
 constexpr double kProgressSeconds = 0.5;
-constexpr std::uint32_t kLastPort = std::numeric_limits<std::uint16_t>::max();
 
 bool is_world_file(const std::string& file) {
   return file.ends_with(".world");
@@ -214,34 +213,25 @@ const scene::CfgFile* Service::file_without_world() const {
 
 /// Without a number (--port 0): a free port before as many free ones as the scene can need, as no interface
 /// has more devices than there are models; 0 if there is none. A saved run has what clients brought, too.
-/// Whoever is faster may still take one.
+/// They are held, so that no other program takes one until it is opened.
 std::uint16_t Service::first_of_free_ports() {
-  constexpr int kTries = 16;
   const std::size_t models = scene_.models.size() + (saved_ ? limits::kBroughtModels : 0);
   const std::size_t count = cfg_ || recording_ ? 1 : (models + indices_ - 1) / indices_;
   if (count < 2) return 0;
-  std::vector<std::unique_ptr<net::Listener>> tried;  // held, so that the system names others
-  for (int k = 0; k < kTries; ++k) {
-    const auto listen = [&](std::uint32_t port) {
-      if (port > kLastPort) return false;
-      auto opened = loop_.listen(serving_.bind, static_cast<std::uint16_t>(port), [](auto) {});
-      if (opened) tried.push_back(std::move(*opened));
-      return opened.ok();
-    };
-    if (!listen(0)) return 0;
-    const std::uint16_t first = tried.back()->port();
-    std::uint32_t end = first + 1u;
-    while (end < first + count && listen(end)) ++end;
-    if (end == first + count) return first;
-  }
-  return 0;
+  held_ports_ = hold_free_ports(loop_, serving_.bind, count);
+  return held_ports_.empty() ? 0 : held_ports_.front()->port();
+}
+
+Result<std::uint16_t> Service::listen(std::uint16_t port) {
+  std::erase_if(held_ports_, [port](const auto& held) { return held->port() == port; });
+  return server_->listen(port);
 }
 
 Result<void> Service::open_ports() {
   if (serving_.port == 0) serving_.port = first_of_free_ports();
   const std::set<std::uint16_t> wanted = cfg_ ? ports_of(*cfg_, serving_.port) : std::set<std::uint16_t>{0};
   for (const std::uint16_t port : wanted) {
-    const Result<std::uint16_t> opened = server_->listen(port == 0 ? serving_.port : port);
+    const Result<std::uint16_t> opened = listen(port == 0 ? serving_.port : port);
     if (!opened) return port_error(opened.error(), port == 0, serving_.port_option);
     if (port == 0) serving_.port = *opened;
     player_ports_.push_back(*opened);
@@ -260,6 +250,7 @@ Result<void> Service::open_following_ports() {
                                serving_.port_option)};
     player_ports_.push_back(static_cast<std::uint16_t>(port));
   }
+  held_ports_.clear();
   return {};
 }
 
@@ -268,8 +259,8 @@ Result<void> Service::open_port(std::uint32_t port) {
   if (port > kLastPort) return Error{fmt::format("port {}", port), "the last port is 65535"};
   const auto number = static_cast<std::uint16_t>(port);
   const auto opened = std::make_shared<std::promise<Result<std::uint16_t>>>();  // outlives set_value()
-  const auto listen = [this, opened, number] { opened->set_value(server_->listen(number)); };
-  io_runs_ ? loop_.post(listen) : listen();
+  const auto open = [this, opened, number] { opened->set_value(listen(number)); };
+  io_runs_ ? loop_.post(open) : open();
   const Result<std::uint16_t> listening = opened->get_future().get();
   if (!listening) return listening.error();
   if (io_runs_) log::say(fmt::format("Player clients: {}:{}", shown_host(serving_.bind), port));

@@ -140,6 +140,7 @@ class Service final : private ServerHost {
   libraries::Libraries libraries() const override;
 
   std::uint16_t first_of_free_ports();
+  Result<std::uint16_t> listen(std::uint16_t port);
   Result<void> open_playback();
   Result<void> add_robots();
   Result<void> make_drivers();
@@ -189,7 +190,8 @@ class Service final : private ServerHost {
   std::unique_ptr<net::Timer> progress_;
 
   std::vector<std::uint16_t> player_ports_;
-  bool io_runs_ = false;  // tick thread
+  std::vector<std::unique_ptr<net::Listener>> held_ports_;  // until each is opened
+  bool io_runs_ = false;                                    // tick thread
   std::uint16_t web_port_ = 0, observer_port_ = 0, cluster_port_ = 0;
   std::atomic<int> signal_ = 0;
 };
