@@ -4,6 +4,7 @@ find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(OpenSSL 3 REQUIRED)
 find_package(PNG REQUIRED)
 find_library(ZSTD_LIBRARY zstd REQUIRED)  # its package has no find module
 find_package(yaml-cpp REQUIRED)

@@ -21,6 +21,7 @@ ALONE = {
     r"#include <assimp/": ("mesh",),
     r"#include <(?:bt|BulletCollision/|BulletDynamics/|LinearMath/)": ("arena",),
     r"#include <boost/(?:asio|beast)": ("net",),
+    r"#include <openssl/": ("net",),
     r"#include <(?:sys/socket|netinet/\w+)\.h>": ("app", "drivers", "mesh", "net"),
     r"\bgeom::degrees\(": ("drivers", "record", "scene"),  # docs/conventions.md
     r"#include <cassert>|\bassert\(": (),  # PLAYHOUSE_ASSERT is on in every build

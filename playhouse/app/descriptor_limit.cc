@@ -13,6 +13,8 @@
 namespace playhouse::app {
 namespace {
 
+constexpr std::size_t kDescriptorsOfTls =
+    3;                             // of a connection: to the peer, and both ends of its decrypted side
 constexpr std::size_t kFiles = 8;  // what a run opens at times: recordings, saved runs, readers of meshes
 
 std::size_t open_descriptors() {
@@ -30,13 +32,15 @@ void raise_descriptor_limit() {
   setrlimit(RLIMIT_NOFILE, &limit);  // failure leaves the old limit
 }
 
-std::size_t sessions_that_fit() {
+std::size_t sessions_that_fit(bool encrypted) {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return limits::kSessions;
   const auto all = static_cast<std::size_t>(limit.rlim_cur);
-  const std::size_t pages = std::min(limits::kHttpConnections, all / 4),
+  const std::size_t of_each = encrypted ? kDescriptorsOfTls : 1,
+                    pages = std::min(limits::kHttpConnections * of_each, all / 4),
                     others = open_descriptors() + kFiles + pages;
-  const std::size_t fit = std::clamp<std::size_t>(all > others ? all - others : 1, 1, limits::kSessions);
+  const std::size_t fit =
+      std::clamp<std::size_t>(all > others ? (all - others) / of_each : 1, 1, limits::kSessions);
   if (fit < limits::kSessions)
     log::warn("{} Player clients at most: the limit on open files is {} (ulimit -n)", fit, all);
   return fit;

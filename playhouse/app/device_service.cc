@@ -21,6 +21,7 @@
 #include "playhouse/app/guest_list.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/kept_files.h"
+#include "playhouse/app/tls_files.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
@@ -54,10 +55,11 @@ std::optional<std::string> address_for_others() {
 
 }  // namespace
 
-DeviceService::DeviceService(const std::string& bind, std::span<const std::string> allowed)
-    : libraries_{.folders = {}, .allowed = {allowed.begin(), allowed.end()}},
+DeviceService::DeviceService(const std::string& bind, std::span<const std::string> allowed, bool encrypted)
+    : encrypted_(encrypted),
+      libraries_{.folders = {}, .allowed = {allowed.begin(), allowed.end()}},
       server_(std::make_unique<server::Server>(
-          loop_, server::ServerOptions{.bind = bind, .sessions = sessions_that_fit()})) {}
+          loop_, server::ServerOptions{.bind = bind, .sessions = sessions_that_fit(encrypted)})) {}
 
 drivers::Site& DeviceService::open_site(std::uint16_t port) {
   drivers::Host& surroundings = *this;  // private base, not accessible to make_unique
@@ -76,6 +78,13 @@ Result<std::uint16_t> DeviceService::listen(std::uint16_t port) {
   Result<std::uint16_t> opened = server_->listen(port);
   if (opened) ports_.push_back(*opened);
   return opened;
+}
+
+Result<void> DeviceService::read_tls(const Serving& serving) {
+  const Result<std::shared_ptr<net::TlsIdentity>> identity = read_tls_files(serving);
+  if (!identity) return identity.error();
+  loop_.use_tls(*identity);
+  return {};
 }
 
 Result<void> DeviceService::make_drivers(const scene::CfgFile& file) {
@@ -155,7 +164,7 @@ void DeviceService::end_recording() {
 }
 
 std::vector<std::string> DeviceService::places(const std::string& host) const {
-  return guest_places(guests_, host, page_ ? std::optional(web_port_) : std::nullopt);
+  return guest_places(guests_, host, page_ ? std::optional(web_port_) : std::nullopt, encrypted_);
 }
 
 /// {"ports":[6665],"clients":[{"peer":"127.0.0.1:4242","port":6665,"devices":["laser:0"]}]}, and with a recording
@@ -221,7 +230,8 @@ int serve_devices(const scene::CfgFile& file, const Serving& serving, const Runn
                     fmt::format("invalid option {}: the file has no world", running.for_a_world.front())},
                    kUsage);
   std::vector<std::uint16_t> ports;
-  DeviceService service(serving.bind, running.allowed_libraries);
+  DeviceService service(serving.bind, running.allowed_libraries, !serving.tls_cert.empty());
+  if (const Result<void> read = service.read_tls(serving); !read) return fail_in_file(read.error());
   std::uint16_t default_port = serving.port;
   for (const std::uint16_t wanted : ports_of(file, serving.port)) {
     const Result<std::uint16_t> listening = service.listen(wanted == 0 ? serving.port : wanted);
@@ -239,7 +249,8 @@ int serve_devices(const scene::CfgFile& file, const Serving& serving, const Runn
   if (const Result<void> read = service.read_guests(serving.guests); !read) return fail_in_file(read.error());
   if (const Result<void> page = service.open_page(serving, default_port); !page) return fail(page.error());
   const std::string host = shown_host(serving.bind);
-  for (const std::uint16_t each : ports) log::say(fmt::format("Player clients: {}:{}", host, each));
+  for (const std::uint16_t each : ports)
+    log::say(fmt::format("Player clients: {}:{}{}", host, each, serving.tls_cert.empty() ? "" : " (TLS)"));
   for (const std::string& place : service.places(host)) log::say(place);
   if (opened) opened(ports);
   return service.run();

@@ -26,8 +26,9 @@ namespace playhouse::app {
 
 class DeviceService final : private ServerHost {
  public:
-  /// `allowed`: files of libraries that plug-ins may come from.
-  explicit DeviceService(const std::string& bind, std::span<const std::string> allowed = {});
+  /// `allowed`: files of libraries that plug-ins may come from. `encrypted`: read_tls() follows.
+  explicit DeviceService(const std::string& bind, std::span<const std::string> allowed = {},
+                         bool encrypted = false);
   ~DeviceService() override;
 
   /// Opens a port for Player clients (0: any free one).
@@ -41,6 +42,8 @@ class DeviceService final : private ServerHost {
 
   /// Reads the guest file. Fails if it is invalid or admits nobody.
   Result<void> read_guests(const std::string& file);
+  /// As that of Service; before listen().
+  Result<void> read_tls(const Serving& serving);
   /// Starts the page of the devices, if enabled; `player_port` is for clients that name none.
   Result<void> open_page(const Serving& serving, std::uint16_t player_port);
   /// Records the data of all devices from now on, which opens them for reading. Fails if the file is not writable.
@@ -84,6 +87,7 @@ class DeviceService final : private ServerHost {
   };
 
   // In order of construction: later members use earlier ones.
+  const bool encrypted_;
   libraries::Libraries libraries_;
   net::IoLoop loop_;
   std::unique_ptr<drivers::Site> site_;
@@ -96,7 +100,7 @@ class DeviceService final : private ServerHost {
   std::set<device::DeviceId> recorded_;                    // opened for the recording, or being opened
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);  // for devices that are being opened
   std::unique_ptr<net::Timer> look_;                       // for devices
-  std::vector<std::uint16_t> ports_;  // for Player clients
+  std::vector<std::uint16_t> ports_;                       // for Player clients
   web_server::GuestBook guests_;
   std::unique_ptr<web_server::DevicePage> page_;
   std::uint16_t web_port_ = 0;

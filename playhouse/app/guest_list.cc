@@ -29,17 +29,19 @@ void admit_guests(server::Server& server, const web_server::GuestBook& guests) {
 }
 
 std::vector<std::string> guest_places(const web_server::GuestBook& guests, const std::string& host,
-                                      std::optional<std::uint16_t> web_port) {
+                                      std::optional<std::uint16_t> web_port, bool encrypted) {
   std::vector<std::string> lines;
-  if (web_port) lines.push_back(fmt::format("web page: http://{}:{}/", host, *web_port));
+  const std::string page =
+      web_port ? fmt::format("{}://{}:{}/", encrypted ? "https" : "http", host, *web_port) : "";
+  if (web_port) lines.push_back("web page: " + page);
   for (const web_server::Guest& guest : guests.guests()) {
     const bool has_token = guest.token != "*";
     const std::string who = has_token && !guest.name.empty()
                                 ? fmt::format("{} ({})", guest.name, name_of(guest.role))
                                 : std::string(name_of(guest.role));
     if (web_port) {
-      lines.push_back(fmt::format("  {}: http://{}:{}/{}{}", who, host, *web_port, has_token ? "#" : "",
-                                  has_token ? guest.token : ""));
+      lines.push_back(
+          fmt::format("  {}: {}{}{}", who, page, has_token ? "#" : "", has_token ? guest.token : ""));
     } else {
       lines.push_back(fmt::format("  {}: {}", who, has_token ? "--token " + guest.token : "no token"));
     }

@@ -31,6 +31,7 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
     return serve_devices(*file, service.serving(), running, [&](const std::vector<std::uint16_t>& ports) {
       if (opened) opened(ports);
     });
+  if (const Result<void> step = service.read_tls(); !step) return fail_in_file(step.error());
   if (const Result<void> step = service.open_ports(); !step) return fail(step.error());
   if (const Result<void> step = service.make_devices(); !step)
     return fail_in_file(step.error(), service.other_errors());

@@ -23,6 +23,7 @@
 #include "playhouse/app/guest_list.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/kept_files.h"
+#include "playhouse/app/tls_files.h"
 #include "playhouse/app/whole_file.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
@@ -91,7 +92,8 @@ Service::Service(Serving serving, Running running, QuitTime quit_time)
       quit_time_(quit_time),
       warn_(&warn),
       server_(std::make_unique<server::Server>(
-          loop_, server::ServerOptions{.bind = serving_.bind, .sessions = sessions_that_fit()})) {
+          loop_, server::ServerOptions{.bind = serving_.bind,
+                                       .sessions = sessions_that_fit(!serving_.tls_cert.empty())})) {
   server_->set_clock([this] { return simulation().time(); });
 }
 
@@ -227,6 +229,15 @@ Result<std::uint16_t> Service::listen(std::uint16_t port) {
   return server_->listen(port);
 }
 
+Result<void> Service::read_tls() {
+  Result<std::shared_ptr<net::TlsIdentity>> identity = read_tls_files(serving_);
+  if (!identity) return identity.error();
+  tls_ = std::move(*identity);
+  loop_.use_tls(tls_);
+  web_loop_.use_tls(tls_);
+  return {};
+}
+
 Result<void> Service::open_ports() {
   if (serving_.port == 0) serving_.port = first_of_free_ports();
   const std::set<std::uint16_t> wanted = cfg_ ? ports_of(*cfg_, serving_.port) : std::set<std::uint16_t>{0};
@@ -263,7 +274,8 @@ Result<void> Service::open_port(std::uint32_t port) {
   io_runs_ ? loop_.post(open) : open();
   const Result<std::uint16_t> listening = opened->get_future().get();
   if (!listening) return listening.error();
-  if (io_runs_) log::say(fmt::format("Player clients: {}:{}", shown_host(serving_.bind), port));
+  if (io_runs_)
+    log::say(fmt::format("Player clients: {}:{}{}", shown_host(serving_.bind), port, tls_ ? " (TLS)" : ""));
   return {};
 }
 
@@ -437,9 +449,10 @@ std::vector<std::string> Service::places() const {
   std::vector<std::string> lines;
   const std::string host = shown_host(serving_.bind);
   for (const std::uint16_t port : player_ports_)
-    lines.push_back(fmt::format("Player clients: {}:{}", host, port));
-  std::ranges::move(guest_places(guests_, host, web_ ? std::optional(web_port_) : std::nullopt),
-                    std::back_inserter(lines));
+    lines.push_back(fmt::format("Player clients: {}:{}{}", host, port, tls_ ? " (TLS)" : ""));
+  std::ranges::move(
+      guest_places(guests_, host, web_ ? std::optional(web_port_) : std::nullopt, tls_ != nullptr),
+      std::back_inserter(lines));
   if (observers_) lines.push_back(fmt::format("observers: {}:{}", host, observer_port_));
   const std::string& token = running_.cluster_token;
   if (head_ != nullptr)

@@ -98,6 +98,8 @@ class Service final : private ServerHost {
   bool succeeded() const { return saves_.empty() && saving_works_ && run_works_; }
   /// Uses a scene made in code instead of a file.
   void take_scene(scene::SceneDesc scene) { scene_ = std::move(scene); }
+  /// Reads the certificate and the key of --tls-cert, if there is one: ports speak TLS.
+  Result<void> read_tls();
   /// Opens the Player ports; clients are served once run() is called.
   Result<void> open_ports();
   /// Makes the engine and the devices.
@@ -189,6 +191,7 @@ class Service final : private ServerHost {
   std::unique_ptr<observers::ObserverServer> observers_;
   std::unique_ptr<net::Timer> progress_;
 
+  std::shared_ptr<net::TlsIdentity> tls_;  // null: in the clear
   std::vector<std::uint16_t> player_ports_;
   std::vector<std::unique_ptr<net::Listener>> held_ports_;  // until each is opened
   bool io_runs_ = false;                                    // tick thread

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "playhouse/base/log.h"
+#include "playhouse/net/tls/asio_tls.h"
 
 namespace playhouse::net {
 namespace {
@@ -22,7 +23,11 @@ constexpr int kKeepAliveIdle = 30, kKeepAliveInterval = 10, kKeepAliveProbes = 3
 class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
  public:
   AcceptLoop(IoLoop::Impl& loop, SocketAcceptor acceptor)
-      : loop_(loop), acceptor_(loop.context), pause_(loop.context), accept_(std::move(acceptor)) {}
+      : loop_(loop),
+        tls_(loop.tls),
+        acceptor_(loop.context),
+        pause_(loop.context),
+        accept_(std::move(acceptor)) {}
 
   error_code open(const tcp::endpoint& endpoint) {
     error_code error;
@@ -59,7 +64,18 @@ class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
     const tcp::endpoint peer = socket.remote_endpoint(error);
     if (error) return;  // disconnected already
     tune(socket);
-    accept_(std::move(socket), endpoint_text(peer));
+    if (!tls_) return accept_({std::move(socket), endpoint_text(peer), {}, false});
+    decrypt(loop_, tls_, std::move(socket),
+            [self = shared_from_this(), peer = endpoint_text(peer)](Result<Decrypted> decrypted) {
+              if (!self->acceptor_.is_open()) return;
+              if (!decrypted) return self->warn_of_handshake(peer, decrypted.error().line());
+              self->accept_({std::move(decrypted->socket), peer, std::move(decrypted->expect_alive), true});
+            });
+  }
+
+  void warn_of_handshake(const std::string& peer, const std::string& why) {
+    if (std::exchange(warned_, true)) return;
+    log::warn("port {}: {} refused: invalid TLS handshake: {} (logged once)", port_, peer, why);
   }
 
   // Out of descriptors or memory: the peer stays in the
@@ -74,11 +90,12 @@ class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
   }
 
   IoLoop::Impl& loop_;
+  const std::shared_ptr<TlsIdentity> tls_;
   tcp::acceptor acceptor_;
   asio::steady_timer pause_;
   SocketAcceptor accept_;
   std::uint16_t port_ = 0;
-  bool failing_ = false;
+  bool failing_ = false, warned_ = false;
 };
 
 class TcpListener final : public Listener {

@@ -11,8 +11,14 @@
 
 namespace playhouse::net {
 
-/// A connected socket, with TCP_NODELAY and keep-alive, and its "address:port".
-using SocketAcceptor = std::function<void(boost::asio::ip::tcp::socket, std::string peer)>;
+/// A connected socket, not blocking, and with TCP_NODELAY and keep-alive on the line to the peer.
+struct AcceptedSocket {
+  boost::asio::ip::tcp::socket socket;
+  std::string peer;                    // "address:port"
+  std::function<void()> expect_alive;  // Connection::expect_alive(); empty: the socket is that line
+  bool encrypted = false;              // on that line, by TLS
+};
+using SocketAcceptor = std::function<void(AcceptedSocket)>;
 
 /// Sets these options on a socket.
 void tune(boost::asio::ip::tcp::socket& socket);

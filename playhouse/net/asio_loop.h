@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "playhouse/net/io_loop.h"
+#include "playhouse/net/tls/tls_identity.h"
 
 namespace playhouse::net {
 
@@ -21,7 +22,11 @@ struct IoLoop::Impl {
   /// their peers to close; each entry closes one. Oldest first.
   using Lingering = std::list<std::function<void()>>;
   Lingering lingering;
-  bool finishing = false;  // stop once `lingering` is empty
+  /// Each entry gives up a handshake of TLS that has not ended. Oldest first.
+  using Handshakes = std::list<std::function<void()>>;
+  Handshakes handshakes;
+  std::shared_ptr<TlsIdentity> tls;  // null: connections are in the clear
+  bool finishing = false;            // stop once `lingering` is empty
 
   /// Adds an entry until leave(), which `end` calls too. Over limits::kLingering the oldest is closed.
   Lingering::iterator linger(std::function<void()> end);

@@ -3,4 +3,5 @@
 /// CMakeLists.txt).
 
 #include <boost/asio/impl/src.hpp>
+#include <boost/asio/ssl/impl/src.hpp>
 #include <boost/beast/src.hpp>

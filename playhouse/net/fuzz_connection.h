@@ -28,7 +28,7 @@ class FuzzConnection {
     peer_ = ends[0];
     boost::asio::ip::tcp::socket socket(context_);
     socket.assign(boost::asio::ip::tcp::v4(), ends[1]);
-    serve_http(std::move(socket), "192.0.2.1:1", service, {}, std::make_shared<HttpPlaces>());
+    serve_http({std::move(socket), "192.0.2.1:1", {}, false}, service, {}, std::make_shared<HttpPlaces>());
   }
   ~FuzzConnection() { hang_up(); }
   FuzzConnection(const FuzzConnection&) = delete;

@@ -43,10 +43,11 @@ HttpReply plain(unsigned status, std::string text) {
 /// A connection, kept alive by its pending operations until it ends or times out.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
-  HttpConnection(asio::ip::tcp::socket socket, std::string peer, HttpService& service,
-                 const HttpDeadlines& deadlines, std::unique_ptr<HttpPlace> place)
-      : stream_(std::move(socket)),
-        peer_(std::move(peer)),
+  HttpConnection(AcceptedSocket accepted, HttpService& service, const HttpDeadlines& deadlines,
+                 std::unique_ptr<HttpPlace> place)
+      : stream_(std::move(accepted.socket)),
+        peer_(std::move(accepted.peer)),
+        encrypted_(accepted.encrypted),
         service_(service),
         deadlines_(deadlines),
         place_(std::move(place)) {}
@@ -91,6 +92,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   }
 
   void serve(HttpRequest& request) {
+    request.encrypted = encrypted_;
     if (const Result<void> ours = service_.serves(request.host); !ours)
       return refuse({421, ours.error().line()});
     Result<std::string> client = service_.client_of(request);
@@ -168,6 +170,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   beast::tcp_stream stream_;
   const std::string peer_;
+  const bool encrypted_;
   HttpService& service_;
   const HttpDeadlines deadlines_;
   std::unique_ptr<HttpPlace> place_;  // null once the socket is a WebSocket's
@@ -180,21 +183,19 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
 }  // namespace
 
-void serve_http(asio::ip::tcp::socket socket, std::string peer, HttpService& service,
-                const HttpDeadlines& deadlines, const std::shared_ptr<HttpPlaces>& places) {
-  auto place = std::make_unique<HttpPlace>(places, peer);
-  std::make_shared<HttpConnection>(std::move(socket), std::move(peer), service, deadlines, std::move(place))
-      ->start();
+void serve_http(AcceptedSocket accepted, HttpService& service, const HttpDeadlines& deadlines,
+                const std::shared_ptr<HttpPlaces>& places) {
+  auto place = std::make_unique<HttpPlace>(places, accepted.peer);
+  std::make_shared<HttpConnection>(std::move(accepted), service, deadlines, std::move(place))->start();
 }
 
 Result<std::unique_ptr<Listener>> IoLoop::listen_http(const std::string& bind, std::uint16_t port,
                                                       HttpService& service) {
   // The table of places is owned by the listener and each connection.
-  return listen_tcp(
-      *impl_, bind, port,
-      [&service, places = std::make_shared<HttpPlaces>()](asio::ip::tcp::socket socket, std::string peer) {
-        serve_http(std::move(socket), std::move(peer), service, service.deadlines(), places);
-      });
+  return listen_tcp(*impl_, bind, port,
+                    [&service, places = std::make_shared<HttpPlaces>()](AcceptedSocket accepted) {
+                      serve_http(std::move(accepted), service, service.deadlines(), places);
+                    });
 }
 
 }  // namespace playhouse::net

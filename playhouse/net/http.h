@@ -20,6 +20,7 @@ struct HttpRequest {
   std::string origin;  // Origin header; empty if absent (not a browser, or same origin)
   std::string if_none_match;
   bool accepts_gzip = false;
+  bool encrypted = false;     // by TLS that ends here
   std::string peer;           // "address:port"
   std::string forwarded_for;  // X-Forwarded-For headers, joined by commas; from anybody
 };

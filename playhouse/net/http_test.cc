@@ -229,10 +229,9 @@ class ClosedByOwnerTest : public testing::Test {
   };
 
   ClosedByOwnerTest() {
-    auto listener = listen_tcp(loop_.impl(), "127.0.0.1", 0,
-                               [this](boost::asio::ip::tcp::socket socket, std::string peer) {
-                                 serve_http(std::move(socket), std::move(peer), owner_, {}, places_);
-                               });
+    auto listener = listen_tcp(loop_.impl(), "127.0.0.1", 0, [this](AcceptedSocket accepted) {
+      serve_http(std::move(accepted), owner_, {}, places_);
+    });
     EXPECT_TRUE(listener.ok());
     listener_ = std::move(*listener);
     io_ = std::thread([this] { loop_.run(); });

@@ -90,6 +90,10 @@ std::size_t IoLoop::lingering() const {
   return impl_->lingering.size();
 }
 
+void IoLoop::use_tls(std::shared_ptr<TlsIdentity> identity) {
+  impl_->tls = std::move(identity);
+}
+
 void IoLoop::on_signal(std::initializer_list<int> signals, std::function<void(int)> task) {
   PLAYHOUSE_ASSERT(!impl_->signals);
   impl_->signals.emplace(impl_->context);

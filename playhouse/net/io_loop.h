@@ -11,6 +11,8 @@
 
 namespace playhouse::net {
 
+class TlsIdentity;
+
 class IoLoop final : public Network {
  public:
   IoLoop();
@@ -28,6 +30,9 @@ class IoLoop final : public Network {
   std::size_t lingering() const;
   /// Processes ready events without blocking.
   void poll();
+
+  /// Ports that are opened from now on for connections and pages speak TLS.
+  void use_tls(std::shared_ptr<TlsIdentity> identity);
 
   /// Calls `task` on the io thread for each of these signals, replacing their default action. Call once.
   void on_signal(std::initializer_list<int> signals, std::function<void(int)> task);

@@ -36,8 +36,12 @@ bool is_end(const error_code& error) {
 /// The socket and its queue. Shared by the Connection and pending operations, which may outlive it.
 class TcpStream : public std::enable_shared_from_this<TcpStream> {
  public:
-  TcpStream(tcp::socket socket, IoLoop::Impl& loop, std::string peer)
-      : socket_(std::move(socket)), loop_(loop), peer_(std::move(peer)), end_timer_(loop.context) {}
+  TcpStream(IoLoop::Impl& loop, AcceptedSocket accepted)
+      : socket_(std::move(accepted.socket)),
+        loop_(loop),
+        peer_(std::move(accepted.peer)),
+        expect_alive_(std::move(accepted.expect_alive)),
+        end_timer_(loop.context) {}
 
   void start(ConnectionEvents& events) {
     events_ = &events;
@@ -80,6 +84,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
 
   std::size_t in_flight_bytes() const { return in_flight_bytes_; }
   void expect_alive() {
+    if (expect_alive_) return expect_alive_();
     const unsigned milliseconds = kAliveSeconds * 1000;
     setsockopt(socket_.native_handle(), IPPROTO_TCP, TCP_USER_TIMEOUT, &milliseconds, sizeof milliseconds);
   }
@@ -208,7 +213,8 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   tcp::socket socket_;
   IoLoop::Impl& loop_;
   const std::string peer_;
-  asio::steady_timer end_timer_;  // after release by the owner
+  const std::function<void()> expect_alive_;  // of a line that is not the socket
+  asio::steady_timer end_timer_;              // after release by the owner
   ConnectionEvents* events_ = nullptr;
   std::vector<SharedBytes> writing_, queued_;
   std::size_t next_part_ = 0, next_byte_ = 0;  // of writing_: first part and byte not accepted yet
@@ -245,19 +251,17 @@ class TcpConnection final : public Connection {
 
 Result<std::unique_ptr<Listener>> IoLoop::listen(const std::string& bind, std::uint16_t port,
                                                  Acceptor acceptor) {
-  return listen_tcp(*impl_, bind, port,
-                    [this, acceptor = std::move(acceptor)](tcp::socket socket, std::string peer) {
-                      acceptor(std::make_unique<TcpConnection>(
-                          std::make_shared<TcpStream>(std::move(socket), *impl_, std::move(peer))));
-                    });
+  return listen_tcp(*impl_, bind, port, [this, acceptor = std::move(acceptor)](AcceptedSocket accepted) {
+    acceptor(std::make_unique<TcpConnection>(std::make_shared<TcpStream>(*impl_, std::move(accepted))));
+  });
 }
 
 std::unique_ptr<Attempt> IoLoop::connect(const std::string& host, std::uint16_t port, Connected connected) {
   return connect_tcp(
       *impl_, host, port, [this, connected = std::move(connected)](Result<ConnectedSocket> made) {
         if (!made) return connected(made.error());
-        connected(std::unique_ptr<Connection>(std::make_unique<TcpConnection>(
-            std::make_shared<TcpStream>(std::move(made->socket), *impl_, std::move(made->peer)))));
+        connected(std::unique_ptr<Connection>(std::make_unique<TcpConnection>(std::make_shared<TcpStream>(
+            *impl_, AcceptedSocket{std::move(made->socket), std::move(made->peer), {}, false}))));
       });
 }
 

@@ -50,9 +50,9 @@ bool HostNames::has(std::string_view authority) const {
   return name == "localhost" || is_address(name) || is_name_of(machine_, name) || is_further(name);
 }
 
-bool HostNames::may_control(std::string_view origin, const std::string& host) const {
-  if (origin == "http://" + host) return true;
-  return origin == "https://" + host && is_further(without_port(host));
+bool HostNames::may_control(std::string_view origin, const std::string& host, bool encrypted) const {
+  if (origin == "https://" + host) return encrypted || is_further(without_port(host));
+  return origin == "http://" + host && !encrypted;
 }
 
 bool HostNames::is_further(std::string_view name) const {

@@ -22,9 +22,9 @@ class HostNames {
   bool has(std::string_view authority) const;
 
   /// Same-origin check: whether a page from `origin` may control the program
-  /// reached as `host`: same name and port. Another port may be another program.
-  /// For further names the scheme may be https: a TLS proxy in front of us.
-  bool may_control(std::string_view origin, const std::string& host) const;
+  /// reached as `host`: same name and port, and https if we speak TLS. Another port may be another program.
+  /// For further names the scheme may be https anyhow: a TLS proxy in front of us.
+  bool may_control(std::string_view origin, const std::string& host, bool encrypted) const;
 
  private:
   bool is_further(std::string_view name) const;

@@ -30,11 +30,12 @@ Result<std::string> PageGate::client_of(const net::HttpRequest& request) {
 }
 
 Result<void> PageGate::may_control(const net::HttpRequest& request) {
-  if (request.origin.empty() || names_.may_control(request.origin, request.host)) return {};
+  if (request.origin.empty() || names_.may_control(request.origin, request.host, request.encrypted))
+    return {};
   const std::string text = "a page from " + in_quotes(request.origin) + " may not control this program";
   if (origins_refused_++ == 0)
-    log::warn("web: {} refused: {}; its own page may, at http://{}/ (logged once)", request.peer, text,
-              request.host);
+    log::warn("web: {} refused: {}; its own page may, at {}://{}/ (logged once)", request.peer, text,
+              request.encrypted ? "https" : "http", request.host);
   return Error{"", text};
 }
 

@@ -4,6 +4,7 @@ import base64
 import json
 import os
 import socket
+import ssl
 import urllib.error
 import urllib.request
 import unittest
@@ -20,8 +21,10 @@ observer watcher-001
 class PageSocket:
     """A WebSocket to a page's Player port, as browsers open it; see RFC 6455."""
 
-    def __init__(self, port: int, path: str = "/player", more: str = ""):
+    def __init__(self, port: int, path: str = "/player", more: str = "", tls: ssl.SSLContext | None = None):
         self.socket = socket.create_connection(("127.0.0.1", port), PATIENCE)
+        if tls is not None:
+            self.socket = tls.wrap_socket(self.socket, server_hostname="127.0.0.1")
         key = base64.b64encode(os.urandom(16)).decode()
         self.socket.sendall((f"GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
                              f"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: {key}\r\n{more}\r\n").encode())

@@ -2,6 +2,7 @@
 
 import enum
 import math
+import ssl
 import time
 from typing import Callable, Dict, List, NamedTuple, Optional, Tuple, Type, TypeVar
 
@@ -59,6 +60,7 @@ class Client(Openers):
     """One connection, for one thread. In a `with` block, devices and connection are closed at its end.
 
     `timeout` (s) applies to connecting, to every request, and to every read() without a timeout of its own.
+    `tls` says which certificates to trust, for a server with --tls-cert: for instance ssl.create_default_context(cafile=...).
     """
 
     def __init__(
@@ -69,9 +71,10 @@ class Client(Openers):
         mode: Mode = Mode.PULL,
         timeout: float = 5.0,
         token: str = "",
+        tls: Optional[ssl.SSLContext] = None,
     ) -> None:
         self._devices: Dict[Tuple[int, int], List[Device]] = {}
-        self._session = Session(Connection(host, port, timeout), timeout, self._retire)
+        self._session = Session(Connection(host, port, timeout, tls), timeout, self._retire)
         self._families: Optional[List[List[Model]]] = None  # as of the last query
         self._robots: Dict[Tuple[str, Tuple[DeviceAddress, ...]], Robot] = {}  # by name and devices
         self._reading = False
@@ -348,10 +351,17 @@ def _split(address: str) -> Tuple[str, str]:
     return (host, port) if colon else (address, str(DEFAULT_PORT))
 
 
-def connect(address: str = DEFAULT_HOST, *, mode: Mode = Mode.PULL, timeout: float = 5.0, token: str = "") -> Client:
+def connect(
+    address: str = DEFAULT_HOST,
+    *,
+    mode: Mode = Mode.PULL,
+    timeout: float = 5.0,
+    token: str = "",
+    tls: Optional[ssl.SSLContext] = None,
+) -> Client:
     """Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults are 127.0.0.1 and 6665. token: of a guest,
-    for a run with --guests."""
+    for a run with --guests; tls: as of Client."""
     host, port = _split(address)
     if not port.isdigit() or not 0 < int(port) < 65536:
         raise ConnectionLost(f'"{address}" is not HOST or HOST:PORT')
-    return Client(host or DEFAULT_HOST, int(port), mode=mode, timeout=timeout, token=token)
+    return Client(host or DEFAULT_HOST, int(port), mode=mode, timeout=timeout, token=token, tls=tls)

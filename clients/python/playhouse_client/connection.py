@@ -1,6 +1,7 @@
 """One TCP connection to a Player server: banner, framing, deadlines. It interprets headers only."""
 
 import socket
+import ssl
 import time
 from typing import NamedTuple, Optional
 
@@ -33,7 +34,8 @@ class Connection:
     then every call raises the reason.
     """
 
-    def __init__(self, host: str, port: int, timeout: float) -> None:
+    def __init__(self, host: str, port: int, timeout: float, tls: Optional[ssl.SSLContext] = None) -> None:
+        """`tls`: whom to trust, for a server with --tls-cert."""
         self.peer = f"{host}:{port}"
         self.port = port
         self._timeout = min(checked_seconds(timeout), _LONGEST_WAIT)
@@ -44,6 +46,8 @@ class Connection:
         try:
             self._socket = socket.create_connection((host, port), self._timeout)
             self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            if tls is not None:
+                self._socket = tls.wrap_socket(self._socket, server_hostname=host)
             self.banner = self._read_banner(time.monotonic() + self._timeout)
         except (OSError, ValueError, OverflowError, RequestTimeout) as error:  # ValueError: of an invalid host name
             reason = "no banner in time" if isinstance(error, RequestTimeout) else error

@@ -35,6 +35,7 @@ struct Serving {
   std::string port_option = "--port";       // name of the option of `port`, for errors
   std::vector<std::string> web_hosts = {};  // host names of the page besides the machine's
   net::TrustedProxies proxies = {};         // in front of the page
+  std::string tls_cert = {}, tls_key = {};  // PEM files; empty: ports are in the clear
   std::string guests = {};                  // access control file of the page; empty: full access
   std::size_t viewers = limits::kViewers;   // limit on simultaneous pages, and on observers
   std::uint32_t page_bytes = limits::kPageBytesPerSecond;  // limit per second for each page

@@ -95,6 +95,14 @@ void add_hosts(CLI::App& app, Serving& serving) {
   add_parsed(app, "--trusted-proxy", net::TrustedProxies::parse, serving.proxies,
              "reverse proxies in front of the page, whose X-Forwarded-For counts")
       ->type_name("ADDRESS,...");
+  auto* certificate =
+      app.add_option("--tls-cert", serving.tls_cert,
+                     "speak TLS on the ports of page and Player clients, with this PEM certificate")
+          ->type_name("FILE");
+  auto* key = app.add_option("--tls-key", serving.tls_key, "its private key, PEM, without a passphrase")
+                  ->type_name("FILE");
+  certificate->needs(key);
+  key->needs(certificate);
   app.add_option("--guests", serving.guests,
                  "access control by role: observer, driver, human or admin (docs/guests.md)")
       ->type_name("FILE");

@@ -1,0 +1,23 @@
+#include "playhouse/app/tls_files.h"
+
+#include <string>
+
+#include "playhouse/app/whole_file.h"
+
+namespace playhouse::app {
+namespace {
+
+constexpr std::size_t kPemBytes = 1u << 20;
+
+}  // namespace
+
+Result<std::shared_ptr<net::TlsIdentity>> read_tls_files(const Serving& serving) {
+  if (serving.tls_cert.empty()) return std::shared_ptr<net::TlsIdentity>();
+  const Result<std::string> certificates = read_file(serving.tls_cert, scene::NamedBy::kPerson, kPemBytes);
+  if (!certificates) return certificates.error();
+  const Result<std::string> key = read_file(serving.tls_key, scene::NamedBy::kPerson, kPemBytes);
+  if (!key) return key.error();
+  return net::TlsIdentity::of({serving.tls_cert, *certificates}, {serving.tls_key, *key});
+}
+
+}  // namespace playhouse::app

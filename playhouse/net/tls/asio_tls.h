@@ -1,0 +1,34 @@
+#pragma once
+
+/// TLS for accepted connections; internal to net.
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "playhouse/net/asio_loop.h"
+#include "playhouse/net/tls/tls_identity.h"
+
+namespace playhouse::net {
+
+struct TlsIdentity::OpenSsl {
+  boost::asio::ssl::context context{boost::asio::ssl::context::tls_server};
+};
+
+/// A socket with what the peer says, decrypted; what is written to it goes to the peer, encrypted. It ends when the peer's
+/// connection ends, and the reverse.
+struct Decrypted {
+  boost::asio::ip::tcp::socket socket;
+  std::function<void()> expect_alive;  // Connection::expect_alive() of the peer's connection
+};
+
+inline constexpr int kHandshakeSeconds = 10;
+inline constexpr std::size_t kHandshakes = 256;  // at once: over it the oldest is given up
+
+/// Performs the handshake. The connection is closed, and `done` gets the reason, if it fails or takes longer.
+void decrypt(IoLoop::Impl& loop, std::shared_ptr<TlsIdentity> identity, boost::asio::ip::tcp::socket socket,
+             std::function<void(Result<Decrypted>)> done);
+
+}  // namespace playhouse::net
