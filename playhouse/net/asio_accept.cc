@@ -1,5 +1,7 @@
 #include "playhouse/net/asio_accept.h"
 
+#include <poll.h>
+
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
@@ -125,6 +127,11 @@ void tune(tcp::socket& socket) {
   setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPIDLE, &kKeepAliveIdle, sizeof kKeepAliveIdle);
   setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPINTVL, &kKeepAliveInterval, sizeof kKeepAliveInterval);
   setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPCNT, &kKeepAliveProbes, sizeof kKeepAliveProbes);
+}
+
+bool has_fault(tcp::socket& socket) {
+  pollfd looked{socket.native_handle(), 0, 0};
+  return ::poll(&looked, 1, 0) > 0 && (looked.revents & (POLLERR | POLLHUP)) != 0;
 }
 
 Result<std::unique_ptr<Listener>> listen_tcp(IoLoop::Impl& impl, const std::string& bind, std::uint16_t port,

@@ -22,6 +22,8 @@ using SocketAcceptor = std::function<void(AcceptedSocket)>;
 
 /// Sets these options on a socket.
 void tune(boost::asio::ip::tcp::socket& socket);
+/// After an event of tcp::socket::wait_error. True for an error, which remains for the reader; false for urgent data.
+bool has_fault(boost::asio::ip::tcp::socket& socket);
 /// "address:port", IPv6 addresses in brackets.
 std::string endpoint_text(const boost::asio::ip::tcp::endpoint& endpoint);
 

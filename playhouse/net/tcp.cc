@@ -1,7 +1,6 @@
 // TCP connections: one gathered write at a time, graceful close.
 
 #include <netinet/tcp.h>
-#include <poll.h>
 
 #include <algorithm>
 #include <array>
@@ -118,14 +117,8 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     socket_.async_wait(tcp::socket::wait_error, [self = shared_from_this()](const error_code& error) {
       self->waiting_for_fault_ = false;
       if (error || !self->events_ || !self->paused_ || self->peer_lost_) return;
-      self->has_fault() ? self->lose_peer() : self->wait_for_fault();
+      has_fault(self->socket_) ? self->lose_peer() : self->wait_for_fault();
     });
-  }
-
-  // True for an error; false for urgent data. The error remains for the reader.
-  bool has_fault() {
-    pollfd looked{socket_.native_handle(), 0, 0};
-    return ::poll(&looked, 1, 0) > 0 && (looked.revents & (POLLERR | POLLHUP)) != 0;
   }
 
   void end_reading(const error_code& error) {

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/net/asio_accept.h"
 #include "playhouse/net/tls/asio_tls.h"
 
 namespace playhouse::net {
@@ -71,6 +72,7 @@ class TlsTunnel : public std::enable_shared_from_this<TlsTunnel> {
     read_peer();
     wait_for_output();
     wait_for_hang_up();
+    wait_for_fault();
     return Decrypted{std::move(shown), [weak = weak_from_this()] {
                        if (const auto self = weak.lock()) self->expect_alive();
                      }};
@@ -126,6 +128,15 @@ class TlsTunnel : public std::enable_shared_from_this<TlsTunnel> {
     inner_.async_wait(asio::socket_base::wait_error, [self = shared_from_this()](const error_code& error) {
       if (!error && !self->output_has_ended_) self->close_after(std::chrono::seconds(kFlushSeconds));
     });
+  }
+
+  // Detects a reset or timeout while whoever reads here does not.
+  void wait_for_fault() {
+    peer_.lowest_layer().async_wait(
+        asio::socket_base::wait_error, [self = shared_from_this()](const error_code& error) {
+          if (error) return;
+          has_fault(self->peer_.next_layer()) ? self->close() : self->wait_for_fault();
+        });
   }
 
   void end_of_output() {
