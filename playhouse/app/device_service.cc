@@ -173,10 +173,8 @@ std::string DeviceService::status_text() const {
   boost::json::array clients;
   for (const server::ClientStatus& client : server_->clients()) {
     boost::json::array devices;
-    for (const device::Address& address : client.open) {
-      const std::string whole = device::describe(address);  // "6665:laser:0"
-      devices.push_back(boost::json::string(whole.substr(whole.find(':') + 1)));
-    }
+    for (const device::Address& address : client.open)
+      devices.push_back(boost::json::string(device::describe_on_port(address)));
     clients.push_back(
         boost::json::object{{"peer", client.peer}, {"port", client.port}, {"devices", std::move(devices)}});
   }

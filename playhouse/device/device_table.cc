@@ -18,9 +18,13 @@ constexpr std::uint16_t kPlayerInterface = 1;
 }  // namespace
 
 std::string describe(Address address) {
+  return fmt::format("{}:{}", address.robot, describe_on_port(address));
+}
+
+std::string describe_on_port(Address address) {
   const wire::InterfaceDef* interf = wire::find_interface(address.interf);
-  return interf ? fmt::format("{}:{}:{}", address.robot, interf->name, address.index)
-                : fmt::format("{}:{}:{}", address.robot, address.interf, address.index);
+  return interf ? fmt::format("{}:{}", interf->name, address.index)
+                : fmt::format("{}:{}", address.interf, address.index);
 }
 
 void DeviceTable::end() {

@@ -20,6 +20,8 @@ namespace playhouse::device {
 
 /// Text form: "6665:laser:0".
 std::string describe(Address address);
+/// The same without the port: "laser:0".
+std::string describe_on_port(Address address);
 
 class DeviceTable {
  public:

@@ -133,8 +133,7 @@ void Site::take_out(device::Address address) {
 }
 
 std::string Site::shown(device::Address address) const {
-  const std::string whole = device::describe(address);
-  return address.robot == default_port_ ? whole.substr(whole.find(':') + 1) : whole;
+  return address.robot == default_port_ ? device::describe_on_port(address) : device::describe(address);
 }
 
 Result<void> Site::check_provided(const User& user) const {

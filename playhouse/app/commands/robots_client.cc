@@ -209,8 +209,7 @@ void RobotsClient::serve(RemoteRobot& robot, const std::string& devices) {
     if (const Result<void> added = relay_->add(address, *device); !added)
       return fail_with({robot.desc.where, added.error().line()});
     robot.devices.push_back(*device);
-    const std::string whole = device::describe(address);
-    shown.push_back(whole.substr(whole.find(':') + 1));
+    shown.push_back(device::describe_on_port(address));
   }
   if (robot.devices.empty())
     return fail_with({robot.desc.where, relay_->remote().name() + " gives robots that join no devices"});

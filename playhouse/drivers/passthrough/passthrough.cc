@@ -30,8 +30,7 @@ constexpr const char* kHasRetired = "the device has retired";
 constexpr std::uint16_t kPlayerPort = 6665;  // default port of a remote host
 
 std::string describe(RemoteDevice device) {
-  const std::string whole = device::describe({0, device.interf, device.index});
-  return whole.substr(whole.find(':') + 1);
+  return device::describe_on_port({0, device.interf, device.index});
 }
 
 /// Clients see where a device comes from, within what they have room for.
