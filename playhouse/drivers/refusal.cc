@@ -13,7 +13,7 @@
 namespace playhouse::drivers {
 namespace {
 
-constexpr std::string_view kRefusal = "refusal";
+constexpr std::string_view kRefusal = kRefusalProperties[0].name;
 
 }  // namespace
 

@@ -12,9 +12,14 @@
 
 #include "playhouse/device/client.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/definition.h"
 #include "playhouse/geom/pose.h"
 
 namespace playhouse::drivers {
+
+inline constexpr PropertyText kRefusalProperties[] = {
+    {"refusal", "string",
+     "Why the driver does not drive to the goal that it was given last; empty while it does."}};
 
 /// Of a goal that drivers cannot compute with (is_usable() of decoded.h).
 inline constexpr std::string_view kUnusableGoal = "invalid goal: a pose within 1e9 m and 1e9 rad is valid";

@@ -11,42 +11,31 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
-#include "playhouse/drivers/amcl/amcl.h"
+#include "playhouse/drivers/amcl/amcl_options.h"
 #include "playhouse/drivers/dummy/dummy.h"
 #include "playhouse/drivers/health/health.h"
 #include "playhouse/drivers/localbb/local_blackboard.h"
 #include "playhouse/drivers/mapfile/map_file.h"
-#include "playhouse/drivers/nd/nd.h"
+#include "playhouse/drivers/nd/nd_options.h"
 #include "playhouse/drivers/passthrough/passthrough.h"
 #include "playhouse/drivers/plugin/plugin_shell.h"
 #include "playhouse/drivers/rangertolaser/ranger_to_laser.h"
 #include "playhouse/drivers/relay/relay.h"
 #include "playhouse/drivers/stage_driver/stage_driver.h"
-#include "playhouse/drivers/vfh/vfh.h"
-#include "playhouse/drivers/wavefront/wavefront.h"
+#include "playhouse/drivers/vfh/vfh_options.h"
+#include "playhouse/drivers/wavefront/wavefront_options.h"
 
 namespace playhouse::drivers {
 namespace {
 
-/// Makes the driver of a section and registers its devices. Errors carry "file:line".
-using Factory = Result<std::unique_ptr<device::Driver>> (*)(const scene::CfgSection&, Site&);
-
 /// All drivers, by name.
-constexpr std::pair<std::string_view, Factory> kDrivers[] = {
-    {"amcl", make_amcl},
-    {"dummy", make_dummy},
-    {"health", make_health},
-    {"localbb", make_local_blackboard},
-    {"mapfile", make_map_file},
-    {"nd", make_nd},
-    {"passthrough", make_passthrough},
-    {"rangertolaser", make_ranger_to_laser},
-    {"relay", make_relay},
-    {"stage", make_stage_driver},
-    {"statgrabdriver", make_health},
-    {"vfh", make_vfh},
-    {"wavefront", make_wavefront},
+constexpr const DriverDefinition* kDrivers[] = {
+    &kAmclDriver,    &kDummyDriver, &kHealthDriver,      &kLocalBlackboardDriver,
+    &kMapFileDriver, &kNdDriver,    &kPassthroughDriver, &kRangerToLaserDriver,
+    &kRelayDriver,   &kStageDriver, &kVfhDriver,         &kWavefrontDriver,
 };
+
+using Factory = decltype(DriverDefinition::make);
 
 /// What does instead of a driver of Player that this program does not have.
 constexpr std::pair<std::string_view, std::string_view> kInstead[] = {
@@ -56,20 +45,30 @@ constexpr std::pair<std::string_view, std::string_view> kInstead[] = {
 
 /// That of a section: a driver of the program, or the plug-in that the section names; null if there is neither.
 Factory factory_of(const scene::CfgSection& section) {
-  const auto found =
-      std::ranges::find(kDrivers, section.name(), &std::pair<std::string_view, Factory>::first);
-  if (found != std::end(kDrivers)) return found->second;
+  if (const DriverDefinition* known = find_driver(section.name())) return known->make;
   return section.has("plugin") ? make_plugin : nullptr;
 }
 
-std::string no_such_driver(const std::string& name) {
+/// Empty if there is nothing.
+std::string_view what_has_its_place(std::string_view name) {
+  const auto found = std::ranges::find(kInstead, name, &std::pair<std::string_view, std::string_view>::first);
+  return found == std::end(kInstead) ? std::string_view() : found->second;
+}
+
+std::vector<std::string_view> all_names() {
   std::vector<std::string_view> names;
-  for (const auto& [known, make] : kDrivers) names.push_back(known);
-  const auto instead =
-      std::ranges::find(kInstead, name, &std::pair<std::string_view, std::string_view>::first);
-  if (instead != std::end(kInstead)) return fmt::format("this program has no such driver{}", instead->second);
-  return fmt::format("this program has no such driver{}; it has {}", did_you_mean(name, names),
-                     fmt::join(names, ", "));
+  for (const DriverDefinition* driver : kDrivers) {
+    names.push_back(driver->name);
+    if (!driver->other_name.empty()) names.push_back(driver->other_name);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string no_such_driver(const std::string& name) {
+  const std::string text = "this program has no such driver" + what_instead_of_driver(name);
+  return what_has_its_place(name).empty() ? fmt::format("{}; it has {}", text, fmt::join(all_names(), ", "))
+                                          : text;
 }
 
 /// The addresses of a field that can be resolved.
@@ -127,6 +126,22 @@ Result<void> keep_open(const scene::CfgSection& section, device::Driver& driver,
 }
 
 }  // namespace
+
+std::span<const DriverDefinition* const> driver_definitions() {
+  return kDrivers;
+}
+
+const DriverDefinition* find_driver(std::string_view name) {
+  const auto found = std::ranges::find_if(kDrivers, [name](const DriverDefinition* driver) {
+    return driver->name == name || (!name.empty() && driver->other_name == name);
+  });
+  return found == std::end(kDrivers) ? nullptr : *found;
+}
+
+std::string what_instead_of_driver(std::string_view name) {
+  const std::string_view instead = what_has_its_place(name);
+  return instead.empty() ? did_you_mean(name, all_names()) : std::string(instead);
+}
 
 Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::CfgFile& file, Site& site) {
   std::vector<std::unique_ptr<device::Driver>> drivers;

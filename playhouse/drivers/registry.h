@@ -3,14 +3,26 @@
 /// Registry of drivers for `driver ( name "..." )` sections of .cfg files; registry.cc lists them all.
 
 #include <memory>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/scene/cfg.h"
 
 namespace playhouse::drivers {
+
+/// Every driver that a section may name, in the order of their names.
+std::span<const DriverDefinition* const> driver_definitions();
+/// That of a name, or null.
+const DriverDefinition* find_driver(std::string_view name);
+/// What to write instead of a name that no driver has: "", " (did you mean "vfh"?)", or "; " and what
+/// this program has for it.
+std::string what_instead_of_driver(std::string_view name);
 
 /// Makes the drivers of a file, in order, opens those with `alwayson`, and warns of
 /// fields that no driver read. Sections of drivers that this program lacks are left out with

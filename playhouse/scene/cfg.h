@@ -52,6 +52,8 @@ class CfgSection {
   /// mean "model"?)" if the section has an unread field with a similar name, else "".
   std::string slip_for(std::string_view key) const;
 
+  /// Keys that were asked for, whether the section has them or not.
+  const std::set<std::string, std::less<>>& asked() const { return asked_; }
   /// The first malformed field, "file:line: what".
   Result<void> fault() const;
   /// One warning per unread field, with the nearest key that was read.

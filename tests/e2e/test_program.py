@@ -276,7 +276,7 @@ class Examples(HouseTest):
     def test_those_of_check_and_convert_and_kinds_and_bench_end_well(self):
         recorded = self.shell("playhouse run my.world --fast --headless --port 0 --duration 2 --record my.mcap")
         self.assertEqual(recorded.returncode, 0, recorded.stderr)
-        for command in ("check", "convert", "picture", "film", "kinds", "bench"):
+        for command in ("check", "convert", "picture", "film", "kinds", "drivers", "bench"):
             for line in self.examples(command):
                 with self.subTest(line):
                     done = self.shell(line)
@@ -739,6 +739,36 @@ class Kinds(HouseTest):
         for name, expected in (("positoin", 'unknown kind "positoin" (did you mean "position"?); playhouse kinds lists all'),
                                ("laser", "Stage 4 has none: write ranger( sensor("), ("wrold", 'did you mean "world"?')):
             done = finish("kinds", name)
+            self.assertEqual((done.returncode, done.stdout, len(done.stderr.splitlines())), (2, "", 1), done.stderr)
+            self.assertIn(expected, done.stderr)
+
+
+class Drivers(HouseTest):
+    """What drivers of configuration files define, as the program tells it; playhouse/drivers/definition_test.cc compares it with what they read."""
+
+    def test_each_driver_is_a_line_and_a_json_object(self):
+        told = [json.loads(line) for line in finish("drivers", "--json").stdout.splitlines()]
+        names = [name for driver in told for name in (driver["name"], driver["other_name"]) if name is not None]
+        self.assertIn("statgrabdriver", names)
+        self.assertEqual([line.split()[0] for line in finish("drivers").stdout.splitlines()], names)
+
+    def test_a_driver_is_told_with_its_devices_and_options(self):
+        done = finish("drivers", "nd")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("  requires output:::position2d: gets velocities and requests\n", done.stdout)
+        self.assertIn("  goal_tol              [length angle] (m, deg)\n", done.stdout)
+        self.assertIn("Limits: 0.001 at least. Default: 0.5.\n", done.stdout)
+        self.assertIn("  refusal (string): ", done.stdout)
+        told = json.loads(finish("drivers", "nd", "--json").stdout)
+        self.assertEqual({device["interface"]: device["many"] for device in told["requires"]},
+                         {"position2d": "one", "laser": "some of these", "sonar": "some of these"})
+        option = told["options"][0]
+        self.assertEqual((option["name"], option["default"], option["default_told"]), ("goal_tol", "[0.5 10]", None))
+
+    def test_an_unknown_name_is_one_line_with_what_to_write(self):
+        for name, expected in (("vhf", 'unknown driver "vhf" (did you mean "vfh"?); playhouse drivers lists all'),
+                               ("writelog", "the option --record records a run")):
+            done = finish("drivers", name)
             self.assertEqual((done.returncode, done.stdout, len(done.stderr.splitlines())), (2, "", 1), done.stderr)
             self.assertIn(expected, done.stderr)
 

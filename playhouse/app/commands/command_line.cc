@@ -42,6 +42,7 @@ constexpr const char* kExamples = R"(Examples:
   playhouse convert plan.png --scale 0.05 -o w.world convert a floor plan or a ROS map.yaml to a world
   playhouse picture my.world --at 10 -o a.png        render it from above after ten seconds
   playhouse kinds ranger                             list the words of a ranger
+  playhouse drivers vfh                              list the options of a driver
   playhouse bench laser --robots 1000                print one line of figures
 `playhouse COMMAND --help` lists all options. Documentation: docs/cli.md)";
 

@@ -177,6 +177,13 @@ TEST(CommandLine, kinds_takes_a_name_or_none) {
   EXPECT_TRUE(kinds.json);
 }
 
+TEST(CommandLine, drivers_takes_a_name_or_none) {
+  EXPECT_EQ(parsed<DriversOptions>({"drivers"}).name, "");
+  const auto drivers = parsed<DriversOptions>({"drivers", "vfh", "--json"});
+  EXPECT_EQ(drivers.name, "vfh");
+  EXPECT_TRUE(drivers.json);
+}
+
 TEST(CommandLine, headless_and_web_off_mean_no_page) {
   EXPECT_FALSE(parsed<RunOptions>({"run", "w", "--headless"}).serving.web);
   EXPECT_FALSE(parsed<ServeOptions>({"serve", "f.cfg", "--web", "off"}).serving.web);
@@ -214,6 +221,7 @@ TEST(CommandLine, an_empty_value_is_refused) {
   EXPECT_EQ(fault({"export", "a.mcap", "--csv", "-o", ""}), "--output needs a value, found \"\"");
   EXPECT_EQ(fault({"check", ""}), "FILE needs a value, found \"\"");
   EXPECT_EQ(fault({"kinds", ""}), "NAME needs a value, found \"\"");
+  EXPECT_EQ(fault({"drivers", ""}), "NAME needs a value, found \"\"");
   EXPECT_EQ(parsed<RunOptions>({"run", "w", "--lock-step"}).running.lock_step->clients, 1u);
 }
 

@@ -27,6 +27,7 @@ void add_convert(CLI::App& app, ConvertOptions& options);
 void add_picture(CLI::App& app, PictureOptions& options);
 void add_film(CLI::App& app, FilmOptions& options);
 void add_kinds(CLI::App& app, KindsOptions& options);
+void add_drivers(CLI::App& app, DriversOptions& options);
 void add_bench(CLI::App& app, BenchOptions& options);
 
 }  // namespace playhouse::app

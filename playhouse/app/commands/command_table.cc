@@ -112,6 +112,11 @@ std::vector<Command> commands() {
   playhouse kinds
   playhouse kinds position
   playhouse kinds sensor --json)"),
+      command("drivers", "list the drivers of configuration files and their options", drivers, add_drivers,
+              R"(Examples:
+  playhouse drivers
+  playhouse drivers vfh
+  playhouse drivers vfh --json)"),
       command("bench", "measure scenes, loading and the server (docs/benchmarks.md)", bench, add_bench,
               R"(Examples:
   playhouse bench laser --robots 100 --duration 1

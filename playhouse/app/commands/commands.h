@@ -23,6 +23,7 @@ int convert(const ConvertOptions& options);
 int picture(const PictureOptions& options);
 int film(const FilmOptions& options);
 int kinds(const KindsOptions& options);
+int drivers(const DriversOptions& options);
 int bench(const BenchOptions& options);
 
 }  // namespace playhouse::app

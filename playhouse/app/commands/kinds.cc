@@ -4,11 +4,11 @@
 #include <array>
 
 #include "playhouse/app/commands/commands.h"
+#include "playhouse/app/commands/json_or_null.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/text/vocabulary.h"
-#include "playhouse/wire/json.h"
 
 namespace playhouse::app {
 namespace {
@@ -23,33 +23,18 @@ std::string_view name_of(scene::Support use) {
   return kUses.at(static_cast<std::size_t>(use));
 }
 
-/// JSON string, or null if empty.
-std::string in_json(std::string_view text) {
-  if (text.empty()) return "null";
-  std::string out;
-  wire::json_text(out, std::string(text));
-  return out;
-}
-
-template <typename Range, typename Write>
-std::string list(const Range& items, Write write) {
-  std::string text;
-  for (const auto& item : items) text += (text.empty() ? "" : ",") + write(item);
-  return "[" + text + "]";
-}
-
 std::string json_of(const Word& word) {
   return fmt::format(
       R"({{"name":{},"use":{},"type":{},"form":{},"unit":{},"default":{},"default_told":{},"limits":{},"doc":{},"instead":{}}})",
-      in_json(word.name), in_json(name_of(word.use)), in_json(word.type), in_json(word.form),
-      in_json(word.unit), in_json(word.otherwise), in_json(word.told), in_json(word.limits),
-      in_json(word.doc), in_json(word.instead));
+      json_or_null(word.name), json_or_null(name_of(word.use)), json_or_null(word.type),
+      json_or_null(word.form), json_or_null(word.unit), json_or_null(word.otherwise), json_or_null(word.told),
+      json_or_null(word.limits), json_or_null(word.doc), json_or_null(word.instead));
 }
 
 std::string json_of(const KindInterface& interf) {
-  return fmt::format(R"({{"name":{},"index":{},"when":{},"listed_when":{}}})", in_json(interf.name),
-                     in_json(name_of(interf.index)), in_json(name_of(interf.when)),
-                     in_json(name_of(interf.listed)));
+  return fmt::format(R"({{"name":{},"index":{},"when":{},"listed_when":{}}})", json_or_null(interf.name),
+                     json_or_null(name_of(interf.index)), json_or_null(name_of(interf.when)),
+                     json_or_null(name_of(interf.listed)));
 }
 
 /// Default size, colour and solidity of a model.
@@ -63,9 +48,10 @@ void print_json(const Kind& kind) {
   fmt::print(
       R"({{"name":{},"entity":{},"inside":{},"simulated":{},"doc":{},"body":{},"interfaces":{},"words":{}}})"
       "\n",
-      in_json(kind.name), in_json(name_of(kind.entity)), in_json(kind.inside), kind.simulated,
-      in_json(kind.doc), body_of(kind), list(kind.interfaces, [](const auto& i) { return json_of(i); }),
-      list(kind.words, [](const auto& w) { return json_of(w); }));
+      json_or_null(kind.name), json_or_null(name_of(kind.entity)), json_or_null(kind.inside), kind.simulated,
+      json_or_null(kind.doc), body_of(kind),
+      json_list(kind.interfaces, [](const auto& i) { return json_of(i); }),
+      json_list(kind.words, [](const auto& w) { return json_of(w); }));
 }
 
 void print_line(const Kind& kind) {

@@ -226,6 +226,11 @@ struct KindsOptions {
   bool json = false;  // an object per kind
 };
 
+struct DriversOptions {
+  std::string name;   // "": all
+  bool json = false;  // an object per driver
+};
+
 struct BenchOptions {
   std::string scenario;
   std::string engine = kStage;  // a name of kEngines

@@ -146,4 +146,9 @@ void add_kinds(CLI::App& app, KindsOptions& options) {
   app.add_flag("--json", options.json, "one JSON object per line and kind");
 }
 
+void add_drivers(CLI::App& app, DriversOptions& options) {
+  app.add_option("NAME", options.name, "a driver: print its devices and options");
+  app.add_flag("--json", options.json, "one JSON object per line and driver");
+}
+
 }  // namespace playhouse::app

@@ -175,13 +175,43 @@ bool Dummy::capable(device::DeviceId id, std::uint8_t type, std::uint8_t subtype
   return definition(id, type, subtype) != nullptr;
 }
 
-Result<std::unique_ptr<device::Driver>> make_dummy(const scene::CfgSection& section, Site& site) {
-  SectionFields fields(section);
-  const double rate = fields.number("rate", 10, kSlowest);
-  fields.expect(rate <= kFastest, "rate", "is at most 1000");
-  const int seed = fields.integer("seed", 0, 0, std::numeric_limits<int>::max());
+// --- sections of configuration files
+
+namespace {
+
+constexpr DeviceText kDummyProvides[] = {{{}, {}, HowMany::kAny, "but player, which is the server itself"}};
+
+struct DummyOptions {
+  double rate = 10;  // Hz
+  int seed = 0;
+};
+
+Result<DummyOptions> dummy_options(SectionFields fields) {
+  DummyOptions options;
+  options.rate =
+      fields.number({"rate", "How often each DATA message of an open device comes, 1000 at most.", "Hz"},
+                    options.rate, kSlowest);
+  fields.expect(options.rate <= kFastest, "rate", "is at most 1000");
+  options.seed = fields.integer({"seed", "Another one gives other values."}, options.seed, 0,
+                                std::numeric_limits<int>::max());
   if (const Result<void> fault = fields.fault(); !fault) return fault.error();
-  auto driver = std::make_unique<Dummy>(site, 1 / rate, static_cast<std::uint64_t>(seed));
+  return options;
+}
+
+}  // namespace
+
+constinit const DriverDefinition kDummyDriver{
+    .name = "dummy",
+    .doc = "Devices of any interface, without a robot: made-up data, for tests of a client or of a driver.",
+    .provides = kDummyProvides,
+    .read_options = reading<dummy_options>,
+    .make = make_dummy,
+};
+
+Result<std::unique_ptr<device::Driver>> make_dummy(const scene::CfgSection& section, Site& site) {
+  const Result<DummyOptions> options = dummy_options(section);
+  if (!options) return options.error();
+  auto driver = std::make_unique<Dummy>(site, 1 / options->rate, static_cast<std::uint64_t>(options->seed));
   for (const scene::DeviceAddress& provided : section.addresses("provides")) {
     const Result<device::Address> address = site.resolve(provided);
     if (!address) return Error{section.at("provides"), address.error().text};

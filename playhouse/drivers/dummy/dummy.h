@@ -23,6 +23,7 @@
 #include "playhouse/base/packing.h"
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/dummy/plausible.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/network.h"
@@ -31,6 +32,8 @@
 namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_dummy(const scene::CfgSection& section, Site& site);
+
+extern const DriverDefinition kDummyDriver;
 
 class Dummy final : public device::Driver {
  public:

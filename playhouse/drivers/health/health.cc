@@ -11,7 +11,15 @@
 namespace playhouse::drivers {
 namespace {
 
-constexpr double kUsual = 1, kShortest = 0.1;  // s
+constexpr DeviceText kHealthProvides[] = {{"health"}};
+
+double health_interval(SectionFields& fields) {
+  return fields.number({"interval", "Time between two STATEs while the device is open.", "s"}, 1, 0.1);
+}
+
+void read_health(SectionFields fields) {
+  health_interval(fields);
+}
 
 }  // namespace
 
@@ -57,11 +65,20 @@ void Health::log_once(const Error& error) {
   if (!std::exchange(logged_, true)) log::warn("driver {}: no data: {}", name_, error.text);
 }
 
+constinit const DriverDefinition kHealthDriver{
+    .name = "health",
+    .doc = "Tells how busy the machine is on which the program runs.",
+    .other_name = "statgrabdriver",
+    .provides = kHealthProvides,
+    .read_options = read_health,
+    .make = make_health,
+};
+
 Result<std::unique_ptr<device::Driver>> make_health(const scene::CfgSection& section, Site& site) {
   const auto provided = section_devices(section, site, "provides", {"health"});
   if (!provided) return provided.error();
   SectionFields fields(section);
-  const double interval = fields.number("interval", kUsual, kShortest);
+  const double interval = health_interval(fields);
   if (const Result<void> fault = fields.fault(); !fault) return fault.error();
   auto driver = std::make_unique<Health>(
       site, section.name(), interval, [](const std::string& path) { return scene::DiskFiles().read(path); });

@@ -13,6 +13,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/health/machine_load.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/network.h"
@@ -21,6 +22,8 @@
 namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_health(const scene::CfgSection& section, Site& site);
+
+extern const DriverDefinition kHealthDriver;
 
 class Health final : public device::Driver {
  public:

@@ -165,6 +165,19 @@ void LocalBlackboard::log_once(std::string_view why) {
   if (logged_.emplace(why).second) log::warn("localbb: {}; answered NACK", why);
 }
 
+namespace {
+
+constexpr DeviceText kLocalBlackboardProvides[] = {{"blackboard"}};
+
+}  // namespace
+
+constinit const DriverDefinition kLocalBlackboardDriver{
+    .name = "localbb",
+    .doc = "A blackboard: values by key and group that clients of the server share.",
+    .provides = kLocalBlackboardProvides,
+    .make = make_local_blackboard,
+};
+
 Result<std::unique_ptr<device::Driver>> make_local_blackboard(const scene::CfgSection& section, Site& site) {
   const auto provided = section_devices(section, site, "provides", {"blackboard"});
   if (!provided) return provided.error();

@@ -20,6 +20,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/wire/generated/common.h"
@@ -27,6 +28,8 @@
 namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_local_blackboard(const scene::CfgSection& section, Site& site);
+
+extern const DriverDefinition kLocalBlackboardDriver;
 
 class LocalBlackboard final : public device::Driver {
  public:

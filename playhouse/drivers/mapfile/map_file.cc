@@ -7,6 +7,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/section_devices.h"
+#include "playhouse/drivers/section_fields.h"
 #include "playhouse/scene/images/ros_map.h"
 #include "playhouse/scene/text/source_text.h"
 
@@ -27,15 +28,54 @@ std::vector<std::int8_t> cells_of(const scene::Plan& plan) {
   return cells;
 }
 
+constexpr DeviceText kMapFileProvides[] = {{"map"}};
+
+/// The options, apart from `origin`, whose default depends on the image.
+struct MapFileOptions {
+  std::string path;
+  double resolution;  // m per pixel
+  bool negate;
+};
+
+MapFileOptions map_file_options(SectionFields& fields) {
+  MapFileOptions options;
+  options.path =
+      fields.filename({"filename",
+                       "An image, relative to the folder of the configuration file; or the .yaml file of a "
+                       "map of ROS, which says the rest: the other options are then errors.",
+                       {},
+                       "required"});
+  options.resolution = fields.length({"resolution", "Size of a pixel, 0.0001 to 1000.", {}, "required"}, 0,
+                                     SectionFields::kAnyNumber);
+  options.negate = fields.flag({"negate", "1: bright pixels are occupied."}, false);
+  return options;
+}
+
+wire::Pose2d origin_of(SectionFields& fields, double middle_x, double middle_y) {
+  const double any = SectionFields::kAnyNumber;
+  const double x = fields.length({"origin",
+                                  "x, y and heading of the map's lower left corner.",
+                                  {},
+                                  "the origin is the middle of the map"},
+                                 middle_x, any, 0),
+               y = fields.length({"origin"}, middle_y, any, 1);
+  return {x, y, fields.angle({"origin"}, 0, 2, any)};
+}
+
+void read_map_file(SectionFields fields) {
+  map_file_options(fields);
+  origin_of(fields, 0, 0);
+}
+
 /// What a section says about the image that it names; its origin apart.
-Result<scene::RosMap> map_of(const scene::CfgSection& section, const std::string& path) {
+Result<scene::RosMap> map_of(const scene::CfgSection& section, const MapFileOptions& options) {
   if (!section.has("resolution"))
     return Error{section.at(), "driver \"mapfile\" needs a resolution, the size of a pixel in metres" +
                                    section.slip_for("resolution")};
   scene::RosMap map;
-  map.image = path;
-  map.resolution = section.length("resolution", 0);
-  map.negate = section.flag("negate", false);
+  map.image = options.path;
+  map.resolution = options.resolution;
+  map.negate = options.negate;
   map.occupied = kOccupied;
   map.free = kFree;
   return map;
@@ -66,9 +106,11 @@ Result<scene::RosMap> read_map(const scene::CfgSection& section, const std::stri
 Result<GridMap> read_grid(const scene::CfgSection& section) {
   if (!section.has("filename"))
     return Error{section.at(), "driver \"mapfile\" needs a filename" + section.slip_for("filename")};
-  const std::string path = section.filename("filename", "");
+  SectionFields fields(section);
+  const MapFileOptions options = map_file_options(fields);
+  const std::string& path = options.path;
   const bool is_of_ros = scene::is_map_name(path);
-  Result<scene::RosMap> read = is_of_ros ? read_map(section, path) : map_of(section, path);
+  Result<scene::RosMap> read = is_of_ros ? read_map(section, path) : map_of(section, options);
   if (!read) return read.error();
   const scene::RosMap& map = *read;
   if (!(map.resolution >= kFinest && map.resolution <= kCoarsest))
@@ -81,15 +123,21 @@ Result<GridMap> read_grid(const scene::CfgSection& section) {
   const auto middle = [&](int pixels) { return -0.5 * (pixels * map.resolution); };
   const wire::Pose2d origin = is_of_ros
                                   ? wire::Pose2d{map.origin.x, map.origin.y, map.origin.a}
-                                  : wire::Pose2d{section.length("origin", middle(plan->solid.width), 0),
-                                                 section.length("origin", middle(plan->solid.height), 1),
-                                                 section.angle("origin", 0, 2)};
+                                  : origin_of(fields, middle(plan->solid.width), middle(plan->solid.height));
   const auto width = static_cast<std::uint32_t>(plan->solid.width),
              height = static_cast<std::uint32_t>(plan->solid.height);
   return GridMap{{static_cast<float>(map.resolution), width, height, origin}, cells_of(*plan)};
 }
 
 }  // namespace
+
+constinit const DriverDefinition kMapFileDriver{
+    .name = "mapfile",
+    .doc = "A grid map from an image or a map of ROS, for planners and programs that show maps.",
+    .provides = kMapFileProvides,
+    .read_options = read_map_file,
+    .make = make_map_file,
+};
 
 Result<std::unique_ptr<device::Driver>> make_map_file(const scene::CfgSection& section, Site& site) {
   const auto provided = section_devices(section, site, "provides", {"map"});

@@ -15,6 +15,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/grid_map/grid_map.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/scene/cfg.h"
@@ -22,6 +23,8 @@
 namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_map_file(const scene::CfgSection& section, Site& site);
+
+extern const DriverDefinition kMapFileDriver;
 
 class MapFile final : public device::Driver {
  public:

@@ -65,8 +65,15 @@ std::optional<wire::CapabilitiesReq> as_circle_request(const device::Message& me
   return is_one ? std::optional(*asked) : std::nullopt;
 }
 
-constexpr std::string_view kHost = "remote_host", kPort = "remote_port", kIndex = "remote_index",
-                           kConnect = "connect";
+constexpr PropertyText kRemoteProperties[] = {
+    {"remote_host", "string",
+     "The other server's machine; setting it changes what all devices of the section stand for."},
+    {"remote_port", "int", "Its port."},
+    {"remote_index", "int", "Index of the device there that this one stands for."},
+    {"connect", "int", "0: disconnected until it is 1 again, the whole section."},
+};
+constexpr std::string_view kHost = kRemoteProperties[0].name, kPort = kRemoteProperties[1].name,
+                           kIndex = kRemoteProperties[2].name, kConnect = kRemoteProperties[3].name;
 
 /// Of a request for a property of the proxy itself: whether it sets it. None if the request is another.
 std::optional<bool> own_property(const device::Message& message) {
@@ -554,6 +561,28 @@ void Passthrough::gone(RemoteDevice device) {
 
 namespace {
 
+constexpr DeviceText kPassthroughProvides[] = {
+    {{}, {}, HowMany::kAny, "the first stands for the first of requires, and so on"}};
+constexpr DeviceText kPassthroughUses[] = {
+    {{}, {}, HowMany::kAny, "of one other server, as lab:6665:laser:0"}};
+
+struct PassthroughOptions {
+  Passthrough::AfterLoss after_loss;
+  std::string token;
+};
+
+Result<PassthroughOptions> passthrough_options(SectionFields fields) {
+  const bool connects = fields.flag(
+      {"reconnect", "0: the devices retire when the connection is lost, instead of waiting for the server."},
+      true);
+  std::string token = fields.text({"token", "That of a guest, for a server with --guests.", {}, "none"});
+  fields.expect(token.size() <= wire::kAuthKeyBytes, "token",
+                fmt::format("has {} letters at most", wire::kAuthKeyBytes));
+  if (const Result<void> fault = fields.fault(); !fault) return fault.error();
+  return PassthroughOptions{connects ? Passthrough::AfterLoss::kConnect : Passthrough::AfterLoss::kRetire,
+                            std::move(token)};
+}
+
 /// A parsed section.
 struct Section {
   std::string host;
@@ -613,16 +642,23 @@ Result<Section> read_section(const scene::CfgSection& section, const Site& site)
 
 }  // namespace
 
+constinit const DriverDefinition kPassthroughDriver{
+    .name = "passthrough",
+    .doc = "Forwards devices of another Player server, this program or any.",
+    .provides = kPassthroughProvides,
+    .uses = kPassthroughUses,
+    .properties = kRemoteProperties,
+    .read_options = reading<passthrough_options>,
+    .make = make_passthrough,
+};
+
 Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection& section, Site& site) {
   const Result<Section> read = read_section(section, site);
   if (!read) return read.error();
-  const auto after_loss =
-      section.flag("reconnect", true) ? Passthrough::AfterLoss::kConnect : Passthrough::AfterLoss::kRetire;
-  auto driver = std::make_unique<Passthrough>(site, read->host, read->port, after_loss);
-  const std::string token = section.text("token", "");
-  if (token.size() > wire::kAuthKeyBytes)
-    return Error{section.at("token"), fmt::format("a token has {} letters at most", wire::kAuthKeyBytes)};
-  driver->remote().set_token(token);
+  const Result<PassthroughOptions> options = passthrough_options(section);
+  if (!options) return options.error();
+  auto driver = std::make_unique<Passthrough>(site, read->host, read->port, options->after_loss);
+  driver->remote().set_token(options->token);
   for (std::size_t i = 0; i < read->here.size(); ++i)
     if (const Result<void> added = driver->add(read->here[i], read->there[i]); !added)
       return Error{section.at("provides"), added.error().text};

@@ -19,6 +19,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/passthrough/remote_server.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/scene/cfg.h"
@@ -148,6 +149,8 @@ class Passthrough final : public device::Driver, private RemoteServer::RemoteSer
 /// From a configuration section: `requires` lists devices of one other server, `provides`
 /// as many here, in the same order; with `reconnect` 0 they retire when the connection is lost.
 Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection& section, Site& site);
+
+extern const DriverDefinition kPassthroughDriver;
 
 /// For devices that drivers of the file require of other servers on this machine
 /// (Site::take_remote_devices()): one for each port.

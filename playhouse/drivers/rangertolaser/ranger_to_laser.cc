@@ -155,6 +155,21 @@ void RangerToLaser::take_news(std::vector<device::Publication>& more) {
   more.push_back({shell_.device(0), lsr::kDataScan, ranges->timestamp, wire::encode(scan)});
 }
 
+namespace {
+
+constexpr DeviceText kRangerToLaserProvides[] = {{"laser"}};
+constexpr DeviceText kRangerToLaserUses[] = {{"ranger", {}, HowMany::kOne, "has one sensor"}};
+
+}  // namespace
+
+constinit const DriverDefinition kRangerToLaserDriver{
+    .name = "rangertolaser",
+    .doc = "Shows the scans of a ranger as a laser, for programs without support for rangers.",
+    .provides = kRangerToLaserProvides,
+    .uses = kRangerToLaserUses,
+    .make = make_ranger_to_laser,
+};
+
 Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSection& section, Site& site) {
   return make_algorithm<RangerToLaser>(section, site, {.provides = {{"laser"}}, .uses = {{"ranger"}}});
 }

@@ -14,6 +14,7 @@
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/algorithm/shell.h"
+#include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/wire/generated/ranger.h"
@@ -21,6 +22,8 @@
 namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSection& section, Site& site);
+
+extern const DriverDefinition kRangerToLaserDriver;
 
 /// Uses the ranger.
 class RangerToLaser final : public Algorithm {

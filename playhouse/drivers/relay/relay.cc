@@ -15,6 +15,19 @@ device::Taken Relay::command(const device::Message& message) {
   return device::Taken::kQueued;
 }
 
+namespace {
+
+constexpr DeviceText kRelayProvides[] = {{"opaque", {}, HowMany::kAny, "each for those who have it open"}};
+
+}  // namespace
+
+constinit const DriverDefinition kRelayDriver{
+    .name = "relay",
+    .doc = "Passes the bytes of each command on, as data, to all who have the device open.",
+    .provides = kRelayProvides,
+    .make = make_relay,
+};
+
 Result<std::unique_ptr<device::Driver>> make_relay(const scene::CfgSection& section, Site& site) {
   auto driver = std::make_unique<Relay>(site);
   for (const scene::DeviceAddress& provided : section.addresses("provides")) {

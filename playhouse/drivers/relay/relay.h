@@ -9,12 +9,15 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/scene/cfg.h"
 
 namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_relay(const scene::CfgSection& section, Site& site);
+
+extern const DriverDefinition kRelayDriver;
 
 class Relay final : public device::Driver {
  public:

@@ -20,12 +20,31 @@ namespace {
 /// yet: such devices are skipped with a warning.
 constexpr std::array<std::string_view, 2> kForLater = {"graphics2d", "graphics3d"};
 
-Result<void> open_world(const scene::CfgSection& section, Site& site) {
-  section.text("plugin",
-               "");  // Stage's driver came in a library of this name; here it is part of the program
-  section.flag("usegui", true);  // the page in the browser is an option of the command line
+constexpr DeviceText kStageProvides[] = {
+    {"simulation", {}, HowMany::kOneOrNone, "the world"},
+    {{}, {}, HowMany::kAny, "what the section's model and its parts have (playhouse kinds NAME)"},
+};
+
+struct StageOptions {
+  std::string world, model;  // empty: none
+};
+
+StageOptions stage_options(SectionFields fields) {
+  StageOptions options;
+  options.world =
+      fields.filename({"worldfile",
+                       "The world, relative to the folder of the configuration file; the first section of "
+                       "the driver needs it, no other may have it.",
+                       {},
+                       "none"});
+  options.model = fields.text(
+      {"model", "The model that provides the devices: its full name or default name.", {}, "none"});
+  fields.no_effect({"usegui", "The page in the browser is an option of the command line."});
+  return options;
+}
+
+Result<void> open_world(const scene::CfgSection& section, const std::string& path, Site& site) {
   const bool has_world = section.has("worldfile");
-  const std::string path = section.filename("worldfile", "");
   if (site.simulation() != nullptr) {
     if (has_world) return Error{section.at("worldfile"), "the world is open already; only one is possible"};
     return {};
@@ -43,8 +62,8 @@ Result<void> open_world(const scene::CfgSection& section, Site& site) {
 }
 
 /// The model that a section names; none if it names none.
-Result<world::ModelRow> section_model(const scene::CfgSection& section, const world::World& world) {
-  const std::string name = section.text("model", "");
+Result<world::ModelRow> section_model(const scene::CfgSection& section, const std::string& name,
+                                      const world::World& world) {
   if (name.empty()) return world::ModelRow{};
   const world::ModelRow model = world.find(name);
   if (model) return model;
@@ -116,9 +135,18 @@ Result<void> add_device(const scene::CfgSection& section, const scene::DeviceAdd
 
 }  // namespace
 
+constinit const DriverDefinition kStageDriver{
+    .name = "stage",
+    .doc = "Devices of the simulated models of a world file.",
+    .provides = kStageProvides,
+    .read_options = reading<stage_options>,
+    .make = make_stage_driver,
+};
+
 Result<std::unique_ptr<device::Driver>> make_stage_driver(const scene::CfgSection& section, Site& site) {
-  if (const Result<void> opened = open_world(section, site); !opened) return opened.error();
-  const Result<world::ModelRow> top = section_model(section, site.simulation()->world());
+  const StageOptions options = stage_options(section);
+  if (const Result<void> opened = open_world(section, options.world, site); !opened) return opened.error();
+  const Result<world::ModelRow> top = section_model(section, options.model, site.simulation()->world());
   if (!top) return top.error();
   auto driver = std::make_unique<SimulatedDriver>(*site.model_devices(), "stage");
   for (const scene::DeviceAddress& provided : section.addresses("provides")) {

@@ -7,6 +7,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/scene/cfg.h"
 
@@ -14,5 +15,7 @@ namespace playhouse::drivers {
 
 /// The first section opens the site's world by its `worldfile`; every section adds its `provides` devices.
 Result<std::unique_ptr<device::Driver>> make_stage_driver(const scene::CfgSection& section, Site& site);
+
+extern const DriverDefinition kStageDriver;
 
 }  // namespace playhouse::drivers
