@@ -11,7 +11,7 @@
 
 namespace playhouse::drivers {
 
-/// Parses the options; `sensor`: "laser" or "sonar", which those of the sensor begin with.
+/// Parses the options; `sensor`: "laser", "ranger" or "sonar", which those of the sensor begin with.
 /// Fails with "file:line" on an invalid value.
 Result<AmclOptions> amcl_options(SectionFields fields, std::string_view sensor);
 
