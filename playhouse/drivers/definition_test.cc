@@ -125,15 +125,19 @@ std::string value_of(const std::vector<Option>& all, const Option& option) {
   return same == all.end() ? "0" : value_of(all, *same);
 }
 
-/// All options but those of the other sensor.
+bool is_of_sensor(std::string_view option) {
+  return option.starts_with("laser_") || option.starts_with("ranger_") || option.starts_with("sonar_");
+}
+
+/// All options but those of the other sensors.
 std::string with_all(const std::vector<Option>& options, const Devices& uses) {
   std::string text;
   for (const Option& option : options) {
     const bool is_of_other = std::ranges::none_of(uses, [&](const DeviceText& device) {
       return option.name.starts_with(fmt::format("{}_", device.interf));
     });
-    const bool is_of_sensor = option.name.starts_with("laser_") || option.name.starts_with("sonar_");
-    if (!is_of_sensor || !is_of_other) text += fmt::format(" {} {}", option.name, value_of(options, option));
+    if (!is_of_sensor(option.name) || !is_of_other)
+      text += fmt::format(" {} {}", option.name, value_of(options, option));
   }
   return text;
 }
@@ -184,7 +188,8 @@ TEST_P(EachDriver, needs_no_option_that_is_not_told_to_be_required) {
 TEST_P(EachDriver, warns_of_another_word_with_the_nearest_option) {
   const DriverDefinition& driver = *GetParam();
   for (const Option& option : options_of(driver)) {
-    if (option.name.starts_with("sonar_") || option.name.ends_with(']')) continue;
+    if (option.name.starts_with("ranger_") || option.name.starts_with("sonar_") || option.name.ends_with(']'))
+      continue;
     std::string slip = option.name;
     std::swap(slip[1], slip[2]);
     const Outcome outcome =

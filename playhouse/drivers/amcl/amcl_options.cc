@@ -19,6 +19,7 @@ constexpr DeviceText kAmclProvides[] = {
 constexpr DeviceText kAmclUses[] = {
     {"position2d", {}, HowMany::kOne, "the robot's odometry"},
     {"laser", {}, HowMany::kOneOfThese, "on the robot"},
+    {"ranger", {}, HowMany::kOneOfThese, "on the robot"},
     {"sonar", {}, HowMany::kOneOfThese, "on the robot"},
     {"map"},
 };
@@ -41,7 +42,7 @@ PoseBelief start_of(SectionFields& fields) {
   return start;
 }
 
-/// How a sensor's scans count; those of a sonar begin with "sonar_".
+/// How a sensor's scans count; the words begin with its interface.
 void read_sensor(SectionFields& fields, std::string_view sensor, AmclOptions& options) {
   const auto of_sensor = [&](std::string_view word) { return fmt::format("{}_{}", sensor, word); };
   const std::string beams = of_sensor("max_beams"), range = of_sensor("range_max"),
@@ -58,7 +59,8 @@ void read_sensor(SectionFields& fields, std::string_view sensor, AmclOptions& op
 }
 
 void tell_all(SectionFields fields) {
-  for (const std::string_view sensor : {"laser", "sonar"}) static_cast<void>(amcl_options(fields, sensor));
+  for (const std::string_view sensor : {"laser", "ranger", "sonar"})
+    static_cast<void>(amcl_options(fields, sensor));
 }
 
 }  // namespace

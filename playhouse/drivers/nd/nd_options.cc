@@ -11,6 +11,7 @@ constexpr DeviceText kNdUses[] = {
     {"position2d", "output", HowMany::kOne, "gets velocities and requests"},
     {"position2d", "input", HowMany::kOne, "gives the pose; may be the output"},
     {"laser", {}, HowMany::kSomeOfThese, "on the robot"},
+    {"ranger", {}, HowMany::kSomeOfThese, "on the robot"},
     {"sonar", {}, HowMany::kSomeOfThese, "on the robot"},
 };
 
@@ -19,7 +20,8 @@ constexpr DeviceText kNdUses[] = {
 constinit const DriverDefinition kNdDriver{
     .name = "nd",
     .doc =
-        "Drives a robot to goals and around obstacles that its laser or its sonars detect: Nearness Diagram.",
+        "Drives a robot to goals and around obstacles that its laser, ranger or sonars detect: Nearness "
+        "Diagram.",
     .provides = kNdProvides,
     .uses = kNdUses,
     .properties = kRefusalProperties,

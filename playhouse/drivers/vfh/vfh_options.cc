@@ -9,7 +9,9 @@ namespace {
 constexpr DeviceText kVfhProvides[] = {{"position2d"}};
 constexpr DeviceText kVfhUses[] = {
     {"position2d", {}, HowMany::kOne, "the robot"},
-    {"laser", {}, HowMany::kOne, "on the robot"},
+    {"laser", {}, HowMany::kOneOfThese, "on the robot"},
+    {"ranger", {}, HowMany::kOneOfThese, "on the robot"},
+    {"sonar", {}, HowMany::kOneOfThese, "on the robot"},
 };
 
 }  // namespace
@@ -17,7 +19,8 @@ constexpr DeviceText kVfhUses[] = {
 constinit const DriverDefinition kVfhDriver{
     .name = "vfh",
     .doc =
-        "Drives a robot to goals and around obstacles that its laser detects: Vector Field Histogram Plus.",
+        "Drives a robot to goals and around obstacles that its laser, ranger or sonars detect: Vector Field "
+        "Histogram Plus.",
     .provides = kVfhProvides,
     .uses = kVfhUses,
     .properties = kRefusalProperties,
