@@ -18,6 +18,7 @@
 #include "playhouse/wire/generated/map.h"
 #include "playhouse/wire/generated/planner.h"
 #include "playhouse/wire/generated/position2d.h"
+#include "playhouse/wire/generated/ranger.h"
 #include "playhouse/wire/generated/sonar.h"
 
 namespace playhouse::drivers {
@@ -26,9 +27,10 @@ namespace {
 namespace lcl = wire::localize;
 namespace lsr = wire::laser;
 namespace p2d = wire::position2d;
+namespace rng = wire::ranger;
 namespace snr = wire::sonar;
 
-constexpr device::DeviceId kRobot{0}, kLaser{1}, kSonar{2}, kMap{3};               // of the source
+constexpr device::DeviceId kRobot{0}, kLaser{1}, kSonar{2}, kMap{3}, kRanger{9};   // of the source
 constexpr device::DeviceId kLocalize{4}, kPlace{5}, kPlanner{6}, kVfh{7}, kNd{8};  // of the drivers
 constexpr std::uint32_t kMostSide = 24;                                            // cells of a map
 
@@ -79,6 +81,8 @@ class Source final : public device::Driver, public device::Opener {
       replier.ack(wire::encode(p2d::Geom{any_pose3d(script_), size}));
     } else if (message.device == kLaser) {
       replier.ack(wire::encode(lsr::Geom{any_pose3d(script_), {}}));
+    } else if (message.device == kRanger) {
+      replier.ack(message.subtype == rng::kReqGetGeom ? wire::encode(ranger_geom()) : wire::encode(config()));
     } else {
       snr::Geom geom;
       for (int i = script_.byte() % 8; i > 0; --i) geom.poses.push_back(any_pose3d(script_));
@@ -90,6 +94,14 @@ class Source final : public device::Driver, public device::Opener {
   void release(device::DeviceId, device::Driver*) override {}
 
  private:
+  rng::Geom ranger_geom() {
+    rng::Geom geom{any_pose3d(script_), {}, {}, {}};
+    for (int i = script_.byte() % 8; i > 0; --i) geom.element_poses.push_back(any_pose3d(script_));
+    return geom;
+  }
+  rng::Config config() {
+    return {script_.number(), script_.number(), script_.number(), script_.number(), script_.number(), 0, 0};
+  }
   std::vector<std::byte> info() {
     return wire::encode(wire::map::Info{static_cast<float>(script_.number()), script_.byte() % kMostSide,
                                         script_.byte() % kMostSide, any_pose2d(script_)});
@@ -137,17 +149,18 @@ class Course {
  public:
   explicit Course(FuzzScript& script) : script_(script), source_(script) {
     flow_.pass_to(published_);
-    amcl_.begin<Amcl>(few_particles(), ScanSensor::kLaser);
+    amcl_.begin<Amcl>(few_particles(), ScanInterface::kLaser);
     amcl_.provide({kLocalize, kPlace});
     wavefront_.begin<Wavefront>(WavefrontOptions());
     wavefront_.provide({kPlanner});
-    vfh_.begin<Vfh>(VfhOptions());
+    vfh_.begin<Vfh>(VfhOptions(), ScanInterface::kRanger);
     vfh_.provide({kVfh});
-    nd_.begin<Nd>(NdOptions(), Nd::Sensors{.laser = 2, .sonar = 3});
+    nd_.begin<Nd>(NdOptions(),
+                  std::vector{ScanInterface::kLaser, ScanInterface::kRanger, ScanInterface::kSonar});
     nd_.provide({kNd});
     connect(amcl_, {kRobot, kLaser, kMap}, {});
-    connect(vfh_, {kRobot, kLaser}, {});
-    connect(nd_, {kRobot, kRobot, kLaser, kSonar}, {});
+    connect(vfh_, {kRobot, kRanger}, {});
+    connect(nd_, {kRobot, kRobot, kLaser, kRanger, kSonar}, {});
     connect(wavefront_, {kRobot, kPlace, kMap}, {{kPlace, &amcl_}});
   }
 
@@ -208,8 +221,11 @@ class Course {
     scan.resolution = static_cast<float>(script_.number());
     scan.max_range = static_cast<float>(script_.number());
     scan.ranges = any_floats(script_);
+    rng::DataRange ranges;
+    for (const float range : any_floats(script_)) ranges.ranges.push_back(range);
     flow_.publish({{kRobot, p2d::kDataState, time, wire::encode(state)},
                    {kLaser, lsr::kDataScan, time, wire::encode(scan)},
+                   {kRanger, rng::kDataRange, time, wire::encode(ranges)},
                    {kSonar, snr::kDataRanges, time, wire::encode(snr::Data{any_floats(script_)})}});
     amcl_.ticked(tick_);
     vfh_.ticked(tick_);
@@ -223,7 +239,7 @@ class Course {
   device::DataFlow flow_;
   std::uint64_t tick_ = 0;
   Shell amcl_{"amcl", source_, 3}, wavefront_{"wavefront", source_, 3}, vfh_{"vfh", source_, 2},
-      nd_{"nd", source_, 4};
+      nd_{"nd", source_, 5};
 };
 
 }  // namespace

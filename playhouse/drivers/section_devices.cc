@@ -32,8 +32,8 @@ std::string what_is_wanted(const scene::CfgSection& section, std::string_view ke
   std::vector<std::string> words, example;
   for (const WantedDevice& device : wanted) {
     const bool has_key = !device.key.empty();
-    words.push_back(
-        fmt::format("one {}{}", device.interf, has_key ? fmt::format(" of key {}", device.key) : ""));
+    words.push_back(fmt::format("one {}{}", device.called.empty() ? device.interf : device.called,
+                                has_key ? fmt::format(" of key {}", device.key) : ""));
     example.push_back(
         fmt::format("\"{}{}:0\"", has_key ? fmt::format("{}:::", device.key) : "", device.interf));
   }

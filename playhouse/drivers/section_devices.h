@@ -19,6 +19,8 @@ struct WantedDevice {
   std::string_view interf;
   /// Tells devices of one interface apart, as in "output:::position2d:0"; empty: any key.
   std::string_view key = {};
+  /// In errors; empty: as the interface.
+  std::string_view called = {};
 };
 
 /// The devices of field `key` ("provides", "requires"), one for each wanted one, in their

@@ -396,12 +396,41 @@ position( name "r0" size [0.44 0.38 0.22] origin [-0.04 0 0 0] localization "odo
 """
 
 BEHIND_THE_POST = (7.2, -0.6, 0.0)
+BEHIND_THE_CRATE = (3.4, 0.1, 0.0)
 
 ND = """
 driver( name "stage" provides ["simulation:0"] worldfile "test.world" )
-driver( name "stage" provides ["position2d:0" "laser:0" "sonar:0"] model "r0" )
+driver( name "stage" provides ["position2d:0" "laser:0" "sonar:0" "ranger:0" "ranger:1"] model "r0" )
 driver( name "nd" provides ["position2d:1"] requires ["output:::position2d:0" "input:::position2d:0" "{scans}"] goal_tol [0.2 10] )
 """
+
+
+VFH = """
+driver( name "stage" provides ["simulation:0"] worldfile "test.world" )
+driver( name "stage" provides ["position2d:0" "laser:0" "sonar:0" "ranger:0" "ranger:1"] model "r0" )
+driver( name "vfh" provides ["position2d:1"] requires ["position2d:0" "{scans}"] distance_epsilon 0.2 )
+"""
+
+
+class VectorFieldHistogram(HouseTest):
+    """Stage's ranges of any interface -> vfh -> position2d, in the same room."""
+
+    def arrives(self, scans: str):
+        self.world(ROOM)
+        _, states = drive_to(self, BEHIND_THE_CRATE, self.write("vfh.cfg", VFH.format(scans=scans)))
+        self.assertLess(math.dist(states[-1][:2], BEHIND_THE_CRATE[:2]), 0.25)
+        self.assertEqual(states[-1][3:6], (0, 0, 0), "it stands at its goal")
+        self.assertFalse(any(state[6] for state in states), "it touches nothing")
+        self.assertGreater(max(abs(state[1]) for state in states if state[0] < 2.5), 0.4, "past the crate")
+
+    def test_a_robot_gets_to_its_goal_by_a_ranger_that_scans(self):
+        self.arrives("ranger:1")
+
+    def test_and_by_a_ring_of_a_ranger(self):
+        self.arrives("ranger:0")
+
+    def test_and_by_sonars(self):
+        self.arrives("sonar:0")
 
 
 class NearnessDiagram(HouseTest):
@@ -427,6 +456,9 @@ class NearnessDiagram(HouseTest):
 
     def test_a_robot_with_sonars_alone_gets_there_too(self):
         self.arrives("sonar:0")
+
+    def test_and_so_does_one_with_a_ranger_that_scans(self):
+        self.arrives("ranger:1")
 
 
 class WithoutAWorld(HouseTest):

@@ -10,35 +10,16 @@
 #include "playhouse/drivers/grid_map/map_reader.h"
 #include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/wire/codec.h"
-#include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
-#include "playhouse/wire/generated/sonar.h"
 
 namespace playhouse::drivers {
 
 namespace lcl = wire::localize;
-namespace lsr = wire::laser;
 namespace p2d = wire::position2d;
-namespace snr = wire::sonar;
 
 namespace {
 
 constexpr std::size_t kHistory = 4096;  // estimates, some minutes of driving
-
-/// Where beams end that hit something, in R: evenly spread ones of a laser, or all sonars.
-class Hits {
- public:
-  Hits(const AmclOptions& options, double max_range) : max_range_(std::min(options.max_range, max_range)) {}
-  void add(const geom::Pose& X_RS, double angle, double range) {
-    if (!(range > 0 && range < max_range_)) return;
-    out_.push_back(geom::transform(X_RS, range * (geom::Rotation::of(angle) * geom::Vec2{1, 0})));
-  }
-  std::vector<geom::Vec2> take() { return std::move(out_); }
-
- private:
-  const double max_range_;
-  std::vector<geom::Vec2> out_;
-};
 
 /// True if the odometry was set between two of its states: it moved by more than twice its velocity.
 bool was_set(const geom::Pose& X_O0O1, const wire::Pose2d& velocity, double seconds) {
@@ -50,13 +31,11 @@ bool was_set(const geom::Pose& X_O0O1, const wire::Pose2d& velocity, double seco
 
 }  // namespace
 
-Amcl::Amcl(Shell& shell, const AmclOptions& options, ScanSensor sensor)
+Amcl::Amcl(Shell& shell, const AmclOptions& options, ScanInterface scans)
     : shell_(shell),
       options_(options),
-      sensor_(sensor),
       odometry_(shell.client().queue(kOdometry, kStatesKept)),
-      scans_(
-          shell.client().latest(kSensor, sensor == ScanSensor::kLaser ? lsr::kDataScan : snr::kDataRanges)),
+      scans_(shell.client(), kScans, scans),
       start_(options.start) {
   shell.on_request(
       lcl::kReqGetParticles,
@@ -69,12 +48,7 @@ Amcl::Amcl(Shell& shell, const AmclOptions& options, ScanSensor sensor)
 
 void Amcl::opened() {
   begin_anew(options_.start, std::nullopt);
-  ask_places(shell_.client(), kSensor, sensor_, [this](std::vector<geom::Pose> X_RS) {
-    if (X_RS.empty())
-      return log::warn("driver amcl: its sensor does not tell its place: it does not localize");
-    const std::lock_guard lock(mutex_);
-    X_RS_ = std::move(X_RS);
-  });
+  scans_.ask([](const std::string& why) { log::warn("driver amcl: {}: it does not localize", why); });
   read_map(shell_.client(), kMap, [this](Result<GridMap> map) {
     if (!map) return log::warn("driver amcl: it does not localize, as of its map {}", map.error().text);
     const std::lock_guard lock(mutex_);
@@ -124,7 +98,8 @@ void Amcl::begin_anew(const PoseBelief& start, std::optional<Estimate> estimate)
 void Amcl::take_news(std::vector<device::Publication>& more) {
   for (const device::Publication& message : odometry_.take())
     if (message.subtype == p2d::kDataState) take_state(message, more);
-  if (const std::optional<device::Publication> scan = scans_.take_latest()) take_scan(*scan);
+  if (!scans_.take() || !is_due()) return;
+  if (const std::optional<RangeScan> scan = scans_.scan()) take_scan(*scan, scans_.time());
 }
 
 void Amcl::take_state(const device::Publication& message, std::vector<device::Publication>& more) {
@@ -159,26 +134,28 @@ geom::Pose Amcl::moved(const geom::Pose& X_WR) const {
   return geom::compose(X_WR, geom::compose(geom::inverse(estimate_->X_OR), *X_OR_));
 }
 
-/// True if the robot has moved enough since the latest step of this run. Locked.
+/// True if the map is known, and the robot has moved enough since the latest step of this run.
 bool Amcl::is_due() const {
+  const std::lock_guard lock(mutex_);
+  if (!map_ || !X_OR_) return false;
   if (!X_OR_stepped_) return true;
   const geom::Pose motion = geom::compose(geom::inverse(*X_OR_stepped_), *X_OR_);
   return std::sqrt(geom::dot(motion.xy(), motion.xy())) >= options_.update_distance ||
          std::fabs(motion.a) >= options_.update_angle;
 }
 
-void Amcl::take_scan(const device::Publication& message) {
+void Amcl::take_scan(const RangeScan& scan, double time) {
   Estimate at;
   FilterIn in;
+  in.hits_R = hits_of(scan);
   std::uint64_t run = 0;
   std::shared_ptr<const GridMap> map;
   {
     const std::lock_guard lock(mutex_);
-    if (!map_ || X_RS_.empty() || !X_OR_ || !is_due()) return;
-    in.hits_R = hits_of(message);
+    if (!map_ || !X_OR_) return;  // not any more
     in.seed = shell_.seed();
     in.number = steps_++;
-    at = {message.timestamp, X_OS_, *X_OR_, {moved(estimate_->belief.mean), start_.cov}};
+    at = {time, X_OS_, *X_OR_, {moved(estimate_->belief.mean), start_.cov}};
     X_OR_stepped_ = X_OR_;
     run = run_;
     map = map_;
@@ -189,27 +166,18 @@ void Amcl::take_scan(const device::Publication& message) {
   });
 }
 
-/// In R, of the beams that count. Locked.
-std::vector<geom::Vec2> Amcl::hits_of(const device::Publication& message) const {
-  if (sensor_ == ScanSensor::kLaser) {
-    const Result<lsr::Data> scan = wire::decode<lsr::Data>(message.body);
-    if (!scan) return {};
-    Hits hits(options_, static_cast<double>(scan->max_range));
-    const std::size_t beams = scan->ranges.size(), used = std::min(beams, options_.max_beams);
-    for (std::size_t k = 0; k < used; ++k) {
-      const std::size_t i = used > 1 ? k * (beams - 1) / (used - 1) : beams / 2;
-      const double angle = static_cast<double>(scan->min_angle) +
-                           static_cast<double>(i) * static_cast<double>(scan->resolution);
-      hits.add(X_RS_.front(), angle, static_cast<double>(scan->ranges[i]));
-    }
-    return hits.take();
+/// Where beams end that hit something, in R: evenly spread ones, or all, if they are few.
+std::vector<geom::Vec2> Amcl::hits_of(const RangeScan& scan) const {
+  std::vector<geom::Vec2> hits;
+  if (!is_usable(scan)) return hits;
+  const double most = std::min(options_.max_range, scan.max_range);
+  const std::size_t beams = scan.ranges.size(), used = std::min(beams, options_.max_beams);
+  for (std::size_t k = 0; k < used; ++k) {
+    const std::size_t i = used > 1 ? k * (beams - 1) / (used - 1) : beams / 2;
+    const double range = scan.ranges[i];
+    if (range > 0 && range < most) hits.push_back(end_of_beam(scan, i));
   }
-  const Result<snr::Data> scan = wire::decode<snr::Data>(message.body);
-  if (!scan) return {};
-  Hits hits(options_, options_.max_range);
-  for (std::size_t i = 0; i < std::min(scan->ranges.size(), X_RS_.size()); ++i)
-    hits.add(X_RS_[i], 0, static_cast<double>(scan->ranges[i]));
-  return hits.take();
+  return hits;
 }
 
 /// On the thread.
@@ -268,13 +236,11 @@ lcl::GetParticles Amcl::particles() const {
 // --- sections of configuration files
 
 Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& section, Site& site) {
-  const bool has_sonar = names_device(section, "requires", "sonar");
-  const std::string_view sensor = has_sonar ? "sonar" : "laser";
-  WantedDevices wanted{.provides = {{"localize"}}, .uses = {{"position2d"}, {sensor}, {"map"}}};
+  const ScanInterface scans = named_scans(section).front();
+  WantedDevices wanted{.provides = {{"localize"}}, .uses = {{"position2d"}, wanted_scan(scans), {"map"}}};
   if (names_device(section, "provides", "position2d")) wanted.provides.push_back({"position2d"});
-  const auto options = [sensor](const scene::CfgSection& from) { return amcl_options(from, sensor); };
-  return make_algorithm<Amcl>(section, site, wanted, options,
-                              has_sonar ? ScanSensor::kSonar : ScanSensor::kLaser);
+  const auto options = [scans](const scene::CfgSection& from) { return amcl_options(from, name_of(scans)); };
+  return make_algorithm<Amcl>(section, site, wanted, options, scans);
 }
 
 }  // namespace playhouse::drivers

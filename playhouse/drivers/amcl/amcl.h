@@ -1,6 +1,6 @@
 #pragma once
 
-/// The .cfg driver "amcl": where a robot is on a map, by its odometry and its laser or sonars. Provides
+/// The .cfg driver "amcl": where a robot is on a map, by its odometry and its laser, ranger or sonars. Provides
 /// localize, the hypotheses and particles, and position2d, the odometry corrected to the map.
 /// The filter (particle_filter.h) runs on a thread of its own, whenever the robot has moved.
 
@@ -14,7 +14,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
-#include "playhouse/drivers/algorithm/sensor_places.h"
+#include "playhouse/drivers/algorithm/scan_reader.h"
 #include "playhouse/drivers/algorithm/shell.h"
 #include "playhouse/drivers/amcl/particle_filter.h"
 #include "playhouse/drivers/site.h"
@@ -25,10 +25,10 @@ namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& section, Site& site);
 
-/// Provides localize and maybe position2d; uses the odometry, the sensor and the map, in this order.
+/// Provides localize and maybe position2d; uses the odometry, the device of scans and the map, in this order.
 class Amcl final : public Algorithm {
  public:
-  Amcl(Shell& shell, const AmclOptions& options, ScanSensor sensor);
+  Amcl(Shell& shell, const AmclOptions& options, ScanInterface scans);
 
   void opened() override;
   void take_news(std::vector<device::Publication>& more) override;
@@ -38,8 +38,8 @@ class Amcl final : public Algorithm {
   void placed() override;
 
  private:
-  static constexpr std::size_t kLocalize = 0, kPosition = 1;          // provided devices
-  static constexpr std::size_t kOdometry = 0, kSensor = 1, kMap = 2;  // used devices
+  static constexpr std::size_t kLocalize = 0, kPosition = 1;         // provided devices
+  static constexpr std::size_t kOdometry = 0, kScans = 1, kMap = 2;  // used devices
 
   /// What was believed when the odometry was at X_OR.
   struct Estimate {
@@ -51,8 +51,8 @@ class Amcl final : public Algorithm {
 
   void take_state(const device::Publication& message, std::vector<device::Publication>& more);
   void take_odometry(const geom::Pose& X_SR, const wire::Pose2d& velocity, double time);
-  void take_scan(const device::Publication& message);
-  std::vector<geom::Vec2> hits_of(const device::Publication& message) const;
+  void take_scan(const RangeScan& scan, double time);
+  std::vector<geom::Vec2> hits_of(const RangeScan& scan) const;
   bool is_due() const;
   FilterOut step(std::uint64_t run, const PoseBelief& start, const geom::Pose& X_OR,
                  std::shared_ptr<const GridMap> map, FilterIn in);
@@ -65,9 +65,8 @@ class Amcl final : public Algorithm {
 
   Shell& shell_;
   const AmclOptions options_;
-  const ScanSensor sensor_;
   device::Subscription& odometry_;
-  device::Subscription& scans_;
+  ScanReader scans_;
 
   // Of the thread.
   FilterMemory memory_;
@@ -78,7 +77,6 @@ class Amcl final : public Algorithm {
 
   mutable std::mutex mutex_;                // guards what follows
   std::shared_ptr<const GridMap> map_;      // once it is known
-  std::vector<geom::Pose> X_RS_;            // laser or sonars; empty until they are known
   std::optional<geom::Pose> X_OR_;          // latest odometry, without jumps
   std::optional<geom::Pose> X_SR_;          // the same as it was told
   double odometry_time_ = 0;                // s

@@ -10,7 +10,7 @@
 
 namespace playhouse::drivers {
 
-/// Parses the options; `sensor`: "laser" or "sonar", which those of the sensor begin with.
+/// Parses the options; `sensor`: "laser", "ranger" or "sonar", which those of the sensor begin with.
 /// Fails with "file:line" on an invalid value.
 Result<AmclOptions> amcl_options(const scene::CfgSection& section, std::string_view sensor);
 

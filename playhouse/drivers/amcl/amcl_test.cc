@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/drivers/testing/two_eyes.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/world/population/population.h"
@@ -233,12 +234,47 @@ TEST_F(AmclWithoutThreads, believes_the_same_at_the_same_ticks) {
   EXPECT_EQ(bodies, published(threaded));
 }
 
+/// Where a robot believes that it is by these scans. It is at (1, 0), looks along y, and sees the wall 2.4 m
+/// before its sensors.
+wire::Pose2d believed(const std::string& scans) {
+  MemorySite site(testing::two_eyes_world("pose [1 0 0 0] localization \"odom\" odom_error [0 0 0 0]") +
+                  "model( name \"walls\" size [10 1 1] pose [0 3 0 0] )");
+  EXPECT_EQ(
+      site.build("driver( name \"amcl\" provides [\"localize:0\"] requires [\"position2d:0\" \"" + scans +
+                 "\" \"map:0\"] init_pose [1.05 0.2 90] init_pose_var [0.1 0.2 5] sonar_range_max 7.9 )" +
+                 testing::kTwoEyesStage + "driver( name \"stage\" provides [\"map:0\"] model \"walls\" )"),
+      "");
+  testing::see(site.site().simulation()->engine().world(), [](int degrees) {
+    return std::min(2.4 / std::max(1e-9, std::sin(geom::radians(degrees + 90))), 8.0);
+  });
+  EXPECT_TRUE(site.hold(site.id(kLocalize)));
+  site.run(3);
+  lcl::Data newest;
+  for (const device::Publication& each : site.recorder.published)
+    if (each.device == site.id(kLocalize)) newest = *wire::decode<lcl::Data>(each.body);
+  EXPECT_DOUBLE_EQ(newest.pending_time, 0.1) << "it took a step";
+  return newest.hypoths.at(0).mean;
+}
+
+TEST(AmclScans, lead_to_the_same_pose_whatever_interface_tells_them) {
+  const wire::Pose2d by_laser = believed("laser:0");
+  EXPECT_NEAR(by_laser.py, 0, 0.1) << "the wall tells the distance";
+  EXPECT_NEAR(by_laser.pa, geom::radians(90), geom::radians(3));
+  for (const char* const scans : testing::kTwoEyes) {
+    const wire::Pose2d pose = believed(scans);
+    EXPECT_NEAR(pose.px, by_laser.px, 1e-4) << scans;
+    EXPECT_NEAR(pose.py, by_laser.py, 1e-4) << scans;
+    EXPECT_NEAR(pose.pa, by_laser.pa, 1e-4) << scans;
+  }
+}
+
 TEST(AmclSection, says_what_is_wrong_and_where) {
   EXPECT_EQ(fault(chain("", "\"localize:0\"")), "") << "position2d is optional";
   EXPECT_THAT(fault(chain("", "\"position2d:2\"")),
               HasSubstr("test.cfg:1: driver \"amcl\" provides one localize and one position2d"));
-  EXPECT_THAT(fault(chain("", "\"localize:0\"", "\"position2d:0\" \"laser:0\"")),
-              HasSubstr("driver \"amcl\" requires one position2d and one laser and one map"));
+  EXPECT_THAT(
+      fault(chain("", "\"localize:0\"", "\"position2d:0\" \"laser:0\"")),
+      HasSubstr("driver \"amcl\" requires one position2d and one laser, ranger or sonar and one map"));
   EXPECT_THAT(fault(chain("pf_min_samples 1")), HasSubstr("pf_min_samples is from 2 to 1000000"));
   EXPECT_THAT(fault(chain("pf_max_samples 50")), HasSubstr("pf_max_samples is not below pf_min_samples"));
   EXPECT_THAT(fault(chain("laser_range_bad 1")), HasSubstr("laser_range_bad is less than 1"));

@@ -1,47 +1,27 @@
 #include "playhouse/drivers/nd/nd.h"
 
+#include <algorithm>
 #include <cmath>
-#include <string_view>
+#include <string>
 #include <utility>
 
-#include "playhouse/drivers/algorithm/sensor_places.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/nd/nd_options.h"
-#include "playhouse/wire/codec.h"
-#include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
-#include "playhouse/wire/generated/sonar.h"
 
 namespace playhouse::drivers {
 
-namespace lsr = wire::laser;
 namespace p2d = wire::position2d;
-namespace snr = wire::sonar;
 
-Nd::Nd(Shell& shell, const NdOptions& options, const Sensors& sensors)
-    : GoalAlgorithm(shell, kOutput, kInput), options_(options), sensors_(sensors) {
-  if (sensors.laser) laser_ = &shell.client().latest(*sensors.laser, lsr::kDataScan);
-  if (sensors.sonar) sonar_ = &shell.client().latest(*sensors.sonar, snr::kDataRanges);
+Nd::Nd(Shell& shell, const NdOptions& options, const std::vector<ScanInterface>& scans)
+    : GoalAlgorithm(shell, kOutput, kInput), options_(options) {
+  for (const ScanInterface each : scans) scans_.emplace_back(shell.client(), kScans + scans_.size(), each);
 }
 
 void Nd::ask_geometry() {
-  device::DeviceClient& client = shell_.client();
-  client.ask(kOutput, p2d::kReqGetGeom, {}, [this](const AnswerBody& body) { take_body(body); });
-  if (sensors_.laser) {
-    ask_places(client, *sensors_.laser, ScanSensor::kLaser, [this](std::vector<geom::Pose> X_RS) {
-      if (X_RS.empty()) return drives_to_none("its laser does not tell its place, so it drives to no goals");
-      const std::lock_guard lock(mutex_);
-      X_RS_ = X_RS.front();
-    });
-  }
-  if (sensors_.sonar) {
-    ask_places(client, *sensors_.sonar, ScanSensor::kSonar, [this](std::vector<geom::Pose> X_RS) {
-      if (X_RS.empty())
-        return drives_to_none("its sonars do not tell their places, so it drives to no goals");
-      const std::lock_guard lock(mutex_);
-      sonars_ = std::move(X_RS);
-    });
-  }
+  shell_.client().ask(kOutput, p2d::kReqGetGeom, {}, [this](const AnswerBody& body) { take_body(body); });
+  for (ScanReader& scans : scans_)
+    scans.ask([this](const std::string& why) { drives_to_none(why + ", so it drives to no goals"); });
 }
 
 void Nd::take_body(const AnswerBody& body) {
@@ -54,44 +34,31 @@ void Nd::take_body(const AnswerBody& body) {
   body_ = box;
 }
 
-/// Constants of the robot, once all are known. With mutex_ held.
-std::optional<NdRobot> Nd::robot() const {
-  if (!body_ || (sensors_.laser && !X_RS_) || (sensors_.sonar && !sonars_)) return std::nullopt;
-  return NdRobot{*body_, X_RS_.value_or(geom::Pose{}), sonars_.value_or(std::vector<geom::Pose>{})};
-}
-
 void Nd::take_scans() {
-  const auto newest = [](device::Subscription* scans) {
-    return scans == nullptr ? std::nullopt : scans->take_latest();
-  };
-  const std::optional<device::Publication> laser = newest(laser_), sonar = newest(sonar_);
-  if (!laser && !sonar) return;
+  std::vector<bool> is_new;
+  for (ScanReader& scans : scans_) is_new.push_back(scans.take());
+  if (std::ranges::find(is_new, true) == is_new.end()) return;
+  if (!std::ranges::all_of(scans_, &ScanReader::is_ready)) return;
   std::optional<Trip> trip;
-  std::optional<NdRobot> robot;
+  NdRobot robot;
   {
     const std::lock_guard lock(mutex_);
     trip = this->trip();
-    robot = this->robot();
-    if (!trip || !robot) return;
+    if (!trip || !body_) return;
+    robot = {*body_};
   }
   NdIn in;
   in.X_OG = trip->X_OG;
   in.X_OR = pose_of(trip->state.pos);
   in.stall = trip->state.stall != 0;
-  if (laser) {
-    const Result<lsr::Data> scan = wire::decode<lsr::Data>(laser->body);
-    if (!scan) return;
-    in.time = laser->timestamp;
-    in.laser = NdLaserScan{scan->max_range, scan->min_angle, scan->resolution, scan->ranges};
+  in.scans.resize(scans_.size());
+  for (std::size_t i = 0; i < scans_.size(); ++i) {
+    if (!is_new[i]) continue;
+    in.time = scans_[i].time();
+    in.scans[i] = scans_[i].scan();
+    if (!in.scans[i]) return;
   }
-  if (sonar) {
-    const Result<snr::Data> scan = wire::decode<snr::Data>(sonar->body);
-    if (!scan) return;
-    in.time = sonar->timestamp;
-    in.sonar = scan->ranges;
-  }
-  shell_.post([this, trip = *trip, robot = std::move(*robot),
-               in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
+  shell_.post([this, trip = *trip, robot, in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
     if (fresh) memory_ = {};
     const NdOut out = nd_step(options_, robot, in, memory_);
     const DriveEnd end = out.done ? DriveEnd::kAtGoal : out.stuck ? DriveEnd::kStuck : DriveEnd::kNot;
@@ -102,15 +69,10 @@ void Nd::take_scans() {
 Result<std::unique_ptr<device::Driver>> make_nd(const scene::CfgSection& section, Site& site) {
   WantedDevices wanted{.provides = {{"position2d"}},
                        .uses = {{"position2d", "output"}, {"position2d", "input"}}};
-  Nd::Sensors sensors;
-  const auto use = [&wanted](std::string_view interf) {
-    wanted.uses.push_back({interf});
-    return wanted.uses.size() - 1;
-  };
-  const bool has_sonar = names_device(section, "requires", "sonar");
-  if (!has_sonar || names_device(section, "requires", "laser")) sensors.laser = use("laser");
-  if (has_sonar) sensors.sonar = use("sonar");
-  return make_algorithm<Nd>(section, site, wanted, nd_options, sensors);
+  const std::vector<ScanInterface> scans = named_scans(section);
+  for (const ScanInterface each : scans)
+    wanted.uses.push_back(scans.size() == 1 ? wanted_scan(each) : WantedDevice{.interf = name_of(each)});
+  return make_algorithm<Nd>(section, site, wanted, nd_options, scans);
 }
 
 }  // namespace playhouse::drivers

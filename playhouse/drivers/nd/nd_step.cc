@@ -14,69 +14,61 @@ using geom::normalize;
 using geom::radians;
 using geom::Vec2;
 
-constexpr double kSonarHalfCone = radians(10);  // of the directions in which an echo may be
-constexpr int kSonarPoints = 4;                 // to each side of a cone's middle
-constexpr double kPassing = 0.05;               // m; beside the body, for a gap to be passable
-constexpr double kAway = radians(135);          // from an obstacle that touches: the direction of motion
-constexpr double kFullTurn = radians(45);       // heading error with the maximum turn rate
-constexpr double kBehind = radians(120);        // heading error from which both senses of a turn will do
-constexpr double kNoForward = radians(75);      // heading error from which it turns in place
-constexpr double kSlowing = 1;                  // s; speed before the goal is distance / this
-constexpr double kTurned = radians(1);          // progress of a turn
+constexpr double kSonarHalfCone = radians(10);      // of the directions in which an echo may be
+constexpr double kSonarPointsApart = radians(2.5);  // on its arc
+constexpr double kPassing = 0.05;                   // m; beside the body, for a gap to be passable
+constexpr double kAway = radians(135);              // from an obstacle that touches: the direction of motion
+constexpr double kFullTurn = radians(45);           // heading error with the maximum turn rate
+constexpr double kBehind = radians(120);            // heading error from which both senses of a turn will do
+constexpr double kNoForward = radians(75);          // heading error from which it turns in place
+constexpr double kSlowing = 1;                      // s; speed before the goal is distance / this
+constexpr double kTurned = radians(1);              // progress of a turn
 
 double length(Vec2 p) {
   return std::sqrt(dot(p, p));
 }
 
-bool usable(const NdLaserScan& scan) {
-  const auto span = scan.angle_step * static_cast<double>(scan.ranges.size());
-  return !scan.ranges.empty() && scan.angle_step > 0 && std::isfinite(scan.first_angle) && span <= 7 &&
-         std::ranges::all_of(scan.ranges, [](float range) { return range >= 0; });
+/// Points on the arc where an echo may be; one, if the cone is as narrow as a beam.
+void add_echo(const ScanEye& eye, double range, const geom::Pose& X_OR, std::vector<Vec2>& points) {
+  const geom::Pose X_OS = geom::compose(X_OR, eye.X_RS);
+  const double half = std::min(eye.half_width, kSonarHalfCone);
+  const int most =
+      static_cast<int>(std::floor(half / kSonarPointsApart + 0.5));  // to each side of its middle
+  for (int k = -most; k <= most; ++k) {
+    const double angle = normalize(X_OS.a + (most == 0 ? 0 : k * half / most));
+    points.push_back(X_OS.xy() + geom::Rotation::of(angle) * Vec2{range, 0});
+  }
 }
 
-std::vector<Vec2> points_of(const NdLaserScan& scan, const geom::Pose& X_OS) {
+std::vector<Vec2> points_of(const NdOptions& options, const RangeScan& scan, const geom::Pose& X_OR) {
+  const auto is_bad = [&](std::size_t i) {
+    return std::ranges::find(options.bad_sonars, static_cast<int>(i)) != options.bad_sonars.end();
+  };
   std::vector<Vec2> points;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const double range = scan.ranges[i];
     if (range >= scan.max_range || range >= kNdSight) continue;
-    const double angle = X_OS.a + scan.first_angle + static_cast<double>(i) * scan.angle_step;
-    points.push_back(X_OS.xy() + geom::Rotation::of(normalize(angle)) * Vec2{range, 0});
-  }
-  return points;
-}
-
-/// Points on the arcs where the echoes may be.
-std::vector<Vec2> points_of(const NdOptions& options, const NdRobot& robot, const std::vector<float>& ranges,
-                            const geom::Pose& X_OR) {
-  std::vector<Vec2> points;
-  for (std::size_t i = 0; i < std::min(ranges.size(), robot.sonars.size()); ++i) {
-    const double range = ranges[i];
-    if (range >= kNdSight ||
-        std::ranges::find(options.bad_sonars, static_cast<int>(i)) != options.bad_sonars.end())
-      continue;
-    const geom::Pose X_OS = geom::compose(X_OR, robot.sonars[i]);
-    for (int k = -kSonarPoints; k <= kSonarPoints; ++k) {
-      const double angle = normalize(X_OS.a + k * kSonarHalfCone / kSonarPoints);
-      points.push_back(X_OS.xy() + geom::Rotation::of(angle) * Vec2{range, 0});
+    if (!scan.is_ring()) {
+      points.push_back(geom::transform(X_OR, end_of_beam(scan, i)));
+    } else if (!is_bad(i)) {
+      add_echo(scan.eyes[i], range, X_OR, points);
     }
   }
   return points;
 }
 
-void keep(std::deque<std::vector<Vec2>>& scans, std::vector<Vec2> points, int most) {
-  scans.push_back(std::move(points));
-  while (scans.size() > static_cast<std::size_t>(most)) scans.pop_front();
-}
-
 /// Keeps the points of new scans. False if one cannot be used.
-bool take_scans(const NdOptions& options, const NdRobot& robot, const NdIn& in, NdMemory& memory) {
-  if (in.laser) {
-    if (!usable(*in.laser)) return false;
-    keep(memory.laser, points_of(*in.laser, geom::compose(in.X_OR, robot.X_RS)), options.laser_buffer);
-  }
-  if (in.sonar) {
-    if (!std::ranges::all_of(*in.sonar, [](float range) { return range >= 0; })) return false;
-    keep(memory.sonar, points_of(options, robot, *in.sonar, in.X_OR), options.sonar_buffer);
+bool take_scans(const NdOptions& options, const NdIn& in, NdMemory& memory) {
+  memory.points.resize(in.scans.size());
+  for (std::size_t device = 0; device < in.scans.size(); ++device) {
+    const std::optional<RangeScan>& scan = in.scans[device];
+    if (!scan) continue;
+    if (!is_usable(*scan) || !std::ranges::all_of(scan->ranges, [](float range) { return range >= 0; }))
+      return false;
+    std::deque<std::vector<Vec2>>& kept = memory.points[device];
+    kept.push_back(points_of(options, *scan, in.X_OR));
+    const int most = scan->is_ring() ? options.sonar_buffer : options.laser_buffer;
+    while (kept.size() > static_cast<std::size_t>(most)) kept.pop_front();
   }
   return true;
 }
@@ -84,8 +76,8 @@ bool take_scans(const NdOptions& options, const NdRobot& robot, const NdIn& in, 
 NdDiagram diagram_of(const geom::Box& body, const geom::Pose& X_OR, const NdMemory& memory) {
   NdDiagram diagram(body);
   const geom::Rotation R_OR = geom::Rotation::of(X_OR.a);
-  for (const auto* scans : {&memory.laser, &memory.sonar}) {
-    for (const std::vector<Vec2>& points : *scans)
+  for (const std::deque<std::vector<Vec2>>& scans : memory.points) {
+    for (const std::vector<Vec2>& points : scans)
       for (const Vec2 p_OC : points) diagram.add(R_OR.inverse(p_OC - X_OR.xy()));
   }
   return diagram;
@@ -218,7 +210,7 @@ NdOut wait_for_end_of_stall(const NdIn& in, NdMemory& memory) {
 }
 
 NdOut decide(const NdOptions& options, const NdRobot& robot, const NdIn& in, NdMemory& memory) {
-  const bool usable = take_scans(options, robot, in, memory);
+  const bool usable = take_scans(options, in, memory);
   if (in.stall && options.wait_on_stall) return wait_for_end_of_stall(in, memory);
   const double heading_off = normalize(in.X_OG.a - in.X_OR.a);
   const bool near = length(in.X_OG.xy() - in.X_OR.xy()) <= options.goal_distance;

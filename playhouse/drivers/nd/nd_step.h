@@ -21,6 +21,7 @@
 #include <optional>
 #include <vector>
 
+#include "playhouse/drivers/algorithm/scan.h"
 #include "playhouse/geom/pose.h"
 
 namespace playhouse::drivers {
@@ -38,21 +39,13 @@ struct NdOptions {
   double rotate_stuck_time = 2, translate_stuck_time = 2;  // s
   double translate_stuck_distance = 0.25;                  // m
   double translate_stuck_angle = geom::radians(20);        // rad
-  int laser_buffer = 10, sonar_buffer = 10;                // scans whose points are kept
-  std::vector<int> bad_sonars;                             // not used
+  int laser_buffer = 10, sonar_buffer = 10;  // scans whose points are kept; those of rings are the second
+  std::vector<int> bad_sonars;               // of rings; not used
 };
 
 /// Constants of a robot.
 struct NdRobot {
-  geom::Box body;                  // about its center of rotation, in R [m]
-  geom::Pose X_RS;                 // of the laser scanner
-  std::vector<geom::Pose> sonars;  // X_RS of each; x points along the beam
-};
-
-struct NdLaserScan {
-  double max_range = 0;                    // m; a beam of this length is a miss
-  double first_angle = 0, angle_step = 0;  // of the beams, counter-clockwise in S [rad]
-  std::vector<float> ranges;               // m
+  geom::Box body;  // about its center of rotation, in R [m]
 };
 
 struct NdIn {
@@ -60,8 +53,7 @@ struct NdIn {
   geom::Pose X_OG;  // the goal
   geom::Pose X_OR;
   bool stall = false;
-  std::optional<NdLaserScan> laser;         // if there is a new one
-  std::optional<std::vector<float>> sonar;  // m; one per sonar, if there are new ones
+  std::vector<std::optional<RangeScan>> scans;  // of each device, if there is a new one
 };
 
 /// Since when the robot has not got on.
@@ -72,8 +64,8 @@ struct NdProgress {
 };
 
 struct NdMemory {
-  std::deque<std::vector<geom::Vec2>> laser, sonar;  // obstacle points of the last scans, in O
-  std::optional<double> direction;                   // of the last chosen region, in O [rad]
+  std::vector<std::deque<std::vector<geom::Vec2>>> points;  // of obstacles, of each device's last scans, in O
+  std::optional<double> direction;                          // of the last chosen region, in O [rad]
   std::optional<NdProgress> progress;
   double time = 0;       // of the previous step [s]
   double turn_rate = 0;  // last commanded [rad/s]

@@ -46,17 +46,22 @@ void add_wall(Discs& discs, double x, double from, double to) {
   discs.push_back({{x, to}, 0.05});
 }
 
-const NdRobot kRobot{{-0.25, -0.2, 0.25, 0.2}, {}, {}};
+const NdRobot kRobot{{-0.25, -0.2, 0.25, 0.2}};
+
+/// A scanner in the middle of the robot that sees nothing yet.
+RangeScan scanner(double first_angle, std::vector<float> ranges = {}) {
+  return {{ScanEye{}}, std::move(ranges), first_angle, radians(1), 8};
+}
 
 /// What a scanner of 181 beams, ahead and to both sides, shows of discs.
 NdIn seen(const Discs& discs, const geom::Pose& X_OR, const geom::Pose& X_OG) {
   NdIn in;
   in.X_OR = X_OR;
   in.X_OG = X_OG;
-  in.laser = NdLaserScan{8, radians(-90), radians(1), {}};
+  RangeScan& scan = *in.scans.emplace_back(scanner(radians(-90)));
   for (int beam = 0; beam < 181; ++beam) {
-    const double angle = X_OR.a + in.laser->first_angle + beam * in.laser->angle_step;
-    in.laser->ranges.push_back(static_cast<float>(range(discs, X_OR.xy(), angle)));
+    const double angle = X_OR.a + scan.first_angle + beam * scan.angle_step;
+    scan.ranges.push_back(static_cast<float>(range(discs, X_OR.xy(), angle)));
   }
   return in;
 }
@@ -257,7 +262,7 @@ TEST(NdStep, drives_no_faster_than_it_could_stop_before_a_touch) {
 NdIn ring(float radius, const geom::Pose& X_OG) {
   NdIn in;
   in.X_OG = X_OG;
-  in.laser = NdLaserScan{8, radians(-180), radians(1), std::vector<float>(360, radius)};
+  in.scans = {scanner(radians(-180), std::vector<float>(360, radius))};
   return in;
 }
 
@@ -270,13 +275,13 @@ TEST(NdStep, where_all_directions_are_blocked_it_stops_and_turns_to_the_goal) {
 }
 
 TEST(NdStep, does_not_turn_its_tail_into_a_wall) {
-  const NdRobot robot{{-0.8, -0.2, 0.2, 0.2}, {}, {}};
+  const NdRobot robot{{-0.8, -0.2, 0.2, 0.2}};
   Discs beside;
   for (double x = -1.5; x < 1.5; x += 0.05) beside.push_back({{x, -0.45}, 0.05});
   NdIn in = seen({}, {}, {-1, 3, 0, 0});
-  in.laser = NdLaserScan{8, radians(-180), radians(1), {}};
+  in.scans = {scanner(radians(-180))};
   for (int beam = 0; beam < 360; ++beam)
-    in.laser->ranges.push_back(static_cast<float>(range(beside, {}, radians(beam - 180))));
+    in.scans[0]->ranges.push_back(static_cast<float>(range(beside, {}, radians(beam - 180))));
   const NdOut out = step(in, {}, robot);
   EXPECT_EQ(out.turn_rate, 0) << "the tail would swing to the right";
   EXPECT_DOUBLE_EQ(out.speed, 0.05) << "it drives to where it has room";
@@ -384,50 +389,47 @@ TEST(NdStep, keeps_the_points_of_the_last_scans_where_they_were_seen) {
 }
 
 TEST(NdStep, sonars_alone_show_it_the_way_and_bad_ones_are_left_out) {
-  const NdRobot robot{
-      kRobot.body, {}, {{0.2, 0, 0, 0}, {0.2, 0.1, 0, radians(30)}, {0.2, -0.1, 0, radians(-30)}}};
   NdIn in;
   in.X_OG = {5, 0, 0, 0};
-  in.sonar = {5, 0.3f, 5};
+  in.scans = {RangeScan{ring_of({{0.2, 0, 0, 0}, {0.2, 0.1, 0, radians(30)}, {0.2, -0.1, 0, radians(-30)}}),
+                        {5, 0.3f, 5}}};
   NdOptions options;
-  const NdOut out = step(in, options, robot);
+  const NdOut out = step(in, options);
   EXPECT_EQ(out.situation, Situation::kLowSafetyOneSide);
   EXPECT_LT(out.turn_rate, 0);
   options.bad_sonars = {1};
-  EXPECT_EQ(step(in, options, robot).situation, Situation::kHighSafetyGoalInRegion);
+  EXPECT_EQ(step(in, options).situation, Situation::kHighSafetyGoalInRegion);
 }
 
 TEST(NdStep, the_laser_s_place_on_the_robot_counts) {
-  NdRobot robot = kRobot;
-  robot.X_RS = {0, 0, 0, radians(90)};
-  EXPECT_LT(step(seen({{{0.6, 0}, 0.1}}, {}, {5, 0, 0, 0}), {}, robot).turn_rate + radians(1), 0)
-      << "what is ahead of the scanner is on the left";
+  NdIn in = seen({{{0.6, 0}, 0.1}}, {}, {5, 0, 0, 0});
+  in.scans[0]->eyes[0].X_RS = {0, 0, 0, radians(90)};
+  EXPECT_LT(step(in).turn_rate + radians(1), 0) << "what is ahead of the scanner is on the left";
 }
 
 TEST(NdStep, a_scan_that_cannot_be_used_stops_it) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   NdIn in = seen({}, {}, {5, 0, 0, 0});
   for (const double step_width : {0.0, -1.0, nan, 1e300}) {
-    in.laser->angle_step = step_width;
+    in.scans[0]->angle_step = step_width;
     EXPECT_EQ(step(in).speed, 0);
     EXPECT_EQ(step(in).situation, Situation::kWaiting);
   }
   in = seen({}, {}, {5, 0, 0, 0});
   for (const double range : {nan, -1.0}) {
-    in.laser->ranges[3] = static_cast<float>(range);
+    in.scans[0]->ranges[3] = static_cast<float>(range);
     EXPECT_EQ(step(in).speed, 0);
   }
-  in.laser->ranges.clear();
+  in.scans[0]->ranges.clear();
   EXPECT_EQ(step(in).speed, 0);
-  in.laser.reset();
-  in.sonar = {static_cast<float>(nan)};
+  in.scans = {RangeScan{ring_of({{}}), {static_cast<float>(nan)}}};
   EXPECT_EQ(step(in).speed, 0);
 }
 
 TEST(NdStep, a_scanner_of_short_range_sees_nothing_beyond_it) {
   NdIn in = seen({}, {}, {4, 0, 0, 0});
-  in.laser->max_range = 0.5;
-  for (float& range : in.laser->ranges) range = 0.5f;
+  in.scans[0]->max_range = 0.5;
+  for (float& range : in.scans[0]->ranges) range = 0.5f;
   EXPECT_DOUBLE_EQ(step(in).speed, 0.3);
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "playhouse/drivers/testing/goal_test.h"
+#include "playhouse/drivers/testing/two_eyes.h"
 #include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
@@ -150,6 +151,36 @@ TEST_F(NdTwoRobotsTest, sonars_alone_steer_it) {
   EXPECT_GT(std::abs(told({0}).a), geom::radians(10));
 }
 
+/// What nd tells a robot with these scans that is to go ahead, with a post before it on the right.
+class PostBesideTheWay final : public testing::GoalTest {
+ public:
+  explicit PostBesideTheWay(const std::string& scans)
+      : GoalTest(testing::two_eyes_world(),
+                 "driver( name \"nd\" provides [\"position2d:1\"] requires [\"output:::position2d:0\" "
+                 "\"input:::position2d:0\" " +
+                     scans + "] )" + testing::kTwoEyesStage) {
+    testing::see(world(), [](int degrees) { return degrees > -35 && degrees < 8 ? 0.9 : 8; });
+    go_to(5, 0);
+    site.run(6);
+  }
+  geom::Twist told() { return GoalTest::told(); }
+
+ private:
+  void TestBody() override {}
+};
+
+TEST(NdScans, lead_to_the_same_velocity_whatever_interfaces_tell_them) {
+  const geom::Twist by_laser = PostBesideTheWay("\"laser:0\"").told();
+  EXPECT_GT(by_laser.a, geom::radians(5)) << "it turns away from the post";
+  EXPECT_GT(by_laser.x, 0.02);
+  for (const std::string scans : {"\"ranger:0\"", "\"ranger:1\"", "\"sonar:0\"", "\"laser:0\" \"ranger:1\"",
+                                  "\"ranger:0\" \"sonar:0\"", "\"laser:0\" \"ranger:1\" \"sonar:0\""}) {
+    const geom::Twist told = PostBesideTheWay(scans).told();
+    EXPECT_NEAR(told.x, by_laser.x, 1e-6) << scans;
+    EXPECT_NEAR(told.a, by_laser.a, 1e-6) << scans;
+  }
+}
+
 TEST(NdSection, says_what_is_wrong_and_where) {
   EXPECT_THAT(fault(chain("max_speed [-1 45]")), StartsWith("test.cfg:1: max_speed is 0 at least"));
   EXPECT_THAT(fault(chain("min_speed [0.4 10]")), HasSubstr("min_speed is not above max_speed"));
@@ -162,18 +193,18 @@ TEST(NdSection, says_what_is_wrong_and_where) {
   EXPECT_EQ(fault(chain("sonar_bad_transducers [0 1]")), "");
 }
 
-TEST(NdSection, needs_an_input_an_output_and_a_laser_or_a_sonar) {
+TEST(NdSection, needs_an_input_an_output_and_a_laser_a_ranger_or_a_sonar) {
   EXPECT_EQ(fault(chain("", "\"laser:0\"")), "");
   EXPECT_EQ(fault(chain("", "\"sonar:0\"")), "");
   EXPECT_THAT(
       fault(chain("", "")),
       HasSubstr("test.cfg:1: driver \"nd\" requires one position2d of key output and one position2d of "
-                "key input and one laser, e.g. [\"output:::position2d:0\" \"input:::position2d:0\" "
-                "\"laser:0\"]"));
+                "key input and one laser, ranger or sonar, e.g. [\"output:::position2d:0\" "
+                "\"input:::position2d:0\" \"laser:0\"]"));
   EXPECT_THAT(
       fault("driver( name \"nd\" provides [\"position2d:1\"] requires [\"position2d:0\" \"laser:0\"] )"),
       HasSubstr("requires one position2d of key output"));
-  EXPECT_THAT(fault(chain("", "\"laser:0\" \"ranger:0\"")),
+  EXPECT_THAT(fault(chain("", "\"laser:0\" \"fiducial:0\"")),
               HasSubstr("requires one position2d of key output"));
 }
 

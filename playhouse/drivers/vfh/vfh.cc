@@ -4,22 +4,16 @@
 #include <cmath>
 #include <utility>
 
-#include "playhouse/drivers/algorithm/sensor_places.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/vfh/vfh_options.h"
-#include "playhouse/wire/codec.h"
-#include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
 
 namespace playhouse::drivers {
 
-namespace lsr = wire::laser;
 namespace p2d = wire::position2d;
 
-Vfh::Vfh(Shell& shell, const VfhOptions& options)
-    : GoalAlgorithm(shell, kRobot, kRobot),
-      options_(options),
-      scans_(shell.client().latest(kLaser, lsr::kDataScan)) {}
+Vfh::Vfh(Shell& shell, const VfhOptions& options, ScanInterface scans)
+    : GoalAlgorithm(shell, kRobot, kRobot), options_(options), scans_(shell.client(), kScans, scans) {}
 
 void Vfh::ask_geometry() {
   shell_.client().ask(kRobot, p2d::kReqGetGeom, {}, [this](const AnswerBody& body) {
@@ -28,11 +22,7 @@ void Vfh::ask_geometry() {
     const std::lock_guard lock(mutex_);
     radius_ = std::max(geom->size.sl, geom->size.sw) / 2;
   });
-  ask_places(shell_.client(), kLaser, ScanSensor::kLaser, [this](std::vector<geom::Pose> X_RS) {
-    if (X_RS.empty()) return drives_to_none("its laser does not tell its place, so it drives to no goals");
-    const std::lock_guard lock(mutex_);
-    X_RS_ = X_RS.front();
-  });
+  scans_.ask([this](const std::string& why) { drives_to_none(why + ", so it drives to no goals"); });
 }
 
 bool Vfh::is_usable_state(const p2d::Data& state) const {
@@ -40,28 +30,24 @@ bool Vfh::is_usable_state(const p2d::Data& state) const {
 }
 
 void Vfh::take_scans() {
-  const std::optional<device::Publication> message = scans_.take_latest();
-  if (!message) return;
+  if (!scans_.take()) return;
   std::optional<Trip> trip;
   VfhRobot robot;
   {
     const std::lock_guard lock(mutex_);
     trip = this->trip();
-    if (!trip || !radius_ || !X_RS_) return;
-    robot = {*radius_, *X_RS_};
+    if (!trip || !radius_) return;
+    robot = {*radius_};
   }
-  const Result<lsr::Data> scan = wire::decode<lsr::Data>(message->body);
+  std::optional<RangeScan> scan = scans_.scan();
   if (!scan) return;
   VfhIn in;
   in.X_OG = trip->X_OG;
   in.X_OR = pose_of(trip->state.pos);
   in.speed = trip->state.vel.px;
   in.stall = trip->state.stall != 0;
-  in.time = message->timestamp;
-  in.max_range = scan->max_range;
-  in.first_angle = scan->min_angle;
-  in.angle_step = scan->resolution;
-  in.ranges = scan->ranges;
+  in.time = scans_.time();
+  in.scan = std::move(*scan);
   shell_.post([this, trip = *trip, robot, in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
     if (fresh) memory_ = {};
     const VfhOut out = vfh_step(options_, robot, in, memory_);
@@ -72,8 +58,10 @@ void Vfh::take_scans() {
 }
 
 Result<std::unique_ptr<device::Driver>> make_vfh(const scene::CfgSection& section, Site& site) {
-  return make_algorithm<Vfh>(
-      section, site, {.provides = {{"position2d"}}, .uses = {{"position2d"}, {"laser"}}}, vfh_options);
+  const ScanInterface scans = named_scans(section).front();
+  return make_algorithm<Vfh>(section, site,
+                             {.provides = {{"position2d"}}, .uses = {{"position2d"}, wanted_scan(scans)}},
+                             vfh_options, scans);
 }
 
 }  // namespace playhouse::drivers

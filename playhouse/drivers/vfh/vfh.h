@@ -1,6 +1,7 @@
 #pragma once
 
-/// The .cfg driver "vfh": drives a robot to goals with obstacle avoidance by laser (vfh_step.h).
+/// The .cfg driver "vfh": drives a robot to goals with obstacle avoidance by laser, ranger or sonar
+/// (vfh_step.h).
 
 #include <cstddef>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/algorithm/goal_algorithm.h"
+#include "playhouse/drivers/algorithm/scan_reader.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/drivers/vfh/vfh_step.h"
 #include "playhouse/scene/cfg.h"
@@ -17,25 +19,23 @@ namespace playhouse::drivers {
 
 Result<std::unique_ptr<device::Driver>> make_vfh(const scene::CfgSection& section, Site& site);
 
-/// Uses the robot and its laser, in this order.
+/// Uses the robot and the device of its scans, in this order.
 class Vfh final : public GoalAlgorithm {
  public:
-  Vfh(Shell& shell, const VfhOptions& options);
+  Vfh(Shell& shell, const VfhOptions& options, ScanInterface scans);
 
  private:
-  static constexpr std::size_t kRobot = 0, kLaser = 1;  // used devices
+  static constexpr std::size_t kRobot = 0, kScans = 1;  // used devices
 
   void ask_geometry() override;
   void take_scans() override;
   bool is_usable_state(const wire::position2d::Data& state) const override;
 
   const VfhOptions options_;
-  device::Subscription& scans_;
+  ScanReader scans_;
   VfhMemory memory_;  // of the thread
 
-  // Guarded by mutex_.
-  std::optional<double> radius_;    // m; once the robot's geometry is known
-  std::optional<geom::Pose> X_RS_;  // once the laser's geometry is known
+  std::optional<double> radius_;  // m; once the robot's geometry is known; guarded by mutex_
 };
 
 }  // namespace playhouse::drivers

@@ -27,56 +27,69 @@ struct Cell {
   double magnitude = 0;  // contribution to the histogram
 };
 
-/// A scan with access by angle.
-class Scan {
+/// The beams of one eye of a usable scan, with access by angle.
+class Fan {
  public:
-  explicit Scan(const VfhIn& in)
-      : ranges_(in.ranges),
-        max_range_(in.max_range),
-        step_(in.angle_step),
-        middle_(in.first_angle + span(in) / 2),
-        span_(span(in)) {}
+  Fan(const RangeScan& scan, std::size_t eye)
+      : beams_(std::span(scan.ranges).subspan(eye * scan.beams(), scan.beams())),
+        max_range_(scan.max_range),
+        half_width_(scan.eyes[eye].half_width),
+        step_(scan.angle_step),
+        span_(scan.angle(scan.beams() - 1) - scan.first_angle),
+        middle_(scan.first_angle + span_ / 2),
+        p_RS_(scan.eyes[eye].X_RS.xy()),
+        heading_(scan.eyes[eye].X_RS.a),
+        R_RS_(geom::Rotation::of(heading_)) {}
 
-  /// False for an unusable scan: no beams, or invalid angles.
-  bool valid() const {
-    return !ranges_.empty() && (ranges_.size() == 1 || step_ > 0) && std::isfinite(span_) && span_ <= 7 &&
-           std::isfinite(middle_);
+  /// True if it sees an obstacle in a cell or before it.
+  bool fills(Vec2 p_RC, double half_cell) const {
+    const Vec2 p_SC = R_RS_.inverse(p_RC - p_RS_);
+    const double seen_at = std::sqrt(dot(p_SC, p_SC));
+    if (seen_at < half_cell) return false;
+    const double bearing = geom::atan2(p_SC.y, p_SC.x), half = geom::atan2(half_cell, seen_at);
+    return shows(bearing, half) && range(bearing, half) < seen_at + half_cell;
   }
-  /// True if this bearing, within `tolerance`, is inside the field of view.
+  /// True if this direction of the robot, within `tolerance`, is inside the field of view.
+  bool looks_to(double direction, double tolerance) const { return shows(direction - heading_, tolerance); }
+
+ private:
   bool shows(double bearing, double tolerance) const {
-    return std::abs(normalize(bearing - middle_)) <= span_ / 2 + tolerance;
+    return std::abs(normalize(bearing - middle_)) <= span_ / 2 + std::max(tolerance, half_width_);
   }
   /// Minimum range within `half` of a bearing, at least of the nearest beam.
   double range(double bearing, double half) const {
-    if (ranges_.size() == 1) return beam(0);
+    if (beams_.size() == 1) return beam(0);
     const double place = (normalize(bearing - middle_) + span_ / 2) / step_;
-    const double last = static_cast<double>(ranges_.size() - 1);
+    const double last = static_cast<double>(beams_.size() - 1);
     const auto index = [last](double at) { return static_cast<std::size_t>(std::clamp(at, 0.0, last)); };
     double least = beam(index(std::floor(place + 0.5)));
     for (std::size_t i = index(std::ceil(place - half / step_)); i <= index(place + half / step_); ++i)
       least = std::min(least, beam(i));
     return least;
   }
-
- private:
-  static double span(const VfhIn& in) {
-    return in.ranges.empty() ? 0 : in.angle_step * static_cast<double>(in.ranges.size() - 1);
-  }
   double beam(std::size_t index) const {
-    const double range = ranges_[index];
+    const double range = beams_[index];
     if (range >= max_range_) return kNothing;
     return range >= 0 ? range : 0;  // also for NaN
   }
 
-  std::span<const float> ranges_;
-  double max_range_;             // m
-  double step_, middle_, span_;  // rad
+  std::span<const float> beams_;
+  double max_range_;                          // m
+  double half_width_, step_, span_, middle_;  // rad
+  Vec2 p_RS_;
+  double heading_;  // in R [rad]
+  geom::Rotation R_RS_;
 };
 
+std::vector<Fan> fans_of(const RangeScan& scan) {
+  std::vector<Fan> fans;
+  fans.reserve(scan.eyes.size());
+  for (std::size_t eye = 0; eye < scan.eyes.size(); ++eye) fans.emplace_back(scan, eye);
+  return fans;
+}
+
 /// Occupied and hidden cells within `reach`.
-std::vector<Cell> filled_cells(const VfhOptions& options, const VfhRobot& robot, const Scan& scan,
-                               double reach) {
-  const geom::Rotation R_RS = geom::Rotation::of(robot.X_RS.a);
+std::vector<Cell> filled_cells(const VfhOptions& options, std::span<const Fan> fans, double reach) {
   const double half_cell = options.cell_size / 2;
   const double edge = (options.window - 1) / 2.0;
   std::vector<Cell> cells;
@@ -85,11 +98,7 @@ std::vector<Cell> filled_cells(const VfhOptions& options, const VfhRobot& robot,
       const Vec2 p_RC{(column - edge) * options.cell_size, (row - edge) * options.cell_size};
       const double distance = std::sqrt(dot(p_RC, p_RC));
       if (distance < half_cell || distance >= std::min(kSight, reach)) continue;
-      const Vec2 p_SC = R_RS.inverse(p_RC - robot.X_RS.xy());
-      const double seen_at = std::sqrt(dot(p_SC, p_SC));
-      const double bearing = geom::atan2(p_SC.y, p_SC.x), half = geom::atan2(half_cell, seen_at);
-      if (seen_at < half_cell || !scan.shows(bearing, half)) continue;
-      if (scan.range(bearing, half) >= seen_at + half_cell) continue;
+      if (std::ranges::none_of(fans, [&](const Fan& fan) { return fan.fills(p_RC, half_cell); })) continue;
       const double depth = (kSight - distance) * (kSight - distance);
       cells.push_back({p_RC, distance, 1e4 * depth * depth});
     }
@@ -140,8 +149,8 @@ Turns possible_turns(const VfhOptions& options, std::span<const Cell> cells, dou
 }
 
 /// Candidate sectors: free, visible and reachable. Updates `blocked` (hysteresis).
-std::vector<std::uint8_t> open_sectors(const VfhOptions& options, const VfhRobot& robot, const VfhIn& in,
-                                       const Scan& scan, std::span<const Cell> cells, double radius,
+std::vector<std::uint8_t> open_sectors(const VfhOptions& options, const VfhIn& in, std::span<const Fan> fans,
+                                       std::span<const Cell> cells, double radius,
                                        std::vector<std::uint8_t>& blocked) {
   const double speed = std::max(0.0, in.speed);
   const double free_below = options.free_cutoff.at(speed), blocked_above = options.blocked_cutoff.at(speed);
@@ -156,8 +165,9 @@ std::vector<std::uint8_t> open_sectors(const VfhOptions& options, const VfhRobot
       blocked[sector] = 0;
     }
     const double bearing = bearing_of(static_cast<int>(sector), options, in);
+    const auto looks_there = [&](const Fan& fan) { return fan.looks_to(bearing, kPi / options.sectors); };
     open[sector] = blocked[sector] == 0 && bearing >= turns.right && bearing <= turns.left &&
-                   scan.shows(bearing - robot.X_RS.a, kPi / options.sectors);
+                   std::ranges::any_of(fans, looks_there);
   }
   return open;
 }
@@ -247,14 +257,13 @@ VfhOut look_round(const VfhOptions& options, const VfhMemory& memory, double wan
 }
 
 VfhOut drive_to_goal(const VfhOptions& options, const VfhRobot& robot, const VfhIn& in, VfhMemory& memory) {
-  const Scan scan(in);
-  if (!scan.valid()) return {};
+  if (!is_usable(in.scan)) return {};
+  const std::vector<Fan> fans = fans_of(in.scan);
   const Vec2 way = in.X_OG.xy() - in.X_OR.xy();
   const double distance = std::sqrt(dot(way, way));
   const double radius = robot.radius + std::max(0.0, options.safety_distance.at(std::max(0.0, in.speed)));
-  const std::vector<Cell> cells = filled_cells(options, robot, scan, distance + radius);
-  const std::vector<std::uint8_t> open =
-      open_sectors(options, robot, in, scan, cells, radius, memory.blocked);
+  const std::vector<Cell> cells = filled_cells(options, fans, distance + radius);
+  const std::vector<std::uint8_t> open = open_sectors(options, in, fans, cells, radius, memory.blocked);
 
   const double wanted = geom::atan2(way.y, way.x);
   const std::optional<Candidate> chosen =

@@ -8,8 +8,8 @@
 /// Out: a velocity, zero and `done` once the goal is reached;
 ///   the memory for the next step.
 ///
-/// Cost: occupied cells of the window times sectors; with the defaults and 181 beams,
-/// in a release build, 0.2 ms in the open and 0.5 ms between walls at a metre.
+/// Cost: cells of the window times eyes of the scan, and occupied ones times sectors; with the defaults and
+/// 181 beams of a laser, in a release build, 0.2 ms in the open and 0.5 ms between walls at a metre.
 ///
 /// Source: I. Ulrich, J. Borenstein: "VFH+: Reliable Obstacle Avoidance for Fast Mobile Robots", ICRA 1998,
 /// for enlarged obstacles, thresholds with hysteresis, turning circles, openings and costs. Cells are weighed
@@ -20,6 +20,7 @@
 #include <optional>
 #include <vector>
 
+#include "playhouse/drivers/algorithm/scan.h"
 #include "playhouse/geom/pose.h"
 
 namespace playhouse::drivers {
@@ -52,7 +53,6 @@ struct VfhOptions {
 /// Constants of a robot.
 struct VfhRobot {
   double radius = 0;  // m, about its center of rotation
-  geom::Pose X_RS;    // of the scanner
 };
 
 struct VfhIn {
@@ -61,9 +61,7 @@ struct VfhIn {
   geom::Pose X_OR;
   double speed = 0;  // forward, measured [m/s]
   bool stall = false;
-  double max_range = 0;                    // m; a beam of this length is a miss
-  double first_angle = 0, angle_step = 0;  // of the beams, counter-clockwise in S [rad]
-  std::vector<float> ranges;               // m; NaN and negative values count as 0
+  RangeScan scan;  // ranges that are NaN or negative count as 0
 };
 
 struct VfhMemory {

@@ -36,19 +36,20 @@ double range(Discs discs, Vec2 p, double angle) {
   return std::max(0.0, nearest);
 }
 
-constexpr VfhRobot kRobot{0.25, {}};
+constexpr VfhRobot kRobot{0.25};
 
 /// What a scanner of 181 beams, ahead and to both sides, shows of discs.
 VfhIn seen(Discs discs, const geom::Pose& X_OR, const geom::Pose& X_OG) {
   VfhIn in;
   in.X_OR = X_OR;
   in.X_OG = X_OG;
-  in.max_range = 8;
-  in.first_angle = radians(-90);
-  in.angle_step = radians(1);
+  in.scan.eyes.resize(1);
+  in.scan.max_range = 8;
+  in.scan.first_angle = radians(-90);
+  in.scan.angle_step = radians(1);
   for (int beam = 0; beam < 181; ++beam)
-    in.ranges.push_back(
-        static_cast<float>(range(discs, X_OR.xy(), X_OR.a + in.first_angle + beam * in.angle_step)));
+    in.scan.ranges.push_back(static_cast<float>(
+        range(discs, X_OR.xy(), X_OR.a + in.scan.first_angle + beam * in.scan.angle_step)));
   return in;
 }
 
@@ -81,7 +82,7 @@ TEST(VfhStep, goes_round_a_disc_by_the_side_where_there_is_room) {
 
 TEST(VfhStep, sees_a_pole_that_one_beam_hits) {
   VfhIn in = seen({}, {}, {4, 0, 0, 0});
-  in.ranges[92] = 0.4f;  // 2 degrees to the left
+  in.scan.ranges[92] = 0.4f;  // 2 degrees to the left
   EXPECT_LT(step(in).turn_rate, -radians(1));
   EXPECT_LT(step(in).speed, 0.2);
 }
@@ -107,7 +108,7 @@ TEST(VfhStep, a_goal_in_front_of_an_obstacle_is_free) {
 
 TEST(VfhStep, looks_round_when_everything_is_blocked) {
   VfhIn in = seen({}, {}, {4, 0, 0, 0});
-  for (float& range : in.ranges) range = 0.4f;
+  for (float& range : in.scan.ranges) range = 0.4f;
   const VfhOut out = step(in);
   EXPECT_EQ(out.speed, 0);
   EXPECT_DOUBLE_EQ(out.turn_rate, radians(40));
@@ -185,24 +186,24 @@ TEST(VfhStep, escapes_from_a_stall_to_one_side_and_then_to_the_other) {
 TEST(VfhStep, a_scan_that_shows_nothing_stops_it) {
   VfhIn in = seen({}, {}, {5, 0, 0, 0});
   for (const double step_width : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), 1e300}) {
-    in.angle_step = step_width;
+    in.scan.angle_step = step_width;
     EXPECT_EQ(step(in).speed, 0);
     EXPECT_EQ(step(in).turn_rate, 0);
   }
-  in.ranges.clear();
+  in.scan.ranges.clear();
   EXPECT_EQ(step(in).speed, 0);
 }
 
 TEST(VfhStep, a_range_that_is_no_number_is_an_obstacle) {
   VfhIn in = seen({}, {}, {4, 0, 0, 0});
-  for (float& range : in.ranges) range = std::numeric_limits<float>::quiet_NaN();
+  for (float& range : in.scan.ranges) range = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(step(in).speed, 0);
 }
 
 TEST(VfhStep, a_scanner_of_short_range_sees_nothing_beyond_it) {
   VfhIn in = seen({}, {}, {4, 0, 0, 0});
-  in.max_range = 0.5;
-  for (float& range : in.ranges) range = 0.5f;
+  in.scan.max_range = 0.5;
+  for (float& range : in.scan.ranges) range = 0.5f;
   EXPECT_DOUBLE_EQ(step(in).speed, 0.2);
 }
 
@@ -221,7 +222,7 @@ RC_GTEST_PROP(VfhStep, keeps_its_limits_and_never_drives_at_what_is_right_ahead,
   RC_ASSERT(std::abs(out.turn_rate) <= options.max_turn_rate.at_rest + 1e-12);
   double ahead = 8;
   for (int beam = 80; beam <= 100; ++beam)
-    ahead = std::min(ahead, static_cast<double>(in.ranges[static_cast<std::size_t>(beam)]));
+    ahead = std::min(ahead, static_cast<double>(in.scan.ranges[static_cast<std::size_t>(beam)]));
   if (ahead < kRobot.radius) RC_ASSERT(out.speed == 0);
 }
 

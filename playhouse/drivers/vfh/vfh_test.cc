@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "playhouse/drivers/testing/goal_test.h"
+#include "playhouse/drivers/testing/two_eyes.h"
 #include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
@@ -62,6 +63,34 @@ TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_t
   EXPECT_EQ(site.hold(vfh).error().text, "the device has retired");
   const std::vector<std::byte> goal = wire::encode(p2d::CmdPos{{0, 3, 0}, {}, 1});
   EXPECT_EQ(driver.command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kNo);
+}
+
+/// What vfh tells a robot with these scans that is to go ahead, with a post before it on the right.
+class PostOnTheRight final : public testing::GoalTest {
+ public:
+  explicit PostOnTheRight(const std::string& scans)
+      : GoalTest(testing::two_eyes_world(),
+                 "driver( name \"vfh\" provides [\"position2d:1\"] requires [\"position2d:0\" \"" + scans +
+                     "\"] )" + testing::kTwoEyesStage) {
+    testing::see(world(), [](int degrees) { return degrees > -35 && degrees < 8 ? 0.9 : 8; });
+    go_to(5, 0);
+    site.run(6);
+  }
+  geom::Twist told() { return GoalTest::told(); }
+
+ private:
+  void TestBody() override {}
+};
+
+TEST(VfhScans, lead_to_the_same_velocity_whatever_interface_tells_them) {
+  const geom::Twist by_laser = PostOnTheRight("laser:0").told();
+  EXPECT_GT(by_laser.a, geom::radians(5)) << "it turns away from the post";
+  EXPECT_GT(by_laser.x, 0.02);
+  for (const char* const scans : testing::kTwoEyes) {
+    const geom::Twist told = PostOnTheRight(scans).told();
+    EXPECT_NEAR(told.x, by_laser.x, 1e-6) << scans;
+    EXPECT_NEAR(told.a, by_laser.a, 1e-6) << scans;
+  }
 }
 
 /// The laser is no part of the robot.
@@ -125,8 +154,11 @@ TEST(VfhSection, says_what_is_wrong_and_where) {
               HasSubstr("obs_cutoff_0ms is not below free_space_cutoff_0ms"));
   EXPECT_THAT(
       fault("driver( name \"vfh\" provides [\"position2d:1\"] requires [\"position2d:0\"] )"),
-      HasSubstr("test.cfg:1: driver \"vfh\" requires one position2d and one laser, e.g. [\"position2d:0\" "
-                "\"laser:0\"]"));
+      HasSubstr("test.cfg:1: driver \"vfh\" requires one position2d and one laser, ranger or sonar, e.g. "
+                "[\"position2d:0\" \"laser:0\"]"));
+  EXPECT_THAT(fault("driver( name \"vfh\" provides [\"position2d:1\"] requires [\"position2d:0\" \"laser:0\" "
+                    "\"sonar:0\"] )"),
+              HasSubstr("requires one position2d and one laser, ranger or sonar, e.g."));
 }
 
 TEST(VfhSection, units_are_those_of_the_file) {
