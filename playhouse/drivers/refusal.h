@@ -23,6 +23,7 @@ inline constexpr PropertyText kRefusalProperties[] = {
 
 /// Of a goal that drivers cannot compute with (is_usable() of decoded.h).
 inline constexpr std::string_view kUnusableGoal = "invalid goal: a pose within 1e9 m and 1e9 rad is valid";
+inline constexpr std::string_view kDisabled = "it is disabled: ENABLE 1 lets it drive on";
 
 /// "(1.5, -2)".
 std::string goal_text(const geom::Pose& X_WT);

@@ -432,6 +432,16 @@ class VectorFieldHistogram(HouseTest):
     def test_and_by_sonars(self):
         self.arrives("sonar:0")
 
+    def test_its_planner_brings_a_robot_to_a_goal(self):
+        self.world(ROOM)
+        cfg = VFH.format(scans="laser:0").replace('provides ["position2d:1"]', 'provides ["position2d:1" "planner:0"]')
+        with House("serve", self.write("vfh.cfg", cfg), "--port", 0, "--headless", "--fast") as house, \
+                connect(f"127.0.0.1:{house.port()}") as client, client.planner(0) as guide:
+            there = guide.drive_to(*BEHIND_THE_CRATE)
+            self.assertTrue(there.done)
+            with Client(house.port()) as other:
+                self.assertLess(math.dist(other.pose("r0")[:2], BEHIND_THE_CRATE[:2]), 0.25)
+
 
 class NearnessDiagram(HouseTest):
     """Stage's ranges -> nd -> position2d, in a room with a wall whose gap is 1.4 m wide, and things in the way."""

@@ -13,11 +13,11 @@ namespace p2d = wire::position2d;
 GoalAlgorithm::GoalAlgorithm(Shell& shell, std::size_t output, std::size_t input)
     : shell_(shell), output_(output), position_(shell.client().queue(input, kStatesKept)) {
   shell.on_command<p2d::CmdPos>(p2d::kCmdPos,
-                                [this](const p2d::CmdPos& command) { return take_goal(command); });
+                                [this](const p2d::CmdPos& command) { return take_goal(command, true); });
   shell.forward_others(output, [this](const device::Message& message) { return take_other(message); });
   shell.on_refusal_asked([this] {
     const std::lock_guard lock(mutex_);
-    return refusal_;
+    return goal_ && !enabled_ ? std::string(kDisabled) : refusal_;
   });
 }
 
@@ -36,6 +36,7 @@ void GoalAlgorithm::closing() {
 void GoalAlgorithm::closed() {
   const std::lock_guard lock(mutex_);
   state_.reset();
+  enabled_ = true;
 }
 
 /// The goal stays, unless the run starts again.
@@ -53,13 +54,14 @@ device::Taken GoalAlgorithm::take_other(const device::Message& message) {
   return taken;
 }
 
-device::Taken GoalAlgorithm::take_goal(const p2d::CmdPos& command) {
+device::Taken GoalAlgorithm::take_goal(const p2d::CmdPos& command, bool start) {
   if (!is_usable(command.pos)) {
     refuse(std::string(kUnusableGoal));
     return device::Taken::kNo;
   }
   set_goal(pose_of(command.pos));
   const std::lock_guard lock(mutex_);
+  enabled_ = enabled_ || start;
   return incapable_.empty() ? device::Taken::kLatest : device::Taken::kNo;
 }
 
@@ -81,6 +83,7 @@ void GoalAlgorithm::drives_to_none(std::string why) {
     was_driving = goal_.has_value();
     if (was_driving) refusal_ = why;
     goal_.reset();
+    X_OD_.reset();
     incapable_ = std::move(why);
   }
   if (was_driving) drive(0, 0);
@@ -95,6 +98,8 @@ bool GoalAlgorithm::set_goal(std::optional<geom::Pose> X_OG) {
     had_one = goal_.has_value();
     gave_up_ = false;
     refusal_ = X_OG ? incapable_ : std::string();  // logged already
+    X_OD_ = X_OG;
+    done_ = false;
     if (!incapable_.empty()) X_OG.reset();
     if (X_OG && goal_) {
       goal_->X_OG = *X_OG;
@@ -110,8 +115,13 @@ bool GoalAlgorithm::set_goal(std::optional<geom::Pose> X_OG) {
 void GoalAlgorithm::take_news(std::vector<device::Publication>& more) {
   for (device::Publication& message : position_.take()) {
     if (message.subtype == p2d::kDataState) take_state(message);
+    const bool is_state = message.subtype == p2d::kDataState;
+    const double time = message.timestamp;
     message.device = shell_.device(0);
     more.push_back(std::move(message));
+    if (!is_state || !planner_ || !shell_.provides(*planner_)) continue;
+    more.push_back(
+        {shell_.device(*planner_), wire::planner::kDataState, time, wire::encode(planner_state())});
   }
   take_scans();
 }
@@ -132,7 +142,7 @@ void GoalAlgorithm::take_state(device::Publication& message) {
 }
 
 std::optional<GoalAlgorithm::Trip> GoalAlgorithm::trip() const {
-  if (!goal_ || !state_) return std::nullopt;
+  if (!goal_ || !state_ || !enabled_) return std::nullopt;
   return Trip{goal_->drive, goal_->X_OG, *state_};
 }
 
@@ -140,10 +150,11 @@ void GoalAlgorithm::steer(const Trip& trip, double speed, double turn_rate, Driv
   std::string why;
   {
     const std::lock_guard lock(mutex_);
-    if (!goal_ || goal_->drive != trip.drive) return;
+    if (!goal_ || goal_->drive != trip.drive || !enabled_) return;
     if (end != DriveEnd::kNot) {
       if (trip.X_OG != goal_->X_OG) return;  // it is driving to another goal by now
       goal_.reset();
+      done_ = end == DriveEnd::kAtGoal;
     }
     gave_up_ = end == DriveEnd::kStuck;
     if (gave_up_) refusal_ = why = "it gave up the goal " + goal_text(trip.X_OG) + ": the robot is stuck";

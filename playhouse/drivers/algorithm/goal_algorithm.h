@@ -13,6 +13,7 @@
 
 #include "playhouse/drivers/algorithm/shell.h"
 #include "playhouse/geom/pose.h"
+#include "playhouse/wire/generated/planner.h"
 #include "playhouse/wire/generated/position2d.h"
 
 namespace playhouse::drivers {
@@ -38,6 +39,9 @@ class GoalAlgorithm : public Algorithm {
   /// How a step ends a drive.
   enum class DriveEnd : std::uint8_t { kNot, kAtGoal, kStuck };
 
+  /// For the constructor of a subclass whose goals a planner takes, too: number `device` of those provided, if
+  /// it is (goal_planner.cc).
+  void offer_planner(std::size_t device);
   /// Requests the geometry of the used devices.
   virtual void ask_geometry() = 0;
   /// Posts a step if there are new scans.
@@ -60,12 +64,16 @@ class GoalAlgorithm : public Algorithm {
     geom::Pose X_OG;
     std::uint64_t drive = 0;
   };
-  device::Taken take_goal(const wire::position2d::CmdPos& command);
+  /// `start`: enables, too.
+  device::Taken take_goal(const wire::position2d::CmdPos& command, bool start);
   device::Taken take_other(const device::Message& message);
   bool set_goal(std::optional<geom::Pose> X_OG);
   void refuse(std::string why);
   void take_state(device::Publication& message);
   void drive(double speed, double turn_rate);
+  void enable(bool enabled);
+  wire::planner::Data planner_state() const;
+  wire::planner::WaypointsReq waypoints() const;
 
   std::optional<Goal> goal_;
   std::uint64_t drives_ = 0;  // so far
@@ -73,6 +81,12 @@ class GoalAlgorithm : public Algorithm {
   std::string refusal_;       // of the last goal (refusal.h); empty: none
   std::string incapable_;     // why it drives to no goals; empty: it does
   std::optional<wire::position2d::Data> state_;
+
+  // Of the planner.
+  std::optional<std::size_t> planner_;  // its number; not guarded
+  std::optional<geom::Pose> X_OD_;      // the goal of the last drive, until another command than a goal
+  bool done_ = false;                   // with that drive
+  bool enabled_ = true;
 
   const std::size_t output_;
   device::Subscription& position_;

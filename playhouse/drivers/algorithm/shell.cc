@@ -97,14 +97,15 @@ device::Taken Shell::command(const device::Message& message) {
   if (!client_.is_open()) return device::Taken::kNo;  // it must not wait for the next client
   const auto found = commands_.find({number_of(message.device), message.subtype});
   if (found != commands_.end()) return found->second(message);
-  return others_ ? others_->take(message) : device::Taken::kNo;
+  return forwards(message.device) ? others_->take(message) : device::Taken::kNo;
 }
 
 void Shell::request(const device::Message& message, device::Replier replier) {
   if (refusal_ && asks_for_refusal(message)) return answer_refusal(refusal_(), std::move(replier));
   const auto found = answers_.find({number_of(message.device), message.subtype});
   if (found != answers_.end()) return found->second.take(message, std::move(replier));
-  if (others_) client_.forward(others_->to, message.subtype, message.body, std::move(replier));
+  if (forwards(message.device))
+    client_.forward(others_->to, message.subtype, message.body, std::move(replier));
 }
 
 bool Shell::capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const {
@@ -116,7 +117,7 @@ bool Shell::capable(device::DeviceId device, std::uint8_t type, std::uint8_t sub
     if (found != answers_.end())
       return !found->second.by || client_.capable(*found->second.by, type, subtype);
   }
-  return others_ && client_.capable(others_->to, type, subtype);
+  return forwards(device) && client_.capable(others_->to, type, subtype);
 }
 
 void Shell::rewound(const Moment& moment) {

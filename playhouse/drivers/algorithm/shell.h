@@ -76,7 +76,7 @@ class Shell final : public device::Driver {
   }
   /// A request that a device which it uses answers.
   void forward_request(std::uint8_t subtype, std::size_t to, std::size_t device = 0);
-  /// So are all that are not registered; what becomes of such commands is up to `take`.
+  /// So are all of the first device that are not registered; what becomes of such commands is up to `take`.
   void forward_others(std::size_t to, TakeCommand take);
   /// The property "refusal" (refusal.h).
   void on_refusal_asked(std::function<std::string()> why) { refusal_ = std::move(why); }
@@ -128,6 +128,7 @@ class Shell final : public device::Driver {
   };
   using DeviceSubtype = std::pair<std::size_t, std::uint8_t>;  // device and subtype
   std::size_t number_of(device::DeviceId device) const;
+  bool forwards(device::DeviceId device) const { return others_ && number_of(device) == 0; }
   void close();
 
   const std::string name_;

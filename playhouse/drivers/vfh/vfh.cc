@@ -13,7 +13,9 @@ namespace playhouse::drivers {
 namespace p2d = wire::position2d;
 
 Vfh::Vfh(Shell& shell, const VfhOptions& options, ScanInterface scans)
-    : GoalAlgorithm(shell, kRobot, kRobot), options_(options), scans_(shell.client(), kScans, scans) {}
+    : GoalAlgorithm(shell, kRobot, kRobot), options_(options), scans_(shell.client(), kScans, scans) {
+  offer_planner(kPlanner);
+}
 
 void Vfh::ask_geometry() {
   shell_.client().ask(kRobot, p2d::kReqGetGeom, {}, [this](const AnswerBody& body) {
@@ -59,9 +61,9 @@ void Vfh::take_scans() {
 
 Result<std::unique_ptr<device::Driver>> make_vfh(const scene::CfgSection& section, Site& site) {
   const ScanInterface scans = named_scans(section).front();
-  return make_algorithm<Vfh>(section, site,
-                             {.provides = {{"position2d"}}, .uses = {{"position2d"}, wanted_scan(scans)}},
-                             vfh_options, scans);
+  WantedDevices wanted{.provides = {{"position2d"}}, .uses = {{"position2d"}, wanted_scan(scans)}};
+  if (names_device(section, "provides", "planner")) wanted.provides.push_back({"planner"});
+  return make_algorithm<Vfh>(section, site, wanted, vfh_options, scans);
 }
 
 }  // namespace playhouse::drivers

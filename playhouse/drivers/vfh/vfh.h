@@ -25,6 +25,7 @@ class Vfh final : public GoalAlgorithm {
   Vfh(Shell& shell, const VfhOptions& options, ScanInterface scans);
 
  private:
+  static constexpr std::size_t kPlanner = 1;            // of the provided devices; may be none
   static constexpr std::size_t kRobot = 0, kScans = 1;  // used devices
 
   void ask_geometry() override;

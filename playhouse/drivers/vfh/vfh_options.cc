@@ -6,7 +6,8 @@
 namespace playhouse::drivers {
 namespace {
 
-constexpr DeviceText kVfhProvides[] = {{"position2d"}};
+constexpr DeviceText kVfhProvides[] = {{"position2d"},
+                                       {"planner", {}, HowMany::kOneOrNone, "goals by the robot's odometry"}};
 constexpr DeviceText kVfhUses[] = {
     {"position2d", {}, HowMany::kOne, "the robot"},
     {"laser", {}, HowMany::kOneOfThese, "on the robot"},

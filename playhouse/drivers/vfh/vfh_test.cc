@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "playhouse/drivers/testing/goal_test.h"
 #include "playhouse/drivers/testing/two_eyes.h"
 #include "playhouse/world/population/population.h"
@@ -21,6 +23,9 @@ using testing::kWheels;
 using testing::MemorySite;
 using ::testing::StartsWith;
 namespace p2d = wire::position2d;
+namespace planner = wire::planner;
+
+constexpr device::Address kPlanner{6665, planner::kCode, 0};
 
 constexpr const char* kWorld = R"(
 interval_sim 100
@@ -28,8 +33,8 @@ position( name "r0" size [0.4 0.4 0.2] ranger( sensor( range [0 8] fov 180 sampl
 )";
 
 // From the last in the chain to the first.
-std::string chain(const std::string& options) {
-  return "driver( name \"vfh\" provides [\"position2d:1\"] requires [\"laser:0\" \"position2d:0\"] " +
+std::string chain(const std::string& options, const std::string& provides = "\"position2d:1\"") {
+  return "driver( name \"vfh\" provides [" + provides + "] requires [\"laser:0\" \"position2d:0\"] " +
          options +
          R"( )
 driver( name "rangertolaser" provides ["laser:0"] requires ["ranger:0"] )
@@ -44,7 +49,8 @@ std::string fault(const std::string& cfg) {
 
 class VfhTest : public testing::GoalTest {
  protected:
-  VfhTest() : GoalTest(kWorld, chain("")) {}
+  explicit VfhTest(const std::string& provides = "\"position2d:1\"")
+      : GoalTest(kWorld, chain("", provides)) {}
 };
 
 TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_them) {
@@ -91,6 +97,83 @@ TEST(VfhScans, lead_to_the_same_velocity_whatever_interface_tells_them) {
     EXPECT_NEAR(told.x, by_laser.x, 1e-6) << scans;
     EXPECT_NEAR(told.a, by_laser.a, 1e-6) << scans;
   }
+}
+
+class VfhPlannerTest : public VfhTest {
+ protected:
+  VfhPlannerTest() : VfhTest("\"position2d:1\" \"planner:0\"") { EXPECT_TRUE(site.hold(site.id(kPlanner))); }
+  device::Taken plan(std::uint8_t subtype, const wire::Pose2d& goal) {
+    return driver().command({site.id(kPlanner), kCmd, subtype, wire::encode(planner::Cmd{goal})});
+  }
+  testing::OutputRecorder::RecordedAnswer ask(std::uint8_t subtype, const std::vector<std::byte>& body) {
+    driver().request({site.id(kPlanner), testing::kReq, subtype, body}, device::Replier(site.recorder, 1));
+    site.run(0);
+    return site.recorder.answers.at(1);
+  }
+  bool enable(bool on) {
+    return ask(planner::kReqEnable, wire::encode(planner::EnableReq{static_cast<std::uint8_t>(on)})).ack;
+  }
+  planner::Data plan_state() {
+    site.run(1);
+    planner::Data newest;
+    for (const device::Publication& each : site.recorder.published)
+      if (each.device == site.id(kPlanner)) newest = *wire::decode<planner::Data>(each.body);
+    return newest;
+  }
+  void robot_at(const geom::Pose& X_OR) { world().positions.X_OM[{0}] = X_OR; }
+};
+
+TEST_F(VfhPlannerTest, takes_goals_in_the_frame_of_odometry_and_says_when_it_is_there) {
+  robot_at({1, 2, 0, 0});
+  EXPECT_EQ(plan_state(), (planner::Data{0, 0, {1, 2, 0}, {}, {}, -1, 0}));
+  const wire::Pose2d goal{4, 6, 0};
+  EXPECT_EQ(plan(planner::kCmdGoal, goal), device::Taken::kLatest);
+  EXPECT_EQ(plan_state(), (planner::Data{1, 0, {1, 2, 0}, goal, goal, 0, 1}));
+  site.run(2);
+  EXPECT_GT(told().a, 0) << "the goal is on its left";
+  const auto way = wire::decode<planner::WaypointsReq>(ask(planner::kReqGetWaypoints, {}).body);
+  ASSERT_TRUE(way);
+  EXPECT_DOUBLE_EQ(way->waypoints_distance, 5);
+  EXPECT_THAT(way->waypoints, ElementsAre(goal));
+  robot_at({4, 5.9, 0, 0});
+  site.run(3);
+  EXPECT_EQ(plan_state(), (planner::Data{1, 1, {4, 5.9, 0}, goal, {}, -1, 1}));
+  EXPECT_EQ(told(), geom::Twist());
+  EXPECT_EQ(drive(0.1), device::Taken::kLatest);
+  EXPECT_EQ(plan_state().valid, 0) << "a velocity ends it";
+}
+
+TEST_F(VfhPlannerTest, keeps_its_goal_while_it_is_disabled) {
+  EXPECT_EQ(plan(planner::kCmdGoal, {0, 5, 0}), device::Taken::kLatest);
+  site.run(3);
+  EXPECT_NE(told(), geom::Twist());
+  EXPECT_TRUE(enable(false));
+  site.run(3);
+  EXPECT_EQ(told(), geom::Twist());
+  EXPECT_EQ(plan_state().valid, 1);
+  EXPECT_EQ(refusal(), "it is disabled: ENABLE 1 lets it drive on");
+  EXPECT_EQ(plan(planner::kCmdGoal, {0, 6, 0}), device::Taken::kLatest);
+  site.run(3);
+  EXPECT_EQ(told(), geom::Twist()) << "a GOAL does not enable";
+  EXPECT_TRUE(enable(true));
+  site.run(3);
+  EXPECT_NE(told(), geom::Twist());
+  EXPECT_TRUE(enable(false));
+  EXPECT_EQ(plan(planner::kCmdStart, {0, 7, 0}), device::Taken::kLatest);
+  site.run(3);
+  EXPECT_NE(told(), geom::Twist()) << "a START does";
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(VfhPlannerTest, passes_nothing_to_the_robot_that_is_meant_for_a_planner) {
+  const auto has = [&](device::Address device) {
+    return driver().capable(site.id(device), testing::kReq, p2d::kReqResetOdom);
+  };
+  EXPECT_TRUE(has(kGoalDriver));
+  EXPECT_FALSE(has(kPlanner));
+  EXPECT_FALSE(ask(p2d::kReqResetOdom, {}).ack);
+  EXPECT_EQ(plan(99, {}), device::Taken::kNo);
+  EXPECT_EQ(plan(planner::kCmdGoal, {std::nan(""), 0, 0}), device::Taken::kNo);
 }
 
 /// The laser is no part of the robot.

@@ -19,7 +19,6 @@ namespace planner = wire::planner;
 namespace {
 
 constexpr double kElsewhere = 0.1;  // m
-constexpr std::string_view kDisabled = "it is disabled: ENABLE 1 lets it drive on";
 
 std::optional<geom::Pose> pose_in(const device::Publication& message) {
   const Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
