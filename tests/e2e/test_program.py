@@ -761,7 +761,7 @@ class Drivers(HouseTest):
         self.assertIn("  refusal (string): ", done.stdout)
         told = json.loads(finish("drivers", "nd", "--json").stdout)
         self.assertEqual({device["interface"]: device["many"] for device in told["requires"]},
-                         {"position2d": "one", "laser": "some of these", "sonar": "some of these"})
+                         {"position2d": "one", "laser": "some of these", "ranger": "some of these", "sonar": "some of these"})
         option = told["options"][0]
         self.assertEqual((option["name"], option["default"], option["default_told"]), ("goal_tol", "[0.5 10]", None))
 
