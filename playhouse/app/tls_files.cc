@@ -1,7 +1,5 @@
 #include "playhouse/app/tls_files.h"
 
-#include <string>
-
 #include "playhouse/app/whole_file.h"
 
 namespace playhouse::app {
@@ -18,6 +16,13 @@ Result<std::shared_ptr<net::TlsIdentity>> read_tls_files(const Serving& serving)
   const Result<std::string> key = read_file(serving.tls_key, scene::NamedBy::kPerson, kPemBytes);
   if (!key) return key.error();
   return net::TlsIdentity::of({serving.tls_cert, *certificates}, {serving.tls_key, *key});
+}
+
+Result<std::shared_ptr<net::TlsTrust>> read_tls_trust(const std::string& file) {
+  if (file.empty()) return std::shared_ptr<net::TlsTrust>();
+  const Result<std::string> certificates = read_file(file, scene::NamedBy::kPerson, kPemBytes);
+  if (!certificates) return certificates.error();
+  return net::TlsTrust::of({file, *certificates});
 }
 
 }  // namespace playhouse::app

@@ -59,6 +59,11 @@ void IoLoop::Impl::end_first() {
   end();
 }
 
+std::unique_ptr<Attempt> Network::connect_tls(const std::string& host, std::uint16_t port,
+                                              std::shared_ptr<TlsTrust>, Connected connected) {
+  return connect(host, port, std::move(connected));
+}
+
 IoLoop::IoLoop() : impl_(std::make_unique<Impl>()) {}
 IoLoop::~IoLoop() = default;
 

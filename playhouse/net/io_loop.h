@@ -49,6 +49,10 @@ class IoLoop final : public Network {
   [[nodiscard]] std::unique_ptr<Attempt> connect(const std::string& host, std::uint16_t port,
                                                  Connected connected) override;
 
+  [[nodiscard]] std::unique_ptr<Attempt> connect_tls(const std::string& host, std::uint16_t port,
+                                                     std::shared_ptr<TlsTrust> trust,
+                                                     Connected connected) override;
+
   struct Impl;  // defined in asio_loop.h
   Impl& impl() { return *impl_; }
 

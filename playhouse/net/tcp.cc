@@ -17,6 +17,7 @@
 #include "playhouse/net/asio_connect.h"
 #include "playhouse/net/asio_loop.h"
 #include "playhouse/net/io_loop.h"
+#include "playhouse/net/tls/asio_tls.h"
 
 namespace playhouse::net {
 namespace {
@@ -247,6 +248,45 @@ Result<std::unique_ptr<Listener>> IoLoop::listen(const std::string& bind, std::u
   return listen_tcp(*impl_, bind, port, [this, acceptor = std::move(acceptor)](AcceptedSocket accepted) {
     acceptor(std::make_unique<TcpConnection>(std::make_shared<TcpStream>(*impl_, std::move(accepted))));
   });
+}
+
+namespace {
+
+/// Of a connection with TLS. What comes of its handshake once it has been given up is closed.
+class TlsAttempt final : public Attempt {
+ public:
+  using Connected = std::shared_ptr<Network::Connected>;
+
+  explicit TlsAttempt(Connected connected) : connected_(std::move(connected)) {}
+  ~TlsAttempt() override { *connected_ = nullptr; }
+  std::unique_ptr<Attempt> without;  // TLS
+
+ private:
+  const Connected connected_;
+};
+
+}  // namespace
+
+std::unique_ptr<Attempt> IoLoop::connect_tls(const std::string& host, std::uint16_t port,
+                                             std::shared_ptr<TlsTrust> trust, Connected connected) {
+  const auto then = std::make_shared<Connected>(std::move(connected));
+  auto attempt = std::make_unique<TlsAttempt>(then);
+  const auto tell = [then](Result<std::unique_ptr<Connection>> made) {
+    if (*then) std::exchange(*then, nullptr)(std::move(made));
+  };
+  attempt->without = connect_tcp(*impl_, host, port, [this, tell, host, trust](Result<ConnectedSocket> made) {
+    if (!made) return tell(made.error());
+    decrypt_from(*impl_, trust, host, std::move(made->socket),
+                 [this, tell, peer = std::move(made->peer)](Result<Decrypted> decrypted) {
+                   if (!decrypted)
+                     return tell(Error{peer, "invalid TLS handshake: " + decrypted.error().text});
+                   AcceptedSocket accepted{std::move(decrypted->socket), peer,
+                                           std::move(decrypted->expect_alive), true};
+                   tell(std::unique_ptr<Connection>(std::make_unique<TcpConnection>(
+                       std::make_shared<TcpStream>(*impl_, std::move(accepted)))));
+                 });
+  });
+  return attempt;
 }
 
 std::unique_ptr<Attempt> IoLoop::connect(const std::string& host, std::uint16_t port, Connected connected) {

@@ -2,17 +2,24 @@
 
 import socket
 import ssl
+import struct
 import subprocess
 import sys
 import unittest
 import urllib.request
 
-from house import PATIENCE, PLAYER, REQ, ROOT, House, HouseTest, finish, frame
+from house import ACK, LASER, PATIENCE, PLAYER, POSITION2D, REQ, ROOT, Client, House, HouseTest, finish, frame
 from test_without_world import CFG, PageSocket
 
 sys.path.insert(0, str(ROOT / "clients/python"))
 from playhouse_client import ConnectionLost, connect  # noqa: E402
 
+JOIN = """
+interval_sim 100
+define scout position( size [0.4 0.4 0.2] ranger( sensor( samples 3 ) ) )
+robot_types [ "scout" ]
+model( name "wall" pose [9 0 0 0] size [0.2 4 1] )
+"""
 HANDSHAKES = 256  # that may be pending; net/tls/asio_tls.h
 
 
@@ -117,6 +124,38 @@ class Tls(HouseTest):
             names = sorted(each.name for each in client.devices())
         self.assertEqual(names, ["gps:0", "laser:0", "position2d:0"])
         self.assertEqual(socket_of_page.frame()[40:48], bytes([0, 0, 0, 3, 0, 0, 0, 3]))
+
+    def relay(self, port: int, more: str, host="127.0.0.1") -> House:
+        return self.enterContext(House("serve", self.write("relay.cfg", (
+            f'driver( name "passthrough" provides ["laser:0"] requires ["{host}:{port}:laser:0"] {more} )')),
+            "--port", 0, "--headless"))
+
+    def test_old_clients_reach_the_server_through_a_passthrough(self):
+        port = self.port(self.world_with_tls("--guests", self.write("guests.txt", "observer watcher-001\n")))
+        with Client(self.relay(port, f'token "watcher-001" tls_ca "{self.certificate}"').port()) as client:
+            self.assertEqual(client.open(LASER, 0).type, ACK)
+            max_range = client.next_data(LASER, 0).body[12:16]
+        self.assertEqual(struct.unpack(">f", max_range)[0], 8)
+
+    def test_a_passthrough_trusts_nobody_else(self):
+        port = self.port(self.world_with_tls())
+        other, _ = self.identity("other")
+        for certificate, host in ((other, "127.0.0.1"), (self.certificate, "localhost")):
+            house = self.relay(port, f'tls_ca "{certificate}"', host)
+            with Client(house.port()) as client:
+                self.assertEqual(client.open(LASER, 0).body[19], 3, "cannot be opened")
+            house.wait_for_line("invalid TLS handshake: certificate verify failed")
+
+    def test_robots_join_a_world_with_tls(self):
+        port = self.port(self.enterContext(House("run", self.write("join.world", JOIN), "--port", 0, "--headless", *self.options())))
+        robot = self.write("bob.toml", 'name = "bob"\ntype = "scout"\npose = [2, 0, 0]\n')
+        with House("robot", robot, "--server", f"127.0.0.1:{port}", "--port", 0, "--tls-ca", self.certificate) as bob:
+            here = int(bob.wait_for_line(r"^Player clients: 127\.0\.0\.1:(\d+) \(bob: ").group(1))
+            with Client(here) as client:
+                self.assertEqual(client.open(POSITION2D, 0).type, ACK)
+        with House("robot", robot, "--server", f"127.0.0.1:{port}", "--tls-ca", robot) as bob:
+            self.assertEqual(bob.wait(), 2)
+            self.assertIn(f"{robot}: error: invalid certificate", bob.log())
 
     def test_files_that_are_no_identity_are_one_line(self):
         _, other_key = self.identity("other")

@@ -122,6 +122,7 @@ struct RobotOptions {
   std::vector<std::string> files;  // .toml
   std::string server;              // "host" or "host:port" of the world
   std::string token;               // of a guest; empty: none
+  std::string tls_ca;              // PEM file; empty: in the clear
   std::uint16_t port = kPlayerPort;
   std::string bind = "127.0.0.1";
   bool insecure = false;  // may be bound wider than this machine

@@ -131,6 +131,8 @@ void add_robot(CLI::App& app, RobotOptions& options) {
       ->check(check_port)
       ->capture_default_str();
   add_auth_key(app, options.token);
+  app.add_option("--tls-ca", options.tls_ca, "certificates to trust, PEM, for a server with --tls-cert")
+      ->type_name("FILE");
   app.add_option("--wait", options.wait, "seconds for the server to answer")
       ->check(check_positive)
       ->capture_default_str();

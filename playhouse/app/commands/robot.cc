@@ -6,6 +6,7 @@
 #include "playhouse/app/commands/robots_client.h"
 #include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
+#include "playhouse/app/tls_files.h"
 #include "playhouse/app/whole_file.h"
 #include "playhouse/scene/robot_file.h"
 
@@ -31,10 +32,13 @@ int robot(const RobotOptions& options) {
   if (!server) return fail(server.error(), kUsage);
   Result<std::vector<scene::RobotDesc>> robots = read_files(options.files);
   if (!robots) return fail_in_file(robots.error(), {});
+  const Result<std::shared_ptr<net::TlsTrust>> trust = read_tls_trust(options.tls_ca);
+  if (!trust) return fail_in_file(trust.error());
   DeviceService service(options.bind);
-  RobotsClient client(serving_program(service, options.port),
-                      {server->host, server->port, options.bind, options.port, options.wait, options.token},
-                      std::move(*robots));
+  RobotsClient client(
+      serving_program(service, options.port),
+      {server->host, server->port, options.bind, options.port, options.wait, options.token, *trust},
+      std::move(*robots));
   client.begin();
   return service.run();
 }

@@ -92,6 +92,7 @@ RobotsClient::RobotsClient(ServingProgram program, RobotsClientOptions options,
                                                       drivers::Passthrough::AfterLoss::kRetire);
   relay_ = relay.get();
   relay_->remote().set_token(options_.token);
+  relay_->remote().set_trust(options_.trust);
   program_.keep(std::move(relay));
   relay_->watch({.connected = [this] { greet(); },
                  .lost =

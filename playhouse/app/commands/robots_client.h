@@ -14,6 +14,7 @@
 #include "playhouse/drivers/passthrough/passthrough.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/network.h"
+#include "playhouse/net/tls/tls_trust.h"
 #include "playhouse/scene/robot_file.h"
 
 namespace playhouse::app {
@@ -29,6 +30,7 @@ class RobotsClient {
     std::uint16_t port = 6665;  // for the first robot without a port, counting up; 0: any free ones
     double patience = 30;       // s, for an answer while robots are brought
     std::string token;          // of a guest; empty: none
+    std::shared_ptr<net::TlsTrust> trust = {};  // of the server; null: in the clear
   };
   /// The program that serves the robots' devices. Its site and network must outlive this.
   struct ServingProgram {

@@ -16,6 +16,8 @@
 #include "playhouse/base/packing.h"
 #include "playhouse/device/device_table.h"
 #include "playhouse/drivers/back_off.h"
+#include "playhouse/net/tls/tls_trust.h"
+#include "playhouse/scene/text/source_text.h"
 #include "playhouse/wire/auth_key.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/common.h"
@@ -569,6 +571,7 @@ constexpr DeviceText kPassthroughUses[] = {
 struct PassthroughOptions {
   Passthrough::AfterLoss after_loss;
   std::string token;
+  std::string tls_ca;  // file; empty: in the clear
 };
 
 Result<PassthroughOptions> passthrough_options(SectionFields fields) {
@@ -578,9 +581,20 @@ Result<PassthroughOptions> passthrough_options(SectionFields fields) {
   std::string token = fields.text({"token", "That of a guest, for a server with --guests.", {}, "none"});
   fields.expect(token.size() <= wire::kAuthKeyBytes, "token",
                 fmt::format("has {} letters at most", wire::kAuthKeyBytes));
+  std::string tls_ca = fields.filename(
+      {"tls_ca", "Certificates to trust, PEM, for a server with --tls-cert: its own, or its authority's."});
   if (const Result<void> fault = fields.fault(); !fault) return fault.error();
   return PassthroughOptions{connects ? Passthrough::AfterLoss::kConnect : Passthrough::AfterLoss::kRetire,
-                            std::move(token)};
+                            std::move(token), std::move(tls_ca)};
+}
+
+Result<std::shared_ptr<net::TlsTrust>> read_trust(const scene::CfgSection& section, const std::string& file) {
+  if (file.empty()) return std::shared_ptr<net::TlsTrust>();
+  const Result<std::string> text = scene::DiskFiles().read(file);
+  if (!text) return Error{section.at("tls_ca"), text.error().line()};
+  Result<std::shared_ptr<net::TlsTrust>> trust = net::TlsTrust::of({file, *text});
+  if (!trust) return Error{section.at("tls_ca"), trust.error().line()};
+  return trust;
 }
 
 /// A parsed section.
@@ -658,7 +672,10 @@ Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection
   const Result<PassthroughOptions> options = passthrough_options(section);
   if (!options) return options.error();
   auto driver = std::make_unique<Passthrough>(site, read->host, read->port, options->after_loss);
+  const Result<std::shared_ptr<net::TlsTrust>> trust = read_trust(section, options->tls_ca);
+  if (!trust) return trust.error();
   driver->remote().set_token(options->token);
+  driver->remote().set_trust(*trust);
   for (std::size_t i = 0; i < read->here.size(); ++i)
     if (const Result<void> added = driver->add(read->here[i], read->there[i]); !added)
       return Error{section.at("provides"), added.error().text};

@@ -48,9 +48,11 @@ void RemoteServer::set_server(std::string host, std::uint16_t port) {
 
 void RemoteServer::connect() {
   if (connection_ || attempt_) return;
-  attempt_ = network_.connect(host_, port_, [this](Result<std::unique_ptr<net::Connection>> connection) {
+  const auto connected = [this](Result<std::unique_ptr<net::Connection>> connection) {
     made(std::move(connection));
-  });
+  };
+  attempt_ = trust_ ? network_.connect_tls(host_, port_, trust_, connected)
+                    : network_.connect(host_, port_, connected);
 }
 
 void RemoteServer::made(Result<std::unique_ptr<net::Connection>> connection) {

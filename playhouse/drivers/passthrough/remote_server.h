@@ -66,6 +66,8 @@ class RemoteServer final : private net::ConnectionEvents {
   void set_server(std::string host, std::uint16_t port);
   /// Authenticates with a guest's token (docs/guests.md). Before connect().
   void set_token(std::string token) { token_ = std::move(token); }
+  /// Speaks TLS, with servers that are trusted; null: in the clear. Before connect().
+  void set_trust(std::shared_ptr<net::TlsTrust> trust) { trust_ = std::move(trust); }
 
   /// Starts connecting unless connecting or connected. The outcome is reported to RemoteServerEvents.
   void connect();
@@ -112,6 +114,7 @@ class RemoteServer final : private net::ConnectionEvents {
   std::uint16_t port_;
   std::string name_;
   std::string token_;  // empty: none
+  std::shared_ptr<net::TlsTrust> trust_;
   RemoteServerEvents& events_;
 
   std::unique_ptr<net::Attempt> attempt_;

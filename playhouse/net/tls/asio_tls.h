@@ -1,6 +1,6 @@
 #pragma once
 
-/// TLS for accepted connections; internal to net.
+/// TLS for connections; internal to net.
 
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ssl/context.hpp>
@@ -10,11 +10,16 @@
 
 #include "playhouse/net/asio_loop.h"
 #include "playhouse/net/tls/tls_identity.h"
+#include "playhouse/net/tls/tls_trust.h"
 
 namespace playhouse::net {
 
 struct TlsIdentity::OpenSsl {
   boost::asio::ssl::context context{boost::asio::ssl::context::tls_server};
+};
+
+struct TlsTrust::OpenSslTrust {
+  boost::asio::ssl::context context{boost::asio::ssl::context::tls_client};
 };
 
 /// A socket with what the peer says, decrypted; what is written to it goes to the peer, encrypted. It ends when the peer's
@@ -27,8 +32,12 @@ struct Decrypted {
 inline constexpr int kHandshakeSeconds = 10;
 inline constexpr std::size_t kHandshakes = 256;  // at once: over it the oldest is given up
 
-/// Performs the handshake. The connection is closed, and `done` gets the reason, if it fails or takes longer.
+/// Performs the handshake of a server. The connection is closed, and `done` gets the reason, if it fails or takes
+/// longer.
 void decrypt(IoLoop::Impl& loop, std::shared_ptr<TlsIdentity> identity, boost::asio::ip::tcp::socket socket,
              std::function<void(Result<Decrypted>)> done);
+/// The same of a client, which fails as well unless the server's certificate is for `host` and is trusted.
+void decrypt_from(IoLoop::Impl& loop, std::shared_ptr<TlsTrust> trust, const std::string& host,
+                  boost::asio::ip::tcp::socket socket, std::function<void(Result<Decrypted>)> done);
 
 }  // namespace playhouse::net

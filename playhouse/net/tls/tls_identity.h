@@ -9,12 +9,14 @@
 
 namespace playhouse::net {
 
+/// A PEM file.
+struct Pem {
+  std::string file;  // for errors
+  std::string text;
+};
+
 class TlsIdentity {
  public:
-  struct Pem {
-    std::string file;  // for errors
-    std::string text;
-  };
   /// From the certificate, followed by those of its issuers if there are any, and its private key without a passphrase.
   static Result<std::shared_ptr<TlsIdentity>> of(const Pem& certificates, const Pem& key);
 

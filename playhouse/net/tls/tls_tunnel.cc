@@ -7,6 +7,7 @@
 #include <boost/asio/local/connect_pair.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/ssl/error.hpp>
+#include <boost/asio/ssl/host_name_verification.hpp>
 #include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
@@ -32,21 +33,30 @@ constexpr std::chrono::seconds kLingerTime{2};  // from our last byte to the pee
 /// Kept alive by its pending operations until both directions have ended.
 class TlsTunnel : public std::enable_shared_from_this<TlsTunnel> {
  public:
-  TlsTunnel(IoLoop::Impl& loop, std::shared_ptr<TlsIdentity> identity, tcp::socket socket)
+  /// `owner` is that of the context.
+  TlsTunnel(IoLoop::Impl& loop, std::shared_ptr<void> owner, ssl::context& context, tcp::socket socket)
       : loop_(loop),
-        identity_(std::move(identity)),
-        peer_(std::move(socket), identity_->openssl().context),
+        owner_(std::move(owner)),
+        peer_(std::move(socket), context),
         inner_(loop.context),
         timer_(loop.context) {}
 
-  void begin(std::function<void(Result<Decrypted>)> done) {
+  /// Of a client: the server has to be this host.
+  void expect(const std::string& host) {
+    error_code error;
+    peer_.set_verify_callback(ssl::host_name_verification(host), error);
+    asio::ip::make_address(host, error);
+    if (error)
+      SSL_set_tlsext_host_name(peer_.native_handle(), host.c_str());  // names alone are told (RFC 6066)
+  }
+
+  void begin(ssl::stream_base::handshake_type side, std::function<void(Result<Decrypted>)> done) {
     if (loop_.handshakes.size() >= kHandshakes) std::function(loop_.handshakes.front())();
     handshake_ = loop_.handshakes.insert(loop_.handshakes.end(), [this] { close(); });
     close_after(std::chrono::seconds(kHandshakeSeconds));
-    peer_.async_handshake(ssl::stream_base::server,
-                          [self = shared_from_this(), done = std::move(done)](const error_code& error) {
-                            done(error ? self->give_up(error.message()) : self->open());
-                          });
+    peer_.async_handshake(side, [self = shared_from_this(), done = std::move(done)](const error_code& error) {
+      done(error ? self->give_up(error.message()) : self->open());
+    });
   }
 
  private:
@@ -167,7 +177,7 @@ class TlsTunnel : public std::enable_shared_from_this<TlsTunnel> {
   }
 
   IoLoop::Impl& loop_;
-  const std::shared_ptr<TlsIdentity> identity_;
+  const std::shared_ptr<void> owner_;
   ssl::stream<tcp::socket> peer_;
   asio::local::stream_protocol::socket inner_;
   asio::steady_timer timer_;  // of the handshake, then of the end
@@ -181,7 +191,17 @@ class TlsTunnel : public std::enable_shared_from_this<TlsTunnel> {
 
 void decrypt(IoLoop::Impl& loop, std::shared_ptr<TlsIdentity> identity, tcp::socket socket,
              std::function<void(Result<Decrypted>)> done) {
-  std::make_shared<TlsTunnel>(loop, std::move(identity), std::move(socket))->begin(std::move(done));
+  ssl::context& context = identity->openssl().context;
+  std::make_shared<TlsTunnel>(loop, std::move(identity), context, std::move(socket))
+      ->begin(ssl::stream_base::server, std::move(done));
+}
+
+void decrypt_from(IoLoop::Impl& loop, std::shared_ptr<TlsTrust> trust, const std::string& host,
+                  tcp::socket socket, std::function<void(Result<Decrypted>)> done) {
+  ssl::context& context = trust->openssl().context;
+  const auto tunnel = std::make_shared<TlsTunnel>(loop, std::move(trust), context, std::move(socket));
+  tunnel->expect(host);
+  tunnel->begin(ssl::stream_base::client, std::move(done));
 }
 
 }  // namespace playhouse::net
