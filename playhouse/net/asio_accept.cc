@@ -1,5 +1,6 @@
 #include "playhouse/net/asio_accept.h"
 
+#include <netinet/tcp.h>
 #include <poll.h>
 
 #include <boost/asio/ip/v6_only.hpp>
@@ -127,6 +128,11 @@ void tune(tcp::socket& socket) {
   setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPIDLE, &kKeepAliveIdle, sizeof kKeepAliveIdle);
   setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPINTVL, &kKeepAliveInterval, sizeof kKeepAliveInterval);
   setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPCNT, &kKeepAliveProbes, sizeof kKeepAliveProbes);
+}
+
+void expect_alive(tcp::socket& socket) {
+  const unsigned milliseconds = kAliveSeconds * 1000;
+  setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_USER_TIMEOUT, &milliseconds, sizeof milliseconds);
 }
 
 bool has_fault(tcp::socket& socket) {

@@ -22,6 +22,8 @@ using SocketAcceptor = std::function<void(AcceptedSocket)>;
 
 /// Sets these options on a socket.
 void tune(boost::asio::ip::tcp::socket& socket);
+/// Connection::expect_alive() of the line to the peer.
+void expect_alive(boost::asio::ip::tcp::socket& socket);
 /// After an event of tcp::socket::wait_error. True for an error, which remains for the reader; false for urgent data.
 bool has_fault(boost::asio::ip::tcp::socket& socket);
 /// "address:port", IPv6 addresses in brackets.

@@ -1,7 +1,5 @@
 // TCP connections: one gathered write at a time, graceful close.
 
-#include <netinet/tcp.h>
-
 #include <algorithm>
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
@@ -83,11 +81,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   }
 
   std::size_t in_flight_bytes() const { return in_flight_bytes_; }
-  void expect_alive() {
-    if (expect_alive_) return expect_alive_();
-    const unsigned milliseconds = kAliveSeconds * 1000;
-    setsockopt(socket_.native_handle(), IPPROTO_TCP, TCP_USER_TIMEOUT, &milliseconds, sizeof milliseconds);
-  }
+  void expect_alive() { expect_alive_ ? expect_alive_() : net::expect_alive(socket_); }
   const std::string& peer() const { return peer_; }
 
  private:

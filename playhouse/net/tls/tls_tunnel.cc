@@ -1,8 +1,6 @@
 // TLS in front of a connection: decrypts into one end of a pair of local sockets, whose other end is what sessions and
 // pages read and write. So neither knows of it.
 
-#include <netinet/tcp.h>
-
 #include <array>
 #include <boost/asio/local/connect_pair.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
@@ -84,7 +82,7 @@ class TlsTunnel : public std::enable_shared_from_this<TlsTunnel> {
     wait_for_hang_up();
     wait_for_fault();
     return Decrypted{std::move(shown), [weak = weak_from_this()] {
-                       if (const auto self = weak.lock()) self->expect_alive();
+                       if (const auto self = weak.lock()) expect_alive(self->peer_.next_layer());
                      }};
   }
 
@@ -153,12 +151,6 @@ class TlsTunnel : public std::enable_shared_from_this<TlsTunnel> {
     output_has_ended_ = true;
     close_after(kLingerTime);
     peer_.async_shutdown([self = shared_from_this()](const error_code&) { self->close(); });
-  }
-
-  void expect_alive() {
-    const unsigned milliseconds = kAliveSeconds * 1000;
-    setsockopt(peer_.lowest_layer().native_handle(), IPPROTO_TCP, TCP_USER_TIMEOUT, &milliseconds,
-               sizeof milliseconds);
   }
 
   void close_after(std::chrono::seconds time) {
