@@ -247,8 +247,7 @@ int serve_devices(const scene::CfgFile& file, const Serving& serving, const Runn
   if (const Result<void> read = service.read_guests(serving.guests); !read) return fail_in_file(read.error());
   if (const Result<void> page = service.open_page(serving, default_port); !page) return fail(page.error());
   const std::string host = shown_host(serving.bind);
-  for (const std::uint16_t each : ports)
-    log::say(fmt::format("Player clients: {}:{}{}", host, each, serving.tls_cert.empty() ? "" : " (TLS)"));
+  for (const std::uint16_t each : ports) log::say(client_place(host, each, !serving.tls_cert.empty()));
   for (const std::string& place : service.places(host)) log::say(place);
   if (opened) opened(ports);
   return service.run();

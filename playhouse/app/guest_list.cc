@@ -28,6 +28,10 @@ void admit_guests(server::Server& server, const web_server::GuestBook& guests) {
       });
 }
 
+std::string client_place(const std::string& host, std::uint16_t port, bool encrypted) {
+  return fmt::format("Player clients: {}:{}{}", host, port, encrypted ? " (TLS)" : "");
+}
+
 std::vector<std::string> guest_places(const web_server::GuestBook& guests, const std::string& host,
                                       std::optional<std::uint16_t> web_port, bool encrypted) {
   std::vector<std::string> lines;

@@ -19,6 +19,9 @@ Result<web_server::GuestBook> read_guest_file(const std::string& file);
 /// Player clients have the rights of their guests. No effect for a book without guests. Before the server runs.
 void admit_guests(server::Server& server, const web_server::GuestBook& guests);
 
+/// "Player clients: HOST:PORT", and " (TLS)" if so.
+std::string client_place(const std::string& host, std::uint16_t port, bool encrypted);
+
 /// "web page: http://HOST:PORT/" (https with TLS), if there is one, and a line for each guest: a link, or a token.
 std::vector<std::string> guest_places(const web_server::GuestBook& guests, const std::string& host,
                                       std::optional<std::uint16_t> web_port, bool encrypted);

@@ -274,8 +274,7 @@ Result<void> Service::open_port(std::uint32_t port) {
   io_runs_ ? loop_.post(open) : open();
   const Result<std::uint16_t> listening = opened->get_future().get();
   if (!listening) return listening.error();
-  if (io_runs_)
-    log::say(fmt::format("Player clients: {}:{}{}", shown_host(serving_.bind), port, tls_ ? " (TLS)" : ""));
+  if (io_runs_) log::say(client_place(shown_host(serving_.bind), number, tls_ != nullptr));
   return {};
 }
 
@@ -448,8 +447,7 @@ Result<void> Service::open_observers() {
 std::vector<std::string> Service::places() const {
   std::vector<std::string> lines;
   const std::string host = shown_host(serving_.bind);
-  for (const std::uint16_t port : player_ports_)
-    lines.push_back(fmt::format("Player clients: {}:{}{}", host, port, tls_ ? " (TLS)" : ""));
+  for (const std::uint16_t port : player_ports_) lines.push_back(client_place(host, port, tls_ != nullptr));
   std::ranges::move(
       guest_places(guests_, host, web_ ? std::optional(web_port_) : std::nullopt, tls_ != nullptr),
       std::back_inserter(lines));
