@@ -6,6 +6,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 . tools/steps.sh
+rm -f build/*/Testing/Temporary/LastTest.log  # of earlier runs
 trap 'report_steps; python3 tools/test_summary.py --failures build/release build/ci build/tsan' EXIT
 
 step "building the page" make --no-print-directory web
