@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "playhouse/drivers/algorithm/goal_algorithm.h"
+#include "playhouse/drivers/algorithm/planner_device.h"
 #include "playhouse/drivers/interfaces/shapes.h"
 
 namespace playhouse::drivers {
@@ -11,25 +12,13 @@ namespace planner = wire::planner;
 
 void GoalAlgorithm::offer_planner(std::size_t device) {
   planner_ = device;
-  for (const std::uint8_t subtype : {planner::kCmdGoal, planner::kCmdStart}) {
-    shell_.on_command<planner::Cmd>(
-        subtype,
-        [this, subtype](const planner::Cmd& command) {
-          return take_goal({command.goal, {}, 1}, subtype == planner::kCmdStart);
-        },
-        device);
-  }
-  shell_.on_request(
-      planner::kReqGetWaypoints,
-      [this](const device::Message&, device::Replier replier) { replier.ack(wire::encode(waypoints())); },
-      device);
-  shell_.on_request<planner::EnableReq>(
-      planner::kReqEnable,
-      [this](const planner::EnableReq& asked) {
-        enable(asked.state != 0);
-        return std::vector<std::byte>();
-      },
-      device);
+  serve_planner(shell_, device,
+                {.take_goal =
+                     [this](const planner::Cmd& command, bool start) {
+                       return take_goal({command.goal, {}, 1}, start);
+                     },
+                 .waypoints = [this] { return waypoints(); },
+                 .enable = [this](bool enabled) { enable(enabled); }});
 }
 
 /// Stops the robot and keeps the goal, or lets it go on.

@@ -95,7 +95,7 @@ std::string_view name_of(ScanInterface interf) {
 
 std::vector<ScanInterface> named_scans(const scene::CfgSection& section) {
   std::vector<ScanInterface> named;
-  for (const ScanInterface each : {ScanInterface::kLaser, ScanInterface::kRanger, ScanInterface::kSonar})
+  for (const ScanInterface each : kScanInterfaces)
     if (names_device(section, "requires", name_of(each))) named.push_back(each);
   if (named.empty()) named.push_back(ScanInterface::kLaser);
   return named;

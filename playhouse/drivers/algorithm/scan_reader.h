@@ -21,6 +21,8 @@
 namespace playhouse::drivers {
 
 enum class ScanInterface : std::uint8_t { kLaser, kRanger, kSonar };
+inline constexpr ScanInterface kScanInterfaces[] = {ScanInterface::kLaser, ScanInterface::kRanger,
+                                                    ScanInterface::kSonar};
 
 std::string_view name_of(ScanInterface interf);
 

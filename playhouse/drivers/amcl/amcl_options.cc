@@ -59,8 +59,7 @@ void read_sensor(SectionFields& fields, std::string_view sensor, AmclOptions& op
 }
 
 void tell_all(SectionFields fields) {
-  for (const std::string_view sensor : {"laser", "ranger", "sonar"})
-    static_cast<void>(amcl_options(fields, sensor));
+  for (const ScanInterface scans : kScanInterfaces) static_cast<void>(amcl_options(fields, name_of(scans)));
 }
 
 }  // namespace

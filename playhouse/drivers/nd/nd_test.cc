@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "playhouse/drivers/testing/goal_test.h"
-#include "playhouse/drivers/testing/two_eyes.h"
+#include "playhouse/drivers/testing/post_on_the_right.h"
 #include "playhouse/world/population/population.h"
 
 namespace playhouse::drivers {
@@ -151,31 +151,21 @@ TEST_F(NdTwoRobotsTest, sonars_alone_steer_it) {
   EXPECT_GT(std::abs(told({0}).a), geom::radians(10));
 }
 
-/// What nd tells a robot with these scans that is to go ahead, with a post before it on the right.
-class PostBesideTheWay final : public testing::GoalTest {
- public:
-  explicit PostBesideTheWay(const std::string& scans)
-      : GoalTest(testing::two_eyes_world(),
-                 "driver( name \"nd\" provides [\"position2d:1\"] requires [\"output:::position2d:0\" "
-                 "\"input:::position2d:0\" " +
-                     scans + "] )" + testing::kTwoEyesStage) {
-    testing::see(world(), [](int degrees) { return degrees > -35 && degrees < 8 ? 0.9 : 8; });
-    go_to(5, 0);
-    site.run(6);
-  }
-  geom::Twist told() { return GoalTest::told(); }
-
- private:
-  void TestBody() override {}
-};
+geom::Twist told_by(const std::string& scans) {
+  return testing::PostOnTheRight(
+             "driver( name \"nd\" provides [\"position2d:1\"] requires [\"output:::position2d:0\" "
+             "\"input:::position2d:0\" " +
+             scans + "] )")
+      .told();
+}
 
 TEST(NdScans, lead_to_the_same_velocity_whatever_interfaces_tell_them) {
-  const geom::Twist by_laser = PostBesideTheWay("\"laser:0\"").told();
+  const geom::Twist by_laser = told_by("\"laser:0\"");
   EXPECT_GT(by_laser.a, geom::radians(5)) << "it turns away from the post";
   EXPECT_GT(by_laser.x, 0.02);
   for (const std::string scans : {"\"ranger:0\"", "\"ranger:1\"", "\"sonar:0\"", "\"laser:0\" \"ranger:1\"",
                                   "\"ranger:0\" \"sonar:0\"", "\"laser:0\" \"ranger:1\" \"sonar:0\""}) {
-    const geom::Twist told = PostBesideTheWay(scans).told();
+    const geom::Twist told = told_by(scans);
     EXPECT_NEAR(told.x, by_laser.x, 1e-6) << scans;
     EXPECT_NEAR(told.a, by_laser.a, 1e-6) << scans;
   }

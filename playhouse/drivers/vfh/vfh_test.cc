@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "playhouse/drivers/testing/goal_test.h"
+#include "playhouse/drivers/testing/post_on_the_right.h"
 #include "playhouse/drivers/testing/two_eyes.h"
 #include "playhouse/world/population/population.h"
 
@@ -71,29 +72,19 @@ TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_t
   EXPECT_EQ(driver.command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kNo);
 }
 
-/// What vfh tells a robot with these scans that is to go ahead, with a post before it on the right.
-class PostOnTheRight final : public testing::GoalTest {
- public:
-  explicit PostOnTheRight(const std::string& scans)
-      : GoalTest(testing::two_eyes_world(),
-                 "driver( name \"vfh\" provides [\"position2d:1\"] requires [\"position2d:0\" \"" + scans +
-                     "\"] )" + testing::kTwoEyesStage) {
-    testing::see(world(), [](int degrees) { return degrees > -35 && degrees < 8 ? 0.9 : 8; });
-    go_to(5, 0);
-    site.run(6);
-  }
-  geom::Twist told() { return GoalTest::told(); }
-
- private:
-  void TestBody() override {}
-};
+geom::Twist told_by(const std::string& scans) {
+  return testing::PostOnTheRight(
+             "driver( name \"vfh\" provides [\"position2d:1\"] requires [\"position2d:0\" \"" + scans +
+             "\"] )")
+      .told();
+}
 
 TEST(VfhScans, lead_to_the_same_velocity_whatever_interface_tells_them) {
-  const geom::Twist by_laser = PostOnTheRight("laser:0").told();
+  const geom::Twist by_laser = told_by("laser:0");
   EXPECT_GT(by_laser.a, geom::radians(5)) << "it turns away from the post";
   EXPECT_GT(by_laser.x, 0.02);
   for (const char* const scans : testing::kTwoEyes) {
-    const geom::Twist told = PostOnTheRight(scans).told();
+    const geom::Twist told = told_by(scans);
     EXPECT_NEAR(told.x, by_laser.x, 1e-6) << scans;
     EXPECT_NEAR(told.a, by_laser.a, 1e-6) << scans;
   }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "playhouse/base/log.h"
+#include "playhouse/drivers/algorithm/planner_device.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/map_reader.h"
 #include "playhouse/drivers/interfaces/shapes.h"
@@ -33,18 +34,11 @@ Wavefront::Wavefront(Shell& shell, const WavefrontOptions& options)
       options_(options),
       output_states_(shell.client().latest(kOutput, p2d::kDataState)),
       input_states_(shell.client().latest(kInput, p2d::kDataState)) {
-  for (const std::uint8_t subtype : {planner::kCmdGoal, planner::kCmdStart}) {
-    shell.on_command<planner::Cmd>(subtype, [this, subtype](const planner::Cmd& command) {
-      return take_command(command, subtype == planner::kCmdStart);
-    });
-  }
-  shell.on_request(planner::kReqGetWaypoints, [this](const device::Message&, device::Replier replier) {
-    replier.ack(wire::encode(waypoints()));
-  });
-  shell.on_request<planner::EnableReq>(planner::kReqEnable, [this](const planner::EnableReq& asked) {
-    enable(asked.state != 0);
-    return std::vector<std::byte>();
-  });
+  serve_planner(
+      shell, 0,
+      {.take_goal = [this](const planner::Cmd& command, bool start) { return take_command(command, start); },
+       .waypoints = [this] { return waypoints(); },
+       .enable = [this](bool enabled) { enable(enabled); }});
   shell.on_refusal_asked([this] { return refusal(); });
 }
 
