@@ -132,8 +132,8 @@ class Network {
   /// never after the attempt's destruction, which is allowed inside it.
   [[nodiscard]] virtual std::unique_ptr<Attempt> connect(const std::string& host, std::uint16_t port,
                                                          Connected connected) = 0;
-  /// The same to a port that speaks TLS, within twice that time; fails unless its certificate is for `host` and trusted. A network without
-  /// TLS connects in the clear: simulated ones have none.
+  /// The same to a port that speaks TLS, within twice that time; fails unless its certificate is for `host`
+  /// and trusted. A network without TLS connects in the clear: simulated ones have none.
   [[nodiscard]] virtual std::unique_ptr<Attempt> connect_tls(const std::string& host, std::uint16_t port,
                                                              std::shared_ptr<TlsTrust> trust,
                                                              Connected connected);
