@@ -12,6 +12,7 @@
 #include <boost/json/serialize.hpp>
 #include <csignal>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -55,11 +56,10 @@ std::optional<std::string> address_for_others() {
 
 }  // namespace
 
-DeviceService::DeviceService(const std::string& bind, std::span<const std::string> allowed, bool encrypted)
-    : encrypted_(encrypted),
+DeviceService::DeviceService(Serving serving, std::span<const std::string> allowed)
+    : serving_(std::move(serving)),
       libraries_{.folders = {}, .allowed = {allowed.begin(), allowed.end()}},
-      server_(std::make_unique<server::Server>(
-          loop_, server::ServerOptions{.bind = bind, .sessions = sessions_that_fit(encrypted)})) {}
+      server_(std::make_unique<server::Server>(loop_, server_options(serving_))) {}
 
 drivers::Site& DeviceService::open_site(std::uint16_t port) {
   drivers::Host& surroundings = *this;  // private base, not accessible to make_unique
@@ -80,8 +80,8 @@ Result<std::uint16_t> DeviceService::listen(std::uint16_t port) {
   return opened;
 }
 
-Result<void> DeviceService::read_tls(const Serving& serving) {
-  const Result<std::shared_ptr<net::TlsIdentity>> identity = read_tls_files(serving);
+Result<void> DeviceService::read_tls() {
+  const Result<std::shared_ptr<net::TlsIdentity>> identity = read_tls_files(serving_);
   if (!identity) return identity.error();
   loop_.use_tls(*identity);
   return {};
@@ -95,23 +95,23 @@ Result<void> DeviceService::make_drivers(const scene::CfgFile& file) {
   return {};
 }
 
-Result<void> DeviceService::read_guests(const std::string& file) {
-  Result<web_server::GuestBook> guests = read_guest_file(file);
+Result<void> DeviceService::read_guests() {
+  Result<web_server::GuestBook> guests = app::read_guests(serving_);
   if (!guests) return guests.error();
   guests_ = std::move(*guests);
   admit_guests(*server_, guests_);
   return {};
 }
 
-Result<void> DeviceService::open_page(const Serving& serving, std::uint16_t player_port) {
-  if (!serving.web) return {};
-  web_server::DevicePage::DevicePageOptions options{.bind = serving.bind,
-                                                    .port = *serving.web,
+Result<void> DeviceService::open_page(std::uint16_t player_port) {
+  if (!serving_.web) return {};
+  web_server::DevicePage::DevicePageOptions options{.bind = serving_.bind,
+                                                    .port = *serving_.web,
                                                     .page = web_server::page_files(),
                                                     .host_name = {},
-                                                    .further_names = serving.web_hosts,
+                                                    .further_names = serving_.web_hosts,
                                                     .guests = guests_,
-                                                    .proxies = serving.proxies,
+                                                    .proxies = serving_.proxies,
                                                     .player_port = player_port};
   page_ = std::make_unique<web_server::DevicePage>(
       loop_, std::move(options),
@@ -125,7 +125,7 @@ Result<void> DeviceService::open_page(const Serving& serving, std::uint16_t play
   if (!port) {
     const std::string text = port.error().text + "; --web takes another port";
     page_.reset();
-    if (serving.web_was_asked_for) return Error{port.error().where, text};
+    if (serving_.web_was_asked_for) return Error{port.error().where, text};
     log::warn("no web page: {}: {}", port.error().where, text);
     return {};
   }
@@ -163,8 +163,14 @@ void DeviceService::end_recording() {
   record_file_->finish();  // what fails is in the log
 }
 
-std::vector<std::string> DeviceService::places(const std::string& host) const {
-  return guest_places(guests_, host, page_ ? std::optional(web_port_) : std::nullopt, encrypted_);
+std::vector<std::string> DeviceService::places() const {
+  const std::string host = shown_host(serving_.bind);
+  std::vector<std::string> lines;
+  for (const std::uint16_t port : ports_) lines.push_back(client_place(host, port, serving_));
+  std::ranges::move(
+      guest_places(guests_, host, page_ ? std::optional(web_port_) : std::nullopt, serving_.is_encrypted()),
+      std::back_inserter(lines));
+  return lines;
 }
 
 /// {"ports":[6665],"clients":[{"peer":"127.0.0.1:4242","port":6665,"devices":["laser:0"]}]}, and with a recording
@@ -228,8 +234,8 @@ int serve_devices(const scene::CfgFile& file, const Serving& serving, const Runn
                     fmt::format("invalid option {}: the file has no world", running.for_a_world.front())},
                    kUsage);
   std::vector<std::uint16_t> ports;
-  DeviceService service(serving.bind, running.allowed_libraries, !serving.tls_cert.empty());
-  if (const Result<void> read = service.read_tls(serving); !read) return fail_in_file(read.error());
+  DeviceService service(serving, running.allowed_libraries);
+  if (const Result<void> read = service.read_tls(); !read) return fail_in_file(read.error());
   std::uint16_t default_port = serving.port;
   for (const std::uint16_t wanted : ports_of(file, serving.port)) {
     const Result<std::uint16_t> listening = service.listen(wanted == 0 ? serving.port : wanted);
@@ -244,13 +250,20 @@ int serve_devices(const scene::CfgFile& file, const Serving& serving, const Runn
       return fail_in_file(kept.error());
     if (const Result<void> step = service.record(running.record); !step) return fail_at(step.error());
   }
-  if (const Result<void> read = service.read_guests(serving.guests); !read) return fail_in_file(read.error());
-  if (const Result<void> page = service.open_page(serving, default_port); !page) return fail(page.error());
-  const std::string host = shown_host(serving.bind);
-  for (const std::uint16_t each : ports) log::say(client_place(host, each, !serving.tls_cert.empty()));
-  for (const std::string& place : service.places(host)) log::say(place);
+  if (const Result<void> read = service.read_guests(); !read) return fail_in_file(read.error());
+  if (const Result<void> page = service.open_page(default_port); !page) return fail(page.error());
+  for (const std::string& place : service.places()) log::say(place);
   if (opened) opened(ports);
   return service.run();
+}
+
+server::ServerOptions server_options(const Serving& serving) {
+  server::ServerOptions options;
+  options.bind = serving.bind;
+  options.sessions = sessions_that_fit(serving.is_encrypted());
+  options.unix_folder = serving.unix_folder;
+  options.datagrams = serving.udp;
+  return options;
 }
 
 std::string shown_host(const std::string& bind) {

@@ -26,9 +26,8 @@ namespace playhouse::app {
 
 class DeviceService final : private ServerHost {
  public:
-  /// `allowed`: files of libraries that plug-ins may come from. `encrypted`: read_tls() follows.
-  explicit DeviceService(const std::string& bind, std::span<const std::string> allowed = {},
-                         bool encrypted = false);
+  /// `allowed`: files of libraries that plug-ins may come from.
+  explicit DeviceService(Serving serving, std::span<const std::string> allowed = {});
   ~DeviceService() override;
 
   /// Opens a port for Player clients (0: any free one).
@@ -41,15 +40,15 @@ class DeviceService final : private ServerHost {
   drivers::Site& open_site(std::uint16_t port);
 
   /// Reads the guest file. Fails if it is invalid or admits nobody.
-  Result<void> read_guests(const std::string& file);
+  Result<void> read_guests();
   /// As that of Service; before listen().
-  Result<void> read_tls(const Serving& serving);
+  Result<void> read_tls();
   /// Starts the page of the devices, if enabled; `player_port` is for clients that name none.
-  Result<void> open_page(const Serving& serving, std::uint16_t player_port);
+  Result<void> open_page(std::uint16_t player_port);
   /// Records the data of all devices from now on, which opens them for reading. Fails if the file is not writable.
   Result<void> record(const std::string& file);
-  /// Of the page and of guests, one line each.
-  std::vector<std::string> places(const std::string& host) const;
+  /// Of ports, page and guests, one line each.
+  std::vector<std::string> places() const;
 
   /// For timers.
   net::IoLoop& loop() { return loop_; }
@@ -87,7 +86,7 @@ class DeviceService final : private ServerHost {
   };
 
   // In order of construction: later members use earlier ones.
-  const bool encrypted_;
+  const Serving serving_;
   libraries::Libraries libraries_;
   net::IoLoop loop_;
   std::unique_ptr<drivers::Site> site_;
@@ -115,6 +114,9 @@ bool has_world(const scene::CfgFile& file);
 /// called with the ports once clients can connect. Returns the exit code.
 int serve_devices(const scene::CfgFile& file, const Serving& serving, const Running& running,
                   const std::function<void(const std::vector<std::uint16_t>&)>& opened = {});
+
+/// Of the server of Player clients. Logs fewer sessions than usual.
+server::ServerOptions server_options(const Serving& serving);
 
 /// The address for clients to use: `bind`, or for a wildcard
 /// the first address of this machine reachable from outside.

@@ -232,7 +232,7 @@ class Bob {
     return bob;
   }
 
-  app::DeviceService service_{"127.0.0.1"};
+  app::DeviceService service_{app::Serving{.bind = "127.0.0.1"}};
   std::promise<Result<std::uint16_t>> listening_;
   bool is_listening_ = false;  // thread of the program
   app::RobotsClient client_;

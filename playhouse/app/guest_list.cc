@@ -1,6 +1,7 @@
 #include "playhouse/app/guest_list.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 
@@ -8,11 +9,13 @@
 
 namespace playhouse::app {
 
-Result<web_server::GuestBook> read_guest_file(const std::string& file) {
-  if (file.empty()) return web_server::GuestBook();
-  const Result<std::string> text = read_file(file);
+Result<web_server::GuestBook> read_guests(const Serving& serving) {
+  if (!serving.key.empty())
+    return web_server::GuestBook({{.role = web_server::GuestRole::kAdmin, .token = serving.key, .name = {}}});
+  if (serving.guests.empty()) return web_server::GuestBook();
+  const Result<std::string> text = read_file(serving.guests);
   if (!text) return text.error();
-  Result<std::vector<web_server::Guest>> guests = web_server::parse_guests(*text, file);
+  Result<std::vector<web_server::Guest>> guests = web_server::parse_guests(*text, serving.guests);
   if (!guests) return guests.error();
   return web_server::GuestBook(std::move(*guests));
 }
@@ -28,8 +31,13 @@ void admit_guests(server::Server& server, const web_server::GuestBook& guests) {
       });
 }
 
-std::string client_place(const std::string& host, std::uint16_t port, bool encrypted) {
-  return fmt::format("Player clients: {}:{}{}", host, port, encrypted ? " (TLS)" : "");
+std::string client_place(const std::string& host, std::uint16_t port, const Serving& serving) {
+  std::vector<std::string> ways;
+  if (serving.is_encrypted()) ways.push_back("TLS");
+  if (serving.udp) ways.push_back("also UDP");
+  if (!serving.unix_folder.empty()) ways.push_back(fmt::format("also {}/{}", serving.unix_folder, port));
+  return fmt::format("Player clients: {}:{}{}", host, port,
+                     ways.empty() ? "" : fmt::format(" ({})", fmt::join(ways, ", ")));
 }
 
 std::vector<std::string> guest_places(const web_server::GuestBook& guests, const std::string& host,

@@ -7,20 +7,22 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/app/commands/options.h"
 #include "playhouse/base/result.h"
 #include "playhouse/server/server.h"
 #include "playhouse/web_server/guests.h"
 
 namespace playhouse::app {
 
-/// Reads the guest file; without a name everybody is admitted. Fails if it is invalid or admits nobody.
-Result<web_server::GuestBook> read_guest_file(const std::string& file);
+/// Reads the guest file, or admits who has the key, as an admin; with neither everybody is. Fails if the file is
+/// invalid or admits nobody.
+Result<web_server::GuestBook> read_guests(const Serving& serving);
 
 /// Player clients have the rights of their guests. No effect for a book without guests. Before the server runs.
 void admit_guests(server::Server& server, const web_server::GuestBook& guests);
 
-/// "Player clients: HOST:PORT", and " (TLS)" if so.
-std::string client_place(const std::string& host, std::uint16_t port, bool encrypted);
+/// "Player clients: HOST:PORT", and " (TLS)", " (also UDP)" and the like if so.
+std::string client_place(const std::string& host, std::uint16_t port, const Serving& serving);
 
 /// "web page: http://HOST:PORT/" (https with TLS), if there is one, and a line for each guest: a link, or a token.
 std::vector<std::string> guest_places(const web_server::GuestBook& guests, const std::string& host,

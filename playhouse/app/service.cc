@@ -16,7 +16,6 @@
 #include <thread>
 #include <utility>
 
-#include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/free_ports.h"
@@ -91,9 +90,7 @@ Service::Service(Serving serving, Running running, QuitTime quit_time)
       running_(running),
       quit_time_(quit_time),
       warn_(&warn),
-      server_(std::make_unique<server::Server>(
-          loop_, server::ServerOptions{.bind = serving_.bind,
-                                       .sessions = sessions_that_fit(!serving_.tls_cert.empty())})) {
+      server_(std::make_unique<server::Server>(loop_, server_options(serving_))) {
   server_->set_clock([this] { return simulation().time(); });
 }
 
@@ -274,7 +271,7 @@ Result<void> Service::open_port(std::uint32_t port) {
   io_runs_ ? loop_.post(open) : open();
   const Result<std::uint16_t> listening = opened->get_future().get();
   if (!listening) return listening.error();
-  if (io_runs_) log::say(client_place(shown_host(serving_.bind), number, tls_ != nullptr));
+  if (io_runs_) log::say(client_place(shown_host(serving_.bind), number, serving_));
   return {};
 }
 
@@ -369,7 +366,7 @@ void Service::stop() {
 }
 
 Result<void> Service::read_guests() {
-  Result<web_server::GuestBook> guests = read_guest_file(serving_.guests);
+  Result<web_server::GuestBook> guests = app::read_guests(serving_);
   if (!guests) return guests.error();
   guests_ = std::move(*guests);
   admit_guests(*server_, guests_);
@@ -447,7 +444,7 @@ Result<void> Service::open_observers() {
 std::vector<std::string> Service::places() const {
   std::vector<std::string> lines;
   const std::string host = shown_host(serving_.bind);
-  for (const std::uint16_t port : player_ports_) lines.push_back(client_place(host, port, tls_ != nullptr));
+  for (const std::uint16_t port : player_ports_) lines.push_back(client_place(host, port, serving_));
   std::ranges::move(
       guest_places(guests_, host, web_ ? std::optional(web_port_) : std::nullopt, tls_ != nullptr),
       std::back_inserter(lines));

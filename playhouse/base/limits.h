@@ -23,10 +23,14 @@ inline constexpr std::size_t kSessionsOfHost = 1024;
 inline constexpr int kSilentSeconds = 60;  // a client that has not said anything yet is closed then
 // Connections that wait for their peers to end: over it the first is closed.
 inline constexpr std::size_t kLingering = kSessions;
-inline constexpr std::size_t kSocketMessageBytes = 128u << 10;  // of one message of a WebSocket of a client
-inline constexpr std::size_t kSessionQueueMessages = 1024;      // data waiting for one client
-inline constexpr std::size_t kSessionQueueBytes = 64u << 20;    // the same in bytes, headers included
-inline constexpr std::size_t kSessionRules = 256;               // replace rules of one client
+// A session over UDP that says nothing for so long is gone: there is no other sign, where nothing refuses.
+inline constexpr int kDatagramSilentSeconds = 600;
+inline constexpr std::size_t kDatagramMostBytes = 65507;          // of one datagram of UDP over IPv4
+inline constexpr std::size_t kDatagramWaitingBytes = 256u << 10;  // received for a session that is busy
+inline constexpr std::size_t kSocketMessageBytes = 128u << 10;    // of one message of a WebSocket of a client
+inline constexpr std::size_t kSessionQueueMessages = 1024;        // data waiting for one client
+inline constexpr std::size_t kSessionQueueBytes = 64u << 20;      // the same in bytes, headers included
+inline constexpr std::size_t kSessionRules = 256;                 // replace rules of one client
 // Answers one client is owed (docs/server.md); what it says next waits.
 inline constexpr std::size_t kSessionAnswers = 1024;
 // The same in bytes, of requests that drivers have and of answers.

@@ -6,9 +6,11 @@
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include "playhouse/base/log.h"
+#include "playhouse/net/local/unix_socket.h"
 #include "playhouse/net/tls/asio_tls.h"
 
 namespace playhouse::net {
@@ -26,11 +28,7 @@ constexpr int kKeepAliveIdle = 30, kKeepAliveInterval = 10, kKeepAliveProbes = 3
 class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
  public:
   AcceptLoop(IoLoop::Impl& loop, SocketAcceptor acceptor)
-      : loop_(loop),
-        tls_(loop.tls),
-        acceptor_(loop.context),
-        pause_(loop.context),
-        accept_(std::move(acceptor)) {}
+      : loop_(loop), acceptor_(loop.context), pause_(loop.context), accept_(std::move(acceptor)) {}
 
   error_code open(const tcp::endpoint& endpoint) {
     error_code error;
@@ -40,7 +38,20 @@ class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
     if (acceptor_.bind(endpoint, error)) return error;
     acceptor_.listen(asio::socket_base::max_listen_connections, error);
     if (!error) port_ = acceptor_.local_endpoint(error).port();
+    tls_ = loop_.tls;
     return error;
+  }
+
+  /// Without TLS: the line does not leave the machine.
+  Result<void> open_unix(const std::string& folder, std::uint16_t port) {
+    Result<UnixListening> opened = listen_unix(folder, port);
+    if (!opened) return opened.error();
+    unix_ = std::move(*opened);
+    port_ = port;
+    error_code error;
+    acceptor_.assign(tcp::v4(), unix_->descriptor, error);
+    if (error) return Error{unix_->path, "cannot listen: " + error.message()};
+    return {};
   }
 
   void accept_next() {
@@ -56,20 +67,27 @@ class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
   void close() {
     error_code ignored;
     acceptor_.close(ignored);
+    if (unix_) unix_->remove();
     pause_.cancel(ignored);
   }
 
   std::uint16_t port() const { return port_; }
 
  private:
-  void adopt(tcp::socket socket) {
+  std::optional<std::string> peer_of(tcp::socket& socket) const {
+    if (unix_) return unix_peer(socket.native_handle());
     error_code error;
     const tcp::endpoint peer = socket.remote_endpoint(error);
-    if (error) return;  // disconnected already
+    return error ? std::nullopt : std::optional(endpoint_text(peer));
+  }
+
+  void adopt(tcp::socket socket) {
+    const std::optional<std::string> peer = peer_of(socket);
+    if (!peer) return;  // disconnected already
     tune(socket);
-    if (!tls_) return accept_({std::move(socket), endpoint_text(peer), {}, false});
+    if (!tls_) return accept_({std::move(socket), *peer, {}, false});
     decrypt(loop_, tls_, std::move(socket),
-            [self = shared_from_this(), peer = endpoint_text(peer)](Result<Decrypted> decrypted) {
+            [self = shared_from_this(), peer = *peer](Result<Decrypted> decrypted) {
               if (!self->acceptor_.is_open()) return;
               if (!decrypted) return self->warn_of_handshake(peer, decrypted.error().line());
               self->accept_({std::move(decrypted->socket), peer, std::move(decrypted->expect_alive), true});
@@ -93,7 +111,8 @@ class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
   }
 
   IoLoop::Impl& loop_;
-  const std::shared_ptr<TlsIdentity> tls_;
+  std::shared_ptr<TlsIdentity> tls_;   // null: in the clear
+  std::optional<UnixListening> unix_;  // none: TCP
   tcp::acceptor acceptor_;
   asio::steady_timer pause_;
   SocketAcceptor accept_;
@@ -142,10 +161,15 @@ bool has_fault(tcp::socket& socket) {
 
 Result<std::unique_ptr<Listener>> listen_tcp(IoLoop::Impl& impl, const std::string& bind, std::uint16_t port,
                                              SocketAcceptor acceptor) {
+  auto loop = std::make_shared<AcceptLoop>(impl, std::move(acceptor));
+  if (is_unix_folder(bind)) {
+    if (const Result<void> opened = loop->open_unix(bind, port); !opened) return opened.error();
+    loop->accept_next();
+    return std::unique_ptr<Listener>(std::make_unique<TcpListener>(std::move(loop)));
+  }
   error_code error;
   const auto address = asio::ip::make_address(bind == "localhost" ? "127.0.0.1" : bind, error);
   if (error) return Error{bind, "is not an IPv4 or IPv6 address"};
-  auto loop = std::make_shared<AcceptLoop>(impl, std::move(acceptor));
   if (const error_code failed = loop->open({address, port})) {
     return Error{endpoint_text({address, port}), "cannot listen: " + failed.message()};
   }

@@ -4,10 +4,10 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
-#include <optional>
 #include <utility>
 
 #include "playhouse/net/asio_accept.h"
+#include "playhouse/net/local/unix_socket.h"
 
 namespace playhouse::net {
 namespace {
@@ -32,6 +32,8 @@ class Connecting : public std::enable_shared_from_this<Connecting> {
     patience_.async_wait([self = shared_from_this()](const error_code& cancelled) {
       if (!cancelled) self->fail("no answer within " + std::to_string(kConnectSeconds) + " s");
     });
+    if (is_unix_folder(host_))
+      return asio::post(socket_.get_executor(), [self = shared_from_this()] { self->connect_unix_socket(); });
     error_code no_address;
     const auto address = asio::ip::make_address(host_ == "localhost" ? "127.0.0.1" : host_, no_address);
     if (!no_address) {
@@ -61,19 +63,34 @@ class Connecting : public std::enable_shared_from_this<Connecting> {
                         });
   }
 
-  void succeed(const tcp::endpoint& endpoint) {
+  void connect_unix_socket() {
+    if (!connected_) return;
+    const Result<int> made = connect_unix(host_, port_);
+    if (!made) return fail(made.error());
+    error_code error;
+    socket_.assign(tcp::v4(), *made, error);
+    error ? fail(error.message()) : succeed(host_ + ":" + std::to_string(port_));
+  }
+
+  void succeed(const tcp::endpoint& endpoint) { succeed(endpoint_text(endpoint)); }
+
+  void succeed(const std::string& peer) {
     if (!connected_) return;
     tune(socket_);
     patience_.cancel();
-    std::exchange(connected_, nullptr)(ConnectedSocket{std::move(socket_), endpoint_text(endpoint)});
+    std::exchange(connected_, nullptr)(ConnectedSocket{std::move(socket_), peer});
   }
 
   void fail(const std::string& why) {
-    if (!connected_) return;
-    end();
-    std::exchange(connected_, nullptr)(Error{
+    fail(Error{
         (host_.find(':') == std::string::npos ? host_ : "[" + host_ + "]") + ":" + std::to_string(port_),
         "cannot connect: " + why});
+  }
+
+  void fail(const Error& why) {
+    if (!connected_) return;
+    end();
+    std::exchange(connected_, nullptr)(why);
   }
 
   void end() {

@@ -55,6 +55,44 @@ TEST(Datagrams, go_there_and_back_between_real_sockets) {
   expect_an_echo("::");  // hears IPv4 as well
 }
 
+TEST(Datagrams, tell_of_a_peer_whose_port_is_closed_and_reach_the_others) {
+  for (const char* const bind : {"127.0.0.1", "::1", "::"}) {
+    IoLoop loop;
+    const std::string host = std::string(bind) == "::" ? "127.0.0.1" : bind;
+    std::vector<Endpoint> refused;
+    std::string heard;
+    const auto socket = *loop.open_datagrams(bind, 0, [](auto&&...) {});
+    socket->on_refused([&](const Endpoint& peer) {
+      refused.push_back(peer);
+      loop.stop();
+    });
+    auto gone = *loop.open_datagrams(host, 0, [](auto&&...) {});
+    const auto other = *loop.open_datagrams(host, 0, [&](const Endpoint&, std::span<const std::byte> bytes) {
+      heard = text_of(bytes);
+      loop.stop();
+    });
+    const Endpoint peer = *parse_endpoint(host, gone->port());
+    gone.reset();
+    EXPECT_TRUE(socket->send(peer, bytes_of("hello")));
+    const auto patience = loop.after(60, [&] { loop.stop(); });
+    loop.run();
+    ASSERT_EQ(refused.size(), 1u) << bind;
+    EXPECT_EQ(refused[0], peer) << to_text(refused[0]);
+    socket->send(peer, bytes_of("hello"));
+    EXPECT_TRUE(socket->send(*parse_endpoint(host, other->port()), bytes_of("hello")));
+    while (heard.empty() && refused.size() < 3) loop.run();
+    EXPECT_EQ(heard, "hello") << bind;
+  }
+}
+
+TEST(Datagrams, say_that_a_datagram_is_too_long) {
+  IoLoop loop;
+  const auto socket = *loop.open_datagrams("127.0.0.1", 0, [](auto&&...) {});
+  const Endpoint peer = *parse_endpoint("127.0.0.1", socket->port());
+  EXPECT_TRUE(socket->send(peer, std::vector<std::byte>(65507)));
+  EXPECT_FALSE(socket->send(peer, std::vector<std::byte>(65508)));
+}
+
 TEST(Datagrams, a_socket_may_be_closed_by_what_it_hears) {
   IoLoop loop;
   std::unique_ptr<DatagramSocket> server;

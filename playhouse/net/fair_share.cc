@@ -20,6 +20,7 @@ std::string_view address_of(std::string_view peer) {
 }  // namespace
 
 bool is_local(std::string_view peer) {
+  if (peer.starts_with("unix:") || peer.starts_with('/')) return true;
   boost::system::error_code error;
   const ip::address address = ip::make_address(std::string(address_of(peer)), error);
   if (error) return false;

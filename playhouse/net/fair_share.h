@@ -19,7 +19,8 @@ struct Holder {
 /// "10.0.0.7" of "10.0.0.7:4242". For IPv6 the /64 prefix, typically one user's.
 std::string network_of(std::string_view peer);
 
-/// True if "127.0.0.1:4242" is a loopback peer.
+/// True if the peer is of this machine: "127.0.0.1:4242", or by a Unix socket
+/// "unix:PROCESS" or "/FOLDER:6665".
 bool is_local(std::string_view peer);
 
 /// Whom a peer's share of a run belongs to: its token, without one ("*") its network. Of loopback peers

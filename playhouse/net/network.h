@@ -86,8 +86,10 @@ class DatagramSocket {
   using Receiver = std::function<void(const Endpoint& from, std::span<const std::byte> bytes)>;
 
   virtual ~DatagramSocket() = default;
-  /// Sends at once or drops: if the system has no room, the datagram is lost.
-  virtual void send(const Endpoint& to, std::span<const std::byte> bytes) = 0;
+  /// Sends at once. False: the system has no room, or the datagram is too long, and it is lost.
+  virtual bool send(const Endpoint& to, std::span<const std::byte> bytes) = 0;
+  /// Calls `refused` when the machine of a peer says that no program has its port (ICMP). Call once.
+  virtual void on_refused(std::function<void(const Endpoint& peer)> refused) = 0;
   virtual std::uint16_t port() const = 0;
 };
 
@@ -116,7 +118,8 @@ class Network {
   /// Runs the task once, `seconds` from now.
   [[nodiscard]] virtual std::unique_ptr<Timer> after(double seconds, Task task) = 0;
   /// Opens a TCP port (0: any free one). `bind` is a numeric IPv4 or IPv6 address or "localhost"; "0.0.0.0"
-  /// means every IPv4 interface, "::" every interface of either kind.
+  /// means every IPv4 interface, "::" every interface of either kind. A folder, "/FOLDER", opens the Unix
+  /// socket FOLDER/port instead, which its Listener removes; peers are "unix:PROCESS" then.
   virtual Result<std::unique_ptr<Listener>> listen(const std::string& bind, std::uint16_t port,
                                                    Acceptor acceptor) = 0;
   /// Serves HTTP and WebSockets (http.h) on a TCP port, likewise. `service` must outlive the network's run.
@@ -127,7 +130,7 @@ class Network {
                                                                  DatagramSocket::Receiver receiver) = 0;
   /// Clock of the network: monotonic seconds. Any thread.
   virtual double now() const = 0;
-  /// Connects to a TCP port of a host, by name or numeric address. `connected`
+  /// Connects to a TCP port of a host, by name, numeric address or "/FOLDER". `connected`
   /// is called once, after connect() has returned, within kConnectSeconds;
   /// never after the attempt's destruction, which is allowed inside it.
   [[nodiscard]] virtual std::unique_ptr<Attempt> connect(const std::string& host, std::uint16_t port,

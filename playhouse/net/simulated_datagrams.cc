@@ -10,9 +10,12 @@ class SimulatedDatagrams final : public DatagramSocket {
  public:
   SimulatedDatagrams(SimulatedNetwork& network, const Endpoint& here, std::shared_ptr<Receiver> receiver)
       : network_(network), here_(here), receiver_(std::move(receiver)) {}
-  void send(const Endpoint& to, std::span<const std::byte> bytes) override {
+  bool send(const Endpoint& to, std::span<const std::byte> bytes) override {
     network_.carry(here_, to, bytes);
+    return true;
   }
+  /// Machines here say nothing.
+  void on_refused(std::function<void(const Endpoint&)>) override {}
   std::uint16_t port() const override { return here_.port; }
 
  private:

@@ -1,7 +1,16 @@
 /// UDP sockets of the io loop.
 
+#include <linux/errqueue.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <array>
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/ip/v6_only.hpp>
+#include <cerrno>
+#include <cstring>
+#include <functional>
+#include <optional>
 #include <utility>
 
 #include "playhouse/net/asio_loop.h"
@@ -59,9 +68,23 @@ class ReadLoop : public std::enable_shared_from_this<ReadLoop> {
     });
   }
 
-  void send(const Endpoint& to, std::span<const std::byte> bytes) {
+  // An error of an earlier datagram may be told by this call, which then has not sent.
+  bool send(const Endpoint& to, std::span<const std::byte> bytes) {
     error_code lost;
-    socket_.send_to(asio::buffer(bytes.data(), bytes.size()), to_asio(to, is_v4_), 0, lost);
+    for (int tries = 0; tries < 2; ++tries) {
+      socket_.send_to(asio::buffer(bytes.data(), bytes.size()), to_asio(to, is_v4_), 0, lost);
+      if (lost != asio::error::connection_refused) break;
+    }
+    return !lost;
+  }
+
+  void on_refused(std::function<void(const Endpoint&)> refused) {
+    refused_ = std::move(refused);
+    const int on = 1;
+    const int socket = socket_.native_handle();
+    setsockopt(socket, IPPROTO_IP, IP_RECVERR, &on, sizeof on);
+    if (!is_v4_) setsockopt(socket, IPPROTO_IPV6, IPV6_RECVERR, &on, sizeof on);
+    wait_for_refusal();
   }
 
   void close() {
@@ -77,14 +100,44 @@ class ReadLoop : public std::enable_shared_from_this<ReadLoop> {
       udp::endpoint from;
       error_code error;
       const std::size_t size = socket_.receive_from(asio::buffer(loop_.read_buffer), from, 0, error);
-      if (error) return;  // none left, or an ICMP error of an earlier one
+      if (error == asio::error::connection_refused) continue;  // of one sent before: wait_for_refusal()
+      if (error) return;                                       // none left
       receiver_(from_asio(from), std::span(loop_.read_buffer).first(size));
+    }
+  }
+
+  void wait_for_refusal() {
+    socket_.async_wait(udp::socket::wait_error, [self = shared_from_this()](const error_code& error) {
+      if (error || !self->socket_.is_open()) return;
+      while (const std::optional<Endpoint> peer = self->next_refusal()) self->refused_(*peer);
+      if (self->socket_.is_open()) self->wait_for_refusal();
+    });
+  }
+
+  /// Of the system's queue of errors, which has where a datagram was sent to (ip(7)).
+  std::optional<Endpoint> next_refusal() {
+    for (;;) {
+      udp::endpoint peer;
+      alignas(cmsghdr) std::array<std::byte, 512> control{};
+      msghdr message{};
+      message.msg_name = peer.data();
+      message.msg_namelen = static_cast<socklen_t>(peer.capacity());
+      message.msg_control = control.data();
+      message.msg_controllen = control.size();
+      if (!socket_.is_open() || ::recvmsg(socket_.native_handle(), &message, MSG_ERRQUEUE) < 0) return {};
+      peer.resize(message.msg_namelen);
+      const cmsghdr* const first = CMSG_FIRSTHDR(&message);
+      if (first == nullptr) continue;
+      sock_extended_err why{};
+      std::memcpy(&why, CMSG_DATA(first), sizeof why);
+      if (why.ee_errno == ECONNREFUSED) return from_asio(peer);
     }
   }
 
   IoLoop::Impl& loop_;
   udp::socket socket_;
   DatagramSocket::Receiver receiver_;
+  std::function<void(const Endpoint&)> refused_;
   std::uint16_t port_ = 0;
   bool is_v4_ = true;
 };
@@ -93,7 +146,10 @@ class UdpSocket final : public DatagramSocket {
  public:
   explicit UdpSocket(std::shared_ptr<ReadLoop> loop) : loop_(std::move(loop)) {}
   ~UdpSocket() override { loop_->close(); }
-  void send(const Endpoint& to, std::span<const std::byte> bytes) override { loop_->send(to, bytes); }
+  bool send(const Endpoint& to, std::span<const std::byte> bytes) override { return loop_->send(to, bytes); }
+  void on_refused(std::function<void(const Endpoint&)> refused) override {
+    loop_->on_refused(std::move(refused));
+  }
   std::uint16_t port() const override { return loop_->port(); }
 
  private:

@@ -13,7 +13,7 @@ namespace playhouse::scene {
 /// everything before the interface may be missing or empty.
 struct DeviceAddress {
   std::string key;                    // "": none
-  std::string host;                   // "": this server
+  std::string host;                   // "": this server; "/FOLDER": one with a Unix socket there
   std::optional<std::uint16_t> port;  // none: the server's own
   std::string interf;                 // interface name, e.g. "position2d"
   std::uint16_t index = 0;

@@ -59,6 +59,7 @@ class Server::Impl final : public ClientOwner {
   }
 
   Result<std::uint16_t> listen(std::uint16_t port);
+  Result<void> listen_besides(std::uint16_t port, const net::Network::Acceptor& acceptor);
   void accept(std::uint32_t robot, std::unique_ptr<net::Connection> connection);
   void publish(std::vector<device::Publication> batch) {
     if (outbox_.put(std::move(batch))) wake();
@@ -122,6 +123,7 @@ class Server::Impl final : public ClientOwner {
       std::make_shared<int>(0);  // tasks posted by us look whether we are still there
   Switchboard board_;            // after the outbox: drivers that are stopped may still answer
   std::vector<std::unique_ptr<net::Listener>> listeners_;
+  std::vector<std::unique_ptr<DatagramPort>> datagram_ports_;
   std::map<std::uint32_t, std::unique_ptr<Client>> clients_;
   std::function<void()> done_;                // set once the run is over
   std::unique_ptr<net::Timer> last_moments_;  // timeouts of shutdown: pending rounds, then pending writes
@@ -135,18 +137,38 @@ class Server::Impl final : public ClientOwner {
 
 Result<std::uint16_t> Server::Impl::listen(std::uint16_t port) {
   // The acceptor needs the port, which is known only after listen().
-  auto robot = std::make_shared<std::uint32_t>(port);
-  auto listener = network_.listen(
-      options_.bind, port,
-      [this, robot](std::unique_ptr<net::Connection> connection) { accept(*robot, std::move(connection)); });
+  const auto robot = std::make_shared<std::uint32_t>(port);
+  const auto accept_there = [this, robot](std::unique_ptr<net::Connection> connection) {
+    accept(*robot, std::move(connection));
+  };
+  auto listener = network_.listen(options_.bind, port, accept_there);
   if (!listener) return listener.error();
-  *robot = (*listener)->port();
+  port = (*listener)->port();
+  *robot = port;
+  if (const Result<void> opened = listen_besides(port, accept_there); !opened) return opened.error();
   listeners_.push_back(std::move(*listener));
-  return listeners_.back()->port();
+  return port;
+}
+
+/// Unix socket and UDP port of this number.
+Result<void> Server::Impl::listen_besides(std::uint16_t port, const net::Network::Acceptor& acceptor) {
+  std::unique_ptr<net::Listener> local;
+  if (!options_.unix_folder.empty()) {
+    auto listener = network_.listen(options_.unix_folder, port, acceptor);
+    if (!listener) return listener.error();
+    local = std::move(*listener);
+  }
+  if (options_.datagrams) {
+    auto opened = DatagramPort::open(network_, options_.bind, port, acceptor);
+    if (!opened) return opened.error();
+    datagram_ports_.push_back(std::move(*opened));
+  }
+  if (local) listeners_.push_back(std::move(local));
+  return {};
 }
 
 void Server::Impl::accept(std::uint32_t robot, std::unique_ptr<net::Connection> connection) {
-  if (!has_room_for(*connection)) {
+  if (done_ || !has_room_for(*connection)) {  // after the run only datagrams still come
     ++refused_;
     return;
   }
@@ -399,6 +421,7 @@ void Server::Impl::end() {
   for (const auto& [serial, client] : clients_) client->tell_unread();
   clients_.clear();
   hosts_.clear();
+  datagram_ports_.clear();
   last_moments_.reset();
   std::exchange(done_, {})();
 }
@@ -452,6 +475,7 @@ ServerStatus Server::Impl::status() const {
   status.devices = board_.devices.size();
   status.devices_retired = retired_;
   status.device_rows = device_rows();
+  for (const auto& port : datagram_ports_) status.datagrams += port->counts();
   return status;
 }
 

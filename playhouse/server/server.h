@@ -23,6 +23,7 @@
 #include "playhouse/device/driver.h"
 #include "playhouse/device/turns.h"
 #include "playhouse/net/network.h"
+#include "playhouse/server/datagram_port.h"
 
 namespace playhouse::server {
 
@@ -33,6 +34,8 @@ struct ServerOptions {
   std::size_t input_bytes = limits::kInputBytes;  // smaller in tests
   std::size_t output_bytes = limits::kOutputBytes;
   std::size_t sessions = limits::kSessions;  // fewer where descriptors are few
+  std::string unix_folder = {};              // each port has a Unix socket there as well; empty: none
+  bool datagrams = false;                    // each port is one of UDP as well
 };
 
 /// Metrics of a running server. Totals since the start unless stated otherwise.
@@ -55,6 +58,7 @@ struct ServerStatus {
   std::size_t devices = 0;             // now
   std::uint64_t devices_retired = 0;
   std::size_t device_rows = 0;  // now: entries for devices in tables of the server and its sessions
+  DatagramCounts datagrams;     // of all ports
 };
 
 /// A connected client.
@@ -74,8 +78,8 @@ class Server final : public device::Publisher, public device::Outlet {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  /// Starts listening on one more port (0: any free one) and returns
-  /// it; it is the `robot` of its devices: each port is a name space.
+  /// Starts listening on one more port (0: any free one) and returns it, in all ways of the options;
+  /// it is the `robot` of its devices: each port is a name space.
   Result<std::uint16_t> listen(std::uint16_t port);
 
   /// Serves a client that has connected in another way, as one of this open port.

@@ -50,8 +50,7 @@ std::string fault_of(const std::vector<std::string_view>& words) {
     return "a token is missing: role token [name]; ? makes one, * is for whoever has no token";
   if (words.size() > 3) return "more than role, token and name";
   const std::string_view token = words[1];
-  if (token != "*" && token != "?" &&
-      (token.size() < limits::kTokenBytesLeast || token.size() > limits::kTokenBytes || !is_word(token)))
+  if (token != "*" && token != "?" && !is_token(token))
     return fmt::format("invalid token: {} to {} letters, digits, - and _ are valid", limits::kTokenBytesLeast,
                        limits::kTokenBytes);
   if (words.size() < 3) return {};
@@ -62,6 +61,10 @@ std::string fault_of(const std::vector<std::string_view>& words) {
 }
 
 }  // namespace
+
+bool is_token(std::string_view text) {
+  return text.size() >= limits::kTokenBytesLeast && text.size() <= limits::kTokenBytes && is_word(text);
+}
 
 std::string_view name_of(GuestRole role) {
   return kRoles[static_cast<std::size_t>(role)];

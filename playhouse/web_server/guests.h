@@ -96,6 +96,9 @@ inline constexpr std::size_t kGuestFileBytes = 1 << 20;
 /// ? is replaced by a random one. Fails with "path:line: what".
 Result<std::vector<Guest>> parse_guests(std::string_view text, const std::string& path);
 
+/// True for 8 to 128 letters, digits, - and _.
+bool is_token(std::string_view text);
+
 /// 26 letters and digits: 130 bits of entropy from the system.
 std::string random_token();
 

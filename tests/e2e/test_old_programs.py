@@ -45,10 +45,15 @@ class OldPrograms(HouseTest):
     def test_devices_are_listed_and_refusals_told(self):
         with self.run_house() as house:
             said = tool(self.build("devices"), house.port()).splitlines()
-        self.assertEqual(said[0], "udp -1: the transport is 2: only TCP (1) is supported")
+        self.assertRegex(said[0], r"^udp -1: udp:127\.0\.0\.1:\d+: .*Connection refused$")
         self.assertIn("position2d:1 (stage)", said)
         self.assertIn("ranger:3 (stage)", said)
         self.assertEqual(said[-5:], ["laser:7 -1 there is no laser:7", "driver stage", "nobody -2", "property -2", "r1 1.50 -2.00 0.50"])
+
+    def test_a_robot_is_driven_by_udp(self):
+        with House("run", self.world(), "--port", 0, "--web", "off", "--udp", "--speed", 10) as house:
+            port = house.wait_for_line(r"^Player clients: 127\.0\.0\.1:(\d+) \(also UDP\)$").group(1)
+            self.assertEqual(tool(self.build("udp"), port), "came 0.3, scans of 181 beams\n")
 
     def test_messages_are_read_one_by_one_until_the_run_ends(self):
         with self.run_house("--speed", 10) as house:

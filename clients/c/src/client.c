@@ -18,14 +18,20 @@ static ph_status authenticate(ph_client *client, const char *token, ph_error *er
 
 // --- connecting and closing
 
-/** Host and port of an address; an IPv6 host is in brackets. The host is shorter than the address. */
+/** Host, with "udp:" in front if so, and port of an address; an IPv6 host is in brackets. The host is shorter than
+ * the address and PH_DEFAULT_HOST together. */
 static void split(const char *address, char *host, const char **port) {
   static const char default_port[] = "6665";
+  const size_t way = strncmp(address, PH_UDP, strlen(PH_UDP)) == 0 ? strlen(PH_UDP) : 0;
+  memcpy(host, address, way);
+  host += way;
+  address += way;
   const char *begin = address[0] == '[' ? address + 1 : address;
   const char *end = address[0] == '[' ? strchr(begin, ']') : strrchr(begin, ':');
   const size_t length = end != NULL ? (size_t)(end - begin) : strlen(begin);
   memcpy(host, begin, length);
   host[length] = '\0';
+  if (length == 0) strcpy(host, PH_DEFAULT_HOST);
   if (end == NULL || (*end == ']' && end[1] == '\0')) {
     *port = default_port;
   } else {
@@ -45,15 +51,14 @@ static uint16_t port_of(const char *word) {
 }
 
 static ph_status open_session(ph_client *client, const char *address, double timeout, ph_error *error) {
-  char *host = ph_copy_text(address);
+  char *host = malloc(strlen(address) + sizeof PH_DEFAULT_HOST);
   if (host == NULL) return ph_fail_no_memory(error);
   const char *word = NULL;
   split(address, host, &word);
   const uint16_t port = port_of(word);
   const ph_status status =
-      port == 0
-          ? ph_fail(error, PH_CONNECTION_LOST, "\"%s\" is not HOST or HOST:PORT", address)
-          : ph_session_open(&client->session, host[0] != '\0' ? host : PH_DEFAULT_HOST, port, timeout, error);
+      port == 0 ? ph_fail(error, PH_CONNECTION_LOST, "\"%s\" is not HOST or HOST:PORT", address)
+                : ph_session_open(&client->session, host, port, timeout, error);
   free(host);
   return status;
 }
@@ -247,7 +252,8 @@ ph_status ph_client_lost_count(ph_client *client, uint64_t *count, ph_error *err
   const ph_status status =
       ph_common_intprop_req_decode(&told, answer.body, answer.header.size, &arena, error);
   ph_arena_free(&arena);
-  if (status == PH_OK) *count = (uint64_t)told.value + client->session.unread_count;
+  if (status == PH_OK)
+    *count = (uint64_t)told.value + client->session.unread_count + client->session.connection.lost_count;
   return status;
 }
 

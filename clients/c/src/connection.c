@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -21,7 +22,10 @@
 #include "memory.h"
 #include "text.h"
 
-enum { CHUNK = 65536, REASON_BYTES = 128 };
+enum { CHUNK = 65536, REASON_BYTES = 128, SEQUENCE_AT = 32 /**< in a header */ };
+
+/** s; a session by UDP is begun again without a banner for so long. */
+static const double kHelloSeconds = 1.0;
 
 double ph_now(void) {
   struct timespec now;
@@ -98,10 +102,29 @@ static int connect_to(const struct addrinfo *address, double deadline, int *faul
   return -1;
 }
 
+/** Connecting a Unix socket does not wait. */
+static ph_status connect_unix(ph_connection *connection, const char *folder, ph_error *error) {
+  struct sockaddr_un address = {.sun_family = AF_UNIX};
+  const int length =
+      snprintf(address.sun_path, sizeof address.sun_path, "%s/%u", folder, (unsigned)connection->port);
+  if (length < 0 || (size_t)length >= sizeof address.sun_path)
+    return drop(connection, "cannot connect: ", "the path is too long", error);
+  char text[REASON_BYTES];
+  connection->fd = socket(AF_UNIX, SOCK_STREAM, 0);
+  if (connection->fd < 0 || fcntl(connection->fd, F_SETFL, O_NONBLOCK) < 0 ||
+      fcntl(connection->fd, F_SETFD, FD_CLOEXEC) < 0 ||
+      connect(connection->fd, (const struct sockaddr *)&address, sizeof address) < 0)
+    return drop(connection, "cannot connect: ", system_text(errno, text), error);
+  return PH_OK;
+}
+
 static ph_status connect_socket(ph_connection *connection, const char *host, double deadline,
                                 ph_error *error) {
+  if (host[0] == '/') return connect_unix(connection, host, error);
   struct addrinfo hints = {0}, *found = NULL;
-  hints.ai_socktype = SOCK_STREAM;
+  connection->datagrams = strncmp(host, PH_UDP, strlen(PH_UDP)) == 0;
+  if (connection->datagrams) host += strlen(PH_UDP);
+  hints.ai_socktype = connection->datagrams ? SOCK_DGRAM : SOCK_STREAM;
   char service[8], text[REASON_BYTES];
   snprintf(service, sizeof service, "%u", (unsigned)connection->port);
   const int unresolved = getaddrinfo(host, service, &hints, &found);
@@ -130,7 +153,17 @@ static ph_status refuse_banner(ph_connection *connection, ph_error *error) {
   return drop(connection, fault, "", error);
 }
 
+/** By UDP: an empty datagram, again until something is heard. */
+static void begin_session(ph_connection *connection, double deadline) {
+  while (connection->fd >= 0 && connection->in.size == 0 && ph_now() < deadline) {
+    if (send(connection->fd, "", 0, MSG_NOSIGNAL) < 0 && errno == ECONNREFUSED) return;
+    const double patience = ph_now() + kHelloSeconds;
+    need(connection, PH_BANNER_BYTES, patience < deadline ? patience : deadline, NULL);
+  }
+}
+
 static ph_status read_banner(ph_connection *connection, double deadline, ph_error *error) {
+  if (connection->datagrams) begin_session(connection, deadline);
   const ph_status status = need(connection, PH_BANNER_BYTES, deadline, error);
   if (status == PH_REQUEST_TIMEOUT) return drop(connection, "cannot connect: ", "no banner in time", error);
   if (status != PH_OK) return status;
@@ -158,8 +191,16 @@ bool ph_connection_alive(const ph_connection *connection) {
   return connection->fd >= 0 && connection->fault[0] == '\0';
 }
 
-ph_status ph_connection_send(ph_connection *connection, const uint8_t *bytes, size_t size, ph_error *error) {
+/** By UDP a server drops a command that a newer one has overtaken. */
+static void number_command(ph_connection *connection, uint8_t *header) {
+  if (ph_header_decode(header).kind != PH_KIND_CMD) return;
+  if (++connection->last_command == 0) connection->last_command = 1;
+  for (int i = 0; i < 4; ++i) header[SEQUENCE_AT + i] = (uint8_t)(connection->last_command >> (24 - 8 * i));
+}
+
+ph_status ph_connection_send(ph_connection *connection, uint8_t *bytes, size_t size, ph_error *error) {
   if (!ph_connection_alive(connection)) return lost(connection, error);
+  if (connection->datagrams) number_command(connection, bytes);
   const double deadline = ph_now() + connection->timeout;
   while (size > 0) {
     const ssize_t sent = send(connection->fd, bytes, size, MSG_NOSIGNAL);
@@ -190,6 +231,11 @@ static bool make_room(ph_connection *connection) {
   return ph_buffer_reserve(in, CHUNK);
 }
 
+/** By UDP: nothing, or the banner a second time, as the first one was late. */
+static bool is_noise(const ph_connection *connection, size_t size) {
+  return connection->datagrams && (size == 0 || (size == PH_BANNER_BYTES && connection->banner[0] != '\0'));
+}
+
 /** Receives until `count` bytes are there. */
 static ph_status need(ph_connection *connection, size_t count, double deadline, ph_error *error) {
   ph_buffer *in = &connection->in;
@@ -197,6 +243,7 @@ static ph_status need(ph_connection *connection, size_t count, double deadline, 
     if (connection->fd < 0) return lost(connection, error);
     if (!make_room(connection)) return ph_fail_no_memory(error);
     const ssize_t got = recv(connection->fd, in->bytes + in->size, in->capacity - in->size, 0);
+    if (got >= 0 && is_noise(connection, (size_t)got)) continue;
     if (got > 0) {
       in->size += (size_t)got;
     } else if (got == 0) {
@@ -215,8 +262,8 @@ static ph_status need(ph_connection *connection, size_t count, double deadline, 
   return PH_OK;
 }
 
-ph_status ph_connection_receive(ph_connection *connection, double deadline, ph_header *header,
-                                const uint8_t **body, ph_error *error) {
+static ph_status receive_any(ph_connection *connection, double deadline, ph_header *header,
+                             const uint8_t **body, ph_error *error) {
   PH_TRY(need(connection, PH_HEADER_BYTES, deadline, error));
   *header = ph_header_decode(connection->in.bytes + connection->start);
   if (header->size > PH_MAX_BODY_BYTES) {
@@ -232,6 +279,24 @@ ph_status ph_connection_receive(ph_connection *connection, double deadline, ph_h
   return PH_OK;
 }
 
+/** False: a newer data message has overtaken it. Those between the newest and this one count as lost. */
+static bool is_next(ph_connection *connection, uint32_t number) {
+  const uint32_t ahead = number - connection->newest_data;
+  if (ahead == 0 || ahead >= UINT32_C(1) << 31) return false;
+  connection->lost_count += ahead - 1;
+  connection->newest_data = number;
+  return true;
+}
+
+ph_status ph_connection_receive(ph_connection *connection, double deadline, ph_header *header,
+                                const uint8_t **body, ph_error *error) {
+  for (;;) {
+    PH_TRY(receive_any(connection, deadline, header, body, error));
+    if (!connection->datagrams || header->kind != PH_KIND_DATA || is_next(connection, header->sequence))
+      return PH_OK;
+  }
+}
+
 bool ph_connection_buffered(const ph_connection *connection) {
   const size_t here = connection->in.size - connection->start;
   if (here < PH_HEADER_BYTES) return false;
@@ -243,7 +308,7 @@ void ph_connection_close(ph_connection *connection, double timeout) {
   if (connection->fd < 0) return;
   const double deadline = ph_now() + timeout;
   uint8_t rest[4096];
-  if (shutdown(connection->fd, SHUT_WR) == 0) {
+  if (!connection->datagrams && shutdown(connection->fd, SHUT_WR) == 0) {
     while (ph_now() < deadline && wait_for(connection->fd, POLLIN, deadline)) {
       const ssize_t got = recv(connection->fd, rest, sizeof rest, 0);
       if (got == 0 || (got < 0 && errno != EINTR && errno != EAGAIN)) break;

@@ -1,4 +1,5 @@
-/** One TCP connection to a Player server: banner, framing, deadlines. It interprets headers only.
+/** One connection to a Player server, by TCP, a Unix socket or UDP: banner, framing, deadlines. It interprets
+ * headers only.
  *
  * Deadlines are times of ph_now(). A time-out keeps partially read bytes, so reading can continue. If the
  * server disconnects, messages it had sent can still be received; then every call fails with the reason. */
@@ -14,8 +15,12 @@ enum { PH_BANNER_BYTES = 32, PH_FAULT_BYTES = 256 };
 typedef struct ph_connection {
   char *peer; /**< HOST:PORT */
   uint16_t port;
-  double timeout; /**< s, of connecting and sending */
-  int fd;         /**< -1: closed */
+  double timeout;        /**< s, of connecting and sending */
+  int fd;                /**< -1: closed */
+  bool datagrams;        /**< UDP: data are numbered, and those overtaken by newer ones are dropped */
+  uint64_t lost_count;   /**< of data messages on their way, by UDP */
+  uint32_t newest_data;  /**< its number; 0: none yet */
+  uint32_t last_command; /**< its number, by UDP */
   ph_buffer in;
   size_t start;               /**< of what is not yet received, in `in` */
   bool ended;                 /**< by the server, in order */
@@ -28,12 +33,16 @@ double ph_now(void);
 /** Checks a time-out: 0 or more, infinity included. */
 ph_status ph_check_seconds(double timeout, ph_error *error);
 
-/** `connection` is to be closed by ph_connection_free() even if this fails. */
+/** What a host begins with that is reached by datagrams. */
+#define PH_UDP "udp:"
+
+/** `host` is a name, a numeric address, "/FOLDER" for the Unix socket FOLDER/port, or "udp:HOST".
+ * `connection` is to be closed by ph_connection_free() even if this fails. */
 ph_status ph_connection_open(ph_connection *connection, const char *host, uint16_t port, double timeout,
                              ph_error *error);
 bool ph_connection_alive(const ph_connection *connection);
-/** Sends complete messages. */
-ph_status ph_connection_send(ph_connection *connection, const uint8_t *bytes, size_t size, ph_error *error);
+/** Sends a complete message; one over UDP may be lost. Numbers commands of UDP, in `bytes`. */
+ph_status ph_connection_send(ph_connection *connection, uint8_t *bytes, size_t size, ph_error *error);
 /** The next message. The body is valid until the next call. */
 ph_status ph_connection_receive(ph_connection *connection, double deadline, ph_header *header,
                                 const uint8_t **body, ph_error *error);

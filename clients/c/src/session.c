@@ -277,7 +277,8 @@ ph_status ph_session_request(ph_session *session, uint16_t code, uint16_t index,
 ph_status ph_session_begin_round(ph_session *session, ph_error *error) {
   const bool here = session->round_waits && session->waiting_count > 0;
   session->round_waits = false;
-  if (session->round_open || here) return PH_OK;
+  const bool may_be_lost = session->connection.datagrams;  // by UDP: what a read left open is asked for again
+  if ((session->round_open && !may_be_lost) || here) return PH_OK;
   session->round_open = true;
   session->round_refused = false;
   ph_error why;

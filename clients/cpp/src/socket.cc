@@ -6,6 +6,7 @@
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -54,7 +55,20 @@ Deadline deadline_after(Seconds patience) {
          std::chrono::duration_cast<Clock::duration>(std::clamp(patience, Seconds{0.0}, kYear));
 }
 
+Result<Socket> Socket::connect_unix(const std::string& path) {
+  sockaddr_un address{};
+  if (path.size() >= sizeof address.sun_path) return Error{"", "the path is too long"};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, path.size());
+  Socket made(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (!made.is_open() ||
+      ::connect(made.fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
+    return Error{"", reason(errno)};
+  return made;
+}
+
 Result<Socket> Socket::connect(const std::string& host, std::uint16_t port, Deadline deadline) {
+  if (host.starts_with('/')) return connect_unix(host + "/" + std::to_string(port));
   addrinfo hints{};
   hints.ai_family = AF_UNSPEC;
   hints.ai_socktype = SOCK_STREAM;

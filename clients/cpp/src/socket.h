@@ -1,6 +1,6 @@
 #pragma once
 
-/// A TCP connection with deadlines, on POSIX sockets. Single-threaded.
+/// A connection by TCP or a Unix socket with deadlines, on POSIX sockets. Single-threaded.
 
 #include <chrono>
 #include <cstddef>
@@ -21,7 +21,8 @@ Deadline deadline_after(Seconds patience);
 
 class Socket {
  public:
-  /// Tries all addresses of the host in turn. `host` is a name or a numeric address.
+  /// Tries all addresses of the host in turn. `host` is a name, a numeric address, or "/FOLDER"
+  /// for the Unix socket FOLDER/port.
   static Result<Socket> connect(const std::string& host, std::uint16_t port, Deadline deadline);
 
   Socket(Socket&& other) noexcept;
@@ -43,6 +44,7 @@ class Socket {
   void close(Deadline deadline);
 
  private:
+  static Result<Socket> connect_unix(const std::string& path);
   explicit Socket(int fd) : fd_(fd) {}
   void drop();
 

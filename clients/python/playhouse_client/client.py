@@ -6,7 +6,7 @@ import ssl
 import time
 from typing import Callable, Dict, List, NamedTuple, Optional, Tuple, Type, TypeVar
 
-from .connection import Connection
+from .connection import UDP, Connection
 from .device import Access, Device, did_you_mean
 from .errors import ConnectionLost, InvalidValue, PlayerError, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, find_message, player, simulation
@@ -113,10 +113,10 @@ class Client(Openers):
 
     def lost_count(self) -> int:
         """Queries the number of data messages lost on the way to this client, in any mode: the server's count plus those
-        not read here in time. Raises RequestRefused if the server does not report it."""
+        not read here in time, and by UDP those that went astray. Raises RequestRefused if the server does not report it."""
         question = common.IntpropReq(c_string("lost"))
         answer = self._session.request(player.CODE, 0, common.REQ_GET_INTPROP, question)
-        return common.IntpropReq.decode(answer.body).value + self._session.unread_count
+        return common.IntpropReq.decode(answer.body).value + self._session.unread_count + self._session.connection.lost_count
 
     @property
     def skipped_count(self) -> int:
@@ -344,6 +344,9 @@ class Client(Openers):
 
 def _split(address: str) -> Tuple[str, str]:
     """Host and port of an address; an IPv6 host is in brackets."""
+    if address.startswith(UDP):
+        host, port = _split(address[len(UDP):])
+        return UDP + (host or DEFAULT_HOST), port
     if address.startswith("["):
         host, _, rest = address[1:].partition("]")
         return host, rest[1:] if rest else str(DEFAULT_PORT)
@@ -359,8 +362,9 @@ def connect(
     token: str = "",
     tls: Optional[ssl.SSLContext] = None,
 ) -> Client:
-    """Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults are 127.0.0.1 and 6665. token: of a guest,
-    for a run with --guests; tls: as of Client."""
+    """Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults are 127.0.0.1 and 6665. "udp:" in front
+    of any of them is UDP; "/FOLDER" or "/FOLDER:port" is the Unix socket FOLDER/port. token: of a guest, for a
+    run with --guests; tls: as of Client."""
     host, port = _split(address)
     if not port.isdigit() or not 0 < int(port) < 65536:
         raise ConnectionLost(f'"{address}" is not HOST or HOST:PORT')

@@ -1,4 +1,5 @@
-"""One TCP connection to a Player server: banner, framing, deadlines. It interprets headers only."""
+"""One connection to a Player server, by TCP, a Unix socket or UDP: banner, framing, deadlines. It interprets headers
+only."""
 
 import socket
 import ssl
@@ -6,10 +7,12 @@ import time
 from typing import NamedTuple, Optional
 
 from .errors import ConnectionLost, InvalidValue, RequestTimeout, RunEnded, WireError
-from .wire import HEADER_BYTES, MAX_BODY_BYTES, Header
+from .wire import HEADER_BYTES, MAX_BODY_BYTES, Header, Kind
 
 BANNER_BYTES = 32
+UDP = "udp:"  # what a host begins with that is reached by datagrams
 _CHUNK = 65536
+_HELLO_SECONDS = 1.0  # a session by UDP is begun again without a banner for so long
 _LONGEST_WAIT = 1e9  # seconds; sockets reject much larger timeouts
 
 
@@ -35,7 +38,11 @@ class Connection:
     """
 
     def __init__(self, host: str, port: int, timeout: float, tls: Optional[ssl.SSLContext] = None) -> None:
-        """`tls`: whom to trust, for a server with --tls-cert."""
+        """`host`: also "/FOLDER", for the Unix socket FOLDER/port, or "udp:HOST". `tls`: whom to trust, for a server with --tls-cert."""
+        self.datagrams = host.startswith(UDP)
+        self.lost_count = 0  # of data messages on their way, by UDP
+        self._newest = 0  # number of the last data message, and of the last command
+        self._commands = 0
         self.peer = f"{host}:{port}"
         self.port = port
         self._timeout = min(checked_seconds(timeout), _LONGEST_WAIT)
@@ -44,14 +51,28 @@ class Connection:
         self._fault = ""  # why nothing can be sent
         self._ended = False  # by the server, in order
         try:
-            self._socket = socket.create_connection((host, port), self._timeout)
-            self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            self._socket = self._connected(host, port)
             if tls is not None:
                 self._socket = tls.wrap_socket(self._socket, server_hostname=host)
             self.banner = self._read_banner(time.monotonic() + self._timeout)
         except (OSError, ValueError, OverflowError, RequestTimeout) as error:  # ValueError: of an invalid host name
             reason = "no banner in time" if isinstance(error, RequestTimeout) else error
             raise self._drop(f"cannot connect: {reason}") from error
+
+    def _connected(self, host: str, port: int) -> socket.socket:
+        if host.startswith("/"):
+            unix = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+            unix.settimeout(self._timeout)
+            unix.connect(f"{host}/{port}")
+            return unix
+        if self.datagrams:
+            family, kind, protocol, _, address = socket.getaddrinfo(host[len(UDP):], port, type=socket.SOCK_DGRAM)[0]
+            udp = socket.socket(family, kind, protocol)
+            udp.connect(address)
+            return udp
+        tcp = socket.create_connection((host, port), self._timeout)
+        tcp.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        return tcp
 
     @property
     def alive(self) -> bool:
@@ -64,13 +85,35 @@ class Connection:
             raise self._lost()
         try:
             self._socket.settimeout(self._timeout)
-            self._socket.sendall(header.encode() + body)
+            self._socket.sendall(self._numbered(header).encode() + body)
         except OSError as error:  # a partially sent message cannot be continued
             self._fault = f"the server is gone: {error}"
             raise self._lost() from error
 
+    def _numbered(self, header: Header) -> Header:
+        """By UDP a server drops a command that a newer one has overtaken."""
+        if not self.datagrams or header.kind != Kind.CMD:
+            return header
+        self._commands = self._commands % 0xFFFFFFFF + 1
+        return header._replace(sequence=self._commands)
+
     def receive(self, deadline: float) -> Message:
         """The next message. Raises RequestTimeout."""
+        while True:
+            message = self._receive(deadline)
+            if not self.datagrams or message.header.kind != Kind.DATA or self._is_next(message.header.sequence):
+                return message
+
+    def _is_next(self, number: int) -> bool:
+        """False: a newer data message has overtaken it. Counts those between the newest and this one as lost."""
+        ahead = (number - self._newest) & 0xFFFFFFFF
+        if ahead == 0 or ahead >= 1 << 31:
+            return False
+        self.lost_count += ahead - 1
+        self._newest = number
+        return True
+
+    def _receive(self, deadline: float) -> Message:
         self._need(HEADER_BYTES, deadline)
         header = Header.decode(self._bytes[:HEADER_BYTES])
         if header.size > MAX_BODY_BYTES:
@@ -97,6 +140,8 @@ class Connection:
             return
         deadline = time.monotonic() + timeout
         try:
+            if self.datagrams:
+                return
             self._socket.shutdown(socket.SHUT_WR)
             while time.monotonic() < deadline:
                 self._wait_until(deadline)
@@ -104,9 +149,22 @@ class Connection:
                     break
         except OSError:
             pass  # already disconnecting
-        self._drop("the connection is closed")
+        finally:
+            self._drop("the connection is closed")
+
+    def _begin_session(self, deadline: float) -> None:
+        """By UDP: an empty datagram, again until something is heard."""
+        assert self._socket is not None
+        while not self._bytes and time.monotonic() < deadline:
+            self._socket.send(b"")
+            try:
+                self._need(BANNER_BYTES, min(deadline, time.monotonic() + _HELLO_SECONDS))
+            except RequestTimeout:
+                pass
 
     def _read_banner(self, deadline: float) -> str:
+        if self.datagrams:
+            self._begin_session(deadline)
         self._need(BANNER_BYTES, deadline)
         banner = bytes(self._bytes[:BANNER_BYTES])
         del self._bytes[:BANNER_BYTES]
@@ -125,10 +183,16 @@ class Connection:
                 raise RequestTimeout(f"{self.peer}: no message in time") from error
             except OSError as error:
                 raise self._drop(f"the server is gone: {error}") from error
+            if self.datagrams and self._is_noise(chunk):
+                continue
             if not chunk:
                 self._ended = not self._fault
                 raise self._drop("the run ended: the server closed the connection")
             self._bytes += chunk
+
+    def _is_noise(self, datagram: bytes) -> bool:
+        """Nothing, or the banner a second time: the first one was late."""
+        return not datagram or (len(datagram) == BANNER_BYTES and hasattr(self, "banner"))
 
     def _wait_until(self, deadline: float) -> None:
         """Sets the timeout of the next recv; after the deadline, data that have arrived are still read."""

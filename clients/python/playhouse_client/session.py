@@ -95,7 +95,8 @@ class Session:
         """Requests a round of data, unless one is open or has ended with its data queued; it ends with the SYNCH that
         clears `round_open`, or is refused."""
         here, self._round_waits = self._round_waits and bool(self.waiting), False
-        if self.round_open or here:
+        may_be_lost = self.connection.datagrams  # by UDP: what a read left open is asked for again
+        if (self.round_open and not may_be_lost) or here:
             return
         self.round_open, self.round_refused = True, False
         try:

@@ -14,6 +14,7 @@
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/base/split.h"
 #include "playhouse/record/selection.h"
+#include "playhouse/web_server/guests.h"
 #include "playhouse/wire/auth_key.h"
 
 namespace playhouse::app {
@@ -101,6 +102,13 @@ std::string check_token_of(const std::string& text, std::size_t most) {
 
 std::string check_token(const std::string& text) {
   return check_token_of(text, limits::kTokenBytes);
+}
+
+std::string check_key(const std::string& text) {
+  const bool good = text.size() <= wire::kAuthKeyBytes && web_server::is_token(text);
+  return good ? ""
+              : fmt::format("invalid key: {} to {} letters, digits, - and _ are valid",
+                            limits::kTokenBytesLeast, wire::kAuthKeyBytes);
 }
 
 std::string check_auth_key(const std::string& text) {

@@ -26,6 +26,8 @@ inline constexpr std::uint16_t kClusterPort = 6675;
 
 /// Ports and access of a served world.
 struct Serving {
+  bool is_encrypted() const { return !tls_cert.empty(); }
+
   std::uint16_t port = kPlayerPort;             // 0: any free one
   std::optional<std::uint16_t> web = kWebPort;  // none: no page; 0: any free port
   bool web_was_asked_for =
@@ -37,6 +39,9 @@ struct Serving {
   net::TrustedProxies proxies = {};         // in front of the page
   std::string tls_cert = {}, tls_key = {};  // PEM files; empty: ports are in the clear
   std::string guests = {};                  // access control file of the page; empty: full access
+  std::string key = {};                     // that everybody has to know who comes; empty: none
+  std::string unix_folder = {};             // with a Unix socket for each port of Player clients; empty: none
+  bool udp = false;                         // ports of Player clients are of UDP as well
   std::size_t viewers = limits::kViewers;   // limit on simultaneous pages, and on observers
   std::uint32_t page_bytes = limits::kPageBytesPerSecond;  // limit per second for each page
   std::optional<std::uint16_t> observers = {};  // UDP port for observers; none: no observers; 0: any free one

@@ -77,7 +77,7 @@ void add_run(CLI::App& app, RunOptions& options) {
   app.callback([&options] {
     if (options.world.empty() && options.from.empty() && options.again.empty())
       throw CLI::RequiredError("WORLD");
-    check_access(options.serving.bind, options.serving.insecure, options.serving.guests);
+    check_access(options.serving);
   });
 }
 
@@ -92,8 +92,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
   add_workers(app, options.running.workers);
   add_allowed_libraries(app, options.running);
   app.add_flag("--paused", options.running.paused, "start paused, until a viewer resumes the replay");
-  app.callback(
-      [&options] { check_access(options.serving.bind, options.serving.insecure, options.serving.guests); });
+  app.callback([&options] { check_access(options.serving); });
 }
 
 void add_serve(CLI::App& app, ServeOptions& options) {
@@ -101,7 +100,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   add_serving(app, options.serving);
   add_running(app, options.running);
   app.callback([&app, &options] {
-    check_access(options.serving.bind, options.serving.insecure, options.serving.guests);
+    check_access(options.serving);
     options.serving.web_was_asked_for = app.count("--web") > 0;
     for (const char* const name :
          {"--engine", "--fast", "--speed", "--duration", "--seed", "--workers", "--save-world",
@@ -138,7 +137,7 @@ void add_robot(CLI::App& app, RobotOptions& options) {
       ->capture_default_str();
   add_bind(app, options.bind);
   add_insecure(app, options.insecure);
-  app.callback([&options] { check_access(options.bind, options.insecure, ""); });
+  app.callback([&options] { check_access({.bind = options.bind, .insecure = options.insecure}); });
 }
 
 void add_gym(CLI::App& app, GymOptions& options) {

@@ -34,7 +34,7 @@ int robot(const RobotOptions& options) {
   if (!robots) return fail_in_file(robots.error(), {});
   const Result<std::shared_ptr<net::TlsTrust>> trust = read_tls_trust(options.tls_ca);
   if (!trust) return fail_in_file(trust.error());
-  DeviceService service(options.bind);
+  DeviceService service({.bind = options.bind});
   RobotsClient client(
       serving_program(service, options.port),
       {server->host, server->port, options.bind, options.port, options.wait, options.token, *trust},

@@ -1,5 +1,7 @@
 #include "playhouse/app/commands/shared_options.h"
 
+#include <filesystem>
+
 #include "playhouse/base/limits.h"
 #include "playhouse/net/fair_share.h"
 
@@ -69,15 +71,17 @@ void add_bind(CLI::App& app, std::string& address) {
 
 void add_insecure(CLI::App& app, bool& insecure) {
   app.add_flag("--insecure", insecure,
-               "let everybody who reaches --bind ADDRESS do everything, without --guests");
+               "let everybody who reaches --bind ADDRESS do everything, without --guests or --key");
 }
 
-void check_access(const std::string& bind, bool insecure, const std::string& guests) {
+void check_access(const Serving& serving) {
+  const std::string& bind = serving.bind;
   const std::string peer = bind.find(':') == std::string::npos ? bind + ":0" : "[" + bind + "]:0";
-  if (insecure || !guests.empty() || net::is_local(peer) || bind == "localhost") return;
+  const bool is_controlled = !serving.guests.empty() || !serving.key.empty();
+  if (serving.insecure || is_controlled || net::is_local(peer) || bind == "localhost") return;
   throw CLI::ValidationError("--bind " + bind +
                              ": everybody on the network could do everything: --guests gives tokens to those "
-                             "who may, --insecure allows it");
+                             "who may, --key one to all, --insecure allows it");
 }
 
 void add_auth_key(CLI::App& app, std::string& token) {
@@ -103,9 +107,12 @@ void add_hosts(CLI::App& app, Serving& serving) {
                   ->type_name("FILE");
   certificate->needs(key);
   key->needs(certificate);
-  app.add_option("--guests", serving.guests,
-                 "access control by role: observer, driver, human or admin (docs/guests.md)")
-      ->type_name("FILE");
+  auto* guests = app.add_option("--guests", serving.guests,
+                                "access control by role: observer, driver, human or admin (docs/guests.md)")
+                     ->type_name("FILE");
+  app.add_option("--key", serving.key, "the key that everybody has to know who comes, in place of --guests")
+      ->check(check_key)
+      ->excludes(guests);
   app.add_option("--viewers", serving.viewers, "limit on simultaneous pages, and on observers")
       ->check(check_count<std::size_t, 1, limits::kViewers>)
       ->capture_default_str();
@@ -132,6 +139,12 @@ void add_serving(CLI::App& app, Serving& serving) {
   add_parsed(app, "--web", parse_web, serving.web,
              "port of the web page, or off; 0: any free one, printed (8080)");
   add_hosts(app, serving);
+  app.add_option("--unix", serving.unix_folder,
+                 "serve Player clients by Unix sockets as well: FOLDER/PORT for each port")
+      ->type_name("FOLDER")
+      ->transform([](const std::string& folder) { return std::filesystem::absolute(folder).string(); }, "");
+  app.add_flag("--udp", serving.udp, "serve Player clients by UDP as well, on the same ports")
+      ->excludes("--tls-cert");
   // CLI11 runs callbacks in the order of definition: this overrides --web.
   app.add_flag_callback(
       "--headless", [&serving] { serving.web.reset(); }, "no web page, as --web off");

@@ -33,7 +33,7 @@ void add_allowed_libraries(CLI::App& app, Running& running);
 void add_bind(CLI::App& app, std::string& address);
 void add_insecure(CLI::App& app, bool& insecure);
 /// For callbacks of commands: throws if others could come in without a token and nobody has said that they may.
-void check_access(const std::string& bind, bool insecure, const std::string& guests);
+void check_access(const Serving& serving);
 /// --token of a Player client.
 void add_auth_key(CLI::App& app, std::string& token);
 /// Listening address, access control and limits of viewers and observers.

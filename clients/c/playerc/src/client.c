@@ -5,6 +5,8 @@
 #include <errno.h>
 #include <math.h>
 #include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -131,10 +133,19 @@ static void retire(void *context, const ph_common_devaddr *address) {
   (void)address;
 }
 
+/** Its host, as a session takes it; the caller frees it. */
+static char *host_of(const playerc_client_t *client) {
+  const char *way = client->transport == PLAYERC_TRANSPORT_UDP ? PH_UDP : "";
+  const size_t size = strlen(way) + strlen(client->host) + 1;
+  char *host = malloc(size);
+  if (host != NULL) snprintf(host, size, "%s%s", way, client->host);
+  return host;
+}
+
 static int open_session(playerc_client_t *client) {
-  if (client->transport != PLAYERC_TRANSPORT_TCP)
-    return playerc_fail("the transport is %d: only TCP (%d) is supported", client->transport,
-                        PLAYERC_TRANSPORT_TCP);
+  if (client->transport != PLAYERC_TRANSPORT_TCP && client->transport != PLAYERC_TRANSPORT_UDP)
+    return playerc_fail("invalid transport %d: %d (TCP) and %d (UDP) are valid", client->transport,
+                        PLAYERC_TRANSPORT_TCP, PLAYERC_TRANSPORT_UDP);
   if (client->port <= 0 || client->port > UINT16_MAX)
     return playerc_fail("invalid port %d: 1 to 65535 are valid", client->port);
   client->session = calloc(1, sizeof *client->session);
@@ -143,8 +154,11 @@ static int open_session(playerc_client_t *client) {
   ph_error error;
   wire->connection.fd = -1;
   wire->retire = retire;
-  if (ph_session_open(wire, client->host, (uint16_t)client->port, kConnectSeconds, &error) != PH_OK)
-    return playerc_fail_as(&error);
+  char *host = host_of(client);
+  if (host == NULL) return playerc_fail_no_memory();
+  const ph_status opened = ph_session_open(wire, host, (uint16_t)client->port, kConnectSeconds, &error);
+  free(host);
+  if (opened != PH_OK) return playerc_fail_as(&error);
   client->sock = wire->connection.fd;
   client->connected = 1;
   return 0;

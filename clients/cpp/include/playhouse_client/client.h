@@ -113,7 +113,8 @@ class Client {
   std::shared_ptr<Session> session_;
 };
 
-/// "host:port" or "[ipv6]:port" split into its parts, with defaults; an error says what is wrong.
+/// "host:port", "[ipv6]:port" or "/FOLDER:port", for the Unix socket FOLDER/port, split into its parts, with
+/// defaults; an error says what is wrong.
 struct Address {
   std::string host = "127.0.0.1";  // not localhost, which a machine without /etc/hosts cannot resolve
   std::uint16_t port = kDefaultPort;

@@ -80,7 +80,8 @@ typedef struct ph_model {
 } ph_model;
 
 /** Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults, also for NULL, are 127.0.0.1 and
- * 6665. `options` NULL: PH_DEFAULT_OPTIONS. End with ph_client_free(). PH_REQUEST_REFUSED: a wrong token. */
+ * 6665. "udp:" in front of any of them is UDP; "/FOLDER" or "/FOLDER:port" is the Unix socket FOLDER/port.
+ * `options` NULL: PH_DEFAULT_OPTIONS. End with ph_client_free(). PH_REQUEST_REFUSED: a wrong token. */
 ph_client *ph_connect(const char *address, const ph_options *options, ph_error *error);
 
 /** Closes all devices in reverse order of opening, a moving base being stopped first, and waits until the
@@ -102,7 +103,7 @@ uint64_t ph_client_overflow_count(const ph_client *client);
 /** Messages without a recipient, and invalid messages. */
 uint64_t ph_client_skipped_count(const ph_client *client);
 /** Queries the number of data messages lost on the way to this client, in any mode: the server's count plus
- * those not read here in time. PH_REQUEST_REFUSED: the server does not report it. */
+ * those not read here in time, and by UDP those that went astray. PH_REQUEST_REFUSED: the server does not report it. */
 ph_status ph_client_lost_count(ph_client *client, uint64_t *count, ph_error *error);
 
 /** The undecoded body of the last NACK; `size` is 0 before. Valid until the next request. */

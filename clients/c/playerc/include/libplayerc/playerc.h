@@ -101,7 +101,7 @@ struct _playerc_client_t {
 playerc_client_t *playerc_client_create(playerc_mclient_t *mclient, const char *host, int port);
 /** Disconnects, too. Destroy the proxies before. */
 void playerc_client_destroy(playerc_client_t *client);
-/** Connecting by UDP fails: it is not supported. */
+/** PLAYERC_TRANSPORT_TCP or PLAYERC_TRANSPORT_UDP, before connecting. */
 void playerc_client_set_transport(playerc_client_t *client, unsigned int transport);
 /** Selects pull mode, too. */
 int playerc_client_connect(playerc_client_t *client);

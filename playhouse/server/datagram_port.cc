@@ -1,0 +1,258 @@
+#include "playhouse/server/datagram_port.h"
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/base/log.h"
+#include "playhouse/server/datagram_stream.h"
+#include "playhouse/server/frame.h"
+#include "playhouse/wire/header.h"
+
+namespace playhouse::server {
+namespace {
+
+constexpr double kLookSeconds = 60;  // period of looking for silent sessions
+
+/// The numbered copy of a data message, or a refusal in place of an answer that is too long; others as they are.
+std::vector<std::byte> numbered(std::span<const std::byte> message, std::uint32_t number) {
+  std::vector<std::byte> copy(message.begin(), message.end());
+  const auto head = std::span(copy).first<limits::kHeaderBytes>();
+  wire::Header header = wire::decode_header(head);
+  header.seq = number;
+  wire::encode_header(header, head);
+  return copy;
+}
+
+bool is_data(std::span<const std::byte> message) {
+  return message.size() >= limits::kHeaderBytes &&
+         wire::decode_header(message.first<limits::kHeaderBytes>()).type == wire::MessageType::kData;
+}
+
+}  // namespace
+
+DatagramCounts& DatagramCounts::operator+=(const DatagramCounts& more) {
+  received += more.received;
+  dropped += more.dropped;
+  late += more.late;
+  sent += more.sent;
+  unsent += more.unsent;
+  too_long += more.too_long;
+  silent += more.silent;
+  return *this;
+}
+
+class DatagramConnection;
+
+class DatagramPort::Impl : public std::enable_shared_from_this<Impl> {
+ public:
+  Impl(net::Network& network, net::Network::Acceptor acceptor)
+      : network_(network), acceptor_(std::move(acceptor)) {}
+
+  Result<void> open(const std::string& bind, std::uint16_t port);
+  void close() {
+    socket_.reset();
+    look_.reset();
+  }
+
+  net::Network& network() { return network_; }
+  DatagramCounts& counts() { return counts_; }
+  /// Sends a message or drops it.
+  void send(const net::Endpoint& to, std::span<const std::byte> message);
+  void forget(const net::Endpoint& peer, const DatagramConnection* connection);
+
+ private:
+  void received(const net::Endpoint& from, std::span<const std::byte> datagram);
+  void begin(const net::Endpoint& from);
+  void end(const net::Endpoint& peer, const std::string& why);
+  void look_for_silence();
+
+  net::Network& network_;
+  const net::Network::Acceptor acceptor_;
+  std::unique_ptr<net::DatagramSocket> socket_;  // null: closed
+  std::map<net::Endpoint, DatagramConnection*> sessions_;
+  std::unique_ptr<net::Timer> look_;
+  DatagramCounts counts_;
+};
+
+class DatagramConnection final : public net::Connection {
+ public:
+  DatagramConnection(std::shared_ptr<DatagramPort::Impl> port, const net::Endpoint& peer)
+      : port_(std::move(port)), peer_(peer), peer_text_(net::to_text(peer)), heard_(port_->network().now()) {}
+  ~DatagramConnection() override { port_->forget(peer_, this); }
+
+  void start(net::ConnectionEvents& events) override { events_ = &events; }
+
+  void send(std::span<const net::SharedBytes> parts) override {
+    if (over_) return;
+    for (const net::SharedBytes& part : parts) send_message(*part);
+    tell_drained();
+  }
+
+  std::size_t in_flight_bytes() const override { return in_flight_; }
+  void pause() override { paused_ = true; }
+  void resume() override {
+    if (std::exchange(paused_, false) && !waiting_.empty()) later([this] { pass_on(); });
+  }
+  void close_after_flush() override { over_ = true; }
+  const std::string& peer() const override { return peer_text_; }
+
+  /// For the port.
+  void received(std::span<const std::byte> datagram);
+  double heard() const { return heard_; }
+  /// The peer is gone, or begins anew. Destroys the connection, perhaps.
+  void end(const std::string& why) {
+    if (std::exchange(over_, true) || events_ == nullptr) return;
+    in_flight_ = 0;
+    const std::weak_ptr<int> alive = alive_;
+    events_->lost();
+    if (!alive.expired()) events_->closed(why);
+  }
+
+ private:
+  void send_message(std::span<const std::byte> message) {
+    in_flight_ += message.size();
+    const bool data = is_data(message);
+    if (data) ++number_;
+    if (message.size() > limits::kDatagramMostBytes) return refuse_long(message, data);
+    data ? port_->send(peer_, numbered(message, number_)) : port_->send(peer_, message);
+  }
+
+  /// An answer that cannot arrive is refused, so that nobody waits for it.
+  void refuse_long(std::span<const std::byte> message, bool data) {
+    ++port_->counts().too_long;
+    if (!std::exchange(warned_, true))
+      log::warn("{}: a message of {} bytes is longer than a datagram; TCP carries it (logged once)",
+                peer_text_, message.size());
+    if (data) return;
+    wire::Header header = wire::decode_header(message.first<limits::kHeaderBytes>());
+    header.type = wire::MessageType::kNack;
+    port_->send(peer_, *make_frame(header, {}).bytes);
+  }
+
+  // Later, as of a socket: what is sent in a turn of the loop is limited.
+  void tell_drained() {
+    later([this] {
+      in_flight_ = 0;
+      if (!over_) events_->drained();
+    });
+  }
+
+  void pass_on() {
+    if (paused_ || over_ || waiting_.empty()) return;
+    const std::vector<std::byte> messages = std::exchange(waiting_, {});
+    events_->received(messages);
+  }
+
+  template <typename Task>
+  void later(Task task) {
+    port_->network().post([task = std::move(task), alive = std::weak_ptr<int>(alive_)] {
+      if (!alive.expired()) task();
+    });
+  }
+
+  const std::shared_ptr<DatagramPort::Impl> port_;
+  const net::Endpoint peer_;
+  const std::string peer_text_;
+  const std::shared_ptr<int> alive_ = std::make_shared<int>(0);
+  net::ConnectionEvents* events_ = nullptr;
+  DatagramStream stream_;
+  std::vector<std::byte> waiting_;  // whole messages, while paused
+  double heard_ = 0;                // s
+  std::size_t in_flight_ = 0;       // bytes, until the next turn of the loop
+  std::uint32_t number_ = 0;        // of the last data message
+  bool paused_ = false, over_ = false, warned_ = false;
+};
+
+void DatagramConnection::received(std::span<const std::byte> datagram) {
+  heard_ = port_->network().now();
+  DatagramStream::TakenMessages taken = stream_.take(datagram);
+  DatagramCounts& counts = port_->counts();
+  counts.late += taken.late;
+  const bool has_room = waiting_.size() + taken.messages.size() <= limits::kDatagramWaitingBytes;
+  if (taken.dropped || !has_room) ++counts.dropped;
+  if (!has_room) return;
+  waiting_.insert(waiting_.end(), taken.messages.begin(), taken.messages.end());
+  if (events_ != nullptr) pass_on();
+}
+
+Result<void> DatagramPort::Impl::open(const std::string& bind, std::uint16_t port) {
+  Result<std::unique_ptr<net::DatagramSocket>> socket = network_.open_datagrams(
+      bind, port, [this](const net::Endpoint& from, std::span<const std::byte> datagram) {
+        const auto self = shared_from_this();  // the server may close the port meanwhile
+        received(from, datagram);
+      });
+  if (!socket) return socket.error();
+  socket_ = std::move(*socket);
+  socket_->on_refused([this](const net::Endpoint& peer) { end(peer, "its port is closed"); });
+  look_for_silence();
+  return {};
+}
+
+void DatagramPort::Impl::send(const net::Endpoint& to, std::span<const std::byte> message) {
+  const bool sent = socket_ != nullptr && socket_->send(to, message);
+  ++(sent ? counts_.sent : counts_.unsent);
+}
+
+void DatagramPort::Impl::forget(const net::Endpoint& peer, const DatagramConnection* connection) {
+  const auto found = sessions_.find(peer);
+  if (found != sessions_.end() && found->second == connection) sessions_.erase(found);
+}
+
+void DatagramPort::Impl::received(const net::Endpoint& from, std::span<const std::byte> datagram) {
+  ++counts_.received;
+  if (datagram.empty()) {
+    end(from, "a new session of the same peer");
+    return begin(from);
+  }
+  const auto found = sessions_.find(from);
+  if (found != sessions_.end()) return found->second->received(datagram);
+  // A message before any session: its content is dropped, as by the original.
+  ++counts_.dropped;
+  begin(from);
+}
+
+void DatagramPort::Impl::begin(const net::Endpoint& from) {
+  auto connection = std::make_unique<DatagramConnection>(shared_from_this(), from);
+  sessions_[from] = connection.get();
+  acceptor_(std::move(connection));
+}
+
+void DatagramPort::Impl::end(const net::Endpoint& peer, const std::string& why) {
+  const auto found = sessions_.find(peer);
+  if (found == sessions_.end()) return;
+  DatagramConnection* const connection = found->second;
+  sessions_.erase(found);
+  connection->end(why);
+}
+
+void DatagramPort::Impl::look_for_silence() {
+  std::vector<net::Endpoint> silent;
+  for (const auto& [peer, connection] : sessions_) {
+    if (connection->heard() + limits::kDatagramSilentSeconds <= network_.now()) silent.push_back(peer);
+  }
+  counts_.silent += silent.size();
+  for (const net::Endpoint& peer : silent) end(peer, "it has been silent for too long");
+  look_ = network_.after(kLookSeconds, [this] { look_for_silence(); });
+}
+
+Result<std::unique_ptr<DatagramPort>> DatagramPort::open(net::Network& network, const std::string& bind,
+                                                         std::uint16_t port,
+                                                         net::Network::Acceptor acceptor) {
+  auto impl = std::make_shared<Impl>(network, std::move(acceptor));
+  if (const Result<void> opened = impl->open(bind, port); !opened) return opened.error();
+  return std::unique_ptr<DatagramPort>(new DatagramPort(std::move(impl)));
+}
+
+DatagramPort::~DatagramPort() {
+  impl_->close();
+}
+
+const DatagramCounts& DatagramPort::counts() const {
+  return impl_->counts();
+}
+
+}  // namespace playhouse::server

@@ -1,0 +1,245 @@
+"""Player clients by Unix sockets and by UDP, and with a key. The other ends are plain sockets, and our clients through a
+line that loses what the test says."""
+
+import json
+import os
+import select
+import socket
+import stat
+import subprocess
+import sys
+import threading
+import unittest
+import urllib.request
+
+from house import (ACK, DATA, LASER, NACK, PATIENCE, PLAYER, PROGRAM, REQ, ROOT, Client, House, HouseTest,
+                   Message, frame, text)
+from test_without_world import CFG
+
+sys.path.insert(0, str(ROOT / "clients/python"))
+from playhouse_client import ConnectionLost, Mode, RequestRefused, connect  # noqa: E402
+
+
+class Line:
+    """Datagrams between clients and a server; `passes(number)` says which data messages of the server get through, by their
+    place in the order they come."""
+
+    def __init__(self, server: int, passes):
+        self.server, self.passes = ("127.0.0.1", server), passes
+        self.inner = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.outer = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.inner.bind(("127.0.0.1", 0))
+        self.outer.bind(("127.0.0.1", 0))
+        self.port = self.outer.getsockname()[1]
+        self.data = self.dropped = 0
+        self.stopped, self.stop_line = socket.socketpair()
+        self.thread = threading.Thread(target=self._carry, daemon=True)
+        self.thread.start()
+
+    def _carry(self):
+        client = None
+        while True:
+            ready, _, _ = select.select([self.inner, self.outer, self.stopped], [], [])
+            if self.stopped in ready:
+                return
+            if self.outer in ready:
+                datagram, client = self.outer.recvfrom(65536)
+                self.inner.sendto(datagram, self.server)
+            if self.inner in ready:
+                datagram = self.inner.recv(65536)
+                if len(datagram) >= 40 and int.from_bytes(datagram[16:20], "big") == DATA:
+                    self.data += 1
+                    if not self.passes(self.data):
+                        self.dropped += 1
+                        continue
+                self.outer.sendto(datagram, client)
+
+    def close(self):
+        self.stop_line.send(b"x")
+        self.thread.join(PATIENCE)
+        for each in (self.inner, self.outer, self.stopped, self.stop_line):
+            each.close()
+
+
+def port_of(house: House, ways: str) -> int:
+    return int(house.wait_for_line(rf"^Player clients: 127\.0\.0\.1:(\d+) \({ways}\)$").group(1))
+
+
+class UnixSockets(HouseTest):
+    def run_here(self, *options) -> tuple[House, int]:
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", "off", "--unix", self.folder, *options))
+        return house, port_of(house, rf"also {self.folder}/\d+")
+
+    def test_the_same_bytes_as_by_tcp(self):
+        _, port = self.run_here()
+        path = self.folder / str(port)
+        self.assertTrue(stat.S_ISSOCK(os.stat(path).st_mode))
+        with socket.socket(socket.AF_UNIX) as unix:
+            unix.settimeout(PATIENCE)
+            unix.connect(str(path))
+            unix.sendall(frame(PLAYER, 0, REQ, 1, seq=7))
+            got = b""
+            while len(got) < 32 + 40:
+                got += unix.recv(65536)
+            size = int.from_bytes(got[68:72], "big")
+            while len(got) < 72 + size:
+                got += unix.recv(65536)
+        tcp = Client(port)
+        self.addCleanup(tcp.socket.close)
+        tcp.send(PLAYER, 0, REQ, 1, seq=7)
+        self.assertEqual(got[:32], tcp.banner)
+        self.assertEqual(got[72:], tcp.receive().body)
+
+    def test_clients_in_python_and_commands_of_the_program_take_its_address(self):
+        house, port = self.run_here()
+        with connect(f"{self.folder}:{port}") as client:
+            with client.laser() as laser:
+                self.assertEqual(len(next(laser.updates()).ranges), 181)
+        listed = subprocess.run([PROGRAM, "devices", f"{self.folder}:{port}"], capture_output=True, text=True, timeout=PATIENCE)
+        self.assertIn("laser:0", listed.stdout, listed.stderr)
+        wrong = subprocess.run([PROGRAM, "devices", f"{self.folder}:1"], capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(wrong.returncode, 1)
+        self.assertIn("cannot connect: No such file or directory", wrong.stderr)
+        house.end()
+        self.assertFalse((self.folder / str(port)).exists(), "the socket is removed at the end")
+
+    def test_a_passthrough_comes_by_one(self):
+        _, port = self.run_here()
+        relay = self.write("relay.cfg", f'driver ( name "passthrough" requires ["{self.folder}:{port}:laser:0"] provides ["laser:0"] )')
+        with House("serve", relay, "--port", 0, "--web", "off") as near:
+            with connect(f"127.0.0.1:{near.port()}") as client, client.laser() as laser:
+                client.read()
+                self.assertEqual(len(laser.ranges), 181)
+
+    def test_a_folder_that_is_missing_is_said(self):
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", "off", "--unix", self.folder / "none"))
+        self.assertEqual(house.wait(), 1)
+        self.assertRegex(house.log(), r"/none/\d+: cannot listen: No such file or directory")
+
+
+class Udp(HouseTest):
+    def run_here(self, *options) -> tuple[House, int]:
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", "off", "--udp", *options))
+        return house, port_of(house, "also UDP")
+
+    def line(self, port: int, passes) -> Line:
+        line = Line(port, passes)
+        self.addCleanup(line.close)
+        return line
+
+    def udp(self, port: int) -> socket.socket:
+        made = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        made.settimeout(PATIENCE)
+        made.connect(("127.0.0.1", port))
+        self.addCleanup(made.close)
+        return made
+
+    def test_a_session_byte_for_byte(self):
+        _, port = self.run_here()
+        client = self.udp(port)
+        client.send(b"")
+        banner = client.recv(65536)
+        self.assertEqual((len(banner), banner[:9]), (32, b"Player v."))
+        opening = frame(PLAYER, 0, REQ, 3, b"".join(value.to_bytes(4, "big") for value in (0, 0, LASER, 0, 1, 0, 0)), seq=5)
+        client.send(opening[:20])  # a message may be cut anywhere
+        client.send(opening[20:])
+        answer = client.recv(65536)
+        message = Message(answer[:40], answer[40:])
+        self.assertEqual((message.type, message.seq), (ACK, 5))
+        numbers = []
+        while len(numbers) < 5:
+            datagram = client.recv(65536)
+            message = Message(datagram[:40], datagram[40:])
+            self.assertEqual((message.interf, message.type, message.size), (LASER, DATA, len(datagram) - 40))
+            numbers.append(message.seq)
+        self.assertEqual(numbers, [1, 2, 3, 4, 5])
+
+    def test_a_client_that_is_gone_is_noticed_and_the_others_go_on(self):
+        house = self.enterContext(House("serve", self.write("lab.cfg", CFG), "--port", 0, "--web", 0, "--udp"))
+        port = port_of(house, "also UDP")
+        page = house.wait_for_line(r"^web page: (http://127\.0\.0\.1:\d+/)").group(1)
+
+        def clients() -> list[str]:
+            status = json.loads(urllib.request.urlopen(f"{page}status.json", timeout=PATIENCE).read())
+            return [each["peer"] for each in status["clients"]]
+
+        with connect(f"udp:127.0.0.1:{port}", mode=Mode.PUSH) as stays, stays.laser():
+            gone = self.udp(port)
+            gone.send(b"")
+            gone.recv(65536)
+            gone.send(frame(PLAYER, 0, REQ, 3, b"".join(value.to_bytes(4, "big") for value in (0, 0, LASER, 0, 1, 0, 0))))
+            gone.recv(65536)
+            self.assertEqual(len(clients()), 2)
+            gone.close()
+            while len(clients()) == 2:
+                stays.read()
+            for _ in range(5):
+                stays.read()
+
+    def test_data_that_go_astray_are_counted_by_their_reader(self):
+        _, port = self.run_here("--speed", 20)
+        line = self.line(port, lambda number: number % 3 != 0)
+        with connect(f"udp:127.0.0.1:{line.port}", mode=Mode.PUSH) as client, client.laser() as laser:
+            for _ in range(40):
+                client.read()
+            client.set_mode(Mode.PULL)  # so that nothing is on its way but what was asked for
+            lost = client.lost_count()
+            self.assertEqual(len(laser.ranges), 181)
+        self.assertGreaterEqual(lost, 10)
+        self.assertLessEqual(abs(lost - line.dropped), 1, "the last one may be known as lost by the next alone")
+
+    def test_rounds_of_data_come_by_pull(self):
+        _, port = self.run_here("--speed", 20)
+        with connect(f"udp:127.0.0.1:{port}") as client:
+            with client.position2d() as wheels, client.laser() as laser:
+                wheels.drive(0.5)
+                client.read()
+                while wheels.pose.x < 0.3:
+                    client.read()
+                self.assertEqual(len(laser.ranges), 181)
+            self.assertEqual(client.lost_count(), 0)
+
+    def test_nobody_is_there(self):
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", "off"))
+        with self.assertRaises(ConnectionLost) as refused:
+            connect(f"udp:127.0.0.1:{house.port()}")
+        self.assertIn("refused", str(refused.exception))
+
+    def test_tls_does_not_go_with_it(self):
+        house = self.enterContext(House("run", self.world(), "--udp", "--tls-cert", "a", "--tls-key", "b"))
+        self.assertEqual(house.wait(), 2)
+        self.assertIn("--tls-cert excludes --udp", house.log())
+
+
+class Key(HouseTest):
+    def test_who_has_it_comes_in_by_the_originals_request_and_nobody_else(self):
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", "off", "--key", "open-sesame"))
+        port = house.port()
+        with self.assertRaises(RequestRefused):
+            connect(f"127.0.0.1:{port}").devices()
+        with self.assertRaises(RequestRefused):
+            connect(f"127.0.0.1:{port}", token="open-barley")
+        with connect(f"127.0.0.1:{port}", token="open-sesame") as client, client.position2d() as wheels:
+            wheels.drive(0.5)
+            client.read()
+            while wheels.pose.x < 0.05:
+                client.read()
+
+    def test_a_server_without_a_world_has_one_and_may_be_bound_wider_then(self):
+        cfg = self.write("lab.cfg", CFG)
+        house = self.enterContext(House("serve", cfg, "--port", 0, "--web", "off", "--bind", "0.0.0.0", "--key", "open-sesame"))
+        port = int(house.wait_for_line(r"^Player clients: [\d.]+:(\d+)$").group(1))
+        client = Client(port)
+        self.addCleanup(client.socket.close)
+        self.assertEqual(client.request(PLAYER, 0, 1).type, NACK)
+        self.assertEqual(client.request(PLAYER, 0, 7, text("open-sesame")).type, ACK)
+        self.assertEqual(client.request(PLAYER, 0, 1).type, ACK)
+
+    def test_one_that_is_too_short_is_refused(self):
+        house = self.enterContext(House("run", self.world(), "--key", "short"))
+        self.assertEqual(house.wait(), 2)
+        self.assertIn("invalid key: 8 to 32 letters, digits, - and _ are valid", house.log())
+
+
+if __name__ == "__main__":
+    unittest.main()
