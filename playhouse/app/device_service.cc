@@ -116,9 +116,7 @@ Result<void> DeviceService::open_page(std::uint16_t player_port) {
   page_ = std::make_unique<web_server::DevicePage>(
       loop_, std::move(options),
       [this](std::uint16_t port, std::unique_ptr<net::WebSocket> socket) {
-        if (std::ranges::find(ports_, port) == ports_.end())
-          return socket->close(fmt::format("this server has no port {}", port));
-        server_->accept(port, server::websocket_connection(std::move(socket)));
+        server::accept_websocket(*server_, port, std::move(socket));
       },
       [this] { return status_text(); });
   const Result<std::uint16_t> port = page_->listen();

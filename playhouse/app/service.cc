@@ -35,6 +35,7 @@
 #include "playhouse/net/polled/system_polled.h"
 #include "playhouse/record/mcap/mcap_writer.h"
 #include "playhouse/scene/world_loader.h"
+#include "playhouse/server/websocket_connection.h"
 #include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/saving/state.h"
@@ -402,6 +403,16 @@ replicate::SnapshotFeed& Service::feed() {
   return *feed_;
 }
 
+std::optional<web_server::WebOptions::PlayerClients> Service::clients_of_pages() {
+  if (playback_) return std::nullopt;
+  return web_server::WebOptions::PlayerClients{
+      .loop = &loop_,
+      .port = player_ports_.front(),
+      .came = [this](std::uint16_t port, std::unique_ptr<net::WebSocket> socket) {
+        server::accept_websocket(*server_, port, std::move(socket));
+      }};
+}
+
 Result<void> Service::open_page() {
   if (!serving_.web) return {};
   std::function<world::PhysicsShapes()> physics_shapes;
@@ -418,6 +429,7 @@ Result<void> Service::open_page() {
                                        .bytes_per_second = serving_.page_bytes,
                                        .physics_shapes = std::move(physics_shapes),
                                        .place_of_body = drivers::free_place,
+                                       .player_clients = clients_of_pages(),
                                        .shares = simulation().shares()};
   world::Control& control = playback_ ? static_cast<world::Control&>(*playback_) : simulation().requests();
   web_ = std::make_unique<web_server::WebServer>(web_loop_, options, control, simulation().world(), feed());

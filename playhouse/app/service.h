@@ -113,6 +113,7 @@ class Service final : private ServerHost {
   void close_clients_sent_out();
   /// Starts the web page, if enabled.
   Result<void> open_page();
+  std::optional<web_server::WebOptions::PlayerClients> clients_of_pages();
   /// Opens the observer port, if enabled.
   Result<void> open_observers();
 

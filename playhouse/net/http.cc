@@ -13,6 +13,7 @@
 #include "playhouse/net/asio_websocket.h"
 #include "playhouse/net/http_places.h"
 #include "playhouse/net/http_request.h"
+#include "playhouse/net/io_loop.h"
 
 namespace playhouse::net {
 namespace {
@@ -44,13 +45,14 @@ HttpReply plain(unsigned status, std::string text) {
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(AcceptedSocket accepted, HttpService& service, const HttpDeadlines& deadlines,
-                 std::unique_ptr<HttpPlace> place)
+                 std::unique_ptr<HttpPlace> place, std::shared_ptr<HttpPlaces> places_elsewhere)
       : stream_(std::move(accepted.socket)),
         peer_(std::move(accepted.peer)),
         encrypted_(accepted.encrypted),
         service_(service),
         deadlines_(deadlines),
-        place_(std::move(place)) {}
+        place_(std::move(place)),
+        places_elsewhere_(std::move(places_elsewhere)) {}
 
   /// Waits for the next request.
   void start() {
@@ -110,10 +112,24 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     if (const Result<void> allowed = service_.may_upgrade(request); !allowed) {
       return refuse({403, allowed.error().line()});
     }
+    if (const std::optional<OtherLoop> other = service_.other_loop(request)) return move_to(*other, request);
     accept_websocket(std::move(stream_), parser_->get(), request.peer, std::move(place_),
                      [&service = service_, request](std::unique_ptr<WebSocket> socket) {
                        service.upgraded(std::move(socket), request);
                      });
+  }
+
+  /// Handshake and messages are the other loop's.
+  void move_to(const OtherLoop& other, const HttpRequest& request) {
+    error_code error;
+    const auto socket = std::make_shared<asio::ip::tcp::socket>(other.loop.impl().context);
+    if (socket->assign(asio::ip::tcp::v4(), stream_.release_socket().release(error), error)) return;
+    place_.reset();
+    other.loop.post(
+        [socket, other, request = parser_->get(), peer = request.peer, places = places_elsewhere_] {
+          accept_websocket(beast::tcp_stream(std::move(*socket)), request, peer,
+                           std::make_unique<HttpPlace>(places, peer), other.came);
+        });
   }
 
   void answer(HttpReply reply, bool keep_alive) {
@@ -173,7 +189,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   const bool encrypted_;
   HttpService& service_;
   const HttpDeadlines deadlines_;
-  std::unique_ptr<HttpPlace> place_;  // null once the socket is a WebSocket's
+  std::unique_ptr<HttpPlace> place_;                    // null once the socket is a WebSocket's
+  const std::shared_ptr<HttpPlaces> places_elsewhere_;  // of the other loop's thread
   beast::flat_buffer buffer_{limits::kHttpHeaderBytes + 4096};
   std::optional<http::request_parser<http::empty_body>> parser_;
   HttpReply reply_;
@@ -184,17 +201,20 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 }  // namespace
 
 void serve_http(AcceptedSocket accepted, HttpService& service, const HttpDeadlines& deadlines,
-                const std::shared_ptr<HttpPlaces>& places) {
+                const std::shared_ptr<HttpPlaces>& places, std::shared_ptr<HttpPlaces> places_elsewhere) {
   auto place = std::make_unique<HttpPlace>(places, accepted.peer);
-  std::make_shared<HttpConnection>(std::move(accepted), service, deadlines, std::move(place))->start();
+  std::make_shared<HttpConnection>(std::move(accepted), service, deadlines, std::move(place),
+                                   std::move(places_elsewhere))
+      ->start();
 }
 
 Result<std::unique_ptr<Listener>> IoLoop::listen_http(const std::string& bind, std::uint16_t port,
                                                       HttpService& service) {
-  // The table of places is owned by the listener and each connection.
+  // The tables of places are owned by the listener and each connection.
   return listen_tcp(*impl_, bind, port,
-                    [&service, places = std::make_shared<HttpPlaces>()](AcceptedSocket accepted) {
-                      serve_http(std::move(accepted), service, service.deadlines(), places);
+                    [&service, places = std::make_shared<HttpPlaces>(),
+                     elsewhere = std::make_shared<HttpPlaces>()](AcceptedSocket accepted) {
+                      serve_http(std::move(accepted), service, service.deadlines(), places, elsewhere);
                     });
 }
 

@@ -4,7 +4,9 @@
 /// Application-agnostic: a service answers each request synchronously from memory. Limits: limits::kHttp*. Io thread only.
 
 #include <chrono>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -45,6 +47,14 @@ struct HttpDeadlines {
   std::chrono::milliseconds answer = std::chrono::seconds(limits::kHttpAnswerSeconds);
 };
 
+class IoLoop;
+
+/// Where a WebSocket goes on that does not belong to the loop that read its request.
+struct OtherLoop {
+  IoLoop& loop;
+  std::function<void(std::unique_ptr<WebSocket>)> came;  // on that loop's thread, instead of upgraded()
+};
+
 class HttpService {
  public:
   virtual ~HttpService() = default;
@@ -57,6 +67,8 @@ class HttpService {
   virtual HttpReply get(const HttpRequest& request) = 0;
   /// Called before an upgrade to a WebSocket; an error is sent with status 403.
   virtual Result<void> may_upgrade(const HttpRequest& request) = 0;
+  /// None: it goes on here. Both loops must end before the service does.
+  virtual std::optional<OtherLoop> other_loop(const HttpRequest&) { return std::nullopt; }
   virtual void upgraded(std::unique_ptr<WebSocket> socket, const HttpRequest& request) = 0;
   virtual HttpDeadlines deadlines() const { return {}; }
 };

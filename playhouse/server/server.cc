@@ -70,6 +70,9 @@ class Server::Impl final : public ClientOwner {
   void forget() {
     if (outbox_.put(Forget{})) wake();
   }
+  bool has_port(std::uint16_t port) const {
+    return std::ranges::any_of(listeners_, [port](const auto& each) { return each->port() == port; });
+  }
   ServerStatus status() const;
   Switchboard& board() { return board_; }
   void finish(std::function<void()> done);
@@ -548,6 +551,9 @@ std::vector<ClientStatus> Server::clients() const {
 }
 void Server::accept(std::uint16_t port, std::unique_ptr<net::Connection> connection) {
   impl_->accept(port, std::move(connection));
+}
+bool Server::has_port(std::uint16_t port) const {
+  return impl_->has_port(port);
 }
 void Server::publish(std::vector<device::Publication> batch) {
   impl_->publish(std::move(batch));

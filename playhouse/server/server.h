@@ -84,6 +84,7 @@ class Server final : public device::Publisher, public device::Outlet {
 
   /// Serves a client that has connected in another way, as one of this open port.
   void accept(std::uint16_t port, std::unique_ptr<net::Connection> connection);
+  bool has_port(std::uint16_t port) const;
 
   /// Registers a device, also while clients are connected. Clients list devices in order of registration.
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);

@@ -1,5 +1,7 @@
 #include "playhouse/server/websocket_connection.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace playhouse::server {
@@ -72,6 +74,11 @@ class WebSocketConnection final : public net::Connection, private net::WebSocket
 
 std::unique_ptr<net::Connection> websocket_connection(std::unique_ptr<net::WebSocket> socket) {
   return std::make_unique<WebSocketConnection>(std::move(socket));
+}
+
+void accept_websocket(Server& server, std::uint16_t port, std::unique_ptr<net::WebSocket> socket) {
+  if (!server.has_port(port)) return socket->close(fmt::format("this server has no port {}", port));
+  server.accept(port, websocket_connection(std::move(socket)));
 }
 
 }  // namespace playhouse::server

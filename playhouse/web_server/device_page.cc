@@ -1,6 +1,5 @@
 #include "playhouse/web_server/device_page.h"
 
-#include <charconv>
 #include <string_view>
 #include <utility>
 
@@ -10,7 +9,7 @@
 namespace playhouse::web_server {
 namespace {
 
-constexpr std::string_view kPlayer = "/player", kStatus = "/status.json";
+constexpr std::string_view kStatus = "/status.json";
 
 }  // namespace
 
@@ -41,24 +40,13 @@ net::HttpReply DevicePage::get(const net::HttpRequest& request) {
   return reply;
 }
 
-/// "/player": the default port; "/player/6666": another one. None for other paths.
-std::optional<std::uint16_t> DevicePage::player_port_of(const std::string& path) const {
-  if (path == kPlayer) return options_.player_port;
-  if (!path.starts_with(kPlayer) || path[kPlayer.size()] != '/') return std::nullopt;
-  const std::string_view text = std::string_view(path).substr(kPlayer.size() + 1);
-  std::uint16_t port = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(port) : std::nullopt;
-}
-
 Result<void> DevicePage::may_upgrade(const net::HttpRequest& request) {
-  if (!player_port_of(request.path))
-    return Error{"", "Player clients connect to /player, or to /player/PORT for another port of the server"};
+  if (!player_port_of(request.path, options_.player_port)) return Error{"", kPlayerPaths};
   return gate_.may_control(request);
 }
 
 void DevicePage::upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest& request) {
-  came_(*player_port_of(request.path), std::move(socket));
+  came_(*player_port_of(request.path, options_.player_port), std::move(socket));
 }
 
 }  // namespace playhouse::web_server

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/web_server/page_gate.h"
+#include "playhouse/web_server/player_path.h"
 
 namespace playhouse::web_server {
 
@@ -32,8 +32,6 @@ class DevicePage final : private net::HttpService {
     net::TrustedProxies proxies;             // in front of the page, which name its clients
     std::uint16_t player_port = 6665;        // of clients that name none
   };
-  /// Takes a Player client that has connected to this port of the server.
-  using ClientCame = std::function<void(std::uint16_t player_port, std::unique_ptr<net::WebSocket>)>;
   /// What the page shows of the server beside its devices, as JSON.
   using StatusText = std::function<std::string()>;
 
@@ -49,7 +47,6 @@ class DevicePage final : private net::HttpService {
   net::HttpReply get(const net::HttpRequest& request) override;
   Result<void> may_upgrade(const net::HttpRequest& request) override;
   void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest& request) override;
-  std::optional<std::uint16_t> player_port_of(const std::string& path) const;
 
   net::Network& network_;
   DevicePageOptions options_;

@@ -34,6 +34,8 @@
 namespace playhouse::web_server {
 namespace {
 
+constexpr std::string_view kLive = "/live";  // of viewers
+
 /// Minimum interval between history updates.
 constexpr double kPastPeriod = 1;  // s
 
@@ -144,8 +146,24 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   Result<void> may_upgrade(const net::HttpRequest& request) override {
-    if (request.path != "/live") return Error{"", "viewers connect to /live"};
+    if (request.path != kLive && !player_port_of(request))
+      return Error{"", fmt::format("viewers connect to {}{}", kLive,
+                                   options_.player_clients ? std::string("; ") + kPlayerPaths : "")};
     return gate_.may_control(request);
+  }
+
+  std::optional<std::uint16_t> player_port_of(const net::HttpRequest& request) const {
+    if (!options_.player_clients) return std::nullopt;
+    return web_server::player_port_of(request.path, options_.player_clients->port);
+  }
+
+  std::optional<net::OtherLoop> other_loop(const net::HttpRequest& request) override {
+    const std::optional<std::uint16_t> port = player_port_of(request);
+    if (!port) return std::nullopt;
+    const WebOptions::PlayerClients& clients = *options_.player_clients;
+    return net::OtherLoop{*clients.loop, [came = clients.came, port](std::unique_ptr<net::WebSocket> socket) {
+                            came(*port, std::move(socket));
+                          }};
   }
 
   void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest& request) override {

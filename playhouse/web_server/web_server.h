@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,11 +17,13 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/net/forwarded.h"
+#include "playhouse/net/io_loop.h"
 #include "playhouse/net/network.h"
 #include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/web_server/bodies.h"
 #include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
+#include "playhouse/web_server/player_path.h"
 #include "playhouse/world/control.h"
 #include "playhouse/world/physics_shapes.h"
 #include "playhouse/world/population/shares.h"
@@ -44,6 +47,13 @@ struct WebOptions {
   std::function<world::PhysicsShapes()> physics_shapes;
   /// Where a person who joins goes; tick thread. Empty: anywhere.
   PlaceOfBody place_of_body;
+  /// Player clients by WebSocket, on the loop of their server, which ends before this page; none: no clients.
+  struct PlayerClients {
+    net::IoLoop* loop = nullptr;
+    std::uint16_t port = 0;  // of clients that name none
+    ClientCame came;         // on the loop's thread
+  };
+  std::optional<PlayerClients> player_clients = {};
   /// What each page and client brought; tick thread.
   std::shared_ptr<world::Shares> shares = std::make_shared<world::Shares>();
 };

@@ -5,6 +5,7 @@ import json
 import os
 import select
 import socket
+import ssl
 import stat
 import subprocess
 import sys
@@ -14,7 +15,7 @@ import urllib.request
 
 from house import (ACK, DATA, LASER, NACK, PATIENCE, PLAYER, PROGRAM, REQ, ROOT, Client, House, HouseTest,
                    Message, frame, text)
-from test_without_world import CFG
+from test_without_world import CFG, PageSocket
 
 sys.path.insert(0, str(ROOT / "clients/python"))
 from playhouse_client import ConnectionLost, Mode, RequestRefused, connect  # noqa: E402
@@ -211,12 +212,76 @@ class Udp(HouseTest):
         self.assertIn("--tls-cert excludes --udp", house.log())
 
 
+class WebSockets(HouseTest):
+    """Of the page of a world, which has a thread of its own. A server without one: test_without_world.py."""
+
+    def open(self, *where, **more) -> PageSocket:
+        page = PageSocket(*where, **more)
+        self.addCleanup(page.socket.close)
+        return page
+
+    def run_here(self, *options) -> tuple[House, int, int]:
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", 0, *options))
+        return house, house.port(), int(house.wait_for_line(r"^web page: http://127\.0\.0\.1:(\d+)/").group(1))
+
+    def test_the_bytes_of_tcp(self):
+        _, port, web = self.run_here()
+        with Client(port) as client:
+            for path in ("/player", f"/player/{port}"):
+                page = self.open(web, path)
+                self.assertTrue(page.head.startswith(b"HTTP/1.1 101"), page.head)
+                self.assertEqual(page.receive(), client.banner.ljust(32, b"\0")[:32])
+                page.send(frame(PLAYER, 0, REQ, 1))
+                self.assertEqual(page.frame()[40:], client.request(PLAYER, 0, 1).body)
+                page.socket.close()
+        self.assertTrue(self.open(web, "/player/7").receive().endswith(b"this server has no port 7"))
+
+    def test_pages_of_others_and_other_paths_are_refused(self):
+        _, _, web = self.run_here()
+        for path, more in (("/player", "Origin: http://evil.example\r\n"), ("/player/x", ""), ("/playerx", "")):
+            self.assertTrue(self.open(web, path, more).head.startswith(b"HTTP/1.1 403"), (path, more))
+        self.assertTrue(self.open(web, "/live").head.startswith(b"HTTP/1.1 101"))
+
+    def test_many_come_and_go_while_the_world_runs_and_one_at_the_end(self):
+        house, _, web = self.run_here("--speed", 20)
+        for _ in range(50):
+            page = self.open(web)
+            page.receive()
+            page.socket.close()
+        last = self.open(web)
+        last.receive()
+        self.assertEqual(house.end(), 143)
+        self.assertNotIn("error", house.log())
+
+    def test_tokens_are_those_of_other_clients(self):
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", 0, "--key", "open-sesame"))
+        house.port()
+        page = self.open(int(house.wait_for_line(r"^web page: http://127\.0\.0\.1:(\d+)/").group(1)))
+        page.receive()
+        page.send(frame(PLAYER, 0, REQ, 1))
+        self.assertEqual(Message(page.frame()[:40], b"").type, NACK)
+        page.send(frame(PLAYER, 0, REQ, 7, text("open-sesame")))
+        self.assertEqual(Message(page.frame()[:40], b"").type, ACK)
+
+    def test_by_tls(self):
+        certificate, key = self.folder / "server.crt", self.folder / "server.key"
+        subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-days", "2", "-nodes",
+                        "-subj", "/CN=robots", "-addext", "subjectAltName=IP:127.0.0.1", "-keyout", key, "-out", certificate],
+                       check=True, capture_output=True)
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", 0, "--tls-cert", certificate, "--tls-key", key))
+        page = self.open(int(house.wait_for_line(r"^web page: https://127\.0\.0\.1:(\d+)/").group(1)),
+                         tls=ssl.create_default_context(cafile=str(certificate)))
+        self.assertEqual(page.receive()[:9], b"Player v.")
+        page.send(frame(PLAYER, 0, REQ, 1))
+        self.assertEqual(Message(page.frame()[:40], b"").type, ACK)
+
+
 class Key(HouseTest):
     def test_who_has_it_comes_in_by_the_originals_request_and_nobody_else(self):
         house = self.enterContext(House("run", self.world(), "--port", 0, "--web", "off", "--key", "open-sesame"))
         port = house.port()
-        with self.assertRaises(RequestRefused):
-            connect(f"127.0.0.1:{port}").devices()
+        with connect(f"127.0.0.1:{port}") as stranger, self.assertRaises(RequestRefused):
+            stranger.devices()
         with self.assertRaises(RequestRefused):
             connect(f"127.0.0.1:{port}", token="open-barley")
         with connect(f"127.0.0.1:{port}", token="open-sesame") as client, client.position2d() as wheels:
