@@ -17,6 +17,8 @@ constexpr std::size_t kDescriptorsOfTls =
     3;                             // of a connection: to the peer, and both ends of its decrypted side
 constexpr std::size_t kFiles = 8;  // what a run opens at times: recordings, saved runs, readers of meshes
 
+constexpr std::size_t kManySessions = 4096;  // fewer are worth a line
+
 std::size_t open_descriptors() {
   std::error_code error;
   const std::filesystem::directory_iterator open("/proc/self/fd", error);
@@ -41,7 +43,7 @@ std::size_t sessions_that_fit(bool encrypted) {
                     others = open_descriptors() + kFiles + pages;
   const std::size_t fit =
       std::clamp<std::size_t>(all > others ? (all - others) / of_each : 1, 1, limits::kSessions);
-  if (fit < limits::kSessions)
+  if (fit < kManySessions)
     log::warn("{} Player clients at most: the limit on open files is {} (ulimit -n)", fit, all);
   return fit;
 }

@@ -9,7 +9,7 @@ namespace playhouse::app {
 void raise_descriptor_limit();
 
 /// How many Player clients may be connected so that pages, files and what is open already have descriptors
-/// left; limits::kSessions where the limit on open files allows it. Logs fewer. `encrypted`: by TLS.
+/// left; limits::kSessions where the limit on open files allows it. Logs fewer than 4096. `encrypted`: by TLS.
 std::size_t sessions_that_fit(bool encrypted);
 
 }  // namespace playhouse::app

@@ -17,12 +17,12 @@ inline constexpr std::size_t kDevices = 4096;        // entries of a device list
 inline constexpr std::size_t kDriverNameBytes = 64;  // with the final NUL
 
 // Server; heeded by device, drivers, net, run, server, world.
-inline constexpr std::size_t kSessions = 4096;
+inline constexpr std::size_t kSessions = 16384;
 // Of one address that is not this machine's: nobody shuts out all others alone.
 inline constexpr std::size_t kSessionsOfHost = 1024;
 inline constexpr int kSilentSeconds = 60;  // a client that has not said anything yet is closed then
 // Connections that wait for their peers to end: over it the first is closed.
-inline constexpr std::size_t kLingering = kSessions;
+inline constexpr std::size_t kLingering = 4096;
 // A session over UDP that says nothing for so long is gone: there is no other sign, where nothing refuses.
 inline constexpr int kDatagramSilentSeconds = 600;
 inline constexpr std::size_t kDatagramMostBytes = 65507;          // of one datagram of UDP over IPv4
@@ -52,6 +52,9 @@ inline constexpr std::size_t kListedModels = 4096;          // of one answer to 
 inline constexpr std::size_t kModelListBytes = 256u << 10;  // of its text; one model is always told
 inline constexpr std::size_t kOutboxBytes = 64u << 20;      // data the io thread has not taken yet
 inline constexpr std::size_t kOutboxMessages = 65536;       // the same in messages
+// Of the three above together, as an option divides it: MiB.
+inline constexpr std::size_t kClientMiB = (kInputBytes + kOutputBytes + kOutboxBytes) >> 20;
+inline constexpr std::size_t kClientMiBLeast = 5, kClientMiBMost = 1u << 20;
 // What clients have set of one device of driver "dummy", which remembers it; over it a further set is refused.
 inline constexpr std::size_t kDummyBytes = 1u << 20;
 
@@ -167,7 +170,9 @@ inline constexpr std::size_t kBroughtBeams = 1u << 22;    // of those
 inline constexpr std::size_t kBroughtByOneModels = 1u << 12;   // of those, that one client or page brought
 inline constexpr std::size_t kBroughtByOneSensors = 1u << 14;  // of those
 inline constexpr std::size_t kBroughtByOneBeams = 1u << 20;    // of those
-inline constexpr std::size_t kSensors = 1u << 24;              // of all rangers of a world
+// Of one client or page, which is what removing and bringing again costs: at once, and a second of the run.
+inline constexpr double kBringsAtOnce = 16384, kBringsPerSecond = 1000;
+inline constexpr std::size_t kSensors = 1u << 24;  // of all rangers of a world
 // Of rangers and bodies, that worlds of Stage 2 tell of by numbered words.
 inline constexpr std::size_t kOldParts = 1u << 18;
 inline constexpr std::size_t kOldPartsOfOne = 1024;       // the same of one model

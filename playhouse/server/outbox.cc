@@ -19,7 +19,7 @@ bool Outbox::put(std::vector<device::Publication> batch) {
   for (const device::Publication& publication : batch) bytes += bytes_of(publication);
   const std::scoped_lock lock(mutex_);
   const bool fits =
-      data_bytes_ + bytes <= limits::kOutboxBytes && data_messages_ + batch.size() <= limits::kOutboxMessages;
+      data_bytes_ + bytes <= most_bytes_ && data_messages_ + batch.size() <= limits::kOutboxMessages;
   if (data_messages_ > 0 && !fits) drop_data();
   data_messages_ += batch.size();
   data_bytes_ += bytes;

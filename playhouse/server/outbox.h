@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/device/driver.h"
 
 namespace playhouse::server {
@@ -25,11 +26,14 @@ struct Forget {};
 
 class Outbox {
  public:
+  /// `data_bytes`: of data the io thread has not taken yet.
+  explicit Outbox(std::size_t data_bytes = limits::kOutboxBytes) : most_bytes_(data_bytes) {}
+
   using OutboxItem = std::variant<device::Publication, Answer, Forget>;
 
-  /// True if the io thread has to be woken: the outbox was empty. If the io
-  /// thread lags by more than limits::kOutboxBytes or kOutboxMessages of
-  /// data, queued data is dropped in favour of the new; replies never are.
+  /// True if the io thread has to be woken: the outbox was empty. If the io thread lags by more
+  /// bytes of data than that, or by limits::kOutboxMessages, queued data is dropped in favour of
+  /// the new; replies never are.
   [[nodiscard]] bool put(std::vector<device::Publication> batch);
   [[nodiscard]] bool put(Answer answer);
   /// Removes the queued data.
@@ -45,6 +49,7 @@ class Outbox {
   void drop_data();  // holding the mutex
   bool wake();       // holding the mutex
 
+  const std::size_t most_bytes_;
   mutable std::mutex mutex_;
   std::deque<OutboxItem> items_;
   std::size_t data_messages_ = 0, data_bytes_ = 0;

@@ -53,7 +53,10 @@ Frame make_notice(device::Address address, const device::Driver& driver, double 
 class Server::Impl final : public ClientOwner {
  public:
   Impl(net::Network& network, ServerOptions options, device::Outlet& outlet)
-      : network_(network), options_(std::move(options)), banner_(make_banner(options_.version)) {
+      : network_(network),
+        options_(std::move(options)),
+        banner_(make_banner(options_.version)),
+        outbox_(options_.outbox_bytes) {
     board_.clock = unix_seconds;
     board_.outlet = &outlet;
   }

@@ -33,6 +33,7 @@ struct ServerOptions {
   std::string version = "3.1.1 Playhouse " + std::string(playhouse::version());
   std::size_t input_bytes = limits::kInputBytes;  // smaller in tests
   std::size_t output_bytes = limits::kOutputBytes;
+  std::size_t outbox_bytes = limits::kOutboxBytes;
   std::size_t sessions = limits::kSessions;  // fewer where descriptors are few
   std::string unix_folder = {};              // each port has a Unix socket there as well; empty: none
   bool datagrams = false;                    // each port is one of UDP as well

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -19,6 +20,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -54,6 +56,14 @@ double cpu_seconds(pid_t process) {
     total_ns += running_ns;
   }
   return static_cast<double>(total_ns) * 1e-9;
+}
+
+/// Resident memory of a process. [B]
+double resident_bytes(pid_t process) {
+  std::ifstream file(fmt::format("/proc/{}/statm", process));
+  double size = 0, resident = 0;
+  file >> size >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 /// A connection that counts its messages; non-blocking once open.
@@ -212,13 +222,32 @@ Result<RoundTrip> measure_round_trip(std::uint16_t port, int requests) {
   return RoundTrip{times[times.size() / 2], times[times.size() * 99 / 100]};
 }
 
-Result<RoundTrip> measure_round_trip_among_idle(std::uint16_t port, int requests, std::size_t idle) {
+Result<AmongIdle> measure_round_trip_among_idle(std::uint16_t port, int requests, std::size_t idle,
+                                                pid_t server) {
+  const double before = resident_bytes(server);
   std::vector<Listener> others(idle);
   for (Listener& other : others) {
     if (!other.connect(port))
       return Error{"", fmt::format("{} idle clients cannot connect: {}", idle, std::strerror(errno))};
   }
-  return measure_round_trip(port, requests);
+  const Result<RoundTrip> round_trip = measure_round_trip(port, requests);
+  if (!round_trip) return round_trip.error();
+  return AmongIdle{*round_trip, (resident_bytes(server) - before) / static_cast<double>(idle)};
+}
+
+Result<RoundTrip> measure_round_trip_among_readers(const FanOutPlan& plan, int requests) {
+  Result<std::vector<Listener>> listeners = open_all(plan);
+  if (!listeners) return listeners.error();
+  if (const Result<Count> settled = listen_for(*listeners, kSettle, plan.interval); !settled)
+    return settled.error();
+  std::atomic<bool> over = false;
+  std::thread reader([&] {
+    while (!over && listen_for(*listeners, kSettle, plan.interval)) continue;
+  });
+  const Result<RoundTrip> round_trip = measure_round_trip(plan.port, requests);
+  over = true;
+  reader.join();
+  return round_trip;
 }
 
 Result<FanOut> measure_fan_out(const FanOutPlan& plan) {

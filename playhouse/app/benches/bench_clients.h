@@ -19,8 +19,13 @@ struct RoundTrip {
   double p50_ms = 0, p99_ms = 0;
 };
 Result<RoundTrip> measure_round_trip(std::uint16_t port, int requests);
-/// The same with so many further idle connections.
-Result<RoundTrip> measure_round_trip_among_idle(std::uint16_t port, int requests, std::size_t idle);
+/// The same with so many further idle connections, and what each of these takes of the server's memory.
+struct AmongIdle {
+  RoundTrip round_trip;
+  double bytes_of_each = 0;
+};
+Result<AmongIdle> measure_round_trip_among_idle(std::uint16_t port, int requests, std::size_t idle,
+                                                pid_t server);
 
 /// Throughput of data to `clients` connections, each with a
 /// position2d and a laser of robot (client modulo robots) open.
@@ -38,6 +43,8 @@ struct FanOutPlan {
   pid_t server = 0;
 };
 Result<FanOut> measure_fan_out(const FanOutPlan& plan);
+/// Latency of a geometry request while the plan's connections read.
+Result<RoundTrip> measure_round_trip_among_readers(const FanOutPlan& plan, int requests);
 
 /// Views a whole world with its measurements through the page's protocol, for so
 /// long; `watches` is called at the start and at the end. Returns packets per second.

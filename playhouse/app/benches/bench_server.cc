@@ -16,18 +16,25 @@ namespace {
 
 constexpr std::uint32_t kRobots = 20;
 constexpr int kRequests = 5000;
-constexpr std::size_t kIdleClients = 4000;
+constexpr std::size_t kIdleClients = 10000;
+constexpr std::size_t kReaders = 200;
 constexpr double kFanOutSeconds = 3;
 
 Result<std::string> measure(std::uint16_t port, std::size_t robots, pid_t server) {
   const Result<RoundTrip> round_trip = measure_round_trip(port, kRequests);
   if (!round_trip) return round_trip.error();
-  const Result<RoundTrip> among_idle = measure_round_trip_among_idle(port, kRequests, kIdleClients);
+  const Result<AmongIdle> among_idle = measure_round_trip_among_idle(port, kRequests, kIdleClients, server);
   if (!among_idle) return among_idle.error();
+  const FanOutPlan readers{
+      .port = port, .clients = kReaders, .robots = robots, .seconds = 0, .server = server};
+  const Result<RoundTrip> among_readers = measure_round_trip_among_readers(readers, kRequests);
+  if (!among_readers) return among_readers.error();
   std::string line = fmt::format(
-      R"("round_trip_p50_ms":{:.4f},"round_trip_p99_ms":{:.4f},"idle_clients":{},"among_idle_p50_ms":{:.4f},"among_idle_p99_ms":{:.4f},"fan_out":[)",
-      round_trip->p50_ms, round_trip->p99_ms, kIdleClients, among_idle->p50_ms, among_idle->p99_ms);
-  for (const std::size_t clients : {1u, 20u, 200u}) {
+      R"("round_trip_p50_ms":{:.4f},"round_trip_p99_ms":{:.4f},"idle_clients":{},"among_idle_p50_ms":{:.4f},"among_idle_p99_ms":{:.4f},"idle_client_bytes":{:.0f},"readers":{},"among_readers_p50_ms":{:.4f},"among_readers_p99_ms":{:.4f},"fan_out":[)",
+      round_trip->p50_ms, round_trip->p99_ms, kIdleClients, among_idle->round_trip.p50_ms,
+      among_idle->round_trip.p99_ms, among_idle->bytes_of_each, kReaders, among_readers->p50_ms,
+      among_readers->p99_ms);
+  for (const std::size_t clients : {1u, 20u, 200u, 1000u}) {
     const Result<FanOut> fan_out = measure_fan_out(
         {.port = port, .clients = clients, .robots = robots, .seconds = kFanOutSeconds, .server = server});
     if (!fan_out) return fan_out.error();

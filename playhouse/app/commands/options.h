@@ -42,7 +42,8 @@ struct Serving {
   std::string key = {};                     // that everybody has to know who comes; empty: none
   std::string unix_folder = {};             // with a Unix socket for each port of Player clients; empty: none
   bool udp = false;                         // ports of Player clients are of UDP as well
-  std::size_t viewers = limits::kViewers;   // limit on simultaneous pages, and on observers
+  std::size_t client_mib = limits::kClientMiB;  // memory for what Player clients send and do not read
+  std::size_t viewers = limits::kViewers;       // limit on simultaneous pages, and on observers
   std::uint32_t page_bytes = limits::kPageBytesPerSecond;  // limit per second for each page
   std::optional<std::uint16_t> observers = {};  // UDP port for observers; none: no observers; 0: any free one
   std::uint32_t observer_bytes = limits::kObserverBytesPerSecond;  // limit per second for each observer

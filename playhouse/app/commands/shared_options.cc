@@ -145,6 +145,11 @@ void add_serving(CLI::App& app, Serving& serving) {
       ->transform([](const std::string& folder) { return std::filesystem::absolute(folder).string(); }, "");
   app.add_flag("--udp", serving.udp, "serve Player clients by UDP as well, on the same ports")
       ->excludes("--tls-cert");
+  app.add_option("--client-memory", serving.client_mib,
+                 "limit in MiB of memory for what Player clients have sent in part and have not read")
+      ->type_name("MIB")
+      ->check(check_count<std::size_t, limits::kClientMiBLeast, limits::kClientMiBMost>)
+      ->capture_default_str();
   // CLI11 runs callbacks in the order of definition: this overrides --web.
   app.add_flag_callback(
       "--headless", [&serving] { serving.web.reset(); }, "no web page, as --web off");

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "playhouse/base/limits.h"
 #include "playhouse/world/population/population.h"
 
@@ -16,6 +18,11 @@ Result<void> Shares::check(const World& world, const std::string& peer) {
           {},
           fmt::format("your share of the run is full: you brought {} models with {} sensors and {} beams",
                       share.sum.models, share.sum.sensors, share.sum.beams)};
+    if (brings_left(world, share) < 1)
+      return Error{
+          {},
+          fmt::format("you bring too much at a time: {} models a second of the run, after {} at once",
+                      limits::kBringsPerSecond, limits::kBringsAtOnce)};
   }
   return check_budget(world);
 }
@@ -26,7 +33,9 @@ void Shares::add(const World& world, const std::string& peer, ModelId root) {
   if (!shares_.contains(peer)) {
     // Peers come and go: a share of which nothing is left is forgotten.
     for (auto& [other, share] : shares_) forget_removed(world, share);
-    std::erase_if(shares_, [](const auto& each) { return each.second.trees.empty(); });
+    std::erase_if(shares_, [&](const auto& each) {
+      return each.second.trees.empty() && brings_left(world, each.second) >= limits::kBringsAtOnce;
+    });
   }
   NodeTrees& share = shares_[peer];
   const Amount amount = amount_of(world, row);
@@ -34,6 +43,14 @@ void Shares::add(const World& world, const std::string& peer, ModelId root) {
   share.sum.models += amount.models;
   share.sum.sensors += amount.sensors;
   share.sum.beams += amount.beams;
+  share.brings_left = brings_left(world, share) - static_cast<double>(amount.models);
+  share.counted_at = world.time();
+}
+
+/// After a rewind the time of the run is earlier than when it was counted.
+double Shares::brings_left(const World& world, const NodeTrees& share) {
+  const double passed = std::max(0.0, world.time() - share.counted_at);
+  return std::min(limits::kBringsAtOnce, share.brings_left + limits::kBringsPerSecond * passed);
 }
 
 /// Of the tree as it is described.

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/world/world.h"
 
@@ -18,7 +19,8 @@ class Shares {
  public:
   /// For a spawn that this peer asks for, before it: fails as check_budget(), and if what the peer brought
   /// and what still exists is as much as one may bring (base/limits.h, kBroughtByOne...). "": a driver of
-  /// the program, which has no share. Cost: the peer's trees, if models were removed since a full share was
+  /// the program, which has no share. Also fails while the peer brings more often than one may (kBrings...),
+  /// by the time of the run. Cost: the peer's trees, if models were removed since a full share was
   /// last counted; else constant.
   Result<void> check(const World& world, const std::string& peer);
   /// After it: counts the tree of this root, until it is removed, whoever removes it.
@@ -36,10 +38,13 @@ class Shares {
     std::vector<Tree> trees;
     Amount sum;
     std::uint64_t population = 0;  // World::population() of the sum
+    double brings_left = limits::kBringsAtOnce;
+    double counted_at = 0;  // s of the run; brings_left then
   };
   static Amount amount_of(const World& world, ModelRow root);
   static bool is_full(const Amount& amount);
   static void forget_removed(const World& world, NodeTrees& share);
+  static double brings_left(const World& world, const NodeTrees& share);
 
   std::map<std::string, NodeTrees> shares_;
 };

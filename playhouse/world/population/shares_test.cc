@@ -91,6 +91,22 @@ TEST_F(SharesTest, count_what_exists_whoever_removed_the_rest) {
   EXPECT_EQ(bring_all("a"), limits::kBroughtByOneModels / 2);
 }
 
+TEST_F(SharesTest, come_no_faster_than_one_may_bring_and_go_on_with_the_time_of_the_run) {
+  open();
+  const auto bring_and_remove = [this](const std::string& peer) {
+    std::size_t count = 0;
+    for (; count < 20000 && bring(peer); ++count) EXPECT_TRUE(despawn(*world_, brought_.back()));
+    return count;
+  };
+  EXPECT_EQ(bring_and_remove("a"), 8192u) << "16384 models at once";
+  EXPECT_EQ(shares_.check(*world_, "a").error().text,
+            "you bring too much at a time: 1000 models a second of the run, after 16384 at once");
+  EXPECT_TRUE(bring("b"));
+  const double before = world_->time();
+  while (world_->time() < before + 1) ++world_->tick_;
+  EXPECT_EQ(bring_and_remove("a"), 500u);
+}
+
 TEST_F(SharesTest, have_nothing_to_do_with_the_drivers_of_the_program) {
   open();
   EXPECT_EQ(bring_all(""), limits::kBroughtModels / 2);
