@@ -14,7 +14,7 @@ ANY_MUTEX = re.compile(r"\bstd::\w*mutex\b(?!\s*[>&*])|(?:array|vector|deque|_pt
 SCOPE = re.compile(r"^(\s*)(?:class|struct|namespace) (\w[\w:]*)[^;]*$|^(\s*)[\w:<>&* ]+?(\w+)\([^;]*\) (?:const )?\{$")
 ROW = re.compile(r"^\| `([\w:]+)`")
 START = re.compile(r"std::j?thread(?: \w+)?\(")
-NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen", "fourteen"]
+NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen"]
 STARTED_IN = re.compile(r"`([\w/]+)\.h`")  # in the table of threads
 
 

@@ -21,6 +21,7 @@
 #include "playhouse/app/standard_streams.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/drivers/isolated/isolated_main.h"
 #include "playhouse/simd/instruction_set.h"
 
 namespace playhouse::app {
@@ -87,6 +88,7 @@ int start(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   using namespace playhouse::app;
+  if (playhouse::drivers::is_isolated_plugin(argc, argv)) return playhouse::drivers::run_isolated_plugin();
   keep_standard_streams();
   int code = kDone;
   try {

@@ -3,6 +3,7 @@
 /// ServerHost: the environment of drivers whose devices are served
 /// by a Server on a network. Derived classes own both, and open worlds.
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
@@ -38,6 +39,7 @@ class ServerHost : public drivers::Host {
   void release(device::DeviceId device, device::Driver* holder) final {
     the_server().release(device, holder);
   }
+  std::filesystem::path plugin_program() const final { return has_threads() ? "/proc/self/exe" : ""; }
   void post(std::function<void()> task) final { the_network().post(std::move(task)); }
   net::Network& network() final { return the_network(); }
 };

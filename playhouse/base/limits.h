@@ -146,6 +146,9 @@ inline constexpr double kPluginSeconds = 5;         // of one hook; who takes lo
 inline constexpr int kPluginEndSeconds = 2;         // of the last hook, at the end of the program
 inline constexpr double kPluginStepSeconds = 1e-3;  // between two steps
 inline constexpr std::size_t kPluginQueue = 1024;   // hooks that wait
+// Of one in a process of its own, from the start of that to the end of configure().
+inline constexpr int kPluginStartSeconds = 15;
+inline constexpr std::size_t kPluginLineBytes = 4096;  // of a line that such a process prints or says
 
 // Files; heeded by bodies, controllers, drivers, scene, world.
 inline constexpr std::size_t kFileBytes = 64u << 20;

@@ -5,6 +5,7 @@
 /// and no engine. Threads: everything happens before the io loop runs, unless stated otherwise.
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -51,6 +52,8 @@ class Host : public device::Opener {
   virtual net::Network& network() = 0;
   /// Where plug-ins may come from.
   virtual libraries::Libraries libraries() const { return {}; }
+  /// The program that calls plug-ins in processes of their own (isolated/isolated_main.h); empty: none may be started.
+  virtual std::filesystem::path plugin_program() const { return {}; }
   /// Loads a world file into a new engine.
   virtual Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) = 0;
 };

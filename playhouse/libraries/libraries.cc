@@ -66,6 +66,10 @@ bool leads_outside(std::string_view name) {
   return path.is_absolute() || (!path.empty() && *path.begin() == "..");
 }
 
+std::string shown(const WantedLibrary& wanted) {
+  return std::string(wanted.provided.what) + " " + in_quotes(wanted.name);
+}
+
 bool is_allowed(const std::string& name, const std::filesystem::path& file, const Libraries& libraries) {
   std::error_code ignored;
   return !leads_outside(name) ||
@@ -86,18 +90,18 @@ std::vector<std::filesystem::path> library_folders(const std::string& of_file, c
   return folders;
 }
 
-Result<std::shared_ptr<SharedLibrary>> load(const WantedLibrary& wanted, const Libraries& libraries,
-                                            std::vector<std::string>& warnings) {
+Result<std::filesystem::path> locate(const WantedLibrary& wanted, const Libraries& libraries,
+                                     std::vector<std::string>& warnings) {
   const std::filesystem::path file = find(wanted.name, libraries);
   if (file.empty()) return unknown(wanted, libraries);
-  const std::string which = std::string(wanted.provided.what) + " " + in_quotes(wanted.name);
+  const std::string which = shown(wanted);
   const std::string path = escaped(std::filesystem::absolute(file).lexically_normal().string());
   const bool allowed = is_allowed(wanted.name, file, libraries);
   if (libraries.use == Libraries::LibraryUse::kFind) {
     warnings.push_back(wanted.where + ": " + which + " is " + path +
                        ", which is there and not checked: checking loads no code" +
                        (allowed ? "" : "; running it takes --allow-library " + path));
-    return std::shared_ptr<SharedLibrary>();
+    return std::filesystem::path();
   }
   if (!allowed) {
     return Error{wanted.where, which + " is code outside the folders of " +
@@ -105,8 +109,16 @@ Result<std::shared_ptr<SharedLibrary>> load(const WantedLibrary& wanted, const L
                                    "s; if you trust it, run with --allow-library " + path};
   }
   log::info("{}: loads {}", which, path);
-  Result<SharedLibrary> library = SharedLibrary::open(file, wanted.provided);
-  if (!library) return Error{wanted.where, which + ": " + library.error().line()};
+  return file;
+}
+
+Result<std::shared_ptr<SharedLibrary>> load(const WantedLibrary& wanted, const Libraries& libraries,
+                                            std::vector<std::string>& warnings) {
+  const Result<std::filesystem::path> file = locate(wanted, libraries, warnings);
+  if (!file) return file.error();
+  if (file->empty()) return std::shared_ptr<SharedLibrary>();
+  Result<SharedLibrary> library = SharedLibrary::open(*file, wanted.provided);
+  if (!library) return Error{wanted.where, shown(wanted) + ": " + library.error().line()};
   return std::make_shared<SharedLibrary>(std::move(*library));
 }
 

@@ -38,9 +38,12 @@ struct WantedLibrary {
   std::span<const std::string_view> built_ins;  // built-in names, for error messages
 };
 
-/// Loads the library, announced in the log; null, with a warning in
-/// `warnings`, if libraries are only located. Fails with a one-line
-/// message if it is not found, not allowed, or of another kind.
+/// The file of a library that may be loaded, announced in the log; empty, with a warning in `warnings`, if libraries
+/// are only located. Fails with a one-line message if it is not found or not allowed.
+Result<std::filesystem::path> locate(const WantedLibrary& wanted, const Libraries& libraries,
+                                     std::vector<std::string>& warnings);
+
+/// Loads the library that locate() finds; null if there is none. Fails likewise, and if it is of another kind.
 Result<std::shared_ptr<SharedLibrary>> load(const WantedLibrary& wanted, const Libraries& libraries,
                                             std::vector<std::string>& warnings);
 

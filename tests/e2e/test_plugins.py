@@ -2,22 +2,32 @@
 and their devices are used over a socket."""
 
 import os
+import re
 import shutil
+import signal
 import struct
 import sys
 import unittest
 from unittest import mock
 
-from house import ACK, CMD, NACK, PLAYER, POSITION2D, ROOT, Client, House, finish, ranges_of
+from house import ACK, CMD, NACK, PLAYER, POSITION2D, ROOT, Client, House, finish, ranges_of, wait_for_any
 from installed import InstalledTest, tool
 
 AIO, BLINKENLIGHT, OPAQUE, LASER = 21, 33, 51, 6
 
-# A driver of opaque:0 that does, once it is told to, what no driver should.
+# A driver of opaque:0 that does, once it is told to, what no driver should, and says of its process what it is asked.
 BAD = """
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 #include "playhouse/drivers/plugin/plugin.h"
 #include "playhouse/wire/generated/opaque.h"
@@ -26,15 +36,45 @@ namespace op = playhouse::wire::opaque;
 
 class Bad : public playhouse::drivers::Plugin {
   void configure(const playhouse::drivers::PluginSection& section) override {
-    const bool blocks = section.flag("blocks", false);
-    on_command<op::Data>(0, op::kCmdData, [blocks](const op::Data&) {
-      if (!blocks) throw std::runtime_error("smoke");
-      for (;;) pause();
-    });
+    closed_ = section.filename("filename", "");
+    on_command<op::Data>(0, op::kCmdData, [this](const op::Data& told) { be_bad(text_of(told)); });
     on_request<op::Data>(0, op::kReqData, [](const op::Data& asked, playhouse::drivers::PluginReply reply) {
-      reply.ack(asked);
+      const std::string answer = about(text_of(asked));
+      reply.ack(op::Data{{answer.begin(), answer.end()}});
     });
   }
+  void close() override {
+    if (!closed_.empty()) std::ofstream(closed_) << "closed";
+    if (stays_) be_bad("block");
+  }
+
+  void be_bad(const std::string& how) {
+    std::fprintf(stderr, "will %s\\n", how.c_str());
+    if (how == "throw") throw std::runtime_error("smoke");
+    if (how == "abort") std::abort();
+    if (how == "exit") std::exit(3);
+    if (how == "stay") stays_ = true;
+    if (how == "block")
+      for (;;) pause();
+    if (how == "crash") {
+      std::signal(SIGSEGV, SIG_DFL);
+      std::raise(SIGSEGV);
+    }
+  }
+
+  static std::string text_of(const op::Data& data) { return {data.data.begin(), data.data.end()}; }
+  static std::string about(const std::string& what) {
+    std::ostringstream answer;
+    if (what == "process") answer << getpid();
+    if (what == "status") answer << std::ifstream("/proc/self/status").rdbuf();
+    if (what == "descriptors")
+      for (int each = 0; each < 4096; ++each)
+        if (fcntl(each, F_GETFD) >= 0) answer << each << " ";
+    return answer.str();
+  }
+
+  std::string closed_;
+  bool stays_ = false;
 };
 
 PLAYHOUSE_DRIVER(Bad)
@@ -54,7 +94,8 @@ position( name "r0" size [0.4 0.4 0.2] scanner( pose [0 0 0 0] ) )
 GUARD = """
 driver ( name "stage" provides ["simulation:0"] worldfile "room.world" )
 driver ( name "stage" provides ["position2d:0" "laser:0"] model "r0" )
-driver ( name "guard" plugin "guard" provides ["position2d:1"] requires ["position2d:0" "laser:0"] distance 1 )
+driver ( name "guard" plugin "guard" provides ["position2d:1"] requires ["position2d:0" "laser:0"] distance 1
+  isolated {isolated} )
 """
 
 
@@ -113,7 +154,11 @@ class Plugins(InstalledTest):
 
     def test_an_algorithm_stops_the_wheels_before_the_wall(self):
         self.write("room.world", WORLD)
-        cfg = self.write("room.cfg", GUARD)
+        for isolated in (0, 1):
+            with self.subTest(isolated=isolated):
+                self.drive_at_the_wall(self.write("room.cfg", GUARD.replace("{isolated}", str(isolated))))
+
+    def drive_at_the_wall(self, cfg):
         with House("serve", cfg, "--port", 0, "--web", "off", "--speed", 10) as house, Client(house.port()) as client:
             for interf, index in ((POSITION2D, 1), (LASER, 0)):
                 self.assertEqual(client.open(interf, index).type, ACK)
@@ -129,22 +174,77 @@ class Plugins(InstalledTest):
             self.assertGreater(state[0], 1.5)
             self.assertLess(state[0], 2.1, "it stopped about a metre from the wall at 2.9 m")
 
+    def ask(self, client, what: str) -> str:
+        return client.request(OPAQUE, 0, 1, payload(what.encode())).body[8:].rstrip(b"\0").decode()
+
+    def is_lost_alone(self, told: str, isolated: str, how):
+        """What `how` does to driver "bad" takes its devices down, and nothing else."""
+        cfg = f'driver ( name "bad" plugin "bad" provides ["opaque:0"] {isolated} )\n'
+        with self.serve(cfg + 'driver ( name "relay" provides ["opaque:1"] )') as house, Client(house.port()) as client:
+            for index in (0, 1):
+                client.open(OPAQUE, index)
+            process = int(self.ask(client, "process"))
+            self.assertEqual(process == house.process.pid, not isolated)
+            how(client, process)
+            house.wait_for_line('plugin.cfg:1: driver "bad" has failed, and its devices retire: ' + told)
+            client.send(OPAQUE, 1, CMD, 1, payload(b"still here"))
+            self.assertEqual(client.next_data(OPAQUE, 1).body, payload(b"still here"))
+            self.assertEqual(client.devices(), [(OPAQUE, 1)])
+            self.assertEqual(house.end(), 128 + 15)
+            return house.log()
+
+    @staticmethod
+    def tell(what: bytes):
+        def command(client, _):
+            client.send(OPAQUE, 0, CMD, 1, payload(what))
+            assert client.request(OPAQUE, 0, 1, payload(b"process")).type == NACK, "never lost"
+        return command
+
     def test_one_that_throws_or_blocks_loses_its_devices_and_nobody_elses(self):
-        for fault, told in (("", "smoke"), ("blocks 1", r"it has not come back for \d+ s")):
+        for isolated in ("", "isolated 1"):
+            for fault, told in ((b"throw", "smoke$"), (b"block", r"it has not come back for \d+ s$")):
+                with self.subTest(told, isolated=isolated):
+                    self.is_lost_alone(told, isolated, self.tell(fault))
+
+    def test_one_that_crashes_in_a_process_of_its_own_does_so_as_well(self):
+        for fault, told in ((b"abort", "its process was ended by SIGABRT$"), (b"crash", "its process was ended by SIGSEGV$"),
+                            (b"exit", "its process ended with exit code 3$")):
             with self.subTest(told):
-                cfg = f'driver ( name "bad" plugin "bad" provides ["opaque:0"] {fault} )\n'
-                with self.serve(cfg + 'driver ( name "relay" provides ["opaque:1"] )') as house:
-                    with Client(house.port()) as client:
-                        for index in (0, 1):
-                            client.open(OPAQUE, index)
-                        self.assertEqual(client.request(OPAQUE, 0, 1, payload(b"abc")).body, payload(b"abc"))
-                        client.send(OPAQUE, 0, CMD, 1, payload(b"now"))
-                        self.assertEqual(client.request(OPAQUE, 0, 1, payload(b"abc")).type, NACK, "never lost")
-                        house.wait_for_line('driver "bad" has failed, and its devices retire: ' + told)
-                        client.send(OPAQUE, 1, CMD, 1, payload(b"still here"))
-                        self.assertEqual(client.next_data(OPAQUE, 1).body, payload(b"still here"))
-                        self.assertEqual(client.devices(), [(OPAQUE, 1)])
-                    self.assertEqual(house.end(), 128 + 15)
+                log = self.is_lost_alone(told, "isolated 1", self.tell(fault))
+                self.assertRegex(log, f'driver "bad": will {fault.decode()}', "what it printed")
+        with self.subTest("killed"):
+            self.is_lost_alone("its process was ended by SIGKILL$", "isolated yes",
+                               lambda _, process: os.kill(process, signal.SIGKILL))
+
+    def test_a_process_of_its_own_has_no_descriptors_and_signals_of_ours(self):
+        with self.serve('driver ( name "bad" plugin "bad" provides ["opaque:0"] isolated 1 )') as house:
+            with Client(house.port()) as client:
+                client.open(OPAQUE, 0)
+                self.assertEqual(self.ask(client, "descriptors").split(), ["0", "1", "2", "3"])
+                status = self.ask(client, "status")
+        self.assertRegex(status, r"SigBlk:\s+0{16}\n")
+        ignored = int(re.search(r"SigIgn:\s+(\w+)", status).group(1), 16) & 0x7FFFFFFF  # but for those of the C library
+        self.assertEqual(ignored, 1 << signal.SIGPIPE - 1 | 1 << signal.SIGXFSZ - 1, "as in the program")
+
+    def test_a_process_of_its_own_ends_with_the_program_however_that_ends(self):
+        for told, by in ((None, signal.SIGTERM), (None, signal.SIGKILL), (b"block", signal.SIGKILL), (b"stay", signal.SIGTERM),
+                         (b"stay", signal.SIGKILL)):
+            with self.subTest(told=told, by=by):
+                closed = self.folder / "closed"
+                closed.unlink(missing_ok=True)
+                cfg = 'driver ( name "bad" plugin "bad" provides ["opaque:0"] isolated 1 filename "closed" )'
+                with self.serve(cfg) as house, Client(house.port()) as client:
+                    client.open(OPAQUE, 0)
+                    process = os.pidfd_open(int(self.ask(client, "process")))
+                    self.addCleanup(os.close, process)
+                    signal.pidfd_send_signal(process, signal.SIGTERM)  # as to all processes of a service
+                    if told:
+                        client.send(OPAQUE, 0, CMD, 1, payload(told))
+                        house.wait_for_line(f'driver "bad": will {told.decode()}')
+                    house.end(by)
+                    wait_for_any([process], "the end of its process")
+                if told != b"block":
+                    self.assertEqual(closed.read_text(), "closed", "what moves stops")
 
     def test_what_is_wrong_is_told_with_its_line(self):
         for cfg, told in (
@@ -155,9 +255,10 @@ class Plugins(InstalledTest):
             done = finish("check", self.write("bad.cfg", "\n" + cfg))
             if told in ('"interval"', 'driver "lamp": needs a filename'):  # code alone knows: check loads none
                 self.assertEqual(done.returncode, 0, done.stderr)
-                done = finish("serve", self.folder / "bad.cfg", "--port", 0)
-                self.assertEqual(done.returncode, 2, done.stderr)
-                self.assertRegex(done.stderr, "bad.cfg:2: .*" + told)
+                for isolated in (cfg, cfg.replace(" )", " isolated 1 )")):
+                    done = finish("serve", self.write("bad.cfg", "\n" + isolated), "--port", 0)
+                    self.assertEqual(done.returncode, 2, done.stderr)
+                    self.assertRegex(done.stderr, "bad.cfg:2: .*" + told)
             elif told:
                 self.assertEqual(done.returncode, 2, done.stderr)
                 self.assertIn(told, done.stdout)

@@ -759,6 +759,7 @@ class Drivers(HouseTest):
         self.assertIn("  goal_tol              [length angle] (m, deg)\n", done.stdout)
         self.assertIn("Limits: 0.001 at least. Default: 0.5.\n", done.stdout)
         self.assertIn("  refusal (string): ", done.stdout)
+        self.assertIn("may have isolated (docs/plugins.md)", done.stdout)
         told = json.loads(finish("drivers", "nd", "--json").stdout)
         self.assertEqual({device["interface"]: device["many"] for device in told["requires"]},
                          {"position2d": "one", "laser": "some of these", "ranger": "some of these", "sonar": "some of these"})

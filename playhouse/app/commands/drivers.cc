@@ -120,7 +120,8 @@ void print_page(const DriverDefinition& driver) {
   for (const PropertyText& property : driver.properties)
     fmt::print("  {} ({}): {}\n", property.name, property.type, property.doc);
   fmt::print(
-      "\nEvery section has name and provides, and may have requires and alwayson (docs/drivers.md).\n");
+      "\nEvery section has name and provides, and may have requires and alwayson (docs/drivers.md); one\n"
+      "of a shared library has plugin, and may have isolated (docs/plugins.md).\n");
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 /// docs/plugins.md is a tutorial. Changes only together with kPluginVersion; libraries built for versions from
 /// kPluginVersionLeast on still load. One object for each section. Its hooks are called one at a time, on a
 /// thread of the driver's own once the server runs, so they may wait for hardware; a hook that throws, or takes
-/// longer than limits::kPluginSeconds, ends the driver: its devices retire. Values are those of
+/// longer than limits::kPluginSeconds, ends the driver: its devices retire. With `isolated 1` all of it is in a
+/// process of its own, and a crash does so, too. Values are those of
 /// playhouse/wire/generated/INTERFACE.h; numbers of devices are their places in the file's list.
 
 #include <cstddef>
@@ -73,6 +74,7 @@ class PluginReply {
   void nack() { finish(false, {}); }
 
  private:
+  friend class IsolatedPlugin;  // passes on answers as they are
   void finish(bool good, std::vector<std::byte> body) {
     if (const SendAnswer send = std::exchange(send_, nullptr)) send(good, std::move(body));
   }
@@ -192,6 +194,7 @@ class Plugin {
   void warn(std::string_view line) { program_->say(true, line); }
 
  private:
+  friend class IsolatedPlugin;  // stands for one in a process of its own
   Registered registered_;
   PluginProgram* program_ = nullptr;
   std::vector<PluginDevice> provides_, uses_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include "playhouse/base/log.h"
 #include "playhouse/base/program_folder.h"
 #include "playhouse/device/gate.h"
+#include "playhouse/drivers/plugin/plugin_abi.h"
 #include "playhouse/libraries/libraries.h"
 #include "playhouse/libraries/thrown_by.h"
 #include "playhouse/wire/messages.h"
@@ -83,12 +85,6 @@ class PluginDoor final : public PluginProgram {
 };
 
 namespace {
-
-constexpr libraries::LibraryAbi kProvided{.what = "driver",
-                                          .macro = "PLAYHOUSE_DRIVER",
-                                          .prefix = "playhouse_driver",
-                                          .version_least = kPluginVersionLeast,
-                                          .version = kPluginVersion};
 
 /// A section of the file, as plug-ins read it.
 class FileSection final : public PluginSection {
@@ -170,6 +166,10 @@ struct Kept {
   std::shared_ptr<Plugin> plugin;
 };
 
+std::chrono::steady_clock::time_point time_to_end() {
+  return std::chrono::steady_clock::now() + std::chrono::seconds(limits::kPluginEndSeconds);
+}
+
 std::vector<std::byte> copy_of(std::span<const std::byte> body) {
   return {body.begin(), body.end()};
 }
@@ -179,10 +179,12 @@ std::vector<std::byte> copy_of(std::span<const std::byte> body) {
 PluginShell::PluginShell(const scene::CfgSection& section, Site& site, std::shared_ptr<void> library,
                          std::unique_ptr<Plugin> plugin)
     : name_(section.name()),
+      where_(section.at()),
       site_(site),
       uses_(section.addresses("requires").size()),
       library_(std::move(library)),
       plugin_(std::move(plugin)),
+      isolated_(dynamic_cast<IsolatedPlugin*>(plugin_.get())),
       door_(std::make_shared<PluginDoor>(*this)),
       client_(site.surroundings(), *this, uses_),
       thread_(
@@ -195,6 +197,7 @@ PluginShell::PluginShell(const scene::CfgSection& section, Site& site, std::shar
 
 PluginShell::~PluginShell() {
   thread_.end();
+  if (isolated_ != nullptr) isolated_->end(time_to_end());
   door_->shut();
 }
 
@@ -236,6 +239,7 @@ Result<void> PluginShell::configure(const scene::CfgSection& section,
     return Error{section.at(), fmt::format("driver {}: {}", in_quotes(name_), fault)};
   for (const auto& [key, hook] : registered.data)
     data_.emplace_back(client_.latest(key.first, key.second), hook);
+  if (isolated_ != nullptr) isolated_->watch([door = door_](const std::string& why) { door->fail(why); });
   return {};
 }
 
@@ -350,30 +354,82 @@ void PluginShell::step() {
 
 void PluginShell::failed(const std::string& why) {
   if (has_failed_.exchange(true)) return;
-  log::error("driver {} has failed, and its devices retire: {}", in_quotes(name_), why);
+  log::error("{}: driver {} has failed, and its devices retire: {}", where_, in_quotes(name_), why);
   thread_.end();
+  if (isolated_ != nullptr) isolated_->kill(why);
   site_.surroundings().post([this] {
     client_.close();
     site_.retire_later(provides_);
   });
 }
 
+/// All hooks and the end of a process share one time.
+void PluginShell::finish() {
+  if (isolated_ == nullptr) return thread_.finish();
+  const auto until = time_to_end();
+  thread_.finish([this] { isolated_->kill("it does not end"); });
+  isolated_->end(until);
+}
+
+namespace {
+
+/// The plug-in of a section; null where no code is to be loaded.
+struct MadePlugin {
+  std::shared_ptr<libraries::SharedLibrary>
+      library;  // outlives the plug-in; null: it is in a process of its own
+  std::unique_ptr<Plugin> plugin;
+};
+
+Result<MadePlugin> make_in_this_process(const scene::CfgSection& section,
+                                        const libraries::WantedLibrary& wanted,
+                                        const libraries::Libraries& libraries,
+                                        std::vector<std::string>& warnings) {
+  MadePlugin made;
+  auto library = libraries::load(wanted, libraries, warnings);
+  if (!library) return library.error();
+  made.library = std::move(*library);
+  if (made.library == nullptr) return made;
+  auto plugin = made.library->make<Plugin>();
+  if (!plugin) return Error{section.at("plugin"), plugin.error().line()};
+  made.plugin = std::move(*plugin);
+  return made;
+}
+
+/// The library is loaded there: its code may crash whenever it runs.
+Result<MadePlugin> make_isolated(const scene::CfgSection& section, Site& site,
+                                 const libraries::WantedLibrary& wanted,
+                                 const libraries::Libraries& libraries, std::vector<std::string>& warnings) {
+  const Result<std::filesystem::path> file = libraries::locate(wanted, libraries, warnings);
+  if (!file) return file.error();
+  if (file->empty()) return MadePlugin();
+  const std::filesystem::path program = site.surroundings().plugin_program();
+  if (program.empty()) return Error{section.at("isolated"), "this program starts no other processes"};
+  Result<std::unique_ptr<IsolatedPlugin>> plugin =
+      IsolatedPlugin::start({.program = program,
+                             .library = std::filesystem::absolute(*file),
+                             .name = section.name(),
+                             .has_world = [&site] { return site.simulation() != nullptr; }});
+  if (!plugin)
+    return Error{section.at("isolated"),
+                 fmt::format("driver {}: {}", in_quotes(section.name()), plugin.error().line())};
+  return MadePlugin{nullptr, std::move(*plugin)};
+}
+
+}  // namespace
+
 Result<std::unique_ptr<device::Driver>> make_plugin(const scene::CfgSection& section, Site& site) {
   std::vector<std::string> warnings;
   libraries::Libraries libraries = site.surroundings().libraries();
   const std::string beside = std::filesystem::path(section.filename("plugin", "")).parent_path().string();
   libraries.folders = libraries::library_folders(beside, "PLAYERPATH", program_folder());
-  const auto library =
-      libraries::load({kProvided, section.text("plugin", ""), section.at("plugin"), {}}, libraries, warnings);
-  if (!library) return library.error();
+  const libraries::WantedLibrary wanted{kPluginAbi, section.text("plugin", ""), section.at("plugin"), {}};
+  Result<MadePlugin> made = section.flag("isolated", false)
+                                ? make_isolated(section, site, wanted, libraries, warnings)
+                                : make_in_this_process(section, wanted, libraries, warnings);
+  if (!made) return made.error();
   for (const std::string& line : warnings) site.warn(line);
-  std::unique_ptr<Plugin> plugin;
-  if (*library != nullptr) {
-    auto made = (*library)->make<Plugin>();
-    if (!made) return Error{section.at("plugin"), made.error().line()};
-    plugin = std::move(*made);
-  }
-  auto shell = std::make_unique<PluginShell>(section, site, *library, std::move(plugin));
+  auto shell =
+      std::make_unique<PluginShell>(section, site, std::move(made->library), std::move(made->plugin));
   if (const Result<void> begun = shell->begin(section); !begun) return begun.error();
   return std::unique_ptr<device::Driver>(std::move(shell));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// PluginShell: the driver around a Plugin. It has its devices, uses those that the section requires while one of
+/// PluginShell: the driver around a Plugin, of this process or of one of its own. It has its devices, uses those that the section requires while one of
 /// its own is open, and calls the hooks on a PluginThread. Once the plug-in has failed, its devices retire.
 
 #include <atomic>
@@ -17,6 +17,7 @@
 #include "playhouse/base/result.h"
 #include "playhouse/device/client.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/isolated/isolated_plugin.h"
 #include "playhouse/drivers/plugin/plugin.h"
 #include "playhouse/drivers/plugin/plugin_thread.h"
 #include "playhouse/drivers/site.h"
@@ -50,7 +51,7 @@ class PluginShell final : public device::Driver {
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
   void barrier(device::Replier replier) override;
-  void finish() override { thread_.finish(); }
+  void finish() override;
 
  private:
   friend class PluginDoor;
@@ -73,10 +74,12 @@ class PluginShell final : public device::Driver {
   void failed(const std::string& why);
 
   const std::string name_;
+  const std::string where_;  // "file:line" of the section
   Site& site_;
   const std::size_t uses_;
   const std::shared_ptr<void> library_;  // outlives the plug-in
   const std::shared_ptr<Plugin> plugin_;
+  IsolatedPlugin* const isolated_;  // the plug-in, if it is one in a process of its own
   const std::shared_ptr<PluginDoor> door_;
   device::DeviceClient client_;
   std::vector<device::Address> provides_;

@@ -30,9 +30,6 @@ constexpr std::uint8_t kCmd = static_cast<std::uint8_t>(wire::MessageType::kCmd)
 constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq);
 constexpr device::Address kAio{6665, aio::kCode, 0}, kOwn{6665, op::kCode, 0}, kOther{6665, op::kCode, 1};
 
-std::string section(const std::string& more = "") {
-  return R"(driver ( name "probe" plugin "probe" provides ["aio:0" "opaque:0"] )" + more + " )\n";
-}
 const std::string kRelay = "driver ( name \"relay\" provides [\"opaque:1\"] )\n";
 const std::string kUses = " requires [\"opaque:1\"]";
 
@@ -40,11 +37,16 @@ op::Data bytes_of(const std::string& text) {
   return {{text.begin(), text.end()}};
 }
 
-class PluginTest : public ::testing::Test {
+/// In this process, and in one of its own: nobody sees which.
+class PluginTest : public ::testing::TestWithParam<bool> {
  protected:
   PluginTest() { setenv("PLAYHOUSE_PATH", TEST_LIBRARIES, 1); }
   ~PluginTest() override { unsetenv("PLAYHOUSE_PATH"); }
 
+  static std::string section(const std::string& more = "") {
+    return R"(driver ( name "probe" plugin "probe" provides ["aio:0" "opaque:0"] )" + more +
+           (GetParam() ? " isolated 1" : "") + " )\n";
+  }
   void build(const std::string& cfg) { ASSERT_EQ(site_.build(cfg), ""); }
   template <typename T>
   device::Taken command(device::Address address, std::uint8_t subtype, const T& value) {
@@ -73,7 +75,7 @@ class PluginTest : public ::testing::Test {
   std::uint64_t ticket_ = 0;
 };
 
-TEST_F(PluginTest, takes_what_it_registered_and_refuses_the_rest) {
+TEST_P(PluginTest, takes_what_it_registered_and_refuses_the_rest) {
   build(section());
   ASSERT_TRUE(site_.hold(site_.id(kAio)));
   EXPECT_EQ(command(kAio, aio::kCmdState, aio::Cmd{0, 3.5f}), device::Taken::kQueued);
@@ -95,7 +97,7 @@ TEST_F(PluginTest, takes_what_it_registered_and_refuses_the_rest) {
   EXPECT_FALSE(driver.capable(site_.id(kOwn), kCmd, op::kCmdData));
 }
 
-TEST_F(PluginTest, reads_and_commands_the_devices_that_it_requires_until_it_has_closed) {
+TEST_P(PluginTest, reads_and_commands_the_devices_that_it_requires_until_it_has_closed) {
   build(kRelay + section(kUses));
   ASSERT_TRUE(site_.hold(site_.id(kOwn)));
   command(kOther, op::kCmdData, bytes_of("abc"));
@@ -107,7 +109,7 @@ TEST_F(PluginTest, reads_and_commands_the_devices_that_it_requires_until_it_has_
   EXPECT_THAT(site_.held[site_.id(kOther).row], IsEmpty());
 }
 
-TEST_F(PluginTest, steps_in_its_period_while_it_is_open) {
+TEST_P(PluginTest, steps_in_its_period_while_it_is_open) {
   build(section(" period 0.5"));
   site_.network().run_for(10);
   EXPECT_THAT(said(kOwn), IsEmpty());
@@ -119,7 +121,7 @@ TEST_F(PluginTest, steps_in_its_period_while_it_is_open) {
   EXPECT_EQ(said(kOwn).size(), 4u);
 }
 
-TEST_F(PluginTest, that_throws_loses_its_devices_and_nobody_elses) {
+TEST_P(PluginTest, that_throws_loses_its_devices_and_nobody_elses) {
   build(kRelay + section(kUses + " fault \"throws\""));
   ASSERT_TRUE(site_.hold(site_.id(kAio)));
   ASSERT_TRUE(site_.hold(site_.id(kOther)));
@@ -132,20 +134,45 @@ TEST_F(PluginTest, that_throws_loses_its_devices_and_nobody_elses) {
   EXPECT_EQ(site_.held[other.row].size(), 1u) << "ours; its own hold has ended";
 }
 
-TEST_F(PluginTest, refuses_what_it_cannot_be) {
+TEST_P(PluginTest, refuses_what_it_cannot_be) {
   EXPECT_EQ(site_.build(section("fault \"rejects\"")), R"(test.cfg:1: driver "probe": there is\x0ano port)");
   EXPECT_THAT(site_.build(section("fault \"device\"")),
               EndsWith("it registers device 7 of provides, which names 2"));
   EXPECT_THAT(site_.build(section("fault \"subtype\"")),
               EndsWith("it registers subtype 9, which no message of aio has"));
   EXPECT_THAT(site_.build(section("period 1e-9")), HasSubstr("invalid period of steps 1e-09 s"));
-  EXPECT_THAT(site_.build(R"(driver ( name "x" plugin "stranger" provides ["aio:0"] ))"),
+  const std::string isolated = GetParam() ? " isolated 1 )" : " )";
+  EXPECT_THAT(site_.build(R"(driver ( name "x" plugin "stranger" provides ["aio:0"])" + isolated),
               EndsWith("is not a driver: it lacks PLAYHOUSE_DRIVER"));
-  EXPECT_THAT(site_.build(R"(driver ( name "x" plugin "prob" provides ["aio:0"] ))"),
+  EXPECT_THAT(site_.build(R"(driver ( name "x" plugin "prob" provides ["aio:0"])" + isolated),
               EndsWith("(did you mean \"probe\"?)"));
-  EXPECT_THAT(site_.build(R"(driver ( name "x" plugin "../libraries/probe" provides ["aio:0"] ))"),
+  EXPECT_THAT(site_.build(R"(driver ( name "x" plugin "../libraries/probe" provides ["aio:0"])" + isolated),
               HasSubstr("code outside the folders of drivers; if you trust it, run with --allow-library "));
 }
+
+TEST_P(PluginTest, reads_its_section) {
+  build(section(R"( period 3 length 2 unit_of "m" words ["a" "b"] sure 1 file "x.txt" angle 90)"));
+  ASSERT_TRUE(site_.hold(site_.id(kOwn)));
+  const auto answer = ask(kOwn, op::kReqData, bytes_of("?"));
+  EXPECT_EQ(answer.body, wire::encode(bytes_of("3 2 1.57 7 -1 2 b 1 0 x.txt none")));
+}
+
+TEST_P(PluginTest, that_crashes_in_a_process_of_its_own_loses_its_devices_and_nobody_elses) {
+  if (!GetParam()) return;
+  build(kRelay + section(kUses + " fault \"aborts\""));
+  ASSERT_TRUE(site_.hold(site_.id(kAio)));
+  ASSERT_TRUE(site_.hold(site_.id(kOther)));
+  const device::DeviceId aio = site_.id(kAio), own = site_.id(kOwn), other = site_.id(kOther);
+  EXPECT_EQ(command(kAio, aio::kCmdState, aio::Cmd{0, 3.5f}), device::Taken::kQueued);
+  EXPECT_FALSE(ask(kOwn, op::kReqData, bytes_of("abc")).ack);
+  site_.hear();
+  site_.hear();
+  EXPECT_THAT(site_.retired, ElementsAre(aio.row, own.row));
+  EXPECT_EQ(site_.held[other.row].size(), 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Processes, PluginTest, ::testing::Bool(),
+                         [](const auto& run) { return std::string(run.param ? "isolated" : "within"); });
 
 }  // namespace
 }  // namespace playhouse::drivers

@@ -15,13 +15,22 @@ PluginThread::PluginThread(Hooks hooks, std::function<double()> clock, Failed fa
   state_->failed = std::move(failed);
 }
 
-void PluginThread::finish() {
+void PluginThread::finish(const std::function<void()>& recall) {
   Lock lock(state_->mutex);
   state_->ending = true;
   state_->changed.notify_all();
   if (!thread_.joinable()) return;
-  const bool ended = state_->changed.wait_for(lock, std::chrono::seconds(limits::kPluginEndSeconds),
-                                              [this] { return state_->ended; });
+  const auto ends = [&] {
+    return state_->changed.wait_for(lock, std::chrono::seconds(limits::kPluginEndSeconds),
+                                    [this] { return state_->ended; });
+  };
+  bool ended = ends();
+  if (!ended && recall) {
+    lock.unlock();
+    recall();
+    lock.lock();
+    ended = ends();
+  }
   lock.unlock();
   if (ended) {
     thread_.join();

@@ -38,8 +38,9 @@ class PluginThread {
   double busy() const;
   /// Drops hooks that wait, and those that are posted from now on. Any thread.
   void end();
-  /// Takes no more hooks, and waits for those that it has, for limits::kPluginEndSeconds at most.
-  void finish();
+  /// Takes no more hooks, and waits for those that it has, for limits::kPluginEndSeconds at most. `recall`, if any,
+  /// makes one that is running then come back.
+  void finish(const std::function<void()>& recall = nullptr);
 
  private:
   struct ThreadState {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -99,6 +100,7 @@ class MemorySite final : public Host {
   }
   void post(std::function<void()> task) override { posted_.push_back(std::move(task)); }
   bool has_threads() const override { return has_threads_; }
+  std::filesystem::path plugin_program() const override { return "/proc/self/exe"; }  // testing/main_test.cc
   net::SimulatedNetwork& network() override { return network_; }
   Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override {
     opened.push_back(path);
