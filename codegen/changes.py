@@ -30,6 +30,7 @@ TYPES = {
     "pose": FieldType("geom::Pose {}", "m, m, m, rad"),
     "poses": FieldType("std::vector<geom::Pose> {}", "m, m, m, rad"),
     "pose in 3D": FieldType("geom::SpatialPose {}", "m, m, m, rad; tilt rad, rad"),
+    "points": FieldType("std::vector<geom::Vec3> {}", "m, m, m"),
     "tilt": FieldType("geom::Tilt {}", "rad, rad"),
     "twist": FieldType("geom::Twist {}", "m/s, m/s, m/s, rad/s"),
     "color": FieldType("scene::Color {}", "0 to 1"),

@@ -22,11 +22,11 @@ WORDED = {"flag": ("flag",), "float64": ("number", "length", "angle")}
 MEASURED = {"float32", "float64", "size", "vector3", "pose", "twist", "tilt", "velocity6"}
 
 # What a column is to a run (playhouse/world/columns.h).
-ROLES = ("population", "motion", "mark", "setting", "sensed", "use", "derived")
+ROLES = ("population", "motion", "mark", "setting", "sensed", "shown", "use", "derived")
 UNCHANGED = {"population", "derived"}  # written only when the population changes
 # Phases of the tick, and the ways to change the world between ticks.
 WRITERS = ("decide", "act", "move", "sense", "energy", "commands", "devices", "place", "attach", "detach", "set_odometry",
-           "set_fiducial_return", "set_color", "set_say", "add_flags", "subscribe", "unsubscribe", "subscribe_controller",
+           "set_fiducial_return", "set_color", "set_say", "draw", "clear_drawing", "add_flags", "subscribe", "unsubscribe", "subscribe_controller",
            "watch", "unwatch")
 # When a viewer gets a field: once with the scene; whenever it differs; that while its robot is selected; that while its
 # robot is selected, or in view of a page that shows sensors.

@@ -133,6 +133,7 @@ inline constexpr unsigned kMotionSteps = 1024;  // collision tests along one rob
 // Models; heeded by drivers, libraries, web_server, world.
 inline constexpr std::uint32_t kSubscribers = 1u << 30;  // of a model: far more than sessions and viewers
 inline constexpr std::size_t kSayBytes = 1024;           // of what a model says; the rest is cut off
+inline constexpr std::size_t kDrawnCorners = 16384;      // of what clients draw for a model by one interface
 inline constexpr std::size_t kUtterances = 1024;  // kept for who listens; a tick with more loses the oldest
 inline constexpr std::size_t kCustomNumbers = 4096;  // commands, state or readings of a custom model
 

@@ -19,12 +19,15 @@
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
 #include "playhouse/wire/generated/fiducial.h"
+#include "playhouse/wire/generated/graphics2d.h"
+#include "playhouse/wire/generated/graphics3d.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/wire/generated/ranger.h"
 #include "playhouse/wire/generated/simulation.h"
 #include "playhouse/wire/generated/sonar.h"
 #include "playhouse/wire/messages.h"
+#include "playhouse/world/drawing.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -46,11 +49,12 @@ struct Shown {
   std::uint16_t interf;
   const char* model;
 };
-constexpr Shown kDevices[] = {{wire::simulation::kCode, ""},       {wire::position2d::kCode, "r0"},
-                              {wire::position2d::kCode, "r1"},     {wire::position2d::kCode, "r2"},
-                              {wire::ranger::kCode, "r0.scanner"}, {wire::ranger::kCode, "r0.sonars"},
-                              {wire::laser::kCode, "r0.scanner"},  {wire::sonar::kCode, "r0.sonars"},
-                              {wire::fiducial::kCode, "r0.finder"}};
+constexpr Shown kDevices[] = {{wire::simulation::kCode, ""},        {wire::position2d::kCode, "r0"},
+                              {wire::position2d::kCode, "r1"},      {wire::position2d::kCode, "r2"},
+                              {wire::ranger::kCode, "r0.scanner"},  {wire::ranger::kCode, "r0.sonars"},
+                              {wire::laser::kCode, "r0.scanner"},   {wire::sonar::kCode, "r0.sonars"},
+                              {wire::fiducial::kCode, "r0.finder"}, {wire::graphics2d::kCode, "r0"},
+                              {wire::graphics3d::kCode, "r0"}};
 constexpr std::size_t kDeviceCount = std::size(kDevices);
 
 void expect_body(std::uint16_t interf, MessageType type, std::uint8_t subtype,
@@ -180,6 +184,8 @@ struct Bridge {
     PLAYHOUSE_ASSERT(clients.all_answered());
     for (const geom::Pose& X : simulation.world().models.X_WM)
       PLAYHOUSE_ASSERT(std::isfinite(X.x) && std::isfinite(X.y) && std::isfinite(X.z) && std::isfinite(X.a));
+    simulation.world().models.drawing.each_kept(
+        [](const std::vector<world::DrawnCorner>& drawing) { PLAYHOUSE_ASSERT(world::is_drawing(drawing)); });
   }
 };
 

@@ -116,15 +116,18 @@ driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
   EXPECT_THAT(names(4), IsEmpty());
 }
 
-TEST(StageDriver, leaves_out_interfaces_of_the_original_that_are_not_simulated_yet) {
+TEST(StageDriver, gives_a_model_of_any_kind_as_many_devices_that_draw_as_are_named) {
   MemorySite site(kWorld);
-  ASSERT_EQ(site.build(std::string(kStage) + "driver( name \"stage\" provides [\"position2d:0\" "
-                                             "\"graphics2d:0\" \"graphics3d:0\"] model \"r0\" )"),
+  ASSERT_EQ(site.build(std::string(kStage) + R"(
+driver( name "stage" provides ["graphics2d:0" "graphics2d:1" "graphics3d:0"] model "r0" )
+driver( name "stage" provides ["graphics2d:2"] model "r0.ranger:0" ))"),
             "");
-  EXPECT_EQ(site.devices().size(), 2u);
-  EXPECT_THAT(std::vector(site.site().warnings().begin(), site.site().warnings().end()),
-              ElementsAre(AllOf(StartsWith("test.cfg:2"), HasSubstr("graphics2d:0")),
-                          AllOf(StartsWith("test.cfg:2"), HasSubstr("graphics3d:0"))));
+  const auto names = [&](std::uint32_t id) {
+    return device_names(site.site().model_devices()->directory(), {id}, 6665);
+  };
+  EXPECT_THAT(names(0), ElementsAre("graphics2d:0", "graphics2d:1", "graphics3d:0"));
+  EXPECT_THAT(names(1), ElementsAre("graphics2d:2"));
+  EXPECT_THAT(std::vector(site.site().warnings().begin(), site.site().warnings().end()), IsEmpty());
 }
 
 TEST(StageDriver, says_what_is_wrong_and_where) {

@@ -23,6 +23,7 @@ enum class Role : std::uint8_t {
   kMotion,      // poses and velocities; reset by return_to_start()                                hash, saved
   kMark,        // flags, colours, texts and other properties                                      hash, saved
   kSetting,     // limits that clients set, 0 until then             hash while it is not 0; saved
+  kShown,       // for viewers alone, whatever it is the run is the same                         saved
   kSensed,      // measurements    sensed_hash, and hash if a controller subscribes the sensor; saved
   kUse,         // subscriptions: change with devices and controllers            sensed_hash
   kDerived,     // function of the population, the scene, the seed or poses; recomputed
@@ -115,6 +116,7 @@ struct ColumnsOf<Models> {
     visit(Column{"models.flags", Role::kMark, "", "", "add_flags", &Models::flags});
     visit(Column{"models.color", Role::kMark, "", "", "set_color", &Models::color});
     visit(Column{"models.say", Role::kMark, "", "", "set_say", &Models::say});
+    visit(Column{"models.drawing", Role::kShown, "", "", "draw, clear_drawing", &Models::drawing});
   }
 };
 

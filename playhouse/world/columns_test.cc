@@ -142,7 +142,8 @@ class EveryColumn : public ::testing::Test {
     each_column(
         [](const auto&, auto& values) {
           using Value = typename std::remove_cvref_t<decltype(values)>::value_type;
-          if constexpr (kIsList<Value> && !std::is_same_v<Value, std::string>) values[0].emplace_back();
+          if constexpr (kIsList<Value> && !std::is_same_v<Value, std::string>)
+            first_of(values).emplace_back();
         },
         world);
     world.wifis.incoming[{0}][0].size = world.wifis.outgoing[{0}][0].size =
@@ -261,7 +262,8 @@ TEST_F(SavedColumn, is_saved_loaded_and_compared_as_its_role_says) {
       if (loaded == nullptr) continue;
       EXPECT_EQ(column->equals_in(*loaded), kept) << column->name << ", part " << part;
       const std::optional<Difference> difference = first_difference(*loaded, original);
-      EXPECT_EQ(difference.has_value(), kept) << column->name << ", part " << part;
+      EXPECT_EQ(difference.has_value(), kept && column->role != Role::kShown)
+          << column->name << ", part " << part;
       if (difference) EXPECT_EQ(difference->column, column->name) << part;
     }
     column->restore();
@@ -276,7 +278,8 @@ TEST_F(EveryColumn, returns_to_the_start_if_it_says_how_things_move) {
   return_to_start(world);
   for (const auto& column : columns) {
     const bool stays = column->role == Role::kMark || column->role == Role::kSetting ||
-                       column->role == Role::kSensed || column->role == Role::kUse;
+                       column->role == Role::kShown || column->role == Role::kSensed ||
+                       column->role == Role::kUse;
     EXPECT_EQ(column->equals_in(start), !stays) << column->name;
   }
 }

@@ -30,6 +30,27 @@ struct KindRow : Row<struct KindTable> {
 template <typename Value>
 using ByModel = ByRow<ModelTable, Value>;
 
+/// A corner of a point, a line or a triangle of a drawing (drawing.h); kinds/model.toml has the record.
+struct DrawnCorner {
+  float x = 0, y = 0, z = 0;  // in the frame of the model  [m]
+  std::uint32_t color = 0;    // 0xRRGGBBAA
+  std::uint8_t corners = 0;   // of its shape: 1, 2 or 3, which follow each other
+  std::uint8_t layer = 0;     // 0: of graphics2d, 1: of graphics3d
+  friend bool operator==(const DrawnCorner&, const DrawnCorner&) = default;
+};
+
+/// Calls visit(part) for every part.
+template <typename Visit>
+void each_part(DrawnCorner& value, const Visit& visit) {
+  auto& [x, y, z, color, corners, layer] = value;
+  visit(x), visit(y), visit(z), visit(color), visit(corners), visit(layer);
+}
+template <typename Visit>
+void each_part(const DrawnCorner& value, const Visit& visit) {
+  const auto& [x, y, z, color, corners, layer] = value;
+  visit(x), visit(y), visit(z), visit(color), visit(corners), visit(layer);
+}
+
 /// Every model (n rows).
 struct Models {
   ByModel<ModelId> id;          // ascending
@@ -60,6 +81,7 @@ struct Models {
   SharedByRow<ModelTable, scene::Color> color{desc};
   SharedByRow<ModelTable, std::string> say{
       desc};  // speech bubble; starts as the scene's; own with controllers
+  SharedByRow<ModelTable, std::vector<DrawnCorner>> drawing{desc};  // own where somebody has drawn
   std::size_t size() const { return id.size(); }
   RowsOf<ModelTable> rows() const { return id.rows(); }
 };

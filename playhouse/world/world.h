@@ -60,6 +60,8 @@ class World : public Tables {
   std::uint64_t population() const { return population_; }
   /// Version of texts: changes when some model may say something else; spawn and removal change population().
   std::uint64_t said() const { return said_; }
+  /// The same of drawings.
+  std::uint64_t drawn() const { return drawn_; }
 
   ModelId id(ModelRow row) const { return models.id[row]; }
   /// Serial number of a model: for random streams, hashes and whatever else depends on identity by value.
@@ -104,9 +106,10 @@ class World : public Tables {
   std::string engine = "stage";
   bool upright = true;
   bool has_light = false;
-  std::uint64_t tick_ = 0;  // written by: freeze (the engine) only
-  std::uint64_t said_ = 0;  // written by: set_say, load_state
-  Utterances utterances;    // written by: set_say, and listeners
+  std::uint64_t tick_ = 0;   // written by: freeze (the engine) only
+  std::uint64_t said_ = 0;   // written by: set_say, load_state
+  std::uint64_t drawn_ = 0;  // written by: draw, clear_drawing, load_state
+  Utterances utterances;     // written by: set_say, and listeners
 
  private:
   friend class Population;

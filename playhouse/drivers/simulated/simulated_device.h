@@ -74,6 +74,8 @@ class SimulatedDevice : public DataSource, public std::enable_shared_from_this<S
   virtual void request(const device::Message& message, device::Replier replier) = 0;
   /// True if a request uses the model, as a command does.
   virtual bool acts(std::uint8_t request) const { return static_cast<void>(request), false; }
+  /// False if commands change nothing of the model but its looks, so that they do not use it.
+  virtual bool commands_act() const { return true; }
   /// True once after each open: the first command or acting request.
   bool is_first_act() { return !has_acted_.exchange(true); }
   void forget_acts() { has_acted_ = false; }

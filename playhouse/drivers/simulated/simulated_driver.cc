@@ -60,7 +60,7 @@ device::Taken SimulatedDriver::command(const device::Message& message) {
   if (device == nullptr || !device->serves(message.type, message.subtype)) return device::Taken::kNo;
   if (requests_.is_reserved(device->model())) return device::Taken::kRefused;
   const device::Taken taken = device->command(message);
-  if (taken != device::Taken::kNo) note_act(device);
+  if (taken != device::Taken::kNo && device->commands_act()) note_act(device);
   return taken;
 }
 

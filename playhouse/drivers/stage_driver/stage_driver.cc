@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/drivers/simulated/device_factory.h"
@@ -15,10 +12,6 @@
 
 namespace playhouse::drivers {
 namespace {
-
-/// Interfaces of Stage's driver that are not supported
-/// yet: such devices are skipped with a warning.
-constexpr std::array<std::string_view, 2> kForLater = {"graphics2d", "graphics3d"};
 
 constexpr DeviceText kStageProvides[] = {
     {"simulation", {}, HowMany::kOneOrNone, "the world"},
@@ -118,15 +111,9 @@ Result<void> add_device(const scene::CfgSection& section, const scene::DeviceAdd
                         world::ModelRow top, SimulatedDriver& driver, Site& site) {
   const Result<device::Address> address = site.resolve(provided);
   if (!address) return Error{section.at("provides"), address.error().text};
-  if (!is_simulated(address->interf)) {
-    if (std::ranges::find(kForLater, provided.interf) == kForLater.end()) {
-      return Error{section.at("provides"),
-                   fmt::format("driver \"stage\" has no interface {}", in_quotes(provided.interf))};
-    }
-    site.warn(fmt::format("{}: {} is left out: this program does not simulate interface {} yet",
-                          section.at("provides"), in_quotes(provided.text()), in_quotes(provided.interf)));
-    return {};
-  }
+  if (!is_simulated(address->interf))
+    return Error{section.at("provides"),
+                 fmt::format("driver \"stage\" has no interface {}", in_quotes(provided.interf))};
   const Result<world::ModelRow> model = choose_model(section, provided, address->interf, top, site);
   if (!model) return model.error();
   const Result<void> added = add_simulated_device(site, driver, *address, *model);

@@ -6,6 +6,7 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/world/camera.h"
+#include "playhouse/world/drawing.h"
 #include "playhouse/world/generated/changes.h"
 #include "playhouse/world/population/population.h"
 #include "playhouse/world/radio_messages.h"
@@ -38,6 +39,15 @@ bool carry_out(World& world, ModelRow row, const SetFiducial& change) {
 
 bool carry_out(World& world, ModelRow row, const Say& change) {
   set_say(world, row, change.text);
+  return true;
+}
+
+bool carry_out(World& world, ModelRow row, const Draw& change) {
+  return draw(world, row, {change.layer, change.corners, change.color, change.points});
+}
+
+bool carry_out(World& world, ModelRow row, const ClearDrawing& change) {
+  clear_drawing(world, row, change.layer);
   return true;
 }
 

@@ -22,6 +22,11 @@ void each_number(Pose& X,
     std::is_same_v<std::remove_const_t<Pose>, geom::Twist> {
   visit(X.x), visit(X.y), visit(X.z), visit(X.a);
 }
+template <typename Point, typename Visit>
+void each_number(Point& p,
+                 const Visit& visit) requires std::is_same_v<std::remove_const_t<Point>, geom::Vec3> {
+  visit(p.x), visit(p.y), visit(p.z);
+}
 template <typename Tilt, typename Visit>
 void each_number(Tilt& tilt,
                  const Visit& visit) requires std::is_same_v<std::remove_const_t<Tilt>, geom::Tilt> {

@@ -29,6 +29,7 @@ class Filler {
   void operator()(const char*, Number& value) { value = static_cast<Number>(200 + ++count_); }
   void operator()(const char*, geom::Pose& value) { value = {next(), next(), next(), next()}; }
   void operator()(const char*, geom::Twist& value) { value = {next(), next(), next(), next()}; }
+  void operator()(const char*, geom::Vec3& value) { value = {next(), next(), next()}; }
   void operator()(const char*, geom::Tilt& value) { value = {next(), next()}; }
   void operator()(const char*, geom::SpatialPose& value) {
     (*this)("", value.X);

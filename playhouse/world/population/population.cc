@@ -152,6 +152,7 @@ void Population::begin(std::span<const scene::TreeDesc> trees) {
   world_.models.X_PM.set_prototypes(std::move(poses));
   world_.models.color.set_prototypes(std::move(colors));
   world_.models.say.set_prototypes(std::move(says));
+  world_.models.drawing.set_prototypes(std::vector<std::vector<DrawnCorner>>(descs.size()));
   world_.models.tilt_PM.set_prototypes(std::vector<geom::Tilt>(descs.size()));
   world_.models.tilt_WM.set_prototypes(std::vector<geom::Tilt>(descs.size()));
   world_.models.V_WM.set_prototypes(std::vector<geom::SpatialVelocity>(descs.size()));

@@ -10,6 +10,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/packing.h"
 #include "playhouse/world/columns.h"
+#include "playhouse/world/drawing.h"
 #include "playhouse/world/population/population.h"
 #include "playhouse/world/radio_messages.h"
 #include "playhouse/world/saving/hash_values.h"
@@ -150,6 +151,7 @@ class Loader {
       if (world_.models.root[row] == row) place(row);
     users.give_back(world_.models);
     ++world_.said_;
+    ++world_.drawn_;
     world_.events.add({Event::EventKind::kReload, {}, {}, 0, Mobility::kFixed});
     return read_deciders();
   }
@@ -220,6 +222,7 @@ class Loader {
     if (result) result = check_ticks();
     if (result) result = check_tilts();
     if (result) result = check_messages();
+    if (result) result = check_drawings();
     return result ? check_says() : result;
   }
 
@@ -246,6 +249,13 @@ class Loader {
       if (!are_whole(outgoing_of(world_.wifis, {radio})) || !are_whole(incoming_of(world_.wifis, {radio})))
         return damaged("a message of a radio is not whole");
     return {};
+  }
+
+  Result<void> check_drawings() const {
+    bool good = true;
+    world_.models.drawing.each_kept(
+        [&](const std::vector<DrawnCorner>& drawing) { good = good && is_drawing(drawing); });
+    return good ? Result<void>{} : damaged("a model has a drawing with incomplete shapes");
   }
 
   Result<void> check_says() const {
