@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kWireExtensions = 1;
 /// The properties by which robots of other machines join (docs/robot-client.md).
 inline constexpr std::uint32_t kRobots = 1;
 /// Texts and packets of the page (docs/viewer-protocol.md).
-inline constexpr std::uint32_t kPage = 3;
+inline constexpr std::uint32_t kPage = 4;
 /// Observers (replicate/datagrams/datagram.h): the datagrams, and those texts that observers read.
 inline constexpr std::uint8_t kObserver = 1;
 /// Messages between nodes and the head of a cluster (docs/cluster.md), which also have to be one build.

@@ -1,5 +1,6 @@
 #include "playhouse/base/packing.h"
 #include "playhouse/replicate/delta.h"
+#include "playhouse/replicate/drawing_code.h"
 #include "playhouse/replicate/row_code.h"
 
 namespace playhouse::replicate {
@@ -22,6 +23,7 @@ class PacketReader {
     section([this](std::uint8_t tag, world::ModelRow row) { say(tag, row); });
     section([this](std::uint8_t tag, world::ModelRow row) { scan(tag, row); });
     section([this](std::uint8_t tag, world::ModelRow row) { view(tag, row); });
+    section([this](std::uint8_t tag, world::ModelRow row) { drawing(tag, row); });
     if (!in_.ok() || bad_)
       return Error{"",
                    bad_ ? "a viewer packet names what the scene has not" : "a viewer packet is cut short"};
@@ -97,6 +99,20 @@ class PacketReader {
     values.resize(records * what.codes.size());
     for (std::size_t k = 0; k < values.size() && in_.ok(); ++k)
       values[k] = value(what.codes[k % what.codes.size()]);
+  }
+
+  void drawing(std::uint8_t tag, world::ModelRow model) {
+    if (tag == packet::kGone) {
+      replica_.drawings.erase(model);
+      return;
+    }
+    std::optional<std::vector<SentCorner>> read =
+        tag == packet::kFresh ? read_drawing(in_) : std::optional<std::vector<SentCorner>>();
+    if (read) {
+      replica_.drawings[model] = std::make_shared<const std::vector<SentCorner>>(*std::move(read));
+    } else {
+      bad_ = true;
+    }
   }
 
   std::int32_t value(Code code) {

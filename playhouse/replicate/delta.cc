@@ -5,6 +5,7 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/replicate/drawing_code.h"
 #include "playhouse/replicate/importance.h"
 #include "playhouse/replicate/row_code.h"
 #include "playhouse/replicate/scene_text.h"
@@ -101,6 +102,23 @@ class PacketWriter {
     for (const Viewed& viewed : snapshot_.viewed)
       if (wanted(viewed)) view(viewed);
     drop_views();
+    pack_.u8(packet::kEnd);
+  }
+
+  /// Changed drawings: those in view first; both round robin from `next`.
+  void drawings(world::ModelRow& next) {
+    id_ = 0;
+    if (replica_.drawn != snapshot_.drawn) {
+      std::vector<ModelDrawing> news = unseen();
+      const auto from = std::ranges::lower_bound(news, next, {}, &ModelDrawing::model);
+      std::rotate(news.begin(), from, news.end());
+      std::stable_partition(news.begin(), news.end(),
+                            [this](const ModelDrawing& each) { return in_view(each.model); });
+      const auto stopped =
+          std::ranges::find_if_not(news, [this](const ModelDrawing& each) { return drawing(each); });
+      next = stopped == news.end() ? world::ModelRow{0} : stopped->model;
+      if (stopped == news.end()) replica_.drawn = snapshot_.drawn;
+    }
     pack_.u8(packet::kEnd);
   }
 
@@ -229,6 +247,39 @@ class PacketWriter {
     } else {
       replica_.says[utterance.model] = utterance.text;
     }
+    return true;
+  }
+
+  /// Differences of drawings between replica and snapshot, by row; null: removed.
+  std::vector<ModelDrawing> unseen() const {
+    std::vector<ModelDrawing> news;
+    auto held = replica_.drawings.begin();
+    const auto end_held_before = [&](world::ModelRow row) {
+      for (; held != replica_.drawings.end() && held->first < row; ++held) news.push_back({held->first, {}});
+    };
+    for (const ModelDrawing& drawn : snapshot_.drawings) {
+      end_held_before(drawn.model);
+      const bool holds = held != replica_.drawings.end() && held->first == drawn.model;
+      if (!holds || !is_same(held->second, drawn.drawing)) news.push_back(drawn);
+      if (holds) ++held;
+    }
+    end_held_before(world::ModelRow{});
+    return news;
+  }
+
+  static bool is_same(const SentDrawing& a, const SentDrawing& b) { return a == b || *a == *b; }
+
+  /// False: no room.
+  bool drawing(const ModelDrawing& drawn) {
+    if (full(budget_)) return false;
+    if (drawn.drawing == nullptr) {
+      item(packet::kGone, drawn.model);
+      replica_.drawings.erase(drawn.model);
+      return true;
+    }
+    item(packet::kFresh, drawn.model);
+    write_drawing(*drawn.drawing, pack_);
+    replica_.drawings[drawn.model] = drawn.drawing;
     return true;
   }
 
@@ -366,6 +417,8 @@ void Replica::follow(std::shared_ptr<const Layout> to) {
   }
   for (auto& [row, text] : says)
     if (row_now[row]) next.says[row_now[row]] = std::move(text);
+  for (auto& [row, drawing] : drawings)
+    if (row_now[row]) next.drawings[row_now[row]] = std::move(drawing);
   for (auto& [key, values] : views)
     if (row_now[key.second]) next.views[{key.first, row_now[key.second]}] = std::move(values);
   *this = std::move(next);
@@ -381,6 +434,7 @@ Sent DeltaWriter::write(const Snapshot& snapshot, const Wish& wish, std::uint32_
   packet.says(next_text_);
   packet.scans(next_sensor_);
   packet.views();
+  packet.drawings(next_drawing_);
   return packet.finish();
 }
 

@@ -8,7 +8,7 @@
 // clang-format off
 ///   packet (little-endian; varint: 7 bits a byte, low first, top bit says "more"; zz: zigzag varint)
 ///   +------+-------+--------------+-------------+-----------+-----------+
-///   | u8 3 | flags | varint frame | varint tick | f32 speed | f32 rtf   |
+///   | u8 4 | flags | varint frame | varint tick | f32 speed | f32 rtf   |
 ///   +------+-------+--------------+-------------+-----------+-----------+
 ///   | models : (u8 mask, zz id step, changed fields)*      u8 0         |
 ///   | says   : (u8 1, zz id step, varint n, n bytes of UTF-8)*  u8 0    |
@@ -16,6 +16,9 @@
 ///   |          or (u8 2, zz id step, varint nth)           u8 0         |
 ///   | views  : (u8 2v + 1, zz id step, values)                          |
 ///   |          or (u8 2v + 2, zz id step)                  u8 0         |
+///   | drawings: (u8 1, zz id step, varint runs, (u8 form, u32           |
+///   |            colour, varint shapes, corner*)*)                      |
+///   |          or (u8 2, zz id step)                       u8 0         |
 ///   +-------------------------------------------------------------------+
 /// flags    1 paused, 2 rows were deferred, 4 too many beams in view
 ///   mask     which fields of the model follow:
@@ -28,10 +31,12 @@
 /// id step  the model's id - the id of the previous item (first: from 0)
 /// nth      index among the model's sensors
 /// v        index in views()
+/// form     of each shape of the run: 1 point, 2 line, 3 triangle; 4 more: on the floor (SentCorner::flat)
+/// corner   zz x, y, z: difference to the corner before, in the drawing [mm]
 /// values   for each code of the view (varint, zz, u16 turn, u32 colour);
 ///          for a list, varint n and n times that
 /// says     an empty text: it says nothing any more
-///   scans and views, second form: no data any more, nothing follows
+///   scans, views and drawings, second form: no data any more, nothing follows
 ///
 /// Frames of a viewer are numbered from 1. The number of beams of a scan is that of its sensor in the scene.
 // clang-format on
@@ -52,7 +57,7 @@ namespace playhouse::replicate {
 
 /// Constants of the packet: first byte, flags, item tags.
 namespace packet {
-inline constexpr std::uint8_t kFirst = 3;
+inline constexpr std::uint8_t kFirst = 4;
 inline constexpr std::uint8_t kPaused = 1, kWaiting = 2, kBeamsFull = 4;
 inline constexpr std::uint8_t kEnd = 0, kFresh = 1, kGone = 2;
 }  // namespace packet
@@ -80,7 +85,9 @@ struct Replica {
   world::ByModel<ModelState> models;
   ByRow<world::SensorTable, std::vector<std::uint16_t>> scans;  // empty: none held
   std::map<world::ModelRow, std::string> says;                  // non-empty texts
-  std::optional<std::uint64_t> said;  // Snapshot::said up to which all texts are held
+  std::optional<std::uint64_t> said;                // Snapshot::said up to which all texts are held
+  std::map<world::ModelRow, SentDrawing> drawings;  // non-empty
+  std::optional<std::uint64_t> drawn;               // Snapshot::drawn up to which all drawings are held
   /// Values by view and model.
   std::map<std::pair<std::uint32_t, world::ModelRow>, std::vector<std::int32_t>> views;
 };
@@ -99,12 +106,12 @@ struct Deferred {
 
 /// Writes the deltas between replicas and snapshots of one population, within a
 /// byte budget: the selected robot first, then models in view, then the rest. Models that a frame had no room
-/// for are sent by priority (importance.h), texts and scans round robin from where the last frame stopped, so
+/// for are sent by priority (importance.h), texts, scans and drawings round robin from where the last frame stopped, so
 /// that nothing starves.
 class DeltaWriter {
  public:
   /// Replaces `out` by a packet and updates `replica` to match. kNothing: no difference
-  /// (the packet is valid and empty). A scan larger than the budget is sent alone.
+  /// (the packet is valid and empty). A scan or a drawing larger than the budget is sent alone.
   Sent write(const Snapshot& snapshot, const Wish& wish, std::uint32_t frame, std::size_t budget,
              Replica& replica, std::vector<std::byte>& out);
 
@@ -112,6 +119,7 @@ class DeltaWriter {
   Deferred deferred_;
   world::ModelRow next_text_{0};     // cursor over their texts
   world::SensorRow next_sensor_{0};  // cursor over scans
+  world::ModelRow next_drawing_{0};  // cursor over drawings
 };
 
 /// Applies a packet to the replica that it was made for, as the page does. For tests and C++

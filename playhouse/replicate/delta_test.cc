@@ -10,6 +10,7 @@
 #include "playhouse/replicate/quantize.h"
 #include "playhouse/replicate/small_world.h"
 #include "playhouse/replicate/viewer.h"
+#include "playhouse/world/drawing.h"
 #include "playhouse/world/population/population.h"
 #include "playhouse/world/saving/state.h"
 
@@ -17,6 +18,12 @@ namespace playhouse::replicate {
 namespace {
 
 constexpr geom::Box kEverywhere{-1000, -1000, 1000, 1000};
+
+std::map<world::ModelRow, std::vector<SentCorner>> drawn_in(const Replica& replica) {
+  std::map<world::ModelRow, std::vector<SentCorner>> drawings;
+  for (const auto& [row, drawing] : replica.drawings) drawings[row] = *drawing;
+  return drawings;
+}
 
 /// A viewer at both ends of a wire: what the writer thinks it holds, and what the packets made of it.
 struct Pair {
@@ -31,6 +38,7 @@ struct Pair {
     RC_ASSERT(receiver.says == sender.says);
     RC_ASSERT(receiver.scans == sender.scans);
     RC_ASSERT(receiver.views == sender.views);
+    RC_ASSERT(drawn_in(receiver) == drawn_in(sender));
     return sent;
   }
 
@@ -84,6 +92,22 @@ void speak(world::World& world) {
   }
 }
 
+/// Clients draw, and clear what they drew.
+void draw(world::World& world) {
+  if (world.models.size() == 0) return;
+  for (int changes = *rc::gen::inRange(0, 4); changes > 0; --changes) {
+    const world::ModelRow row{
+        *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(world.models.size()))};
+    const auto corners = *rc::gen::inRange<std::uint32_t>(1, 4),
+               shapes = *rc::gen::inRange<std::uint32_t>(1, 60);
+    std::vector<geom::Vec3> points(std::size_t{corners} * shapes);
+    for (geom::Vec3& p : points) p = {*rc::gen::inRange(-3000, 3000) / 1000.0, 0.5, -2e6};
+    if (*rc::gen::arbitrary<bool>()) world::clear_drawing(world, row, world::kLayer2d);
+    if (*rc::gen::arbitrary<bool>())
+      world::draw(world, row, {*rc::gen::inRange<std::uint32_t>(0, 2), corners, {1, 0, 0, 1}, points});
+  }
+}
+
 /// The oracle: what a viewer with this wish must hold in the end.
 void expect_whole(const Snapshot& snapshot, const Wish& wish, const Replica& replica) {
   const Layout& layout = *snapshot.layout;
@@ -95,6 +119,9 @@ void expect_whole(const Snapshot& snapshot, const Wish& wish, const Replica& rep
   std::map<world::ModelRow, std::string> says;
   for (const Said& said : snapshot.says) says[said.model] = said.text;
   RC_ASSERT(replica.says == says);
+  std::map<world::ModelRow, std::vector<SentCorner>> drawings;
+  for (const ModelDrawing& drawn : snapshot.drawings) drawings[drawn.model] = *drawn.drawing;
+  RC_ASSERT(drawn_in(replica) == drawings);
   ByRow<world::SensorTable, std::vector<std::uint16_t>> scans(layout.sensors.size());
   for (const SensorScan& scan : snapshot.scans) {
     if (!wanted(layout.sensors[scan.sensor].model)) continue;
@@ -126,6 +153,7 @@ RC_GTEST_PROP(DeltaLaw,
     const Wish wish = any_wish(robots);
     for (int changes = *rc::gen::inRange(0, 3); changes > 0; --changes) change_population(small);
     speak(small.world);
+    draw(small.world);
     if (layout->population != small.world.population()) {
       layout = small.layout({}, layout.get());
       pair.sender.follow(layout);
@@ -214,14 +242,14 @@ TEST(Delta, what_had_no_room_goes_by_priority_and_in_the_end_all_of_it_goes) {
   EXPECT_EQ(pair.receiver.models, snapshot.models);
 }
 
-TEST(Delta, an_unchanged_world_costs_a_head_and_four_ends) {
+TEST(Delta, an_unchanged_world_costs_a_head_and_five_ends) {
   SmallWorld small(50);
   const auto layout = small.layout();
   Snapshot snapshot;
   capture(small.world, {}, layout, {}, snapshot);
   Pair pair(layout);
   EXPECT_EQ(pair.send(snapshot, {}, 1000), Sent::kNothing);
-  EXPECT_EQ(pair.packet.size(), 1u + 1 + 1 + 1 + 4 + 4 + 4);
+  EXPECT_EQ(pair.packet.size(), 1u + 1 + 1 + 1 + 4 + 4 + 5);
 }
 
 TEST(Delta, a_sensor_that_stops_measuring_is_taken_back) {

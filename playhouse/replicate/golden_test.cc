@@ -16,6 +16,7 @@
 #include "playhouse/replicate/scene_text.h"
 #include "playhouse/replicate/small_world.h"
 #include "playhouse/replicate/views.h"
+#include "playhouse/world/drawing.h"
 #include "playhouse/world/population/population.h"
 
 namespace playhouse::replicate {
@@ -32,7 +33,7 @@ std::string hex(std::span<const std::byte> bytes) {
 /// What a page must hold afterwards, as the test there compares it: by id, and per view the bare numbers.
 std::string held(const Replica& replica) {
   const Layout& layout = *replica.layout;
-  std::string models, says, scans, views_text;
+  std::string models, says, scans, views_text, drawings;
   for (const world::ModelRow row : replica.models.rows()) {
     const ModelState& m = replica.models[row];
     models +=
@@ -53,10 +54,17 @@ std::string held(const Replica& replica) {
     views_text += fmt::format("{}\"{}\":[{}]", views_text.empty() ? "" : ",", layout.id[key.second].value,
                               fmt::join(values, ","));
   }
+  for (const auto& [row, drawing] : replica.drawings) {
+    std::string corners;
+    for (const SentCorner& c : *drawing)
+      corners += fmt::format("{}{},{},{},{},{},{}", corners.empty() ? "" : ",", c.x, c.y, c.z, c.color,
+                             c.corners, c.flat ? 1 : 0);
+    drawings += fmt::format("{}\"{}\":[{}]", drawings.empty() ? "" : ",", layout.id[row].value, corners);
+  }
   return fmt::format(
       "{{\"tick\":{},\"paused\":{},\"speed\":{},\"models\":{{{}}},\n\"says\":{{{}}},\n\"scans\":{{{}}},"
-      "\n\"views\":{{{}}}}}",
-      replica.tick, replica.pace.paused, replica.pace.speed, models, says, scans, views_text);
+      "\n\"views\":{{{}}},\n\"drawings\":{{{}}}}}",
+      replica.tick, replica.pace.paused, replica.pace.speed, models, says, scans, views_text, drawings);
 }
 
 /// Wheels on the first port for every robot, and for the first a laser on another port.
@@ -66,9 +74,16 @@ std::vector<std::string> small_devices(world::ModelId model) {
   return {fmt::format("position2d:{}", model.value / 4)};
 }
 
+/// For robot k; its color tells how many corners its shapes have.
+void draw(world::World& world, int k, std::uint32_t layer, std::uint32_t corners,
+          const std::vector<geom::Vec3>& points) {
+  const scene::Color color{corners == 1 ? 1.0f : 0, corners == 2 ? 1.0f : 0, corners == 3 ? 1.0f : 0, 0.5f};
+  EXPECT_TRUE(world::draw(world, {SmallWorld::robot(k)}, {layer, corners, color, points}));
+}
+
 /// A short story: everything in view, one robot selected, nothing selected, far away, paused; then a robot
 /// goes, another one and a puck come, and a robot takes the puck along. Meanwhile some say something and
-/// carry flags.
+/// carry flags, and clients draw.
 std::string make_golden() {
   SmallWorld small(3);
   small.world.upright = false;
@@ -103,6 +118,12 @@ std::string make_golden() {
     if (frame == 4) world::set_say(small.world, {SmallWorld::robot(1)}, "");
     if (frame == 5) world::set_say(small.world, {SmallWorld::robot(2)}, "far");
     if (frame == 8) world::set_say(small.world, small.world.row(puck), "heavy");
+    if (frame == 2)
+      draw(small.world, 0, world::kLayer2d, 2, {{0, 0, 0}, {1, -1, 0.0005}, {1, -1, 0}, {400, 0, 0}});
+    if (frame == 2) draw(small.world, 1, world::kLayer3d, 3, {{0, 0, 0.1}, {1, 0, 0.1}, {0, -2, 0.1}});
+    if (frame == 3) draw(small.world, 0, world::kLayer3d, 1, {{-0.25, 0, 0.02}});
+    if (frame == 4) world::clear_drawing(small.world, {SmallWorld::robot(1)}, world::kLayer3d);
+    if (frame == 5) draw(small.world, 2, world::kLayer2d, 1, {{1, 2, 3}});
     const world::Pace pace{frame == 4, frame == 5 ? 0.0 : 1.5, 0.5};
     Interest interest;
     if (wish.sensors) interest.view = wish.view;

@@ -5,9 +5,23 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/replicate/quantize.h"
+#include "playhouse/world/drawing.h"
 
 namespace playhouse::replicate {
 namespace {
+
+std::int32_t millimetres(float metres) {
+  return quantize(static_cast<double>(metres), 1000);
+}
+
+SentDrawing sent_drawing(const std::vector<world::DrawnCorner>& drawing) {
+  std::vector<SentCorner> sent;
+  sent.reserve(drawing.size());
+  for (const world::DrawnCorner& corner : drawing)
+    sent.push_back({millimetres(corner.x), millimetres(corner.y), millimetres(corner.z), corner.color,
+                    corner.corners, corner.layer == world::kLayer2d});
+  return std::make_shared<const std::vector<SentCorner>>(std::move(sent));
+}
 
 class Capture {
  public:
@@ -36,6 +50,15 @@ class Capture {
     }
     out_.says.resize(count);
     out_.said = world_.said();
+  }
+
+  void drawings() {
+    out_.drawings.clear();
+    out_.drawn = world_.drawn();
+    if (out_.drawn == 0) return;
+    for (const world::ModelRow row : world_.models.rows())
+      if (!world_.models.drawing[row].empty())
+        out_.drawings.push_back({row, sent_drawing(world_.models.drawing[row])});
   }
 
   void scans() {
@@ -139,12 +162,14 @@ void Interest::clear() {
 void capture(const world::World& world, const world::Pace& pace, std::shared_ptr<const Layout> layout,
              const Interest& interest, Snapshot& out) {
   const bool says_the_same = out.layout == layout && out.said == world.said();
+  const bool is_drawn_the_same = out.layout == layout && out.drawn == world.drawn();
   out.layout = std::move(layout);
   out.tick = world.tick();
   out.pace = pace;
   Capture capture(world, interest, out);
   capture.models();
   if (!says_the_same) capture.says();
+  if (!is_drawn_the_same) capture.drawings();
   capture.scans();
   capture.views();
 }

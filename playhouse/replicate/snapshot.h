@@ -45,6 +45,23 @@ struct Said {
   std::string name, text;
 };
 
+/// A corner of a drawing, in the frame of its model.
+struct SentCorner {
+  std::int32_t x = 0, y = 0, z = 0;  // mm
+  std::uint32_t color = 0;           // 0xRRGGBBAA
+  std::uint8_t corners = 0;          // of its shape: 1, 2 or 3
+  bool flat = false;                 // on the floor of the frame, where the newest shape covers older ones
+  friend bool operator==(const SentCorner&, const SentCorner&) = default;
+};
+/// Shared by snapshots and replicas.
+using SentDrawing = std::shared_ptr<const std::vector<SentCorner>>;
+
+/// The drawing of a model.
+struct ModelDrawing {
+  world::ModelRow model;
+  SentDrawing drawing;
+};
+
 struct Snapshot {
   std::shared_ptr<const Layout> layout;  // of the rows below
   std::uint64_t tick = 0;
@@ -54,15 +71,18 @@ struct Snapshot {
   std::vector<std::uint16_t> beams;
   std::vector<Viewed> viewed;  // by view and model row
   std::vector<std::int32_t> values;
-  std::vector<Said> says;   // by model row; non-empty texts
-  std::uint64_t said = 0;   // World::said() at the capture of `says`
-  bool beams_full = false;  // limits::kSnapshotBeams was reached; further sensors were dropped
+  std::vector<Said> says;              // by model row; non-empty texts
+  std::uint64_t said = 0;              // World::said() at the capture of `says`
+  std::vector<ModelDrawing> drawings;  // by model row; non-empty
+  std::uint64_t drawn = 0;             // World::drawn() at their capture
+  bool beams_full = false;             // limits::kSnapshotBeams was reached; further sensors were dropped
 };
 
 /// Copies the world's state. `layout` is of its present population. A sensor is captured
 /// if it is active (subscribed, with a first scan) and its robot is selected or in view;
 /// selected robots first if room is short. Thread: any, between steps. Cost O(models +
-/// beams captured); texts only if any has changed since the last capture into `out`.
+/// beams captured); texts and drawings only if any has
+/// changed since the last capture into `out`.
 void capture(const world::World& world, const world::Pace& pace, std::shared_ptr<const Layout> layout,
              const Interest& interest, Snapshot& out);
 

@@ -184,6 +184,7 @@ class Page {
       labels: [...view.labelled].map((row) => scene?.models[row].name),
       meshes: view.meshes,
       bubbles: [...view.spoken].map(([row, text]) => [scene?.models[row].name, text]),
+      drawings: [...(replica?.drawings ?? [])].map(([row, runs]) => [scene?.models[row].name, runs.length]),
       tokens: [...view.tokens].map(([row, count]) => [scene?.models[row].name, count]),
       robots: scene?.models.filter((model) => model.kind === 'position').map((model) => model.name) ?? [],
       drawn: (name: string) => {
@@ -621,6 +622,7 @@ class Page {
       n: () => this.toolbar.toggle('names'),
       b: () => this.toolbar.toggle('speech'),
       g: () => this.toolbar.toggle('grid'),
+      j: () => this.toolbar.toggle('drawings'),
       i: () => this.toggleEyes(),
       x: () => this.toolbar.toggle('physics'),
       o: () => this.toggleFlight(),

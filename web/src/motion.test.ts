@@ -10,7 +10,7 @@ function model(id: number, name: string, parent: number, x_mm: number): Model {
 }
 
 const scene: Scene = {
-  protocol: 3, build: '', name: 'two', interval: 0.1, light: null, shapes: [], prototypes: [], addable: [],
+  protocol: 4, build: '', name: 'two', interval: 0.1, light: null, shapes: [], prototypes: [], addable: [],
   window: { center: [0, 0], scale: 0, pitch: 0, yaw: 0, sensors: false, follow: '' },
   models: [model(0, 'robot', -1, 0), model(1, 'hat', 0, 100)],
 };

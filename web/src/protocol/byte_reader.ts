@@ -9,6 +9,11 @@ export class ByteReader {
     this.view = new DataView(bytes);
   }
 
+  /** Bytes that are not read yet. */
+  get left(): number {
+    return this.view.byteLength - this.at;
+  }
+
   get atEnd(): boolean {
     return this.at === this.view.byteLength;
   }

@@ -13,6 +13,7 @@ interface Held {
   says: Record<string, string>; // by id
   scans: Record<string, number[]>; // by id/nth
   views: Record<string, number[]>; // by id: the bare numbers
+  drawings: Record<string, number[]>; // by id: x, y, z [mm], color, number of corners and 1 if it is flat, of each corner
 }
 
 // Made by the program's own tests (playhouse/replicate/golden_test.cc).
@@ -44,6 +45,8 @@ function held(replica: Replica): Held {
         fields.map(([name, code, worth]) => (code === 'turn' ? turnOf(record[name]) : Math.round(record[name] / worth))));
       return [models[row].id, numbers];
     }));
+  const drawings = [...replica.drawings].map(([row, runs]) => [models[row].id, runs.flatMap(({ corners, flat, color, points }) =>
+    Array.from({ length: points.length / 3 }, (_, k) => [...points.slice(3 * k, 3 * k + 3)].map((m) => Math.round(m * 1000)).concat(color, corners, flat ? 1 : 0)).flat())]);
   return {
     tick: replica.tick,
     paused: replica.paused,
@@ -52,6 +55,7 @@ function held(replica: Replica): Held {
     says: Object.fromEntries([...replica.says].map(([row, text]) => [models[row].id, text])),
     scans: Object.fromEntries(scans),
     views: Object.fromEntries(views),
+    drawings: Object.fromEntries(drawings),
   };
 }
 
@@ -77,12 +81,12 @@ describe('Replica', () => {
     const head = golden.frames[0].packet.slice(0, 24);
     expect(() => new Replica(kScene).apply(bytesOf(`${head}01feff0302`))).toThrow('names what the scene has not');
     expect(() => new Replica(kScene).apply(bytesOf(`${head}000001000100`))).toThrow('names what the scene has not');
-    expect(() => new Replica(kScene).apply(bytesOf(`${head}0000000000`))).toThrow('bytes follow');
+    expect(() => new Replica(kScene).apply(bytesOf(`${head}000000000000`))).toThrow('bytes follow');
   });
 });
 
 describe('what models say', () => {
-  const packet = (says: string) => bytesOf(`${golden.frames[0].packet.slice(0, 24)}00${says}000000`);
+  const packet = (says: string) => bytesOf(`${golden.frames[0].packet.slice(0, 24)}00${says}00000000`);
 
   it('holds until another text or none comes', () => {
     const replica = new Replica(kScene);
@@ -96,6 +100,26 @@ describe('what models say', () => {
 
   it('is refused where it is no text, is longer than the packet, or has another tag', () => {
     for (const says of ['010202c328', '0102ff7f41', '02020141']) expect(() => new Replica(kScene).apply(packet(says))).toThrow();
+  });
+});
+
+describe('what clients draw', () => {
+  const packet = (drawings: string) => bytesOf(`${golden.frames[0].packet.slice(0, 24)}00000000${drawings}00`);
+
+  it('holds until another drawing or none comes', () => {
+    const replica = new Replica(kScene);
+    replica.apply(packet('0102' + '01' + '06ff0000ff01' + 'd00f0000' + '00cf0f02')); // row 1: a line
+    expect([...replica.drawings]).toEqual([[1, [{ corners: 2, flat: true, color: 0xff0000ff, points: Float32Array.of(1, 0, 0, 1, -1, 0.001) }]]]);
+    replica.apply(packet(''));
+    expect(replica.drawings.size).toBe(1);
+    replica.apply(packet('0202'));
+    expect(replica.drawings.size).toBe(0);
+  });
+
+  it('is refused with a shape of no or four corners, or longer than the packet, or has another tag', () => {
+    for (const drawing of ['01020100ff0000ff01', '01020104ff0000ff01', '01020109ff0000ff010000', '01020101ff0000ffffffffff0f', '0302']) {
+      expect(() => new Replica(kScene).apply(packet(drawing))).toThrow();
+    }
   });
 });
 

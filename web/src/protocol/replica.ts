@@ -11,9 +11,18 @@ export interface SensorPlace {
   sensor: Sensor;
 }
 
+/** Points, lines or triangles of one color that somebody has drawn, in the frame of their model. */
+export interface DrawnRun {
+  corners: 1 | 2 | 3; // of each shape
+  flat: boolean; // on the floor of the frame, where the newest shape covers older ones
+  color: number; // 0xRRGGBBAA
+  points: Float32Array; // m: x, y, z of each corner
+}
+
 const kColumns = ['x', 'y', 'z', 'a', 'state', 'color', 'flags', 'tiltX', 'tiltY'] as const;
 const kEnd = 0;
 const kFresh = 1;
+const kGone = 2;
 
 /** [1/65536 turn] to [rad] in (-pi, pi]. */
 export function radiansOf(turn: number): number {
@@ -43,6 +52,8 @@ export class Replica {
 
   /** By model row: its current text; silent models are absent. */
   readonly says = new Map<number, string>();
+  /** By model row: what clients have drawn in its frame; a new object whenever it differs. */
+  readonly drawings = new Map<number, DrawnRun[]>();
   /** By sensor row: ranges as fractions of the sensor's range_max, times 65535. */
   readonly scans = new Map<number, Uint16Array>();
   /** Pose of each sensor row. */
@@ -86,6 +97,7 @@ export class Replica {
       if (row === undefined || came.has(id)) return;
       for (const column of kColumns) next[column][row] = this[column][before];
       if (this.says.has(before)) next.says.set(row, this.says.get(before)!);
+      if (this.drawings.has(before)) next.drawings.set(row, this.drawings.get(before)!);
       this.viewed.forEach((held, view) => held.has(before) && next.viewed[view].set(row, held.get(before)));
       const first = this.firstSensor.get(before);
       if (first === undefined) return;
@@ -105,7 +117,7 @@ export class Replica {
   /** Applies a packet. Throws if it is malformed; the replica is then invalid. */
   apply(packet: ArrayBuffer): void {
     const bytes = new ByteReader(packet);
-    if (bytes.u8() !== 3) throw new Error('not a packet of this program');
+    if (bytes.u8() !== 4) throw new Error('not a packet of this program');
     const flags = bytes.u8();
     this.paused = (flags & 1) !== 0;
     this.rowsWait = (flags & 2) !== 0;
@@ -118,6 +130,7 @@ export class Replica {
     this.section(bytes, (tag, row) => this.readText(bytes, tag, row));
     this.section(bytes, (tag, row) => this.readScan(bytes, tag, row));
     this.section(bytes, (tag, row) => this.readView(bytes, tag, row));
+    this.section(bytes, (tag, row) => this.readDrawing(bytes, tag, row));
     if (!bytes.atEnd) throw new Error('bytes follow a packet');
   }
 
@@ -159,6 +172,12 @@ export class Replica {
     this.scans.set(row, beams);
   }
 
+  private readDrawing(bytes: ByteReader, tag: number, row: number): void {
+    if (tag === kGone) this.drawings.delete(row);
+    else if (tag === kFresh) this.drawings.set(row, readRuns(bytes));
+    else nobody();
+  }
+
   private readView(bytes: ByteReader, tag: number, row: number): void {
     const number = (tag - 1) >> 1;
     const format = kViews[number] ?? nobody();
@@ -174,6 +193,27 @@ export class Replica {
     for (let left = bytes.varint(); left > 0; --left) records.push(readRecord(bytes, format));
     this.viewed[number].set(row, records);
   }
+}
+
+/** All runs of a drawing; each corner is a difference to the one before. */
+function readRuns(bytes: ByteReader): DrawnRun[] {
+  const runs: DrawnRun[] = [];
+  const at = [0, 0, 0]; // mm
+  for (let left = bytes.varint(); left > 0; --left) {
+    const form = bytes.u8();
+    const [corners, flat] = [form & 3, form >= 4];
+    if ((corners !== 1 && corners !== 2 && corners !== 3) || form > 7) nobody();
+    const color = bytes.u32();
+    const count = 3 * corners * bytes.varint();
+    if (count > bytes.left) nobody(); // a number has at least one byte
+    const points = new Float32Array(count);
+    for (let k = 0; k < count; ++k) {
+      at[k % 3] = (at[k % 3] + bytes.zigzag()) | 0;
+      points[k] = at[k % 3] / 1000;
+    }
+    runs.push({ corners, flat, color, points });
+  }
+  return runs;
 }
 
 function readRecord(bytes: ByteReader, format: ViewFormat): Record<string, number> {

@@ -78,7 +78,7 @@ export interface Light {
 }
 
 export interface Scene {
-  protocol: 3; // formats::kPage
+  protocol: 4; // formats::kPage
   build: string; // version and commit of the program
   name: string;
   interval: number; // s, one tick
@@ -185,7 +185,7 @@ export function parseText(text: string): Message {
   if ('physics' in message) return { physics: message.physics as PhysicsShapes };
   if ('people' in message) return { people: message as People };
   if ('gone' in message) return { changes: message as Changes };
-  if ('protocol' in message && message.protocol === 3) return { scene: sceneOf(message as SceneText) };
+  if ('protocol' in message && message.protocol === 4) return { scene: sceneOf(message as SceneText) };
   throw new Error('this page is older or newer than the program: reload it');
 }
 

@@ -10,7 +10,7 @@ const kKeys: [string[], string][] = [
   [['T'], 'from above, with north up, or tilted'],
   [['F'], 'everything on the screen'],
   [['L'], 'follow the selected robot'],
-  [['V', 'M', 'R', 'N', 'B', 'G', 'X'], 'sensors, markers, trails, names, speech and flags, grid, physics shapes'],
+  [['V', 'M', 'R', 'N', 'B', 'G', 'J', 'X'], 'sensors, markers, trails, names, speech and flags, grid, drawings of clients, physics shapes'],
   [['I'], 'through the eyes of the selected person, the lens of the selected robot; a click lets the mouse look around, Esc ends it'],
   [['O'], 'fly: W A S D, Q and E up and down, Shift and wheel for speed, mouse to look around; O or Esc ends it'],
   [['Enter'], 'say something, where you have joined'],

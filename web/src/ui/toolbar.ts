@@ -35,6 +35,7 @@ const kLayers: [keyof Layers, string, string][] = [
   ['names', 'Names', 'N'],
   ['speech', 'Speech and flags', 'B'],
   ['grid', 'Grid', 'G'],
+  ['drawings', 'Drawings of clients', 'J'],
   ['physics', 'Physics shapes', 'X'],
 ];
 

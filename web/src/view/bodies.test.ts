@@ -23,7 +23,7 @@ function world() {
   const box = [{ z: [0, 1] as [number, number], loops: [[-1, -1, 1, -1, 1, 1, -1, 1]] }];
   const start = (x: number): [number, number, number, number, number, number, number] => [x, 0, 0, 0, 0, 0xff0000ff, 0];
   const scene = sceneOf({
-    protocol: 3, build: '', name: 'w', interval: 0.1, window: { center: [0, 0], scale: 0, pitch: 0, yaw: 0, sensors: true, follow: '' },
+    protocol: 4, build: '', name: 'w', interval: 0.1, window: { center: [0, 0], scale: 0, pitch: 0, yaw: 0, sensors: true, follow: '' },
     light: null, shapes: [box, [...box]], addable: [],
     prototypes: [
       { type: 'robot', kind: 'position', size: [1, 1, 1], shape: 0 },

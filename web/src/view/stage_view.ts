@@ -10,6 +10,7 @@ import { rootsOf, type Light, type Scene } from '../protocol/scene';
 import { Areas, type Area } from './areas';
 import { Bodies } from './bodies';
 import { Bubbles } from './bubbles';
+import { ClientDrawings } from './client_drawings';
 import { CameraRig, type Box, type Eye, type Margins } from './camera_rig';
 import { Daylight } from './daylight';
 import { Flight } from './flight';
@@ -39,6 +40,7 @@ export interface Layers {
   names: boolean;
   speech: boolean; // texts of models, and flags they carry
   grid: boolean;
+  drawings: boolean; // of clients
   physics: boolean; // wireframes of collision shapes
 }
 
@@ -68,7 +70,7 @@ class Drawn {
     this.people = new People(scene, replica, motion, before?.people);
     this.smoke = new Smoke(scene, replica, motion);
     const stage = { scene, replica, motion, theme };
-    this.drawings = [new FloorMarks(stage), ...kKindPages.flatMap(({ drawings }) => drawings?.(stage) ?? [])];
+    this.drawings = [new FloorMarks(stage), new ClientDrawings(stage), ...kKindPages.flatMap(({ drawings }) => drawings?.(stage) ?? [])];
     this.trails = new Trails(scene, replica, before?.trails);
     this.labels = new Labels(scene, motion, rig, canvas, theme, before?.labels);
     this.bubbles = new Bubbles(scene, replica, motion, rig, canvas, theme);
@@ -97,7 +99,7 @@ class Drawn {
 /** The view: redraws the world on change, and picks models under the pointer. */
 export class StageView {
   readonly rig = new CameraRig();
-  readonly layers: Layers = { sensors: true, fiducials: true, trails: true, names: true, speech: true, grid: true, physics: false };
+  readonly layers: Layers = { sensors: true, fiducials: true, trails: true, names: true, speech: true, grid: true, drawings: true, physics: false };
   selected: number | null = null;
   hovered: number | null = null;
   followed: number | null = null;
