@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "playhouse/app/pictures/client_drawings.h"
 #include "playhouse/app/pictures/prisms.h"
 #include "playhouse/app/pictures/shape.h"
 #include "playhouse/base/limits.h"
@@ -65,7 +66,7 @@ class Bodies {
 
   static FilledShape upright(const Extrusion& prism, const geom::Pose& X_WM, const scene::Color& color) {
     const geom::Rotation turn = geom::Rotation::of(X_WM.a);
-    FilledShape shape{prism.loops, X_WM.z + prism.z_max, color};
+    FilledShape shape{prism.loops, X_WM.z + prism.z_max, color, false};
     for (std::vector<Vec2>& loop : shape.loops)
       for (Vec2& p : loop) p = X_WM.xy() + turn * p;
     return shape;
@@ -85,8 +86,8 @@ class Bodies {
           top = std::max(top, X_WM.X.z + turned.z);
         }
     std::vector<Vec2> hull = geom::convex_hull(std::move(points));
-    if (hull.size() < 3) return {{}, top, color};
-    return {{std::move(hull)}, top, color};
+    if (hull.size() < 3) return {{}, top, color, false};
+    return {{std::move(hull)}, top, color, false};
   }
 
   const world::World& world_;
@@ -109,7 +110,8 @@ class Painter {
     for (std::vector<Vec2>& loop : loops)
       for (Vec2& p : loop) p = in_picture(p);
     const std::vector<geom::Outline> outlines(loops.begin(), loops.end());
-    const std::vector<geom::Trapezoid> parts = geom::trapezoids(outlines);
+    const std::vector<geom::Trapezoid> parts =
+        shape.each ? inside_of_each(outlines) : geom::trapezoids(outlines);
     if (parts.empty()) return;
     const std::pair<int, int> rows = rows_of(parts);
     const int low = rows.first, high = rows.second;
@@ -128,6 +130,15 @@ class Painter {
 
  private:
   std::size_t width() const { return static_cast<std::size_t>(view_.width); }
+
+  static std::vector<geom::Trapezoid> inside_of_each(const std::vector<geom::Outline>& outlines) {
+    std::vector<geom::Trapezoid> parts;
+    for (const geom::Outline& outline : outlines) {
+      const std::vector<geom::Trapezoid> inside = geom::trapezoids({&outline, 1});
+      parts.insert(parts.end(), inside.begin(), inside.end());
+    }
+    return parts;
+  }
 
   /// x in pixels, y in scan lines, kRowsOfPixel per pixel, from the upper left corner.
   Vec2 in_picture(Vec2 p) const {
@@ -192,6 +203,7 @@ Result<Viewport> view_of(const world::World& world, int width) {
 /// Sorted by top height; ties: bodies first, in model order.
 images::RgbImage picture_of(const world::World& world, const Viewport& view, const SensorShapes& seen) {
   std::vector<FilledShape> shapes = Bodies(world).shapes();
+  add_client_drawings(shapes, world, view.line_width());
   seen.add_to(shapes, world, view.line_width());
   std::ranges::stable_sort(shapes, {}, &FilledShape::z_max);
   Painter painter(view);

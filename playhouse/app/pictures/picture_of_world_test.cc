@@ -6,6 +6,7 @@
 
 #include "playhouse/arena/engine.h"
 #include "playhouse/scene/world_loader.h"
+#include "playhouse/world/drawing.h"
 
 namespace playhouse::app {
 namespace {
@@ -54,6 +55,32 @@ TEST(PictureOfWorld, shows_bodies_as_they_lie) {
   EXPECT_TRUE(is_green(0.9, -0.25));
   EXPECT_FALSE(is_green(-0.05, 0));
   EXPECT_FALSE(is_green(0.9, 0.35));
+}
+
+TEST(PictureOfWorld, shows_drawings_where_their_models_lie_without_gaps) {
+  Lying lying;
+  world::World& world = lying.engine->world();
+  const scene::Color red{1, 0, 0, 1};
+  // In the frame of the board, whose z is x of the world: a square of 1 m that stands on it, 0.4 m above the floor.
+  const std::vector<geom::Vec3> square{{-0.4, -0.5, 0.5}, {-0.4, 0.5, 0.5}, {-0.4, 0.5, 1.5},
+                                       {-0.4, -0.5, 0.5}, {-0.4, 0.5, 1.5}, {-0.4, -0.5, 1.5}};
+  ASSERT_TRUE(world::draw(world, world.find("board"), {world::kLayer3d, 3, red, square}));
+  const std::vector<geom::Vec3> line{{-0.5, -0.5, 1.2}, {-0.5, 0.5, 1.2}};
+  ASSERT_TRUE(world::draw(world, world.find("post"), {world::kLayer3d, 2, {0, 0, 1, 1}, line}));
+  const Viewport view{200, 300, -1, 2, 100};
+  const images::RgbImage picture = picture_of(world, view, {});
+  const auto at = [&](double x, double y) {
+    const auto column = static_cast<std::size_t>((x + 1) * 100),
+               row = static_cast<std::size_t>((2 - y) * 100);
+    return std::vector<int>(&picture.rgb[3 * (row * 200 + column)],
+                            &picture.rgb[3 * (row * 200 + column) + 3]);
+  };
+  for (double x = 0.52; x < 0.99; x += 0.01)
+    for (double y = -0.48; y < 0.49; y += 0.01)
+      EXPECT_EQ(at(x, y), (std::vector{255, 0, 0})) << x << ", " << y;
+  EXPECT_EQ(at(0.4, 0.4), at(0.4, -0.4)) << "beside it";
+  EXPECT_NE(at(0.4, 0.4), (std::vector{255, 0, 0}));
+  EXPECT_GT(at(-0.5, 1.6)[2], at(-0.5, 1.6)[0] + 100) << "a line";
 }
 
 }  // namespace

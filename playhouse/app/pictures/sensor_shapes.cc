@@ -36,7 +36,7 @@ struct Sketch {
   world::KindRow row() const { return world.models.part[model]; }
 
   void area(std::vector<Vec2> loop, double z, const scene::Color& color) const {
-    shapes.push_back({{std::move(loop)}, z, color});
+    shapes.push_back({{std::move(loop)}, z, color, false});
   }
   void line(Vec2 from, Vec2 to, double z, const scene::Color& color) const {
     const Vec2 way = to - from;

@@ -12,6 +12,7 @@ struct FilledShape {
   std::vector<std::vector<geom::Vec2>> loops;  // m, in W
   double z_max = 0;                            // m, in W: painting order
   scene::Color color;
+  bool each = false;  // the inside of each loop by itself: without gaps where they touch
 };
 
 }  // namespace playhouse::app
