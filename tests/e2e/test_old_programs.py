@@ -1,12 +1,14 @@
 """C programs as they were written for Player, built with the installed pkg-config package and nothing else, against the real
 server: clients/c/playerc/tests."""
 
+import csv
+import json
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from house import ROOT, House, HouseTest
+from house import ROOT, House, HouseTest, finish
 from installed import tool
 
 PROGRAMS = ROOT / "clients" / "c" / "playerc" / "tests"
@@ -66,6 +68,21 @@ class OldPrograms(HouseTest):
         with House("serve", cfg, "--port", 0) as house:
             said = tool(self.build("map"), house.port())
         self.assertEqual(said, "4 x 3 of 0.50 m from -1.0 -0.8\n####\n#..#\n##.#\n")
+
+    def test_a_program_draws_in_the_frame_of_a_robot(self):
+        self.world('position( name "r" )')
+        cfg = self.write("draw.cfg", 'driver ( name "stage" provides ["simulation:0"] worldfile "test.world" )\n'
+                                     'driver ( name "stage" provides ["graphics2d:0" "graphics3d:0"] model "r" )')
+        with House("serve", cfg, "--port", 0, "--headless", "--record", self.folder / "run.mcap") as house:
+            tool(self.build("drawing"), house.port())
+            house.end()
+        changes = [line for line in finish("export", self.folder / "run.mcap", "--changes").stdout.splitlines() if ",draw," in line]
+        drawn = [json.loads(row[-1]) for row in csv.reader(changes)]
+        outline = [[1, -0.5], [1, 0.5], [1, 0.5], [2, 0], [2, 0], [1, -0.5]]
+        self.assertEqual([(each["layer"], each["corners"], round(each["color"][3], 2)) for each in drawn], [(0, 3, 0.2), (0, 2, 1), (1, 2, 1)])
+        self.assertEqual({tuple(p[:2]) for p in drawn[0]["points"]} - {(2, 0), (1, -0.5), (1, 0.5), (1, 0)}, set())
+        self.assertEqual([p[:2] for p in drawn[1]["points"]], outline)
+        self.assertEqual(drawn[2]["points"], [[0, 0, 0.5], [0, 0, 1.5]])
 
     def test_several_servers_are_read_together(self):
         with self.run_house("--speed", 10) as one, self.run_house("--speed", 10) as other:

@@ -211,6 +211,22 @@ TEST_F(DrawingDevices, change_nothing_that_a_run_depends_on) {
   EXPECT_EQ(still_.world().sensed_hash(), sensed) << "the model is not used for it";
 }
 
+TEST_F(DrawingDevices, drawings_are_those_of_the_moment_to_which_the_run_was_taken_back) {
+  still_.simulation.requests().record(true);
+  open(k2d, g2d::kCode, "r0");
+  still_.run(1);
+  draw_points(k2d, {{1, 0}});
+  still_.run(2);
+  const std::uint64_t instant = still_.world().tick();
+  draw_points(k2d, {{2, 0}});
+  still_.run(1);
+  command(k2d, g2d::kCmdClear);
+  still_.run(1);
+  EXPECT_THAT(drawn("r0"), IsEmpty());
+  run::testing::rewind_to(still_.simulation, instant);
+  EXPECT_THAT(drawn("r0"), ElementsAre(Corner(1, 0, 0xFF0000FFu, 1)));
+}
+
 TEST_F(DrawingDevices, draw_nothing_for_a_model_that_has_gone) {
   open(k2d, g2d::kCode, "box");
   draw_points(k2d, {{1, 0}});
