@@ -45,7 +45,7 @@ def _number(expression, known):
         if isinstance(node, ast.Constant):
             return node.value
         left, right = of(node.left), of(node.right)
-        return {ast.LShift: lambda: left << right, ast.Sub: lambda: left - right, ast.Add: lambda: left + right}[type(node.op)]()
+        return {ast.LShift: lambda: left << right, ast.Sub: lambda: left - right, ast.Add: lambda: left + right, ast.RShift: lambda: left >> right}[type(node.op)]()
 
     return of(tree)
 

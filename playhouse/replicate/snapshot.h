@@ -71,11 +71,11 @@ struct Snapshot {
   std::vector<std::uint16_t> beams;
   std::vector<Viewed> viewed;  // by view and model row
   std::vector<std::int32_t> values;
-  std::vector<Said> says;            // by model row; non-empty texts
-  std::uint64_t said = 0;            // World::said() at the capture of `says`
+  std::vector<Said> says;              // by model row; non-empty texts
+  std::uint64_t said = 0;              // World::said() at the capture of `says`
   std::vector<ModelDrawing> drawings;  // by model row; non-empty
-  std::uint64_t drawn = 0;           // World::drawn() at their capture
-  bool beams_full = false;           // limits::kSnapshotBeams was reached; further sensors were dropped
+  std::uint64_t drawn = 0;             // World::drawn() at their capture
+  bool beams_full = false;             // limits::kSnapshotBeams was reached; further sensors were dropped
 };
 
 /// Copies the world's state. `layout` is of its present population. A sensor is captured
