@@ -374,6 +374,37 @@ class Navigated(HouseTest):
         self.assertIn(documented.strip(), (ROOT / "worlds/navigate.cfg").read_text())
 
 
+class Wired(HouseTest):
+    """docs/wiring.md: worlds/robot.cfg, and worlds/station.cfg in another program."""
+
+    def test_a_station_that_starts_first_drives_the_robot_to_a_goal(self):
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        station = self.write("station.cfg", (ROOT / "worlds/station.cfg").read_text().replace("6665", str(port)))
+        with House("serve", station, "--port", 0, "--headless") as house:
+            house.wait_for_line(rf'driver "amcl" waits: localhost:{port} cannot connect: Connection refused')
+            with House("serve", ROOT / "worlds/robot.cfg", "--port", port, "--headless", "--speed", 10):
+                house.wait_for_line('driver "amcl" has started')
+                with Client(house.port()) as client:
+                    self.assertEqual(client.open(PLANNER, 0).type, ACK)
+                    client.send(PLANNER, 0, CMD, 1, struct.pack(">ddd", -4.0, -1.0, 0.0))
+                    while True:
+                        message = client.receive()
+                        plan = planner.Data.decode(message.body)
+                        if plan.done and (plan.goal.px, plan.goal.py) == (-4.0, -1.0):
+                            break
+                    self.assertLess(math.dist((plan.pos.px, plan.pos.py), (-4.0, -1.0)), 0.6)
+                with Client(port) as robot:
+                    self.assertLess(math.dist(robot.pose("r0")[:2], (-4.0, -1.0)), 1.0, "where it really is")
+
+    def test_the_page_has_the_sections_of_the_files(self):
+        written = "".join((ROOT / "worlds" / name).read_text() for name in ("robot.cfg", "station.cfg"))
+        blocks = [block for block in (ROOT / "docs/wiring.md").read_text().split("```")[1::2] if "driver" in block]
+        self.assertEqual([block.strip() in written for block in blocks], [True, False, True, True, True],
+                         "all but the one of a real robot")
+
+
 ROOM = """
 interval_sim 100
 define echo sensor( range [0 5] fov 15 samples 1 )
