@@ -16,6 +16,9 @@ namespace playhouse::server {
 namespace {
 
 constexpr double kLookSeconds = 60;  // period of looking for silent sessions
+// Sessions that have said nothing since their empty datagram, whose sender may be forged: over it the oldest ends, so
+// that they take no room of others.
+constexpr std::size_t kUnheard = 256;
 
 /// The numbered copy of a data message, or a refusal in place of an answer that is too long; others as they are.
 std::vector<std::byte> numbered(std::span<const std::byte> message, std::uint32_t number) {
@@ -62,6 +65,8 @@ class DatagramPort::Impl : public std::enable_shared_from_this<Impl> {
   DatagramCounts& counts() { return counts_; }
   /// Sends a message or drops it.
   void send(const net::Endpoint& to, std::span<const std::byte> message);
+  /// Of a session's first message.
+  void heard_first(std::uint64_t number) { unheard_.erase(number); }
   void forget(const net::Endpoint& peer, const DatagramConnection* connection);
 
  private:
@@ -74,14 +79,22 @@ class DatagramPort::Impl : public std::enable_shared_from_this<Impl> {
   const net::Network::Acceptor acceptor_;
   std::unique_ptr<net::DatagramSocket> socket_;  // null: closed
   std::map<net::Endpoint, DatagramConnection*> sessions_;
+  std::map<std::uint64_t, net::Endpoint> unheard_;  // by number of the session: the oldest first
+  std::uint64_t begun_ = 0;
   std::unique_ptr<net::Timer> look_;
   DatagramCounts counts_;
 };
 
 class DatagramConnection final : public net::Connection {
  public:
-  DatagramConnection(std::shared_ptr<DatagramPort::Impl> port, const net::Endpoint& peer)
-      : port_(std::move(port)), peer_(peer), peer_text_(net::to_text(peer)), heard_(port_->network().now()) {}
+  /// `number` of the session at its port.
+  DatagramConnection(std::shared_ptr<DatagramPort::Impl> port, const net::Endpoint& peer,
+                     std::uint64_t number)
+      : port_(std::move(port)),
+        peer_(peer),
+        serial_(number),
+        peer_text_(net::to_text(peer)),
+        heard_(port_->network().now()) {}
   ~DatagramConnection() override { port_->forget(peer_, this); }
 
   void start(net::ConnectionEvents& events) override { events_ = &events; }
@@ -103,6 +116,7 @@ class DatagramConnection final : public net::Connection {
   /// For the port.
   void received(std::span<const std::byte> datagram);
   double heard() const { return heard_; }
+  std::uint64_t serial() const { return serial_; }
   /// The peer is gone, or begins anew. Destroys the connection, perhaps.
   void end(const std::string& why) {
     if (std::exchange(over_, true) || events_ == nullptr) return;
@@ -156,6 +170,7 @@ class DatagramConnection final : public net::Connection {
 
   const std::shared_ptr<DatagramPort::Impl> port_;
   const net::Endpoint peer_;
+  const std::uint64_t serial_;
   const std::string peer_text_;
   const std::shared_ptr<int> alive_ = std::make_shared<int>(0);
   net::ConnectionEvents* events_ = nullptr;
@@ -169,6 +184,7 @@ class DatagramConnection final : public net::Connection {
 
 void DatagramConnection::received(std::span<const std::byte> datagram) {
   heard_ = port_->network().now();
+  port_->heard_first(serial_);
   DatagramStream::TakenMessages taken = stream_.take(datagram);
   DatagramCounts& counts = port_->counts();
   counts.late += taken.late;
@@ -198,6 +214,7 @@ void DatagramPort::Impl::send(const net::Endpoint& to, std::span<const std::byte
 }
 
 void DatagramPort::Impl::forget(const net::Endpoint& peer, const DatagramConnection* connection) {
+  unheard_.erase(connection->serial());
   const auto found = sessions_.find(peer);
   if (found != sessions_.end() && found->second == connection) sessions_.erase(found);
 }
@@ -216,8 +233,10 @@ void DatagramPort::Impl::received(const net::Endpoint& from, std::span<const std
 }
 
 void DatagramPort::Impl::begin(const net::Endpoint& from) {
-  auto connection = std::make_unique<DatagramConnection>(shared_from_this(), from);
+  if (unheard_.size() >= kUnheard) end(net::Endpoint(unheard_.begin()->second), "it has said nothing");
+  auto connection = std::make_unique<DatagramConnection>(shared_from_this(), from, ++begun_);
   sessions_[from] = connection.get();
+  unheard_[begun_] = from;
   acceptor_(std::move(connection));
 }
 
@@ -226,6 +245,7 @@ void DatagramPort::Impl::end(const net::Endpoint& peer, const std::string& why) 
   if (found == sessions_.end()) return;
   DatagramConnection* const connection = found->second;
   sessions_.erase(found);
+  unheard_.erase(connection->serial());
   connection->end(why);
 }
 

@@ -184,6 +184,21 @@ TEST_F(DatagramSessions, end_when_nothing_was_heard_of_their_client_for_long) {
   EXPECT_EQ(outline(speaker.ask(open_request(kLaser, 0))), "ACK 3");
 }
 
+TEST_F(DatagramSessions, that_have_said_nothing_take_no_room_of_others) {
+  DatagramClient speaker(network);
+  begin(speaker, kWheels);
+  std::vector<std::unique_ptr<DatagramClient>> forged;
+  for (int i = 0; i < 1000; ++i) {
+    forged.push_back(std::make_unique<DatagramClient>(
+        network, "10.1." + std::to_string(i / 250) + "." + std::to_string(i % 250 + 1)));
+    forged.back()->send({});
+  }
+  network.run_for(1);
+  EXPECT_LE(server.status().sessions, 257u);
+  EXPECT_EQ(outline(speaker.ask(open_request(kLaser, 0))), "ACK 3");
+  EXPECT_EQ(outline(forged.back()->ask(open_request(kLaser, 0))), "ACK 3") << "the newest of them";
+}
+
 TEST_F(DatagramSessions, hold_no_more_for_a_client_that_outruns_its_session_than_the_limit) {
   wheels.holds_requests = true;
   DatagramClient client(network);
