@@ -15,6 +15,7 @@
 #include <optional>
 #include <utility>
 
+#include "playhouse/app/discovery/announce.h"
 #include "playhouse/app/commands/options.h"
 #include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/fail.h"
@@ -250,6 +251,7 @@ int serve_devices(const scene::CfgFile& file, const Serving& serving, const Runn
   for (const std::uint16_t each : ports) log::say(client_place(host, each, !serving.tls_cert.empty()));
   for (const std::string& place : service.places(host)) log::say(place);
   if (opened) opened(ports);
+  const auto announced = announce(serving, ports, {});
   return service.run();
 }
 

@@ -143,13 +143,14 @@ struct VerifyOptions {
 };
 
 struct DevicesOptions {
-  std::string server;  // "host", "host:port" or ""
-  std::string token;   // of a guest; empty: none
-  bool json = false;   // an object per device
+  std::string server;    // "host", "host:port" or ""
+  std::string token;     // of a guest; empty: none
+  bool json = false;     // an object per device
+  bool network = false;  // lists servers instead
 };
 
 struct WatchOptions {
-  std::string server;
+  std::string server;       // or a robot's name, without a device
   std::string token;        // of a guest; empty: none
   std::string device;       // "laser:0", or the name of a model
   std::uint64_t count = 0;  // messages until the end; 0: for ever
@@ -172,8 +173,8 @@ struct ObserveOptions {
 };
 
 struct DriveOptions {
-  std::string server;
-  std::string token;  // of a guest; empty: none
+  std::string server;  // or a robot's name, without a device
+  std::string token;   // of a guest; empty: none
   std::string device;
 };
 

@@ -1,7 +1,7 @@
 #include "playhouse/app/commands/shared_options.h"
 
+#include "playhouse/app/discovery/announce.h"
 #include "playhouse/base/limits.h"
-#include "playhouse/net/fair_share.h"
 
 namespace playhouse::app {
 namespace {
@@ -73,8 +73,7 @@ void add_insecure(CLI::App& app, bool& insecure) {
 }
 
 void check_access(const std::string& bind, bool insecure, const std::string& guests) {
-  const std::string peer = bind.find(':') == std::string::npos ? bind + ":0" : "[" + bind + "]:0";
-  if (insecure || !guests.empty() || net::is_local(peer) || bind == "localhost") return;
+  if (insecure || !guests.empty() || !is_for_others(bind)) return;
   throw CLI::ValidationError("--bind " + bind +
                              ": everybody on the network could do everything: --guests gives tokens to those "
                              "who may, --insecure allows it");
