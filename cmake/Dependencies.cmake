@@ -15,6 +15,7 @@ find_package(CLI11 REQUIRED)
 find_path(TOMLPLUSPLUS toml++/toml.h REQUIRED)  # headers alone
 find_package(PkgConfig REQUIRED)
 find_package(assimp 5 REQUIRED)
+pkg_check_modules(AVAHI REQUIRED IMPORTED_TARGET avahi-client)
 pkg_check_modules(PUGIXML REQUIRED IMPORTED_TARGET pugixml)
 pkg_check_modules(GL REQUIRED IMPORTED_TARGET epoxy egl)
 pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet-float64)

@@ -22,6 +22,7 @@ ALONE = {
     r"#include <(?:bt|BulletCollision/|BulletDynamics/|LinearMath/)": ("arena",),
     r"#include <boost/(?:asio|beast)": ("net",),
     r"#include <openssl/": ("net",),
+    r"#include <avahi-": ("discovery",),
     r"#include <(?:sys/socket|netinet/\w+)\.h>": ("app", "drivers", "mesh", "net"),
     r"\bgeom::degrees\(": ("drivers", "record", "scene"),  # docs/conventions.md
     r"#include <cassert>|\bassert\(": (),  # PLAYHOUSE_ASSERT is on in every build

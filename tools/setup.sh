@@ -7,9 +7,9 @@ set -eu
 build_packages="g++ cmake ninja-build python3 libboost1.81-dev libboost-json1.81-dev libcli11-dev libspdlog-dev
   libfmt-dev libtbb-dev libstb-dev libpng-dev libyaml-cpp-dev libturbojpeg0-dev libjpeg62-turbo-dev zlib1g-dev libzstd-dev libbullet-dev
   libtomlplusplus-dev libassimp-dev libpugixml-dev libepoxy-dev libegl-dev libegl-mesa0 libopengl0 libgl1-mesa-dri pkgconf
-  libssl-dev ca-certificates"
+  libssl-dev libavahi-client-dev ca-certificates"
 test_packages="libgtest-dev libgmock-dev librapidcheck-dev clang lld libclang-rt-14-dev chromium procps python3-numpy
-  assimp-utils default-jdk-headless junit4 sbcl cl-chipz tcl strace openssl"
+  assimp-utils default-jdk-headless junit4 sbcl cl-chipz tcl strace openssl dbus-daemon avahi-daemon avahi-utils"
 
 # They may come from elsewhere than Debian: what counts is whether the commands are there.
 node_packages="nodejs npm"

@@ -13,8 +13,9 @@ MUTEX = re.compile(r"^(\s*)(?:static |mutable |inline )*std::(?:recursive_|share
 ANY_MUTEX = re.compile(r"\bstd::\w*mutex\b(?!\s*[>&*])|(?:array|vector|deque|_ptr)<\s*std::\w*mutex\b")
 SCOPE = re.compile(r"^(\s*)(?:class|struct|namespace) (\w[\w:]*)[^;]*$|^(\s*)[\w:<>&* ]+?(\w+)\([^;]*\) (?:const )?\{$")
 ROW = re.compile(r"^\| `([\w:]+)`")
-START = re.compile(r"std::j?thread(?: \w+)?\(")
-NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen"]
+START = re.compile(r"std::j?thread(?: \w+)?\(|avahi_threaded_poll_start\(")
+NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen", "fourteen",
+            "fifteen", "sixteen"]
 STARTED_IN = re.compile(r"`([\w/]+)\.h`")  # in the table of threads
 
 

@@ -16,6 +16,7 @@
 #include <optional>
 #include <utility>
 
+#include "playhouse/app/discovery/announce.h"
 #include "playhouse/app/commands/options.h"
 #include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/fail.h"
@@ -252,6 +253,7 @@ int serve_devices(const scene::CfgFile& file, const Serving& serving, const Runn
   if (const Result<void> page = service.open_page(default_port); !page) return fail(page.error());
   for (const std::string& place : service.places()) log::say(place);
   if (opened) opened(ports);
+  const auto announced = announce(serving, ports, {});
   return service.run();
 }
 

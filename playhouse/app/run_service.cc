@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "playhouse/app/discovery/announce.h"
 #include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/kept_files.h"
@@ -52,6 +53,7 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
 
   for (const std::string& place : service.places()) log::say(place);
   if (opened) opened(service.player_ports());
+  const auto announced = announce(service.serving(), service.player_ports(), service.robot_names());
   const Outcome outcome = service.run();
   log::info("simulated {:.1f} s in {:.2f} s, {:.2f} times real time", outcome.sim_time, outcome.wall_time,
             outcome.real_time_factor);

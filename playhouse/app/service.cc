@@ -468,6 +468,15 @@ std::vector<std::string> Service::places() const {
   return lines;
 }
 
+std::vector<std::string> Service::robot_names() {
+  std::vector<std::string> names;
+  if (playback_) return names;
+  const world::World& world = simulation().world();
+  for (const world::ModelRow model : world.positions.model)
+    if (world.models.root[model] == model) names.push_back(world.name(model));
+  return names;
+}
+
 void Service::catch_signals() {
   const auto end = [this](int signal) {
     int none = 0;

@@ -120,6 +120,8 @@ class Service final : private ServerHost {
   const Serving& serving() const { return serving_; }
   /// Player ports at the start of the run, the default one first.
   const std::vector<std::uint16_t>& player_ports() const { return player_ports_; }
+  /// Of the world, before run(). None of a recording, which has no devices.
+  std::vector<std::string> robot_names();
   /// Web port; 0: no page.
   std::uint16_t web_port() const { return web_port_; }
   /// Addresses: "Player clients: ...", "web page: ...", "observers: ..." and "cluster nodes: ...", one line

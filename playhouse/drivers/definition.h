@@ -17,7 +17,12 @@
 namespace playhouse::drivers {
 
 /// How many devices of its kind a section names.
-enum class HowMany : std::uint8_t { kOne, kOneOrNone, kAny, kOneOfThese, kSomeOfThese };
+enum class HowMany : std::uint8_t { kOne, kOneOrNone, kAny, kOneOfThese, kSomeOfThese, kOneOfTheseOrNone };
+
+/// True of devices that stand for each other.
+inline bool is_alternative(HowMany many) {
+  return many == HowMany::kOneOfThese || many == HowMany::kSomeOfThese || many == HowMany::kOneOfTheseOrNone;
+}
 
 /// Devices that a section provides or requires.
 struct DeviceText {

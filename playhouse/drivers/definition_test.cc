@@ -35,7 +35,7 @@ std::vector<Devices> choices(std::span<const DeviceText> told) {
   std::vector<Devices> all{{}};
   Devices alternatives;
   for (const DeviceText& device : told) {
-    if (device.many == HowMany::kOneOfThese || device.many == HowMany::kSomeOfThese) {
+    if (is_alternative(device.many)) {
       alternatives.push_back(device);
       continue;
     }
@@ -48,9 +48,10 @@ std::vector<Devices> choices(std::span<const DeviceText> told) {
   }
   if (alternatives.empty()) return all;
   std::vector<Devices> more;
+  if (alternatives[0].many == HowMany::kOneOfTheseOrNone) more = all;
   for (const Devices& fixed : all) {
     for (std::size_t count = 1; count <= alternatives.size(); ++count) {
-      if (count > 1 && alternatives[0].many == HowMany::kOneOfThese) continue;
+      if (count > 1 && alternatives[0].many != HowMany::kSomeOfThese) continue;
       for (std::size_t first = 0; first + count <= alternatives.size(); ++first) {
         more.push_back(fixed);
         for (std::size_t i = 0; i < count; ++i) more.back().push_back(alternatives[first + i]);

@@ -151,7 +151,7 @@ class Course {
     flow_.pass_to(published_);
     amcl_.begin<Amcl>(few_particles(), ScanInterface::kLaser);
     amcl_.provide({kLocalize, kPlace});
-    wavefront_.begin<Wavefront>(WavefrontOptions());
+    wavefront_.begin<Wavefront>(WavefrontOptions(), ScanInterface::kLaser);
     wavefront_.provide({kPlanner});
     vfh_.begin<Vfh>(VfhOptions(), ScanInterface::kRanger);
     vfh_.provide({kVfh});
@@ -161,7 +161,7 @@ class Course {
     connect(amcl_, {kRobot, kLaser, kMap}, {});
     connect(vfh_, {kRobot, kRanger}, {});
     connect(nd_, {kRobot, kRobot, kLaser, kRanger, kSonar}, {});
-    connect(wavefront_, {kRobot, kPlace, kMap}, {{kPlace, &amcl_}});
+    connect(wavefront_, {kRobot, kPlace, kMap, kLaser}, {{kPlace, &amcl_}});
   }
 
   void step() {
@@ -238,7 +238,7 @@ class Course {
   Published published_;
   device::DataFlow flow_;
   std::uint64_t tick_ = 0;
-  Shell amcl_{"amcl", source_, 3}, wavefront_{"wavefront", source_, 3}, vfh_{"vfh", source_, 2},
+  Shell amcl_{"amcl", source_, 3}, wavefront_{"wavefront", source_, 4}, vfh_{"vfh", source_, 2},
       nd_{"nd", source_, 5};
 };
 

@@ -46,7 +46,7 @@ driver ( name "amcl" provides ["localize:0" "position2d:40000"]
   requires ["odometry:::position2d:0" "laser:0" "laser:::map:40000"] pf_min_samples 20 pf_max_samples 100 )
 driver ( name "vfh" provides ["position2d:40001"] requires ["position2d:0" "laser:0"] )
 driver ( name "wavefront" provides ["planner:0"]
-  requires ["output:::position2d:40001" "input:::position2d:40000" "map:40000"] )
+  requires ["output:::position2d:40001" "input:::position2d:40000" "map:40000" "laser:0"] )
 )";
 
 class Ticked final : public run::Follower {

@@ -502,6 +502,77 @@ class NearnessDiagram(HouseTest):
         self.arrives("ranger:1")
 
 
+TWO_DOORS = """
+interval_sim 100
+define scanner ranger( size [0.1 0.1 0.1] sensor( range [0 8] fov 180 samples 181 ) )
+define wall model( color "gray" )
+model( name "house" size [0.1 0.1 0.1] pose [-1.5 -3.5 0 0]
+  wall( pose [4.5 7.6 0 0] size [10.4 0.2 0.6] )
+  wall( pose [4.5 -0.6 0 0] size [10.4 0.2 0.6] )
+  wall( pose [9.6 3.5 0 0] size [0.2 8 0.6] )
+  wall( pose [-0.6 3.5 0 0] size [0.2 8 0.6] )
+  wall( pose [5 1.2 0 0] size [0.2 3.4 0.6] )
+  wall( pose [5 5 0 0] size [0.2 1.8 0.6] ) )
+model( name "crate" pose [3.4 0 0 30] size [0.9 0.9 0.6] color "brown" )
+position( name "r0" size [0.44 0.38 0.22] origin [-0.04 0 0 0] localization "gps" scanner( pose [0 0 0 0] ) )
+"""
+
+PAST_THE_CRATE = """
+driver( name "stage" provides ["simulation:0"] worldfile "test.world" )
+driver( name "stage" provides ["map:0"] model "house" )
+driver( name "stage" provides ["position2d:0" "laser:0"] model "r0" )
+driver( name "nd" provides ["position2d:1"] requires ["output:::position2d:0" "input:::position2d:0" "laser:0"]
+  goal_tol [0.2 10] )
+driver( name "wavefront" provides ["planner:0"]
+  requires ["output:::position2d:1" "input:::position2d:0" "map:0" {scans}] safety_dist 0.35 distance_epsilon 0.4 )
+"""
+
+
+class PastWhatTheMapLacks(HouseTest):
+    """A crate in the nearer of two doors, which is not on the map of the house; another door is three metres beside it."""
+
+    BEHIND_THE_DOOR = (6.0, 0.0, 0.0)
+
+    def drive(self, scans: str, seconds: int) -> tuple[bool, dict, list[tuple[float, ...]]]:
+        """One run as fast as possible: whether the planner was done, the result, and what the robot's STATE said, which
+        is its true pose."""
+        self.world(TWO_DOORS)
+        cfg = self.write("crate.cfg", PAST_THE_CRATE.format(scans=scans))
+        with House("serve", cfg, "--port", 0, "--headless", "--fast", "--paused", "--duration", seconds, "--json") as house, \
+                Client(house.port()) as client:
+            for interf in (PLANNER, POSITION2D):
+                self.assertEqual(client.open(interf, 0).type, ACK)
+            client.send(PLANNER, 0, CMD, 1, struct.pack(">ddd", *self.BEHIND_THE_DOOR))
+            client.send(SIMULATION, 0, CMD, PAUSE)
+            done, states = False, []
+            with self.assertRaises(ConnectionError):  # the end of the run
+                while True:
+                    message = client.receive()
+                    if message.interf == POSITION2D:
+                        states.append(struct.unpack(">ddddddI", message.body))
+                    elif message.interf == PLANNER:
+                        done = planner.Data.decode(message.body).done != 0
+            self.assertEqual(house.wait(), 0, house.log())
+            return done, json.loads(house.output()), states
+
+    def test_a_robot_goes_through_the_other_door_to_the_same_bits_each_time(self):
+        done, result, states = self.drive('"laser:0"', 90)
+        self.assertTrue(done)
+        self.assertLess(math.dist(states[-1][:2], self.BEHIND_THE_DOOR[:2]), 0.25)
+        self.assertFalse(any(state[6] for state in states), "it touches nothing")
+        through = [y for x, y, *_ in states if 3.3 < x < 3.7]
+        self.assertGreater(min(through), 2.0, "the other door")
+        driven = sum(math.dist(one[:2], next_one[:2]) for one, next_one in zip(states, states[1:]))
+        self.assertLess(driven, 12, "hardly farther than to that door and back")
+        _, again, same = self.drive('"laser:0"', 90)
+        self.assertEqual((again["hash"], again["sensed_hash"], same), (result["hash"], result["sensed_hash"], states))
+
+    def test_without_a_laser_it_never_gets_there(self):
+        done, _, states = self.drive("", 180)
+        self.assertFalse(done)
+        self.assertLess(max(x for x, *_ in states), 3.5)
+
+
 class WithoutAWorld(HouseTest):
     """Drivers of a configuration that has no world."""
 

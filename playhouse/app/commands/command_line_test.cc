@@ -302,12 +302,19 @@ TEST(CommandLine, help_has_examples_and_version_has_the_number) {
   EXPECT_EQ(parsed<HelpText>({"-V"}).text, parsed<HelpText>({"--version"}).text);
 }
 
-TEST(CommandLine, watch_needs_a_server_and_a_device) {
+TEST(CommandLine, watch_needs_a_server_and_a_device_or_a_robot_alone) {
   const auto watch = parsed<WatchOptions>({"watch", "localhost:7000", "laser:0", "--count", "3"});
   EXPECT_EQ(watch.server, "localhost:7000");
   EXPECT_EQ(watch.device, "laser:0");
   EXPECT_EQ(watch.count, 3u);
-  EXPECT_THAT(fault({"watch", "localhost"}), HasSubstr("DEVICE"));
+  for (const char* const server : {"localhost", "lab:7000", "7000", "10.0.0.1", "[::1]"}) {
+    EXPECT_THAT(fault({"watch", server}), HasSubstr("DEVICE is required"));
+    EXPECT_THAT(fault({"drive", server}), HasSubstr("ROBOT is required"));
+  }
+  EXPECT_EQ(parsed<WatchOptions>({"watch", "r0"}).server, "r0");
+  EXPECT_EQ(parsed<DriveOptions>({"drive", "r0"}).device, "");
+  EXPECT_TRUE(parsed<DevicesOptions>({"devices", "--network"}).network);
+  EXPECT_THAT(fault({"devices", "lab", "--network"}), HasSubstr("--network"));
 }
 
 TEST(CommandLine, observers_have_a_port_where_one_is_given_and_a_budget) {

@@ -65,11 +65,13 @@ std::vector<Command> commands() {
       command("devices", "list the devices of a server", devices, add_devices,
               R"(Examples:
   playhouse devices
+  playhouse devices --network
   playhouse devices 127.0.0.1:6665 --json)"),
       command("watch", "print a device's data as JSON lines", watch, add_watch,
               R"(Examples:
   playhouse watch 127.0.0.1 laser:0 --count 3
-  playhouse watch 127.0.0.1 guest --count 3)"),
+  playhouse watch 127.0.0.1 guest --count 3
+  playhouse watch guest)"),
       command("observe", "print poses and speech of models, from a run with --observers", observe,
               add_observe,
               R"(Examples:
@@ -78,6 +80,7 @@ std::vector<Command> commands() {
   playhouse observe 127.0.0.1 --view 0,0,5 --bytes-per-second 8000 --seconds 1)"),
       command("drive", "drive a robot by the keyboard", drive, add_drive,
               R"(Examples:
+  playhouse drive guest
   playhouse drive 127.0.0.1 guest
   playhouse drive 127.0.0.1:6665 position2d:0)"),
       command("check", "report errors in .world, .inc and .cfg files", check, add_check,

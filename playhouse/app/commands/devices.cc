@@ -4,8 +4,10 @@
 
 #include "playhouse/app/commands/commands.h"
 #include "playhouse/app/commands/device_name.h"
+#include "playhouse/app/discovery/found_servers.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/log.h"
 #include "playhouse/wire/json.h"
 #include "playhouse/wire/messages.h"
 #include "playhouse_client/client.h"
@@ -52,14 +54,25 @@ void print_table(const std::vector<client::DeviceEntry>& devices) {
   }
 }
 
+/// Without a server that was asked for: those of the network, if there are any.
+int no_server(const DevicesOptions& options, const Error& why) {
+  if (!options.server.empty()) return fail(why);
+  const Result<std::vector<discovery::FoundServer>> servers = announced_servers();
+  if (!servers || servers->empty()) return fail(why);
+  log::info("no server on this machine; on the network there are");
+  print_servers(*servers, options.json);
+  return kDone;
+}
+
 }  // namespace
 
 int devices(const DevicesOptions& options) {
-  const Result<client::Address> server = parse_server(options.server);
+  if (options.network) return list_servers(options.json);
+  const Result<client::Address> server = reach_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client =
       client::Client::connect(server->host, server->port, {.token = options.token});
-  if (!client) return fail(client.error());
+  if (!client) return no_server(options, client.error());
   const Result<std::vector<client::DeviceEntry>> devices = client->devices();
   if (!devices) return fail(devices.error());
   if (options.json) {

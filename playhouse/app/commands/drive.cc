@@ -9,6 +9,7 @@
 #include "playhouse/app/commands/commands.h"
 #include "playhouse/app/commands/device_name.h"
 #include "playhouse/app/commands/keyboard.h"
+#include "playhouse/app/discovery/found_servers.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -107,11 +108,14 @@ bool drives(std::uint16_t interf) {
 }  // namespace
 
 int drive(const DriveOptions& options) {
-  const Result<DeviceArgument> wanted = parse_wanted_device(options.device);
+  const bool is_robot_alone = options.device.empty();
+  const Result<DeviceArgument> wanted =
+      is_robot_alone ? DeviceArgument{{}, options.server} : parse_wanted_device(options.device);
   if (!wanted) return fail(wanted.error(), kUsage);
   if (wanted->address && !drives(wanted->address->interf))
     return fail({"", "drive needs a position2d device or a robot's name"}, kUsage);
-  const Result<client::Address> server = parse_server(options.server);
+  const Result<client::Address> server =
+      is_robot_alone ? server_of_robot(options.server) : reach_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client = client::Client::connect(
       server->host, server->port, {.mode = client::Mode::kPush, .token = options.token});

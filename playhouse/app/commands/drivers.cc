@@ -19,8 +19,8 @@ using drivers::HowMany;
 using drivers::Option;
 using drivers::PropertyText;
 
-constexpr std::array<std::string_view, 5> kHowMany = {"one", "optional", "one or more", "one of these",
-                                                      "some of these"};
+constexpr std::array<std::string_view, 6> kHowMany = {
+    "one", "optional", "one or more", "one of these", "some of these", "one of these or none"};
 
 std::string_view name_of(HowMany many) {
   return kHowMany.at(static_cast<std::size_t>(many));
@@ -60,18 +60,14 @@ std::string shown(const DeviceText& device) {
   return device.key.empty() ? std::string(device.interf) : fmt::format("{}:::{}", device.key, device.interf);
 }
 
-bool is_alternative(const DeviceText& device) {
-  return device.many == HowMany::kOneOfThese || device.many == HowMany::kSomeOfThese;
-}
-
 /// "input:::position2d, laser or sonar".
 std::string in_short(std::span<const DeviceText> devices) {
   std::string text;
   bool was_alternative = false;
   for (const DeviceText& device : devices) {
-    if (!text.empty()) text += was_alternative && is_alternative(device) ? " or " : ", ";
+    if (!text.empty()) text += was_alternative && is_alternative(device.many) ? " or " : ", ";
     text += shown(device);
-    was_alternative = is_alternative(device);
+    was_alternative = is_alternative(device.many);
   }
   return text;
 }

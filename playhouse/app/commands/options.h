@@ -27,6 +27,7 @@ inline constexpr std::uint16_t kClusterPort = 6675;
 /// Ports and access of a served world.
 struct Serving {
   bool is_encrypted() const { return !tls_cert.empty(); }
+  bool is_controlled() const { return !guests.empty() || !key.empty(); }
 
   std::uint16_t port = kPlayerPort;             // 0: any free one
   std::optional<std::uint16_t> web = kWebPort;  // none: no page; 0: any free port
@@ -149,13 +150,14 @@ struct VerifyOptions {
 };
 
 struct DevicesOptions {
-  std::string server;  // "host", "host:port" or ""
-  std::string token;   // of a guest; empty: none
-  bool json = false;   // an object per device
+  std::string server;    // "host", "host:port" or ""
+  std::string token;     // of a guest; empty: none
+  bool json = false;     // an object per device
+  bool network = false;  // lists servers instead
 };
 
 struct WatchOptions {
-  std::string server;
+  std::string server;       // or a robot's name, without a device
   std::string token;        // of a guest; empty: none
   std::string device;       // "laser:0", or the name of a model
   std::uint64_t count = 0;  // messages until the end; 0: for ever
@@ -178,8 +180,8 @@ struct ObserveOptions {
 };
 
 struct DriveOptions {
-  std::string server;
-  std::string token;  // of a guest; empty: none
+  std::string server;  // or a robot's name, without a device
+  std::string token;   // of a guest; empty: none
   std::string device;
 };
 

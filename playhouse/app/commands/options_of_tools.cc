@@ -9,6 +9,13 @@ namespace {
 constexpr const char* kDrawable = "a .world file, or a recording (.mcap)";
 constexpr auto check_width = check_count<int, 16, 16384>;
 
+/// A word alone is a robot's name, unless it is plainly a server.
+void check_alone(const std::string& server, const std::string& device, const std::string& name) {
+  const bool is_server = server == "localhost" || server.find_first_of(".:") != std::string::npos ||
+                         server.find_first_not_of("0123456789") == std::string::npos;
+  if (device.empty() && is_server) throw CLI::RequiredError(name);
+}
+
 /// Options of a rendered run, for PictureOptions and FilmOptions.
 template <typename Options>
 void add_drawn_run(CLI::App& app, Options& options) {
@@ -60,17 +67,20 @@ void add_export(CLI::App& app, ExportOptions& options) {
 }
 
 void add_devices(CLI::App& app, DevicesOptions& options) {
-  app.add_option("HOST[:PORT]", options.server, "the server (127.0.0.1:6665)");
+  auto* const server = app.add_option("HOST[:PORT]", options.server, "the server (127.0.0.1:6665)");
   app.add_flag("--json", options.json, "one JSON object per line and device");
+  app.add_flag("--network", options.network, "list the servers that are announced on the network instead")
+      ->excludes(server);
   add_auth_key(app, options.token);
 }
 
 void add_watch(CLI::App& app, WatchOptions& options) {
-  app.add_option("HOST[:PORT]", options.server, "the server")->required();
-  app.add_option("DEVICE", options.device, "INTERFACE:INDEX, e.g. laser:0, or a model's name")->required();
+  app.add_option("HOST[:PORT]", options.server, "the server, or a robot's name alone")->required();
+  app.add_option("DEVICE", options.device, "INTERFACE:INDEX, e.g. laser:0, or a model's name");
   app.add_option("--count", options.count, "end after so many messages")
       ->check(check_count<std::uint64_t, 1>);
   add_auth_key(app, options.token);
+  app.callback([&options] { check_alone(options.server, options.device, "DEVICE"); });
 }
 
 void add_observe(CLI::App& app, ObserveOptions& options) {
@@ -95,9 +105,10 @@ void add_observe(CLI::App& app, ObserveOptions& options) {
 }
 
 void add_drive(CLI::App& app, DriveOptions& options) {
-  app.add_option("HOST[:PORT]", options.server, "the server")->required();
-  app.add_option("ROBOT", options.device, "a model's name, or a device, e.g. position2d:0")->required();
+  app.add_option("HOST[:PORT]", options.server, "the server, or a robot's name alone")->required();
+  app.add_option("ROBOT", options.device, "a model's name, or a device, e.g. position2d:0");
   add_auth_key(app, options.token);
+  app.callback([&options] { check_alone(options.server, options.device, "ROBOT"); });
 }
 
 void add_check(CLI::App& app, CheckOptions& options) {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
+#include "playhouse/app/discovery/announce.h"
 #include "playhouse/base/limits.h"
-#include "playhouse/net/fair_share.h"
 
 namespace playhouse::app {
 namespace {
@@ -76,9 +76,7 @@ void add_insecure(CLI::App& app, bool& insecure) {
 
 void check_access(const Serving& serving) {
   const std::string& bind = serving.bind;
-  const std::string peer = bind.find(':') == std::string::npos ? bind + ":0" : "[" + bind + "]:0";
-  const bool is_controlled = !serving.guests.empty() || !serving.key.empty();
-  if (serving.insecure || is_controlled || net::is_local(peer) || bind == "localhost") return;
+  if (serving.insecure || serving.is_controlled() || !is_for_others(bind)) return;
   throw CLI::ValidationError("--bind " + bind +
                              ": everybody on the network could do everything: --guests gives tokens to those "
                              "who may, --key one to all, --insecure allows it");

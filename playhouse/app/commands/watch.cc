@@ -6,6 +6,7 @@
 
 #include "playhouse/app/commands/commands.h"
 #include "playhouse/app/commands/device_name.h"
+#include "playhouse/app/discovery/found_servers.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/wire/messages.h"
@@ -61,11 +62,14 @@ bool sends_data(std::uint16_t interf) {
 }  // namespace
 
 int watch(const WatchOptions& options) {
-  const Result<DeviceArgument> wanted = parse_wanted_device(options.device);
+  const bool is_robot_alone = options.device.empty();
+  const Result<DeviceArgument> wanted =
+      is_robot_alone ? DeviceArgument{{}, options.server} : parse_wanted_device(options.device);
   if (!wanted) return fail(wanted.error(), kUsage);
   if (wanted->address && !sends_data(wanted->address->interf))
     return fail({"", "a device of this interface sends no data to watch"}, kUsage);
-  const Result<client::Address> server = parse_server(options.server);
+  const Result<client::Address> server =
+      is_robot_alone ? server_of_robot(options.server) : reach_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client = client::Client::connect(
       server->host, server->port, {.mode = client::Mode::kPush, .token = options.token});

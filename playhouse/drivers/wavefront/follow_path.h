@@ -3,13 +3,16 @@
 /// One step on the way to a goal: plans a path on the map if there is none yet, and tells the waypoint that
 /// the robot is to go to. A function of its arguments alone; it gives the same bits on every machine.
 ///
-/// In: options; the robot's pose and goal in the map's frame W; the memory of the previous step.
+/// In: options; the robot's pose and goal in the map's frame W; what was seen, and from where; the memory of the
+///   previous step.
 ///
 /// Out: the path or why there is none, the current waypoint, and what to tell the device that drives, in its
-///   frame O; the memory for the next step.
+///   frame O; the memory for the next step. It plans anew, twice a second at most, when something that is not on the
+///   map is in the rest of the path, and when some of what it leads round has gone.
 ///
 /// Cost: a few comparisons; that of plan_path.h when it plans: the map's part once
-///   per map, the goal's once per goal, and path_to_goal() each time.
+///   per map, the goal's once per goal, and path_to_goal() or path_past() each time. With a scan that of
+///   seen_obstacles.h, and the cells along the rest of the path if it shows something new.
 
 #include <cstdint>
 #include <memory>
@@ -17,14 +20,17 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/drivers/algorithm/scan.h"
 #include "playhouse/drivers/grid_map/grid_map.h"
 #include "playhouse/drivers/wavefront/plan_path.h"
+#include "playhouse/drivers/wavefront/seen_obstacles.h"
 #include "playhouse/geom/pose.h"
 
 namespace playhouse::drivers {
 
 struct WavefrontOptions {
   PlanOptions plan;
+  SeenOptions sight;
   double distance_epsilon = 0.5;             // m
   double angle_epsilon = geom::radians(10);  // rad
   double replan_distance = 2;                // m; 0 or less: plans once
@@ -47,6 +53,12 @@ struct Route {
 Route route_of(const WavefrontOptions& options, const std::vector<geom::Vec2>& p_WC, const geom::Pose& X_WR,
                const geom::Pose& X_WT);
 
+/// What the robot's sensor saw, and from where.
+struct PlacedScan {
+  RangeScan scan;
+  geom::Pose X_WR;  // at the time of the scan
+};
+
 struct FollowIn {
   double time = 0;         // s
   std::uint64_t goal = 0;  // its number, not 0: another one is planned for anew
@@ -55,10 +67,13 @@ struct FollowIn {
   bool enabled = true;                 // drives
   std::shared_ptr<const GridMap> map;  // null: there is none
   std::string map_fault{};             // why not; may be empty
+  std::optional<PlacedScan> seen{};    // since the previous step
 };
 
 struct FollowOut {
   std::string fault;  // why there is no path; empty: there is one
+  // Of something that is not on the map, and has not been in the way for long: it may go by itself.
+  bool may_pass = false;
   std::shared_ptr<const Route> route;
   std::size_t waypoint = 0;        // the current one; the number of waypoints: goal reached
   std::optional<geom::Pose> X_OP;  // a new goal for the device that drives
@@ -70,8 +85,15 @@ struct FollowOut {
 struct FollowMemory {
   // Of the map, and of the goal on it.
   std::shared_ptr<const GridMap> map;
-  CostMap costs;
+  std::shared_ptr<const CostMap> costs;
   std::optional<Result<CostToGoal>> to_goal;
+
+  // Beyond the map; none before the first scan.
+  std::optional<SeenObstacles> seen;
+  bool is_detour = false;                 // round something seen, or there is no way past it
+  std::optional<double> blocked_since{};  // s; since when there is no way past something seen
+  std::uint64_t come = 0;                 // of seen; so many obstacles are not in the way
+  std::uint64_t gone = 0;                 // of seen; when it was planned
 
   std::uint64_t goal = 0;  // for which `out` is planned; 0: none
   geom::Pose X_WT;

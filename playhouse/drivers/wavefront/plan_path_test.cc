@@ -312,5 +312,57 @@ RC_GTEST_PROP(PlanPath, costs_are_those_of_the_slow_and_obvious_computation, ())
   }
 }
 
+// Past what is new.
+
+TEST(PlanPath, past_something_new_the_path_is_as_on_a_map_that_has_it) {
+  GridMap map = open_map(60, 60);
+  fill(map, 20, 0, 22, 40);
+  const CostMap before = cost_map(map, {});
+  const CostToGoal goal = *cost_to_goal(before, at(40, 10));
+  const std::optional<PathPast> same = path_past(before, goal, at(10, 10));
+  ASSERT_TRUE(same);
+  EXPECT_FALSE(same->is_detour);
+  fill(map, 20, 40, 22, 50);
+  const CostMap after = cost_map(map, {});
+  const std::optional<PathPast> past = path_past(after, goal, at(10, 10));
+  ASSERT_TRUE(past);
+  EXPECT_TRUE(past->is_detour);
+  EXPECT_GE(least_clearance(map, at(10, 10), past->corners), 0.25 - kSlack);
+  fill(map, 20, 50, 22, 60);
+  EXPECT_FALSE(path_past(cost_map(map, {}), goal, at(10, 10)));
+}
+
+RC_GTEST_PROP(PlanPath, past_what_is_new_paths_cost_as_much_as_on_a_map_that_has_it, ()) {
+  GridMap map = open_map(*rc::gen::inRange(1, 25), *rc::gen::inRange(1, 25));
+  const auto strew = [&map](int most) {
+    const int percent = *rc::gen::inRange(0, most);
+    for (std::int8_t& cell : map.cells)
+      if (*rc::gen::inRange(0, 100) < percent) cell = 1;
+  };
+  strew(20);
+  const PlanOptions options{*rc::gen::inRange(0, 6) / 32.0, 1, *rc::gen::inRange(0, 12) / 4.0};
+  const auto place = [&](int cell) { return at(cell % map.width(), cell / map.width()); };
+  const int cells = map.width() * map.height();
+  const Vec2 to = place(*rc::gen::inRange(0, cells));
+  const Result<CostToGoal> old_goal = cost_to_goal(cost_map(map, options), to);
+  if (!old_goal) return;
+  strew(25);
+  const CostMap costs = cost_map(map, options);
+  const Result<CostToGoal> new_goal = cost_to_goal(costs, to);
+  for (int cell = 0; cell < cells; ++cell) {
+    const Vec2 from = place(cell);
+    const std::optional<PathPast> past = path_past(costs, *old_goal, from);
+    RC_ASSERT(past.has_value() == (new_goal.ok() && path_to_goal(costs, *new_goal, from).ok()));
+    const CellIndex start = *costs.cell_of(from);
+    if (!past || !costs.free(start)) continue;
+    RC_CLASSIFY(past->is_detour, "a detour");
+    const std::uint32_t cost = new_goal->costs[start];
+    RC_ASSERT(past->is_detour == (cost > old_goal->costs[start]));
+    RC_ASSERT(past->corners.back() == to);
+    RC_ASSERT(least_clearance(map, from, past->corners) >= options.safety_distance - kSlack);
+    RC_ASSERT(length(from, past->corners) / kScale * 128 <= 1.05 * cost + 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace playhouse::drivers

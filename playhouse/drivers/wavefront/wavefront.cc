@@ -27,9 +27,16 @@ std::optional<geom::Pose> pose_in(const device::Publication& message) {
   return pose_of(state->pos);
 }
 
+/// The interface of the device whose scans are used; none: there is none.
+std::optional<ScanInterface> scans_of(const scene::CfgSection& section) {
+  for (const ScanInterface each : kScanInterfaces)
+    if (names_device(section, "requires", name_of(each))) return each;
+  return std::nullopt;
+}
+
 }  // namespace
 
-Wavefront::Wavefront(Shell& shell, const WavefrontOptions& options)
+Wavefront::Wavefront(Shell& shell, const WavefrontOptions& options, std::optional<ScanInterface> scans)
     : shell_(shell),
       options_(options),
       output_states_(shell.client().latest(kOutput, p2d::kDataState)),
@@ -40,6 +47,15 @@ Wavefront::Wavefront(Shell& shell, const WavefrontOptions& options)
        .waypoints = [this] { return waypoints(); },
        .enable = [this](bool enabled) { enable(enabled); }});
   shell.on_refusal_asked([this] { return refusal(); });
+  if (scans) scans_.emplace(shell.client(), kScans, *scans);
+}
+
+void Wavefront::opened() {
+  read_map_again();
+  if (!scans_) return;
+  scans_->ask([this](const std::string& why) {
+    log::warn("driver {}: {}, so it plans by the map alone", shell_.name(), why);
+  });
 }
 
 void Wavefront::read_map_again() {
@@ -73,6 +89,8 @@ void Wavefront::closed() {
   enabled_ = true;
   X_WR_.reset();
   X_OR_.reset();
+  recent_ = {};
+  has_scan_ = false;
 }
 
 /// Clears the goal; true if the robot was driving to it. No command for it follows.
@@ -95,6 +113,8 @@ void Wavefront::rewound(const Moment& moment) {
   if (!progress_.done()) progress_ = {};
   X_WR_.reset();
   X_OR_.reset();
+  recent_ = {};
+  has_scan_ = false;
 }
 
 device::Taken Wavefront::take_command(const planner::Cmd& command, bool start) {
@@ -149,22 +169,39 @@ void Wavefront::take_news(std::vector<device::Publication>& more) {
   const std::optional<device::Publication> input = input_states_.take_latest();
   const std::optional<geom::Pose> X_OR = output ? pose_in(*output) : std::nullopt;
   const std::optional<geom::Pose> X_WR = input ? pose_in(*input) : std::nullopt;
+  const bool is_new_scan = scans_ && scans_->take();
+  bool has_scan = false;
   std::optional<FollowIn> next;
   {
     const std::lock_guard lock(mutex_);
     if (X_OR) X_OR_ = X_OR;
+    has_scan_ = has_scan_ || is_new_scan;
     if (!X_WR) return;
     X_WR_ = X_WR;
+    recent_.add(input->timestamp, *X_WR);
     more.push_back({shell_.device(0), planner::kDataState, input->timestamp, wire::encode(state())});
     next = next_step(input->timestamp);
+    has_scan = std::exchange(has_scan_, false);
   }
-  if (next) post(std::move(*next));
+  if (!next) return;
+  if (has_scan) next->seen = newest_scan();
+  post(std::move(*next));
+}
+
+/// From where the robot was then: a scan waits for one pose, lest it is later than all that are known.
+std::optional<PlacedScan> Wavefront::newest_scan() const {
+  std::optional<RangeScan> scan = scans_->scan();
+  if (!scan) return std::nullopt;
+  const std::lock_guard lock(mutex_);
+  const std::optional<geom::Pose> X_WR = recent_.at(scans_->time());
+  if (!X_WR) return std::nullopt;
+  return PlacedScan{std::move(*scan), *X_WR};
 }
 
 /// None if there is nothing to do. Call with the mutex held.
 std::optional<FollowIn> Wavefront::next_step(double time) const {
   if (!goal_ || !X_WR_ || !X_OR_ || reading_ || progress_.done()) return std::nullopt;
-  return FollowIn{time, goal_->number, goal_->X_WT, *X_WR_, *X_OR_, enabled_, map_, map_fault_};
+  return FollowIn{time, goal_->number, goal_->X_WT, *X_WR_, *X_OR_, enabled_, map_, map_fault_, {}};
 }
 
 void Wavefront::post(FollowIn in) {
@@ -185,8 +222,9 @@ void Wavefront::take_step(std::uint64_t goal, const FollowOut& out) {
     if (!goal_) return;
     if (goal_->number == goal) progress_ = out;
     current = goal_->number;
-    if (current == goal && out.fault.empty()) goal_->no_path.clear();
-    if (current == goal && !out.fault.empty()) {
+    const bool is_refused = !out.fault.empty() && !out.may_pass;
+    if (current == goal && !is_refused) goal_->no_path.clear();
+    if (current == goal && is_refused) {
       std::string why = "no path to " + goal_text(goal_->X_WT) + ": " + out.fault;
       if (!goal_->X_WR) goal_->X_WR = X_WR_;
       if (keep_refusal(goal_->no_path, why)) no_path = std::move(why);
@@ -268,9 +306,11 @@ planner::WaypointsReq Wavefront::waypoints() {
 }
 
 Result<std::unique_ptr<device::Driver>> make_wavefront(const scene::CfgSection& section, Site& site) {
-  const WantedDevices wanted{.provides = {{"planner"}},
-                             .uses = {{"position2d", "output"}, {"position2d", "input"}, {"map"}}};
-  return make_algorithm<Wavefront>(section, site, wanted, wavefront_options);
+  WantedDevices wanted{.provides = {{"planner"}},
+                       .uses = {{"position2d", "output"}, {"position2d", "input"}, {"map"}}};
+  const std::optional<ScanInterface> scans = scans_of(section);
+  if (scans) wanted.uses.push_back(wanted_scan(*scans));
+  return make_algorithm<Wavefront>(section, site, wanted, wavefront_options, scans);
 }
 
 }  // namespace playhouse::drivers

@@ -13,13 +13,19 @@ constexpr DeviceText kWavefrontUses[] = {
     {"position2d", "output", HowMany::kOne, "goes to poses, best one that avoids obstacles, as of nd or vfh"},
     {"position2d", "input", HowMany::kOne, "its STATE is the robot's pose on the map; may be the output"},
     {"map"},
+    {"laser", {}, HowMany::kOneOfTheseOrNone, "on the robot, for what is not on the map"},
+    {"ranger", {}, HowMany::kOneOfTheseOrNone, "the same"},
+    {"sonar", {}, HowMany::kOneOfTheseOrNone, "the same"},
 };
 
 }  // namespace
 
 constinit const DriverDefinition kWavefrontDriver{
     .name = "wavefront",
-    .doc = "Plans a path to a goal on a grid map, and drives a robot along it.",
+    .doc =
+        "Plans a path to a goal on a grid map, round what its laser, ranger or sonars see besides, and "
+        "drives a "
+        "robot along it.",
     .provides = kWavefrontProvides,
     .uses = kWavefrontUses,
     .properties = kRefusalProperties,
@@ -59,6 +65,22 @@ Result<WavefrontOptions> wavefront_options(SectionFields fields) {
   options.refresh_map = fields.flag(
       {"force_map_refresh", "1: reads the map for each goal, instead of when the device is opened."},
       options.refresh_map);
+  SeenOptions& sight = options.sight;
+  sight.lasts = fields.number({"obstacle_time",
+                               "How long something that is not on the map is remembered while the laser, "
+                               "ranger or sonars do not see its "
+                               "place; twice as long each time that it is found there again, up to 32 times.",
+                               "s"},
+                              sight.lasts);
+  sight.range = fields.length(
+      {"obstacle_range",
+       "What they see farther away than this is no obstacle yet; less than the range of sonars."},
+      sight.range, 0);
+  sight.tolerance = fields.length(
+      {"obstacle_tolerance",
+       "What they see so near to an obstacle of the map is that obstacle; more than the error of the "
+       "robot's pose."},
+      sight.tolerance, 0);
   fields.no_effect({"request_map", "The map is always requested."});
   fields.no_effect({"cspace_file", "The costs of a map take less time than to read them."});
   if (const Result<void> fault = fields.fault(); !fault) return fault.error();

@@ -81,9 +81,10 @@ class Maps final : public device::Driver {
 
 /// The planner, from the last in the chain to the first.
 std::string chain(const std::string& options, const std::string& output = "position2d:0",
-                  const std::string& more = "", const std::string& after = "") {
+                  const std::string& more = "", const std::string& after = "",
+                  const std::string& scans = "") {
   return more + "driver( name \"wavefront\" provides [\"planner:0\"] requires [\"output:::" + output +
-         "\" \"input:::position2d:0\" \"map:0\"] " + options + R"( )
+         "\" \"input:::position2d:0\" \"map:0\"" + scans + "] " + options + R"( )
 driver( name "stage" provides ["simulation:0"] worldfile "some.world" )
 driver( name "stage" provides ["position2d:0"] model "r0" )
 driver( name "stage" provides ["position2d:1"] model "r1" )
@@ -95,12 +96,12 @@ class Planned {
  public:
   explicit Planned(const std::string& options = "", const std::string& output = "position2d:0",
                    std::optional<GridMap> map = rooms(), const std::string& more = "",
-                   const std::string& after = "")
+                   const std::string& after = "", const std::string& scans = "")
       : site(kWorld) {
     maps.map = std::move(map);
     EXPECT_TRUE(site.site().add_device(kMap, maps));
     EXPECT_TRUE(site.site().add_device(kMuteLaser, mute));
-    EXPECT_EQ(site.build(chain(options, output, more, after)), "");
+    EXPECT_EQ(site.build(chain(options, output, more, after, scans)), "");
     robot_at(kStart);
     EXPECT_TRUE(site.hold(site.id(kPlanner)));
   }
@@ -724,6 +725,101 @@ TEST(Wavefront, stops_its_output_when_its_input_goes) {
   EXPECT_EQ(test.site.held[test.site.id(kOther).row].size(), 0u);
 }
 
+// What is not on the map.
+
+/// The rooms with a second opening straight ahead, which the robot's beam finds free or not.
+class Sighted : public ::testing::TestWithParam<const char*> {
+ protected:
+  static GridMap two_ways() {
+    GridMap map = rooms();
+    for (std::size_t y = 5; y < 11; ++y) map.cells[y * 80 + 39] = map.cells[y * 80 + 40] = -1;
+    return map;
+  }
+  /// Of the beam straight ahead of the robot; the others see nothing.
+  void sees(float range) {
+    std::ranges::fill(test.world().sensors.ranges, 8.0f);
+    test.world().sensors.ranges[{4}] = range;
+  }
+
+  const std::string scans = GetParam();
+  Planned test{"",
+               "position2d:0",
+               two_ways(),
+               "",
+               "driver( name \"stage\" provides [\"" + scans + ":1\"] model \"r0\" )",
+               " \"" + scans + ":1\""};
+};
+
+INSTANTIATE_TEST_SUITE_P(Wavefront, Sighted, ::testing::Values("laser", "ranger"),
+                         [](const auto& each) { return std::string(each.param); });
+
+TEST_P(Sighted, the_way_leads_round_what_is_seen_in_it_and_back_when_it_is_seen_no_more) {
+  sees(8);
+  test.begin();
+  test.site.run(2);
+  EXPECT_LT(test.waypoints().waypoints_distance, 6.5);
+  sees(2.6f);  // at x = 4.6
+  test.forget();
+  test.site.run(8);
+  EXPECT_GT(test.waypoints().waypoints_distance, 8);
+  EXPECT_GT(test.told().a, radians(45)) << "to the other opening";
+  sees(8);
+  test.site.run(8);
+  EXPECT_LT(test.waypoints().waypoints_distance, 6.5);
+}
+
+TEST_P(Sighted, something_is_where_the_robot_was_when_its_sensor_saw_it) {
+  test.robot_at({1, 1, 0, 0});
+  sees(3.6f);
+  test.begin();
+  test.site.run(2);
+  sees(8);
+  test.world().sensors.ranges[{4}] = 2.6f;
+  test.robot_at({2, 1, 0, 0});
+  test.site.run(10);
+  EXPECT_GT(test.waypoints().waypoints_distance, 8) << "or one of the two would be seen through";
+}
+
+TEST_P(Sighted, a_goal_is_refused_only_if_something_stays_in_its_way) {
+  test.maps.map = two_ways();
+  for (std::size_t y = 25; y < 40; ++y) test.maps.map->cells[y * 80 + 39] = 1;
+  test.site.release(test.site.id(kPlanner));
+  ASSERT_TRUE(test.site.hold(test.site.id(kPlanner)));
+  sees(8);
+  test.begin();
+  sees(2.6f);
+  test.site.run(8);
+  EXPECT_EQ(test.state().valid, 0);
+  EXPECT_EQ(test.refusal(), "") << "it may go by itself";
+  EXPECT_TRUE(test.was_halted());
+  test.site.run(310);
+  EXPECT_EQ(test.refusal(), "no path to (8, 1): something that is not on the map is in the way");
+  sees(8);
+  test.forget();
+  test.site.run(8);
+  EXPECT_EQ(test.refusal(), "");
+  EXPECT_EQ(test.state().valid, 1);
+  EXPECT_NE(test.told(), kNowhere);
+}
+
+TEST_P(Sighted, after_a_rewind_it_is_as_if_it_had_seen_nothing) {
+  sees(2.6f);
+  test.begin();
+  test.site.run(8);
+  EXPECT_GT(test.waypoints().waypoints_distance, 8);
+  sees(8);
+  static_cast<Shell&>(test.driver()).rewound({1, 0.1, 1});
+  test.site.run(3);
+  EXPECT_LT(test.waypoints().waypoints_distance, 6.5);
+}
+
+TEST(Wavefront, plans_by_the_map_alone_if_its_laser_does_not_tell_its_place) {
+  Planned test("", "position2d:0", rooms(), "", "", " \"laser:0\"");
+  test.begin();
+  EXPECT_NE(test.told(), kNowhere);
+  EXPECT_EQ(test.refusal(), "");
+}
+
 std::string fault(const std::string& cfg) {
   Maps maps;
   MemorySite site(kWorld);
@@ -745,6 +841,11 @@ TEST(WavefrontSection, says_what_is_wrong_and_where) {
       HasSubstr(
           "test.cfg:1: driver \"wavefront\" requires one position2d of key output and one position2d of "
           "key input and one map"));
+  EXPECT_THAT(fault(chain("obstacle_time -1")), HasSubstr("obstacle_time is 0 at least"));
+  EXPECT_THAT(
+      fault(chain("", "position2d:0", "", "", " \"laser:1\" \"ranger:0\"")),
+      HasSubstr("requires one position2d of key output and one position2d of key input and one map and one "
+                "laser, ranger or sonar"));
   EXPECT_THAT(fault(chain("", "position2d:7")), HasSubstr("test.cfg:1: nothing provides \"position2d:7\""));
 }
 
