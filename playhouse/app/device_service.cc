@@ -16,9 +16,9 @@
 #include <optional>
 #include <utility>
 
-#include "playhouse/app/discovery/announce.h"
 #include "playhouse/app/commands/options.h"
 #include "playhouse/app/descriptor_limit.h"
+#include "playhouse/app/discovery/announce.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/guest_list.h"
 #include "playhouse/app/interrupt.h"
@@ -172,8 +172,8 @@ std::vector<std::string> DeviceService::places() const {
   return lines;
 }
 
-/// {"ports":[6665],"clients":[{"peer":"127.0.0.1:4242","port":6665,"devices":["laser:0"]}]}, and with a recording
-/// "recording":{"file":"lab.mcap","messages":7,"bytes":900,"dropped":0}.
+/// {"ports":[6665],"clients":[{"peer":"127.0.0.1:4242","port":6665,"devices":["laser:0"]}]}, with --udp "udp" with
+/// server::DatagramCounts, and with a recording "recording":{"file":"lab.mcap","messages":7,"bytes":900,"dropped":0}.
 std::string DeviceService::status_text() const {
   boost::json::array clients;
   for (const server::ClientStatus& client : server_->clients()) {
@@ -186,6 +186,12 @@ std::string DeviceService::status_text() const {
   boost::json::array ports;
   for (const std::uint16_t port : ports_) ports.push_back(port);
   boost::json::object status{{"ports", std::move(ports)}, {"clients", std::move(clients)}};
+  if (serving_.udp) {
+    const server::DatagramCounts udp = server_->status().datagrams;
+    status["udp"] =
+        boost::json::object{{"received", udp.received}, {"dropped", udp.dropped}, {"late", udp.late},
+                            {"sent", udp.sent},         {"unsent", udp.unsent},   {"too_long", udp.too_long}};
+  }
   if (recorder_) {
     const record::DeviceRecorder::RecordingStatus recording = recorder_->status();
     status["recording"] = boost::json::object{{"file", escaped(recording_)},

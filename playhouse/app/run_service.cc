@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "playhouse/app/discovery/announce.h"
 #include "playhouse/app/device_service.h"
+#include "playhouse/app/discovery/announce.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/kept_files.h"
 #include "playhouse/base/log.h"

@@ -25,6 +25,7 @@ inline constexpr int kSilentSeconds = 60;  // a client that has not said anythin
 inline constexpr std::size_t kLingering = 4096;
 // A session over UDP that says nothing for so long is gone: there is no other sign, where nothing refuses.
 inline constexpr int kDatagramSilentSeconds = 600;
+inline constexpr std::size_t kDatagramSessions = 4096;  // by UDP, of kSessions: over it the one heard longest ago ends
 inline constexpr std::size_t kDatagramMostBytes = 65507;          // of one datagram of UDP over IPv4
 inline constexpr std::size_t kDatagramWaitingBytes = 256u << 10;  // received for a session that is busy
 inline constexpr std::size_t kSocketMessageBytes = 128u << 10;    // of one message of a WebSocket of a client

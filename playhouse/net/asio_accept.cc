@@ -2,6 +2,7 @@
 
 #include <netinet/tcp.h>
 #include <poll.h>
+#include <unistd.h>
 
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -50,8 +51,10 @@ class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
     port_ = port;
     error_code error;
     acceptor_.assign(tcp::v4(), unix_->descriptor, error);
-    if (error) return Error{unix_->path, "cannot listen: " + error.message()};
-    return {};
+    if (!error) return {};
+    ::close(unix_->descriptor);
+    unix_->remove();
+    return Error{unix_->path, "cannot listen: " + error.message()};
   }
 
   void accept_next() {

@@ -10,9 +10,8 @@
 
 namespace playhouse::net {
 
-/// Serves requests until the connection ends. The service must outlive it. `places_elsewhere`: of WebSockets that
-/// go on elsewhere (OtherLoop), used on that loop's thread; null only where there are none.
+/// Serves requests until the connection ends. The service must outlive it.
 void serve_http(AcceptedSocket accepted, HttpService& service, const HttpDeadlines& deadlines,
-                const std::shared_ptr<HttpPlaces>& places, std::shared_ptr<HttpPlaces> places_elsewhere = {});
+                const std::shared_ptr<HttpPlaces>& places);
 
 }  // namespace playhouse::net

@@ -15,7 +15,8 @@
 namespace playhouse::net {
 
 /// Performs the handshake and calls `done` with the socket; on failure the connection is just
-/// closed. The socket keeps its place until it is closed, evictable during handshake and closing.
+/// closed. The socket keeps its place until it is closed, evictable during handshake and closing; null: it has
+/// none.
 void accept_websocket(boost::beast::tcp_stream stream,
                       const boost::beast::http::request<boost::beast::http::empty_body>& request,
                       std::string peer, std::unique_ptr<HttpPlace> place,

@@ -1,5 +1,7 @@
 #include "playhouse/net/http.h"
 
+#include <unistd.h>
+
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
@@ -45,14 +47,13 @@ HttpReply plain(unsigned status, std::string text) {
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(AcceptedSocket accepted, HttpService& service, const HttpDeadlines& deadlines,
-                 std::unique_ptr<HttpPlace> place, std::shared_ptr<HttpPlaces> places_elsewhere)
+                 std::unique_ptr<HttpPlace> place)
       : stream_(std::move(accepted.socket)),
         peer_(std::move(accepted.peer)),
         encrypted_(accepted.encrypted),
         service_(service),
         deadlines_(deadlines),
-        place_(std::move(place)),
-        places_elsewhere_(std::move(places_elsewhere)) {}
+        place_(std::move(place)) {}
 
   /// Waits for the next request.
   void start() {
@@ -113,6 +114,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
       return refuse({403, allowed.error().line()});
     }
     if (const std::optional<OtherLoop> other = service_.other_loop(request)) return move_to(*other, request);
+    if (!service_.takes_slot(request)) place_.reset();
     accept_websocket(std::move(stream_), parser_->get(), request.peer, std::move(place_),
                      [&service = service_, request](std::unique_ptr<WebSocket> socket) {
                        service.upgraded(std::move(socket), request);
@@ -123,13 +125,12 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void move_to(const OtherLoop& other, const HttpRequest& request) {
     error_code error;
     const auto socket = std::make_shared<asio::ip::tcp::socket>(other.loop.impl().context);
-    if (socket->assign(asio::ip::tcp::v4(), stream_.release_socket().release(error), error)) return;
+    const int descriptor = stream_.release_socket().release(error);
     place_.reset();
-    other.loop.post(
-        [socket, other, request = parser_->get(), peer = request.peer, places = places_elsewhere_] {
-          accept_websocket(beast::tcp_stream(std::move(*socket)), request, peer,
-                           std::make_unique<HttpPlace>(places, peer), other.came);
-        });
+    if (socket->assign(asio::ip::tcp::v4(), descriptor, error)) return static_cast<void>(::close(descriptor));
+    other.loop.post([socket, other, request = parser_->get(), peer = request.peer] {
+      accept_websocket(beast::tcp_stream(std::move(*socket)), request, peer, nullptr, other.came);
+    });
   }
 
   void answer(HttpReply reply, bool keep_alive) {
@@ -189,8 +190,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   const bool encrypted_;
   HttpService& service_;
   const HttpDeadlines deadlines_;
-  std::unique_ptr<HttpPlace> place_;                    // null once the socket is a WebSocket's
-  const std::shared_ptr<HttpPlaces> places_elsewhere_;  // of the other loop's thread
+  std::unique_ptr<HttpPlace> place_;  // null once the socket is a WebSocket's
   beast::flat_buffer buffer_{limits::kHttpHeaderBytes + 4096};
   std::optional<http::request_parser<http::empty_body>> parser_;
   HttpReply reply_;
@@ -201,20 +201,17 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 }  // namespace
 
 void serve_http(AcceptedSocket accepted, HttpService& service, const HttpDeadlines& deadlines,
-                const std::shared_ptr<HttpPlaces>& places, std::shared_ptr<HttpPlaces> places_elsewhere) {
+                const std::shared_ptr<HttpPlaces>& places) {
   auto place = std::make_unique<HttpPlace>(places, accepted.peer);
-  std::make_shared<HttpConnection>(std::move(accepted), service, deadlines, std::move(place),
-                                   std::move(places_elsewhere))
-      ->start();
+  std::make_shared<HttpConnection>(std::move(accepted), service, deadlines, std::move(place))->start();
 }
 
 Result<std::unique_ptr<Listener>> IoLoop::listen_http(const std::string& bind, std::uint16_t port,
                                                       HttpService& service) {
-  // The tables of places are owned by the listener and each connection.
+  // The table of places is owned by the listener and each connection.
   return listen_tcp(*impl_, bind, port,
-                    [&service, places = std::make_shared<HttpPlaces>(),
-                     elsewhere = std::make_shared<HttpPlaces>()](AcceptedSocket accepted) {
-                      serve_http(std::move(accepted), service, service.deadlines(), places, elsewhere);
+                    [&service, places = std::make_shared<HttpPlaces>()](AcceptedSocket accepted) {
+                      serve_http(std::move(accepted), service, service.deadlines(), places);
                     });
 }
 

@@ -67,6 +67,9 @@ class HttpService {
   virtual HttpReply get(const HttpRequest& request) = 0;
   /// Called before an upgrade to a WebSocket; an error is sent with status 403.
   virtual Result<void> may_upgrade(const HttpRequest& request) = 0;
+  /// False: whoever takes the WebSocket limits their number; it takes no slot of the connections here, which viewers
+  /// alone must not fill (limits::kViewers). One that goes on elsewhere takes none either.
+  virtual bool takes_slot(const HttpRequest&) { return true; }
   /// None: it goes on here. Both loops must end before the service does.
   virtual std::optional<OtherLoop> other_loop(const HttpRequest&) { return std::nullopt; }
   virtual void upgraded(std::unique_ptr<WebSocket> socket, const HttpRequest& request) = 0;

@@ -30,7 +30,8 @@ void HttpPlaces::add(HttpPlace& place) {
     log::warn("web: many connections ({}, {} from {}): those that wait longest are closed", all_.size(),
               of_network.size(), place.network_);
   if (many) close_one_of(of_network);
-  while (all_.size() >= limits::kHttpConnections) close_one_of(waiting());
+  for (auto all = waiting(); all_.size() >= limits::kHttpConnections && !all.empty(); all = waiting())
+    close_one_of(all);
   all_.push_back(&place);
 }
 

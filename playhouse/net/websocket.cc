@@ -33,7 +33,7 @@ class Stream : public std::enable_shared_from_this<Stream> {
         close_deadline_(socket_.get_executor()),
         peer_(std::move(peer)),
         place_(std::move(place)) {
-    place_->gives_way([this] { end(); });
+    if (place_) place_->gives_way([this] { end(); });
     // Pings an idle peer and closes one that does not answer.
     socket_.set_option(websocket::stream_base::timeout{std::chrono::seconds(limits::kHttpHeadSeconds),
                                                        std::chrono::seconds(limits::kHttpIdleSeconds), true});
@@ -44,8 +44,8 @@ class Stream : public std::enable_shared_from_this<Stream> {
               std::function<void(const std::shared_ptr<Stream>&)> done) {
     answer_handshake(socket_, request,
                      [self = shared_from_this(), done = std::move(done)](const error_code& error) {
-                       if (error || !self->place_) return;
-                       self->place_->stays();
+                       if (error || self->ended_) return;
+                       if (self->place_) self->place_->stays();
                        done(self);
                      });
   }
@@ -130,6 +130,7 @@ class Stream : public std::enable_shared_from_this<Stream> {
   }
 
   void end() {
+    ended_ = true;
     beast::get_lowest_layer(socket_).close();
     place_.reset();
   }
@@ -180,7 +181,8 @@ class Stream : public std::enable_shared_from_this<Stream> {
   WebSocketStream socket_;
   asio::steady_timer close_deadline_;
   const std::string peer_;
-  std::unique_ptr<HttpPlace> place_;  // while the socket is open
+  std::unique_ptr<HttpPlace> place_;  // while the socket is open; null: it has none
+  bool ended_ = false;
   beast::flat_buffer buffer_;
   std::deque<std::variant<std::shared_ptr<const std::string>, SharedBytes>> queued_;  // front: being written
   WebSocketEvents* events_ = nullptr;

@@ -1,6 +1,6 @@
 #include "playhouse/server/datagram_port.h"
 
-#include <algorithm>
+#include <list>
 #include <map>
 #include <span>
 #include <utility>
@@ -20,7 +20,7 @@ constexpr double kLookSeconds = 60;  // period of looking for silent sessions
 // that they take no room of others.
 constexpr std::size_t kUnheard = 256;
 
-/// The numbered copy of a data message, or a refusal in place of an answer that is too long; others as they are.
+/// The copy of a data message that has this number.
 std::vector<std::byte> numbered(std::span<const std::byte> message, std::uint32_t number) {
   std::vector<std::byte> copy(message.begin(), message.end());
   const auto head = std::span(copy).first<limits::kHeaderBytes>();
@@ -52,8 +52,8 @@ class DatagramConnection;
 
 class DatagramPort::Impl : public std::enable_shared_from_this<Impl> {
  public:
-  Impl(net::Network& network, net::Network::Acceptor acceptor)
-      : network_(network), acceptor_(std::move(acceptor)) {}
+  Impl(net::Network& network, net::Network::Acceptor acceptor, std::shared_ptr<DatagramRoom> room)
+      : network_(network), acceptor_(std::move(acceptor)), room_(std::move(room)) {}
 
   Result<void> open(const std::string& bind, std::uint16_t port);
   void close() {
@@ -63,22 +63,33 @@ class DatagramPort::Impl : public std::enable_shared_from_this<Impl> {
 
   net::Network& network() { return network_; }
   DatagramCounts& counts() { return counts_; }
+  DatagramRoom& room() { return *room_; }
   /// Sends a message or drops it.
   void send(const net::Endpoint& to, std::span<const std::byte> message);
+  void say_goodbye(const net::Endpoint& to) {
+    if (socket_ != nullptr) socket_->send(to, {});
+  }
   /// Of a session's first message.
   void heard_first(std::uint64_t number) { unheard_.erase(number); }
+  /// Of any datagram.
+  void heard(DatagramConnection& connection);
   void forget(const net::Endpoint& peer, const DatagramConnection* connection);
 
  private:
   void received(const net::Endpoint& from, std::span<const std::byte> datagram);
   void begin(const net::Endpoint& from);
-  void end(const net::Endpoint& peer, const std::string& why);
+  enum class Goodbye : std::uint8_t { kNo, kYes };
+  void end(const net::Endpoint& peer, const std::string& why, Goodbye goodbye);
+  void remove(std::map<net::Endpoint, DatagramConnection*>::iterator session);
+  bool make_room();
   void look_for_silence();
 
   net::Network& network_;
   const net::Network::Acceptor acceptor_;
+  const std::shared_ptr<DatagramRoom> room_;
   std::unique_ptr<net::DatagramSocket> socket_;  // null: closed
   std::map<net::Endpoint, DatagramConnection*> sessions_;
+  std::list<DatagramConnection*> by_hearing_;       // of sessions_: the one heard longest ago first
   std::map<std::uint64_t, net::Endpoint> unheard_;  // by number of the session: the oldest first
   std::uint64_t begun_ = 0;
   std::unique_ptr<net::Timer> look_;
@@ -95,7 +106,11 @@ class DatagramConnection final : public net::Connection {
         serial_(number),
         peer_text_(net::to_text(peer)),
         heard_(port_->network().now()) {}
-  ~DatagramConnection() override { port_->forget(peer_, this); }
+  ~DatagramConnection() override {
+    if (!over_) port_->say_goodbye(peer_);
+    port_->room().bytes -= counted_;
+    port_->forget(peer_, this);
+  }
 
   void start(net::ConnectionEvents& events) override { events_ = &events; }
 
@@ -110,13 +125,17 @@ class DatagramConnection final : public net::Connection {
   void resume() override {
     if (std::exchange(paused_, false) && !waiting_.empty()) later([this] { pass_on(); });
   }
-  void close_after_flush() override { over_ = true; }
+  void close_after_flush() override {
+    if (!std::exchange(over_, true)) port_->say_goodbye(peer_);
+  }
   const std::string& peer() const override { return peer_text_; }
 
   /// For the port.
   void received(std::span<const std::byte> datagram);
   double heard() const { return heard_; }
   std::uint64_t serial() const { return serial_; }
+  const net::Endpoint& endpoint() const { return peer_; }
+  std::list<DatagramConnection*>::iterator place;  // for the port
   /// The peer is gone, or begins anew. Destroys the connection, perhaps.
   void end(const std::string& why) {
     if (std::exchange(over_, true) || events_ == nullptr) return;
@@ -158,7 +177,13 @@ class DatagramConnection final : public net::Connection {
   void pass_on() {
     if (paused_ || over_ || waiting_.empty()) return;
     const std::vector<std::byte> messages = std::exchange(waiting_, {});
+    count_held();
     events_->received(messages);
+  }
+
+  void count_held() {
+    const std::size_t held = stream_.unfinished_bytes() + waiting_.size();
+    port_->room().bytes += held - std::exchange(counted_, held);
   }
 
   template <typename Task>
@@ -176,6 +201,7 @@ class DatagramConnection final : public net::Connection {
   net::ConnectionEvents* events_ = nullptr;
   DatagramStream stream_;
   std::vector<std::byte> waiting_;  // whole messages, while paused
+  std::size_t counted_ = 0;         // bytes held, as the room has them
   double heard_ = 0;                // s
   std::size_t in_flight_ = 0;       // bytes, until the next turn of the loop
   std::uint32_t number_ = 0;        // of the last data message
@@ -184,14 +210,17 @@ class DatagramConnection final : public net::Connection {
 
 void DatagramConnection::received(std::span<const std::byte> datagram) {
   heard_ = port_->network().now();
-  port_->heard_first(serial_);
-  DatagramStream::TakenMessages taken = stream_.take(datagram);
+  port_->heard(*this);
   DatagramCounts& counts = port_->counts();
+  if (port_->room().bytes + datagram.size() > port_->room().most_bytes)
+    return static_cast<void>(++counts.dropped);
+  DatagramStream::TakenMessages taken = stream_.take(datagram);
   counts.late += taken.late;
+  if (!taken.messages.empty()) port_->heard_first(serial_);
   const bool has_room = waiting_.size() + taken.messages.size() <= limits::kDatagramWaitingBytes;
   if (taken.dropped || !has_room) ++counts.dropped;
-  if (!has_room) return;
-  waiting_.insert(waiting_.end(), taken.messages.begin(), taken.messages.end());
+  if (has_room) waiting_.insert(waiting_.end(), taken.messages.begin(), taken.messages.end());
+  count_held();
   if (events_ != nullptr) pass_on();
 }
 
@@ -203,7 +232,7 @@ Result<void> DatagramPort::Impl::open(const std::string& bind, std::uint16_t por
       });
   if (!socket) return socket.error();
   socket_ = std::move(*socket);
-  socket_->on_refused([this](const net::Endpoint& peer) { end(peer, "its port is closed"); });
+  socket_->on_refused([this](const net::Endpoint& peer) { end(peer, "its port is closed", Goodbye::kNo); });
   look_for_silence();
   return {};
 }
@@ -214,15 +243,36 @@ void DatagramPort::Impl::send(const net::Endpoint& to, std::span<const std::byte
 }
 
 void DatagramPort::Impl::forget(const net::Endpoint& peer, const DatagramConnection* connection) {
-  unheard_.erase(connection->serial());
   const auto found = sessions_.find(peer);
-  if (found != sessions_.end() && found->second == connection) sessions_.erase(found);
+  if (found != sessions_.end() && found->second == connection) remove(found);
+}
+
+void DatagramPort::Impl::remove(std::map<net::Endpoint, DatagramConnection*>::iterator session) {
+  unheard_.erase(session->second->serial());
+  by_hearing_.erase(session->second->place);
+  sessions_.erase(session);
+  --room_->sessions;
+}
+
+void DatagramPort::Impl::heard(DatagramConnection& connection) {
+  by_hearing_.splice(by_hearing_.end(), by_hearing_, connection.place);
+}
+
+/// False: all sessions are of other ports.
+bool DatagramPort::Impl::make_room() {
+  if (unheard_.size() >= kUnheard)
+    end(net::Endpoint(unheard_.begin()->second), "it has said nothing", Goodbye::kYes);
+  if (room_->sessions < room_->most_sessions) return true;
+  if (by_hearing_.empty()) return false;
+  end(net::Endpoint(by_hearing_.front()->endpoint()), "it gives way to another session by UDP",
+      Goodbye::kYes);
+  return true;
 }
 
 void DatagramPort::Impl::received(const net::Endpoint& from, std::span<const std::byte> datagram) {
   ++counts_.received;
   if (datagram.empty()) {
-    end(from, "a new session of the same peer");
+    end(from, "a new session of the same peer", Goodbye::kNo);
     return begin(from);
   }
   const auto found = sessions_.find(from);
@@ -233,36 +283,37 @@ void DatagramPort::Impl::received(const net::Endpoint& from, std::span<const std
 }
 
 void DatagramPort::Impl::begin(const net::Endpoint& from) {
-  if (unheard_.size() >= kUnheard) end(net::Endpoint(unheard_.begin()->second), "it has said nothing");
+  if (!make_room()) return static_cast<void>(++counts_.dropped);
   auto connection = std::make_unique<DatagramConnection>(shared_from_this(), from, ++begun_);
   sessions_[from] = connection.get();
+  connection->place = by_hearing_.insert(by_hearing_.end(), connection.get());
   unheard_[begun_] = from;
+  ++room_->sessions;
   acceptor_(std::move(connection));
 }
 
-void DatagramPort::Impl::end(const net::Endpoint& peer, const std::string& why) {
+void DatagramPort::Impl::end(const net::Endpoint& peer, const std::string& why, Goodbye goodbye) {
   const auto found = sessions_.find(peer);
   if (found == sessions_.end()) return;
   DatagramConnection* const connection = found->second;
-  sessions_.erase(found);
-  unheard_.erase(connection->serial());
+  remove(found);
+  if (goodbye == Goodbye::kYes) say_goodbye(peer);
   connection->end(why);
 }
 
 void DatagramPort::Impl::look_for_silence() {
-  std::vector<net::Endpoint> silent;
-  for (const auto& [peer, connection] : sessions_) {
-    if (connection->heard() + limits::kDatagramSilentSeconds <= network_.now()) silent.push_back(peer);
+  const double before = network_.now() - limits::kDatagramSilentSeconds;
+  while (!by_hearing_.empty() && by_hearing_.front()->heard() <= before) {
+    ++counts_.silent;
+    end(net::Endpoint(by_hearing_.front()->endpoint()), "it has been silent for too long", Goodbye::kYes);
   }
-  counts_.silent += silent.size();
-  for (const net::Endpoint& peer : silent) end(peer, "it has been silent for too long");
   look_ = network_.after(kLookSeconds, [this] { look_for_silence(); });
 }
 
 Result<std::unique_ptr<DatagramPort>> DatagramPort::open(net::Network& network, const std::string& bind,
-                                                         std::uint16_t port,
-                                                         net::Network::Acceptor acceptor) {
-  auto impl = std::make_shared<Impl>(network, std::move(acceptor));
+                                                         std::uint16_t port, net::Network::Acceptor acceptor,
+                                                         std::shared_ptr<DatagramRoom> room) {
+  auto impl = std::make_shared<Impl>(network, std::move(acceptor), std::move(room));
   if (const Result<void> opened = impl->open(bind, port); !opened) return opened.error();
   return std::unique_ptr<DatagramPort>(new DatagramPort(std::move(impl)));
 }

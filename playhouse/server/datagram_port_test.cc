@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,7 @@ class DatagramClient {
         ++banners;
         continue;
       }
+      if (each.empty()) continue;  // goodbye
       const std::vector<Received> cut = cut_messages(each);
       EXPECT_EQ(cut.size(), 1u) << "one message in each datagram";
       EXPECT_TRUE(each.empty());
@@ -182,6 +185,53 @@ TEST_F(DatagramSessions, end_when_nothing_was_heard_of_their_client_for_long) {
   EXPECT_EQ(server.status().sessions, 1u);
   EXPECT_EQ(server.status().datagrams.silent, 1u);
   EXPECT_EQ(outline(speaker.ask(open_request(kLaser, 0))), "ACK 3");
+}
+
+TEST_F(DatagramSessions, give_way_to_each_other_and_to_nobody_else_when_there_are_too_many) {
+  std::vector<std::unique_ptr<TestClient>> by_tcp;
+  by_tcp.push_back(std::make_unique<TestClient>(network, kPort));
+  EXPECT_EQ(outline(by_tcp[0]->ask(open_request(kWheels, 0))), "ACK 3");
+  std::vector<std::unique_ptr<DatagramClient>> many;
+  for (std::size_t i = 0; i < limits::kDatagramSessions + 100; ++i) {
+    many.push_back(std::make_unique<DatagramClient>(network, "10.1.0." + std::to_string(i / 1000)));
+    many.back()->send({});
+    network.run_for(0.02);
+    many.back()->send(player_request(wire::player::kReqDevlist));
+    network.run_for(0.02);
+  }
+  EXPECT_LE(server.status().sessions, limits::kDatagramSessions + 1);
+  EXPECT_EQ(outline(many.back()->ask(open_request(kLaser, 0))), "ACK 1, ACK 3");
+  by_tcp.push_back(std::make_unique<TestClient>(network, kPort));
+  EXPECT_EQ(by_tcp[1]->banner.size(), 32u) << "there is room for others";
+  EXPECT_EQ(outline(by_tcp[0]->ask(open_request(kLaser, 0))), "ACK 3");
+}
+
+TEST_F(DatagramSessions, hold_no_more_of_unfinished_messages_together_than_a_part_of_the_budget) {
+  std::vector<std::unique_ptr<DatagramClient>> many;
+  const Bytes begun = message(wire::MessageType::kReq, kWheels, 0, position2d::kReqGetGeom, Bytes(200000));
+  const Bytes part(begun.begin(), begun.begin() + 60000);
+  for (int i = 0; i < 400; ++i) {
+    many.push_back(std::make_unique<DatagramClient>(network, "10.1.0.1"));
+    many.back()->send({});
+    many.back()->send(player_request(wire::player::kReqDevlist));
+    network.run_for(0.02);
+    many.back()->send(part);
+  }
+  network.run_for(1);
+  constexpr std::size_t kFit = limits::kInputBytes / 8 / 60000;
+  EXPECT_GE(server.status().datagrams.dropped, 400 - kFit - 1);
+  many.clear();
+  DatagramClient after(network, "10.0.0.9");
+  begin(after, kWheels);
+}
+
+TEST_F(DatagramSessions, say_goodbye_by_an_empty_datagram) {
+  DatagramClient client(network);
+  begin(client, kWheels);
+  server.finish([] {});
+  network.run_for(3);
+  const bool empty = std::ranges::any_of(client.datagrams, [](const Bytes& each) { return each.empty(); });
+  EXPECT_TRUE(empty);
 }
 
 TEST_F(DatagramSessions, that_have_said_nothing_take_no_room_of_others) {

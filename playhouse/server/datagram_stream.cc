@@ -43,18 +43,18 @@ DatagramStream::TakenMessages DatagramStream::take(std::span<const std::byte> da
   TakenMessages taken;
   if (whole_bytes(datagram) == datagram.size()) {
     taken.dropped = !unfinished_.empty();
-    unfinished_.clear();
+    unfinished_ = {};
     pass(datagram, taken);
     return taken;
   }
   unfinished_.insert(unfinished_.end(), datagram.begin(), datagram.end());
   const std::size_t whole = whole_bytes(unfinished_);
   pass(std::span(unfinished_).first(whole), taken);
-  unfinished_.erase(unfinished_.begin(), unfinished_.begin() + static_cast<std::ptrdiff_t>(whole));
+  unfinished_ = {unfinished_.begin() + static_cast<std::ptrdiff_t>(whole), unfinished_.end()};
   const bool is_hopeless = first_of(unfinished_).what == Begins::kNoMessage;
   if (is_hopeless || unfinished_.size() > limits::kDatagramWaitingBytes) {
     taken.dropped = true;
-    unfinished_.clear();
+    unfinished_ = {};
   }
   return taken;
 }
@@ -62,8 +62,7 @@ DatagramStream::TakenMessages DatagramStream::take(std::span<const std::byte> da
 void DatagramStream::pass(std::span<const std::byte> messages, TakenMessages& taken) {
   while (!messages.empty()) {
     const First first = first_of(messages);
-    const bool late = is_late(first.header.seq);
-    if (late && first.header.type == wire::MessageType::kCmd) {
+    if (first.header.type == wire::MessageType::kCmd && is_late(first.header.seq)) {
       ++taken.late;
     } else {
       const auto message = messages.first(first.bytes);
@@ -73,7 +72,7 @@ void DatagramStream::pass(std::span<const std::byte> messages, TakenMessages& ta
   }
 }
 
-/// Numbers wrap (RFC 1982). A client that does not number its messages sends 0.
+/// Numbers wrap (RFC 1982). A client that does not number its commands sends 0.
 bool DatagramStream::is_late(std::uint32_t number) {
   if (number == 0) return false;
   if (newest_ != 0 && static_cast<std::int32_t>(number - newest_) < 0) return true;

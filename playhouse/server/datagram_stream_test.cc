@@ -67,11 +67,13 @@ TEST(DatagramStream, holds_no_more_of_an_unfinished_message_than_the_limit) {
   EXPECT_LE(taken, limits::kDatagramWaitingBytes);
 }
 
-TEST(DatagramStream, leaves_out_commands_that_newer_messages_have_overtaken) {
+TEST(DatagramStream, leaves_out_commands_that_newer_ones_have_overtaken) {
   DatagramStream stream;
   EXPECT_EQ(stream.take(command(7)).messages, command(7));
   EXPECT_EQ(stream.take(command(6)).late, 1u);
   EXPECT_EQ(stream.take(request(5)).messages, request(5)) << "somebody waits for its answer";
+  EXPECT_EQ(stream.take(request(900)).messages, request(900));
+  EXPECT_EQ(stream.take(command(7)).messages, command(7)) << "requests have numbers of their own";
   EXPECT_EQ(stream.take(command(7)).messages, command(7)) << "some clients give all the same number";
   EXPECT_EQ(stream.take(command(0)).messages, command(0)) << "others none";
   EXPECT_EQ(stream.take(command(0xFFFFFFFF)).late, 1u);

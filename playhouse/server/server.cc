@@ -57,6 +57,8 @@ class Server::Impl final : public ClientOwner {
         options_(std::move(options)),
         banner_(make_banner(options_.version)),
         outbox_(options_.outbox_bytes) {
+    datagram_room_->most_sessions = std::min(limits::kDatagramSessions, options_.sessions / 2 + 1);
+    datagram_room_->most_bytes = options_.input_bytes / 8;
     board_.clock = unix_seconds;
     board_.outlet = &outlet;
   }
@@ -114,6 +116,7 @@ class Server::Impl final : public ClientOwner {
   void make_room() override;
   void advance_everybody();
   void end();
+  void tell_datagrams() const;
   Client* longest_unfinished();
   void make_output_room();
   std::vector<Client*> largest_holders() const;
@@ -130,6 +133,7 @@ class Server::Impl final : public ClientOwner {
   Switchboard board_;            // after the outbox: drivers that are stopped may still answer
   std::vector<std::unique_ptr<net::Listener>> listeners_;
   std::vector<std::unique_ptr<DatagramPort>> datagram_ports_;
+  const std::shared_ptr<DatagramRoom> datagram_room_ = std::make_shared<DatagramRoom>();
   std::map<std::uint32_t, std::unique_ptr<Client>> clients_;
   std::function<void()> done_;                // set once the run is over
   std::unique_ptr<net::Timer> last_moments_;  // timeouts of shutdown: pending rounds, then pending writes
@@ -165,7 +169,7 @@ Result<void> Server::Impl::listen_besides(std::uint16_t port, const net::Network
     local = std::move(*listener);
   }
   if (options_.datagrams) {
-    auto opened = DatagramPort::open(network_, options_.bind, port, acceptor);
+    auto opened = DatagramPort::open(network_, options_.bind, port, acceptor, datagram_room_);
     if (!opened) return opened.error();
     datagram_ports_.push_back(std::move(*opened));
   }
@@ -422,9 +426,19 @@ void Server::Impl::advance_everybody() {
   schedule();
 }
 
+void Server::Impl::tell_datagrams() const {
+  if (datagram_ports_.empty()) return;
+  const DatagramCounts all = status().datagrams;
+  log::info(
+      "UDP: {} datagrams received, {} of them dropped, {} commands overtaken; {} messages sent, {} not sent, "
+      "{} too long",
+      all.received, all.dropped, all.late, all.sent, all.unsent, all.too_long);
+}
+
 void Server::Impl::end() {
   if (!done_) return;
   for (const auto& [serial, client] : clients_) client->tell_unread();
+  tell_datagrams();
   clients_.clear();
   hosts_.clear();
   datagram_ports_.clear();

@@ -45,6 +45,7 @@ class DevicePage final : private net::HttpService {
   Result<void> serves(const std::string& host) override { return gate_.serves(host); }
   Result<std::string> client_of(const net::HttpRequest& request) override { return gate_.client_of(request); }
   net::HttpReply get(const net::HttpRequest& request) override;
+  bool takes_slot(const net::HttpRequest&) override { return false; }  // the server limits its sessions
   Result<void> may_upgrade(const net::HttpRequest& request) override;
   void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest& request) override;
 

@@ -22,7 +22,7 @@
 #include "memory.h"
 #include "text.h"
 
-enum { CHUNK = 65536, REASON_BYTES = 128, SEQUENCE_AT = 32 /**< in a header */ };
+enum { CHUNK = 65536, DATAGRAM_BYTES = 65507, REASON_BYTES = 128, SEQUENCE_AT = 32 /**< in a header */ };
 
 /** s; a session by UDP is begun again without a banner for so long. */
 static const double kHelloSeconds = 1.0;
@@ -118,6 +118,22 @@ static ph_status connect_unix(ph_connection *connection, const char *folder, ph_
   return PH_OK;
 }
 
+/** By UDP: an empty datagram, again until something is there to be received. If nobody has the port, the
+ * socket is closed, with the reason in `fault`. */
+static void begin_session(ph_connection *connection, double deadline, int *fault) {
+  uint8_t first;
+  do {
+    const double patience = ph_now() + kHelloSeconds;
+    if (send(connection->fd, "", 0, MSG_NOSIGNAL) < 0) break;
+    wait_for(connection->fd, POLLIN, patience < deadline ? patience : deadline);
+    if (recv(connection->fd, &first, sizeof first, MSG_PEEK) >= 0) return;
+  } while ((errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR) && ph_now() < deadline);
+  if (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR) return;  // no banner in time
+  *fault = errno;
+  close(connection->fd);
+  connection->fd = -1;
+}
+
 static ph_status connect_socket(ph_connection *connection, const char *host, double deadline,
                                 ph_error *error) {
   if (host[0] == '/') return connect_unix(connection, host, error);
@@ -132,6 +148,7 @@ static ph_status connect_socket(ph_connection *connection, const char *host, dou
   int fault = EADDRNOTAVAIL;
   for (const struct addrinfo *each = found; each != NULL && connection->fd < 0; each = each->ai_next) {
     connection->fd = connect_to(each, deadline, &fault);
+    if (connection->fd >= 0 && connection->datagrams) begin_session(connection, deadline, &fault);
   }
   freeaddrinfo(found);
   if (connection->fd >= 0) return PH_OK;
@@ -153,17 +170,7 @@ static ph_status refuse_banner(ph_connection *connection, ph_error *error) {
   return drop(connection, fault, "", error);
 }
 
-/** By UDP: an empty datagram, again until something is heard. */
-static void begin_session(ph_connection *connection, double deadline) {
-  while (connection->fd >= 0 && connection->in.size == 0 && ph_now() < deadline) {
-    if (send(connection->fd, "", 0, MSG_NOSIGNAL) < 0 && errno == ECONNREFUSED) return;
-    const double patience = ph_now() + kHelloSeconds;
-    need(connection, PH_BANNER_BYTES, patience < deadline ? patience : deadline, NULL);
-  }
-}
-
 static ph_status read_banner(ph_connection *connection, double deadline, ph_error *error) {
-  if (connection->datagrams) begin_session(connection, deadline);
   const ph_status status = need(connection, PH_BANNER_BYTES, deadline, error);
   if (status == PH_REQUEST_TIMEOUT) return drop(connection, "cannot connect: ", "no banner in time", error);
   if (status != PH_OK) return status;
@@ -200,6 +207,10 @@ static void number_command(ph_connection *connection, uint8_t *header) {
 
 ph_status ph_connection_send(ph_connection *connection, uint8_t *bytes, size_t size, ph_error *error) {
   if (!ph_connection_alive(connection)) return lost(connection, error);
+  if (connection->datagrams && size > DATAGRAM_BYTES) {
+    return ph_fail(error, PH_WIRE_ERROR, "a message of %zu bytes is over the %d of a datagram; TCP carries it",
+                   size, DATAGRAM_BYTES);
+  }
   if (connection->datagrams) number_command(connection, bytes);
   const double deadline = ph_now() + connection->timeout;
   while (size > 0) {
@@ -231,9 +242,12 @@ static bool make_room(ph_connection *connection) {
   return ph_buffer_reserve(in, CHUNK);
 }
 
-/** By UDP: nothing, or the banner a second time, as the first one was late. */
-static bool is_noise(const ph_connection *connection, size_t size) {
-  return connection->datagrams && (size == 0 || (size == PH_BANNER_BYTES && connection->banner[0] != '\0'));
+/** By UDP: the banner a second time, as the first one was late; or, once something else was heard, because the
+ * server knows nothing of this session. */
+static bool is_banner_again(ph_connection *connection, size_t size) {
+  if (!connection->datagrams || connection->banner[0] == '\0') return false;
+  if (size >= PH_HEADER_BYTES) connection->has_heard = true;
+  return size == PH_BANNER_BYTES;
 }
 
 /** Receives until `count` bytes are there. */
@@ -243,7 +257,11 @@ static ph_status need(ph_connection *connection, size_t count, double deadline, 
     if (connection->fd < 0) return lost(connection, error);
     if (!make_room(connection)) return ph_fail_no_memory(error);
     const ssize_t got = recv(connection->fd, in->bytes + in->size, in->capacity - in->size, 0);
-    if (got >= 0 && is_noise(connection, (size_t)got)) continue;
+    if (got > 0 && is_banner_again(connection, (size_t)got)) {
+      if (!connection->has_heard) continue;
+      return drop(connection, "the server has begun another session: ",
+                  "it was started again, or heard nothing for too long", error);
+    }
     if (got > 0) {
       in->size += (size_t)got;
     } else if (got == 0) {

@@ -21,6 +21,7 @@ typedef struct ph_connection {
   uint64_t lost_count;   /**< of data messages on their way, by UDP */
   uint32_t newest_data;  /**< its number; 0: none yet */
   uint32_t last_command; /**< its number, by UDP */
+  bool has_heard;        /**< a message, by UDP */
   ph_buffer in;
   size_t start;               /**< of what is not yet received, in `in` */
   bool ended;                 /**< by the server, in order */

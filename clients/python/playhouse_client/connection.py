@@ -12,6 +12,7 @@ from .wire import HEADER_BYTES, MAX_BODY_BYTES, Header, Kind
 BANNER_BYTES = 32
 UDP = "udp:"  # what a host begins with that is reached by datagrams
 _CHUNK = 65536
+_DATAGRAM_BYTES = 65507  # of one, at most
 _HELLO_SECONDS = 1.0  # a session by UDP is begun again without a banner for so long
 _LONGEST_WAIT = 1e9  # seconds; sockets reject much larger timeouts
 
@@ -41,8 +42,9 @@ class Connection:
         """`host`: also "/FOLDER", for the Unix socket FOLDER/port, or "udp:HOST". `tls`: whom to trust, for a server with --tls-cert."""
         self.datagrams = host.startswith(UDP)
         self.lost_count = 0  # of data messages on their way, by UDP
-        self._newest = 0  # number of the last data message, and of the last command
-        self._commands = 0
+        self._newest = 0  # number of the last data message
+        self._commands = 0  # number of the last command
+        self._has_heard = False  # a message, by UDP
         self.peer = f"{host}:{port}"
         self.port = port
         self._timeout = min(checked_seconds(timeout), _LONGEST_WAIT)
@@ -51,10 +53,14 @@ class Connection:
         self._fault = ""  # why nothing can be sent
         self._ended = False  # by the server, in order
         try:
-            self._socket = self._connected(host, port)
+            deadline = time.monotonic() + self._timeout
+            if self.datagrams:
+                self._begin_session(host[len(UDP):], port, deadline)
+            else:
+                self._socket = self._connected(host, port)
             if tls is not None:
                 self._socket = tls.wrap_socket(self._socket, server_hostname=host)
-            self.banner = self._read_banner(time.monotonic() + self._timeout)
+            self.banner = self._read_banner(deadline)
         except (OSError, ValueError, OverflowError, RequestTimeout) as error:  # ValueError: of an invalid host name
             reason = "no banner in time" if isinstance(error, RequestTimeout) else error
             raise self._drop(f"cannot connect: {reason}") from error
@@ -65,11 +71,6 @@ class Connection:
             unix.settimeout(self._timeout)
             unix.connect(f"{host}/{port}")
             return unix
-        if self.datagrams:
-            family, kind, protocol, _, address = socket.getaddrinfo(host[len(UDP):], port, type=socket.SOCK_DGRAM)[0]
-            udp = socket.socket(family, kind, protocol)
-            udp.connect(address)
-            return udp
         tcp = socket.create_connection((host, port), self._timeout)
         tcp.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         return tcp
@@ -81,6 +82,8 @@ class Connection:
     def send(self, header: Header, body: bytes) -> None:
         if len(body) > MAX_BODY_BYTES:
             raise WireError(f"a message of {len(body)} bytes is over the wire's limit of {MAX_BODY_BYTES}")
+        if self.datagrams and HEADER_BYTES + len(body) > _DATAGRAM_BYTES:
+            raise WireError(f"a message of {HEADER_BYTES + len(body)} bytes is over the {_DATAGRAM_BYTES} of a datagram; TCP carries it")
         if self._socket is None or self._fault:
             raise self._lost()
         try:
@@ -152,19 +155,30 @@ class Connection:
         finally:
             self._drop("the connection is closed")
 
-    def _begin_session(self, deadline: float) -> None:
-        """By UDP: an empty datagram, again until something is heard."""
-        assert self._socket is not None
+    def _begin_session(self, host: str, port: int, deadline: float) -> None:
+        """By UDP: an empty datagram to each address in turn, again until something is heard."""
+        addresses = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)
+        refused: Optional[OSError] = None
         while not self._bytes and time.monotonic() < deadline:
-            self._socket.send(b"")
-            try:
-                self._need(BANNER_BYTES, min(deadline, time.monotonic() + _HELLO_SECONDS))
-            except RequestTimeout:
-                pass
+            refusals = 0
+            for family, kind, protocol, _, address in addresses:
+                if self._socket is not None:
+                    self._socket.close()
+                self._socket = socket.socket(family, kind, protocol)
+                try:
+                    self._socket.connect(address)
+                    self._socket.send(b"")
+                    self._socket.settimeout(max(1e-4, min(deadline - time.monotonic(), _HELLO_SECONDS)))
+                    self._bytes += self._socket.recv(_CHUNK)
+                    break
+                except socket.timeout:
+                    pass
+                except OSError as error:  # nobody has the port there
+                    refused, refusals = error, refusals + 1
+            if refused is not None and refusals == len(addresses):
+                raise refused
 
     def _read_banner(self, deadline: float) -> str:
-        if self.datagrams:
-            self._begin_session(deadline)
         self._need(BANNER_BYTES, deadline)
         banner = bytes(self._bytes[:BANNER_BYTES])
         del self._bytes[:BANNER_BYTES]
@@ -183,16 +197,20 @@ class Connection:
                 raise RequestTimeout(f"{self.peer}: no message in time") from error
             except OSError as error:
                 raise self._drop(f"the server is gone: {error}") from error
-            if self.datagrams and self._is_noise(chunk):
+            if self.datagrams and self._is_banner_again(chunk):
                 continue
             if not chunk:
                 self._ended = not self._fault
                 raise self._drop("the run ended: the server closed the connection")
             self._bytes += chunk
 
-    def _is_noise(self, datagram: bytes) -> bool:
-        """Nothing, or the banner a second time: the first one was late."""
-        return not datagram or (len(datagram) == BANNER_BYTES and hasattr(self, "banner"))
+    def _is_banner_again(self, datagram: bytes) -> bool:
+        """The first one was late; or, once something else was heard, the server knows nothing of this session."""
+        again = len(datagram) == BANNER_BYTES and hasattr(self, "banner")
+        if again and self._has_heard:
+            raise self._drop("the server has begun another session: it was started again, or heard nothing for too long")
+        self._has_heard = self._has_heard or (hasattr(self, "banner") and len(datagram) >= HEADER_BYTES)
+        return again
 
     def _wait_until(self, deadline: float) -> None:
         """Sets the timeout of the next recv; after the deadline, data that have arrived are still read."""

@@ -241,12 +241,14 @@ Result<RoundTrip> measure_round_trip_among_readers(const FanOutPlan& plan, int r
   if (const Result<Count> settled = listen_for(*listeners, kSettle, plan.interval); !settled)
     return settled.error();
   std::atomic<bool> over = false;
+  Result<Count> read = Count{};
   std::thread reader([&] {
-    while (!over && listen_for(*listeners, kSettle, plan.interval)) continue;
+    while (!over && read) read = listen_for(*listeners, kSettle, plan.interval);
   });
   const Result<RoundTrip> round_trip = measure_round_trip(plan.port, requests);
   over = true;
   reader.join();
+  if (!read) return read.error();
   return round_trip;
 }
 

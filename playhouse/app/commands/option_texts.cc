@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "playhouse/app/pictures/sensor_shapes.h"
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/base/split.h"
 #include "playhouse/record/selection.h"
@@ -109,6 +112,13 @@ std::string check_key(const std::string& text) {
   return good ? ""
               : fmt::format("invalid key: {} to {} letters, digits, - and _ are valid",
                             limits::kTokenBytesLeast, wire::kAuthKeyBytes);
+}
+
+std::string check_folder(const std::string& text) {
+  std::error_code error;
+  return std::filesystem::is_directory(text, error)
+             ? ""
+             : "invalid folder " + in_quotes(text) + ": one that exists is valid";
 }
 
 std::string check_auth_key(const std::string& text) {

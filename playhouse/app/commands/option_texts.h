@@ -48,8 +48,11 @@ inline constexpr auto check_page_bytes =
     check_count<std::uint32_t, limits::kPageBytesLeast, limits::kPageBytesMost>;
 std::string check_token(const std::string& text);
 /// The same for the Player protocol.
-std::string check_key(const std::string& text);
 std::string check_auth_key(const std::string& text);
+/// A key for everybody who comes.
+std::string check_key(const std::string& text);
+/// A folder that exists.
+std::string check_folder(const std::string& text);
 /// A record::Selection.
 std::string check_selection(const std::string& text);
 /// SensorShapes.

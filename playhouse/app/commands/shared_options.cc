@@ -36,6 +36,13 @@ void add_cluster(CLI::App& app, Running& running) {
       ->needs(cluster);
 }
 
+/// Whoever forges the sender of a datagram has data sent to others.
+void check_udp(const Serving& serving) {
+  if (!serving.udp || serving.is_controlled() || !is_for_others(serving.bind)) return;
+  throw CLI::ValidationError("--udp with --bind " + serving.bind +
+                             ": senders of datagrams can be forged: --guests or --key keeps data from them");
+}
+
 }  // namespace
 
 void add_engine(CLI::App& app, std::string& engine) {
@@ -75,6 +82,7 @@ void add_insecure(CLI::App& app, bool& insecure) {
 }
 
 void check_access(const Serving& serving) {
+  check_udp(serving);
   const std::string& bind = serving.bind;
   if (serving.insecure || serving.is_controlled() || !is_for_others(bind)) return;
   throw CLI::ValidationError("--bind " + bind +
@@ -140,6 +148,7 @@ void add_serving(CLI::App& app, Serving& serving) {
   app.add_option("--unix", serving.unix_folder,
                  "serve Player clients by Unix sockets as well: FOLDER/PORT for each port")
       ->type_name("FOLDER")
+      ->check(check_folder)
       ->transform([](const std::string& folder) { return std::filesystem::absolute(folder).string(); }, "");
   app.add_flag("--udp", serving.udp, "serve Player clients by UDP as well, on the same ports")
       ->excludes("--tls-cert");

@@ -22,14 +22,14 @@ namespace {
 
 using geom::Vec2;
 
-using Vec3 = std::array<float, 3>;
+using Float3 = std::array<float, 3>;
 
 /// Triangles, counter-clockwise from outside.
 struct Triangles {
-  std::vector<Vec3> points, normals;
+  std::vector<Float3> points, normals;
   std::vector<std::uint32_t> corners;
 
-  void add_quad(const std::array<Vec3, 4>& quad, Vec3 normal) {
+  void add_quad(const std::array<Float3, 4>& quad, Float3 normal) {
     const auto first = static_cast<std::uint32_t>(points.size());
     points.insert(points.end(), quad.begin(), quad.end());
     normals.insert(normals.end(), 4, normal);
@@ -37,7 +37,7 @@ struct Triangles {
   }
 };
 
-Vec3 at(double x, double y, double z) {
+Float3 at(double x, double y, double z) {
   return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
 }
 

@@ -18,6 +18,7 @@ Result<void> Shares::check(const World& world, const std::string& peer) {
           {},
           fmt::format("your share of the run is full: you brought {} models with {} sensors and {} beams",
                       share.sum.models, share.sum.sensors, share.sum.beams)};
+    share.counted_at = std::min(share.counted_at, world.time());  // later after a rewind
     if (brings_left(world, share) < 1)
       return Error{
           {},
@@ -47,7 +48,6 @@ void Shares::add(const World& world, const std::string& peer, ModelId root) {
   share.counted_at = world.time();
 }
 
-/// After a rewind the time of the run is earlier than when it was counted.
 double Shares::brings_left(const World& world, const NodeTrees& share) {
   const double passed = std::max(0.0, world.time() - share.counted_at);
   return std::min(limits::kBringsAtOnce, share.brings_left + limits::kBringsPerSecond * passed);
