@@ -105,8 +105,9 @@ class PacketWriter {
     pack_.u8(packet::kEnd);
   }
 
-  /// Changed drawings: those in view first; both round robin from `next`.
-  void drawings(world::ModelRow& next) {
+  /// Changed drawings: those in view first; both round robin from `next`. As the sections before may fill
+  /// every packet, `one_is_due` after a packet without room for any: it is sent whatever this one holds.
+  void drawings(world::ModelRow& next, bool& one_is_due) {
     id_ = 0;
     if (replica_.drawn != snapshot_.drawn) {
       std::vector<ModelDrawing> news = unseen();
@@ -114,8 +115,12 @@ class PacketWriter {
       std::rotate(news.begin(), from, news.end());
       std::stable_partition(news.begin(), news.end(),
                             [this](const ModelDrawing& each) { return in_view(each.model); });
-      const auto stopped =
-          std::ranges::find_if_not(news, [this](const ModelDrawing& each) { return drawing(each); });
+      const auto stopped = std::ranges::find_if_not(news, [&](const ModelDrawing& each) {
+        if (!std::exchange(one_is_due, false) && full(budget_)) return false;
+        drawing(each);
+        return true;
+      });
+      one_is_due = !news.empty() && stopped == news.begin();
       next = stopped == news.end() ? world::ModelRow{0} : stopped->model;
       if (stopped == news.end()) replica_.drawn = snapshot_.drawn;
     }
@@ -269,18 +274,15 @@ class PacketWriter {
 
   static bool is_same(const SentDrawing& a, const SentDrawing& b) { return a == b || *a == *b; }
 
-  /// False: no room.
-  bool drawing(const ModelDrawing& drawn) {
-    if (full(budget_)) return false;
+  void drawing(const ModelDrawing& drawn) {
     if (drawn.drawing == nullptr) {
       item(packet::kGone, drawn.model);
       replica_.drawings.erase(drawn.model);
-      return true;
+      return;
     }
     item(packet::kFresh, drawn.model);
     write_drawing(*drawn.drawing, pack_);
     replica_.drawings[drawn.model] = drawn.drawing;
-    return true;
   }
 
   template <typename Iterator>
@@ -434,7 +436,7 @@ Sent DeltaWriter::write(const Snapshot& snapshot, const Wish& wish, std::uint32_
   packet.says(next_text_);
   packet.scans(next_sensor_);
   packet.views();
-  packet.drawings(next_drawing_);
+  packet.drawings(next_drawing_, drawing_is_due_);
   return packet.finish();
 }
 

@@ -107,7 +107,7 @@ struct Deferred {
 /// Writes the deltas between replicas and snapshots of one population, within a
 /// byte budget: the selected robot first, then models in view, then the rest. Models that a frame had no room
 /// for are sent by priority (importance.h), texts, scans and drawings round robin from where the last frame stopped, so
-/// that nothing starves.
+/// that nothing starves: after a frame without room for any drawing, the next one has one.
 class DeltaWriter {
  public:
   /// Replaces `out` by a packet and updates `replica` to match. kNothing: no difference
@@ -120,6 +120,7 @@ class DeltaWriter {
   world::ModelRow next_text_{0};     // cursor over their texts
   world::SensorRow next_sensor_{0};  // cursor over scans
   world::ModelRow next_drawing_{0};  // cursor over drawings
+  bool drawing_is_due_ = false;      // the last frame had no room for any
 };
 
 /// Applies a packet to the replica that it was made for, as the page does. For tests and C++

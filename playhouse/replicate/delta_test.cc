@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "playhouse/base/limits.h"
 #include "playhouse/replicate/quantize.h"
@@ -331,6 +332,33 @@ TEST(Delta, a_viewer_that_comes_late_hears_what_is_said_and_no_more) {
   EXPECT_EQ(late.receiver.models[{SmallWorld::robot(1)}].flags, 7u);
 }
 
+TEST(Delta, drawings_are_sent_among_scans_that_fill_every_frame) {
+  constexpr std::size_t kBudget = 64;  // less than the scans of a robot
+  constexpr std::uint32_t kFrames = 20;
+  SmallWorld small(3);
+  const auto layout = small.layout();
+  subscribe_all(small.world);
+  Wish wish;
+  wish.view = kEverywhere;
+  wish.sensors = true;
+  Snapshot snapshot;
+  Pair pair(layout);
+  std::set<SentDrawing> seen;
+  for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+    small.tick();
+    const world::ModelRow robot{SmallWorld::robot(static_cast<int>(frame % 2))};
+    world::clear_drawing(small.world, robot, world::kLayer2d);
+    const std::vector<geom::Vec3> point{{0.1 * frame, 0, 0}};
+    ASSERT_TRUE(world::draw(small.world, robot, {world::kLayer2d, 1, {1, 0, 0, 1}, point}));
+    capture(small.world, {}, layout, interest_of(wish), snapshot);
+    ASSERT_FALSE(snapshot.scans.empty());
+    pair.send(snapshot, wish, kBudget);
+    for (const auto& [row, drawing] : pair.receiver.drawings) seen.insert(drawing);
+  }
+  EXPECT_EQ(pair.receiver.drawings.size(), 2u);
+  EXPECT_GE(seen.size(), kFrames / 2 - 1) << "every other frame has one";
+}
+
 TEST(Delta, a_state_that_is_loaded_says_what_it_said) {
   SmallWorld small(2);
   const auto layout = small.layout();
@@ -365,6 +393,28 @@ TEST(Snapshot, copies_texts_only_when_somebody_has_said_something) {
   capture(small.world, {}, layout, {}, snapshot);
   ASSERT_EQ(snapshot.says.size(), 2u);
   EXPECT_EQ(snapshot.says[0].text, "a");
+}
+
+TEST(Snapshot, shares_drawings_that_have_not_changed_with_the_one_before) {
+  SmallWorld small(2);
+  const auto layout = small.layout();
+  const auto draw = [&](int robot, double x) {
+    const std::vector<geom::Vec3> point{{x, 0, 0}};
+    return world::draw(small.world, {SmallWorld::robot(robot)}, {world::kLayer2d, 1, {1, 0, 0, 1}, point});
+  };
+  ASSERT_TRUE(draw(0, 1) && draw(1, 1));
+  Snapshot first, second;
+  capture(small.world, {}, layout, {}, first);
+  world::clear_drawing(small.world, {SmallWorld::robot(0)}, world::kLayer2d);
+  ASSERT_TRUE(draw(0, 1) && draw(1, 2));
+  capture(small.world, {}, layout, {}, second, &first);
+  ASSERT_EQ(second.drawings.size(), 2u);
+  EXPECT_EQ(second.drawings[0].drawing, first.drawings[0].drawing) << "drawn anew as it was";
+  EXPECT_EQ(second.drawings[1].drawing->size(), 2u);
+  world::clear_drawing(small.world, {SmallWorld::robot(0)}, world::kLayer2d);
+  capture(small.world, {}, layout, {}, first, &second);
+  ASSERT_EQ(first.drawings.size(), 1u);
+  EXPECT_EQ(first.drawings[0].drawing, second.drawings[1].drawing);
 }
 
 TEST(Snapshot, captures_sensors_only_of_robots_in_view_or_selected) {

@@ -14,13 +14,20 @@ std::int32_t millimetres(float metres) {
   return quantize(static_cast<double>(metres), 1000);
 }
 
+SentCorner sent_corner(const world::DrawnCorner& corner) {
+  return {millimetres(corner.x), millimetres(corner.y), millimetres(corner.z),
+          corner.color,          corner.corners,        corner.layer == world::kLayer2d};
+}
+
 SentDrawing sent_drawing(const std::vector<world::DrawnCorner>& drawing) {
   std::vector<SentCorner> sent;
   sent.reserve(drawing.size());
-  for (const world::DrawnCorner& corner : drawing)
-    sent.push_back({millimetres(corner.x), millimetres(corner.y), millimetres(corner.z), corner.color,
-                    corner.corners, corner.layer == world::kLayer2d});
+  for (const world::DrawnCorner& corner : drawing) sent.push_back(sent_corner(corner));
   return std::make_shared<const std::vector<SentCorner>>(std::move(sent));
+}
+
+bool is_as_sent(const std::vector<world::DrawnCorner>& drawing, const std::vector<SentCorner>& sent) {
+  return std::ranges::equal(drawing, sent, {}, sent_corner);
 }
 
 class Capture {
@@ -52,13 +59,20 @@ class Capture {
     out_.said = world_.said();
   }
 
-  void drawings() {
+  /// One that is the same object as before needs no memory and no comparison for each viewer.
+  void drawings(const Snapshot* before) {
     out_.drawings.clear();
     out_.drawn = world_.drawn();
     if (out_.drawn == 0) return;
-    for (const world::ModelRow row : world_.models.rows())
-      if (!world_.models.drawing[row].empty())
-        out_.drawings.push_back({row, sent_drawing(world_.models.drawing[row])});
+    auto known = before == nullptr ? std::span<const ModelDrawing>() : std::span(before->drawings);
+    for (const world::ModelRow row : world_.models.rows()) {
+      const std::vector<world::DrawnCorner>& drawing = world_.models.drawing[row];
+      if (drawing.empty()) continue;
+      while (!known.empty() && known.front().model < row) known = known.subspan(1);
+      const bool is_known =
+          !known.empty() && known.front().model == row && is_as_sent(drawing, *known.front().drawing);
+      out_.drawings.push_back({row, is_known ? known.front().drawing : sent_drawing(drawing)});
+    }
   }
 
   void scans() {
@@ -160,7 +174,7 @@ void Interest::clear() {
 }
 
 void capture(const world::World& world, const world::Pace& pace, std::shared_ptr<const Layout> layout,
-             const Interest& interest, Snapshot& out) {
+             const Interest& interest, Snapshot& out, const Snapshot* before) {
   const bool says_the_same = out.layout == layout && out.said == world.said();
   const bool is_drawn_the_same = out.layout == layout && out.drawn == world.drawn();
   out.layout = std::move(layout);
@@ -169,7 +183,7 @@ void capture(const world::World& world, const world::Pace& pace, std::shared_ptr
   Capture capture(world, interest, out);
   capture.models();
   if (!says_the_same) capture.says();
-  if (!is_drawn_the_same) capture.drawings();
+  if (!is_drawn_the_same) capture.drawings(before);
   capture.scans();
   capture.views();
 }

@@ -82,9 +82,9 @@ struct Snapshot {
 /// if it is active (subscribed, with a first scan) and its robot is selected or in view;
 /// selected robots first if room is short. Thread: any, between steps. Cost O(models +
 /// beams captured); texts and drawings only if any has
-/// changed since the last capture into `out`.
+/// changed since the last capture into `out`. Drawings that are as in `before`, another snapshot, are its objects.
 void capture(const world::World& world, const world::Pace& pace, std::shared_ptr<const Layout> layout,
-             const Interest& interest, Snapshot& out);
+             const Interest& interest, Snapshot& out, const Snapshot* before = nullptr);
 
 /// Position of the root in `row` in the snapshot. [m, W]
 geom::Vec2 place_of(const Snapshot& snapshot, world::ModelRow row);

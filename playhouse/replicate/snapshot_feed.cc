@@ -41,7 +41,7 @@ void SnapshotFeed::show(const world::World& world, const world::Pace& pace) {
   }
   if (layout_->population != world.population())
     layout_ = std::make_shared<const Layout>(world, prototypes_, devices_, layout_.get());
-  capture(world, pace, layout_, interest_, written->snapshot);
+  capture(world, pace, layout_, interest_, written->snapshot, &newest_->snapshot);
   {
     const std::lock_guard lock(mutex_);
     newest_ = written;

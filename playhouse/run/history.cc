@@ -12,6 +12,13 @@
 namespace playhouse::run {
 namespace {
 
+/// Nothing but what viewers see depends on drawings, and clients that draw anew in every frame would fill the
+/// room: keyframes have them, and between two keyframes they stay as they are.
+bool is_repeated(const world::Change& change) {
+  return !std::holds_alternative<world::changes::Draw>(change) &&
+         !std::holds_alternative<world::changes::ClearDrawing>(change);
+}
+
 /// Minimum pause between two snapshots in wall time, as a multiple of the time one takes.
 constexpr double kRest = 100;
 
@@ -54,7 +61,7 @@ void History::changed(std::span<const world::Change> changes) {
   for (const world::Change& change : changes) {
     if (std::holds_alternative<world::changes::Load>(change)) {
       new_changes_.clear();
-    } else if (!keyframes_.empty()) {
+    } else if (!keyframes_.empty() && is_repeated(change)) {
       world::pack(change, new_changes_);
     }
   }

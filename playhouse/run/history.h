@@ -36,8 +36,8 @@ class History {
 
   /// Takes a keyframe if one is due. Call it after each tick.
   void record(const world::World& world);
-  /// Keeps the changes that were made after the present tick, if there are keyframes. After a `Load` those
-  /// before it are not of this run.
+  /// Keeps the changes that were made after the present tick, if there are keyframes, but those of drawings.
+  /// After a `Load` those before it are not of this run.
   void changed(std::span<const world::Change> changes);
   /// The run goes on from this tick: what lies after it is of another run, and dropped. Call it before each
   /// tick.
@@ -53,7 +53,8 @@ class History {
   std::uint64_t nearest(std::uint64_t tick) const;
   /// The last state at or before such a tick.
   const Keyframe& before(std::uint64_t tick) const;
-  /// The changes made between this tick and the next, packed (world/changes/packed_change.h).
+  /// The changes made between this tick and the next, without those of drawings, packed
+  /// (world/changes/packed_change.h).
   std::span<const std::byte> changes_at(std::uint64_t tick) const;
 
   /// Drops all: a new run begins.

@@ -126,6 +126,24 @@ TEST_F(HistoryTest, keeps_changes_within_half_of_its_room) {
   EXPECT_EQ(history.timeline()->ticks, (Ticks{100}));
 }
 
+TEST_F(HistoryTest, has_drawings_in_keyframes_alone) {
+  History history(scene_.interval, clock_, 20 * state_bytes());
+  const world::Change drawn = world::changes::Draw{{0}, 0, 1, {}, std::vector<geom::Vec3>(state_bytes())},
+                      cleared = world::changes::ClearDrawing{{0}, 0};
+  for (std::uint64_t tick = 1; tick < 100; ++tick) {
+    run_to(history, tick);
+    for (const world::Change& change : {cleared, drawn}) history.changed({&change, 1});
+    EXPECT_TRUE(history.changes_at(tick - 1).empty());
+    ASSERT_FALSE(history.empty());
+  }
+  EXPECT_EQ(history.timeline()->ticks.front(), 1u) << "they take no room of what can be repeated";
+  world_.models.drawing.own({0}).push_back({1, 0, 0, 0xFF, 1, 0});
+  run_to(history, 100);
+  world::World then(scene_, 1);
+  ASSERT_TRUE(world::load_whole(then, *history.before(100).whole));
+  EXPECT_EQ(then.models.drawing[{0}].size(), 1u);
+}
+
 TEST_F(HistoryTest, of_any_length_has_the_last_minutes_alone) {
   History history(scene_.interval, clock_);
   const auto span = static_cast<std::uint64_t>(limits::kHistorySeconds) * kSecond;

@@ -1,6 +1,7 @@
 """Drivers from outside the tree: examples/drivers and the tutorial of docs/plugins.md are built with the installed package,
 and their devices are used over a socket."""
 
+import contextlib
 import os
 import re
 import shutil
@@ -53,6 +54,7 @@ class Bad : public playhouse::drivers::Plugin {
     if (how == "throw") throw std::runtime_error("smoke");
     if (how == "abort") std::abort();
     if (how == "exit") std::exit(3);
+    if (how == "orphan") leave_orphan();
     if (how == "stay") stays_ = true;
     if (how == "block")
       for (;;) pause();
@@ -60,6 +62,15 @@ class Bad : public playhouse::drivers::Plugin {
       std::signal(SIGSEGV, SIG_DFL);
       std::raise(SIGSEGV);
     }
+  }
+
+  // It asks the program for the time, again and again, by the socket of its parent.
+  static void leave_orphan() {
+    if (fork() != 0) _exit(3);
+    setsid();
+    unsigned char asks[32] = {0, 0, 0, 0, 11};
+    while (write(3, asks, sizeof asks) > 0) continue;
+    _exit(0);
   }
 
   static std::string text_of(const op::Data& data) { return {data.data.begin(), data.data.end()}; }
@@ -208,7 +219,8 @@ class Plugins(InstalledTest):
 
     def test_one_that_crashes_in_a_process_of_its_own_does_so_as_well(self):
         for fault, told in ((b"abort", "its process was ended by SIGABRT$"), (b"crash", "its process was ended by SIGSEGV$"),
-                            (b"exit", "its process ended with exit code 3$")):
+                            (b"exit", "its process ended with exit code 3$"),
+                            (b"orphan", "its process (ended with exit code 3|broke the rules: it asks again and has .*)$")):
             with self.subTest(told):
                 log = self.is_lost_alone(told, "isolated 1", self.tell(fault))
                 self.assertRegex(log, f'driver "bad": will {fault.decode()}', "what it printed")
@@ -222,6 +234,7 @@ class Plugins(InstalledTest):
                 client.open(OPAQUE, 0)
                 self.assertEqual(self.ask(client, "descriptors").split(), ["0", "1", "2", "3"])
                 status = self.ask(client, "status")
+        self.assertRegex(status, "Name:\tisolated-plugin\n", "for who lists processes")
         self.assertRegex(status, r"SigBlk:\s+0{16}\n")
         ignored = int(re.search(r"SigIgn:\s+(\w+)", status).group(1), 16) & 0x7FFFFFFF  # but for those of the C library
         self.assertEqual(ignored, 1 << signal.SIGPIPE - 1 | 1 << signal.SIGXFSZ - 1, "as in the program")
@@ -245,6 +258,14 @@ class Plugins(InstalledTest):
                     wait_for_any([process], "the end of its process")
                 if told != b"block":
                     self.assertEqual(closed.read_text(), "closed", "what moves stops")
+
+    def test_a_library_is_found_beside_the_file_that_names_it(self):
+        shutil.copy(self.libraries / "load.so", self.folder / "beside.so")
+        cfg = self.write("plugin.cfg", 'driver ( name "beside" plugin "beside" provides ["aio:0"] )')
+        with contextlib.chdir(self.folder):
+            for named in (cfg, cfg.name, f"./{cfg.name}"):
+                with self.subTest(named=named), House("serve", named, "--port", 0, "--headless") as house:
+                    house.port()
 
     def test_what_is_wrong_is_told_with_its_line(self):
         for cfg, told in (

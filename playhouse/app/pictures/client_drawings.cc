@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "playhouse/geom/orientation.h"
+#include "playhouse/world/drawing.h"
 
 namespace playhouse::app {
 namespace {
@@ -45,21 +46,34 @@ class DrawingShapes {
   DrawingShapes(std::vector<FilledShape>& shapes, double line_width)
       : shapes_(shapes), line_width_(line_width) {}
 
+  /// On the floor triangles, then lines, then points, which later ones of one height cover.
   void add(const geom::SpatialPose& X_WM, std::span<const world::DrawnCorner> drawing) {
+    for (const unsigned corners : {3u, 2u, 1u})
+      add_those(X_WM, drawing, [=](const world::DrawnCorner& c) {
+        return c.layer == world::kLayer2d && c.corners == corners;
+      });
+    add_those(X_WM, drawing, [](const world::DrawnCorner& c) { return c.layer != world::kLayer2d; });
+  }
+
+ private:
+  template <typename Choose>
+  void add_those(const geom::SpatialPose& X_WM, std::span<const world::DrawnCorner> drawing,
+                 const Choose& choose) {
     const geom::Quaternion q_WM = geom::orientation(X_WM.X.a, X_WM.tilt);
     const Vec3 p_WM{X_WM.X.x, X_WM.X.y, X_WM.X.z};
     triangles_ = nullptr;
     std::vector<Vec3> shape;
-    for (; !drawing.empty(); drawing = drawing.subspan(shape.size())) {
+    for (std::size_t count = 0; !drawing.empty(); drawing = drawing.subspan(count)) {
+      count = drawing[0].corners;
+      if (!choose(drawing[0])) continue;
       shape.clear();
-      for (const world::DrawnCorner& c : drawing.first(drawing[0].corners))
+      for (const world::DrawnCorner& c : drawing.first(count))
         shape.push_back(
             p_WM + q_WM * Vec3{static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z)});
       add(shape, drawing[0].color);
     }
   }
 
- private:
   void add(std::span<const Vec3> shape, std::uint32_t rgba) {
     std::vector<Vec2> outline = outline_of(shape, line_width_);
     if (outline.empty()) return;

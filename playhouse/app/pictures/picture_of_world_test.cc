@@ -83,5 +83,29 @@ TEST(PictureOfWorld, shows_drawings_where_their_models_lie_without_gaps) {
   EXPECT_GT(at(-0.5, 1.6)[2], at(-0.5, 1.6)[0] + 100) << "a line";
 }
 
+TEST(PictureOfWorld, shows_points_on_lines_on_areas_on_the_floor_whatever_came_first) {
+  Lying lying;
+  world::World& world = lying.engine->world();
+  const world::ModelRow post = world.find("post");
+  const auto draw = [&](std::uint32_t corners, const scene::Color& color,
+                        const std::vector<geom::Vec3>& points) {
+    ASSERT_TRUE(world::draw(world, post, {world::kLayer2d, corners, color, points}));
+  };
+  draw(1, {0, 1, 0, 1}, {{-0.5, -0.5, 0.02}});
+  draw(2, {0, 0, 1, 1}, {{-0.9, -0.5, 0.02}, {-0.1, -0.5, 0.02}});
+  draw(3, {1, 0, 0, 1}, {{-0.9, -0.9, 0.02}, {-0.1, -0.9, 0.02}, {-0.5, 0.5, 0.02}});
+  const Viewport view{200, 300, -1, 2, 100};
+  const images::RgbImage picture = picture_of(world, view, {});
+  const auto pixel = [&](double x, double y) {
+    const auto column = static_cast<std::size_t>((x + 1) * 100),
+               row = static_cast<std::size_t>((2 - y) * 100);
+    const std::uint8_t* rgb = &picture.rgb[3 * (row * 200 + column)];
+    return std::ranges::max_element(rgb, rgb + 3) - rgb;
+  };
+  EXPECT_EQ(pixel(-0.5, 1.5), 1) << "the point";
+  EXPECT_EQ(pixel(-0.6, 1.5), 2) << "the line";
+  EXPECT_EQ(pixel(-0.5, 1.3), 0) << "the area";
+}
+
 }  // namespace
 }  // namespace playhouse::app

@@ -80,7 +80,7 @@ class DistantProgram final : public PluginProgram {
   void configure(const PluginFrame& frame);
   void answer_heard(const PluginFrame& frame);
 
-  FrameOutput out_{kPluginSocket};
+  mutable FrameOutput out_{kPluginSocket};
   std::atomic<bool> has_world_ = false;
 
   mutable std::mutex mutex_;  // guards what follows
@@ -322,6 +322,7 @@ int run_isolated_plugin() {
   // The program ends it in order, where whoever ends a service tells all its processes to. No SIG_IGN, which programs
   // that the plug-in starts would inherit.
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) {});
+  ::prctl(PR_SET_NAME, kPluginProcessWord);     // who lists processes would read "exe"
   ::fcntl(kPluginSocket, F_SETFD, FD_CLOEXEC);  // programs that the plug-in starts must not keep it
   end_after_program();
   // As in the program.

@@ -87,6 +87,18 @@ PluginFrame frame_of(PluginFrameKind kind, const Plugin::MessageKey& key, std::s
           .body = {body.begin(), body.end()}};
 }
 
+/// One of those to other drivers that have no answer yet, as long as somebody may give one.
+class OpenQuestion {
+ public:
+  explicit OpenQuestion(std::shared_ptr<std::atomic<std::size_t>> all) : all_(std::move(all)) { ++*all_; }
+  ~OpenQuestion() { --*all_; }
+  OpenQuestion(const OpenQuestion&) = delete;
+  OpenQuestion& operator=(const OpenQuestion&) = delete;
+
+ private:
+  const std::shared_ptr<std::atomic<std::size_t>> all_;  // an answer may be dropped after the plug-in
+};
+
 /// "" if it is a valid message.
 std::string fault_of_message(std::span<const PluginDevice> devices, wire::MessageType type,
                              const PluginFrame& frame) {
@@ -110,6 +122,7 @@ IsolatedPlugin::IsolatedPlugin(IsolatedOptions options, std::unique_ptr<PluginPr
     : options_(std::move(options)),
       process_(std::move(process)),
       out_(process_->socket()),
+      questions_(std::make_shared<std::atomic<std::size_t>>(0)),
       in_(process_->socket()) {}
 
 IsolatedPlugin::~IsolatedPlugin() {
@@ -147,9 +160,10 @@ void IsolatedPlugin::end(Clock::time_point until) {
 void IsolatedPlugin::configure(const PluginSection& section) {
   const auto until = Clock::now() + std::chrono::seconds(limits::kPluginStartSeconds);
   section_ = &section;
-  begin({.kind = PluginFrameKind::kConfigure,
-         .flag = options_.has_world(),
-         .body = pack(PluginStart{options_.library.string(), provides_, uses_})});
+  begin();
+  out_.offer({.kind = PluginFrameKind::kConfigure,
+              .flag = options_.has_world(),
+              .body = pack(PluginStart{options_.library.string(), provides_, uses_})});
   const auto is_done = [this] {
     const Lock lock(mutex_);
     return has_returned_ || is_over_;
@@ -168,20 +182,18 @@ void IsolatedPlugin::open() {
 }
 
 void IsolatedPlugin::call(const PluginFrame& frame) {
-  begin(frame);
+  begin();
+  out_.send(frame);  // where nobody is left to read it, its end is told soon
   Lock lock(mutex_);
   changed_.wait(lock, [this] { return has_returned_ || is_over_; });
   return_from_call(lock);
 }
 
 /// After a call that is under way, as that of configure() while an answer has come to what it asked.
-void IsolatedPlugin::begin(const PluginFrame& frame) {
-  {
-    Lock lock(mutex_);
-    changed_.wait(lock, [this] { return !is_called_; });
-    is_called_ = true;
-  }
-  out_.send(frame);  // where nobody is left to read it, its end is told soon
+void IsolatedPlugin::begin() {
+  Lock lock(mutex_);
+  changed_.wait(lock, [this] { return !is_called_; });
+  is_called_ = true;
 }
 
 void IsolatedPlugin::return_from_call(const Lock&) {
@@ -208,9 +220,10 @@ void IsolatedPlugin::read() {
   while (read_some(-1)) continue;
 }
 
-/// False: the process has ended.
+/// False: the process has ended. It waits for nothing but this, or it would not see that end.
 bool IsolatedPlugin::read_some(int milliseconds) {
-  std::array<pollfd, 3> ends{{{process_->socket(), POLLIN, 0},
+  const short exchange = out_.is_waiting() ? POLLIN | POLLOUT : POLLIN;
+  std::array<pollfd, 3> ends{{{process_->socket(), exchange, 0},
                               {has_output_ ? process_->output() : -1, POLLIN, 0},
                               {process_->ending(), POLLIN, 0}}};
   if (::poll(ends.data(), ends.size(), milliseconds) <= 0) return true;
@@ -221,7 +234,8 @@ bool IsolatedPlugin::read_some(int milliseconds) {
     has_ended();
     return false;
   }
-  if (ends[0].revents == 0) return true;
+  if ((ends[0].revents & POLLOUT) != 0) out_.flush();
+  if ((ends[0].revents & ~POLLOUT) == 0) return true;
   if (in_.read(false) != FrameInput::ReadOutcome::kEnd) return take_frames() || (has_ended(), false);
   const bool follows = becomes_readable(process_->ending(), kEndMilliseconds);
   if (!follows) kill("its process has closed its socket");
@@ -261,6 +275,7 @@ void IsolatedPlugin::tell_line() {
 }
 
 void IsolatedPlugin::has_ended() {
+  process_->kill();  // of what is left of the exchange nobody shall wait for anything
   const PluginProcess::ProcessOutcome outcome = process_->wait();
   tell_lines();
   tell_line();
@@ -292,8 +307,7 @@ IsolatedPlugin::TakenFrame IsolatedPlugin::take(PluginFrame& frame) {
     case PluginFrameKind::kReturned:
       return take_returned(frame);
     case PluginFrameKind::kAskTime:
-      out_.send({.kind = PluginFrameKind::kTold, .time = program_->time()});
-      return {};
+      return tell({.kind = PluginFrameKind::kTold, .time = program_->time()});
     case PluginFrameKind::kAskField:
       return tell_field(frame);
     case PluginFrameKind::kPublish:
@@ -310,6 +324,13 @@ IsolatedPlugin::TakenFrame IsolatedPlugin::take(PluginFrame& frame) {
     default:
       return Error{"", fmt::format("it sent a frame of kind {}", static_cast<int>(frame.kind))};
   }
+}
+
+/// Who asks one question at a time has read the last answer.
+IsolatedPlugin::TakenFrame IsolatedPlugin::tell(const PluginFrame& answer) {
+  if (out_.is_waiting(last_told_)) return Error{"", "it asks again and has not read the answer"};
+  last_told_ = out_.offer(answer);
+  return {};
 }
 
 IsolatedPlugin::TakenFrame IsolatedPlugin::take_registered(const PluginFrame& frame) {
@@ -351,8 +372,7 @@ IsolatedPlugin::TakenFrame IsolatedPlugin::tell_field(const PluginFrame& frame) 
   if (section_ == nullptr || !asked || frame.subtype > static_cast<std::uint8_t>(FieldQuestion::kFilename) ||
       asked_of_section_ > limits::kFileBytes)
     return Error{"", "it asked for fields of its section out of place"};
-  out_.send(field_of(*section_, frame, *asked));
-  return {};
+  return tell(field_of(*section_, frame, *asked));
 }
 
 IsolatedPlugin::TakenFrame IsolatedPlugin::take_publication(PluginFrame& frame) {
@@ -378,17 +398,11 @@ IsolatedPlugin::TakenFrame IsolatedPlugin::take_command(const PluginFrame& frame
 IsolatedPlugin::TakenFrame IsolatedPlugin::take_question(const PluginFrame& frame) {
   if (const std::string fault = fault_of_message(uses_, wire::MessageType::kReq, frame); !fault.empty())
     return Error{"", "a request: " + fault};
-  {
-    const Lock lock(mutex_);
-    if (++questions_ > limits::kRequestQueue)
-      return Error{"", fmt::format("more than {} requests wait for an answer", limits::kRequestQueue)};
-  }
+  if (*questions_ >= limits::kRequestQueue)
+    return Error{"", fmt::format("more than {} requests wait for an answer", limits::kRequestQueue)};
   program_->ask(frame.device, frame.subtype, frame.body,
-                [this, number = frame.number](bool ack, std::span<const std::byte> body) {
-                  {
-                    const Lock lock(mutex_);
-                    --questions_;
-                  }
+                [this, number = frame.number, open = std::make_shared<OpenQuestion>(questions_)](
+                    bool ack, std::span<const std::byte> body) {
                   call({.kind = PluginFrameKind::kHeard,
                         .flag = ack,
                         .number = number,

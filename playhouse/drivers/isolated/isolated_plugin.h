@@ -5,6 +5,7 @@
 /// What the process says in between is carried out by a thread that reads it. It may say anything: what is no valid
 /// message is left out, and what breaks the rules ends it.
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -59,7 +60,7 @@ class IsolatedPlugin final : public Plugin {
 
   IsolatedPlugin(IsolatedOptions options, std::unique_ptr<PluginProcess> process);
   void call(const PluginFrame& frame);
-  void begin(const PluginFrame& frame);
+  void begin();
   void return_from_call(const Lock&);
   void call_request(MessageKey key, std::span<const std::byte> body, PluginReply reply);
 
@@ -71,6 +72,7 @@ class IsolatedPlugin final : public Plugin {
   void has_ended();
 
   TakenFrame take(PluginFrame& frame);
+  TakenFrame tell(const PluginFrame& answer);
   TakenFrame take_registered(const PluginFrame& frame);
   TakenFrame take_returned(const PluginFrame& frame);
   TakenFrame tell_field(const PluginFrame& frame);
@@ -82,6 +84,7 @@ class IsolatedPlugin final : public Plugin {
   const IsolatedOptions options_;
   const std::unique_ptr<PluginProcess> process_;
   FrameOutput out_;
+  const std::shared_ptr<std::atomic<std::size_t>> questions_;  // see OpenQuestion
 
   // Of the thread that reads, which is that of configure() before watch().
   FrameInput in_;
@@ -90,6 +93,7 @@ class IsolatedPlugin final : public Plugin {
   const PluginSection* section_ = nullptr;  // within configure()
   std::size_t asked_of_section_ = 0;        // bytes
   bool is_registered_ = false;
+  FrameOutput::FrameMark last_told_ = 0;
 
   ProcessEnded ended_;
   std::thread reader_;
@@ -101,7 +105,6 @@ class IsolatedPlugin final : public Plugin {
   std::string why_;  // it was killed, or is over
   std::map<std::uint64_t, PluginReply> replies_;
   std::uint64_t next_reply_ = 0;
-  std::size_t questions_ = 0;  // to other drivers that have no answer yet
 };
 
 }  // namespace playhouse::drivers

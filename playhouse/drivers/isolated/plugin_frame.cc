@@ -1,14 +1,15 @@
 #include "playhouse/drivers/isolated/plugin_frame.h"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/uio.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #include "playhouse/base/limits.h"
 
@@ -38,32 +39,76 @@ std::string_view text_of(const Bytes& body) {
   return {reinterpret_cast<const char*>(body.data()), body.size()};
 }
 
-bool FrameOutput::send(const PluginFrame& frame) const {
-  FrameHead head{.size = static_cast<std::uint32_t>(frame.body.size()),
-                 .kind = static_cast<std::uint8_t>(frame.kind),
-                 .flag = frame.flag,
-                 .subtype = frame.subtype,
-                 .device = frame.device,
-                 .number = frame.number,
-                 .time = frame.time};
-  std::array<iovec, 2> parts{
-      {{&head, sizeof head}, {const_cast<std::byte*>(frame.body.data()), frame.body.size()}}};
+FrameOutput::FrameMark FrameOutput::offer(const PluginFrame& frame) {
+  const FrameHead head{.size = static_cast<std::uint32_t>(frame.body.size()),
+                       .kind = static_cast<std::uint8_t>(frame.kind),
+                       .flag = frame.flag,
+                       .subtype = frame.subtype,
+                       .device = frame.device,
+                       .number = frame.number,
+                       .time = frame.time};
+  const auto front = std::as_bytes(std::span(&head, 1));
+  const std::lock_guard lock(mutex_);
+  offered_ += front.size() + frame.body.size();
+  if (is_over_) return offered_;
+  const std::size_t gone = waiting_.empty() ? write(front, frame.body) : 0;
+  if (gone == front.size() + frame.body.size()) return offered_;
+  Bytes whole;
+  whole.reserve(front.size() + frame.body.size());
+  whole.assign(front.begin(), front.end());
+  whole.insert(whole.end(), frame.body.begin(), frame.body.end());
+  if (waiting_.empty()) at_ = gone;
+  waiting_.push_back(std::move(whole));
+  return offered_;
+}
+
+void FrameOutput::flush() {
+  const std::lock_guard lock(mutex_);
+  while (!waiting_.empty()) {
+    const std::size_t gone = write(std::span(waiting_.front()).subspan(at_), {});
+    if (gone == 0) return;
+    at_ += gone;
+    if (at_ < waiting_.front().size()) continue;
+    waiting_.pop_front();
+    at_ = 0;
+  }
+}
+
+/// How many bytes there was room for.
+std::size_t FrameOutput::write(std::span<const std::byte> first, std::span<const std::byte> second) {
+  std::array<iovec, 2> parts{{{const_cast<std::byte*>(first.data()), first.size()},
+                              {const_cast<std::byte*>(second.data()), second.size()}}};
   msghdr message{};
   message.msg_iov = parts.data();
   message.msg_iovlen = parts.size();
+  ssize_t gone = -1;
+  do gone = ::sendmsg(socket_, &message, MSG_NOSIGNAL | MSG_DONTWAIT);
+  while (gone < 0 && errno == EINTR);
+  if (gone < 0) is_over_ = errno != EAGAIN && errno != EWOULDBLOCK;
+  const std::size_t bytes = gone > 0 ? static_cast<std::size_t>(gone) : 0;
+  written_ += bytes;
+  return bytes;
+}
+
+bool FrameOutput::is_waiting() const {
   const std::lock_guard lock(mutex_);
-  while (parts[0].iov_len + parts[1].iov_len > 0) {
-    const ssize_t written = ::sendmsg(socket_, &message, MSG_NOSIGNAL);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    auto left = static_cast<std::size_t>(written);
-    for (iovec& part : parts) {
-      const std::size_t gone = std::min(left, part.iov_len);
-      part = {static_cast<std::byte*>(part.iov_base) + gone, part.iov_len - gone};
-      left -= gone;
-    }
+  return !is_over_ && !waiting_.empty();
+}
+
+bool FrameOutput::is_waiting(FrameMark mark) const {
+  const std::lock_guard lock(mutex_);
+  return !is_over_ && written_ < mark;
+}
+
+bool FrameOutput::send(const PluginFrame& frame) {
+  const FrameMark mark = offer(frame);
+  while (is_waiting(mark)) {
+    pollfd room{socket_, POLLOUT, 0};
+    ::poll(&room, 1, -1);
+    flush();
   }
-  return true;
+  const std::lock_guard lock(mutex_);
+  return written_ >= mark;
 }
 
 FrameInput::ReadOutcome FrameInput::read(bool waits) {

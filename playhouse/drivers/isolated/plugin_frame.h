@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -52,16 +53,29 @@ struct PluginFrame {
 Bytes bytes_of_text(std::string_view text);
 std::string_view text_of(const Bytes& body);
 
-/// Writes frames whole. Any thread; blocks while the other end does not read.
+/// Writes frames whole and in order. Any thread.
 class FrameOutput {
  public:
   explicit FrameOutput(int socket) : socket_(socket) {}
-  /// False: there is no other end.
-  bool send(const PluginFrame& frame) const;
+  using FrameMark = std::uint64_t;  // bytes up to the end of a frame
+  /// Writes what there is room for; flush() writes the rest. Never blocks.
+  FrameMark offer(const PluginFrame& frame);
+  void flush();
+  /// Whether the other end, if there is one, has to read before all is written, or all up to `mark`.
+  bool is_waiting() const;
+  bool is_waiting(FrameMark mark) const;
+  /// Blocks until it is written. False: there is no other end.
+  bool send(const PluginFrame& frame);
 
  private:
+  std::size_t write(std::span<const std::byte> first, std::span<const std::byte> second);
+
   const int socket_;
-  mutable std::mutex mutex_;  // held while a frame is written
+  mutable std::mutex mutex_;  // guards what follows
+  std::deque<Bytes> waiting_;
+  std::size_t at_ = 0;  // from there on the first of them is not written
+  FrameMark offered_ = 0, written_ = 0;
+  bool is_over_ = false;  // there is no other end
 };
 
 /// Reads them. One thread.

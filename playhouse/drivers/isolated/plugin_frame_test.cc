@@ -81,6 +81,31 @@ TEST_F(PluginFrameTest, is_refused_if_it_is_none) {
   EXPECT_EQ(fault_of(std::span(head).first(31)), "") << "the rest may come";
 }
 
+TEST_F(PluginFrameTest, waits_for_who_does_not_read) {
+  FrameOutput out(ends_[0]);
+  FrameOutput::FrameMark first = 0, last = 0;
+  int frames = 1;
+  for (first = last = out.offer({.kind = PluginFrameKind::kStep}); !out.is_waiting(); ++frames)
+    last = out.offer({.kind = PluginFrameKind::kDatum, .body = Bytes(50'000, std::byte{9})});
+  last = out.offer({.kind = PluginFrameKind::kClose});
+  EXPECT_FALSE(out.is_waiting(first));
+  EXPECT_TRUE(out.is_waiting(last));
+  FrameInput in(ends_[1]);
+  PluginFrame got;
+  for (int taken = 0; taken < frames + 1; out.flush()) {
+    ASSERT_EQ(in.read(false), FrameInput::ReadOutcome::kSome);
+    for (auto frame = in.take(); frame && *frame; frame = in.take(), ++taken) got = std::move(**frame);
+  }
+  EXPECT_EQ(got.kind, PluginFrameKind::kClose);
+  EXPECT_FALSE(out.is_waiting(last));
+}
+
+TEST_F(PluginFrameTest, to_who_goes_without_reading_is_told) {
+  std::thread goes([&] { ::shutdown(ends_[1], SHUT_RDWR); });
+  EXPECT_FALSE(FrameOutput(ends_[0]).send({.kind = PluginFrameKind::kDatum, .body = Bytes(2'000'000)}));
+  goes.join();
+}
+
 TEST_F(PluginFrameTest, to_nobody_is_told) {
   ::shutdown(ends_[1], SHUT_RDWR);
   EXPECT_FALSE(FrameOutput(ends_[0]).send({.kind = PluginFrameKind::kStep}));

@@ -117,19 +117,26 @@ PluginProcess::~PluginProcess() {
 
 void PluginProcess::kill() const {
   ::pidfd_send_signal(ending_, SIGKILL, nullptr, 0);
+  ::shutdown(socket_, SHUT_RDWR);  // a child of it may hold the other end
 }
 
 void PluginProcess::hang_up() const {
   ::shutdown(socket_, SHUT_WR);
 }
 
+bool PluginProcess::wait_for(siginfo_t& ended, int options) const {
+  int done = -1;
+  do done = ::waitid(P_PID, static_cast<id_t>(process_), &ended, options);
+  while (done != 0 && errno == EINTR);
+  return done == 0;
+}
+
 PluginProcess::ProcessOutcome PluginProcess::wait() {
   was_waited_for_ = true;
   siginfo_t ended{};
-  int done = -1;
-  do done = ::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED);
-  while (done != 0 && errno == EINTR);
-  if (done != 0) return {false, "its process has ended"};
+  if (!wait_for(ended, WEXITED | WNOWAIT)) return {false, "its process has ended"};
+  ::kill(-process_, SIGKILL);  // its number is that of its group and of nobody else until it is reaped
+  wait_for(ended, WEXITED);
   if (ended.si_code == CLD_EXITED)
     return {ended.si_status == 0, fmt::format("its process ended with exit code {}", ended.si_status)};
   return {false, fmt::format("its process was ended by {}", name_of_signal(ended.si_status))};

@@ -5,6 +5,7 @@
 
 #include <sys/types.h>
 
+#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -33,7 +34,7 @@ class PluginProcess {
   /// A descriptor that becomes readable when the process has ended.
   int ending() const { return ending_; }
 
-  /// No effect if it has ended. Any thread.
+  /// It ends at once, if it has not, and whatever is still said to it is lost. Any thread.
   void kill() const;
   /// It shall end by itself: it reads the end of what we say. Any thread.
   void hang_up() const;
@@ -41,11 +42,12 @@ class PluginProcess {
     bool is_good = false;  // it ended by itself, with exit code 0
     std::string text;      // "its process was ended by SIGSEGV"
   };
-  /// Waits for its end. Once.
+  /// Waits for its end, and ends what it has started and left in its group. Once.
   ProcessOutcome wait();
 
  private:
   PluginProcess() = default;
+  bool wait_for(siginfo_t& ended, int options) const;
   Result<void> spawn(const std::filesystem::path& program, std::string name, int socket, int output);
 
   pid_t process_ = -1;

@@ -58,10 +58,12 @@ class PluginDoor final : public PluginProgram {
       if (used >= shell.uses_) return;
       shell.client_.ask(used, subtype, body,
                         [&shell, heard = std::move(heard)](std::optional<std::vector<std::byte>> answer) {
-                          shell.thread_.post([heard, answer = std::move(answer)] {
+                          const bool posted = shell.thread_.post([heard, answer = std::move(answer)] {
                             heard(answer.has_value(), answer ? std::span<const std::byte>(*answer)
                                                              : std::span<const std::byte>());
                           });
+                          // Who asked would wait for ever; it has as many of these as it asked.
+                          if (!posted) shell.thread_.post_anyway([heard] { heard(false, {}); });
                         });
     });
   }
@@ -421,7 +423,8 @@ Result<std::unique_ptr<device::Driver>> make_plugin(const scene::CfgSection& sec
   std::vector<std::string> warnings;
   libraries::Libraries libraries = site.surroundings().libraries();
   const std::string beside = std::filesystem::path(section.filename("plugin", "")).parent_path().string();
-  libraries.folders = libraries::library_folders(beside, "PLAYERPATH", program_folder());
+  libraries.folders =
+      libraries::library_folders(beside.empty() ? "." : beside, "PLAYERPATH", program_folder());
   const libraries::WantedLibrary wanted{kPluginAbi, section.text("plugin", ""), section.at("plugin"), {}};
   Result<MadePlugin> made = section.flag("isolated", false)
                                 ? make_isolated(section, site, wanted, libraries, warnings)

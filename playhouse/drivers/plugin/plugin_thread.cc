@@ -41,9 +41,9 @@ void PluginThread::finish(const std::function<void()>& recall) {
   end();
 }
 
-bool PluginThread::post(Hook hook) {
+bool PluginThread::post(Hook hook, std::size_t most) {
   Lock lock(state_->mutex);
-  if (state_->ending || state_->waiting.size() >= limits::kPluginQueue) return false;
+  if (state_->ending || state_->waiting.size() >= most) return false;
   state_->waiting.push_back(std::move(hook));
   if (hooks_ == Hooks::kOnCaller) {
     if (!state_->began)

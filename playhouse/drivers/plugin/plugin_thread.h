@@ -4,14 +4,19 @@
 /// last one. A thread that does not come back is left behind with what it uses, for nobody can end it.
 
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
+
+#include "playhouse/base/limits.h"
 
 namespace playhouse::drivers {
 
@@ -33,7 +38,9 @@ class PluginThread {
   /// `used` lives as long as the thread, which may be longer than this object.
   void keep(std::shared_ptr<void> used) { state_->used = std::move(used); }
   /// Any thread. False: limits::kPluginQueue hooks wait already, or it has ended; the hook is dropped.
-  bool post(Hook hook);
+  bool post(Hook hook) { return post(std::move(hook), limits::kPluginQueue); }
+  /// Likewise, however many wait: for hooks whose number somebody else limits.
+  void post_anyway(Hook hook) { post(std::move(hook), std::numeric_limits<std::size_t>::max()); }
   /// For how long a hook has been running. [s]
   double busy() const;
   /// Drops hooks that wait, and those that are posted from now on. Any thread.
@@ -54,6 +61,7 @@ class PluginThread {
     std::shared_ptr<void> used;
   };
   using Lock = std::unique_lock<std::mutex>;
+  bool post(Hook hook, std::size_t most);
   static void run(ThreadState& state);
   static void run_first(ThreadState& state, Lock& lock);
 

@@ -44,7 +44,10 @@ TEST(PluginThread, says_how_long_a_hook_has_been_running_and_takes_no_more_than_
   EXPECT_EQ(thread.busy(), 3.5);
   for (std::size_t k = 0; k < limits::kPluginQueue; ++k) ASSERT_TRUE(thread.post([] {}));
   EXPECT_FALSE(thread.post([] {}));
+  std::promise<void> last;
+  thread.post_anyway([&last] { last.set_value(); });
   go.set_value();
+  last.get_future().wait();
 }
 
 TEST(PluginThread, reports_what_a_hook_throws_and_drops_what_waits_once_it_has_ended) {

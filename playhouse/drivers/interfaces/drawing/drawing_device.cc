@@ -32,6 +32,7 @@ device::Taken DrawingDevice::queue(std::size_t points, run::Request work) {
   if (waiting + points <= kWaitingPoints && simulation().requests().post(done, model()))
     return device::Taken::kQueued;
   waiting_ -= points;
+  log::warn("a drawing command is dropped: too many before it wait for the run");
   return device::Taken::kNo;
 }
 
@@ -43,6 +44,11 @@ void DrawingDevice::draw(world::Journal& journal, const Primitives& shapes, cons
   if (held + shapes.points.size() > limits::kDrawnCorners) return warn_that_it_is_full(world);
   journal.apply(world::changes::Draw{model(), layer_, static_cast<std::uint32_t>(shapes.corners),
                                      drawn_color(color), shapes.points});
+}
+
+void DrawingDevice::clear(world::Journal& journal) {
+  journal.apply(world::changes::ClearDrawing{model(), layer_});
+  has_warned_ = false;
 }
 
 void DrawingDevice::warn_that_it_is_full(const world::World& world) {

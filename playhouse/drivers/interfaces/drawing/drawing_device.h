@@ -30,14 +30,14 @@ class DrawingDevice : public SimulatedDevice {
 
   // Tick thread.
   void draw(world::Journal& journal, const Primitives& shapes, const wire::Color& color);
-  void clear(world::Journal& journal) { journal.apply(world::changes::ClearDrawing{model(), layer_}); }
+  void clear(world::Journal& journal);
 
  private:
   void warn_that_it_is_full(const world::World& world);
 
   const std::uint32_t layer_;
   std::atomic<std::size_t> waiting_ = 0;  // points of works that are not done
-  bool has_warned_ = false;               // tick thread
+  bool has_warned_ = false;               // since the last clear; tick thread
 };
 
 }  // namespace playhouse::drivers

@@ -104,6 +104,19 @@ TEST_F(DrawingDevices, fill_polygons_below_their_outlines) {
   for (std::size_t i = 6; i < 14; ++i) EXPECT_THAT(all[i], Corner(all[i].x, all[i].y, 0xFF0000FFu, 2));
 }
 
+TEST_F(DrawingDevices, draw_the_outline_of_a_polygon_whose_inside_does_not_fit) {
+  constexpr std::size_t kHeld = limits::kDrawnCorners - 20;
+  open(k2d, g2d::kCode, "r0");
+  draw_points(k2d, std::vector<wire::Point2d>(kHeld));
+  // Its inside has eight triangles.
+  const std::vector<wire::Point2d> hexagon{{0, 0}, {2, 1}, {2, 3}, {0, 5}, {-2, 4}, {-2, 2}};
+  EXPECT_EQ(command_with(k2d, g2d::kCmdPolygon, g2d::CmdPolygon{hexagon, kRed, kGlass, 1}),
+            device::Taken::kQueued);
+  const auto all = drawn("r0");
+  EXPECT_EQ(all.size(), kHeld + 2 * hexagon.size());
+  EXPECT_EQ(all.back().corners, 2);
+}
+
 TEST_F(DrawingDevices, clear_what_was_drawn_by_their_interface) {
   open(k2d, g2d::kCode, "r0");
   open(kOther, g2d::kCode, "r0");
@@ -143,6 +156,18 @@ TEST_F(DrawingDevices, draw_in_a_frame_that_is_moved_and_turned_within_itself) {
   command(k3d, g3d::kCmdClear);
   draw(g3d::kDrawPoints, {{1, 0, 0}});
   EXPECT_THAT(places("box"), ElementsAre(1, 0, 0)) << "as at the start";
+}
+
+TEST_F(DrawingDevices, turn_about_an_axis_of_any_length) {
+  open(k3d, g3d::kCode, "box");
+  const auto near = [](double value) { return FloatNear(static_cast<float>(value), 1e-6f); };
+  for (const double length : {1e200, 1e-170, 1.7e308, 5e-324}) {
+    command(k3d, g3d::kCmdClear);
+    EXPECT_EQ(command_with(k3d, g3d::kCmdRotate, g3d::CmdRotate{geom::kPi, length, length, 0}),
+              device::Taken::kQueued);
+    draw(g3d::kDrawPoints, {{1, 0, 0}});
+    EXPECT_THAT(places("box"), ElementsAre(near(0), near(1), near(0))) << length;
+  }
 }
 
 TEST_F(DrawingDevices, begin_in_the_frame_of_the_model_for_the_next_client) {
@@ -212,19 +237,22 @@ TEST_F(DrawingDevices, change_nothing_that_a_run_depends_on) {
 }
 
 TEST_F(DrawingDevices, drawings_are_those_of_the_moment_to_which_the_run_was_taken_back) {
+  constexpr std::uint64_t kMoment = 10;  // a full second
   still_.simulation.requests().record(true);
   open(k2d, g2d::kCode, "r0");
   still_.run(1);
   draw_points(k2d, {{1, 0}});
-  still_.run(2);
-  const std::uint64_t instant = still_.world().tick();
+  while (still_.world().tick() < kMoment) still_.run(1);
   draw_points(k2d, {{2, 0}});
   still_.run(1);
   command(k2d, g2d::kCmdClear);
-  still_.run(1);
+  still_.run(2);
   EXPECT_THAT(drawn("r0"), IsEmpty());
-  run::testing::rewind_to(still_.simulation, instant);
-  EXPECT_THAT(drawn("r0"), ElementsAre(Corner(1, 0, 0xFF0000FFu, 1)));
+  for (const std::uint64_t tick : {kMoment, kMoment + 2}) {
+    run::testing::rewind_to(still_.simulation, tick);
+    EXPECT_EQ(still_.world().tick(), tick);
+    EXPECT_THAT(drawn("r0"), ElementsAre(Corner(1, 0, 0xFF0000FFu, 1))) << "of the moment before " << tick;
+  }
 }
 
 TEST_F(DrawingDevices, draw_nothing_for_a_model_that_has_gone) {

@@ -2,6 +2,7 @@
 
 #include "playhouse/wire/generated/graphics3d.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -85,10 +86,16 @@ class Graphics3d final : public DrawingDevice {
   }
   static bool is_possible(const g3d::CmdTranslate& by) { return is_finite(by.x, by.y, by.z); }
   static bool is_possible(const g3d::CmdRotate& by) {
-    return is_finite(by.a, by.x, by.y, by.z) && length_of(by) > 0 && std::isfinite(length_of(by));
+    return is_finite(by.a, by.x, by.y, by.z) && longest_part(by) > 0;
   }
-  static double length_of(const g3d::CmdRotate& by) {
-    return std::sqrt(by.x * by.x + by.y * by.y + by.z * by.z);
+  static double longest_part(const g3d::CmdRotate& by) {
+    return std::max({std::fabs(by.x), std::fabs(by.y), std::fabs(by.z)});
+  }
+  /// Of an axis whose square, or even length, may be no number.
+  static geom::Vec3 direction_of(const g3d::CmdRotate& by) {
+    const double longest = longest_part(by);
+    const geom::Vec3 way{by.x / longest, by.y / longest, by.z / longest};
+    return (1 / std::sqrt(geom::dot(way, way))) * way;
   }
   static std::size_t points_of(const g3d::CmdDraw& command) { return command.points.size(); }
   template <typename Command>
@@ -108,8 +115,8 @@ class Graphics3d final : public DrawingDevice {
   }
   void carry_out(world::Journal&, const g3d::CmdRotate& by) {
     const geom::Rotation half = geom::Rotation::of(geom::normalize(by.a) / 2);
-    const double s = half.s / length_of(by);
-    frame_.q_MF = frame_.q_MF * geom::Quaternion{half.c, s * by.x, s * by.y, s * by.z};
+    const geom::Vec3 axis = half.s * direction_of(by);
+    frame_.q_MF = frame_.q_MF * geom::Quaternion{half.c, axis.x, axis.y, axis.z};
   }
   /// What is pushed too deep has no frame of its own: its pop has no effect either.
   void push() {

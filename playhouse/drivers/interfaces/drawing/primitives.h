@@ -29,6 +29,8 @@ std::optional<Primitives> primitives_of(std::uint32_t mode, std::span<const geom
 /// The even-odd inside of an outline at a height. One of more than kFilledExactly corners is a fan about the
 /// first one.
 Primitives filled(std::span<const geom::Vec2> outline, double height);
-inline constexpr std::size_t kFilledExactly = 1024;
+/// The time for it, of a thread that serves all clients, and what comes out grow with the square: n corners that cross
+/// each other everywhere make n^2 / 4 trapezoids at most, half as much again as a drawing has room for.
+inline constexpr std::size_t kFilledExactly = 128;
 
 }  // namespace playhouse::drivers
