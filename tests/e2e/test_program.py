@@ -256,11 +256,13 @@ class Examples(HouseTest):
         with self.run_house(world=self.folder / "my.world") as house:
             for command in ("devices", "watch", "drive"):
                 for line in self.examples(command):
+                    if "--network" in line:  # needs one: test_discovery.py
+                        continue
                     with self.subTest(line):
                         words = line.split()
                         here = f"127.0.0.1:{house.port()}"
                         words = [here if word.startswith("127.0.0.1") else word for word in words]
-                        done = self.shell(" ".join(words if here in words else [*words, here]))
+                        done = self.shell(" ".join(words if here in words else [*words[:2], here, *words[2:]]))
                         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
                         self.assertNotEqual(done.stdout, "")
 
