@@ -262,6 +262,8 @@ class Examples(HouseTest):
                         words = line.split()
                         here = f"127.0.0.1:{house.port()}"
                         words = [here if word.startswith("127.0.0.1") else word for word in words]
+                        if command == "watch" and "--count" not in words:
+                            words += ["--count", "1"]  # it would go on
                         done = self.shell(" ".join(words if here in words else [*words[:2], here, *words[2:]]))
                         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
                         self.assertNotEqual(done.stdout, "")
