@@ -62,10 +62,10 @@ class Walk {
     in.X_WT = X_WT;
   }
   bool stands_free(Vec2 p_W) const {
-    const int x = static_cast<int>(std::floor(p_W.x / kScale)),
-              y = static_cast<int>(std::floor(p_W.y / kScale));
-    return x >= 0 && y >= 0 && x < truth.width() && y < truth.height() &&
-           truth.cells[static_cast<std::size_t>(y * truth.width() + x)] < 0;
+    const double column = std::floor(p_W.x / kScale), row = std::floor(p_W.y / kScale);
+    if (!(column >= 0 && row >= 0 && column < truth.width() && row < truth.height())) return false;
+    const int x = static_cast<int>(column), y = static_cast<int>(row);
+    return truth.cells[static_cast<std::size_t>(y * truth.width() + x)] < 0;
   }
   float range(double angle) const {
     const Vec2 along = geom::Rotation::of(angle) * Vec2{1, 0};
