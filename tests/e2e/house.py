@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import random
 import re
 import signal
 import socket
@@ -38,6 +39,22 @@ model( name "wall" pose [3 0 0 0] size [0.2 10 1] color "gray" )
 robot( name "r0" pose [0 0 0 0] fiducial_return 1 )
 robot( name "r1" pose [0 -3 0 90] localization "odom" odom_error [0 0 0 0] )
 """
+
+
+def free_ports(count: int = 1) -> list[int]:
+    """Ports for programs that start later: below those that the system gives to whoever names none, as any program's outgoing
+    connection may have one of these meanwhile."""
+    first_given = int(Path("/proc/sys/net/ipv4/ip_local_port_range").read_text().split()[0])
+    found: list[int] = []
+    for port in random.sample(range(max(1024, first_given - 12000), first_given), 2000):
+        try:
+            socket.create_server(("127.0.0.1", port)).close()
+        except OSError:
+            continue
+        found.append(port)
+        if len(found) == count:
+            return found
+    raise AssertionError(f"there are not {count} free ports below {first_given}")
 
 
 class House:

@@ -2,13 +2,12 @@
 
 import json
 import math
-import socket
 import struct
 import sys
 import unittest
 import zlib
 
-from house import ACK, CMD, DATA, NACK, POSITION2D, REQ, ROOT, SIMULATION, Client, House, HouseTest
+from house import ACK, CMD, DATA, NACK, POSITION2D, REQ, ROOT, SIMULATION, Client, House, HouseTest, free_ports
 from house import Message as Received
 
 sys.path.insert(0, str(ROOT / "clients/python"))
@@ -168,8 +167,7 @@ class OffBoard(HouseTest):
 
     def test_a_robot_is_waited_for_and_found_again(self):
         world = self.write("cave.world", OnAMap.CAVE.replace('ctrl "wander"', ""))
-        with socket.create_server(("127.0.0.1", 0)) as free:
-            port = free.getsockname()[1]
+        (port,) = free_ports()
         brain = self.write("brain.cfg", f"""
 driver( name "passthrough" provides ["position2d:0" "laser:0"] requires ["127.0.0.1:{port}:position2d:0" "127.0.0.1:{port}:laser:0"] )
 driver( name "mapfile" provides ["map:0"] filename "{ROOT}/worlds/bitmaps/cave.png" resolution 0.025 )
@@ -209,10 +207,7 @@ class InACircle(HouseTest):
     """Programs whose devices stand for each other."""
 
     def check_ring(self, size: int) -> None:
-        free = [socket.create_server(("127.0.0.1", 0)) for _ in range(size)]
-        ports = [each.getsockname()[1] for each in free]
-        for each in free:
-            each.close()
+        ports = free_ports(size)
         houses = []
         for nth, port in enumerate(ports):
             cfg = self.write(f"{nth}.cfg", 'driver( name "passthrough" provides ["position2d:0"] '
@@ -378,9 +373,7 @@ class Wired(HouseTest):
     """docs/wiring.md: worlds/robot.cfg, and worlds/station.cfg in another program."""
 
     def test_a_station_that_starts_first_drives_the_robot_to_a_goal(self):
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            port = free.getsockname()[1]
+        (port,) = free_ports()
         station = self.write("station.cfg", (ROOT / "worlds/station.cfg").read_text().replace("6665", str(port)))
         with House("serve", station, "--port", 0, "--headless") as house:
             house.wait_for_line(rf'driver "amcl" waits: localhost:{port} cannot connect: Connection refused')

@@ -15,7 +15,7 @@ import unittest
 import urllib.request
 
 from house import (ACK, DATA, LASER, NACK, PATIENCE, PLAYER, PROGRAM, REQ, ROOT, Client, House, HouseTest,
-                   Message, frame, text)
+                   Message, frame, free_ports, text)
 from test_without_world import CFG, PageSocket
 
 sys.path.insert(0, str(ROOT / "clients/python"))
@@ -224,6 +224,7 @@ class Udp(HouseTest):
             with self.assertRaises(RunEnded):
                 while True:
                     client.read()
+        (port,) = free_ports()
         first = self.enterContext(House("run", self.world(), "--port", port, "--web", "off", "--udp"))
         port_of(first, "also UDP")
         with connect(f"udp:127.0.0.1:{port}") as client, client.laser():
