@@ -225,21 +225,34 @@ class PacketWriter {
     from = to;
   }
 
-  /// Differences of texts between replica and snapshot; both are sorted by row.
-  std::vector<Utterance> unheard() const {
-    std::vector<Utterance> news;
-    auto held = replica_.says.begin();
+  /// Differences between what the replica holds by row and what the snapshot has, sorted by row; with an empty
+  /// value: removed. `difference_of` gives one of a row of the snapshot, `is_same` compares values.
+  template <typename Held, typename Sent, typename DifferenceOf, typename IsSame>
+  static auto differences(const Held& all_held, const Sent& all_sent, DifferenceOf difference_of,
+                          IsSame is_same) {
+    using Difference = decltype(difference_of(all_sent.front()));
+    std::vector<Difference> news;
+    auto held = all_held.begin();
     const auto end_held_before = [&](world::ModelRow row) {
-      for (; held != replica_.says.end() && held->first < row; ++held) news.push_back({held->first, {}});
+      for (; held != all_held.end() && held->first < row; ++held) news.push_back({held->first, {}});
     };
-    for (const Said& said : snapshot_.says) {
-      end_held_before(said.model);
-      const bool holds = held != replica_.says.end() && held->first == said.model;
-      if (!holds || held->second != said.text) news.push_back({said.model, said.text});
+    for (const auto& sent : all_sent) {
+      end_held_before(sent.model);
+      const bool holds = held != all_held.end() && held->first == sent.model;
+      if (!holds || !is_same(held->second, sent)) news.push_back(difference_of(sent));
       if (holds) ++held;
     }
     end_held_before(world::ModelRow{});
     return news;
+  }
+
+  std::vector<Utterance> unheard() const {
+    return differences(
+        replica_.says, snapshot_.says,
+        [](const Said& said) {
+          return Utterance{said.model, said.text};
+        },
+        [](const auto& held, const Said& said) { return held == said.text; });
   }
 
   /// False: no room; some is reserved for sensors.
@@ -255,24 +268,13 @@ class PacketWriter {
     return true;
   }
 
-  /// Differences of drawings between replica and snapshot, by row; null: removed.
   std::vector<ModelDrawing> unseen() const {
-    std::vector<ModelDrawing> news;
-    auto held = replica_.drawings.begin();
-    const auto end_held_before = [&](world::ModelRow row) {
-      for (; held != replica_.drawings.end() && held->first < row; ++held) news.push_back({held->first, {}});
-    };
-    for (const ModelDrawing& drawn : snapshot_.drawings) {
-      end_held_before(drawn.model);
-      const bool holds = held != replica_.drawings.end() && held->first == drawn.model;
-      if (!holds || !is_same(held->second, drawn.drawing)) news.push_back(drawn);
-      if (holds) ++held;
-    }
-    end_held_before(world::ModelRow{});
-    return news;
+    return differences(
+        replica_.drawings, snapshot_.drawings, [](const ModelDrawing& drawn) { return drawn; },
+        [](const SentDrawing& held, const ModelDrawing& drawn) {
+          return held == drawn.drawing || *held == *drawn.drawing;
+        });
   }
-
-  static bool is_same(const SentDrawing& a, const SentDrawing& b) { return a == b || *a == *b; }
 
   void drawing(const ModelDrawing& drawn) {
     if (drawn.drawing == nullptr) {

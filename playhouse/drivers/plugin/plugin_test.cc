@@ -60,6 +60,19 @@ class PluginTest : public ::testing::TestWithParam<bool> {
                                   device::Replier(site_.recorder, ++ticket_));
     return site_.recorder.answers.at(ticket_);
   }
+  /// By this fault, of a plug-in that uses the device of another driver.
+  void expect_that_it_loses_its_devices_alone(const std::string& fault) {
+    build(kRelay + section(kUses + " fault \"" + fault + "\""));
+    ASSERT_TRUE(site_.hold(site_.id(kAio)));
+    ASSERT_TRUE(site_.hold(site_.id(kOther)));
+    const device::DeviceId aio = site_.id(kAio), own = site_.id(kOwn), other = site_.id(kOther);
+    EXPECT_EQ(command(kAio, aio::kCmdState, aio::Cmd{0, 3.5f}), device::Taken::kQueued);
+    EXPECT_FALSE(ask(kOwn, op::kReqData, bytes_of("abc")).ack);
+    site_.hear();
+    site_.hear();
+    EXPECT_THAT(site_.retired, ElementsAre(aio.row, own.row));
+    EXPECT_EQ(site_.held[other.row].size(), 1u) << "ours; its own hold has ended";
+  }
   /// What a device of interface opaque has published, as text.
   std::vector<std::string> said(device::Address address) {
     std::vector<std::string> lines;
@@ -122,16 +135,7 @@ TEST_P(PluginTest, steps_in_its_period_while_it_is_open) {
 }
 
 TEST_P(PluginTest, that_throws_loses_its_devices_and_nobody_elses) {
-  build(kRelay + section(kUses + " fault \"throws\""));
-  ASSERT_TRUE(site_.hold(site_.id(kAio)));
-  ASSERT_TRUE(site_.hold(site_.id(kOther)));
-  const device::DeviceId aio = site_.id(kAio), own = site_.id(kOwn), other = site_.id(kOther);
-  EXPECT_EQ(command(kAio, aio::kCmdState, aio::Cmd{0, 3.5f}), device::Taken::kQueued);
-  EXPECT_FALSE(ask(kOwn, op::kReqData, bytes_of("abc")).ack);
-  site_.hear();
-  site_.hear();
-  EXPECT_THAT(site_.retired, ElementsAre(aio.row, own.row));
-  EXPECT_EQ(site_.held[other.row].size(), 1u) << "ours; its own hold has ended";
+  expect_that_it_loses_its_devices_alone("throws");
 }
 
 TEST_P(PluginTest, refuses_what_it_cannot_be) {
@@ -159,16 +163,7 @@ TEST_P(PluginTest, reads_its_section) {
 
 TEST_P(PluginTest, that_crashes_in_a_process_of_its_own_loses_its_devices_and_nobody_elses) {
   if (!GetParam()) return;
-  build(kRelay + section(kUses + " fault \"aborts\""));
-  ASSERT_TRUE(site_.hold(site_.id(kAio)));
-  ASSERT_TRUE(site_.hold(site_.id(kOther)));
-  const device::DeviceId aio = site_.id(kAio), own = site_.id(kOwn), other = site_.id(kOther);
-  EXPECT_EQ(command(kAio, aio::kCmdState, aio::Cmd{0, 3.5f}), device::Taken::kQueued);
-  EXPECT_FALSE(ask(kOwn, op::kReqData, bytes_of("abc")).ack);
-  site_.hear();
-  site_.hear();
-  EXPECT_THAT(site_.retired, ElementsAre(aio.row, own.row));
-  EXPECT_EQ(site_.held[other.row].size(), 1u);
+  expect_that_it_loses_its_devices_alone("aborts");
 }
 
 INSTANTIATE_TEST_SUITE_P(Processes, PluginTest, ::testing::Bool(),
