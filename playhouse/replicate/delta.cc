@@ -60,20 +60,12 @@ class PacketWriter {
     pack_.u8(packet::kEnd);
   }
 
-  /// Changed texts: those in view first; both round robin from `next`.
+  /// Changed texts.
   void says(world::ModelRow& next) {
     id_ = 0;
-    if (replica_.said != snapshot_.said) {
-      std::vector<Utterance> news = unheard();
-      const auto from = std::ranges::lower_bound(news, next, {}, &Utterance::model);
-      std::rotate(news.begin(), from, news.end());
-      std::stable_partition(news.begin(), news.end(),
-                            [this](const Utterance& each) { return in_view(each.model); });
-      const auto stopped =
-          std::ranges::find_if_not(news, [this](const Utterance& each) { return say(each); });
-      next = stopped == news.end() ? world::ModelRow{0} : stopped->model;
-      if (stopped == news.end()) replica_.said = snapshot_.said;
-    }
+    if (replica_.said != snapshot_.said &&
+        send_some(unheard(), next, [this](const Utterance& each) { return say(each); }))
+      replica_.said = snapshot_.said;
     pack_.u8(packet::kEnd);
   }
 
@@ -105,24 +97,19 @@ class PacketWriter {
     pack_.u8(packet::kEnd);
   }
 
-  /// Changed drawings: those in view first; both round robin from `next`. As the sections before may fill
-  /// every packet, `one_is_due` after a packet without room for any: it is sent whatever this one holds.
+  /// Changed drawings. As the sections before may fill every packet, `one_is_due` after a packet without room
+  /// for any: it is sent whatever this one holds.
   void drawings(world::ModelRow& next, bool& one_is_due) {
     id_ = 0;
     if (replica_.drawn != snapshot_.drawn) {
-      std::vector<ModelDrawing> news = unseen();
-      const auto from = std::ranges::lower_bound(news, next, {}, &ModelDrawing::model);
-      std::rotate(news.begin(), from, news.end());
-      std::stable_partition(news.begin(), news.end(),
-                            [this](const ModelDrawing& each) { return in_view(each.model); });
-      const auto stopped = std::ranges::find_if_not(news, [&](const ModelDrawing& each) {
+      bool has_sent = false;
+      const bool all = send_some(unseen(), next, [&](const ModelDrawing& each) {
         if (!std::exchange(one_is_due, false) && full(budget_)) return false;
         drawing(each);
-        return true;
+        return has_sent = true;
       });
-      one_is_due = !news.empty() && stopped == news.begin();
-      next = stopped == news.end() ? world::ModelRow{0} : stopped->model;
-      if (stopped == news.end()) replica_.drawn = snapshot_.drawn;
+      one_is_due = !all && !has_sent;
+      if (all) replica_.drawn = snapshot_.drawn;
     }
     pack_.u8(packet::kEnd);
   }
@@ -223,6 +210,18 @@ class PacketWriter {
     item(mask, row);
     write_fields(mask, from, to, pack_);
     from = to;
+  }
+
+  /// Sends differences as long as `send` has room: those in view first, both round robin from `next`. True: all.
+  template <typename Difference, typename Send>
+  bool send_some(std::vector<Difference> news, world::ModelRow& next, Send send) {
+    const auto from = std::ranges::lower_bound(news, next, {}, &Difference::model);
+    std::rotate(news.begin(), from, news.end());
+    std::stable_partition(news.begin(), news.end(),
+                          [this](const Difference& each) { return in_view(each.model); });
+    const auto stopped = std::ranges::find_if_not(news, send);
+    next = stopped == news.end() ? world::ModelRow{0} : stopped->model;
+    return stopped == news.end();
   }
 
   /// Differences between what the replica holds by row and what the snapshot has, sorted by row; with an empty
