@@ -1,6 +1,10 @@
 # Libraries of others that the program and its tests are made with. The client library needs none.
 
 find_package(Threads REQUIRED)
+if(PLAYHOUSE_CORE)
+  include(${CMAKE_CURRENT_LIST_DIR}/CoreDependencies.cmake)
+  return()
+endif()
 find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(ZLIB REQUIRED)

@@ -1,6 +1,8 @@
 """python3 -m codegen            writes all files generated from interfaces/, kinds/ and viewer/, and worlds/looks/
 python3 -m codegen --check    writes nothing; fails if one is missing, edited or left over
 python3 -m codegen --list     prints their paths
+python3 -m codegen --catalogue laser,power FILE
+                              writes the table of messages of a program that knows these interfaces alone (PLAYHOUSE_INTERFACES)
 
 Every build writes them (cmake/Codegen.cmake, web/package.json), since git has none (docs/adr/0026).
 """
@@ -85,7 +87,22 @@ def write(files: dict[str, str]) -> int:
     return changed
 
 
+def write_catalogue(names: list[str], target: Path) -> int:
+    schema = load(ROOT / "interfaces")
+    known = [interface.name for interface in schema.interfaces]
+    for name in names:
+        if name not in known:
+            print(f"invalid PLAYHOUSE_INTERFACES: there is no interface {name}; there are {', '.join(known)}", file=sys.stderr)
+            return 1
+    content = emit_cpp.catalogue(schema.restricted({"player", *names}))
+    if not target.exists() or target.read_text(encoding="utf-8") != content:
+        replace(target, content)
+    return 0
+
+
 def main(arguments: list[str]) -> int:
+    if len(arguments) == 3 and arguments[0] == "--catalogue":
+        return write_catalogue(arguments[1].split(","), Path(arguments[2]))
     if arguments not in ([], ["--check"], ["--list"]):
         print(__doc__, end="", file=sys.stderr)
         return 2

@@ -25,7 +25,7 @@ def emit(schema: Schema) -> dict[str, str]:
         files[f"{FOLDER}/{interface.name}.h"] = _header(interface)
         files[f"{FOLDER}/{interface.name}.cc"] = _source(schema, interface)
     files[f"{FOLDER}/rows.h"] = _rows_header(schema)
-    files[f"{FOLDER}/catalogue.cc"] = _catalogue(schema)
+    files[f"{FOLDER}/catalogue.cc"] = catalogue(schema)
     return files
 
 
@@ -239,7 +239,8 @@ def _rows_header(schema: Schema) -> str:
     return "\n".join([*lines, "", "}  // namespace playhouse::wire", ""])
 
 
-def _catalogue(schema: Schema) -> str:
+def catalogue(schema: Schema) -> str:
+    """catalogue.cc, of the interfaces of the schema."""
     lines = [banner("interfaces/").rstrip(), f'#include "{FOLDER}/rows.h"', "", "namespace playhouse::wire {", "",
              "namespace {", "", f"constexpr InterfaceDef kInterfaces[{len(schema.interfaces)}] = {{"]
     lines += [f'    {{{i.code}, "{i.name}", {i.name}::kRows}},' for i in schema.interfaces]

@@ -1,5 +1,5 @@
 """Lists of hand-written code per kind, and power consumption, for engines and drivers; so that a kind adds files and changes none. In the folders
-`generated` of playhouse/scene/, behaviour/, bodies/, senses/ and drivers/."""
+`generated` of playhouse/scene/, behaviour/, bodies/, senses/ and bridge/."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ SCENE = "playhouse/scene/generated"
 BEHAVIOUR = "playhouse/behaviour/generated"
 BODIES = "playhouse/bodies/generated"
 SENSES = "playhouse/senses/generated"
-DRIVERS = "playhouse/drivers/generated"
+BRIDGE = "playhouse/bridge/generated"
 
 
 def emit(kinds: Kinds) -> dict[str, str]:
     """Path from the root of the tree -> content."""
     return {f"{SCENE}/bodies.h": _bodies(kinds), f"{BEHAVIOUR}/acts.h": _acts(kinds), f"{BEHAVIOUR}/draws.h": _draws(kinds),
-            f"{SENSES}/senses.h": _senses(kinds), f"{BODIES}/moves.h": _moves(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds),
-            f"{DRIVERS}/voltages.cc": _voltages(kinds)}
+            f"{SENSES}/senses.h": _senses(kinds), f"{BODIES}/moves.h": _moves(kinds), f"{BRIDGE}/device_makers.h": _devices(kinds),
+            f"{BRIDGE}/voltages.cc": _voltages(kinds)}
 
 
 def _bodies(kinds: Kinds) -> str:
@@ -95,7 +95,7 @@ def _makers(kinds: Kinds) -> list[tuple[str, Served, Kind]]:
 
 
 def _voltages(kinds: Kinds) -> str:
-    lines = [BANNER.rstrip(), '#include "playhouse/drivers/analog_sensor.h"', "", "namespace playhouse::drivers {", ""]
+    lines = [BANNER.rstrip(), '#include "playhouse/bridge/analog_sensor.h"', "", "namespace playhouse::drivers {", ""]
     for name, served, kind in _makers(kinds):
         if not served.voltages:
             continue
@@ -110,9 +110,9 @@ def _voltages(kinds: Kinds) -> str:
 def _devices(kinds: Kinds) -> str:
     found = _makers(kinds)
     lines = [BANNER.rstrip(), "#pragma once", "",
-             "/// The device of each interface of simulated models, defined in a NAME.cc below playhouse/drivers/interfaces/,",
+             "/// The device of each interface of simulated models, defined in a NAME.cc below playhouse/bridge/interfaces/,",
              "/// and devices specific to a kind, with NAME of the kind. Those with `voltages` are in voltages.cc.", "",
-             "#include <cstdint>", "#include <memory>", "#include <optional>", "", '#include "playhouse/drivers/simulated/simulated_device.h"', "",
+             "#include <cstdint>", "#include <memory>", "#include <optional>", "", '#include "playhouse/bridge/simulated/simulated_device.h"', "",
              "namespace playhouse::drivers {", "", "/// `model` fits the interface (model_interfaces.h)."]
     lines += [f"std::unique_ptr<SimulatedDevice> make_{name}_device(run::Simulation& simulation, world::ModelRow model);" for name, _, _ in found]
     lines += ["", "struct DeviceMaker {", "  std::uint16_t interf;",

@@ -374,7 +374,7 @@ def _writers_header(kinds: Kinds) -> str:
         elif not _through_kind(kind) and kind.entity != "part":
             lines.append(f"{_write_signature(kind)};")
     lines += ["", *_comment("Writes what models say beyond PlainDesc, and the entities that are parts of them.")]
-    lines += ["void write_kind(const KindDescs& from, const Units& units, Entity& to);", "", "}  // namespace playhouse::scene", ""]
+    lines += ["void write_kind(const KindDescs& from, const config::Units& units, Entity& to);", "", "}  // namespace playhouse::scene", ""]
     return "\n".join(lines)
 
 
@@ -393,7 +393,7 @@ def _writers(kinds: Kinds) -> str:
     for kind in described(kinds):
         if kind not in inner:
             lines += [*_writer(kind), ""]
-    lines += ["void write_kind(const KindDescs& from, const Units& units, Entity& to) {", "  Words words(units, to.words);"]
+    lines += ["void write_kind(const KindDescs& from, const config::Units& units, Entity& to) {", "  Words words(units, to.words);"]
     for kind in inner:
         if kind.entity != "part":
             lines.append(f"  if (from.{kind.name}) write(*from.{kind.name}, {{}}, words);")

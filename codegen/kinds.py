@@ -75,7 +75,7 @@ class Served:
     when: str               # what the model must have; "" nothing
     listed_when: str        # the same, for the automatic map alone
     shared: bool            # several devices of a configuration file may be of one model
-    voltages: list[Voltage] = field(default_factory=list)  # of aio, from columns; without any, a NAME.cc below playhouse/drivers/interfaces/ has the device
+    voltages: list[Voltage] = field(default_factory=list)  # of aio, from columns; without any, a NAME.cc below playhouse/bridge/interfaces/ has the device
 
 
 @dataclass

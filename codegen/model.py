@@ -244,6 +244,10 @@ class Schema:
     def all(self) -> list[Interface]:
         return [self.common, *self.interfaces]
 
+    def restricted(self, names: set[str]) -> Schema:
+        """With these interfaces alone."""
+        return Schema(self.common, [i for i in self.interfaces if i.name in names])
+
     def interface(self, name: str) -> Interface:
         return next(i for i in self.all() if i.name == name)
 

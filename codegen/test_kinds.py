@@ -433,10 +433,10 @@ class Generated(unittest.TestCase):
         kinds = build_kinds(tables(column=[column(), column(name="measured_tick", type="uint64", unit="ticks")],
                                    interface=[{"name": "aio", "index": "count", "voltages": [{"from": "angle", "volts": 0.5}]}]), SCHEMA)
         files = emit_kind_lists.emit(kinds) | emit_kinds_docs.emit(kinds)
-        self.assertIn("std::unique_ptr<SimulatedDevice> make_aio_device(", files["playhouse/drivers/generated/voltages.cc"])
+        self.assertIn("std::unique_ptr<SimulatedDevice> make_aio_device(", files["playhouse/bridge/generated/voltages.cc"])
         self.assertIn("    if (sensors.measured_tick[row] != world.tick()) return false;\n"
-                      "    voltages = {static_cast<float>(0.5 * sensors.angle[row])};\n", files["playhouse/drivers/generated/voltages.cc"])
-        self.assertIn("    {21, scene::ModelKind::kArm, make_aio_device},", files["playhouse/drivers/generated/device_makers.h"])
+                      "    voltages = {static_cast<float>(0.5 * sensors.angle[row])};\n", files["playhouse/bridge/generated/voltages.cc"])
+        self.assertIn("    {21, scene::ModelKind::kArm, make_aio_device},", files["playhouse/bridge/generated/device_makers.h"])
         self.assertIn("| 0.5 V per rad of `angle` |", files["docs/kinds/arm.md"])
 
     def test_a_bar_in_a_table_of_a_page_is_escaped(self):

@@ -188,7 +188,7 @@ class Checked(unittest.TestCase):
         self.assertEqual(sum(len(i.structs) for i in schema.all()), 223)
 
     def test_simulated_devices_are_described_as_they_answer(self):
-        # What playhouse/drivers/simulated/devices_test.cc finds in their messages.
+        # What playhouse/bridge/simulated/devices_test.cc finds in their messages.
         said = {("simulation", "Pose2dReq", "pose"): ("m, m, rad", "X_PT"),
                 ("simulation", "Pose3dReq", "pose"): ("m, m, m, rad, rad, rad", "X_PT"),
                 ("simulation", "Pose3dReq", "simtime"): ("us", ""),

@@ -13,6 +13,7 @@ SOURCE = ROOT / "playhouse"
 APART = {
     ("arena", "bodies", "behaviour", "controllers", "rays", "senses", "stage", "world"): ("device", "net", "server", "wire"),
     ("net",): ("wire",),
+    ("config", "device", "device_server", "drivers", "libraries", "net", "server", "wire"): ("images", "mesh", "run", "scene", "world"),
     ("render",): ("scene", "world"),
     ("wire",): ("net",),
 }
@@ -23,8 +24,8 @@ ALONE = {
     r"#include <boost/(?:asio|beast)": ("net",),
     r"#include <openssl/": ("net",),
     r"#include <avahi-": ("discovery",),
-    r"#include <(?:sys/socket|netinet/\w+)\.h>": ("app", "drivers", "mesh", "net"),
-    r"\bgeom::degrees\(": ("drivers", "record", "scene"),  # docs/conventions.md
+    r"#include <(?:sys/socket|netinet/\w+)\.h>": ("app", "bridge", "drivers", "mesh", "net"),
+    r"\bgeom::degrees\(": ("bridge", "drivers", "record", "scene"),  # docs/conventions.md
     r"#include <cassert>|\bassert\(": (),  # PLAYHOUSE_ASSERT is on in every build
 }
 # A file in a document: `module/file.h`, or its path; NAME stands for many.

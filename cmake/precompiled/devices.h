@@ -4,7 +4,7 @@
 #include "playhouse/device/client.h"
 #include "playhouse/net/network.h"
 #include "playhouse/run/simulation.h"
-#include "playhouse/scene/text/expand.h"
+#include "playhouse/config/text/expand.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/common.h"
 #include "world.h"

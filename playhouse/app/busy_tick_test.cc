@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "playhouse/drivers/simulated/device_factory.h"
-#include "playhouse/drivers/simulated/simulated_driver.h"
-#include "playhouse/drivers/testing/still_devices.h"
+#include "playhouse/bridge/simulated/device_factory.h"
+#include "playhouse/bridge/simulated/simulated_driver.h"
+#include "playhouse/bridge/testing/still_devices.h"
 #include "playhouse/server/server.h"
 #include "playhouse/server/test_client.h"
 #include "playhouse/wire/generated/position2d.h"

@@ -57,19 +57,19 @@ robot( name "d" pose [-3 0 0 200] ) robot( name "e" pose [0 0 0 300] ) robot( na
 /// The engine of the world, with what it refers to.
 class Instance {
  public:
-  explicit Instance(scene::SourceFiles sources, const std::string& engine = kStage, std::uint64_t seed = 1)
+  explicit Instance(config::SourceFiles sources, const std::string& engine = kStage, std::uint64_t seed = 1)
       : sources(std::move(sources)), scene_(*scene_of(this->sources, std::nullopt, nullptr)) {
     this->engine = *make_engine(scene_, {.engine = engine, .seed = seed},
                                 controllers::Libraries::LibraryUse::kLoad, [](const std::string&) {});
   }
-  static scene::SourceFiles test_world() {
-    scene::SourceFiles sources;
+  static config::SourceFiles test_world() {
+    config::SourceFiles sources;
     sources.path = "test.world";
     sources.files["test.world"] = kWorld;
     return sources;
   }
 
-  scene::SourceFiles sources;
+  config::SourceFiles sources;
 
  private:
   scene::SceneDesc scene_;
@@ -412,7 +412,7 @@ TEST_F(ClusterTest, silent_connections_keep_no_node_out) {
 }
 
 TEST_F(ClusterTest, a_hundred_nodes_that_do_not_read_share_one_copy_of_the_world) {
-  scene::SourceFiles sources = Instance::test_world();
+  config::SourceFiles sources = Instance::test_world();
   sources.files["test.world"] += "\n# " + std::string(8 << 20, 'x');
   run_ = std::make_unique<Instance>(sources);
   head_ = std::make_unique<Head>(net::system_polled(), std::move(run_->engine), run_->sources,

@@ -17,7 +17,6 @@
 #include <utility>
 
 #include "playhouse/app/commands/options.h"
-#include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/discovery/announce.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/guest_list.h"
@@ -28,7 +27,9 @@
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
 #include "playhouse/base/monotonic.h"
+#include "playhouse/bridge/all_drivers.h"
 #include "playhouse/device/device_table.h"
+#include "playhouse/device_server/descriptor_limit.h"
 #include "playhouse/record/mcap/mcap_writer.h"
 #include "playhouse/server/websocket_connection.h"
 #include "playhouse/web_server/page_files.h"
@@ -59,48 +60,30 @@ std::optional<std::string> address_for_others() {
 
 DeviceService::DeviceService(Serving serving, std::span<const std::string> allowed)
     : serving_(std::move(serving)),
-      libraries_{.folders = {}, .allowed = {allowed.begin(), allowed.end()}},
-      server_(std::make_unique<server::Server>(loop_, server_options(serving_))) {}
-
-drivers::Site& DeviceService::open_site(std::uint16_t port) {
-  drivers::Host& surroundings = *this;  // private base, not accessible to make_unique
-  site_ = std::make_unique<drivers::Site>(surroundings, port);
-  site_->data_flow().pass_to(tap_);
-  return *site_;
-}
+      devices_(server_options(serving_), {.folders = {}, .allowed = {allowed.begin(), allowed.end()}}) {}
 
 DeviceService::~DeviceService() {
   alive_.reset();
-  if (site_ != nullptr) end_drivers(*site_, drivers_);
+  devices_.close();
   end_recording();
-}
-
-Result<std::uint16_t> DeviceService::listen(std::uint16_t port) {
-  Result<std::uint16_t> opened = server_->listen(port);
-  if (opened) ports_.push_back(*opened);
-  return opened;
 }
 
 Result<void> DeviceService::read_tls() {
   const Result<std::shared_ptr<net::TlsIdentity>> identity = read_tls_files(serving_);
   if (!identity) return identity.error();
-  loop_.use_tls(*identity);
+  loop().use_tls(*identity);
   return {};
 }
 
-Result<void> DeviceService::make_drivers(const scene::CfgFile& file) {
-  Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::make_drivers(file, *site_);
-  for (const std::string& warning : site_->warnings()) warn(warning);
-  if (!made) return made.error();
-  drivers_ = std::move(*made);
-  return {};
+Result<void> DeviceService::make_drivers(const config::CfgFile& file) {
+  return devices_.make_drivers(drivers::all_drivers(), file, warn);
 }
 
 Result<void> DeviceService::read_guests() {
   Result<web_server::GuestBook> guests = app::read_guests(serving_);
   if (!guests) return guests.error();
   guests_ = std::move(*guests);
-  admit_guests(*server_, guests_);
+  admit_guests(devices_.server(), guests_);
   return {};
 }
 
@@ -115,9 +98,9 @@ Result<void> DeviceService::open_page(std::uint16_t player_port) {
                                                     .proxies = serving_.proxies,
                                                     .player_port = player_port};
   page_ = std::make_unique<web_server::DevicePage>(
-      loop_, std::move(options),
+      loop(), std::move(options),
       [this](std::uint16_t port, std::unique_ptr<net::WebSocket> socket) {
-        server::accept_websocket(*server_, port, std::move(socket));
+        server::accept_websocket(devices_.server(), port, std::move(socket));
       },
       [this] { return status_text(); });
   const Result<std::uint16_t> port = page_->listen();
@@ -137,22 +120,22 @@ Result<void> DeviceService::record(const std::string& file) {
   if (!writer) return writer.error();
   recording_ = file;
   record_file_ = std::make_unique<record::RecordThread>(std::move(*writer));
-  recorder_ = std::make_unique<record::DeviceRecorder>(*record_file_, *server_, unix_seconds);
+  recorder_ = std::make_unique<record::DeviceRecorder>(*record_file_, devices_.server(), unix_seconds);
   tap_.record(*recorder_);
   open_recorded();
   return {};
 }
 
 void DeviceService::open_recorded() {
-  for (const auto& [address, device] : server_->devices()) {
+  for (const auto& [address, device] : devices_.server().devices()) {
     if (!recorded_.insert(device).second) continue;
     recorder_->add(device, address);
-    server_->prepare(
+    devices_.server().prepare(
         device, [this, device = device, alive = std::weak_ptr<int>(alive_)](const Result<void>& outcome) {
-          if (!alive.expired() && (!outcome || !server_->hold(device))) recorded_.erase(device);
+          if (!alive.expired() && (!outcome || !devices_.server().hold(device))) recorded_.erase(device);
         });
   }
-  look_ = loop_.after(kLookSeconds, [this] { open_recorded(); });
+  look_ = loop().after(kLookSeconds, [this] { open_recorded(); });
 }
 
 void DeviceService::end_recording() {
@@ -165,7 +148,7 @@ void DeviceService::end_recording() {
 std::vector<std::string> DeviceService::places() const {
   const std::string host = shown_host(serving_.bind);
   std::vector<std::string> lines;
-  for (const std::uint16_t port : ports_) lines.push_back(client_place(host, port, serving_));
+  for (const std::uint16_t port : ports()) lines.push_back(client_place(host, port, serving_));
   std::ranges::move(
       guest_places(guests_, host, page_ ? std::optional(web_port_) : std::nullopt, serving_.is_encrypted()),
       std::back_inserter(lines));
@@ -176,7 +159,7 @@ std::vector<std::string> DeviceService::places() const {
 /// server::DatagramCounts, and with a recording "recording":{"file":"lab.mcap","messages":7,"bytes":900,"dropped":0}.
 std::string DeviceService::status_text() const {
   boost::json::array clients;
-  for (const server::ClientStatus& client : server_->clients()) {
+  for (const server::ClientStatus& client : devices_.server().clients()) {
     boost::json::array devices;
     for (const device::Address& address : client.open)
       devices.push_back(boost::json::string(device::describe_on_port(address)));
@@ -184,10 +167,10 @@ std::string DeviceService::status_text() const {
         boost::json::object{{"peer", client.peer}, {"port", client.port}, {"devices", std::move(devices)}});
   }
   boost::json::array ports;
-  for (const std::uint16_t port : ports_) ports.push_back(port);
+  for (const std::uint16_t port : devices_.ports()) ports.push_back(port);
   boost::json::object status{{"ports", std::move(ports)}, {"clients", std::move(clients)}};
   if (serving_.udp) {
-    const server::DatagramCounts udp = server_->status().datagrams;
+    const server::DatagramCounts udp = devices_.server().status().datagrams;
     status["udp"] =
         boost::json::object{{"received", udp.received}, {"dropped", udp.dropped}, {"late", udp.late},
                             {"sent", udp.sent},         {"unsent", udp.unsent},   {"too_long", udp.too_long}};
@@ -202,53 +185,28 @@ std::string DeviceService::status_text() const {
   return boost::json::serialize(status);
 }
 
-Result<std::unique_ptr<run::Simulation>> DeviceService::open_world(const std::string& path) {
-  return Error{escaped(path), "there is no world here"};
-}
-
 int DeviceService::run() {
-  const auto caught = [this](int signal) {
-    if (ending_) std::_Exit(128 + signal);  // second signal: at once
-    end(128 + signal);
-  };
-  if (ends_on_hangup()) {
-    loop_.on_signal({SIGINT, SIGTERM, SIGHUP}, caught);
-  } else {
-    loop_.on_signal({SIGINT, SIGTERM}, caught);
-  }
-  loop_.run();
+  const int code = devices_.run();
   end_recording();
-  return code_;
+  return code;
 }
 
-void DeviceService::end(int code) {
-  if (std::exchange(ending_, true)) return;
-  code_ = code;
-  loop_.post([this] { server_->finish([this] { loop_.finish(); }); });
-}
-
-bool has_world(const scene::CfgFile& file) {
+bool has_world(const config::CfgFile& file) {
   return std::ranges::any_of(file.drivers,
-                             [](const scene::CfgSection& section) { return section.name() == "stage"; });
+                             [](const config::CfgSection& section) { return section.name() == "stage"; });
 }
 
-int serve_devices(const scene::CfgFile& file, const Serving& serving, const Running& running,
+int serve_devices(const config::CfgFile& file, const Serving& serving, const Running& running,
                   const std::function<void(const std::vector<std::uint16_t>&)>& opened) {
   if (!running.for_a_world.empty())
     return fail_at({escaped(file.path),
                     fmt::format("invalid option {}: the file has no world", running.for_a_world.front())},
                    kUsage);
-  std::vector<std::uint16_t> ports;
   DeviceService service(serving, running.allowed_libraries);
   if (const Result<void> read = service.read_tls(); !read) return fail_in_file(read.error());
-  std::uint16_t default_port = serving.port;
-  for (const std::uint16_t wanted : ports_of(file, serving.port)) {
-    const Result<std::uint16_t> listening = service.listen(wanted == 0 ? serving.port : wanted);
-    if (!listening) return fail(port_error(listening.error(), wanted == 0, serving.port_option));
-    if (wanted == 0) default_port = *listening;
-    ports.push_back(*listening);
-  }
-  service.open_site(default_port);
+  const Result<std::uint16_t> default_port = service.listen(file);
+  if (!default_port) return fail(default_port.error());
+  service.open_site(*default_port);
   if (const Result<void> made = service.make_drivers(file); !made) return fail_in_file(made.error(), {});
   if (!running.record.empty()) {
     if (const Result<void> kept = keep_files(running.record, file.files); !kept)
@@ -256,17 +214,17 @@ int serve_devices(const scene::CfgFile& file, const Serving& serving, const Runn
     if (const Result<void> step = service.record(running.record); !step) return fail_at(step.error());
   }
   if (const Result<void> read = service.read_guests(); !read) return fail_in_file(read.error());
-  if (const Result<void> page = service.open_page(default_port); !page) return fail(page.error());
+  if (const Result<void> page = service.open_page(*default_port); !page) return fail(page.error());
   for (const std::string& place : service.places()) log::say(place);
-  if (opened) opened(ports);
-  const auto announced = announce(serving, ports, {});
+  if (opened) opened(service.ports());
+  const auto announced = announce(serving, service.ports(), {});
   return service.run();
 }
 
 server::ServerOptions server_options(const Serving& serving) {
   server::ServerOptions options;
   options.bind = serving.bind;
-  options.sessions = sessions_that_fit(serving.is_encrypted());
+  options.sessions = device_server::sessions_that_fit(serving.is_encrypted());
   options.unix_folder = serving.unix_folder;
   options.datagrams = serving.udp;
   const double share = static_cast<double>(serving.client_mib) / limits::kClientMiB;
@@ -283,21 +241,6 @@ std::string shown_host(const std::string& bind) {
   if (bind == "localhost") return "127.0.0.1";
   if (bind == "0.0.0.0" || bind == "::") return address_for_others().value_or("127.0.0.1");
   return bind.find(':') == std::string::npos ? bind : "[" + bind + "]";
-}
-
-std::set<std::uint16_t> ports_of(const scene::CfgFile& file, std::uint16_t default_port) {
-  std::set<std::uint16_t> ports;
-  for (const scene::CfgSection& section : file.drivers) {
-    for (const scene::DeviceAddress& address : section.addresses("provides"))
-      ports.insert(address.port.value_or(0));
-  }
-  if (default_port != 0 && ports.contains(0)) ports.erase(default_port);  // named as well: one port
-  return ports;
-}
-
-Error port_error(const Error& error, bool is_default, const std::string& port_option) {
-  return {error.where, error.text + (is_default ? "; " + port_option + " takes another port"
-                                                : "; the configuration file names this port")};
 }
 
 }  // namespace playhouse::app

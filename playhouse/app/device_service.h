@@ -12,32 +12,35 @@
 #include <vector>
 
 #include "playhouse/app/commands/options.h"
-#include "playhouse/app/server_host.h"
-#include "playhouse/drivers/registry.h"
+#include "playhouse/config/cfg.h"
+#include "playhouse/device_server/device_server.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/record/device_recorder.h"
 #include "playhouse/record/record_thread.h"
-#include "playhouse/scene/cfg.h"
 #include "playhouse/server/server.h"
 #include "playhouse/web_server/device_page.h"
 
 namespace playhouse::app {
 
-class DeviceService final : private ServerHost {
+class DeviceService {
  public:
   /// `allowed`: files of libraries that plug-ins may come from.
   explicit DeviceService(Serving serving, std::span<const std::string> allowed = {});
-  ~DeviceService() override;
+  ~DeviceService();
 
   /// Opens a port for Player clients (0: any free one).
-  Result<std::uint16_t> listen(std::uint16_t port);
+  Result<std::uint16_t> listen(std::uint16_t port) { return devices_.listen(port); }
+  /// Opens the ports of a file, and returns that of addresses without one.
+  Result<std::uint16_t> listen(const config::CfgFile& file) {
+    return devices_.listen(file, serving_.port, serving_.port_option);
+  }
   /// Makes the drivers of a configuration file, in the site.
-  Result<void> make_drivers(const scene::CfgFile& file);
+  Result<void> make_drivers(const config::CfgFile& file);
   /// Adds a driver; its devices may be added while it runs.
-  void take(std::unique_ptr<device::Driver> driver) { drivers_.push_back(std::move(driver)); }
+  void take(std::unique_ptr<device::Driver> driver) { devices_.take(std::move(driver)); }
   /// Makes the site; `port` is the default port of addresses. Call once, before any driver.
-  drivers::Site& open_site(std::uint16_t port);
+  drivers::Site& open_site(std::uint16_t port) { return devices_.open_site(port, tap_); }
 
   /// Reads the guest file. Fails if it is invalid or admits nobody.
   Result<void> read_guests();
@@ -51,18 +54,16 @@ class DeviceService final : private ServerHost {
   std::vector<std::string> places() const;
 
   /// For timers.
-  net::IoLoop& loop() { return loop_; }
+  net::IoLoop& loop() { return devices_.loop(); }
+  /// For Player clients.
+  const std::vector<std::uint16_t>& ports() const { return devices_.ports(); }
 
   /// Runs until a signal or end(). Returns the exit code.
   int run();
   /// Flushes the clients' queues, then run() returns. Any time in run(), or before it.
-  void end(int code);
+  void end(int code) { devices_.end(code); }
 
  private:
-  server::Server& the_server() override { return *server_; }
-  net::Network& the_network() override { return loop_; }
-  Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override;
-  libraries::Libraries libraries() const override { return libraries_; }
   std::string status_text() const;
   /// Opens devices that have come since, and those that could not be opened before.
   void open_recorded();
@@ -87,32 +88,25 @@ class DeviceService final : private ServerHost {
 
   // In order of construction: later members use earlier ones.
   const Serving serving_;
-  libraries::Libraries libraries_;
-  net::IoLoop loop_;
-  std::unique_ptr<drivers::Site> site_;
-  std::vector<std::unique_ptr<device::Driver>> drivers_;
-  std::unique_ptr<server::Server> server_;
-  Tap tap_{*server_};
+  device_server::DeviceServer devices_;
+  Tap tap_{devices_.server()};
   std::string recording_;  // file; empty: none
   std::unique_ptr<record::RecordThread> record_file_;
   std::unique_ptr<record::DeviceRecorder> recorder_;
   std::set<device::DeviceId> recorded_;                    // opened for the recording, or being opened
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);  // for devices that are being opened
   std::unique_ptr<net::Timer> look_;                       // for devices
-  std::vector<std::uint16_t> ports_;                       // for Player clients
   web_server::GuestBook guests_;
   std::unique_ptr<web_server::DevicePage> page_;
   std::uint16_t web_port_ = 0;
-  bool ending_ = false;
-  int code_ = 0;
 };
 
 /// True if a section of the file simulates a world.
-bool has_world(const scene::CfgFile& file);
+bool has_world(const config::CfgFile& file);
 
 /// Serves the devices of a configuration file without a world. `opened` is
 /// called with the ports once clients can connect. Returns the exit code.
-int serve_devices(const scene::CfgFile& file, const Serving& serving, const Running& running,
+int serve_devices(const config::CfgFile& file, const Serving& serving, const Running& running,
                   const std::function<void(const std::vector<std::uint16_t>&)>& opened = {});
 
 /// Of the server of Player clients. Logs fewer sessions than usual.
@@ -121,11 +115,5 @@ server::ServerOptions server_options(const Serving& serving);
 /// The address for clients to use: `bind`, or for a wildcard
 /// the first address of this machine reachable from outside.
 std::string shown_host(const std::string& bind);
-
-/// The ports of a configuration file, each once; 0 stands for the default port.
-std::set<std::uint16_t> ports_of(const scene::CfgFile& file, std::uint16_t default_port);
-
-/// Error message for a port that cannot be opened.
-Error port_error(const Error& error, bool is_default, const std::string& port_option);
 
 }  // namespace playhouse::app

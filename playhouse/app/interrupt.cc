@@ -4,6 +4,8 @@
 
 #include <csignal>
 
+#include "playhouse/device_server/hangup.h"
+
 namespace playhouse::app {
 namespace {
 
@@ -26,19 +28,13 @@ void handle(void (*handler)(int)) {
   action.sa_handler = handler;  // without SA_RESTART: blocking calls are interrupted
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  if (ends_on_hangup()) sigaction(SIGHUP, &action, nullptr);
+  if (device_server::ends_on_hangup()) sigaction(SIGHUP, &action, nullptr);
 }
 
 }  // namespace
 
 void end_at_once_on_signals() {
   handle(end_at_once);
-}
-
-bool ends_on_hangup() {
-  struct sigaction now {};
-  sigaction(SIGHUP, nullptr, &now);
-  return now.sa_handler != SIG_IGN;
 }
 
 Interrupt::Interrupt() {

@@ -9,9 +9,6 @@ namespace playhouse::app {
 /// clean up. Call at start, and when handlers are removed.
 void end_at_once_on_signals();
 
-/// True if SIGHUP terminates the program.
-bool ends_on_hangup();
-
 /// While this object exists, the first signal is recorded, for commands that have
 /// to clean up, and the second terminates the program. One instance at a time.
 class Interrupt {

@@ -15,7 +15,7 @@ Result<void> keep_files(const std::string& output, std::span<const std::string> 
   return {};
 }
 
-std::vector<std::string> names_of(const scene::SourceFiles& sources) {
+std::vector<std::string> names_of(const config::SourceFiles& sources) {
   std::vector<std::string> names;
   for (const auto& [name, bytes] : sources.files) names.push_back(name);
   return names;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
-#include "playhouse/scene/text/source_text.h"
+#include "playhouse/config/text/source_text.h"
 
 namespace playhouse::app {
 
@@ -16,6 +16,6 @@ namespace playhouse::app {
 Result<void> keep_files(const std::string& output, std::span<const std::string> read);
 
 /// The files of a scene.
-std::vector<std::string> names_of(const scene::SourceFiles& sources);
+std::vector<std::string> names_of(const config::SourceFiles& sources);
 
 }  // namespace playhouse::app

@@ -14,13 +14,14 @@
 #include <system_error>
 
 #include "playhouse/app/commands/command_line.h"
-#include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
-#include "playhouse/app/player_link.h"
+#include "playhouse/app/run_service.h"
 #include "playhouse/app/standard_streams.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/device_server/descriptor_limit.h"
+#include "playhouse/device_server/player_program.h"
 #include "playhouse/drivers/isolated/isolated_main.h"
 #include "playhouse/simd/instruction_set.h"
 
@@ -67,17 +68,28 @@ Result<void> choose_instruction_set() {
   return {};
 }
 
+constexpr std::string_view kUnderThisName =
+    "This is playhouse under Player's name; `playhouse --help` shows what else it does.";
+
+int serve_as_player(const device_server::PlayerOptions& options, const device_server::Opened& opened) {
+  Service service({.port = options.port, .web = std::nullopt, .bind = "0.0.0.0", .port_option = "-p"}, {},
+                  QuitTime::kIgnored);
+  return run_service(
+      service, [&] { return service.read_cfg(options.file); }, {}, opened);
+}
+
 int start(int argc, const char* const* argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a limit of its size (ulimit -f) is a write that fails
-  raise_descriptor_limit();
+  device_server::raise_descriptor_limit();
   end_at_once_on_signals();
   end_in_one_line();
   const std::span<const char* const> words(argv + (argc > 0),
                                            static_cast<std::size_t>(argc > 0 ? argc - 1 : 0));
   log::open(1);
   if (const Result<void> chosen = choose_instruction_set(); !chosen) return fail(chosen.error(), kUsage);
-  if (argc > 0 && called_player(argv[0])) return player_link(words);
+  if (argc > 0 && called_player(argv[0]))
+    return device_server::player_program(words, kUnderThisName, serve_as_player);
   const Result<CommandLine> line = parse_command_line(words);
   if (!line) return fail(line.error(), kUsage);
   return line->execute();

@@ -9,9 +9,10 @@
 #include <map>
 #include <thread>
 
-#include "playhouse/app/server_host.h"
 #include "playhouse/app/service.h"
-#include "playhouse/drivers/simulated/auto_devices.h"
+#include "playhouse/bridge/simulated/auto_devices.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
+#include "playhouse/device_server/server_host.h"
 #include "playhouse/run/testing/still_engine.h"
 #include "playhouse/server/server.h"
 #include "playhouse/server/test_client.h"
@@ -45,7 +46,7 @@ position( name "r" size [0.4 0.4 0.3]
 constexpr std::size_t kDevicesOfRobot = 9;
 
 /// A world with its server. The test is both threads.
-class Town final : public app::ServerHost {
+class Town final : public device_server::ServerHost {
  public:
   explicit Town(std::size_t indices = drivers::AutoMap::kIndices)
       : scene_(run::testing::scene_of(kWorld)), site_(*this, kPort), server_(simulated) {
@@ -57,8 +58,8 @@ class Town final : public app::ServerHost {
   }
   ~Town() override { simulation().discard(); }
 
-  run::Simulation& simulation() { return *site_.simulation(); }
-  drivers::Directory& directory() { return site_.model_devices()->directory(); }
+  run::Simulation& simulation() { return *drivers::simulation_of(site_); }
+  drivers::Directory& directory() { return drivers::model_devices_of(site_)->directory(); }
   void ask(std::function<void(world::Journal&)> change) {
     ASSERT_TRUE(simulation().requests().post(std::move(change)));
   }
@@ -78,16 +79,17 @@ class Town final : public app::ServerHost {
             status().device_rows,
             site_.device_count(),
             robots_->driver().device_count(),
-            site_.model_devices()->directory().size(),
-            site_.model_devices()->sources().size()};
+            drivers::model_devices_of(site_)->directory().size(),
+            drivers::model_devices_of(site_)->sources().size()};
   }
 
   server::Server& the_server() override { return server_; }
   net::Network& the_network() override { return simulated; }
-  Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override {
-    return std::make_unique<run::Simulation>(
-        std::make_unique<run::testing::StillEngine>(scene_),
-        run::Simulation::SimulationOptions{.speed = 0, .paused = false, .duration = 0});
+  Result<std::unique_ptr<drivers::SiteWorld>> open_world(const std::string&, drivers::Site& site) override {
+    return drivers::simulated_world(
+        site, std::make_unique<run::Simulation>(
+                  std::make_unique<run::testing::StillEngine>(scene_),
+                  run::Simulation::SimulationOptions{.speed = 0, .paused = false, .duration = 0}));
   }
 
   net::SimulatedNetwork simulated{11};

@@ -1,6 +1,6 @@
 // Runs that are taken back: what comes after an instant is the same to the bit as the first time, whoever
 // came and went, and however many workers there are. Out of scope here: which instants there are
-// (run/history_test.cc) and what happens to devices (drivers/simulated/auto_devices_test.cc).
+// (run/history_test.cc) and what happens to devices (bridge/simulated/auto_devices_test.cc).
 
 #include <gtest/gtest.h>
 

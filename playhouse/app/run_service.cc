@@ -28,7 +28,7 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
                 const std::function<void(const std::vector<std::uint16_t>& ports)>& opened,
                 const std::vector<SaveAt>& saves) {
   if (const Result<void> step = read(); !step) return fail_in_file(step.error(), service.other_errors());
-  if (const scene::CfgFile* const file = service.file_without_world())
+  if (const config::CfgFile* const file = service.file_without_world())
     return serve_devices(*file, service.serving(), running, [&](const std::vector<std::uint16_t>& ports) {
       if (opened) opened(ports);
     });

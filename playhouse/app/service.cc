@@ -30,10 +30,15 @@
 #include "playhouse/base/log_output.h"
 #include "playhouse/bodies/blind_rangers.h"
 #include "playhouse/bodies/blocked_starts.h"
-#include "playhouse/drivers/simulated/joining.h"
+#include "playhouse/bridge/all_drivers.h"
+#include "playhouse/bridge/simulated/joining.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
+#include "playhouse/device_server/device_server.h"
+#include "playhouse/device_server/hangup.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/net/polled/system_polled.h"
 #include "playhouse/record/mcap/mcap_writer.h"
+#include "playhouse/scene/kinds.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/server/websocket_connection.h"
 #include "playhouse/web_server/guests.h"
@@ -97,11 +102,12 @@ Service::Service(Serving serving, Running running, QuitTime quit_time)
 
 Service::~Service() {
   // Pending requests are rejected while the server, which sends the replies, exists.
-  if (site_ != nullptr && site_->simulation() != nullptr) site_->simulation()->discard();
+  if (site_ != nullptr && drivers::simulation_of(*site_) != nullptr)
+    drivers::simulation_of(*site_)->discard();
   if (site_ != nullptr) end_drivers(*site_, drivers_);
 }
 
-Result<void> Service::read_world(const std::string& path, scene::NamedBy by) {
+Result<void> Service::read_world(const std::string& path, config::NamedBy by) {
   Result<scene::SceneDesc> scene = scene::load_world(path, by, &other_errors_, &sources_);
   if (!scene) return scene.error();
   scene_ = std::move(*scene);
@@ -111,7 +117,7 @@ Result<void> Service::read_world(const std::string& path, scene::NamedBy by) {
 }
 
 Result<void> Service::read_saved(const std::string& path) {
-  const Result<std::string> bytes = read_file(path, scene::NamedBy::kPerson, limits::kSavedRunBytes);
+  const Result<std::string> bytes = read_file(path, config::NamedBy::kPerson, limits::kSavedRunBytes);
   if (!bytes) return bytes.error();
   Result<world::SavedRun> run = world::decode_saved_run(std::as_bytes(std::span(*bytes)));
   if (!run) return Error{escaped(path), run.error().text};
@@ -147,9 +153,9 @@ Result<void> Service::save(const world::World& world, const std::string& file) c
 }
 
 Result<void> Service::let_clients_save(const std::string& file) {
-  if (access(scene::containing_folder(file).c_str(), W_OK | X_OK) != 0)
+  if (access(config::containing_folder(file).c_str(), W_OK | X_OK) != 0)
     return Error{escaped(file), "cannot be written: " + std::generic_category().message(errno)};
-  site_->model_devices()->save_by(
+  drivers::model_devices_of(*site_)->save_by(
       [this, file](const world::World& world) { world_saver_.save(world, file); });
   return {};
 }
@@ -199,7 +205,7 @@ Result<void> Service::record(const std::string& file, const std::string& only) {
 }
 
 Result<void> Service::read_cfg(const std::string& path) {
-  Result<scene::CfgFile> file = scene::load_cfg(path, serving_.port, &other_errors_);
+  Result<config::CfgFile> file = config::load_cfg(path, serving_.port, &other_errors_, scene::is_model_type);
   if (!file) return file.error();
   cfg_ = std::move(*file);
   files_read_.insert(files_read_.end(), cfg_->files.begin(), cfg_->files.end());
@@ -207,7 +213,7 @@ Result<void> Service::read_cfg(const std::string& path) {
   return {};
 }
 
-const scene::CfgFile* Service::file_without_world() const {
+const config::CfgFile* Service::file_without_world() const {
   return cfg_ && !has_world(*cfg_) ? &*cfg_ : nullptr;
 }
 
@@ -238,10 +244,11 @@ Result<void> Service::read_tls() {
 
 Result<void> Service::open_ports() {
   if (serving_.port == 0) serving_.port = first_of_free_ports();
-  const std::set<std::uint16_t> wanted = cfg_ ? ports_of(*cfg_, serving_.port) : std::set<std::uint16_t>{0};
+  const std::set<std::uint16_t> wanted =
+      cfg_ ? device_server::ports_of(*cfg_, serving_.port) : std::set<std::uint16_t>{0};
   for (const std::uint16_t port : wanted) {
     const Result<std::uint16_t> opened = listen(port == 0 ? serving_.port : port);
-    if (!opened) return port_error(opened.error(), port == 0, serving_.port_option);
+    if (!opened) return device_server::port_error(opened.error(), port == 0, serving_.port_option);
     if (port == 0) serving_.port = *opened;
     player_ports_.push_back(*opened);
   }
@@ -281,7 +288,7 @@ Result<void> Service::make_devices() {
   site_ = std::make_unique<drivers::Site>(surroundings, serving_.port);
   site_->data_flow().pass_to(*server_);
   const Result<void> made = recording_ ? open_playback() : cfg_ ? make_drivers() : add_robots();
-  if (made && site_->simulation() != nullptr)
+  if (made && drivers::simulation_of(*site_) != nullptr)
     if (run::LockStep* lock_step = simulation().lock_step()) server_->take_turns(turns_.emplace(*lock_step));
   // Before ports are announced: a reader of those may send a signal at once.
   if (made) catch_signals();
@@ -289,7 +296,7 @@ Result<void> Service::make_devices() {
 }
 
 Result<void> Service::make_drivers() {
-  Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::make_drivers(*cfg_, *site_);
+  Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::all_drivers().make(*cfg_, *site_);
   for (const std::string& warning : site_->warnings()) warn_(warning);
   if (!made) return made.error();
   drivers_ = std::move(*made);
@@ -319,12 +326,17 @@ Result<void> Service::add_robots() {
   return {};
 }
 
-Result<std::unique_ptr<run::Simulation>> Service::open_world(const std::string& path) {
+Result<std::unique_ptr<drivers::SiteWorld>> Service::open_world(const std::string& path,
+                                                                drivers::Site& site) {
+  return drivers::simulated_world(site, open_simulation(path));
+}
+
+Result<std::unique_ptr<run::Simulation>> Service::open_simulation(const std::string& path) {
   if (recording_)
     return std::make_unique<run::Simulation>(std::move(recording_->rerun),
                                              pace_of(recording_->scene, serving_, running_, quit_time_));
   if (cfg_) {
-    if (const Result<void> read = read_world(path, scene::NamedBy::kFile); !read) return read.error();
+    if (const Result<void> read = read_world(path, config::NamedBy::kFile); !read) return read.error();
   }
   Result<std::unique_ptr<world::Engine>> engine =
       make_engine(scene_, running_, libraries_, warn_, engine_maker_, &other_errors_);
@@ -395,7 +407,8 @@ replicate::SnapshotFeed& Service::feed() {
   if (feed_) return *feed_;
   const auto device_names = [this](world::ModelId model) {
     if (playback_) return std::vector<std::string>();
-    return drivers::device_names(site_->model_devices()->directory(), model, player_ports_.front());
+    return drivers::device_names(drivers::model_devices_of(*site_)->directory(), model,
+                                 player_ports_.front());
   };
   feed_ = std::make_unique<replicate::SnapshotFeed>(simulation().world(), device_names,
                                                     [this] { return web_loop_.now(); });
@@ -484,7 +497,7 @@ void Service::catch_signals() {
     if (signal != SIGHUP)
       std::_Exit(128 + signal);  // second signal: at once; a closed terminal may send it twice
   };
-  if (ends_on_hangup()) {
+  if (device_server::ends_on_hangup()) {
     signal_loop_.on_signal({SIGINT, SIGTERM, SIGHUP}, end);
   } else {
     signal_loop_.on_signal({SIGINT, SIGTERM}, end);

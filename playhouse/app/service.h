@@ -16,21 +16,22 @@
 #include "playhouse/app/again.h"
 #include "playhouse/app/commands/options.h"
 #include "playhouse/app/playback.h"
-#include "playhouse/app/server_host.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/app/world_saver.h"
+#include "playhouse/bridge/simulated/auto_devices.h"
+#include "playhouse/bridge/simulated/lock_step_turns.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
 #include "playhouse/cluster/head.h"
+#include "playhouse/config/cfg.h"
+#include "playhouse/config/text/source_text.h"
+#include "playhouse/device_server/server_host.h"
 #include "playhouse/drivers/registry.h"
-#include "playhouse/drivers/simulated/auto_devices.h"
-#include "playhouse/drivers/simulated/lock_step_turns.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/observers/observer_server.h"
 #include "playhouse/record/recorder.h"
 #include "playhouse/replicate/snapshot_feed.h"
-#include "playhouse/scene/cfg.h"
 #include "playhouse/scene/scene_desc.h"
-#include "playhouse/scene/text/source_text.h"
 #include "playhouse/server/server.h"
 #include "playhouse/web_server/web_server.h"
 #include "playhouse/world/saving/saved_run.h"
@@ -56,7 +57,7 @@ struct Outcome {
 /// The outcome of an engine after this wall time. [s]
 Outcome outcome_of(world::Engine& engine, double wall_time);
 
-class Service final : private ServerHost {
+class Service final : private device_server::ServerHost {
  public:
   Service(Serving serving, Running running, QuitTime quit_time);
   ~Service() override;
@@ -74,10 +75,10 @@ class Service final : private ServerHost {
 
   /// Reads a world file: every robot of it becomes a set of
   /// devices. Or a configuration file, which lists the devices.
-  Result<void> read_world(const std::string& path, scene::NamedBy by = scene::NamedBy::kPerson);
+  Result<void> read_world(const std::string& path, config::NamedBy by = config::NamedBy::kPerson);
   Result<void> read_cfg(const std::string& path);
   /// The configuration file, if it has no world: then it is for serve_devices().
-  const scene::CfgFile* file_without_world() const;
+  const config::CfgFile* file_without_world() const;
   /// Reads a saved run: it continues where it was saved, with its seed.
   Result<void> read_saved(const std::string& path);
   /// All files read so far, which must not be overwritten.
@@ -134,13 +135,15 @@ class Service final : private ServerHost {
   /// Ends run(). Any thread.
   void stop();
 
-  run::Simulation& simulation() { return *site_->simulation(); }
+  run::Simulation& simulation() { return *drivers::simulation_of(*site_); }
   const server::Server& server() const { return *server_; }
 
  private:
   server::Server& the_server() override { return *server_; }
   net::Network& the_network() override { return loop_; }
-  Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override;
+  Result<std::unique_ptr<drivers::SiteWorld>> open_world(const std::string& path,
+                                                         drivers::Site& site) override;
+  Result<std::unique_ptr<run::Simulation>> open_simulation(const std::string& path);
   Result<void> open_port(std::uint32_t port) override;
   libraries::Libraries libraries() const override;
 
@@ -166,8 +169,8 @@ class Service final : private ServerHost {
   controllers::Libraries::LibraryUse libraries_ = controllers::Libraries::LibraryUse::kLoad;
 
   // In order of construction; later members use earlier ones.
-  std::optional<scene::CfgFile> cfg_;
-  scene::SourceFiles sources_;           // of scene_
+  std::optional<config::CfgFile> cfg_;
+  config::SourceFiles sources_;          // of scene_
   std::vector<std::string> files_read_;  // besides those
   std::optional<world::SavedRun> saved_;
   OpenedRecording* recording_ = nullptr;

@@ -20,8 +20,8 @@ Error fault(const std::string& path, const std::string& what, int code) {
 
 }  // namespace
 
-Result<std::string> read_file(const std::string& path, scene::NamedBy by, std::size_t most) {
-  Result<std::string> text = scene::DiskFiles(by, most).read(path);
+Result<std::string> read_file(const std::string& path, config::NamedBy by, std::size_t most) {
+  Result<std::string> text = config::DiskFiles(by, most).read(path);
   if (!text) return Error{escaped(path), text.error().text};
   return text;
 }

@@ -6,13 +6,13 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
-#include "playhouse/scene/text/source_text.h"
+#include "playhouse/config/text/source_text.h"
 
 namespace playhouse::app {
 
 /// Reads a whole file of `most` bytes at most: a regular one, or a pipe if a person named it, never a device
 /// without end. Errors include its name.
-Result<std::string> read_file(const std::string& path, scene::NamedBy by = scene::NamedBy::kPerson,
+Result<std::string> read_file(const std::string& path, config::NamedBy by = config::NamedBy::kPerson,
                               std::size_t most = limits::kFileBytes);
 
 /// Fails, as a later write would, if the name is a folder's or no file can be created in its folder.

@@ -12,28 +12,28 @@
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/base/program_folder.h"
 #include "playhouse/bodies/check_scene.h"
-#include "playhouse/libraries/custom_kinds.h"
+#include "playhouse/custom_kinds/custom_kinds.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
 
 namespace playhouse::app {
 
 Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others,
-                                    scene::SourceFiles* sources) {
-  Result<scene::SceneDesc> scene = scene::load_world(path, scene::NamedBy::kPerson, others, sources);
+                                    config::SourceFiles* sources) {
+  Result<scene::SceneDesc> scene = scene::load_world(path, config::NamedBy::kPerson, others, sources);
   if (!scene) return scene;
   for (const std::string& warning : scene->warnings) warn(warning);
   controllers::describe_for(*scene);
   return scene;
 }
 
-Result<scene::SceneDesc> scene_of(const scene::SourceFiles& sources, const std::optional<std::string>& file,
+Result<scene::SceneDesc> scene_of(const config::SourceFiles& sources, const std::optional<std::string>& file,
                                   std::vector<Error>* others) {
-  scene::MemoryFiles files(sources.files, sources.search_path);
+  config::MemoryFiles files(sources.files, sources.search_path);
   Result<scene::SceneDesc> scene =
       scene::load_world_text(sources.files.at(sources.path), sources.path, files, {}, others);
   if (!scene) return Error{{}, "its scene cannot be read: " + scene.error().line()};
-  if (file) scene->library_folder = scene::containing_folder(*file);
+  if (file) scene->library_folder = config::containing_folder(*file);
   controllers::describe_for(*scene);
   return scene;
 }
@@ -68,7 +68,7 @@ Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene
       .allowed = {running.allowed_libraries.begin(), running.allowed_libraries.end()},
       .use = use};
   world::World& world = (*engine)->world();
-  const auto custom = libraries::attach_custom_kinds(world, allowed);
+  const auto custom = custom_kinds::attach_custom_kinds(world, allowed);
   if (!custom) return custom.error();
   for (const std::string& warning : *custom) warn(warning);
   const auto controllers = controllers::attach(world, allowed, others);

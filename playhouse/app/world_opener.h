@@ -13,10 +13,10 @@
 
 #include "playhouse/app/commands/options.h"
 #include "playhouse/base/result.h"
+#include "playhouse/config/text/source_text.h"
 #include "playhouse/controllers/attach.h"
 #include "playhouse/run/simulation.h"
 #include "playhouse/scene/scene_desc.h"
-#include "playhouse/scene/text/source_text.h"
 #include "playhouse/world/engine.h"
 
 namespace playhouse::app {
@@ -34,12 +34,12 @@ Result<EngineMaker> engine_named(std::string_view name);
 /// Reads a world file named by a user, with what its controllers may spawn; logs
 /// warnings. Fails like scene::load_world(). `sources`, if given, gets the files.
 Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others,
-                                    scene::SourceFiles* sources = nullptr);
+                                    config::SourceFiles* sources = nullptr);
 
 /// The scene of files in memory, as of a saved run, with what its controllers may spawn. Its libraries are
 /// looked for beside `file`, which is the one that a person named; nullopt: it came from a peer. Fails like
 /// read_scene().
-Result<scene::SceneDesc> scene_of(const scene::SourceFiles& sources, const std::optional<std::string>& file,
+Result<scene::SceneDesc> scene_of(const config::SourceFiles& sources, const std::optional<std::string>& file,
                                   std::vector<Error>* others);
 
 /// Makes an engine with the controllers that models name: by `make`, otherwise the one

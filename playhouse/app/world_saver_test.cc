@@ -25,7 +25,7 @@ class WorldSaverTest : public testing::Test {
   }
 
   const TestFolder folder_;
-  scene::MemoryFiles none_{{}};
+  config::MemoryFiles none_{{}};
   scene::SceneDesc scene_ =
       *scene::load_world_text("model ( name \"a\" )\nmodel ( name \"b\" )", "t.world", none_);
   world::World world_{scene_, 1};

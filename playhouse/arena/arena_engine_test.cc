@@ -20,7 +20,7 @@ model( name "wall" pose [3 0 0 0] size [0.1 4 1] )
 )";
 
 scene::SceneDesc scene_of(const char* text) {
-  scene::MemoryFiles files({{std::string("w.world"), text}});
+  config::MemoryFiles files({{std::string("w.world"), text}});
   Result<scene::SceneDesc> scene = scene::load_world_text(text, "w.world", files);
   EXPECT_TRUE(scene) << scene.error().line();
   return std::move(*scene);

@@ -23,7 +23,7 @@ class MotorsTest : public ArenaRun, public testing::WithParamInterface<int> {
                              "velocity_bounds [-50 50 -50 50 -1 1 "
                              "-90 90] " +
                              words + " )\nbase( name \"it\" pose [0 0 0 0] )\n" + load;
-    scene::MemoryFiles files({{std::string("w.world"), text}});
+    config::MemoryFiles files({{std::string("w.world"), text}});
     Result<scene::SceneDesc> scene = scene::load_world_text(text, "w.world", files);
     ASSERT_TRUE(scene) << scene.error().line();
     ArenaRun::start(std::move(*scene));

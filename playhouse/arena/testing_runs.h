@@ -25,7 +25,7 @@ struct EngineRun {
   std::unique_ptr<world::Engine> engine;
 
   EngineRun(const std::string& text, bool arena, unsigned workers = 1) {
-    scene::MemoryFiles files({{"w.world", text}});
+    config::MemoryFiles files({{"w.world", text}});
     Result<scene::SceneDesc> loaded = scene::load_world_text(text, "w.world", files);
     EXPECT_TRUE(loaded) << loaded.error().line();
     scene = std::make_unique<scene::SceneDesc>(std::move(*loaded));

@@ -22,7 +22,7 @@ rig( name "rig" pose [10 0 3 0] )
 )";
 
 scene::SceneDesc scene_of(const std::string& text) {
-  scene::MemoryFiles files({{std::string("w.world"), text}});
+  config::MemoryFiles files({{std::string("w.world"), text}});
   Result<scene::SceneDesc> scene = scene::load_world_text(text, "w.world", files);
   EXPECT_TRUE(scene) << scene.error().line();
   return std::move(*scene);

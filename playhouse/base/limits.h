@@ -8,7 +8,7 @@
 
 namespace playhouse::limits {
 
-// Wire, facts of the Player protocol; heeded by device, drivers, server, wire.
+// Wire, facts of the Player protocol; heeded by bridge, device, drivers, server, wire.
 inline constexpr std::size_t kHeaderBytes = 40;
 inline constexpr std::size_t kBannerBytes = 32;
 inline constexpr std::size_t kMessageBytes = 33554432;  // header and body on the wire
@@ -16,7 +16,7 @@ inline constexpr std::size_t kBodyBytes = kMessageBytes - kHeaderBytes;
 inline constexpr std::size_t kDevices = 4096;        // entries of a device list
 inline constexpr std::size_t kDriverNameBytes = 64;  // with the final NUL
 
-// Server; heeded by device, drivers, net, run, server, world.
+// Server; heeded by bridge, device, device_server, drivers, net, run, server, world.
 inline constexpr std::size_t kSessions = 16384;
 // Of one address that is not this machine's: nobody shuts out all others alone.
 inline constexpr std::size_t kSessionsOfHost = 1024;
@@ -25,7 +25,8 @@ inline constexpr int kSilentSeconds = 60;  // a client that has not said anythin
 inline constexpr std::size_t kLingering = 4096;
 // A session over UDP that says nothing for so long is gone: there is no other sign, where nothing refuses.
 inline constexpr int kDatagramSilentSeconds = 600;
-inline constexpr std::size_t kDatagramSessions = 4096;  // by UDP, of kSessions: over it the one heard longest ago ends
+inline constexpr std::size_t kDatagramSessions =
+    4096;  // by UDP, of kSessions: over it the one heard longest ago ends
 inline constexpr std::size_t kDatagramMostBytes = 65507;          // of one datagram of UDP over IPv4
 inline constexpr std::size_t kDatagramWaitingBytes = 256u << 10;  // received for a session that is busy
 inline constexpr std::size_t kSocketMessageBytes = 128u << 10;    // of one message of a WebSocket of a client
@@ -72,7 +73,7 @@ inline constexpr std::size_t kBlackboardEntryBytes = 32768;   // of its key, its
 inline constexpr std::size_t kBlackboardNameBytes = 256;      // of a key and its group
 inline constexpr std::size_t kBlackboardSubscriptions = 256;  // keys and groups of one client
 
-// Viewers, in the browser page; heeded by net, replicate, web_server.
+// Viewers, in the browser page; heeded by device_server, net, replicate, web_server.
 // Viewers included; over it the one that waited longest is closed.
 inline constexpr std::size_t kHttpConnections = 256;
 // The same of one address; viewers are not counted.
@@ -131,14 +132,14 @@ inline constexpr std::size_t kReadRecordBytes = 1u << 30;    // of any other rec
 // Stage engine; heeded by stage.
 inline constexpr unsigned kMotionSteps = 1024;  // collision tests along one robot's way in one tick
 
-// Models; heeded by drivers, libraries, web_server, world.
+// Models; heeded by bridge, custom_kinds, web_server, world.
 inline constexpr std::uint32_t kSubscribers = 1u << 30;  // of a model: far more than sessions and viewers
 inline constexpr std::size_t kSayBytes = 1024;           // of what a model says; the rest is cut off
 inline constexpr std::size_t kDrawnCorners = 16384;      // of what clients draw for a model by one interface
 inline constexpr std::size_t kUtterances = 1024;  // kept for who listens; a tick with more loses the oldest
 inline constexpr std::size_t kCustomNumbers = 4096;  // commands, state or readings of a custom model
 
-// Messages between radios; heeded by drivers, world.
+// Messages between radios; heeded by bridge, world.
 inline constexpr std::size_t kRadioMessageBytes = 2304;  // of one, as of a frame of IEEE 802.11
 inline constexpr std::size_t kRadioSends = 64;           // messages that one radio sends in a tick
 inline constexpr std::size_t kRadioReceives = 256;       // messages that one radio receives in a tick
@@ -152,7 +153,7 @@ inline constexpr std::size_t kPluginQueue = 1024;   // hooks that wait
 inline constexpr int kPluginStartSeconds = 15;
 inline constexpr std::size_t kPluginLineBytes = 4096;  // of a line that such a process prints or says
 
-// Files; heeded by bodies, controllers, drivers, scene, world.
+// Files; heeded by bodies, bridge, config, controllers, drivers, scene, world.
 inline constexpr std::size_t kFileBytes = 64u << 20;
 inline constexpr std::size_t kSavedRunBytes = 1u << 30;
 inline constexpr int kIncludeDepth = 32;

@@ -23,7 +23,7 @@ constexpr const char* kRobot =
     "sensor( pose [0 0 0.1 0] size [0 0 0] samples 3 ) ) )\n";
 
 std::vector<std::string> lines_of(const std::string& models) {
-  scene::MemoryFiles files(std::map<std::string, std::string>{{"plan.pbm", "P1 3 1\n1 0 1\n"}});
+  config::MemoryFiles files(std::map<std::string, std::string>{{"plan.pbm", "P1 3 1\n1 0 1\n"}});
   const auto scene = scene::load_world_text(kRobot + models, "t.world", files);
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().line());
   return blind_rangers(world::World(scene.value(), 1));

@@ -32,7 +32,7 @@ constexpr const char* kPlan =
     "define robot position( size [0.4 0.4 0.3] origin [0 0 0 0] )\n";
 
 std::vector<std::string> lines_of(const std::string& models) {
-  scene::MemoryFiles files(std::map<std::string, std::string>{{"plan.pbm", kBitmap}});
+  config::MemoryFiles files(std::map<std::string, std::string>{{"plan.pbm", kBitmap}});
   const auto scene = scene::load_world_text(kPlan + models, "t.world", files);
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().line());
   const world::World world(scene.value(), 1);
@@ -48,7 +48,7 @@ TEST(BlockedStarts, are_none_where_bodies_only_touch_or_are_above_each_other) {
 }
 
 TEST(OverlappedBy, is_what_a_model_was_put_into) {
-  scene::MemoryFiles files(std::map<std::string, std::string>{{"plan.pbm", kBitmap}});
+  config::MemoryFiles files(std::map<std::string, std::string>{{"plan.pbm", kBitmap}});
   const auto scene = scene::load_world_text(std::string(kPlan) +
                                                 "model( name \"box\" size [1 1 1] )\n"
                                                 "robot( name \"a\" pose [3 0 0 0] ranger( name \"eye\" ) )\n"

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 std::vector<std::string> left_out(const std::string& text) {
-  scene::MemoryFiles files(std::map<std::string, std::string>{{"w.world", text}});
+  config::MemoryFiles files(std::map<std::string, std::string>{{"w.world", text}});
   const Result<scene::SceneDesc> scene = scene::load_world_text(text, "w.world", files);
   EXPECT_TRUE(scene) << scene.error().line();
   return scene ? left_out_in_the_plane(*scene) : std::vector<std::string>{};

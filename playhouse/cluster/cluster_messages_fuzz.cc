@@ -11,8 +11,8 @@
 #include "playhouse/cluster/hello.h"
 #include "playhouse/cluster/step.h"
 #include "playhouse/cluster/stream.h"
+#include "playhouse/config/text/source_text.h"
 #include "playhouse/net/polled/system_polled.h"
-#include "playhouse/scene/text/source_text.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/world/saving/sensed_rows.h"
 
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static_cast<void>(cluster::why_not_joined(bytes));
   const std::string_view token(reinterpret_cast<const char*>(data), size);
   PLAYHOUSE_ASSERT(cluster::why_not_joined(cluster::hello(token), token).empty());
-  static scene::MemoryFiles files({}, {});
+  static config::MemoryFiles files({}, {});
   static const Result<scene::SceneDesc> scene = scene::load_world_text(kWorld, "fuzz.world", files);
   PLAYHOUSE_ASSERT(scene.ok());
   world::World world(*scene, 1);

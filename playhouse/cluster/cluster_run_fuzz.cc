@@ -40,7 +40,7 @@ constexpr std::size_t kStreamBytes = 16 << 10;
 constexpr int kTicks = 5;
 
 const scene::SceneDesc& the_scene() {
-  static scene::MemoryFiles files({}, {});
+  static config::MemoryFiles files({}, {});
   static const Result<scene::SceneDesc> scene = scene::load_world_text(kWorld, "fuzz.world", files);
   PLAYHOUSE_ASSERT(scene.ok());
   return *scene;

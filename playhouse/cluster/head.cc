@@ -31,7 +31,7 @@ constexpr double kSlowerNode = 10;              // times the head's own share: o
 
 }  // namespace
 
-Head::Head(net::PolledNetwork& network, std::unique_ptr<world::Engine> engine, scene::SourceFiles sources,
+Head::Head(net::PolledNetwork& network, std::unique_ptr<world::Engine> engine, config::SourceFiles sources,
            HeadOptions options, std::function<void(const Error&)> fail)
     : network_(network),
       engine_(std::move(engine)),

@@ -17,8 +17,8 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/cluster/step.h"
 #include "playhouse/cluster/stream.h"
+#include "playhouse/config/text/source_text.h"
 #include "playhouse/run/follower.h"
-#include "playhouse/scene/text/source_text.h"
 #include "playhouse/world/engine.h"
 
 namespace playhouse::cluster {
@@ -36,7 +36,7 @@ class Head final : public world::Engine, public run::Follower, private world::Di
   /// The world of `engine` is that of `sources`. `fail` is called, on the tick thread, when
   /// a node that took part is found to compute something else: the run is worthless from then on. One that
   /// does so in its first tick is refused, and the run goes on.
-  Head(net::PolledNetwork& network, std::unique_ptr<world::Engine> engine, scene::SourceFiles sources,
+  Head(net::PolledNetwork& network, std::unique_ptr<world::Engine> engine, config::SourceFiles sources,
        HeadOptions options, std::function<void(const Error&)> fail);
   ~Head() override;
 
@@ -100,7 +100,7 @@ class Head final : public world::Engine, public run::Follower, private world::Di
 
   net::PolledNetwork& network_;
   std::unique_ptr<world::Engine> engine_;
-  scene::SourceFiles sources_;
+  config::SourceFiles sources_;
   HeadOptions options_;
   std::function<void(const Error&)> fail_;
   std::unique_ptr<net::PolledListener> listener_;

@@ -29,7 +29,7 @@ bool runs_it(const scene::ModelDesc& desc) {
 
 void Dynamic::describe_parts(scene::SceneDesc& scene) {
   if (std::ranges::none_of(scene.models, runs_it) || std::ranges::any_of(scene.models, is_part)) return;
-  scene::MemoryFiles no_files({});
+  config::MemoryFiles no_files({});
   Result<scene::SceneDesc> made = scene::load_world_text(
       R"(model( name "dynamic_part" size [0.1 0.1 0.1] color "blue" ))", scene.path, no_files);
   PLAYHOUSE_ASSERT(made && made->models.size() == 1);

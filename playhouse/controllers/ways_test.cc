@@ -19,7 +19,7 @@ constexpr const char* kWall = R"(
 
 struct Floor {
   explicit Floor(const std::string& text) {
-    scene::MemoryFiles none({});
+    config::MemoryFiles none({});
     auto loaded = scene::load_world_text(text, "test.world", none);
     EXPECT_TRUE(loaded) << loaded.error().line();
     scene = std::move(*loaded);

@@ -8,9 +8,9 @@ namespace playhouse::drivers {
 
 std::vector<Option> options_of(const DriverDefinition& driver) {
   if (driver.read_options == nullptr) return {};
-  scene::MemoryFiles none({});
+  config::MemoryFiles none({});
   const std::string bare = fmt::format("driver( name \"{}\" provides [\"opaque:0\"] )", driver.name);
-  const Result<scene::CfgFile> file = scene::load_cfg_text(bare, "", none);
+  const Result<config::CfgFile> file = config::load_cfg_text(bare, "", none);
   PLAYHOUSE_ASSERT(file);
   std::vector<Option> told;
   driver.read_options(SectionFields(file->drivers.front(), &told));

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/section_fields.h"
 #include "playhouse/drivers/site.h"
-#include "playhouse/scene/cfg.h"
 
 namespace playhouse::drivers {
 
@@ -47,7 +47,10 @@ struct DriverDefinition {
   /// Reads all options, by the function that the driver reads them by; null: it has none.
   void (*read_options)(SectionFields) = nullptr;
   /// Makes the driver of a section and registers its devices. Errors carry "file:line".
-  Result<std::unique_ptr<device::Driver>> (*make)(const scene::CfgSection&, Site&);
+  Result<std::unique_ptr<device::Driver>> (*make)(const config::CfgSection&, Site&);
+  /// Makes what relays the devices that drivers of a file require of other servers (Site::take_remote_devices());
+  /// null: another driver does that.
+  Result<std::vector<std::unique_ptr<device::Driver>>> (*make_remote)(Site&) = nullptr;
 };
 
 /// The `read_options` of a function that returns them.

@@ -12,9 +12,9 @@
 #include <map>
 #include <set>
 
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/drivers/amcl/amcl_options.h"
 #include "playhouse/drivers/nd/nd_options.h"
-#include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/drivers/vfh/vfh_options.h"
 #include "playhouse/drivers/wavefront/wavefront_options.h"
 
@@ -97,11 +97,11 @@ struct Outcome {
 };
 
 Outcome outcome_of(const std::string& text) {
-  scene::MemoryFiles none({});
-  const Result<scene::CfgFile> file = scene::load_cfg_text(text, "test.cfg", none);
+  config::MemoryFiles none({});
+  const Result<config::CfgFile> file = config::load_cfg_text(text, "test.cfg", none);
   if (!file) return {file.error().line(), {}, {}};
   testing::MemorySite site(kOneRobot);
-  const auto drivers = make_drivers(*file, site.site());
+  const auto drivers = all_drivers().make(*file, site.site());
   const auto warnings = site.site().warnings();
   return {drivers ? "" : drivers.error().line(),
           {warnings.begin(), warnings.end()},
@@ -233,7 +233,7 @@ TEST_P(EachDriver, has_a_sentence_for_all_that_is_told) {
     EXPECT_TRUE(property.doc.ends_with('.')) << property.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Drivers, EachDriver, ::testing::ValuesIn(driver_definitions()),
+INSTANTIATE_TEST_SUITE_P(Drivers, EachDriver, ::testing::ValuesIn(all_drivers().all()),
                          [](const auto& each) { return std::string(each.param->name); });
 
 /// The option of a name, "DEFAULT UNIT".
@@ -246,9 +246,9 @@ std::string default_of(const DriverDefinition& driver, std::string_view name) {
 }
 
 TEST(DriverDefinitions, tell_the_defaults_that_a_bare_section_gets) {
-  scene::MemoryFiles none({});
-  const auto file = scene::load_cfg_text("driver( name \"any\" provides [\"opaque:0\"] )", "test.cfg", none);
-  const scene::CfgSection& bare = file->drivers.front();
+  config::MemoryFiles none({});
+  const auto file = config::load_cfg_text("driver( name \"any\" provides [\"opaque:0\"] )", "test.cfg", none);
+  const config::CfgSection& bare = file->drivers.front();
   const NdOptions nd = *nd_options(bare);
   EXPECT_EQ(default_of(kNdDriver, "goal_tol"),
             fmt::format("[length angle] [{} {:.6g}] m, deg", nd.goal_distance, geom::degrees(nd.goal_angle)));
@@ -269,12 +269,13 @@ TEST(DriverDefinitions, tell_the_defaults_that_a_bare_section_gets) {
 }
 
 TEST(DriverDefinitions, are_in_the_order_of_their_names_and_found_by_them) {
-  EXPECT_TRUE(std::ranges::is_sorted(driver_definitions(), {}, &DriverDefinition::name));
-  for (const DriverDefinition* driver : driver_definitions()) EXPECT_EQ(find_driver(driver->name), driver);
-  EXPECT_EQ(find_driver("statgrabdriver"), find_driver("health"));
-  EXPECT_EQ(find_driver(""), nullptr);
-  EXPECT_EQ(what_instead_of_driver("vhf"), " (did you mean \"vfh\"?)");
-  EXPECT_EQ(what_instead_of_driver("writelog"), "; the option --record records a run");
+  EXPECT_TRUE(std::ranges::is_sorted(all_drivers().all(), {}, &DriverDefinition::name));
+  for (const DriverDefinition* driver : all_drivers().all())
+    EXPECT_EQ(all_drivers().find(driver->name), driver);
+  EXPECT_EQ(all_drivers().find("statgrabdriver"), all_drivers().find("health"));
+  EXPECT_EQ(all_drivers().find(""), nullptr);
+  EXPECT_EQ(all_drivers().what_instead_of("vhf"), " (did you mean \"vfh\"?)");
+  EXPECT_EQ(all_drivers().what_instead_of("writelog"), "; the option --record records a run");
 }
 
 }  // namespace

@@ -37,9 +37,6 @@ class Program final : public Host, public device::Outlet, public device::Publish
   void retire_device(device::DeviceId) override {}
   void post(std::function<void()> task) override { network_.post(std::move(task)); }
   net::Network& network() override { return network_; }
-  Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) override {
-    return Error{path, "there is no world"};
-  }
   Result<void> hold(device::DeviceId, device::Driver*) override { return {}; }
   void release(device::DeviceId, device::Driver*) override {}
 

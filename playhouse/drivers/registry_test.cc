@@ -1,11 +1,12 @@
 // What .cfg files become: devices, or one line that says what is wrong with the file.
 
 #include "playhouse/drivers/registry.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/ranger.h"
 #include "playhouse/world/population/population.h"
@@ -70,8 +71,8 @@ position( name "r0" ranger( sensor( samples 181 ) ) ranger( sensor( ) sensor( ) 
   ASSERT_EQ(site.build(std::string(kStage) +
                        "driver( name \"stage\" provides [\"sonar:0\" \"sonar:1\"] model \"r0\" )"),
             "");
-  run::Simulation& simulation = *site.site().simulation();
-  EXPECT_EQ(list_models(simulation.world(), site.site().model_devices()->directory(), 0).text,
+  run::Simulation& simulation = *simulation_of(site.site());
+  EXPECT_EQ(list_models(simulation.world(), model_devices_of(site.site())->directory(), 0).text,
             "0\tr0\tposition\t\t\n"
             "1\tr0.ranger:0\tranger\tr0\t6665:sonar:1\n"
             "2\tr0.ranger:1\tranger\tr0\t6665:sonar:0\n");
@@ -83,8 +84,8 @@ TEST(StageDriver, speech_is_of_the_model_that_is_named_and_may_be_of_it_twice) {
 driver( name "stage" provides ["speech:0" "speech:1"] model "r0.ranger:0" )
 driver( name "stage" provides ["speech:2"] model "r0" ))"),
             "");
-  run::Simulation& simulation = *site.site().simulation();
-  EXPECT_EQ(list_models(simulation.world(), site.site().model_devices()->directory(), 0).text,
+  run::Simulation& simulation = *simulation_of(site.site());
+  EXPECT_EQ(list_models(simulation.world(), model_devices_of(site.site())->directory(), 0).text,
             "0\tr0\tposition\t\t6665:speech:2\n"
             "1\tr0.ranger:0\tranger\tr0\t6665:speech:0 6665:speech:1\n"
             "2\tr0.ranger:1\tranger\tr0\t\n"
@@ -100,15 +101,15 @@ TEST(StageDriver, tells_the_directory_which_model_each_device_shows) {
 driver( name "stage" provides ["position2d:0" "ranger:0" "ranger:1"] model "r0" )
 driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
             "");
-  run::Simulation& simulation = *site.site().simulation();
-  EXPECT_EQ(list_models(simulation.world(), site.site().model_devices()->directory(), 0).text,
+  run::Simulation& simulation = *simulation_of(site.site());
+  EXPECT_EQ(list_models(simulation.world(), model_devices_of(site.site())->directory(), 0).text,
             "0\tr0\tposition\t\t6665:position2d:0\n"
             "1\tr0.ranger:0\tranger\tr0\t6665:ranger:0\n"
             "2\tr0.ranger:1\tranger\tr0\t6665:ranger:1 7000:laser:3\n"
             "3\tr1\tposition\t\t6666:position2d:0\n"
             "4\tr1.ranger:0\tranger\tr1\t\n");
   const auto names = [&](std::uint32_t id) {
-    return device_names(site.site().model_devices()->directory(), {id}, 6665);
+    return device_names(model_devices_of(site.site())->directory(), {id}, 6665);
   };
   EXPECT_THAT(names(0), ElementsAre("position2d:0"));
   EXPECT_THAT(names(2), ElementsAre("ranger:1", "7000:laser:3"));
@@ -123,7 +124,7 @@ driver( name "stage" provides ["graphics2d:0" "graphics2d:1" "graphics3d:0"] mod
 driver( name "stage" provides ["graphics2d:2"] model "r0.ranger:0" ))"),
             "");
   const auto names = [&](std::uint32_t id) {
-    return device_names(site.site().model_devices()->directory(), {id}, 6665);
+    return device_names(model_devices_of(site.site())->directory(), {id}, 6665);
   };
   EXPECT_THAT(names(0), ElementsAre("graphics2d:0", "graphics2d:1", "graphics3d:0"));
   EXPECT_THAT(names(1), ElementsAre("graphics2d:2"));
@@ -296,13 +297,13 @@ TEST(RangerToLaser, goes_with_its_ranger_open_or_not) {
     const device::DeviceId sonars = site.id({6665, 62, 0}), scanner = site.id({6665, 62, 1});
     const device::DeviceId its_laser = site.id({6665, 6, 0});
     if (open) ASSERT_TRUE(site.hold(its_laser));
-    ASSERT_TRUE(site.site().simulation()->requests().post([](world::Journal& journal) {
+    ASSERT_TRUE(simulation_of(site.site())->requests().post([](world::Journal& journal) {
       EXPECT_TRUE(journal.despawn(journal.world().id(journal.world().find("r0"))));
     }));
     site.run(1);
     EXPECT_THAT(site.retired, ElementsAre(sonars.row, scanner.row, its_laser.row));
     EXPECT_FALSE(site.hold(its_laser));
-    EXPECT_EQ(site.site().model_devices()->directory().size(), 0u);
+    EXPECT_EQ(model_devices_of(site.site())->directory().size(), 0u);
     EXPECT_EQ(site.site().device_count(), 1u) << "the simulation";
   }
 }
@@ -314,16 +315,16 @@ driver( name "stage" provides ["position2d:0"] model "r0" alwayson 1 )
 driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
             "");
   const device::DeviceId gone = site.id({6665, 4, 0});
-  ASSERT_TRUE(site.site().simulation()->requests().post([](world::Journal& journal) {
+  ASSERT_TRUE(simulation_of(site.site())->requests().post([](world::Journal& journal) {
     EXPECT_TRUE(journal.despawn(journal.world().id(journal.world().find("r0"))));
     EXPECT_TRUE(journal.spawn(3, {}));
   }));
   site.run(1);
   EXPECT_THAT(site.retired, ElementsAre(gone.row));
   EXPECT_EQ(site.site().device_count(), 2u);
-  EXPECT_EQ(site.site().model_devices()->sources().size(), 1u);
+  EXPECT_EQ(model_devices_of(site.site())->sources().size(), 1u);
   site.run(1);
-  EXPECT_EQ(site.site().model_devices()->sources().size(), 0u);
+  EXPECT_EQ(model_devices_of(site.site())->sources().size(), 0u);
 }
 
 TEST(Registry, leaves_out_drivers_that_it_lacks_and_those_that_require_them) {

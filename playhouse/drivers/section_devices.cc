@@ -12,14 +12,14 @@
 namespace playhouse::drivers {
 namespace {
 
-using Named = std::span<const scene::DeviceAddress>;
+using Named = std::span<const config::DeviceAddress>;
 using Wanted = std::span<const WantedDevice>;
 
 /// Suggestion for an address with a misspelt interface.
 std::string hint(Named addresses, Wanted wanted) {
   std::vector<std::string_view> words;
   for (const WantedDevice& device : wanted) words.push_back(device.interf);
-  for (const scene::DeviceAddress& address : addresses) {
+  for (const config::DeviceAddress& address : addresses) {
     if (std::ranges::find(words, address.interf) != words.end()) continue;
     if (const std::string meant = did_you_mean(address.interf, words); !meant.empty())
       return ", found " + in_quotes(address.text()) + meant;
@@ -28,7 +28,7 @@ std::string hint(Named addresses, Wanted wanted) {
 }
 
 /// E.g.: driver "vfh" requires one position2d and one laser, e.g. ["position2d:0" "laser:0"]
-std::string what_is_wanted(const scene::CfgSection& section, std::string_view key, Wanted wanted) {
+std::string what_is_wanted(const config::CfgSection& section, std::string_view key, Wanted wanted) {
   std::vector<std::string> words, example;
   for (const WantedDevice& device : wanted) {
     const bool has_key = !device.key.empty();
@@ -50,9 +50,9 @@ std::optional<std::size_t> find(Named named, const WantedDevice& wanted) {
 
 }  // namespace
 
-Result<std::vector<device::Address>> section_devices(const scene::CfgSection& section, const Site& site,
+Result<std::vector<device::Address>> section_devices(const config::CfgSection& section, const Site& site,
                                                      std::string_view key, Wanted wanted) {
-  const std::vector<scene::DeviceAddress> named = section.addresses(key);
+  const std::vector<config::DeviceAddress> named = section.addresses(key);
   std::vector<device::Address> devices;
   for (const WantedDevice& device : wanted) {
     const std::optional<std::size_t> found = find(named, device);
@@ -67,7 +67,7 @@ Result<std::vector<device::Address>> section_devices(const scene::CfgSection& se
   return devices;
 }
 
-Result<std::vector<device::Address>> section_devices(const scene::CfgSection& section, const Site& site,
+Result<std::vector<device::Address>> section_devices(const config::CfgSection& section, const Site& site,
                                                      std::string_view key,
                                                      std::initializer_list<std::string_view> interfaces) {
   std::vector<WantedDevice> wanted;
@@ -75,9 +75,9 @@ Result<std::vector<device::Address>> section_devices(const scene::CfgSection& se
   return section_devices(section, site, key, wanted);
 }
 
-bool names_device(const scene::CfgSection& section, std::string_view key, std::string_view interf) {
-  const std::vector<scene::DeviceAddress> named = section.addresses(key);
-  return std::ranges::find(named, interf, &scene::DeviceAddress::interf) != named.end();
+bool names_device(const config::CfgSection& section, std::string_view key, std::string_view interf) {
+  const std::vector<config::DeviceAddress> named = section.addresses(key);
+  return std::ranges::find(named, interf, &config::DeviceAddress::interf) != named.end();
 }
 
 }  // namespace playhouse::drivers

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/address.h"
 #include "playhouse/drivers/site.h"
-#include "playhouse/scene/cfg.h"
 
 namespace playhouse::drivers {
 
@@ -25,14 +25,14 @@ struct WantedDevice {
 
 /// The devices of field `key` ("provides", "requires"), one for each wanted one, in their
 /// order rather than the file's. Fails with "file:line" if the field names anything else.
-Result<std::vector<device::Address>> section_devices(const scene::CfgSection& section, const Site& site,
+Result<std::vector<device::Address>> section_devices(const config::CfgSection& section, const Site& site,
                                                      std::string_view key,
                                                      std::span<const WantedDevice> wanted);
-Result<std::vector<device::Address>> section_devices(const scene::CfgSection& section, const Site& site,
+Result<std::vector<device::Address>> section_devices(const config::CfgSection& section, const Site& site,
                                                      std::string_view key,
                                                      std::initializer_list<std::string_view> interfaces);
 
 /// True if the field names a device of the interface, for devices that a driver may do without.
-bool names_device(const scene::CfgSection& section, std::string_view key, std::string_view interf);
+bool names_device(const config::CfgSection& section, std::string_view key, std::string_view interf);
 
 }  // namespace playhouse::drivers

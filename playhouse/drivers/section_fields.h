@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
-#include "playhouse/scene/cfg.h"
+#include "playhouse/config/cfg.h"
 
 namespace playhouse::drivers {
 
@@ -40,7 +40,7 @@ class SectionFields {
  public:
   static constexpr double kAnyNumber = -std::numeric_limits<double>::infinity();  // as `least`
 
-  SectionFields(const scene::CfgSection& section, std::vector<Option>* told = nullptr)
+  SectionFields(const config::CfgSection& section, std::vector<Option>* told = nullptr)
       : section_(section), told_(told) {}
 
   /// m or m/s; rad or rad/s; a number, each at least `least`.
@@ -66,7 +66,7 @@ class SectionFields {
   void tell(const OptionText& option, std::size_t element, std::string_view type, std::string_view unit,
             const std::string& otherwise, const std::string& limits);
 
-  const scene::CfgSection& section_;
+  const config::CfgSection& section_;
   std::vector<Option>* told_;
   std::optional<Error> fault_;
 };

@@ -18,7 +18,11 @@ constexpr std::size_t kCircleShown = 8;  // devices of a cycle shown in an error
 
 }  // namespace
 
-Result<device::Address> Site::resolve(const scene::DeviceAddress& address) const {
+Result<std::unique_ptr<SiteWorld>> Host::open_world(const std::string& path, Site&) {
+  return Error{escaped(path), "there is no world here"};
+}
+
+Result<device::Address> Site::resolve(const config::DeviceAddress& address) const {
   if (!address.host.empty() && address.host != "localhost" && address.host != "127.0.0.1") {
     return Error{"", fmt::format("{}: a device of another host is for the driver \"passthrough\" alone",
                                  in_quotes(address.text()))};
@@ -63,35 +67,14 @@ std::set<device::Address> Site::take_remote_devices() {
 }
 
 Result<void> Site::open_world(const std::string& path) {
-  Result<std::unique_ptr<run::Simulation>> simulation = surroundings_.open_world(path);
-  if (!simulation) return simulation.error();
-  simulation_ = std::move(*simulation);
-  model_devices_ = std::make_unique<ModelDevices>(*simulation_, data_flow_);
-  simulation_->follow(run::on_event(
-      [this](const world::World& world, const world::Event& event) { happened(world, event); }));
+  Result<std::unique_ptr<SiteWorld>> world = surroundings_.open_world(path, *this);
+  if (!world) return world.error();
+  world_ = std::move(*world);
   return {};
 }
 
 double Site::time() const {
-  if (simulation_ != nullptr) return simulation_->time();
-  return unix_seconds();
-}
-
-void Site::happened(const world::World& world, const world::Event& event) {
-  using EventKind = world::Event::EventKind;
-  const Directory& directory = model_devices_->directory();
-  std::vector<device::Address> gone;
-  if (event.kind == EventKind::kReload) {
-    for (const device::Address& address : directory.devices())
-      if (!world.row(directory.model_of(address))) gone.push_back(address);
-    return gone.empty() ? void() : retire(std::move(gone));
-  }
-  if (event.kind != EventKind::kDespawn) return;
-  for (std::uint32_t part = 0; part < event.count; ++part) {
-    const auto devices = directory.devices_of({event.model.value + part});
-    gone.insert(gone.end(), devices.begin(), devices.end());
-  }
-  if (!gone.empty()) retire(std::move(gone));
+  return world_ != nullptr ? world_->time() : unix_seconds();
 }
 
 /// Transitively adds the devices of drivers that require these.
@@ -110,17 +93,16 @@ void Site::add_who_requires(std::vector<device::Address>& devices) const {
 
 void Site::retire(std::vector<device::Address> devices) {
   add_who_requires(devices);
-  if (simulation_ != nullptr)
-    for (const device::Address& address : devices) model_devices_->directory().remove(address);
+  if (world_ != nullptr)
+    for (const device::Address& address : devices) world_->forget(address);
   surroundings_.post([this, devices = std::move(devices)] {
     for (const device::Address& address : devices) take_out(address);
   });
 }
 
 void Site::retire_later(std::vector<device::Address> devices) {
-  if (simulation_ == nullptr) return retire(std::move(devices));
-  simulation_->requests().post_always(
-      [this, devices = std::move(devices)](const world::Journal&) { retire(devices); }, {});
+  if (world_ == nullptr) return retire(std::move(devices));
+  world_->between_ticks([this, devices = std::move(devices)] { retire(devices); });
 }
 
 /// No effect if it is gone: it may depend on two retired devices.

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Site: the environment in which drivers are made: other drivers' devices, registration, and the one
-/// simulated world that several drivers may share. Filled in by the program; drivers know no server
+/// simulated world that several drivers may share, if there is one. Filled in by the program; drivers know no server
 /// and no engine. Threads: everything happens before the io loop runs, unless stated otherwise.
 
 #include <cstdint>
@@ -18,17 +18,18 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/device_address.h"
 #include "playhouse/device/client.h"
 #include "playhouse/device/data_flow.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/always_on.h"
-#include "playhouse/drivers/simulated/model_devices.h"
+#include "playhouse/drivers/site_world.h"
 #include "playhouse/libraries/libraries.h"
 #include "playhouse/net/network.h"
-#include "playhouse/run/simulation.h"
-#include "playhouse/scene/device_address.h"
 
 namespace playhouse::drivers {
+
+class Site;
 
 /// Interface to the program's server and engine.
 class Host : public device::Opener {
@@ -54,8 +55,8 @@ class Host : public device::Opener {
   virtual libraries::Libraries libraries() const { return {}; }
   /// The program that calls plug-ins in processes of their own (isolated/isolated_main.h); empty: none may be started.
   virtual std::filesystem::path plugin_program() const { return {}; }
-  /// Loads a world file into a new engine.
-  virtual Result<std::unique_ptr<run::Simulation>> open_world(const std::string& path) = 0;
+  /// Loads a world file into a new engine, for a site.
+  virtual Result<std::unique_ptr<SiteWorld>> open_world(const std::string& path, Site& site);
 };
 
 class Site {
@@ -69,7 +70,7 @@ class Site {
   device::DataFlow& data_flow() { return data_flow_; }
 
   /// The full address. Fails on an unknown interface and on a device of another host.
-  Result<device::Address> resolve(const scene::DeviceAddress& address) const;
+  Result<device::Address> resolve(const config::DeviceAddress& address) const;
 
   /// As in files: without the port if that is the default one.
   std::string shown(device::Address address) const;
@@ -83,13 +84,11 @@ class Site {
   /// All ports with devices, except those of other servers.
   std::set<std::uint32_t> ports() const;
 
-  /// The world, once a driver has opened it.
-  run::Simulation* simulation() const { return simulation_.get(); }
+  /// The world, once a driver has opened it; null before.
+  SiteWorld* world() const { return world_.get(); }
   Result<void> open_world(const std::string& path);
   /// Simulated time, or that of the clock, since 1970, without a world. Any thread. [s]
   double time() const;
-  /// The devices of its models; null before.
-  ModelDevices* model_devices() const { return model_devices_.get(); }
 
   /// Retires devices, and recursively those of drivers that require them, since
   /// they have lost their input. Removed from the directory on return, from clients
@@ -124,22 +123,17 @@ class Site {
   void warn(std::string line) { warnings_.push_back(std::move(line)); }
   std::span<const std::string> warnings() const { return warnings_; }
 
-  /// Models already assigned to an interface: (interface, model row).
-  std::set<std::pair<std::uint16_t, std::uint32_t>>& taken_models() { return taken_models_; }
-
  private:
   Result<void> check_provided(const User& user) const;
   Result<std::vector<const User*>> in_order_of_data() const;
   Error circle_error(std::span<const std::size_t> circle) const;
-  void happened(const world::World& world, const world::Event& event);
   void take_out(device::Address address);
   void add_who_requires(std::vector<device::Address>& devices) const;
 
   Host& surroundings_;
   std::uint16_t default_port_;
-  std::unique_ptr<run::Simulation> simulation_;
   device::DataFlow data_flow_;
-  std::unique_ptr<ModelDevices> model_devices_;
+  std::unique_ptr<SiteWorld> world_;
   struct ProvidedDevice {
     device::DeviceId id;
     device::Driver* driver = nullptr;
@@ -148,7 +142,6 @@ class Site {
   std::set<std::uint32_t> remote_ports_;
   std::vector<User> users_;
   std::vector<std::string> warnings_;
-  std::set<std::pair<std::uint16_t, std::uint32_t>> taken_models_;
   std::vector<std::unique_ptr<AlwaysOn>> always_on_;
 };
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "playhouse/app/commands/robots_client.h"
-#include "playhouse/app/server_host.h"
+#include "playhouse/device_server/server_host.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/house/client.h"
 #include "playhouse/house/process.h"
@@ -20,7 +20,7 @@
 
 namespace playhouse::house {
 
-class RobotMachine final : private app::ServerHost {
+class RobotMachine final : private device_server::ServerHost {
  public:
   /// Brings a robot of this name from a port of its own to the world's; the seed decides where to.
   RobotMachine(net::SimulatedNetwork& network, std::uint16_t world_port, std::uint16_t port,
@@ -39,13 +39,10 @@ class RobotMachine final : private app::ServerHost {
   std::optional<std::string> fault() const { return client_ ? client_->fault() : std::nullopt; }
 
  private:
-  // app::ServerHost
+  // device_server::ServerHost
   server::Server& the_server() override { return server_; }
   net::Network& the_network() override { return network_; }
   bool has_threads() const override { return false; }
-  Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override {
-    return Error{"", "there is no world here"};
-  }
 
   net::SimulatedNetwork& all_;  // machines
   Process network_;

@@ -32,7 +32,7 @@ void take_part(net::PolledNetwork& network) {
 }  // namespace
 
 std::unique_ptr<cluster::Head> SimulatedNodes::head(std::unique_ptr<world::Engine> engine,
-                                                    scene::SourceFiles sources,
+                                                    config::SourceFiles sources,
                                                     std::function<void(const std::string&)> fail) {
   cluster::Head::HeadOptions options;
   options.port = kHeadPort;

@@ -23,7 +23,7 @@ class SimulatedNodes {
 
   /// The engine of the run with its head, which must not outlive this. `fail` hears that a node computes
   /// something else.
-  std::unique_ptr<cluster::Head> head(std::unique_ptr<world::Engine> engine, scene::SourceFiles sources,
+  std::unique_ptr<cluster::Head> head(std::unique_ptr<world::Engine> engine, config::SourceFiles sources,
                                       std::function<void(const std::string&)> fail);
   /// Some join, some crash.
   void act();

@@ -8,11 +8,11 @@
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
-#include "playhouse/drivers/registry.h"
-#include "playhouse/drivers/simulated/joining.h"
+#include "playhouse/bridge/all_drivers.h"
+#include "playhouse/bridge/simulated/joining.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/record/mcap/mcap_writer.h"
 #include "playhouse/record/rerun.h"
-#include "playhouse/scene/cfg.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/world/saving/state.h"
 
@@ -58,8 +58,8 @@ class Ticked final : public run::Follower {
   const std::function<void()> ticked_;
 };
 
-scene::SourceFiles sources_of(const Setting& setting) {
-  scene::SourceFiles sources;
+config::SourceFiles sources_of(const Setting& setting) {
+  config::SourceFiles sources;
   sources.path = kFile;
   std::string& text = sources.files[kFile];
   text = fmt::format(fmt::runtime(kWorld), 1000 * setting.interval);
@@ -107,7 +107,12 @@ SimulatedProgram::~SimulatedProgram() {
   simulation().discard();
 }
 
-Result<std::unique_ptr<run::Simulation>> SimulatedProgram::open_world(const std::string&) {
+Result<std::unique_ptr<drivers::SiteWorld>> SimulatedProgram::open_world(const std::string&,
+                                                                         drivers::Site& site) {
+  return drivers::simulated_world(site, make_simulation());
+}
+
+std::unique_ptr<run::Simulation> SimulatedProgram::make_simulation() {
   run::Simulation::SimulationOptions options{.clock = [this] { return network_.now(); },
                                              .wait = options_.wait};
   std::unique_ptr<world::Engine> engine = engine_of(scene_, options_.setting, options_.seed);
@@ -129,8 +134,8 @@ Result<std::unique_ptr<run::Simulation>> SimulatedProgram::open_world(const std:
 }
 
 void SimulatedProgram::make_drivers() {
-  scene::DiskFiles files;
-  auto made = drivers::make_drivers(*scene::load_cfg_text(kDrivers, "house.cfg", files), site_);
+  config::DiskFiles files;
+  auto made = drivers::all_drivers().make(*config::load_cfg_text(kDrivers, "house.cfg", files), site_);
   PLAYHOUSE_ASSERT(made.ok());
   drivers_ = std::move(*made);
 }

@@ -12,8 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/app/server_host.h"
-#include "playhouse/drivers/simulated/auto_devices.h"
+#include "playhouse/bridge/simulated/auto_devices.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
+#include "playhouse/device_server/server_host.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/house/failing_disk.h"
 #include "playhouse/house/process.h"
@@ -39,7 +40,7 @@ struct Saved {
   std::uint64_t hash = 0;
 };
 
-class SimulatedProgram final : private app::ServerHost {
+class SimulatedProgram final : private device_server::ServerHost {
  public:
   struct ProgramOptions {
     Setting setting;
@@ -57,7 +58,7 @@ class SimulatedProgram final : private app::ServerHost {
   SimulatedProgram(net::Network& network, ProgramOptions options);
   ~SimulatedProgram() override;
 
-  run::Simulation& simulation() { return *site_.simulation(); }
+  run::Simulation& simulation() { return *drivers::simulation_of(site_); }
   const world::World& world() { return simulation().world(); }
   /// What viewers were shown.
   const ShownWorlds& shown() const { return *shown_; }
@@ -82,15 +83,17 @@ class SimulatedProgram final : private app::ServerHost {
   void open_page_server();
   void wrong(std::string what) { options_.wrong(std::move(what)); }
 
-  // app::ServerHost
+  // device_server::ServerHost
   server::Server& the_server() override { return server_; }
   net::Network& the_network() override { return network_; }
   bool has_threads() const override { return false; }
-  Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override;
+  Result<std::unique_ptr<drivers::SiteWorld>> open_world(const std::string& path,
+                                                         drivers::Site& site) override;
+  std::unique_ptr<run::Simulation> make_simulation();
 
   Process network_;
   const ProgramOptions options_;
-  scene::SourceFiles sources_;
+  config::SourceFiles sources_;
   scene::SceneDesc scene_;
   drivers::Site site_;
   std::vector<std::unique_ptr<device::Driver>> drivers_;

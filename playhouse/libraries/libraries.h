@@ -11,7 +11,6 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/libraries/shared_library.h"
-#include "playhouse/scene/scene_desc.h"
 
 namespace playhouse::libraries {
 

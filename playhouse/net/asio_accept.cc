@@ -4,22 +4,19 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <boost/asio/ip/v6_only.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <optional>
 #include <utility>
 
 #include "playhouse/base/log.h"
+#include "playhouse/net/asio.h"
 #include "playhouse/net/local/unix_socket.h"
-#include "playhouse/net/tls/asio_tls.h"
+#include "playhouse/net/tls/decrypt.h"
 
 namespace playhouse::net {
 namespace {
 
-namespace asio = boost::asio;
 using asio::ip::tcp;
-using boost::system::error_code;
 
 constexpr std::chrono::milliseconds kAcceptPause{
     100};  // pause after a failed accept, e.g. without free descriptors

@@ -1,20 +1,16 @@
 #include "playhouse/net/asio_connect.h"
 
-#include <boost/asio/connect.hpp>
-#include <boost/asio/post.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <utility>
 
+#include "playhouse/net/asio.h"
 #include "playhouse/net/asio_accept.h"
 #include "playhouse/net/local/unix_socket.h"
 
 namespace playhouse::net {
 namespace {
 
-namespace asio = boost::asio;
 using asio::ip::tcp;
-using boost::system::error_code;
 
 /// A connection attempt. Shared by its handle and pending operations, which may outlive that.
 class Connecting : public std::enable_shared_from_this<Connecting> {

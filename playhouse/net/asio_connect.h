@@ -2,18 +2,18 @@
 
 /// Connecting sockets; internal to net.
 
-#include <boost/asio/ip/tcp.hpp>
 #include <functional>
 #include <memory>
 #include <string>
 
+#include "playhouse/net/asio.h"
 #include "playhouse/net/asio_loop.h"
 
 namespace playhouse::net {
 
 /// A connected socket, with the options of accepted ones, and its "address:port"; or an error.
 struct ConnectedSocket {
-  boost::asio::ip::tcp::socket socket;
+  asio::ip::tcp::socket socket;
   std::string peer;
 };
 using SocketConnected = std::function<void(Result<ConnectedSocket>)>;

@@ -3,20 +3,19 @@
 /// Implementation of IoLoop, shared by the .cc files of net for its io_context.
 
 #include <array>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <functional>
 #include <list>
 #include <optional>
 
+#include "playhouse/net/asio.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/net/tls/tls_identity.h"
 
 namespace playhouse::net {
 
 struct IoLoop::Impl {
-  boost::asio::io_context context{1};
-  std::optional<boost::asio::signal_set> signals;
+  asio::io_context context{1};
+  std::optional<asio::signal_set> signals;
   std::function<void(int)> signal_task;
   /// Connections that have flushed and half-closed, and wait for
   /// their peers to close; each entry closes one. Oldest first.

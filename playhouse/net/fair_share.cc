@@ -6,9 +6,10 @@
 #include <tuple>
 
 #include "playhouse/base/assert.h"
+#include "playhouse/net/asio.h"
 
 namespace playhouse::net {
-namespace ip = boost::asio::ip;
+namespace ip = asio::ip;
 
 namespace {
 
@@ -21,7 +22,7 @@ std::string_view address_of(std::string_view peer) {
 
 bool is_local(std::string_view peer) {
   if (peer.starts_with("unix:") || peer.starts_with('/')) return true;
-  boost::system::error_code error;
+  error_code error;
   const ip::address address = ip::make_address(std::string(address_of(peer)), error);
   if (error) return false;
   if (address.is_v6() && address.to_v6().is_v4_mapped())
@@ -31,7 +32,7 @@ bool is_local(std::string_view peer) {
 
 std::string network_of(std::string_view peer) {
   const std::string_view text = address_of(peer);
-  boost::system::error_code error;
+  error_code error;
   const ip::address address = ip::make_address(std::string(text), error);
   if (error || address.is_v4()) return std::string(text);
   ip::address_v6 v6 = address.to_v6();

@@ -7,15 +7,16 @@
 #include <optional>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/net/asio.h"
 
 namespace playhouse::net {
 namespace {
 
-namespace ip = boost::asio::ip;
+namespace ip = asio::ip;
 
 /// In its shortest form; IPv4 mapped to IPv6 is IPv4.
 std::optional<std::string> numeric_address(std::string_view text) {
-  boost::system::error_code error;
+  error_code error;
   const ip::address address = ip::make_address(std::string(text), error);
   if (error || text.find('%') != std::string_view::npos) return std::nullopt;
   if (address.is_v6() && address.to_v6().is_v4_mapped())

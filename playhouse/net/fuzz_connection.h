@@ -6,8 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <cerrno>
 #include <cstddef>
 #include <memory>
@@ -15,6 +13,7 @@
 #include <string>
 
 #include "playhouse/base/assert.h"
+#include "playhouse/net/asio.h"
 #include "playhouse/net/asio_http.h"
 #include "playhouse/net/http_places.h"
 
@@ -26,8 +25,8 @@ class FuzzConnection {
     int ends[2];
     PLAYHOUSE_ASSERT(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends) == 0);
     peer_ = ends[0];
-    boost::asio::ip::tcp::socket socket(context_);
-    socket.assign(boost::asio::ip::tcp::v4(), ends[1]);
+    asio::ip::tcp::socket socket(context_);
+    socket.assign(asio::ip::tcp::v4(), ends[1]);
     serve_http({std::move(socket), "192.0.2.1:1", {}, false}, service, {}, std::make_shared<HttpPlaces>());
   }
   ~FuzzConnection() { hang_up(); }
@@ -74,7 +73,7 @@ class FuzzConnection {
     if (count == 0) closed_ = true;
   }
 
-  boost::asio::io_context context_{1};
+  asio::io_context context_{1};
   int peer_;
   bool closed_ = false;
 };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/net/asio.h"
 #include "playhouse/net/asio_accept.h"
 #include "playhouse/net/asio_http.h"
 #include "playhouse/net/asio_websocket.h"
@@ -20,10 +21,8 @@
 namespace playhouse::net {
 namespace {
 
-namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
-using beast::error_code;
 using Response = http::response<http::span_body<const char>>;
 
 constexpr std::chrono::seconds kLingerTime{2};  // of reading on behind the last answer, so that it arrives

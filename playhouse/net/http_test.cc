@@ -14,7 +14,7 @@
 #include "playhouse/net/asio_accept.h"
 #include "playhouse/net/asio_http.h"
 #include "playhouse/net/fair_share.h"
-#include "playhouse/net/web_client.h"
+#include "playhouse/net/testing/web_client.h"
 
 namespace playhouse::net {
 namespace {

@@ -1,13 +1,11 @@
 #include "playhouse/net/io_loop.h"
 
-#include <boost/asio/executor_work_guard.hpp>
-#include <boost/asio/post.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <utility>
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/monotonic.h"
+#include "playhouse/net/asio.h"
 #include "playhouse/net/asio_loop.h"
 
 namespace playhouse::net {
@@ -15,7 +13,7 @@ namespace {
 
 class AsioTimer final : public Timer {
  public:
-  AsioTimer(boost::asio::io_context& context, double seconds, Network::Task task)
+  AsioTimer(asio::io_context& context, double seconds, Network::Task task)
       : timer_(context, std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                             std::chrono::duration<double>(seconds))) {
     timer_.async_wait([task = std::move(task), live = std::weak_ptr<int>(live_)](const auto& error) {
@@ -26,11 +24,11 @@ class AsioTimer final : public Timer {
  private:
   // An expired timer cannot be cancelled: its task checks whether the owner is alive.
   std::shared_ptr<int> live_ = std::make_shared<int>(0);
-  boost::asio::steady_timer timer_;
+  asio::steady_timer timer_;
 };
 
 void wait_for_signal(IoLoop::Impl& impl) {
-  impl.signals->async_wait([&impl](const boost::system::error_code& error, int signal) {
+  impl.signals->async_wait([&impl](const error_code& error, int signal) {
     if (error) return;
     impl.signal_task(signal);
     wait_for_signal(impl);
@@ -70,7 +68,7 @@ IoLoop::~IoLoop() = default;
 void IoLoop::run() {
   impl_->context.restart();
   impl_->finishing = false;
-  const auto work = boost::asio::make_work_guard(impl_->context);
+  const auto work = asio::make_work_guard(impl_->context);
   impl_->context.run();
 }
 
@@ -81,7 +79,7 @@ void IoLoop::poll() {
 
 void IoLoop::stop() {
   // Posted, so that stop() before run() is effective.
-  boost::asio::post(impl_->context, [context = &impl_->context] { context->stop(); });
+  asio::post(impl_->context, [context = &impl_->context] { context->stop(); });
 }
 
 void IoLoop::finish() {
@@ -108,7 +106,7 @@ void IoLoop::on_signal(std::initializer_list<int> signals, std::function<void(in
 }
 
 void IoLoop::post(Task task) {
-  boost::asio::post(impl_->context, std::move(task));
+  asio::post(impl_->context, std::move(task));
 }
 
 double IoLoop::now() const {

@@ -2,27 +2,23 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/post.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "playhouse/net/asio.h"
 #include "playhouse/net/asio_accept.h"
 #include "playhouse/net/asio_connect.h"
 #include "playhouse/net/asio_loop.h"
 #include "playhouse/net/io_loop.h"
-#include "playhouse/net/tls/asio_tls.h"
+#include "playhouse/net/tls/decrypt.h"
 
 namespace playhouse::net {
 namespace {
 
-namespace asio = boost::asio;
 using asio::ip::tcp;
-using boost::system::error_code;
 
 constexpr std::size_t kGathered = 64;  // parts in one call, which are as many as asio gives the system
 constexpr std::chrono::seconds kLingerTime{1};  // and then its peer this long to end

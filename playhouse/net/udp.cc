@@ -5,8 +5,6 @@
 #include <sys/socket.h>
 
 #include <array>
-#include <boost/asio/ip/udp.hpp>
-#include <boost/asio/ip/v6_only.hpp>
 #include <cerrno>
 #include <cstring>
 #include <functional>
@@ -15,12 +13,12 @@
 
 #include "playhouse/net/asio_loop.h"
 
+#include "playhouse/net/asio.h"
+
 namespace playhouse::net {
 namespace {
 
-namespace asio = boost::asio;
 using asio::ip::udp;
-using boost::system::error_code;
 
 /// Datagrams per turn, before other events of the loop.
 constexpr int kDatagramsPerTurn = 64;

@@ -1,7 +1,6 @@
 #include "playhouse/net/websocket.h"
 
 #include <algorithm>
-#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket.hpp>
@@ -11,16 +10,15 @@
 #include <variant>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/net/asio.h"
 #include "playhouse/net/asio_websocket.h"
 #include "playhouse/net/websocket_handshake.h"
 
 namespace playhouse::net {
 namespace {
 
-namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
-using beast::error_code;
 
 /// Time limit of closing with a reason, delivered or not.
 constexpr std::chrono::seconds kCloseTime{2};

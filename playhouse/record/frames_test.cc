@@ -41,7 +41,7 @@ class FramesTest : public testing::Test {
   }
   SpatialPose lens() const { return frame_in_world(world_, eye_, FrameKind::kLens); }
 
-  scene::MemoryFiles files_{{}};
+  config::MemoryFiles files_{{}};
   scene::SceneDesc scene_ = *scene::load_world_text(kWorld, "t.world", files_, {}, nullptr);
   world::World world_{scene_, 1};
   const world::ModelRow robot_ = world_.find("r"), eye_ = world_.find("r.eye"), imu_ = world_.find("r.imu");

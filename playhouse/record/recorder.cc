@@ -79,7 +79,7 @@ std::string as_topic(std::string_view name) {
 Recorder::Recorder(RecordThread& file, Selection selection, world::Control& control)
     : file_(file), selection_(std::move(selection)), control_(control) {}
 
-Result<void> Recorder::begin(const world::World& world, const scene::SourceFiles& sources) {
+Result<void> Recorder::begin(const world::World& world, const config::SourceFiles& sources) {
   interval_ = world.scene().interval;
   second_ = world::ticks_of(1, interval_);
   state_ticks_ = world::ticks_of(kStatePeriod, interval_);

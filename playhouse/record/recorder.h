@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/config/text/source_text.h"
 #include "playhouse/record/frames.h"
 #include "playhouse/record/messages.h"
 #include "playhouse/record/record_thread.h"
 #include "playhouse/record/selection.h"
 #include "playhouse/run/follower.h"
-#include "playhouse/scene/text/source_text.h"
 #include "playhouse/world/control.h"
 
 namespace playhouse::record {
@@ -38,7 +38,7 @@ class Recorder final : public run::Follower {
   Recorder(RecordThread& file, Selection selection, world::Control& control);
 
   /// Writes the initial state of the run. Fails if that cannot be written.
-  Result<void> begin(const world::World& world, const scene::SourceFiles& sources);
+  Result<void> begin(const world::World& world, const config::SourceFiles& sources);
   /// Ends the recording.
   void end(const world::World& world);
 

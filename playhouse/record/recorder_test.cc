@@ -102,8 +102,8 @@ class RecorderTest : public testing::Test {
 
   const TestFolder folder_;
   const std::string path_ = folder_ / "test.mcap";
-  scene::SourceFiles sources_{.path = "t.world", .files = {{"t.world", kWorld}}, .search_path = {}};
-  scene::MemoryFiles files_{{}};
+  config::SourceFiles sources_{.path = "t.world", .files = {{"t.world", kWorld}}, .search_path = {}};
+  config::MemoryFiles files_{{}};
   scene::SceneDesc scene_ = *scene::load_world_text(kWorld, "t.world", files_);
   world::World world_{scene_, 1};
   world::Journal journal_{world_};

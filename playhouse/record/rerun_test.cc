@@ -70,7 +70,7 @@ class RerunTest : public testing::Test {
     while (!rerun.at_end() && !rerun.differs()) rerun.step();
   }
 
-  scene::MemoryFiles files_{{}};
+  config::MemoryFiles files_{{}};
   scene::SceneDesc scene_ = *scene::load_world_text(kWorld, "t.world", files_);
   TimeEngine engine_{scene_};
   Recording recording_;

@@ -19,7 +19,7 @@ class SelectionTest : public testing::Test {
   bool has(const char* selection, const char* model, const char* kind) {
     return Selection::parse(selection)->has(world_, world_.find(model), kind);
   }
-  scene::MemoryFiles files_{{}};
+  config::MemoryFiles files_{{}};
   scene::SceneDesc scene_ = *scene::load_world_text(kWorld, "t.world", files_, {}, nullptr);
   world::World world_{scene_, 1};
 };

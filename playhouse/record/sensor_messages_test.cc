@@ -31,7 +31,7 @@ class SensorMessagesTest : public testing::Test {
   }
   world::KindRow part(const char* name) { return world_.models.part[world_.find(name)]; }
 
-  scene::MemoryFiles files_{{}};
+  config::MemoryFiles files_{{}};
   scene::SceneDesc scene_ = *scene::load_world_text(kWorld, "t.world", files_, {}, nullptr);
   world::World world_{scene_, 1};
   static constexpr std::uint64_t kNs = 1'500'000'000;

@@ -13,7 +13,7 @@ scene::SceneDesc scene_of_robots(int robots) {
   std::string text = "define scanner ranger( sensor( samples 180 fov 180 ) )\n";
   for (int k = 0; k < robots; ++k)
     text += fmt::format("position( name \"r{}\" pose [{} {} 0 0] scanner() )\n", k, k % 100, k / 100);
-  scene::MemoryFiles none({});
+  config::MemoryFiles none({});
   return *scene::load_world_text(text, "bench.world", none);
 }
 

@@ -143,7 +143,7 @@ Result<scene::SceneDesc> everything() {
   for (int k = 0; k < 36; ++k)
     text += fmt::format("robot( pose [{} {} 0 {}] ctrl \"{}\" )\n", -2.5 + k % 6, -2.5 + k / 6, 77 * k % 360,
                         controllers[k % 5]);
-  scene::MemoryFiles none({});
+  config::MemoryFiles none({});
   Result<scene::SceneDesc> scene = scene::load_world_text(text, "everything.world", none);
   if (!scene) return scene;
   for (scene::ModelDesc& model : scene->models)
@@ -173,7 +173,7 @@ TEST(Allocation, there_is_none_with_cameras_bumpers_and_detectors) {
     noise [0.1 0 1] miss 0.1 ) )
 )",
                         k % 3 - 1, k / 3 - 1, 60 * k);
-  scene::MemoryFiles none({});
+  config::MemoryFiles none({});
   // One worker: of several, one that had little to do so far may see more than ever in a late tick.
   ScenarioRun run(scene::load_world_text(text, "cameras.world", none), 1);
   EXPECT_EQ(allocations_of(run), 0u);
@@ -185,7 +185,7 @@ TEST(Allocation, there_is_none_where_radios_carry_messages) {
   for (int k = 0; k < 24; ++k)
     text += fmt::format("wifi( pose [{} {} 0 0] model \"raytrace\" fading 1 loss 5 )\n", k % 8, k / 8);
   text += "model( size [0.1 4 1] pose [2.5 2 0 0] )";
-  scene::MemoryFiles none({});
+  config::MemoryFiles none({});
   const std::vector<std::uint8_t> message(100);
   for (const unsigned workers : {1u, 4u}) {
     ScenarioRun run(scene::load_world_text(text, "radios.world", none), workers);

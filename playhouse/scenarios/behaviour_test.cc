@@ -88,7 +88,7 @@ define robot position(
 )";
   for (int k = 0; k < 16; ++k)
     text += fmt::format("robot( pose [{} {} 0 {}] )\n", 2.5 * (k % 4), 2.5 * (k / 4), (37 * k) % 360);
-  scene::MemoryFiles files({});
+  config::MemoryFiles files({});
   ScenarioRun run(scene::load_world_text(text, "flock.world", files));
   const double before = alignment(run.world());
   run.step(600);
@@ -102,7 +102,7 @@ model( pose [3 0 0 0] size [0.1 10 1] )
 position( size [0.4 0.4 0.2] ctrl "wander"
   ranger( ctrl "lasernoise" sensor( range [0 8] fov 20 samples 200 ) ) )
 )";
-  scene::MemoryFiles files({});
+  config::MemoryFiles files({});
   ScenarioRun run(scene::load_world_text(text, "noise.world", files));
   ScenarioRun again(scene::load_world_text(text, "noise.world", files), 3);
   run.step(2);
@@ -117,7 +117,7 @@ position( size [0.4 0.4 0.2] ctrl "wander"
 
 TEST(Dynamic, has_parts_that_go_on_from_a_saved_state) {
   const std::string text = R"(position( size [0.4 0.4 0.2] ctrl "dynamic" velocity [0.1 0 0 10] ))";
-  scene::MemoryFiles files({});
+  config::MemoryFiles files({});
   ScenarioRun run(scene::load_world_text(text, "d.world", files));
   ScenarioRun again(scene::load_world_text(text, "d.world", files));
   run.step(5);

@@ -170,7 +170,7 @@ Result<scene::SceneDesc> make(std::string_view name, std::size_t robots) {
   const std::map<std::string, std::string> files = embedded_files();
   const Result<Draft> drafted = draft(name, robots, files);
   if (!drafted) return drafted.error();
-  scene::MemoryFiles reader(files);
+  config::MemoryFiles reader(files);
   const std::string path = "worlds/" + std::string(name) + ".world";
   Result<scene::SceneDesc> scene = scene::load_world_text(drafted->text, path, reader);
   if (!scene) return scene;

@@ -19,7 +19,7 @@ class Budget {
   /// As much must be left.
   void spend(std::size_t amount) { left_ -= amount; }
   /// Aborts the load, with an error at `where`, if less is left.
-  void spend(std::size_t amount, SourceLine where, LoadState& state) {
+  void spend(std::size_t amount, config::SourceLine where, LoadState& state) {
     if (amount > left_) {
       state.end(state.document.error(
           where, "the world holds more than " + std::to_string(limit_) + " " + std::string(what_)));

@@ -9,9 +9,10 @@
 
 #include "playhouse/base/finding.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/config/cfg.h"
+#include "playhouse/config/text/syntax.h"
 #include "playhouse/mesh/mesh.h"
-#include "playhouse/scene/cfg.h"
-#include "playhouse/scene/text/syntax.h"
+#include "playhouse/scene/kinds.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::scene {
@@ -62,7 +63,7 @@ void fail(CheckReport& report, const Error& error, const std::vector<Error>& oth
   for (const Error& other : others) report.lines.push_back(finding("error", other));
 }
 
-void report_world(const std::string& path, NamedBy by, CheckReport& report) {
+void report_world(const std::string& path, config::NamedBy by, CheckReport& report) {
   std::vector<Error> others;
   const Result<SceneDesc> scene = load_world(path, by, &others);
   if (!scene) return fail(report, scene.error(), others);
@@ -73,15 +74,15 @@ void report_world(const std::string& path, NamedBy by, CheckReport& report) {
 
 void check_configuration(const std::string& path, CheckReport& report) {
   std::vector<Error> others;
-  const Result<CfgFile> cfg = load_cfg(path, 6665, &others);
+  const Result<config::CfgFile> cfg = config::load_cfg(path, 6665, &others, is_model_type);
   if (!cfg) return fail(report, cfg.error(), others);
   append(report, cfg->warnings);
   std::size_t devices = 0;
-  for (const CfgSection& driver : cfg->drivers) {
+  for (const config::CfgSection& driver : cfg->drivers) {
     devices += driver.count("provides");
     if (!driver.has("worldfile")) continue;
     const bool was_ok = report.ok;
-    report_world(driver.filename("worldfile", ""), NamedBy::kFile, report);
+    report_world(driver.filename("worldfile", ""), config::NamedBy::kFile, report);
     if (was_ok && !report.ok) fail(report, {driver.at("worldfile"), "this world does not load"});
   }
   report.lines.push_back(escaped(path) + ": " + counted(cfg->drivers.size(), "driver") + ", " +
@@ -89,13 +90,14 @@ void check_configuration(const std::string& path, CheckReport& report) {
 }
 
 void check_include(const std::string& path, CheckReport& report) {
-  DiskFiles files;
-  Result<std::string> text = DiskFiles(NamedBy::kPerson).read(path);
+  config::DiskFiles files;
+  Result<std::string> text = config::DiskFiles(config::NamedBy::kPerson).read(path);
   if (!text) return fail(report, {escaped(path), text.error().text});
-  const Result<Document> document = parse_document(Format::kWorld, path, std::move(*text), files);
+  const Result<config::Document> document =
+      config::parse_document(config::Format::kWorld, path, std::move(*text), files);
   if (!document) return fail(report, document.error());
   std::size_t macros = 0;
-  for (const Statement& statement : document->statements) macros += statement.base.empty() ? 0 : 1;
+  for (const config::Statement& statement : document->statements) macros += statement.base.empty() ? 0 : 1;
   report.lines.push_back(escaped(path) + ": " + counted(macros, "macro"));
 }
 
@@ -108,7 +110,7 @@ CheckReport check_file(const std::string& path) {
   } else if (path.ends_with(".inc")) {
     check_include(path, report);
   } else {
-    report_world(path, NamedBy::kPerson, report);
+    report_world(path, config::NamedBy::kPerson, report);
   }
   return report;
 }

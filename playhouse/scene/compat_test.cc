@@ -12,10 +12,10 @@
 #include <map>
 
 #include "playhouse/base/testing_reference.h"
-#include "playhouse/scene/cfg.h"
+#include "playhouse/config/cfg.h"
+#include "playhouse/config/text/syntax.h"
 #include "playhouse/scene/images/bitmap.h"
 #include "playhouse/scene/testing_expanded.h"
-#include "playhouse/scene/text/syntax.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::scene {
@@ -140,17 +140,18 @@ TEST(OriginalFiles, worlds_that_no_stage_4_loads_fail_with_a_line) {
   }
 }
 
-Result<Document> parsed(const std::string& path) {
-  DiskFiles files;
+Result<config::Document> parsed(const std::string& path) {
+  config::DiskFiles files;
   Result<std::string> text = files.read(path);
-  return text ? parse_document(Format::kWorld, path, *text, files) : Result<Document>(text.error());
+  return text ? config::parse_document(config::Format::kWorld, path, *text, files)
+              : Result<config::Document>(text.error());
 }
 
 TEST(OriginalFiles, the_parser_tests_of_the_original_parse_or_fail_as_they_say) {
   const std::string folder = kFiles + "tests/worldfile/";
   SKIP_WITHOUT_STAGE();
   for (const char* name : {"include-01", "macro-01", "macro-02", "syntax-01"}) {
-    const Result<Document> document = parsed(folder + name + ".world");
+    const Result<config::Document> document = parsed(folder + name + ".world");
     EXPECT_TRUE(document.ok()) << document.error().line();
   }
   const std::map<std::string, std::string> expected = {
@@ -163,7 +164,7 @@ TEST(OriginalFiles, the_parser_tests_of_the_original_parse_or_fail_as_they_say) 
       {"syntax-07", ":9: define \"sonar_p2dx\" needs the type"},
   };
   for (const auto& [name, text] : expected) {
-    const Result<Document> document = parsed(folder + name + ".world");
+    const Result<config::Document> document = parsed(folder + name + ".world");
     ASSERT_FALSE(document.ok()) << name;
     EXPECT_THAT(document.error().line(), testing::HasSubstr(name + ".world" + text));
   }
@@ -174,7 +175,7 @@ TEST(OriginalFiles, every_configuration_parses) {
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kFiles)) {
     if (entry.path().extension() != ".cfg") continue;
-    const Result<CfgFile> cfg = load_cfg(entry.path().string());
+    const Result<config::CfgFile> cfg = config::load_cfg(entry.path().string());
     EXPECT_TRUE(cfg.ok()) << cfg.error().line();
     ++files;
   }
@@ -184,7 +185,7 @@ TEST(OriginalFiles, every_configuration_parses) {
 TEST(OriginalFiles, simple_cfg_names_its_devices) {
   const std::string path = kFiles + "worlds/simple.cfg";
   SKIP_WITHOUT_STAGE();
-  const Result<CfgFile> cfg = load_cfg(path);
+  const Result<config::CfgFile> cfg = config::load_cfg(path);
   ASSERT_TRUE(cfg.ok()) << cfg.error().line();
   ASSERT_EQ(cfg->drivers.size(), 3u);
   EXPECT_EQ(cfg->drivers[0].filename("worldfile", ""), kFiles + "worlds/simple.world");
@@ -207,7 +208,7 @@ TEST_P(OriginalBitmap, has_its_solid_pixels_and_their_bounding_box) {
   const Picture& expected = GetParam();
   const std::string path = kFiles + "worlds/bitmaps/" + expected.name + ".png";
   SKIP_WITHOUT_STAGE();
-  const Result<std::string> image = DiskFiles().read(path);
+  const Result<std::string> image = config::DiskFiles().read(path);
   ASSERT_TRUE(image.ok()) << image.error().line();
   const Result<Bitmap> bitmap = decode_bitmap(*image);
   ASSERT_TRUE(bitmap.ok()) << bitmap.error().line();

@@ -108,6 +108,9 @@ const Kind* find_kind(std::string_view name);
 const Kind* find_entity(std::string_view name);
 /// The same, restricted to model types.
 const Kind* find_model_type(std::string_view name);
+inline bool is_model_type(std::string_view name) {
+  return find_model_type(name) != nullptr;
+}
 /// The kind of the file itself.
 const Kind& world_kind();
 

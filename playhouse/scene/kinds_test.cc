@@ -22,7 +22,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 Result<SceneDesc> load(const std::string& text) {
-  MemoryFiles files({});
+  config::MemoryFiles files({});
   return load_world_text(text, "w/t.world", files);
 }
 

@@ -33,14 +33,14 @@ void LoadState::end(Error fault) {
   over = true;
 }
 
-SourceLine Properties::where(std::string_view key) const {
-  const Field* field = fields_.find(key);
+config::SourceLine Properties::where(std::string_view key) const {
+  const config::Field* field = fields_.find(key);
   return field ? field->where : where_;
 }
 
-std::optional<double> Properties::scaled(const Field& field, std::size_t element, char scale) const {
+std::optional<double> Properties::scaled(const config::Field& field, std::size_t element, char scale) const {
   const std::string_view text = field.values[element].text;
-  const std::optional<double> value = parse_number(text);
+  const std::optional<double> value = config::parse_number(text);
   if (!value || std::abs(*value) > kLargestNumber) {
     state_.fail(field.where, in_quotes(field.key) + " needs a number" + (value ? " of at most 1e9" : "") +
                                  ", found " + in_quotes(text));
@@ -49,9 +49,9 @@ std::optional<double> Properties::scaled(const Field& field, std::size_t element
   return *value * (scale == 'L' ? state_.units.length : scale == 'A' ? state_.units.angle : 1.0);
 }
 
-std::span<const Value> Properties::elements(std::string_view key, std::size_t count,
-                                            std::string_view form) const {
-  const Field* field = fields_.find(key);
+std::span<const config::Value> Properties::elements(std::string_view key, std::size_t count,
+                                                    std::string_view form) const {
+  const config::Field* field = fields_.find(key);
   if (!field) return {};
   if (field->values.size() < count) {
     state_.fail(field->where, in_quotes(key) + " needs " + std::to_string(count) +
@@ -60,7 +60,7 @@ std::span<const Value> Properties::elements(std::string_view key, std::size_t co
     return {};
   }
   if (field->values.size() > count) {
-    state_.warnings.add(Warning::kValue, field->where,
+    state_.warnings.add(config::Warning::kValue, field->where,
                         in_quotes(key) + " takes " + std::to_string(count) +
                             (count == 1 ? " value" : " values") + ", found " +
                             std::to_string(field->values.size()) + "; the others have no effect");
@@ -71,7 +71,7 @@ std::span<const Value> Properties::elements(std::string_view key, std::size_t co
 bool Properties::tuple(std::string_view key, std::string_view scales, std::span<double> out,
                        std::string_view form) const {
   if (elements(key, scales.size(), form).empty()) return false;
-  const Field& field = *fields_.find(key);
+  const config::Field& field = *fields_.find(key);
   for (std::size_t i = 0; i < scales.size(); ++i) out[i] = scaled(field, i, scales[i]).value_or(out[i]);
   return true;
 }
@@ -98,7 +98,7 @@ int Properties::integer(std::string_view key, int otherwise) const {
   const double value = number(key, otherwise);
   const int whole = static_cast<int>(value);  // bounded by kLargestNumber; truncated as in the original
   if (whole != value)
-    state_.warnings.add(Warning::kValue, where(key),
+    state_.warnings.add(config::Warning::kValue, where(key),
                         in_quotes(key) +
                             " takes a whole number: " + std::string(fields_.find(key)->values.front().text) +
                             " is read as " + std::to_string(whole));
@@ -106,7 +106,7 @@ int Properties::integer(std::string_view key, int otherwise) const {
 }
 
 std::string Properties::text(std::string_view key, std::string_view otherwise) const {
-  const Field* field = fields_.find(key);
+  const config::Field* field = fields_.find(key);
   if (!field) return std::string(otherwise);
   if (field->values.empty()) {
     state_.fail(field->where, in_quotes(key) + " needs a text in quotes, found an empty tuple");
@@ -117,19 +117,19 @@ std::string Properties::text(std::string_view key, std::string_view otherwise) c
 
 std::vector<std::string> Properties::texts(std::string_view key) const {
   std::vector<std::string> texts;
-  if (const Field* field = fields_.find(key)) {
-    for (const Value& value : field->values) texts.emplace_back(value.text);
+  if (const config::Field* field = fields_.find(key)) {
+    for (const config::Value& value : field->values) texts.emplace_back(value.text);
   }
   return texts;
 }
 
 bool Properties::has_flat_size() const {
-  const Field* size = fields_.find("size");
+  const config::Field* size = fields_.find("size");
   return size && size->values.size() == 2;
 }
 
 bool Properties::is_flat(std::string_view key, std::size_t count, std::string_view now) const {
-  const Field* field = fields_.find(key);
+  const config::Field* field = fields_.find(key);
   if (!field || field->values.size() != count) return false;
   const std::string_view which = count == 3 ? "without z" : "without height";
   state_.warnings.add_old(
@@ -164,7 +164,7 @@ Color Properties::color(Color otherwise, std::size_t row) const {
     double v[4] = {otherwise.r, otherwise.g, otherwise.b, otherwise.a};
     tuple("color_rgba", "NNNN", v, "[red green blue alpha] from 0 to 1");
     if (std::ranges::any_of(v, [](double part) { return part < 0 || part > 1; }))
-      state_.warnings.add(Warning::kValue, where("color_rgba"),
+      state_.warnings.add(config::Warning::kValue, where("color_rgba"),
                           "\"color_rgba\" takes values from 0 to 1; others are cut to that");
     for (double& part : v) part = std::clamp(part, 0.0, 1.0);
     return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]),
@@ -179,7 +179,8 @@ Color Properties::color(Color otherwise, std::size_t row) const {
     return {r, g, b, 1};
   }
   if (const auto known = color_by_name(name)) return *known;
-  state_.warnings.add(Warning::kColor, where("color"), "unknown color " + in_quotes(name) + ", red is used",
+  state_.warnings.add(config::Warning::kColor, where("color"),
+                      "unknown color " + in_quotes(name) + ", red is used",
                       [&name] { return color_hint(name); });
   return {1, 0, 0, 1};
 }

@@ -9,8 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "playhouse/scene/text/expand.h"
-#include "playhouse/scene/warnings.h"
+#include "playhouse/config/text/expand.h"
+#include "playhouse/config/warnings.h"
+#include "playhouse/geom/pose.h"
+#include "playhouse/scene/text/values.h"
 
 namespace playhouse::scene {
 
@@ -19,17 +21,17 @@ inline constexpr double kLargestNumber = 1e9;
 
 /// Shared state of one load.
 struct LoadState {
-  const Document& document;
-  Units units;
+  const config::Document& document;
+  config::Units units;
   std::optional<Error> error;  // the first error
   std::vector<Error> others;   // further ones
-  Warnings warnings;
+  config::Warnings warnings;
   bool over = false;              // abort
   std::size_t faults = 0;         // including duplicates
   std::size_t random_colors = 0;  // read so far; each is unique to its model
 
   /// Records an error and continues, to find more, up to the limit on warnings of a kind.
-  void fail(SourceLine where, std::string text) { add(document.error(where, std::move(text))); }
+  void fail(config::SourceLine where, std::string text) { add(document.error(where, std::move(text))); }
   /// Records an error and aborts: continuing would be too expensive or pointless.
   void end(Error fault);
 
@@ -40,14 +42,14 @@ struct LoadState {
 /// Scale codes of tuple elements: N as it is, L by the unit of length, A by the unit of angle.
 class Properties {
  public:
-  Properties(LoadState& state, const ExpandedSection& instance)
+  Properties(LoadState& state, const config::ExpandedSection& instance)
       : state_(state), where_(instance.where), fields_(instance) {}
-  Properties(LoadState& state, std::span<const Field> fields) : state_(state), fields_(fields) {}
+  Properties(LoadState& state, std::span<const config::Field> fields) : state_(state), fields_(fields) {}
 
   bool has(std::string_view key) const { return fields_.find(key) != nullptr; }
   /// Where `key` was given, otherwise where the entity starts.
-  SourceLine where(std::string_view key) const;
-  const FieldSet& fields() const { return fields_; }
+  config::SourceLine where(std::string_view key) const;
+  const config::FieldSet& fields() const { return fields_; }
   LoadState& state() const { return state_; }
 
   double number(std::string_view key, double otherwise) const;
@@ -65,7 +67,8 @@ class Properties {
 
   /// The first `count` elements of a tuple; none if `key` is absent. Fewer are an
   /// error with `form`, as in "[x y z]", and none are returned; more are a warning.
-  std::span<const Value> elements(std::string_view key, std::size_t count, std::string_view form) const;
+  std::span<const config::Value> elements(std::string_view key, std::size_t count,
+                                          std::string_view form) const;
   /// Fills `out` with one number per letter of `scales` (N,
   /// L, A), checked like elements(); false if there are none.
   bool tuple(std::string_view key, std::string_view scales, std::span<double> out,
@@ -82,11 +85,11 @@ class Properties {
 
  private:
   /// None, with an error, if it is not a number.
-  std::optional<double> scaled(const Field& field, std::size_t element, char scale) const;
+  std::optional<double> scaled(const config::Field& field, std::size_t element, char scale) const;
 
   LoadState& state_;
-  SourceLine where_;
-  FieldSet fields_;
+  config::SourceLine where_;
+  config::FieldSet fields_;
 };
 
 }  // namespace playhouse::scene

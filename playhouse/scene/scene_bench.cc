@@ -33,7 +33,7 @@ void load_robots(benchmark::State& state) {
       "define robot position ( size [0.44 0.38 0.22] ranger( sonar( ) sonar( ) sonar( ) sonar( ) ) )\n";
   for (int i = 0; i < state.range(0); ++i)
     text += "robot( name \"r" + std::to_string(i) + "\" pose [1 2 0 45] )\n";
-  MemoryFiles files({});
+  config::MemoryFiles files({});
   for (auto _ : state) benchmark::DoNotOptimize(load_world_text(text, "robots.world", files));
 }
 BENCHMARK(load_robots)->Arg(1000)->Arg(100000)->Unit(benchmark::kMillisecond);

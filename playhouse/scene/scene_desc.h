@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/config/text/source_line.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/mesh/placement.h"
 #include "playhouse/scene/generated/kind_descs.h"
@@ -26,18 +27,6 @@ struct Mesh;
 }
 
 namespace playhouse::scene {
-
-/// Position in the source files.
-struct SourceLine {
-  std::uint32_t file = 0;  // row of SceneDesc::files
-  std::uint32_t line = 0;  // from 1; 0: none (a default)
-};
-
-/// A file's unit of length in metres, of angle in radians.
-struct Units {
-  double length = 1;
-  double angle = geom::kPi / 180;
-};
 
 /// A word of Stage 4 that this build does not support, with its value, verbatim.
 struct KeptWord {
@@ -49,7 +38,7 @@ struct KeptWord {
 struct Prism {
   std::vector<geom::Vec2> points;
   std::optional<Interval> z;
-  SourceLine where;
+  config::SourceLine where;
   /// Source lines are ignored.
   friend bool operator==(const Prism& a, const Prism& b) { return a.points == b.points && a.z == b.z; }
 };
@@ -93,7 +82,7 @@ struct ModelDesc : PlainDesc, KindDescs {
   std::string prototype;
   ModelKind kind = ModelKind::kPlain;
   std::int32_t parent = -1;  // row of SceneDesc::models, below this row; -1: the world
-  SourceLine where;
+  config::SourceLine where;
 
   double stacked = 0;  // m, height of the parent that it stands on; 0 if the parent does not stack
   bool stacks_children = true;
@@ -116,7 +105,7 @@ struct ModelDesc : PlainDesc, KindDescs {
 struct TreeDesc {
   std::uint32_t top = 0;    // row of SceneDesc::models, a root
   std::string name, alias;  // tokens of the root; those of parts follow from them
-  SourceLine where;
+  config::SourceLine where;
   geom::Pose X_WM;
   Color color;  // of the root
   std::int32_t fiducial_return = 0;
@@ -129,7 +118,7 @@ struct SceneDesc : WorldDesc {
   std::string library_folder;
   std::vector<std::string> files;  // all files read; row 0 is the top-level one
   WindowDesc window;
-  Units units;                                 // of the top-level file
+  config::Units units;                         // of the top-level file
   std::vector<KeptWord> kept, kept_of_window;  // of the world and of the window
   /// All prototypes, tree by tree: parents before children, siblings in file order.
   std::vector<ModelDesc> models;
@@ -146,7 +135,7 @@ struct SceneDesc : WorldDesc {
   std::vector<std::string> warnings;  // "file:line: text", without duplicates
 
   /// "file:line" of a position.
-  std::string at(SourceLine where) const {
+  std::string at(config::SourceLine where) const {
     return where.file < files.size() ? escaped(files[where.file]) + ":" + std::to_string(where.line) : path;
   }
 };

@@ -12,6 +12,9 @@
 #include "playhouse/base/folders_of.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/config/shipped_worlds.h"
+#include "playhouse/config/text/expand.h"
+#include "playhouse/config/text/syntax.h"
 #include "playhouse/scene/budget.h"
 #include "playhouse/scene/forms/actuator.h"
 #include "playhouse/scene/forms/body.h"
@@ -23,14 +26,11 @@
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/properties.h"
-#include "playhouse/scene/shipped_worlds.h"
-#include "playhouse/scene/text/expand.h"
 #include "playhouse/scene/text/expansion.h"
 #include "playhouse/scene/text/old_words.h"
 #include "playhouse/scene/text/other_files.h"
 #include "playhouse/scene/text/read_word.h"
 #include "playhouse/scene/text/repeats.h"
-#include "playhouse/scene/text/syntax.h"
 #include "playhouse/scene/text/token_names.h"
 #include "playhouse/scene/text/vocabulary.h"
 
@@ -54,11 +54,11 @@ std::size_t names_below(std::span<const ModelDesc> tree) {
 
 class WorldLoader {
  public:
-  WorldLoader(const Document& document, FileReader& files, const WorldLimits& limits)
+  WorldLoader(const config::Document& document, config::FileReader& files, const WorldLimits& limits)
       : document_(document),
         limits_(limits),
         macros_(document),
-        state_{document, {}, {}, {}, Warnings(document.sources)},
+        state_{document, {}, {}, {}, config::Warnings(document.sources)},
         shape_files_(state_, files, limits_),
         corners_(limits.corners, "corners of bodies"),
         beams_(limits.beams, "beams of rangers, lines of detectors and pixels of cameras"),
@@ -86,49 +86,50 @@ class WorldLoader {
   };
 
   void read_globals();
-  void define(const Statement& statement);
+  void define(const config::Statement& statement);
   /// The section with macros expanded and old words translated;
   /// none if it is dropped, or if the load is aborted.
-  std::optional<ExpandedSection> instance(const Section& section);
-  void load_window(const ExpandedSection& window, const Kind& kind);
+  std::optional<config::ExpandedSection> instance(const config::Section& section);
+  void load_window(const config::ExpandedSection& window, const Kind& kind);
   /// A top-level section.
-  void load_section(const Section& section);
+  void load_section(const config::Section& section);
   /// Describes the types of client robots: prototypes without an instance in the scene.
   void load_robot_types();
-  void load_robot_type(const Value& word, SourceLine where);
+  void load_robot_type(const config::Value& word, config::SourceLine where);
   /// Repeats an equal section except for per-tree values. False,
   /// without effect, if there is none or it needs full parsing.
-  bool repeat_tree(const Section& section);
+  bool repeat_tree(const config::Section& section);
   /// Fully parses a root and everything inside it.
-  void load_tree(const Section& section, const ExpandedSection& entity);
+  void load_tree(const config::Section& section, const config::ExpandedSection& entity);
   /// If the models from `first` on equal the previous tree made by this word,
   /// removes them and shares that tree. Returns the final row of the root.
   std::uint32_t share_tree(std::uint32_t first, std::string_view word);
   /// Parses a model with its parts. `siblings` counts models of each type in the parent.
-  void load_model(const ExpandedSection& entity, std::int32_t parent, Siblings& siblings);
+  void load_model(const config::ExpandedSection& entity, std::int32_t parent, Siblings& siblings);
   /// Index of the model in the world, in file order.
   std::size_t number_of(std::size_t row) const { return counts_before_.models + row - first_row_; }
   /// Reads a model's words, own and common.
   void read_words(const Properties& properties, const Kind& kind, ModelDesc& model);
   /// Reads the part entities of a model of this kind; returns the others, its child models.
-  std::vector<ExpandedSection> load_parts(const ExpandedSection& entity, const Kind& kind, ModelDesc& model,
-                                          UnscaledBody& shape);
-  void load_part(const ExpandedSection& entity, const Kind& part, ModelDesc& model, UnscaledBody& shape);
-  void load_block(const Properties& properties, SourceLine where, UnscaledBody& shape);
-  void load_sensor(const Properties& properties, SourceLine where, ModelDesc& model);
-  void check_holds_nothing(const ExpandedSection& entity);
+  std::vector<config::ExpandedSection> load_parts(const config::ExpandedSection& entity, const Kind& kind,
+                                                  ModelDesc& model, UnscaledBody& shape);
+  void load_part(const config::ExpandedSection& entity, const Kind& part, ModelDesc& model,
+                 UnscaledBody& shape);
+  void load_block(const Properties& properties, config::SourceLine where, UnscaledBody& shape);
+  void load_sensor(const Properties& properties, config::SourceLine where, ModelDesc& model);
+  void check_holds_nothing(const config::ExpandedSection& entity);
   /// Builds the body of a model from its bitmap and its `block` entities.
   void read_body(const Properties& properties, const Kind& kind, UnscaledBody shape, ModelDesc& model);
   /// Reads a mesh as visual and body. False if the model has none.
   bool read_mesh_body(const Properties& properties, const Kind& kind, bool has_other, ModelDesc& model);
   void read_look(const Properties& properties, const Kind& kind, ModelDesc& model);
   /// The kind of a model; null, with an error, if it is unknown.
-  const Kind* kind_of(const ExpandedSection& entity);
-  void fail_unknown_type(const ExpandedSection& entity);
+  const Kind* kind_of(const config::ExpandedSection& entity);
+  void fail_unknown_type(const config::ExpandedSection& entity);
 
-  const Document& document_;
+  const config::Document& document_;
   WorldLimits limits_;
-  Macros macros_;
+  config::Macros macros_;
   LoadState state_;
   OldWords old_words_{state_, macros_};
   VocabularyCheck vocabulary_;
@@ -145,7 +146,7 @@ class WorldLoader {
   std::size_t first_row_ = 0;
   std::size_t colors_with_top_ = 0;  // random colours so far, including the root's
   bool has_window_ = false;
-  SourceLine follow_where_;  // of the window's follow_model
+  config::SourceLine follow_where_;  // of the window's follow_model
   Expansion expansion_{document_, macros_, limits_};
   ShapeFiles shape_files_;
   Budget corners_, beams_, text_bytes_;
@@ -155,7 +156,7 @@ Result<SceneDesc> WorldLoader::load() {
   scene_.files = document_.sources.file_names();
   scene_.path = scene_.files.front();
   read_globals();
-  for (const Statement& statement : document_.statements) {
+  for (const config::Statement& statement : document_.statements) {
     if (state_.over) break;
     if (!statement.base.empty()) {
       define(statement);
@@ -173,12 +174,12 @@ Result<SceneDesc> WorldLoader::load() {
   return std::move(scene_);
 }
 
-void WorldLoader::load_section(const Section& section) {
+void WorldLoader::load_section(const config::Section& section) {
   key_ = repeat_key(section);
   if (repeat_tree(section)) return;
   counts_before_ = expansion_.counts();
   if (const Result<void> counted = expansion_.add(section); !counted) return state_.end(counted.error());
-  const std::optional<ExpandedSection> entity = instance(section);
+  const std::optional<config::ExpandedSection> entity = instance(section);
   if (!entity) return;
   const Kind* kind = find_entity(entity->type);
   if (kind && kind->entity == EntityForm::kWindow) {
@@ -189,37 +190,37 @@ void WorldLoader::load_section(const Section& section) {
 }
 
 void WorldLoader::load_robot_types() {
-  const Field* const types = FieldSet(document_.fields).find("robot_types");
+  const config::Field* const types = config::FieldSet(document_.fields).find("robot_types");
   if (types == nullptr) return;
   if (scene_.trees.empty())
     return state_.fail(types->where,
                        "a world with robot_types has at least one model of its own, as a floorplan");
   const std::size_t trees = scene_.trees.size();
   std::set<std::string_view> done;
-  for (const Value& word : types->values)
+  for (const config::Value& word : types->values)
     if (!state_.over && done.insert(word.text).second) load_robot_type(word, types->where);
   if (scene_.trees.size() > trees) scene_.trees.resize(trees);
   std::erase_if(scene_.renamed, [trees](const auto& each) { return each.first.first >= trees; });
 }
 
 /// Parsed as a section of this word, with a name that no model can have.
-void WorldLoader::load_robot_type(const Value& word, SourceLine where) {
+void WorldLoader::load_robot_type(const config::Value& word, config::SourceLine where) {
   const std::vector<std::string_view> known = macros_.names();
   if (macros_.find(word.text) == nullptr)
     return state_.fail(
         where, "robot_types: there is no define " + in_quotes(word.text) + did_you_mean(word.text, known));
   const std::string& name = type_names_.emplace_back(std::string(word.text) + " (type)");
   const std::size_t trees = scene_.trees.size();
-  load_section({word.text, where, {{"name", {{ValueKind::kString, name}}, where}}, {}});
+  load_section({word.text, where, {{"name", {{config::ValueKind::kString, name}}, where}}, {}});
   if (scene_.trees.size() > trees) scene_.robot_types.emplace(word.text, scene_.trees.back().top);
 }
 
-bool WorldLoader::repeat_tree(const Section& section) {
+bool WorldLoader::repeat_tree(const config::Section& section) {
   const auto found = repeats_.find(key_);
   if (found == repeats_.end()) return false;
   const Repeat& repeat = found->second;
   const Properties own(state_, section.fields);
-  const Field* const name = own.fields().find("name");
+  const config::Field* const name = own.fields().find("name");
   if (name && name->values.empty()) return false;
   const std::string_view given = name ? name->values.front().text : repeat.given;
   const std::size_t longest_name = given.size() + repeat.kind->name.size() + 12;
@@ -247,7 +248,7 @@ bool WorldLoader::repeat_tree(const Section& section) {
   return true;
 }
 
-void WorldLoader::load_tree(const Section& section, const ExpandedSection& entity) {
+void WorldLoader::load_tree(const config::Section& section, const config::ExpandedSection& entity) {
   const auto first = static_cast<std::uint32_t>(scene_.models.size());
   const std::size_t trees = scene_.trees.size(), news = state_.warnings.news(), faults = state_.faults;
   const std::size_t corners = corners_.left(), beams = beams_.left(), texts = text_bytes_.left();
@@ -300,7 +301,7 @@ std::uint32_t WorldLoader::share_tree(std::uint32_t first, std::string_view word
 }
 
 void WorldLoader::read_globals() {
-  const Result<Units> units = read_units(document_, FieldSet(document_.fields));
+  const Result<config::Units> units = config::read_units(document_, config::FieldSet(document_.fields));
   if (!units) {
     state_.end(units.error());
     return;
@@ -315,30 +316,30 @@ void WorldLoader::read_globals() {
   scene_.kept = kept_words(world_kind(), properties);
 }
 
-void WorldLoader::define(const Statement& statement) {
+void WorldLoader::define(const config::Statement& statement) {
   if (macros_.define(statement)) return repeats_.clear();  // the same words may have another meaning now
   const std::string_view name = statement.section.name;
   const std::string first = document_.sources.at(macros_.find(name)->section.where);
   if (first == document_.sources.at(statement.section.where)) return;  // a file that is included twice
   state_.warnings.add(
-      Warning::kMacro, statement.section.where,
+      config::Warning::kMacro, statement.section.where,
       "macro " + in_quotes(name) + " is defined at " + first + " already; the first definition counts");
 }
 
-std::optional<ExpandedSection> WorldLoader::instance(const Section& section) {
-  Result<ExpandedSection> instance = macros_.instance(section);
+std::optional<config::ExpandedSection> WorldLoader::instance(const config::Section& section) {
+  Result<config::ExpandedSection> instance = macros_.instance(section);
   if (!instance) {
     state_.end(instance.error());
     return std::nullopt;
   }
-  ExpandedSection now = old_words_.now(std::move(*instance));
+  config::ExpandedSection now = old_words_.now(std::move(*instance));
   if (state_.over || now.type.empty()) return std::nullopt;
   return now;
 }
 
-void WorldLoader::load_window(const ExpandedSection& window, const Kind& kind) {
+void WorldLoader::load_window(const config::ExpandedSection& window, const Kind& kind) {
   if (has_window_) {
-    state_.warnings.add(Warning::kNoEffect, window.where, "a second window has no effect");
+    state_.warnings.add(config::Warning::kNoEffect, window.where, "a second window has no effect");
     return;
   }
   has_window_ = true;
@@ -349,13 +350,13 @@ void WorldLoader::load_window(const ExpandedSection& window, const Kind& kind) {
   follow_where_ = properties.where("follow_model");
 }
 
-void WorldLoader::fail_unknown_type(const ExpandedSection& entity) {
+void WorldLoader::fail_unknown_type(const config::ExpandedSection& entity) {
   // An unknown type of a macro is reported once, at its definition.
-  const SourceLine where = entity.parts.front()->where;
+  const config::SourceLine where = entity.parts.front()->where;
   if (!unknown_types_.emplace(where.file, where.line).second) return;
-  const auto later =
-      std::find_if(document_.statements.begin(), document_.statements.end(),
-                   [&](const Statement& s) { return !s.base.empty() && s.section.name == entity.type; });
+  const auto later = std::find_if(
+      document_.statements.begin(), document_.statements.end(),
+      [&](const config::Statement& s) { return !s.base.empty() && s.section.name == entity.type; });
   if (later != document_.statements.end()) {
     state_.fail(entity.where, "macro " + in_quotes(entity.type) + " is used before its definition at " +
                                   document_.sources.at(later->section.where));
@@ -365,7 +366,7 @@ void WorldLoader::fail_unknown_type(const ExpandedSection& entity) {
   }
 }
 
-const Kind* WorldLoader::kind_of(const ExpandedSection& entity) {
+const Kind* WorldLoader::kind_of(const config::ExpandedSection& entity) {
   const Kind* kind = find_entity(entity.type);
   if (!kind) {
     fail_unknown_type(entity);
@@ -383,7 +384,7 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
   read_kind(properties, kind.kind, model);
   if (model.actuator) check_actuator(properties, *model.actuator);
   if (model.fiducial && model.fiducial->range_min > model.fiducial->range_max)
-    state_.warnings.add(Warning::kValue, properties.where("range_min"),
+    state_.warnings.add(config::Warning::kValue, properties.where("range_min"),
                         "\"range_min\" is above \"range_max\": the fiducial sees nothing");
   if (model.camera) {
     check_camera(properties, *model.camera);
@@ -398,7 +399,7 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
   model.kept = kept_words(kind, properties);
 }
 
-void WorldLoader::load_model(const ExpandedSection& entity, std::int32_t parent, Siblings& siblings) {
+void WorldLoader::load_model(const config::ExpandedSection& entity, std::int32_t parent, Siblings& siblings) {
   const Kind* kind = kind_of(entity);
   if (!kind) return;
   const std::size_t row = scene_.models.size();
@@ -427,7 +428,7 @@ void WorldLoader::load_model(const ExpandedSection& entity, std::int32_t parent,
   text_bytes_.spend(text_bytes_of(model), entity.where, state_);
 
   UnscaledBody shape;
-  const std::vector<ExpandedSection> children = load_parts(entity, *kind, model, shape);
+  const std::vector<config::ExpandedSection> children = load_parts(entity, *kind, model, shape);
   read_body(properties, *kind, std::move(shape), model);
   read_look(properties, *kind, model);
   if (row >= limits_.descriptions)
@@ -436,18 +437,19 @@ void WorldLoader::load_model(const ExpandedSection& entity, std::int32_t parent,
                                                         " models that are like no other"));
   scene_.models.push_back(std::move(model));
   Siblings grandchildren;
-  for (const ExpandedSection& child : children) {
+  for (const config::ExpandedSection& child : children) {
     if (state_.over) return;
     load_model(child, static_cast<std::int32_t>(row), grandchildren);
   }
 }
 
-std::vector<ExpandedSection> WorldLoader::load_parts(const ExpandedSection& entity, const Kind& kind,
-                                                     ModelDesc& model, UnscaledBody& shape) {
-  std::vector<ExpandedSection> children;
-  for (const Section* section_of : entity.parts) {
-    for (const Section& section : section_of->sections) {
-      std::optional<ExpandedSection> child = instance(section);
+std::vector<config::ExpandedSection> WorldLoader::load_parts(const config::ExpandedSection& entity,
+                                                             const Kind& kind, ModelDesc& model,
+                                                             UnscaledBody& shape) {
+  std::vector<config::ExpandedSection> children;
+  for (const config::Section* section_of : entity.parts) {
+    for (const config::Section& section : section_of->sections) {
+      std::optional<config::ExpandedSection> child = instance(section);
       if (state_.over) return {};
       if (!child) continue;
       const Kind* part = find_entity(child->type);
@@ -460,14 +462,14 @@ std::vector<ExpandedSection> WorldLoader::load_parts(const ExpandedSection& enti
     }
   }
   if (!entity.now) return children;
-  for (const Section& section : entity.now->sections) {  // generated words: never macros
+  for (const config::Section& section : entity.now->sections) {  // generated words: never macros
     load_part({section.name, {&section}, section.where}, *find_entity(section.name), model, shape);
     if (state_.over) return {};
   }
   return children;
 }
 
-void WorldLoader::load_part(const ExpandedSection& entity, const Kind& part, ModelDesc& model,
+void WorldLoader::load_part(const config::ExpandedSection& entity, const Kind& part, ModelDesc& model,
                             UnscaledBody& shape) {
   check_holds_nothing(entity);
   const Properties properties(state_, entity);
@@ -479,16 +481,16 @@ void WorldLoader::load_part(const ExpandedSection& entity, const Kind& part, Mod
   }
 }
 
-void WorldLoader::load_block(const Properties& properties, SourceLine where, UnscaledBody& shape) {
+void WorldLoader::load_block(const Properties& properties, config::SourceLine where, UnscaledBody& shape) {
   corners_.spend(static_cast<std::size_t>(std::max(0, properties.integer("points", 0))), where, state_);
   if (!state_.over) shape.prisms.push_back(read_block(properties));
 }
 
-void WorldLoader::load_sensor(const Properties& properties, SourceLine where, ModelDesc& model) {
+void WorldLoader::load_sensor(const Properties& properties, config::SourceLine where, ModelDesc& model) {
   RangerSensorDesc& sensor = model.sensors.emplace_back();
   read(properties, number_of(scene_.models.size()), sensor);
   if (sensor.samples > 1 && sensor.fov > geom::kTwoPi + 1e-9)
-    state_.warnings.add(Warning::kValue, properties.where("fov"),
+    state_.warnings.add(config::Warning::kValue, properties.where("fov"),
                         "\"fov\" is above 360 degrees: beams overlap");
   require(sensor.ring_lowest <= sensor.ring_highest, properties, "ring_fov",
           "needs the lowest ring before the highest");
@@ -497,8 +499,8 @@ void WorldLoader::load_sensor(const Properties& properties, SourceLine where, Mo
   beams_.spend(std::size_t{sensor.samples} * sensor.rings, where, state_);
 }
 
-void WorldLoader::check_holds_nothing(const ExpandedSection& entity) {
-  for (const Section* part : entity.parts) {
+void WorldLoader::check_holds_nothing(const config::ExpandedSection& entity) {
+  for (const config::Section* part : entity.parts) {
     if (part->sections.empty()) continue;
     state_.fail(part->sections.front().where, "a " + std::string(entity.type) + " holds no entities");
   }
@@ -534,13 +536,13 @@ bool WorldLoader::read_mesh_body(const Properties& properties, const Kind& kind,
   const std::string name = properties.text("mesh", "");
   if (name.empty() && properties.text("look", "").empty()) warn_without_mesh(properties);
   if (name.empty() || state_.over) return false;
-  const SourceLine where = properties.where("mesh");
+  const config::SourceLine where = properties.where("mesh");
   if (kind.kind == ModelKind::kGripper) {
     state_.fail(where, "a gripper has paddles and no mesh; a model inside it may have one");
     return true;
   }
   if (has_other || properties.has("noblocks") || properties.has("boundary"))
-    state_.warnings.add(Warning::kNoEffect, where,
+    state_.warnings.add(config::Warning::kNoEffect, where,
                         "a mesh is all of a body: blocks, bitmap, noblocks and boundary have no effect");
   const MeshBodies::LoadedMesh* entry = shape_files_.mesh(name, where);
   if (state_.over || entry == nullptr || !entry->mesh) return true;
@@ -566,7 +568,7 @@ bool WorldLoader::read_mesh_body(const Properties& properties, const Kind& kind,
 void WorldLoader::read_look(const Properties& properties, const Kind& kind, ModelDesc& model) {
   const std::string name = properties.text("look", "");
   if (name.empty() || state_.over || state_.error) return;
-  const SourceLine where = properties.where("look");
+  const config::SourceLine where = properties.where("look");
   if (kind.kind == ModelKind::kGripper) {
     state_.fail(where, "a gripper has paddles and no look; a model inside it may have one");
     return;
@@ -575,7 +577,8 @@ void WorldLoader::read_look(const Properties& properties, const Kind& kind, Mode
   if (state_.over || entry == nullptr || !entry->mesh) return;
   model.body.look = entry->path;
   if (!body_size(model.size)) {
-    state_.warnings.add(Warning::kNoEffect, where, "\"look\" has no effect on a model without a size");
+    state_.warnings.add(config::Warning::kNoEffect, where,
+                        "\"look\" has no effect on a model without a size");
     return;
   }
   const mesh::Placement at = read_placement(properties);
@@ -589,9 +592,10 @@ void WorldLoader::read_look(const Properties& properties, const Kind& kind, Mode
 
 }  // namespace
 
-Result<SceneDesc> load_world_text(std::string text, const std::string& path, FileReader& files,
+Result<SceneDesc> load_world_text(std::string text, const std::string& path, config::FileReader& files,
                                   const WorldLimits& limits, std::vector<Error>* others) {
-  const Result<Document> document = parse_document(Format::kWorld, path, std::move(text), files);
+  const Result<config::Document> document =
+      config::parse_document(config::Format::kWorld, path, std::move(text), files);
   if (!document) return document.error();
   WorldLoader loader(*document, files, limits);
   Result<SceneDesc> scene = loader.load();
@@ -599,31 +603,31 @@ Result<SceneDesc> load_world_text(std::string text, const std::string& path, Fil
   return scene;
 }
 
-Result<SceneDesc> load_world(const std::string& path, NamedBy by, std::vector<Error>* others,
-                             SourceFiles* sources) {
-  DiskFiles disk;
-  SourceFiles unused;
-  SourceFiles& kept = sources ? *sources : unused;
+Result<SceneDesc> load_world(const std::string& path, config::NamedBy by, std::vector<Error>* others,
+                             config::SourceFiles* sources) {
+  config::DiskFiles disk;
+  config::SourceFiles unused;
+  config::SourceFiles& kept = sources ? *sources : unused;
   kept = {path, {}, disk.search_path()};
-  RecordedFiles recorded(disk, kept);
-  FileReader& files = sources ? static_cast<FileReader&>(recorded) : disk;
+  config::RecordedFiles recorded(disk, kept);
+  config::FileReader& files = sources ? static_cast<config::FileReader&>(recorded) : disk;
   const auto load = [&](std::string text, const std::string& found) -> Result<SceneDesc> {
     if (const std::optional<std::string> what = what_else(found, text)) return Error{escaped(found), *what};
     kept.path = found;
     if (sources) kept.files[found] = text;
     Result<SceneDesc> scene = load_world_text(std::move(text), found, files, {}, others);
-    if (scene) scene->library_folder = containing_folder(found);
+    if (scene) scene->library_folder = config::containing_folder(found);
     return scene;
   };
-  Result<std::string> text = DiskFiles(by).read(path);
+  Result<std::string> text = config::DiskFiles(by).read(path);
   if (text) return load(std::move(*text), path);
   const std::vector<std::string> folders = folders_of("STAGEPATH");
   for (const std::string& folder : folders) {
-    const std::string found = folder + "/" + path.substr(folder_of(path).size());
+    const std::string found = folder + "/" + path.substr(config::folder_of(path).size());
     if (Result<std::string> elsewhere = disk.read(found)) return load(std::move(*elsewhere), found);
   }
   return Error{escaped(path), text.error().text + (folders.empty() ? "" : ", also not in STAGEPATH") +
-                                  did_you_mean_shipped(path)};
+                                  config::did_you_mean_shipped(path)};
 }
 
 }  // namespace playhouse::scene

@@ -8,8 +8,8 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/mesh_limits.h"
 #include "playhouse/base/result.h"
+#include "playhouse/config/text/source_text.h"
 #include "playhouse/scene/scene_desc.h"
-#include "playhouse/scene/text/source_text.h"
 
 namespace playhouse::scene {
 
@@ -17,8 +17,8 @@ namespace playhouse::scene {
 /// folders of the environment variable STAGEPATH. Fails with one error, "file:line:
 /// what (did you mean "x"?)"; minor problems are warnings. `others`, if given, gets
 /// further errors, up to limits::kWarningsOfAKind in total; `sources` gets the files.
-Result<SceneDesc> load_world(const std::string& path, NamedBy by = NamedBy::kPerson,
-                             std::vector<Error>* others = nullptr, SourceFiles* sources = nullptr);
+Result<SceneDesc> load_world(const std::string& path, config::NamedBy by = config::NamedBy::kPerson,
+                             std::vector<Error>* others = nullptr, config::SourceFiles* sources = nullptr);
 
 /// Limits on the size of a world; fuzzers use smaller ones than limits.h.
 struct WorldLimits {
@@ -36,7 +36,7 @@ struct WorldLimits {
 };
 
 /// The same for a text read from `path`; includes and bitmaps are read from `files`.
-Result<SceneDesc> load_world_text(std::string text, const std::string& path, FileReader& files,
+Result<SceneDesc> load_world_text(std::string text, const std::string& path, config::FileReader& files,
                                   const WorldLimits& limits = {}, std::vector<Error>* others = nullptr);
 
 }  // namespace playhouse::scene

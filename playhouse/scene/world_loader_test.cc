@@ -25,7 +25,7 @@ using testing::IsEmpty;
 using Files = std::map<std::string, std::string>;
 
 Result<SceneDesc> load(const std::string& text, Files others = {}, const WorldLimits& limits = {}) {
-  MemoryFiles files(std::move(others));
+  config::MemoryFiles files(std::move(others));
   Result<SceneDesc> scene = load_world_text(text, "w/t.world", files, limits);
   if (scene) *scene = expanded(std::move(*scene));
   return scene;
@@ -149,7 +149,7 @@ std::vector<std::string> lines_of(const std::string& text, Files others = {}) {
 
 /// All findings of a world that does not load, as they are told.
 std::vector<std::string> findings_of(const std::string& text) {
-  MemoryFiles files({});
+  config::MemoryFiles files({});
   std::vector<Error> others;
   const Result<SceneDesc> scene = load_world_text(text, "w/t.world", files, {}, &others);
   EXPECT_FALSE(scene);
@@ -1103,13 +1103,13 @@ TEST(WorldFiles, a_world_is_found_in_stagepath_by_its_base_name) {
 }
 
 TEST(WorldFiles, an_include_is_looked_for_beside_the_files_and_then_in_the_search_path) {
-  MemoryFiles files({{"w/in.inc", "include \"near.inc\"\ninclude \"far.inc\""},
-                     {"w/near.inc", "model( name \"beside\" )"},
-                     {"lib/near.inc", "model( name \"hidden\" )"},
-                     {"lib/far.inc", "include \"further.inc\"\nmodel( name \"far\" bitmap \"b\" )"},
-                     {"lib/further.inc", "model( name \"further\" )"},
-                     {"lib/b", "P1 1 1 1"}},
-                    {"none/", "lib/"});
+  config::MemoryFiles files({{"w/in.inc", "include \"near.inc\"\ninclude \"far.inc\""},
+                             {"w/near.inc", "model( name \"beside\" )"},
+                             {"lib/near.inc", "model( name \"hidden\" )"},
+                             {"lib/far.inc", "include \"further.inc\"\nmodel( name \"far\" bitmap \"b\" )"},
+                             {"lib/further.inc", "model( name \"further\" )"},
+                             {"lib/b", "P1 1 1 1"}},
+                            {"none/", "lib/"});
   const auto scene = load_world_text("include \"in.inc\"", "w/t.world", files);
   ASSERT_TRUE(scene.ok()) << scene.error().line();
   EXPECT_THAT(names_of(expanded(*scene)), ElementsAre("beside", "further", "far"));
@@ -1126,11 +1126,11 @@ TEST(WorldFiles, an_include_is_looked_for_beside_the_files_and_then_in_the_searc
 }
 
 TEST(WorldFiles, a_bitmap_is_looked_for_as_an_include_is_and_a_warning_says_where_it_was_found) {
-  MemoryFiles files({{"w/in.inc", "model( bitmap \"maps/b.pbm\" )"},
-                     {"w/beside.pbm", "P1 1 1 1"},
-                     {"lib/beside.pbm", "P1 2 1 1 0"},
-                     {"lib/maps/b.pbm", "P1 1 1 1"}},
-                    {"none/", "lib/"});
+  config::MemoryFiles files({{"w/in.inc", "model( bitmap \"maps/b.pbm\" )"},
+                             {"w/beside.pbm", "P1 1 1 1"},
+                             {"lib/beside.pbm", "P1 2 1 1 0"},
+                             {"lib/maps/b.pbm", "P1 1 1 1"}},
+                            {"none/", "lib/"});
   const auto load = [&](const std::string& text) { return load_world_text(text, "w/t.world", files); };
   const auto beside = load("model( bitmap \"beside.pbm\" )");
   ASSERT_TRUE(beside.ok()) << beside.error().line();
@@ -1171,7 +1171,7 @@ TEST(WorldFiles, what_comes_with_the_program_is_included_from_any_folder) {
 
 TEST(WorldErrors, of_a_file_are_told_all_once_and_within_a_limit) {
   const auto errors = [](const std::string& text, Files others = {}) {
-    MemoryFiles files(std::move(others));
+    config::MemoryFiles files(std::move(others));
     std::vector<Error> next;
     const Result<SceneDesc> scene = load_world_text(text, "w/t.world", files, {}, &next);
     std::vector<std::string> lines;
@@ -1193,7 +1193,7 @@ TEST(WorldErrors, of_a_file_are_told_all_once_and_within_a_limit) {
 
 TEST(WorldErrors, of_conditions_and_limits_of_detectors_are_told_where_they_are) {
   const auto fault = [](const std::string& text) {
-    MemoryFiles none({});
+    config::MemoryFiles none({});
     const Result<SceneDesc> scene = load_world_text("detector(\n" + text + " )", "w/t.world", none);
     return scene ? "none" : scene.error().line();
   };
@@ -1230,7 +1230,7 @@ TEST(WorldFiles, what_a_file_names_is_a_regular_file) {
               HasSubstr(world + ":1: bitmap \"" + (folder / "folder").string() + "\"" + why));
   EXPECT_EQ(fault("model( bitmap \"/dev/zero\" )"), world + ":1: bitmap \"/dev/zero\"" + why);
   EXPECT_THAT(fault("include \"pipe\""), HasSubstr(world + ":1: included file \"" + pipe + "\"" + why));
-  EXPECT_EQ(load_world(pipe, NamedBy::kFile).error().line(), pipe + ":" + why);
+  EXPECT_EQ(load_world(pipe, config::NamedBy::kFile).error().line(), pipe + ":" + why);
 }
 
 TEST(WorldFiles, a_pipe_is_read_to_its_end_and_a_file_that_fails_midway_is_an_error) {
@@ -1257,7 +1257,7 @@ model( name "wall" )
 )";
 
 TEST(RobotTypes, are_descriptions_of_which_the_world_has_no_tree) {
-  MemoryFiles files({});
+  config::MemoryFiles files({});
   const Result<SceneDesc> scene = load_world_text(kTypes, "w/t.world", files);
   ASSERT_TRUE(scene) << scene.error().line();
   ASSERT_EQ(scene->trees.size(), 1u);
@@ -1269,7 +1269,7 @@ TEST(RobotTypes, are_descriptions_of_which_the_world_has_no_tree) {
 }
 
 TEST(RobotTypes, are_the_defines_without_what_a_model_of_the_world_adds) {
-  MemoryFiles files({});
+  config::MemoryFiles files({});
   const Result<SceneDesc> scene =
       load_world_text(std::string(kTypes) + "cart( name \"r0\" scanner( ) )", "w/t.world", files);
   ASSERT_TRUE(scene) << scene.error().line();
@@ -1279,7 +1279,7 @@ TEST(RobotTypes, are_the_defines_without_what_a_model_of_the_world_adds) {
 }
 
 TEST(RobotTypes, share_the_description_of_a_model_that_is_like_them) {
-  MemoryFiles files({});
+  config::MemoryFiles files({});
   const Result<SceneDesc> scene =
       load_world_text(std::string(kTypes) + "cart( name \"r0\" pose [1 2 0 0] )", "w/t.world", files);
   ASSERT_TRUE(scene) << scene.error().line();

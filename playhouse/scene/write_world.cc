@@ -11,15 +11,15 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/config/text/expand.h"
+#include "playhouse/config/text/file_search.h"
+#include "playhouse/config/text/source_text.h"
 #include "playhouse/scene/forms/body.h"
 #include "playhouse/scene/forms/mesh_words.h"
 #include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/generated/write_kinds.h"
 #include "playhouse/scene/kinds.h"
-#include "playhouse/scene/text/expand.h"
-#include "playhouse/scene/text/file_search.h"
-#include "playhouse/scene/text/source_text.h"
 
 namespace playhouse::scene {
 namespace {
@@ -183,8 +183,9 @@ Result<std::string> WorldWriter::write() {
 void WorldWriter::write_globals() {
   std::vector<std::string> all;
   Words words(scene_.units, all);
-  if (scene_.units.length != Units().length) words.text("unit_length", length_word(scene_.units));
-  if (scene_.units.angle != Units().angle) words.text("unit_angle", angle_word(scene_.units));
+  if (scene_.units.length != config::Units().length)
+    words.text("unit_length", config::length_word(scene_.units));
+  if (scene_.units.angle != config::Units().angle) words.text("unit_angle", config::angle_word(scene_.units));
   WorldDesc unsaid;
   unsaid.name = scene_.path;
   scene::write(scene_, unsaid, words);
@@ -406,9 +407,9 @@ std::string WorldWriter::unsaid_token(const Kind& kind, const std::string& paren
 
 std::string WorldWriter::file_name(const std::string& path) const {
   if (!path_.empty())
-    if (const auto below = path_from(path_, path); !below.empty() && *below.begin() != "..")
+    if (const auto below = config::path_from(path_, path); !below.empty() && *below.begin() != "..")
       return below.string();
-  return physical_path(path).string();
+  return config::physical_path(path).string();
 }
 
 }  // namespace

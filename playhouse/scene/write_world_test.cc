@@ -34,7 +34,7 @@ const std::map<std::string, std::string> kFiles = {{"w/plan", "P1 3 3 1 0 0  1 1
                                                    {"w/plan.obj", mesh::test_obj()}};
 
 SceneDesc loaded(const std::string& text, const std::string& path = "w/t.world") {
-  MemoryFiles files(kFiles);
+  config::MemoryFiles files(kFiles);
   Result<SceneDesc> scene = load_world_text(text, path, files);
   EXPECT_TRUE(scene.ok()) << scene.error().line() << "\n" << text;
   return scene ? std::move(*scene) : SceneDesc{};
@@ -121,7 +121,7 @@ class StageRules {
 void expect_read_back_the_same(const SceneDesc& scene, const std::string& path) {
   for (const std::string& to : {path + ".saved", std::string("/elsewhere/saved.world")}) {
     const std::string text = written(scene, to);
-    DiskFiles files;
+    config::DiskFiles files;
     const Result<SceneDesc> again = load_world_text(text, to, files);
     ASSERT_TRUE(again.ok()) << again.error().line();
     EXPECT_EQ(difference(scene, *again), "") << path;
@@ -499,7 +499,7 @@ RC_GTEST_PROP(WriteWorld, any_world_is_read_back_the_same, ()) {
   text +=
       "define robot position ( size [0.4 0.3 0.2] ranger ( pose [0.1 0 0.05 10] sensor ( fov 33.3 ) ) )\n";
   for (int count = *rc::gen::inRange(1, 8); count > 0; --count) text += any_entity(2);
-  MemoryFiles files(kFiles);
+  config::MemoryFiles files(kFiles);
   const Result<SceneDesc> scene = load_world_text(text, "w/t.world", files);
   RC_ASSERT(scene.ok());
   const Result<std::string> saved = write_world(*scene, "w/t.world");

@@ -27,7 +27,7 @@ radio( name "far" pose [0 1 0 0] essid "another" )
 class RadioMessages : public ::testing::Test {
  protected:
   void load(const std::string& text, unsigned workers = 1, std::uint64_t seed = 1) {
-    scene::MemoryFiles none({});
+    config::MemoryFiles none({});
     auto scene = scene::load_world_text(text, "test.world", none);
     ASSERT_TRUE(scene) << scene.error().line();
     engine_.reset();

@@ -139,7 +139,7 @@ TEST(WifiSense, is_the_same_for_any_number_of_workers) {
 }
 
 TEST(WifiSense, reads_what_old_worlds_say_of_radios) {
-  scene::MemoryFiles none({});
+  config::MemoryFiles none({});
   const auto scene = scene::load_world_text(R"(
 position( name "robot" wifi( ip "192.168.0.2" mac "08:00:20:ae:fd:7e" essid "test network" model "ITU indoor"
   power 30 sensitivity -70 plc 30 ) ))",

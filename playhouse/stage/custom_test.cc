@@ -69,7 +69,7 @@ class Running {
  public:
   explicit Running(std::shared_ptr<CustomKind> kind = std::make_shared<Probe>(), unsigned workers = 1,
                    const std::string& text = kWorld) {
-    scene::MemoryFiles none({});
+    config::MemoryFiles none({});
     auto loaded = scene::load_world_text(text, "test.world", none);
     EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().line());
     scene_ = std::make_unique<scene::SceneDesc>(std::move(*loaded));

@@ -30,7 +30,7 @@ define station model( size [0.2 0.2 0.5] joules -1 give_watts 50 alwayson 1 obst
 class Charging : public ::testing::Test {
  protected:
   void make(const std::string& text, unsigned workers = 1) {
-    scene::MemoryFiles none({});
+    config::MemoryFiles none({});
     auto loaded = scene::load_world_text(kMacros + text, "test.world", none);
     ASSERT_TRUE(loaded) << loaded.error().line();
     engine_.reset();  // it refers to the scene

@@ -94,7 +94,7 @@ inline void expect_sense(const world::World& world) {
 /// `make(scene)` returns a Result of an engine.
 template <typename Make>
 void run(const Make& make, const std::string& text, FuzzScript script) {
-  scene::MemoryFiles files({{"w/plan", "P1 4 3 1111 1001 1101"}});
+  config::MemoryFiles files({{"w/plan", "P1 4 3 1111 1001 1101"}});
   const auto scene = scene::load_world_text(text, "w/t.world", files, kSmall);
   if (!scene || scene->models.empty()) return;
   const auto engine = make(*scene);

@@ -62,7 +62,7 @@ template <typename Change>
 std::vector<std::byte> saved_run(std::uint64_t ticks, const Change& change) {
   const std::string text = world_of_every_kind();
   world::SavedRun run{{"tiny.world", {{"tiny.world", text}}, {}}, "stage", 1, {}};
-  scene::MemoryFiles files(run.sources.files);
+  config::MemoryFiles files(run.sources.files);
   const auto scene = scene::load_world_text(text, run.sources.path, files);
   PLAYHOUSE_ASSERT(scene.ok());
   const auto engine = make_engine(*scene, {.seed = run.seed});

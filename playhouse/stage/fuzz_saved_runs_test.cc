@@ -13,7 +13,7 @@ TEST(FuzzedSavedRuns, go_on_with_something_in_each_column) {
   for (const auto& [name, bytes] : fuzz::saved_runs()) {
     const auto run = world::decode_saved_run(world::with_head(bytes));
     ASSERT_TRUE(run) << name << ": " << run.error().text;
-    scene::MemoryFiles files(run->sources.files);
+    config::MemoryFiles files(run->sources.files);
     const auto scene =
         scene::load_world_text(run->sources.files.at(run->sources.path), run->sources.path, files);
     ASSERT_TRUE(scene) << name;

@@ -25,7 +25,7 @@ constexpr std::size_t kModels = 256;
 constexpr int kTicks = 8;
 
 const scene::SceneDesc& the_scene() {
-  static scene::MemoryFiles files({}, {});
+  static config::MemoryFiles files({}, {});
   static const Result<scene::SceneDesc> scene = scene::load_world_text(kWorld, "fuzz.world", files);
   PLAYHOUSE_ASSERT(scene.ok());
   return *scene;

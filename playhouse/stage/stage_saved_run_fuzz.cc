@@ -27,7 +27,7 @@ constexpr scene::WorldLimits kLimits{.models = 64,
                                      .text_bytes = 1 << 14};
 
 void go_on(const world::SavedRun& run) {
-  scene::MemoryFiles files(run.sources.files, run.sources.search_path);
+  config::MemoryFiles files(run.sources.files, run.sources.search_path);
   const auto scene =
       scene::load_world_text(run.sources.files.at(run.sources.path), run.sources.path, files, kLimits);
   if (!scene) return;

@@ -10,7 +10,7 @@ namespace playhouse::web_server {
 namespace {
 
 TEST(MeshFiles, has_a_binary_gltf_of_each_mesh_where_the_scene_text_says) {
-  scene::MemoryFiles files({{"box.dae", mesh::test_collada()}});
+  config::MemoryFiles files({{"box.dae", mesh::test_collada()}});
   const auto scene = scene::load_world_text(
       "model( mesh \"box.dae\" )\nmodel( mesh \"box.dae\" color \"green\" )\nmodel( mesh \"box.dae\" size [1 "
       "1 1] )\nmodel()",

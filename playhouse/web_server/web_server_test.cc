@@ -16,7 +16,7 @@
 #include "playhouse/net/http.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/net/simulated.h"
-#include "playhouse/net/web_client.h"
+#include "playhouse/net/testing/web_client.h"
 #include "playhouse/replicate/delta.h"
 #include "playhouse/replicate/small_world.h"
 #include "playhouse/world/population/population.h"

@@ -158,7 +158,7 @@ class EveryColumn : public ::testing::Test {
                             kind.kind == scene::ModelKind::kPosition ||
                             kind.kind == scene::ModelKind::kRanger;
       if (kind.entity != scene::EntityForm::kModel || !kind.simulated || is_there) continue;
-      scene::MemoryFiles none({});
+      config::MemoryFiles none({});
       const auto loaded =
           scene::load_world_text(std::string(kind.name) + "( size [0.1 0.1 0.1] )", "t.world", none);
       scene::ModelDesc model = loaded.value().models.at(0);  // with the words of its kind

@@ -163,7 +163,7 @@ std::uint32_t World::like(ModelRow row) const {
   return first_like_[desc] != kNone ? first_like_[desc] : ~desc;
 }
 
-scene::SourceLine World::where(ModelRow row) const {
+config::SourceLine World::where(ModelRow row) const {
   const Origin from = origin(row);
   return from.place == 0 && from.tree != kNone ? trees_[from.tree].where : desc(row).where;
 }

@@ -47,7 +47,7 @@ class World : public Tables {
   const scene::SceneDesc& scene() const { return *scene_; }
   const scene::ModelDesc& desc(ModelRow row) const { return scene_->models[models.desc[row]]; }
   /// Its line in the files: its own if it is a root of the scene, else that of its prototype.
-  scene::SourceLine where(ModelRow row) const;
+  config::SourceLine where(ModelRow row) const;
   std::uint64_t seed() const { return seed_; }
   std::uint64_t tick() const { return tick_; }
   /// Simulated time, rounded to microseconds: 6.3, not 6.300000000000001. [s]
@@ -95,7 +95,7 @@ class World : public Tables {
 
   /// In-process controllers, in their order of execution (see controllers::attach).
   std::vector<std::unique_ptr<Decider>> deciders;
-  /// Code of custom models, by row of SceneDesc::models (see libraries::attach_custom_kinds);
+  /// Code of custom models, by row of SceneDesc::models (see custom_kinds::attach_custom_kinds);
   /// null for others. Empty: none loaded, custom models are inert.
   std::vector<std::shared_ptr<const CustomCode>> custom_codes;
 

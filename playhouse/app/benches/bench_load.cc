@@ -50,7 +50,7 @@ double since(std::chrono::steady_clock::time_point start) {
 
 int bench_load(const BenchOptions& options) {
   std::string text = world_text(options.robots > 0 ? options.robots : kRobots);
-  scene::MemoryFiles none({});
+  config::MemoryFiles none({});
   const auto start = std::chrono::steady_clock::now();
   const Result<scene::SceneDesc> scene = scene::load_world_text(std::move(text), "load.world", none);
   if (!scene) return fail(scene.error());

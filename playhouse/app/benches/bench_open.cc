@@ -13,9 +13,9 @@
 #include "playhouse/app/fail.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/assert.h"
-#include "playhouse/drivers/simulated/auto_map.h"
-#include "playhouse/drivers/simulated/device_factory.h"
-#include "playhouse/drivers/simulated/simulated_driver.h"
+#include "playhouse/bridge/simulated/auto_map.h"
+#include "playhouse/bridge/simulated/device_factory.h"
+#include "playhouse/bridge/simulated/simulated_driver.h"
 #include "playhouse/scenarios/scenario.h"
 
 namespace playhouse::app {

@@ -13,9 +13,9 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/bodies/plan_of_solids.h"
+#include "playhouse/config/text/file_search.h"
 #include "playhouse/scene/images/bitmap.h"
 #include "playhouse/scene/images/ros_map.h"
-#include "playhouse/scene/text/file_search.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/scene/write_world.h"
 #include "playhouse/world/population/population.h"
@@ -54,7 +54,7 @@ int write_text(const std::string& path, const std::string& text) {
 
 /// Name of a file relative to the folder of `beside`, or absolute if that is empty.
 std::string named_from(const std::string& beside, const fs::path& file) {
-  return (beside.empty() ? scene::physical_path(file) : scene::path_from(beside, file)).string();
+  return (beside.empty() ? config::physical_path(file) : config::path_from(beside, file)).string();
 }
 
 int write_plan(const ConvertOptions& options, const scene::Plan& plan, const std::string& bitmap) {
@@ -98,7 +98,7 @@ int convert_map(const ConvertOptions& options) {
     warn(escaped(options.input) + ": there is no " + in_quotes(map->image) + "; " + in_quotes(found.path) +
          " is read instead");
   const fs::path image = found.path;
-  const Result<std::string> bytes = read_file(image.string(), scene::NamedBy::kFile);
+  const Result<std::string> bytes = read_file(image.string(), config::NamedBy::kFile);
   if (!bytes) return fail_in_file(bytes.error());
   const Result<scene::Plan> plan =
       scene::plan_of_ros_map(*map, *bytes, fs::path(options.input).stem().string());
@@ -118,9 +118,9 @@ int convert_map(const ConvertOptions& options) {
 }
 
 Result<scene::SceneDesc> load(const ConvertOptions& options, std::vector<Error>& others,
-                              scene::SourceFiles& sources) {
+                              config::SourceFiles& sources) {
   Result<scene::SceneDesc> scene =
-      scene::load_world(options.input, scene::NamedBy::kPerson, &others, &sources);
+      scene::load_world(options.input, config::NamedBy::kPerson, &others, &sources);
   if (scene)
     for (const std::string& warning : scene->warnings) warn(warning);
   return scene;
@@ -162,7 +162,7 @@ int write_gltf(const ConvertOptions& options, const scene::SceneDesc& scene) {
 
 int convert_world(const ConvertOptions& options) {
   std::vector<Error> others;
-  scene::SourceFiles sources;
+  config::SourceFiles sources;
   const Result<scene::SceneDesc> scene = load(options, others, sources);
   if (!scene) return fail_in_file(scene.error(), others);
   const std::string image = scene::is_map_name(options.output) ? image_of_map(options) : "";

@@ -8,7 +8,7 @@
 #include "playhouse/app/commands/json_or_null.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/base/in_quotes.h"
-#include "playhouse/drivers/registry.h"
+#include "playhouse/bridge/all_drivers.h"
 
 namespace playhouse::app {
 namespace {
@@ -124,14 +124,14 @@ void print_page(const DriverDefinition& driver) {
 
 int drivers(const DriversOptions& options) {
   if (options.name.empty()) {
-    for (const DriverDefinition* driver : drivers::driver_definitions())
+    for (const DriverDefinition* driver : drivers::all_drivers().all())
       options.json ? print_json(*driver) : print_line(*driver);
     return kDone;
   }
-  const DriverDefinition* driver = drivers::find_driver(options.name);
+  const DriverDefinition* driver = drivers::all_drivers().find(options.name);
   if (driver == nullptr) {
     return fail({"", fmt::format("unknown driver {}{}; playhouse drivers lists all", in_quotes(options.name),
-                                 drivers::what_instead_of_driver(options.name))},
+                                 drivers::all_drivers().what_instead_of(options.name))},
                 kUsage);
   }
   options.json ? print_json(*driver) : print_page(*driver);

@@ -4,7 +4,7 @@
 #include "playhouse/app/run_service.h"
 #include "playhouse/app/service.h"
 #include "playhouse/base/log.h"
-#include "playhouse/drivers/gym/link.h"
+#include "playhouse/bridge/gym/link.h"
 
 namespace playhouse::app {
 

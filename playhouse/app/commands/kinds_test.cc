@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "playhouse/drivers/simulated/auto_map.h"
-#include "playhouse/drivers/simulated/model_interfaces.h"
+#include "playhouse/bridge/simulated/auto_map.h"
+#include "playhouse/bridge/simulated/model_interfaces.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/testing_expanded.h"
 #include "playhouse/scene/world_loader.h"
@@ -37,7 +37,7 @@ gripper( ) actuator( ) ring( ) lidar( )
 )";
 
 scene::SceneDesc scene_of_every_kind() {
-  scene::MemoryFiles none({});
+  config::MemoryFiles none({});
   Result<scene::SceneDesc> scene = scene::load_world_text(kWorld, "test.world", none);
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().line());
   return scene ? scene::expanded(std::move(*scene)) : scene::SceneDesc{};

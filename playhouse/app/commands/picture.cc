@@ -63,7 +63,7 @@ std::unique_ptr<DrawnRun> open_run(const Options& options, const Drawing& drawin
     return code = fail_at(writable.error()), nullptr;
   if (is_recording(options.world)) return open_recorded(options, code);
   std::vector<Error> others;
-  scene::SourceFiles sources;
+  config::SourceFiles sources;
   Result<scene::SceneDesc> scene = read_scene(options.world, &others, &sources);
   if (!scene) return code = fail_in_file(scene.error(), others), nullptr;
   if (const Result<void> kept = keep_files(options.output, names_of(sources)); !kept)

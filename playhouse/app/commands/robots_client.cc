@@ -70,7 +70,7 @@ std::optional<std::uint32_t> number_of(std::span<const std::byte> body) {
 
 /// Parses "laser:7".
 std::optional<drivers::RemoteDevice> parse_device(const std::string& text) {
-  const Result<scene::DeviceAddress> address = scene::parse_device_address(text);
+  const Result<config::DeviceAddress> address = config::parse_device_address(text);
   const wire::InterfaceDef* const interf = address ? wire::find_interface(address->interf) : nullptr;
   if (interf == nullptr) return std::nullopt;
   return drivers::RemoteDevice{interf->code, address->index};
@@ -78,7 +78,7 @@ std::optional<drivers::RemoteDevice> parse_device(const std::string& text) {
 
 /// The port of a device that is not on the connection's: 6666 of "6666:position2d:0".
 std::optional<std::uint16_t> other_port(const std::string& device) {
-  const Result<scene::DeviceAddress> address = scene::parse_device_address(device);
+  const Result<config::DeviceAddress> address = config::parse_device_address(device);
   return address ? address->port : std::nullopt;
 }
 
@@ -175,7 +175,7 @@ Result<std::uint16_t> RobotsClient::open_port(const RemoteRobot& robot) {
     return port;
   }
   const Result<std::uint16_t> port = program_.listen(next_port_);
-  if (!port) return port_error(port.error(), true, "--port");
+  if (!port) return device_server::port_error(port.error(), true, "--port");
   if (next_port_ != 0) ++next_port_;
   return port;
 }

@@ -27,7 +27,7 @@ struct Lying {
   }
 
  private:
-  static inline scene::MemoryFiles files{{}};
+  static inline config::MemoryFiles files{{}};
 };
 
 TEST(PictureOfWorld, frames_bodies_as_they_lie) {

@@ -54,7 +54,7 @@ class MeshTest : public ArenaRun {
     files["ball.dae"] = round_file("<sphere><radius>0.1</radius></sphere>");
     files["log.dae"] = round_file("<capsule><radius>0.1 0.1</radius><height>0.2</height></capsule>");
     files["drum.dae"] = round_file("<cylinder><radius>0.1 0.1</radius><height>0.4</height></cylinder>");
-    scene::MemoryFiles memory(files);
+    config::MemoryFiles memory(files);
     Result<scene::SceneDesc> scene = scene::load_world_text("interval_sim 100\n" + text, "w.world", memory);
     ASSERT_TRUE(scene) << scene.error().line();
     ArenaRun::start(std::move(*scene));

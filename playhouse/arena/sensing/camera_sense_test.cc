@@ -341,7 +341,7 @@ interval_sim 100
 position( name "eye" obstacle_return 0 size [0.1 0.1 0.1] ranger( pose [0 0 0 0] size [0 0 0] sensor( range [0 9] fov 30 samples 31 ) )
   camera( pose [0 0 0.4 0] resolution [40 30] fov [40 30] range [0.1 9] alwayson 1 size [0 0 0] ) )
 model( name "box" pose [3 0 0 0] size [1 1 1] color "red" ))";
-  scene::MemoryFiles files({});
+  config::MemoryFiles files({});
   Result<scene::SceneDesc> scene = scene::load_world_text(text, "w.world", files);
   ASSERT_TRUE(scene);
   const auto bare = make_engine(*scene, {.seed = 1, .workers = 1});

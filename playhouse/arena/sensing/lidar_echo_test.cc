@@ -25,7 +25,7 @@ class Lidar {
 model( name "lidar" size [0.1 0.1 0.2]
   ranger( size [0.1 0.1 0.1] sensor( samples 3 fov 2 range [0 50] error "lidar" range_dark 10 )" +
                              words + " ) ) )\n";
-    scene::MemoryFiles files({{"w.world", text}});
+    config::MemoryFiles files({{"w.world", text}});
     Result<scene::SceneDesc> loaded = scene::load_world_text(text, "w.world", files);
     EXPECT_TRUE(loaded) << loaded.error().line();
     scene_ = std::make_unique<scene::SceneDesc>(std::move(*loaded));

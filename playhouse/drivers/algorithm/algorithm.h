@@ -8,16 +8,9 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/driver.h"
-#include "playhouse/world/world.h"
+#include "playhouse/drivers/site_world.h"
 
 namespace playhouse::drivers {
-
-/// Of a run, after it went back or started again.
-struct Moment {
-  std::uint64_t tick = 0;
-  double time = 0;         // s
-  std::uint64_t seed = 0;  // of the driver's random numbers
-};
 
 class Algorithm {
  public:
@@ -25,7 +18,7 @@ class Algorithm {
 
   /// Fails if it can do nothing with the model of the first device that it uses, with what the device "...". In
   /// a simulated world, before it runs.
-  virtual Result<void> fits(const world::World&, world::ModelRow) const { return {}; }
+  virtual Result<void> fits(const SiteWorld&, device::Address) const { return {}; }
 
   // Io thread.
 
@@ -41,7 +34,7 @@ class Algorithm {
 
   // Tick thread.
 
-  /// The run goes on from there; steps posted before were dropped.
+  /// The run goes on from there; steps posted before were dropped. The seed is the driver's own.
   virtual void rewound(const Moment&) {}
   /// The world put its robot elsewhere, as by RESET.
   virtual void placed() {}

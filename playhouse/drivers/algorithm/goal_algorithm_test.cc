@@ -1,6 +1,7 @@
 // What all drivers to goals have in common, between a client and a simulated robot that stands still.
 
 #include "playhouse/drivers/algorithm/goal_algorithm.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
 
 #include <gtest/gtest.h>
 
@@ -141,7 +142,7 @@ TEST_P(AnyGoalTest, keeps_its_goal_when_the_run_is_taken_back) {
 }
 
 TEST_P(AnyGoalTest, has_no_goal_after_a_restart) {
-  run::Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *simulation_of(site.site());
   simulation.requests().record(true);
   site.run(1);
   const std::uint64_t start = simulation.requests().timeline()->ticks.front();
@@ -183,8 +184,8 @@ TEST_P(AnyGoalTest, requests_are_its_robot_s) {
 }
 
 TEST_P(AnyGoalTest, the_directory_shows_it_at_its_robot) {
-  EXPECT_EQ(site.site().model_devices()->directory().model_of(kGoalDriver),
-            site.site().model_devices()->directory().model_of(kWheels));
+  EXPECT_EQ(model_devices_of(site.site())->directory().model_of(kGoalDriver),
+            model_devices_of(site.site())->directory().model_of(kWheels));
 }
 
 TEST_P(AnyGoalTest, ends_its_drive_when_it_hears_that_a_device_of_its_retired_and_lets_go_of_the_other) {

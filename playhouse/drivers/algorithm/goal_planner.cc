@@ -4,7 +4,7 @@
 
 #include "playhouse/drivers/algorithm/goal_algorithm.h"
 #include "playhouse/drivers/algorithm/planner_device.h"
-#include "playhouse/drivers/interfaces/shapes.h"
+#include "playhouse/drivers/shapes.h"
 
 namespace playhouse::drivers {
 

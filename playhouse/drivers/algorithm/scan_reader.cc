@@ -93,7 +93,7 @@ std::string_view name_of(ScanInterface interf) {
   return "sonar";
 }
 
-std::vector<ScanInterface> named_scans(const scene::CfgSection& section) {
+std::vector<ScanInterface> named_scans(const config::CfgSection& section) {
   std::vector<ScanInterface> named;
   for (const ScanInterface each : kScanInterfaces)
     if (names_device(section, "requires", name_of(each))) named.push_back(each);

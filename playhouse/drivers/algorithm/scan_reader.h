@@ -11,11 +11,11 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/client.h"
 #include "playhouse/drivers/algorithm/scan.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/section_devices.h"
-#include "playhouse/scene/cfg.h"
 #include "playhouse/wire/generated/ranger.h"
 
 namespace playhouse::drivers {
@@ -27,7 +27,7 @@ inline constexpr ScanInterface kScanInterfaces[] = {ScanInterface::kLaser, ScanI
 std::string_view name_of(ScanInterface interf);
 
 /// Those of which a section requires a device, in the order of the enumeration; laser, if it names none.
-std::vector<ScanInterface> named_scans(const scene::CfgSection& section);
+std::vector<ScanInterface> named_scans(const config::CfgSection& section);
 /// A device for scans, one of the three interfaces.
 WantedDevice wanted_scan(ScanInterface interf);
 

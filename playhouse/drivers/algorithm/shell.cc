@@ -17,31 +17,6 @@ std::uint64_t seed_of(std::string_view text) {
   return seed;
 }
 
-/// In a simulated world: its devices belong to the model of the device `robot`.
-Result<void> follow(Site& site, const Wired& devices, Shell& shell) {
-  const std::uint64_t own = seed_of(site.shown(devices.provides.front()));
-  shell.set_seed(own);
-  run::Simulation* const simulation = site.simulation();
-  if (simulation == nullptr) return {};
-  shell.set_seed(own ^ mix64(simulation->world().seed()));
-  Directory& directory = site.model_devices()->directory();
-  const world::ModelId robot = directory.model_of(devices.uses.front());
-  const world::World& now = simulation->world();
-  if (const Result<void> fits = shell.fits(now, now.row(robot)); !fits)
-    return Error{{}, in_quotes(site.shown(devices.uses.front())) + " " + fits.error().text};
-  for (const device::Address& device : devices.provides) directory.add(robot, device);
-  shell.follow_ticks(simulation->world().tick());
-  simulation->follow(
-      run::on_event([&shell, own, robot](const world::World& world, const world::Event& event) {
-        if (event.kind == world::Event::EventKind::kReload)
-          shell.rewound({world.tick(), world.time(), own ^ mix64(world.seed())});
-        if (event.kind == world::Event::EventKind::kPlace && event.model == robot) shell.placed();
-      }));
-  simulation->follow(
-      run::on_show([&shell](const world::World& world, const world::Pace&) { shell.ticked(world.tick()); }));
-  return {};
-}
-
 }  // namespace
 
 Shell::Shell(std::string name, device::Opener& opener, std::size_t uses, AlgorithmThread::Steps steps)
@@ -120,13 +95,21 @@ bool Shell::capable(device::DeviceId device, std::uint8_t type, std::uint8_t sub
   return forwards(device) && client_.capable(others_->to, type, subtype);
 }
 
-void Shell::rewound(const Moment& moment) {
-  seed_ = moment.seed;
-  thread_.clear();
-  algorithm_->rewound(moment);
+Result<void> Shell::follow(SiteWorld& world, device::Address robot, std::span<const device::Address> own) {
+  if (const Result<void> fits = algorithm_->fits(world, robot); !fits) return fits;
+  const Moment now = world.join(robot, own, *this);
+  seed_ = own_seed_ ^ mix64(now.seed);
+  thread_.follow_ticks(now.tick, 1);
+  return {};
 }
 
-Result<Wired> wired(const scene::CfgSection& section, const Site& site, const WantedDevices& wanted) {
+void Shell::rewound(const Moment& moment) {
+  seed_ = own_seed_ ^ mix64(moment.seed);
+  thread_.clear();
+  algorithm_->rewound({moment.tick, moment.time, seed_});
+}
+
+Result<Wired> wired(const config::CfgSection& section, const Site& site, const WantedDevices& wanted) {
   const auto provides = section_devices(section, site, "provides", wanted.provides);
   if (!provides) return provides.error();
   const auto uses = section_devices(section, site, "requires", wanted.uses);
@@ -134,7 +117,7 @@ Result<Wired> wired(const scene::CfgSection& section, const Site& site, const Wa
   return Wired{*provides, *uses};
 }
 
-Result<std::unique_ptr<device::Driver>> registered(const scene::CfgSection& section, Site& site,
+Result<std::unique_ptr<device::Driver>> registered(const config::CfgSection& section, Site& site,
                                                    const Wired& devices, std::unique_ptr<Shell> shell) {
   std::vector<device::DeviceId> ids;
   for (const device::Address& address : devices.provides) {
@@ -144,8 +127,11 @@ Result<std::unique_ptr<device::Driver>> registered(const scene::CfgSection& sect
   }
   shell->provide(std::move(ids));
   const auto connected = [&site, devices, where = section.at("requires"), &shell = *shell]() -> Result<void> {
-    const Result<void> followed = follow(site, devices, shell);
-    return followed ? Result<void>() : Error{where, followed.error().text};
+    shell.set_seed(seed_of(site.shown(devices.provides.front())));
+    if (site.world() == nullptr) return {};
+    const device::Address robot = devices.uses.front();
+    const Result<void> followed = shell.follow(*site.world(), robot, devices.provides);
+    return followed ? followed : Error{where, in_quotes(site.shown(robot)) + " " + followed.error().text};
   };
   site.add_user(
       {shell.get(), &shell->client(), devices.provides, devices.uses, section.at("requires"), connected});

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/client.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/algorithm/algorithm.h"
@@ -25,12 +26,11 @@
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/section_devices.h"
 #include "playhouse/drivers/site.h"
-#include "playhouse/scene/cfg.h"
 #include "playhouse/wire/codec.h"
 
 namespace playhouse::drivers {
 
-class Shell final : public device::Driver {
+class Shell final : public device::Driver, public RunListener {
  public:
   /// For an algorithm that uses so many devices.
   Shell(std::string name, device::Opener& opener, std::size_t uses,
@@ -105,17 +105,17 @@ class Shell final : public device::Driver {
   bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
   void barrier(device::Replier replier) override { client_.barrier(std::move(replier)); }
 
-  // For the run that it follows. Tick thread.
+  /// Random numbers follow from a seed of its own and, in a simulated world, that of the run. Before the run.
+  void set_seed(std::uint64_t own) { seed_ = own_seed_ = own; }
+  /// Follows the run of a simulated world, as one of the devices of the model of `robot`: results of steps are due one
+  /// tick after the step was posted. Fails if the algorithm can do nothing with that model. Before the run.
+  Result<void> follow(SiteWorld& world, device::Address robot, std::span<const device::Address> own);
 
-  /// Results of steps are due one tick after the step was posted.
-  void follow_ticks(std::uint64_t tick) { thread_.follow_ticks(tick, 1); }
-  void ticked(std::uint64_t tick) { thread_.ticked(tick); }
-  void rewound(const Moment& moment);
-  void placed() { algorithm_->placed(); }
-  Result<void> fits(const world::World& world, world::ModelRow used) const {
-    return algorithm_->fits(world, used);
-  }
-  void set_seed(std::uint64_t seed) { seed_ = seed; }
+  // RunListener
+
+  void ticked(std::uint64_t tick) override { thread_.ticked(tick); }
+  void rewound(const Moment& moment) override;
+  void placed() override { algorithm_->placed(); }
 
  private:
   struct RequestTaker {
@@ -135,6 +135,7 @@ class Shell final : public device::Driver {
   device::DeviceClient client_;
   std::vector<device::DeviceId> provided_;
   int open_ = 0;  // own devices; io thread
+  std::uint64_t own_seed_ = 0;
   std::atomic<std::uint64_t> seed_ = 0;
 
   // Not changed once the algorithm is made.
@@ -154,13 +155,13 @@ struct WantedDevices {
 struct Wired {
   std::vector<device::Address> provides, uses;  // as wanted
 };
-Result<Wired> wired(const scene::CfgSection& section, const Site& site, const WantedDevices& wanted);
+Result<Wired> wired(const config::CfgSection& section, const Site& site, const WantedDevices& wanted);
 /// Registers the devices of a section's driver. The model of the first device that it uses is its robot.
-Result<std::unique_ptr<device::Driver>> registered(const scene::CfgSection& section, Site& site,
+Result<std::unique_ptr<device::Driver>> registered(const config::CfgSection& section, Site& site,
                                                    const Wired& devices, std::unique_ptr<Shell> shell);
 
 template <typename A, typename... Parts>
-Result<std::unique_ptr<device::Driver>> in_shell(const scene::CfgSection& section, Site& site,
+Result<std::unique_ptr<device::Driver>> in_shell(const config::CfgSection& section, Site& site,
                                                  const Wired& devices, const Parts&... parts) {
   const AlgorithmThread::Steps steps = site.surroundings().has_threads() ? AlgorithmThread::Steps::kOnThread
                                                                          : AlgorithmThread::Steps::kOnCaller;
@@ -171,14 +172,14 @@ Result<std::unique_ptr<device::Driver>> in_shell(const scene::CfgSection& sectio
 
 /// The driver of a section: A in a shell, made from the section's options, if it has any, and `more`.
 template <typename A>
-Result<std::unique_ptr<device::Driver>> make_algorithm(const scene::CfgSection& section, Site& site,
+Result<std::unique_ptr<device::Driver>> make_algorithm(const config::CfgSection& section, Site& site,
                                                        const WantedDevices& wanted) {
   const Result<Wired> devices = wired(section, site, wanted);
   if (!devices) return devices.error();
   return in_shell<A>(section, site, *devices);
 }
 template <typename A, typename ReadOptions, typename... More>
-Result<std::unique_ptr<device::Driver>> make_algorithm(const scene::CfgSection& section, Site& site,
+Result<std::unique_ptr<device::Driver>> make_algorithm(const config::CfgSection& section, Site& site,
                                                        const WantedDevices& wanted, ReadOptions read_options,
                                                        const More&... more) {
   const Result<Wired> devices = wired(section, site, wanted);

@@ -1,12 +1,13 @@
 // An algorithm in its shell, between a device that it uses and a client.
 
 #include "playhouse/drivers/algorithm/shell.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/drivers/refusal.h"
-#include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/wire/generated/common.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -35,7 +36,7 @@ struct MirrorOptions {
   double factor = 1;
 };
 
-Result<MirrorOptions> mirror_options(const scene::CfgSection& section) {
+Result<MirrorOptions> mirror_options(const config::CfgSection& section) {
   return MirrorOptions{section.number("factor", 1)};
 }
 
@@ -77,9 +78,9 @@ class Mirror final : public Algorithm {
 class ShellTest : public ::testing::Test {
  protected:
   ShellTest() : site(kWorld) {
-    scene::MemoryFiles none({});
-    const scene::CfgFile file = *scene::load_cfg_text(kSections, "test.cfg", none);
-    const scene::CfgSection& mirror = file.drivers.back();
+    config::MemoryFiles none({});
+    const config::CfgFile file = *config::load_cfg_text(kSections, "test.cfg", none);
+    const config::CfgSection& mirror = file.drivers.back();
     const WantedDevices wanted{.provides = {{"position2d"}, {"position2d", "one"}}, .uses = {{"position2d"}}};
     Result<std::unique_ptr<device::Driver>> made =
         make_algorithm<Mirror>(mirror, site.site(), wanted, mirror_options, std::ref(calls));
@@ -89,7 +90,7 @@ class ShellTest : public ::testing::Test {
 driver( name "stage" provides ["simulation:0"] worldfile "some.world" )
 driver( name "stage" provides ["position2d:0"] model "r0" ))"),
               "");
-    site.site().simulation()->engine().world().positions.motor_on[{0}] = 1;
+    simulation_of(site.site())->engine().world().positions.motor_on[{0}] = 1;
   }
   testing::OutputRecorder::RecordedAnswer ask(device::Address address, std::uint8_t subtype,
                                               const std::vector<std::byte>& body) {
@@ -129,7 +130,7 @@ TEST_F(ShellTest, closes_once_when_a_device_that_it_uses_retires) {
 
 TEST_F(ShellTest, what_a_step_says_comes_one_tick_later) {
   ASSERT_TRUE(site.hold(site.id(kOwn)));
-  const world::World& world = site.site().simulation()->world();
+  const world::World& world = simulation_of(site.site())->world();
   EXPECT_EQ(drive(kOwn, 0.25), device::Taken::kLatest);
   site.run(1);
   EXPECT_EQ(world.positions.command[{0}].x, 0);
@@ -169,7 +170,7 @@ TEST_F(ShellTest, publishes_in_the_batch_of_what_it_read_and_belongs_to_its_robo
   site.run(1);
   EXPECT_EQ(site.recorder.batches, 1);
   EXPECT_EQ(site.recorder.published.back().device, site.id(kSecond));
-  Directory& directory = site.site().model_devices()->directory();
+  Directory& directory = model_devices_of(site.site())->directory();
   EXPECT_EQ(directory.model_of(kSecond), directory.model_of(kWheels));
 }
 
@@ -178,7 +179,7 @@ TEST_F(ShellTest, a_rewind_drops_steps) {
   drive(kOwn, 0.25);
   static_cast<Shell&>(*driver).rewound({7, 0.7, 1});
   site.run(3);
-  EXPECT_EQ(site.site().simulation()->world().positions.command[{0}].x, 0);
+  EXPECT_EQ(simulation_of(site.site())->world().positions.command[{0}].x, 0);
   EXPECT_THAT(calls, ElementsAre("opened", "rewound 7"));
 }
 

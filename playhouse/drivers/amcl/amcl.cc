@@ -8,7 +8,7 @@
 #include "playhouse/drivers/amcl/amcl_options.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/map_reader.h"
-#include "playhouse/drivers/interfaces/shapes.h"
+#include "playhouse/drivers/shapes.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
 
@@ -235,11 +235,11 @@ lcl::GetParticles Amcl::particles() const {
 
 // --- sections of configuration files
 
-Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& section, Site& site) {
+Result<std::unique_ptr<device::Driver>> make_amcl(const config::CfgSection& section, Site& site) {
   const ScanInterface scans = named_scans(section).front();
   WantedDevices wanted{.provides = {{"localize"}}, .uses = {{"position2d"}, wanted_scan(scans), {"map"}}};
   if (names_device(section, "provides", "position2d")) wanted.provides.push_back({"position2d"});
-  const auto options = [scans](const scene::CfgSection& from) { return amcl_options(from, name_of(scans)); };
+  const auto options = [scans](const config::CfgSection& from) { return amcl_options(from, name_of(scans)); };
   return make_algorithm<Amcl>(section, site, wanted, options, scans);
 }
 

@@ -13,17 +13,17 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/algorithm/scan_reader.h"
 #include "playhouse/drivers/algorithm/shell.h"
 #include "playhouse/drivers/amcl/particle_filter.h"
 #include "playhouse/drivers/site.h"
-#include "playhouse/scene/cfg.h"
 #include "playhouse/wire/generated/localize.h"
 
 namespace playhouse::drivers {
 
-Result<std::unique_ptr<device::Driver>> make_amcl(const scene::CfgSection& section, Site& site);
+Result<std::unique_ptr<device::Driver>> make_amcl(const config::CfgSection& section, Site& site);
 
 /// Provides localize and maybe position2d; uses the odometry, the device of scans and the map, in this order.
 class Amcl final : public Algorithm {

@@ -1,6 +1,7 @@
 // The driver "amcl" on a simulated robot that stands still, with its odometry moved by hand.
 
 #include "playhouse/drivers/amcl/amcl.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/drivers/testing/two_eyes.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -60,7 +61,7 @@ class AmclTest : public ::testing::Test {
     EXPECT_TRUE(site.hold(site.id(kLocalize)));
     EXPECT_TRUE(site.hold(site.id(kCorrected)));
   }
-  world::World& world() { return site.site().simulation()->engine().world(); }
+  world::World& world() { return simulation_of(site.site())->engine().world(); }
   device::Driver& driver() { return site.driver(kLocalize); }
   /// The odometry says that the robot is there now.
   void move(const geom::Pose& X_OR) { world().positions.X_OM[{0}] = X_OR; }
@@ -193,9 +194,9 @@ TEST_F(AmclTest, has_its_devices_open_while_one_of_its_own_is) {
 }
 
 TEST_F(AmclTest, retires_with_its_robot) {
-  run::Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *simulation_of(site.site());
   const world::ModelId robot = simulation.world().id(simulation.world().find("r0"));
-  EXPECT_EQ(site.site().model_devices()->directory().model_of(kLocalize), robot);
+  EXPECT_EQ(model_devices_of(site.site())->directory().model_of(kLocalize), robot);
   site.run(1);
   ASSERT_TRUE(
       simulation.requests().post([&](world::Journal& journal) { EXPECT_TRUE(journal.despawn(robot)); }));
@@ -214,7 +215,7 @@ TEST_F(AmclWithoutThreads, believes_the_same_at_the_same_ticks) {
   MemorySite threaded(kWorld);
   ASSERT_EQ(threaded.build(chain("init_pose [1 0 90] init_pose_var [0.1 0.1 5]")), "");
   ASSERT_TRUE(threaded.hold(threaded.id(kLocalize)));
-  world::World& other = threaded.site().simulation()->engine().world();
+  world::World& other = simulation_of(threaded.site())->engine().world();
   std::ranges::copy(world().sensors.ranges, other.sensors.ranges.begin());
   for (int step = 0; step < 8; ++step) {
     other.positions.X_OM[{0}] = {0.15 * step, 0, 0, 0};
@@ -244,7 +245,7 @@ wire::Pose2d believed(const std::string& scans) {
                  "\" \"map:0\"] init_pose [1.05 0.2 90] init_pose_var [0.1 0.2 5] sonar_range_max 7.9 )" +
                  testing::kTwoEyesStage + "driver( name \"stage\" provides [\"map:0\"] model \"walls\" )"),
       "");
-  testing::see(site.site().simulation()->engine().world(), [](int degrees) {
+  testing::see(simulation_of(site.site())->engine().world(), [](int degrees) {
     return std::min(2.4 / std::max(1e-9, std::sin(geom::radians(degrees + 90))), 8.0);
   });
   EXPECT_TRUE(site.hold(site.id(kLocalize)));

@@ -208,11 +208,11 @@ constinit const DriverDefinition kDummyDriver{
     .make = make_dummy,
 };
 
-Result<std::unique_ptr<device::Driver>> make_dummy(const scene::CfgSection& section, Site& site) {
+Result<std::unique_ptr<device::Driver>> make_dummy(const config::CfgSection& section, Site& site) {
   const Result<DummyOptions> options = dummy_options(section);
   if (!options) return options.error();
   auto driver = std::make_unique<Dummy>(site, 1 / options->rate, static_cast<std::uint64_t>(options->seed));
-  for (const scene::DeviceAddress& provided : section.addresses("provides")) {
+  for (const config::DeviceAddress& provided : section.addresses("provides")) {
     const Result<device::Address> address = site.resolve(provided);
     if (!address) return Error{section.at("provides"), address.error().text};
     if (address->interf == wire::player::kCode)

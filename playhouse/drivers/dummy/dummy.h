@@ -22,16 +22,16 @@
 
 #include "playhouse/base/packing.h"
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/dummy/plausible.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/network.h"
-#include "playhouse/scene/cfg.h"
 
 namespace playhouse::drivers {
 
-Result<std::unique_ptr<device::Driver>> make_dummy(const scene::CfgSection& section, Site& site);
+Result<std::unique_ptr<device::Driver>> make_dummy(const config::CfgSection& section, Site& site);
 
 extern const DriverDefinition kDummyDriver;
 

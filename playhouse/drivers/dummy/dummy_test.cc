@@ -7,8 +7,8 @@
 #include <string>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/drivers/grid_map/testing_tiles.h"
-#include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/common.h"
 #include "playhouse/wire/generated/opaque.h"

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "playhouse/base/log.h"
+#include "playhouse/config/text/source_text.h"
 #include "playhouse/drivers/section_devices.h"
 #include "playhouse/drivers/section_fields.h"
-#include "playhouse/scene/text/source_text.h"
 #include "playhouse/wire/codec.h"
 
 namespace playhouse::drivers {
@@ -74,14 +74,14 @@ constinit const DriverDefinition kHealthDriver{
     .make = make_health,
 };
 
-Result<std::unique_ptr<device::Driver>> make_health(const scene::CfgSection& section, Site& site) {
+Result<std::unique_ptr<device::Driver>> make_health(const config::CfgSection& section, Site& site) {
   const auto provided = section_devices(section, site, "provides", {"health"});
   if (!provided) return provided.error();
   SectionFields fields(section);
   const double interval = health_interval(fields);
   if (const Result<void> fault = fields.fault(); !fault) return fault.error();
   auto driver = std::make_unique<Health>(
-      site, section.name(), interval, [](const std::string& path) { return scene::DiskFiles().read(path); });
+      site, section.name(), interval, [](const std::string& path) { return config::DiskFiles().read(path); });
   const Result<device::DeviceId> id = site.add_device(provided->front(), *driver);
   if (!id) return Error{section.at("provides"), id.error().text};
   driver->set_device(*id);

@@ -12,16 +12,16 @@
 #include <string_view>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/health/machine_load.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/network.h"
-#include "playhouse/scene/cfg.h"
 
 namespace playhouse::drivers {
 
-Result<std::unique_ptr<device::Driver>> make_health(const scene::CfgSection& section, Site& site);
+Result<std::unique_ptr<device::Driver>> make_health(const config::CfgSection& section, Site& site);
 
 extern const DriverDefinition kHealthDriver;
 

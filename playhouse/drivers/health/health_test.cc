@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/wire/codec.h"
 
 namespace playhouse::drivers {

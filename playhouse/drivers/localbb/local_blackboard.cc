@@ -178,7 +178,7 @@ constinit const DriverDefinition kLocalBlackboardDriver{
     .make = make_local_blackboard,
 };
 
-Result<std::unique_ptr<device::Driver>> make_local_blackboard(const scene::CfgSection& section, Site& site) {
+Result<std::unique_ptr<device::Driver>> make_local_blackboard(const config::CfgSection& section, Site& site) {
   const auto provided = section_devices(section, site, "provides", {"blackboard"});
   if (!provided) return provided.error();
   auto driver = std::make_unique<LocalBlackboard>(site);

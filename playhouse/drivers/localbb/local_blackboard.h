@@ -19,15 +19,15 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/site.h"
-#include "playhouse/scene/cfg.h"
 #include "playhouse/wire/generated/common.h"
 
 namespace playhouse::drivers {
 
-Result<std::unique_ptr<device::Driver>> make_local_blackboard(const scene::CfgSection& section, Site& site);
+Result<std::unique_ptr<device::Driver>> make_local_blackboard(const config::CfgSection& section, Site& site);
 
 extern const DriverDefinition kLocalBlackboardDriver;
 

@@ -66,7 +66,7 @@ void Nd::take_scans() {
   });
 }
 
-Result<std::unique_ptr<device::Driver>> make_nd(const scene::CfgSection& section, Site& site) {
+Result<std::unique_ptr<device::Driver>> make_nd(const config::CfgSection& section, Site& site) {
   WantedDevices wanted{.provides = {{"position2d"}},
                        .uses = {{"position2d", "output"}, {"position2d", "input"}}};
   const std::vector<ScanInterface> scans = named_scans(section);

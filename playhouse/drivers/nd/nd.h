@@ -10,16 +10,16 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/algorithm/goal_algorithm.h"
 #include "playhouse/drivers/algorithm/scan_reader.h"
 #include "playhouse/drivers/nd/nd_step.h"
 #include "playhouse/drivers/site.h"
-#include "playhouse/scene/cfg.h"
 
 namespace playhouse::drivers {
 
-Result<std::unique_ptr<device::Driver>> make_nd(const scene::CfgSection& section, Site& site);
+Result<std::unique_ptr<device::Driver>> make_nd(const config::CfgSection& section, Site& site);
 
 /// Uses the robot that gets the velocities, the one that gives the pose, maybe the same, and those of scans.
 class Nd final : public GoalAlgorithm {

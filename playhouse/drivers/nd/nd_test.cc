@@ -1,6 +1,7 @@
 // The driver "nd" between a client and simulated robots that stand still: what reaches the wheels, and when.
 
 #include "playhouse/drivers/nd/nd.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -80,7 +81,7 @@ TEST_F(NdTest, gives_up_a_goal_to_which_it_does_not_get_and_says_so_until_the_ne
 }
 
 TEST_F(NdTest, goes_with_its_robot_amid_a_drive) {
-  run::Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *simulation_of(site.site());
   const device::DeviceId nd = site.id(kGoalDriver);
   device::Driver& gone = driver();
   go_to(0, 3);

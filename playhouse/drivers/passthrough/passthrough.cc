@@ -14,10 +14,10 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/config/text/source_text.h"
 #include "playhouse/device/device_table.h"
 #include "playhouse/drivers/back_off.h"
 #include "playhouse/net/tls/tls_trust.h"
-#include "playhouse/scene/text/source_text.h"
 #include "playhouse/wire/auth_key.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/common.h"
@@ -588,9 +588,10 @@ Result<PassthroughOptions> passthrough_options(SectionFields fields) {
                             std::move(token), std::move(tls_ca)};
 }
 
-Result<std::shared_ptr<net::TlsTrust>> read_trust(const scene::CfgSection& section, const std::string& file) {
+Result<std::shared_ptr<net::TlsTrust>> read_trust(const config::CfgSection& section,
+                                                  const std::string& file) {
   if (file.empty()) return std::shared_ptr<net::TlsTrust>();
-  const Result<std::string> text = scene::DiskFiles().read(file);
+  const Result<std::string> text = config::DiskFiles().read(file);
   if (!text) return Error{section.at("tls_ca"), text.error().line()};
   Result<std::shared_ptr<net::TlsTrust>> trust = net::TlsTrust::of({file, *text});
   if (!trust) return Error{section.at("tls_ca"), trust.error().line()};
@@ -606,7 +607,7 @@ struct Section {
 };
 
 /// The address as if it were on this server, with its port as the default.
-Result<device::Address> resolved(const Site& site, scene::DeviceAddress address) {
+Result<device::Address> resolved(const Site& site, config::DeviceAddress address) {
   if (!address.host.empty() && !address.port) address.port = kPlayerPort;
   address.host.clear();
   return site.resolve(address);
@@ -616,9 +617,9 @@ bool is_this_machine(const std::string& host) {
   return host == "localhost" || host == "127.0.0.1" || host == "::1";
 }
 
-Result<Section> read_section(const scene::CfgSection& section, const Site& site) {
-  const std::vector<scene::DeviceAddress> provided = section.addresses("provides");
-  const std::vector<scene::DeviceAddress> required = section.addresses("requires");
+Result<Section> read_section(const config::CfgSection& section, const Site& site) {
+  const std::vector<config::DeviceAddress> provided = section.addresses("provides");
+  const std::vector<config::DeviceAddress> required = section.addresses("requires");
   const std::string where = section.at("requires");
   if (required.empty())
     return Error{where,
@@ -664,9 +665,10 @@ constinit const DriverDefinition kPassthroughDriver{
     .properties = kRemoteProperties,
     .read_options = reading<passthrough_options>,
     .make = make_passthrough,
+    .make_remote = make_remote_devices,
 };
 
-Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection& section, Site& site) {
+Result<std::unique_ptr<device::Driver>> make_passthrough(const config::CfgSection& section, Site& site) {
   const Result<Section> read = read_section(section, site);
   if (!read) return read.error();
   const Result<PassthroughOptions> options = passthrough_options(section);

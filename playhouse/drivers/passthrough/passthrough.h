@@ -17,12 +17,13 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/base/packing.h"
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/passthrough/remote_server.h"
 #include "playhouse/drivers/site.h"
-#include "playhouse/scene/cfg.h"
 #include "playhouse/wire/generated/common.h"
 
 namespace playhouse::drivers {
@@ -148,7 +149,7 @@ class Passthrough final : public device::Driver, private RemoteServer::RemoteSer
 
 /// From a configuration section: `requires` lists devices of one other server, `provides`
 /// as many here, in the same order; with `reconnect` 0 they retire when the connection is lost.
-Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection& section, Site& site);
+Result<std::unique_ptr<device::Driver>> make_passthrough(const config::CfgSection& section, Site& site);
 
 extern const DriverDefinition kPassthroughDriver;
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/net/simulated.h"
 #include "playhouse/server/fake_driver.h"
 #include "playhouse/server/server.h"
@@ -81,9 +81,6 @@ class Relay : public ::testing::Test, public Host {
   void release(device::DeviceId device, device::Driver* holder) override { here.release(device, holder); }
   void post(std::function<void()> task) override { network_.post(std::move(task)); }
   net::Network& network() override { return network_; }
-  Result<std::unique_ptr<run::Simulation>> open_world(const std::string&) override {
-    return Error{"", "none"};
-  }
 
   net::SimulatedNetwork network_{13};
   FakeDriver wheels{"wheels"}, laser{"laser"};

@@ -91,7 +91,7 @@ namespace {
 /// A section of the file, as plug-ins read it.
 class FileSection final : public PluginSection {
  public:
-  explicit FileSection(const scene::CfgSection& section) : section_(section) {}
+  explicit FileSection(const config::CfgSection& section) : section_(section) {}
   bool has(std::string_view key) const override { return section_.has(key); }
   std::size_t count(std::string_view key) const override { return section_.count(key); }
   double number(std::string_view key, double otherwise, std::size_t element) const override {
@@ -115,15 +115,15 @@ class FileSection final : public PluginSection {
   }
 
  private:
-  const scene::CfgSection& section_;
+  const config::CfgSection& section_;
 };
 
 /// Devices of a field, with their addresses. Fails with "file:line".
-Result<std::vector<std::pair<PluginDevice, device::Address>>> devices_of(const scene::CfgSection& section,
+Result<std::vector<std::pair<PluginDevice, device::Address>>> devices_of(const config::CfgSection& section,
                                                                          const Site& site,
                                                                          std::string_view key) {
   std::vector<std::pair<PluginDevice, device::Address>> devices;
-  for (const scene::DeviceAddress& named : section.addresses(key)) {
+  for (const config::DeviceAddress& named : section.addresses(key)) {
     const Result<device::Address> address = site.resolve(named);
     if (!address) return Error{section.at(key), address.error().text};
     devices.push_back({{named.key, named.interf, address->interf, address->index, address->robot}, *address});
@@ -178,7 +178,7 @@ std::vector<std::byte> copy_of(std::span<const std::byte> body) {
 
 }  // namespace
 
-PluginShell::PluginShell(const scene::CfgSection& section, Site& site, std::shared_ptr<void> library,
+PluginShell::PluginShell(const config::CfgSection& section, Site& site, std::shared_ptr<void> library,
                          std::unique_ptr<Plugin> plugin)
     : name_(section.name()),
       where_(section.at()),
@@ -203,7 +203,7 @@ PluginShell::~PluginShell() {
   door_->shut();
 }
 
-Result<void> PluginShell::begin(const scene::CfgSection& section) {
+Result<void> PluginShell::begin(const config::CfgSection& section) {
   const auto provides = devices_of(section, site_, "provides");
   if (!provides) return provides.error();
   const auto uses = devices_of(section, site_, "requires");
@@ -229,7 +229,7 @@ Result<void> PluginShell::begin(const scene::CfgSection& section) {
   return {};
 }
 
-Result<void> PluginShell::configure(const scene::CfgSection& section,
+Result<void> PluginShell::configure(const config::CfgSection& section,
                                     const std::vector<PluginDevice>& provides,
                                     const std::vector<PluginDevice>& uses) {
   plugin_->join(*door_, provides, uses);
@@ -382,7 +382,7 @@ struct MadePlugin {
   std::unique_ptr<Plugin> plugin;
 };
 
-Result<MadePlugin> make_in_this_process(const scene::CfgSection& section,
+Result<MadePlugin> make_in_this_process(const config::CfgSection& section,
                                         const libraries::WantedLibrary& wanted,
                                         const libraries::Libraries& libraries,
                                         std::vector<std::string>& warnings) {
@@ -398,7 +398,7 @@ Result<MadePlugin> make_in_this_process(const scene::CfgSection& section,
 }
 
 /// The library is loaded there: its code may crash whenever it runs.
-Result<MadePlugin> make_isolated(const scene::CfgSection& section, Site& site,
+Result<MadePlugin> make_isolated(const config::CfgSection& section, Site& site,
                                  const libraries::WantedLibrary& wanted,
                                  const libraries::Libraries& libraries, std::vector<std::string>& warnings) {
   const Result<std::filesystem::path> file = libraries::locate(wanted, libraries, warnings);
@@ -410,7 +410,7 @@ Result<MadePlugin> make_isolated(const scene::CfgSection& section, Site& site,
       IsolatedPlugin::start({.program = program,
                              .library = std::filesystem::absolute(*file),
                              .name = section.name(),
-                             .has_world = [&site] { return site.simulation() != nullptr; }});
+                             .has_world = [&site] { return site.world() != nullptr; }});
   if (!plugin)
     return Error{section.at("isolated"),
                  fmt::format("driver {}: {}", in_quotes(section.name()), plugin.error().line())};
@@ -419,7 +419,7 @@ Result<MadePlugin> make_isolated(const scene::CfgSection& section, Site& site,
 
 }  // namespace
 
-Result<std::unique_ptr<device::Driver>> make_plugin(const scene::CfgSection& section, Site& site) {
+Result<std::unique_ptr<device::Driver>> make_plugin(const config::CfgSection& section, Site& site) {
   std::vector<std::string> warnings;
   libraries::Libraries libraries = site.surroundings().libraries();
   const std::string beside = std::filesystem::path(section.filename("plugin", "")).parent_path().string();

@@ -15,13 +15,13 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/client.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/isolated/isolated_plugin.h"
 #include "playhouse/drivers/plugin/plugin.h"
 #include "playhouse/drivers/plugin/plugin_thread.h"
 #include "playhouse/drivers/site.h"
-#include "playhouse/scene/cfg.h"
 
 namespace playhouse::drivers {
 
@@ -32,12 +32,12 @@ class PluginShell final : public device::Driver {
  public:
   /// `library` keeps the code of `plugin` loaded. No plug-in where no code is to be loaded: its devices are there
   /// and cannot be opened.
-  PluginShell(const scene::CfgSection& section, Site& site, std::shared_ptr<void> library,
+  PluginShell(const config::CfgSection& section, Site& site, std::shared_ptr<void> library,
               std::unique_ptr<Plugin> plugin);
   ~PluginShell() override;
 
   /// Configures the plug-in and registers its devices. Fails with "file:line".
-  Result<void> begin(const scene::CfgSection& section);
+  Result<void> begin(const config::CfgSection& section);
 
   // device::Driver
 
@@ -63,7 +63,7 @@ class PluginShell final : public device::Driver {
     const Take& take;
     std::atomic<bool> is_posted = false;  // a hook for it waits
   };
-  Result<void> configure(const scene::CfgSection& section, const std::vector<PluginDevice>& provides,
+  Result<void> configure(const config::CfgSection& section, const std::vector<PluginDevice>& provides,
                          const std::vector<PluginDevice>& uses);
   std::size_t number_of(device::DeviceId device) const;
   bool post_close();
@@ -93,6 +93,6 @@ class PluginShell final : public device::Driver {
 };
 
 /// The driver of a section whose field `plugin` names a library.
-Result<std::unique_ptr<device::Driver>> make_plugin(const scene::CfgSection& section, Site& site);
+Result<std::unique_ptr<device::Driver>> make_plugin(const config::CfgSection& section, Site& site);
 
 }  // namespace playhouse::drivers

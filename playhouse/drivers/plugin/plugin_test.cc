@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/aio.h"
 #include "playhouse/wire/generated/opaque.h"

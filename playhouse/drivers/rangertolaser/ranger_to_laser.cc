@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "playhouse/drivers/decoded.h"
-#include "playhouse/drivers/interfaces/ranging/scan_settings.h"
+#include "playhouse/drivers/scan_settings.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/laser.h"
@@ -90,8 +90,8 @@ RangerToLaser::RangerToLaser(Shell& shell)
   });
 }
 
-Result<void> RangerToLaser::fits(const world::World& world, world::ModelRow ranger) const {
-  const std::size_t sensors = ranger ? world.desc(ranger).sensors.size() : 1;
+Result<void> RangerToLaser::fits(const SiteWorld& world, device::Address ranger) const {
+  const std::size_t sensors = world.sensors_of(ranger);
   if (sensors == 1) return {};
   return Error{{}, fmt::format("has {} sensors, and a laser shows the scan of one", sensors)};
 }
@@ -170,7 +170,7 @@ constinit const DriverDefinition kRangerToLaserDriver{
     .make = make_ranger_to_laser,
 };
 
-Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSection& section, Site& site) {
+Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const config::CfgSection& section, Site& site) {
   return make_algorithm<RangerToLaser>(section, site, {.provides = {{"laser"}}, .uses = {{"ranger"}}});
 }
 

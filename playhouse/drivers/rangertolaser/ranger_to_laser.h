@@ -12,16 +12,16 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/algorithm/shell.h"
 #include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/site.h"
-#include "playhouse/scene/cfg.h"
 #include "playhouse/wire/generated/ranger.h"
 
 namespace playhouse::drivers {
 
-Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSection& section, Site& site);
+Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const config::CfgSection& section, Site& site);
 
 extern const DriverDefinition kRangerToLaserDriver;
 
@@ -31,7 +31,7 @@ class RangerToLaser final : public Algorithm {
   explicit RangerToLaser(Shell& shell);
 
   /// A laser exposes one sensor. Rangers outside the simulated world are not checked.
-  Result<void> fits(const world::World& world, world::ModelRow ranger) const override;
+  Result<void> fits(const SiteWorld& world, device::Address ranger) const override;
   void opened() override;
   void closed() override;
   void take_news(std::vector<device::Publication>& more) override;

@@ -28,9 +28,9 @@ constinit const DriverDefinition kRelayDriver{
     .make = make_relay,
 };
 
-Result<std::unique_ptr<device::Driver>> make_relay(const scene::CfgSection& section, Site& site) {
+Result<std::unique_ptr<device::Driver>> make_relay(const config::CfgSection& section, Site& site) {
   auto driver = std::make_unique<Relay>(site);
-  for (const scene::DeviceAddress& provided : section.addresses("provides")) {
+  for (const config::DeviceAddress& provided : section.addresses("provides")) {
     const Result<device::Address> address = site.resolve(provided);
     if (!address) return Error{section.at("provides"), address.error().text};
     if (address->interf != wire::opaque::kCode)

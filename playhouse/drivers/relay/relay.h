@@ -8,14 +8,14 @@
 #include <string_view>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/definition.h"
 #include "playhouse/drivers/site.h"
-#include "playhouse/scene/cfg.h"
 
 namespace playhouse::drivers {
 
-Result<std::unique_ptr<device::Driver>> make_relay(const scene::CfgSection& section, Site& site);
+Result<std::unique_ptr<device::Driver>> make_relay(const config::CfgSection& section, Site& site);
 
 extern const DriverDefinition kRelayDriver;
 

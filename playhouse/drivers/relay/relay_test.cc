@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/opaque.h"
 #include "playhouse/wire/header.h"

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/drivers/testing/refusal_of.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -29,7 +30,7 @@ class GoalTest : public ::testing::Test {
     std::ranges::fill(world().sensors.ranges, 8.0f);
     EXPECT_TRUE(site.hold(site.id(kGoalDriver)));
   }
-  world::World& world() { return site.site().simulation()->engine().world(); }
+  world::World& world() { return simulation_of(site.site())->engine().world(); }
   device::Driver& driver() { return site.driver(kGoalDriver); }
   device::Taken say(std::uint8_t subtype, const std::vector<std::byte>& body) {
     return driver().command({site.id(kGoalDriver), kCmd, subtype, body});

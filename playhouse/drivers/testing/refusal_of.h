@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/common.h"
 

@@ -59,7 +59,7 @@ void Vfh::take_scans() {
   });
 }
 
-Result<std::unique_ptr<device::Driver>> make_vfh(const scene::CfgSection& section, Site& site) {
+Result<std::unique_ptr<device::Driver>> make_vfh(const config::CfgSection& section, Site& site) {
   const ScanInterface scans = named_scans(section).front();
   WantedDevices wanted{.provides = {{"position2d"}}, .uses = {{"position2d"}, wanted_scan(scans)}};
   if (names_device(section, "provides", "planner")) wanted.provides.push_back({"planner"});

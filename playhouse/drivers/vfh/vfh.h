@@ -8,16 +8,16 @@
 #include <optional>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/algorithm/goal_algorithm.h"
 #include "playhouse/drivers/algorithm/scan_reader.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/drivers/vfh/vfh_step.h"
-#include "playhouse/scene/cfg.h"
 
 namespace playhouse::drivers {
 
-Result<std::unique_ptr<device::Driver>> make_vfh(const scene::CfgSection& section, Site& site);
+Result<std::unique_ptr<device::Driver>> make_vfh(const config::CfgSection& section, Site& site);
 
 /// Uses the robot and the device of its scans, in this order.
 class Vfh final : public GoalAlgorithm {

@@ -2,6 +2,7 @@
 // when.
 
 #include "playhouse/drivers/vfh/vfh.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -55,7 +56,7 @@ class VfhTest : public testing::GoalTest {
 };
 
 TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_them) {
-  run::Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *simulation_of(site.site());
   const device::DeviceId vfh = site.id(kGoalDriver);
   device::Driver& driver = site.driver(kGoalDriver);
   go_to(0, 3);
@@ -65,8 +66,8 @@ TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_t
   site.run(0);  // what was said on the io thread
   EXPECT_EQ(site.retired.size(), 4u);
   EXPECT_EQ(site.site().device_count(), 1u) << "the simulation";
-  EXPECT_EQ(site.site().model_devices()->directory().size(), 0u);
-  EXPECT_EQ(site.site().model_devices()->sources().size(), 0u);
+  EXPECT_EQ(model_devices_of(site.site())->directory().size(), 0u);
+  EXPECT_EQ(model_devices_of(site.site())->sources().size(), 0u);
   EXPECT_EQ(site.hold(vfh).error().text, "the device has retired");
   const std::vector<std::byte> goal = wire::encode(p2d::CmdPos{{0, 3, 0}, {}, 1});
   EXPECT_EQ(driver.command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kNo);
@@ -203,7 +204,7 @@ driver( name "stage" provides ["position2d:0"] model "r0" ))"),
 TEST(VfhApart, stops_its_robot_when_its_laser_goes) {
   MemorySite site(kApart);
   ASSERT_EQ(site.build(kApartFile), "");
-  run::Simulation& simulation = *site.site().simulation();
+  run::Simulation& simulation = *simulation_of(site.site());
   const world::World& world = simulation.world();
   const device::DeviceId vfh = site.id(kGoalDriver), laser = site.id({6665, 6, 0});
   ASSERT_TRUE(site.hold(vfh));

@@ -6,8 +6,8 @@
 #include "playhouse/drivers/algorithm/planner_device.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/map_reader.h"
-#include "playhouse/drivers/interfaces/shapes.h"
 #include "playhouse/drivers/refusal.h"
+#include "playhouse/drivers/shapes.h"
 #include "playhouse/drivers/wavefront/wavefront_options.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -28,7 +28,7 @@ std::optional<geom::Pose> pose_in(const device::Publication& message) {
 }
 
 /// The interface of the device whose scans are used; none: there is none.
-std::optional<ScanInterface> scans_of(const scene::CfgSection& section) {
+std::optional<ScanInterface> scans_of(const config::CfgSection& section) {
   for (const ScanInterface each : kScanInterfaces)
     if (names_device(section, "requires", name_of(each))) return each;
   return std::nullopt;
@@ -305,7 +305,7 @@ planner::WaypointsReq Wavefront::waypoints() {
   return answer;
 }
 
-Result<std::unique_ptr<device::Driver>> make_wavefront(const scene::CfgSection& section, Site& site) {
+Result<std::unique_ptr<device::Driver>> make_wavefront(const config::CfgSection& section, Site& site) {
   WantedDevices wanted{.provides = {{"planner"}},
                        .uses = {{"position2d", "output"}, {"position2d", "input"}, {"map"}}};
   const std::optional<ScanInterface> scans = scans_of(section);

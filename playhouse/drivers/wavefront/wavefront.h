@@ -14,18 +14,18 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/algorithm/recent_poses.h"
 #include "playhouse/drivers/algorithm/scan_reader.h"
 #include "playhouse/drivers/algorithm/shell.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/drivers/wavefront/follow_path.h"
-#include "playhouse/scene/cfg.h"
 #include "playhouse/wire/generated/planner.h"
 
 namespace playhouse::drivers {
 
-Result<std::unique_ptr<device::Driver>> make_wavefront(const scene::CfgSection& section, Site& site);
+Result<std::unique_ptr<device::Driver>> make_wavefront(const config::CfgSection& section, Site& site);
 
 /// Uses output, input, map and the device of its scans, if it has one, in this order.
 class Wavefront final : public Algorithm {

@@ -2,6 +2,7 @@
 // when.
 
 #include "playhouse/drivers/wavefront/wavefront.h"
+#include "playhouse/bridge/simulated/simulated_world.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,10 +12,10 @@
 #include <limits>
 
 #include "playhouse/base/testing_folder.h"
+#include "playhouse/bridge/testing/memory_site.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/grid_map/grid_map.h"
-#include "playhouse/drivers/interfaces/shapes.h"
-#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/drivers/shapes.h"
 #include "playhouse/drivers/testing/refusal_of.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -106,7 +107,7 @@ class Planned {
     EXPECT_TRUE(site.hold(site.id(kPlanner)));
   }
 
-  world::World& world() { return site.site().simulation()->engine().world(); }
+  world::World& world() { return simulation_of(site.site())->engine().world(); }
   device::Driver& driver() { return site.driver(kPlanner); }
   /// Where the input says that it is; the output, too, if it is the same.
   void robot_at(const Pose& X_WR) { world().positions.X_OM[{0}] = X_WR; }
@@ -693,13 +694,13 @@ TEST(Wavefront, supports_these_messages) {
   EXPECT_FALSE(test.driver().capable(id, kCmd, 3));
   test.driver().request({id, kReq, 3, {}}, device::Replier(test.site.recorder, 5));
   EXPECT_FALSE(test.site.recorder.answers.at(5).ack);
-  EXPECT_EQ(test.site.site().model_devices()->directory().model_of(kPlanner),
-            test.site.site().model_devices()->directory().model_of(kRobot));
+  EXPECT_EQ(model_devices_of(test.site.site())->directory().model_of(kPlanner),
+            model_devices_of(test.site.site())->directory().model_of(kRobot));
 }
 
 TEST(Wavefront, goes_with_its_robot_amid_a_drive) {
   Planned test;
-  run::Simulation& simulation = *test.site.site().simulation();
+  run::Simulation& simulation = *simulation_of(test.site.site());
   const device::DeviceId id = test.site.id(kPlanner);
   device::Driver& driver = test.driver();
   test.go_to(kGoal);
@@ -856,7 +857,7 @@ TEST(WavefrontSection, plans_on_the_image_of_a_mapfile) {
   ASSERT_EQ(site.build(chain("") + "driver( name \"mapfile\" provides [\"map:0\"] filename \"" +
                        (folder / "rooms.pgm") + "\" resolution 0.125 origin [0 0] )"),
             "");
-  site.site().simulation()->engine().world().positions.X_OM[{0}] = kStart;
+  simulation_of(site.site())->engine().world().positions.X_OM[{0}] = kStart;
   ASSERT_TRUE(site.hold(site.id(kPlanner)));
   device::Driver& driver = site.driver(kPlanner);
   driver.command({site.id(kPlanner), kCmd, planner::kCmdGoal, wire::encode(planner::Cmd{pose2d(kGoal)})});

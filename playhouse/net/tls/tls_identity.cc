@@ -2,15 +2,14 @@
 
 #include <openssl/ssl.h>
 
+#include <cstddef>
 #include <utility>
 
+#include "playhouse/net/asio.h"
 #include "playhouse/net/tls/asio_tls.h"
 
 namespace playhouse::net {
 namespace {
-
-namespace asio = boost::asio;
-using boost::system::error_code;
 
 constexpr const char* kValidCertificate = "PEM, beginning with the certificate of the server, is valid";
 constexpr const char* kValidKey = "that of the certificate, PEM, without a passphrase, is valid";

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "playhouse/net/asio.h"
 #include "playhouse/net/tls/asio_tls.h"
 
 namespace playhouse::net {
@@ -14,11 +15,11 @@ TlsTrust::~TlsTrust() = default;
 
 Result<std::shared_ptr<TlsTrust>> TlsTrust::of(const Pem& certificates) {
   auto openssl = std::make_unique<OpenSslTrust>();
-  boost::asio::ssl::context& context = openssl->context;
-  boost::system::error_code error;
+  asio::ssl::context& context = openssl->context;
+  error_code error;
   SSL_CTX_set_min_proto_version(context.native_handle(), TLS1_2_VERSION);
-  context.set_verify_mode(boost::asio::ssl::verify_peer, error);
-  if (context.add_certificate_authority(boost::asio::buffer(certificates.text), error))
+  context.set_verify_mode(asio::ssl::verify_peer, error);
+  if (context.add_certificate_authority(asio::buffer(certificates.text), error))
     return Error{certificates.file, "invalid certificate (" + error.message() + "): PEM is valid"};
   return std::make_shared<TlsTrust>(std::move(openssl));
 }

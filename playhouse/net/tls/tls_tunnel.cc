@@ -7,23 +7,22 @@
 #include <boost/asio/ssl/error.hpp>
 #include <boost/asio/ssl/host_name_verification.hpp>
 #include <boost/asio/ssl/stream.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
 #include <chrono>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "playhouse/net/asio.h"
 #include "playhouse/net/asio_accept.h"
 #include "playhouse/net/tls/asio_tls.h"
+#include "playhouse/net/tls/decrypt.h"
 
 namespace playhouse::net {
 namespace {
 
-namespace asio = boost::asio;
 namespace ssl = asio::ssl;
 using asio::ip::tcp;
-using boost::system::error_code;
 
 constexpr std::size_t kRecordBytes = 16384;     // as many as fit into a record of TLS
 constexpr std::chrono::seconds kLingerTime{2};  // from our last byte to the peer's

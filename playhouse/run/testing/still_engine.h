@@ -18,7 +18,7 @@
 namespace playhouse::run::testing {
 
 inline scene::SceneDesc scene_of(const std::string& text) {
-  scene::MemoryFiles none({});
+  config::MemoryFiles none({});
   Result<scene::SceneDesc> scene = scene::load_world_text(text, "test.world", none);
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().line());
   return scene ? std::move(*scene) : scene::SceneDesc{};

@@ -29,20 +29,20 @@ double within_reach(const ActuatorDesc& desc, double position) {
 }
 
 void check_actuator(const Properties& properties, ActuatorDesc& desc) {
-  Warnings& warnings = properties.state().warnings;
+  config::Warnings& warnings = properties.state().warnings;
   const bool tilted = desc.axis_x != 0 || desc.axis_y != 0;
   if (desc.type == ActuatorType::kRotational && tilted)
-    warnings.add(Warning::kValue, properties.where("axis"),
+    warnings.add(config::Warning::kValue, properties.where("axis"),
                  "nothing turns about another axis than z; [0 0 " +
                      std::string(desc.axis_z < 0 ? "-1" : "1") + "] is meant");
   if (desc.max_position < desc.min_position) {
-    warnings.add(Warning::kValue, properties.where("max_position"),
+    warnings.add(config::Warning::kValue, properties.where("max_position"),
                  "\"max_position\" is below \"min_position\"; it does not move");
     desc.max_position = desc.min_position;
   }
   const double start = within_reach(desc, desc.start_position);
   if (start != desc.start_position && properties.has("start_position"))
-    warnings.add(Warning::kValue, properties.where("start_position"),
+    warnings.add(config::Warning::kValue, properties.where("start_position"),
                  "\"start_position\" is beyond its ends; " +
                      std::string(start == desc.max_position ? "\"max_position\"" : "\"min_position\"") +
                      " is meant");

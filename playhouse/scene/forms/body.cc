@@ -87,13 +87,13 @@ Prism read_block(const Properties& properties) {
     prism.points.push_back({v[0], v[1]});
   }
   if (!first_missing.empty()) {
-    state.warnings.add(Warning::kShape, prism.where,
+    state.warnings.add(config::Warning::kShape, prism.where,
                        "the block has " + std::to_string(count) + " points, but " + in_quotes(first_missing) +
                            " is missing; what is missing is [0 0]");
   }
   warn_of_uncounted(properties, "point", "points", static_cast<std::uint32_t>(std::max(0, count)));
   if (properties.has("point"))
-    state.warnings.add(Warning::kNoEffect, properties.where("point"),
+    state.warnings.add(config::Warning::kNoEffect, properties.where("point"),
                        "\"point\" has no effect without a number: point[0], point[1] ...");
   double z[2] = {};
   properties.tuple("z", "LL", z, "[min max]");
@@ -102,7 +102,7 @@ Prism read_block(const Properties& properties) {
     prism.z = Interval{z[0], z[1]};
   } else if (!state.error) {
     state.warnings.add(
-        Warning::kShape, prism.where,
+        config::Warning::kShape, prism.where,
         std::string(properties.has("z") ? "the block has no height" : "the block has no \"z\"") +
             "; it is as high as the model");
   }
@@ -117,7 +117,7 @@ void fit_shape(const UnscaledBody& shape, const geom::Size& size, LoadState& sta
     Block block{stretch(prism.points), z.min, z.max};
     if (stretch.flat() || block.points.size() == 2) {
       block.points = thin_wall(block.points);
-      state.warnings.add(Warning::kShape, prism.where,
+      state.warnings.add(config::Warning::kShape, prism.where,
                          block.points.empty() ? "all points of the block are one point, so it has no body"
                                               : "the block is a line; it is a wall 0.01 m thick");
       if (block.points.empty()) continue;
@@ -139,7 +139,7 @@ std::optional<geom::Size> body_size(const geom::Size& size) {
 
 void check_body_size(const geom::Size& size, const Properties& properties) {
   const auto warn = [&](std::string_view what) {
-    properties.state().warnings.add(Warning::kShape, properties.where("size"),
+    properties.state().warnings.add(config::Warning::kShape, properties.where("size"),
                                     "\"size\" has no extent in " + std::string(what));
   };
   if (size.x == 0 && size.y == 0) return warn("x and y, so the model has no body");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "playhouse/scene/properties.h"
+#include "playhouse/scene/scene_desc.h"
 
 namespace playhouse::scene {
 

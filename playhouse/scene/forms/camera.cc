@@ -30,7 +30,7 @@ void check_camera(const Properties& properties, const CameraDesc& camera) {
   const bool is_seen = camera.image == ImageKind::kColor || camera.image == ImageKind::kGray;
   if (is_seen || camera.compression != ImageCompression::kJpeg) return;
   const std::string what = camera.image == ImageKind::kDepth ? "distances" : "models";
-  properties.state().warnings.add(Warning::kValue, properties.where("compression"),
+  properties.state().warnings.add(config::Warning::kValue, properties.where("compression"),
                                   "images of " + what + " are sent raw; \"compression\" has no effect");
 }
 

@@ -73,7 +73,7 @@ const MeshBodies::LoadedMesh* MeshBodies::find(const std::string& path) const {
 }
 
 const MeshBodies::LoadedMesh& MeshBodies::read(const std::string& path, const std::string& bytes,
-                                               FileReader& files) {
+                                               config::FileReader& files) {
   LoadedMesh& entry = entries_[path];
   entry.path = path;
   Result<mesh::MeshFile> file = mesh::read_mesh(path, [&](const std::string& wanted) {

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/config/text/source_text.h"
 #include "playhouse/mesh/read_mesh.h"
 #include "playhouse/scene/scene_desc.h"
-#include "playhouse/scene/text/source_text.h"
 
 namespace playhouse::scene {
 
@@ -40,7 +40,7 @@ class MeshBodies {
   /// A cached entry, readable or not; null if there is none.
   const LoadedMesh* find(const std::string& path) const;
   /// Parses the mesh in these bytes, read from `path`, not cached yet; references are read from `files`.
-  const LoadedMesh& read(const std::string& path, const std::string& bytes, FileReader& files);
+  const LoadedMesh& read(const std::string& path, const std::string& bytes, config::FileReader& files);
   /// A readable mesh, placed and, if it is fitted, scaled to a size; null: at its own size.
   const MeshBody& body(const LoadedMesh& entry, const geom::Size* size, const mesh::Placement& at) const;
 

@@ -21,7 +21,7 @@ struct Loaded {
 
 Loaded load(const std::string& text, std::map<std::string, std::string> more = {}) {
   more.try_emplace("w/box.dae", mesh::test_collada());
-  MemoryFiles files(std::move(more));
+  config::MemoryFiles files(std::move(more));
   std::vector<Error> others;
   Result<SceneDesc> scene = load_world_text(text, "w/a.world", files, {}, &others);
   return {std::move(scene), std::move(others)};

@@ -19,7 +19,7 @@ constexpr double kSmall = 1e-3, kLarge = 100;  // m; extents of no mesh for robo
 /// One number for all axes, or three.
 geom::Vec3 read_scale(const Properties& properties) {
   double scale[3] = {1, 1, 1};
-  const Field* const field = properties.fields().find(kScale);
+  const config::Field* const field = properties.fields().find(kScale);
   if (field && field->values.size() == 1) {
     std::ranges::fill(scale, properties.number(kScale, 1));
   } else {
@@ -42,7 +42,7 @@ mesh::Placement read_placement(const Properties& properties) {
                            properties.flag(kFit, true)};
   if (at.is_fitted && at.p != geom::Vec3())
     properties.state().warnings.add(
-        Warning::kNoEffect, properties.where(kPose),
+        config::Warning::kNoEffect, properties.where(kPose),
         "the place in \"mesh_pose\" has no effect on a fitted mesh, which is in the middle of its body: "
         "mesh_fit 0 keeps it");
   return at;
@@ -60,7 +60,7 @@ void warn_without_mesh(const Properties& properties) {
   if (read_placement(properties) == mesh::Placement()) return;
   for (const std::string_view key : {kPose, kScale, kFit})
     if (properties.has(key))
-      properties.state().warnings.add(Warning::kNoEffect, properties.where(key),
+      properties.state().warnings.add(config::Warning::kNoEffect, properties.where(key),
                                       in_quotes(key) + " has no effect without \"mesh\"");
 }
 
@@ -68,7 +68,7 @@ void warn_of_extent(const Properties& properties, const std::string& path, const
   const double most = std::max({extent.x, extent.y, extent.z});
   if (properties.has(kScale) || (most >= kSmall && most <= kLarge)) return;
   properties.state().warnings.add(
-      Warning::kShape, properties.where("mesh"),
+      config::Warning::kShape, properties.where("mesh"),
       fmt::format("mesh {} is {:.4g} x {:.4g} x {:.4g} m large: mesh_scale says in which unit it is (0.001: "
                   "millimetres)",
                   in_quotes(path), extent.x, extent.y, extent.z));

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/config/text/file_search.h"
 #include "playhouse/scene/budget.h"
 #include "playhouse/scene/forms/mesh_bodies.h"
 #include "playhouse/scene/images/bitmap.h"
-#include "playhouse/scene/text/file_search.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::scene {
@@ -24,7 +24,7 @@ class ShapeFiles {
   using TracedBitmap = std::map<std::string, Loops>::value_type;
 
   /// References must outlive this.
-  ShapeFiles(LoadState& state, FileReader& files, const WorldLimits& limits)
+  ShapeFiles(LoadState& state, config::FileReader& files, const WorldLimits& limits)
       : state_(state),
         files_(files),
         limits_(limits),
@@ -37,28 +37,28 @@ class ShapeFiles {
   /// The bitmap of a model of this size; null if it has none, or the load is aborted.
   const TracedBitmap* bitmap(const Properties& properties, const geom::Size& size);
   /// A mesh with its path; null, with an error, if it cannot be found.
-  const MeshBodies::LoadedMesh* mesh(const std::string& name, SourceLine where,
+  const MeshBodies::LoadedMesh* mesh(const std::string& name, config::SourceLine where,
                                      const std::string& word = "mesh");
   /// A readable mesh as a body (MeshBodies::body()); null, with an error, if its placement is not possible.
   const MeshBodies::MeshBody* mesh_body(const MeshBodies::LoadedMesh& entry, const geom::Size* size,
-                                        const mesh::Placement& at, SourceLine where);
+                                        const mesh::Placement& at, config::SourceLine where);
 
  private:
   /// Warns if the file is not where the original would look.
-  Result<FoundFile> look_for(std::string_view what, const std::string& name, SourceLine where,
-                             const std::function<bool(const std::string&)>& is_known,
-                             const std::function<bool(std::string_view)>& fits);
+  Result<config::FoundFile> look_for(std::string_view what, const std::string& name, config::SourceLine where,
+                                     const std::function<bool(const std::string&)>& is_known,
+                                     const std::function<bool(std::string_view)>& fits);
   /// The folders to search for a file named at `where`.
-  std::vector<std::string> folders(SourceLine where) const;
+  std::vector<std::string> folders(config::SourceLine where) const;
   const TracedBitmap* trace(const std::string& path, std::string_view bytes, const geom::Size& size,
-                            SourceLine where);
+                            config::SourceLine where);
   void warn_of_margin(const std::string& path, const Bitmap& bitmap, const Loops& loops,
-                      const geom::Size& size, SourceLine where);
+                      const geom::Size& size, config::SourceLine where);
   /// `path` was tried last; the error names `why.where`.
-  const TracedBitmap* fail_bitmap(const std::string& path, SourceLine where, const Error& why);
+  const TracedBitmap* fail_bitmap(const std::string& path, config::SourceLine where, const Error& why);
 
   LoadState& state_;
-  FileReader& files_;
+  config::FileReader& files_;
   const WorldLimits& limits_;
   std::map<std::string, Loops> bitmaps_;
   MeshBodies meshes_;

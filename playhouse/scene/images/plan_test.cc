@@ -30,7 +30,7 @@ constexpr const char* kRoom =
 
 /// The box about all corners of the walls of a world, in the world.
 geom::Box walls_of(const std::string& world, const char* image = kRoom) {
-  MemoryFiles files({{"room.pbm", std::string(image)}});
+  config::MemoryFiles files({{"room.pbm", std::string(image)}});
   const auto scene = load_world_text(world, "w.world", files);
   EXPECT_TRUE(scene) << scene.error().line();
   geom::Box all;
@@ -65,7 +65,7 @@ TEST(Plan, has_pixels_that_a_world_file_can_tell) {
 TEST(Plan, puts_the_robot_where_it_has_room) {
   const auto plan = plan_of_image(kRoom, "room", 0.5);
   const auto world = world_of_plan(*plan, "room.pbm", 1);
-  MemoryFiles files({{"room.pbm", std::string(kRoom)}});
+  config::MemoryFiles files({{"room.pbm", std::string(kRoom)}});
   const auto scene = load_world_text(*world, "w.world", files);
   ASSERT_TRUE(scene);
   const ModelDesc& robot = scene->models.at(1);
@@ -119,7 +119,7 @@ TEST(Plan, puts_the_robot_into_the_largest_free_space_that_is_connected) {
     const auto plan = plan_of_image(image, "room", 0.5);
     ASSERT_TRUE(plan);
     const auto world = world_of_plan(*plan, "room.pbm", 1);
-    MemoryFiles files({{"room.pbm", image}});
+    config::MemoryFiles files({{"room.pbm", image}});
     const auto scene = load_world_text(*world, "w.world", files);
     ASSERT_TRUE(scene);
     const geom::Pose& X = scene->models.at(1).X_PM;
@@ -132,7 +132,7 @@ TEST(Plan, puts_the_robot_into_the_largest_free_space_that_is_connected) {
 }
 
 std::vector<std::string> warnings_of(const std::string& size) {
-  MemoryFiles files({{"room.pbm", std::string(kRoom)}});
+  config::MemoryFiles files({{"room.pbm", std::string(kRoom)}});
   const auto scene = load_world_text("model( bitmap \"room.pbm\" size [" + size + " 1] )", "w.world", files);
   EXPECT_TRUE(scene);
   return scene->warnings;

@@ -22,7 +22,7 @@ void expect_world_or_text(const std::string& text) {
   PLAYHOUSE_ASSERT(again.ok() && again->resolution == map->resolution && again->origin == map->origin);
   const Result<std::string> world = world_of_plan(*plan, "plan.pgm", 1);
   if (!world) return PLAYHOUSE_ASSERT(!world.error().text.empty());
-  MemoryFiles files({{"plan.pgm", pgm_of(plan->solid)}});
+  config::MemoryFiles files({{"plan.pgm", pgm_of(plan->solid)}});
   // Numbers may be beyond what a world can hold, but its words are right.
   const Result<SceneDesc> scene = load_world_text(*world, "plan.world", files);
   PLAYHOUSE_ASSERT(scene.ok() || !scene.error().text.empty());

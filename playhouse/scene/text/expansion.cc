@@ -13,7 +13,7 @@ bool Expansion::has_room(const Counts& more) const {
   return sum.models <= limits_.models && sum.sensors <= limits_.sensors && sum.fields <= limits_.fields;
 }
 
-Result<void> Expansion::check_cycle(const Section& section) const {
+Result<void> Expansion::check_cycle(const config::Section& section) const {
   auto each = std::ranges::find(around_, &section);
   if (each == around_.end()) return {};
   std::string others;
@@ -22,13 +22,13 @@ Result<void> Expansion::check_cycle(const Section& section) const {
   return document_.error(section.where, "macro " + in_quotes(section.name) + " holds itself" + others);
 }
 
-Result<void> Expansion::add(const Section& section, SourceLine top, int depth) {
-  const Result<ExpandedSection> instance = macros_.instance(section);
+Result<void> Expansion::add(const config::Section& section, config::SourceLine top, int depth) {
+  const Result<config::ExpandedSection> instance = macros_.instance(section);
   if (!instance) return instance.error();
   const auto too_many = [&](std::size_t limit, const char* what) {
     return document_.error(top, "the world holds more than " + std::to_string(limit) + " " + what);
   };
-  for (const Section* part : instance->parts) counts_.fields += 1 + part->fields.size();
+  for (const config::Section* part : instance->parts) counts_.fields += 1 + part->fields.size();
   if (counts_.fields > limits_.fields)
     return too_many(limits_.fields, "properties, those of its macros included");
   if (const Kind* kind = find_entity(instance->type); kind && kind->entity != EntityForm::kModel) {
@@ -42,8 +42,8 @@ Result<void> Expansion::add(const Section& section, SourceLine top, int depth) {
   }
   if (const Result<void> finite = check_cycle(section); !finite) return finite;
   around_.push_back(&section);
-  for (const Section* part : instance->parts) {
-    for (const Section& inner : part->sections) {
+  for (const config::Section* part : instance->parts) {
+    for (const config::Section& inner : part->sections) {
       if (const Result<void> added = add(inner, top, depth + 1); !added) return added;
     }
   }

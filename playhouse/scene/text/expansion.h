@@ -5,19 +5,19 @@
 
 #include <vector>
 
-#include "playhouse/scene/text/expand.h"
+#include "playhouse/config/text/expand.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::scene {
 
 class Expansion {
  public:
-  Expansion(const Document& document, const Macros& macros, const WorldLimits& limits)
+  Expansion(const config::Document& document, const config::Macros& macros, const WorldLimits& limits)
       : document_(document), macros_(macros), limits_(limits) {}
 
   /// Adds a top-level section with its contents. Fails as soon as a limit
   /// is exceeded, or on models nested deeper than limits::kEntityDepth.
-  Result<void> add(const Section& section) { return add(section, section.where, 1); }
+  Result<void> add(const config::Section& section) { return add(section, section.where, 1); }
 
   struct Counts {
     std::size_t models = 0, sensors = 0, fields = 0;
@@ -35,14 +35,14 @@ class Expansion {
   void add_again(const Counts& section) { counts_ = counts_ + section; }
 
  private:
-  Result<void> add(const Section& section, SourceLine top, int depth);
+  Result<void> add(const config::Section& section, config::SourceLine top, int depth);
   /// Fails if one of the sections around this one is the same: its macro holds itself.
-  Result<void> check_cycle(const Section& section) const;
+  Result<void> check_cycle(const config::Section& section) const;
 
-  const Document& document_;
-  const Macros& macros_;
+  const config::Document& document_;
+  const config::Macros& macros_;
   const WorldLimits& limits_;
-  std::vector<const Section*> around_;  // the section that is added, outermost first
+  std::vector<const config::Section*> around_;  // the section that is added, outermost first
   Counts counts_;
 };
 

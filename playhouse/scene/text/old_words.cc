@@ -56,33 +56,33 @@ std::vector<std::string_view> split(std::string_view text, std::string_view betw
   return parts;
 }
 
-double first_number(const Field& field) {
-  return field.values.empty() ? 0 : parse_number(field.values.front().text).value_or(0);
+double first_number(const config::Field& field) {
+  return field.values.empty() ? 0 : config::parse_number(field.values.front().text).value_or(0);
 }
 
-bool is_old_interval(const Field& field, const Kind& kind) {
+bool is_old_interval(const config::Field& field, const Kind& kind) {
   return kind.entity == EntityForm::kWorld && field.key == "interval_real";
 }
 
 /// True for a scale in metres per pixel: Stage 4 has at least a pixel per metre.
-bool is_old_scale(const Field& field, const Kind& kind) {
+bool is_old_scale(const config::Field& field, const Kind& kind) {
   return kind.entity == EntityForm::kWindow && field.key == "scale" && first_number(field) > 0 &&
          first_number(field) < 1;
 }
 
 }  // namespace
 
-OldWords::OldWords(LoadState& state, const Macros& macros) : state_(state), macros_(macros) {
+OldWords::OldWords(LoadState& state, const config::Macros& macros) : state_(state), macros_(macros) {
   for (const Kind& kind : kinds())
     for (const Word& word : kind.words)
       if (word.meaning) old_names_.insert(word.name);
 }
 
-ExpandedSection OldWords::now(ExpandedSection entity) {
+config::ExpandedSection OldWords::now(config::ExpandedSection entity) {
   const OldType* const type = old_type_of(entity);
   if (type) entity.type = type->type;
   const Kind* const kind = find_entity(entity.type);
-  const auto has_old = [&](const Section* part) { return has_old_words(part->fields, *kind); };
+  const auto has_old = [&](const config::Section* part) { return has_old_words(part->fields, *kind); };
   if (!kind || (!type && std::ranges::none_of(entity.parts, has_old))) return entity;
   auto found = rewritten_.find(entity.parts);
   if (found == rewritten_.end())
@@ -91,14 +91,14 @@ ExpandedSection OldWords::now(ExpandedSection entity) {
   return entity;
 }
 
-std::span<const Field> OldWords::now_of_world(std::span<const Field> fields) {
+std::span<const config::Field> OldWords::now_of_world(std::span<const config::Field> fields) {
   if (!has_old_words(fields, world_kind())) return fields;
   world_.fields.assign(fields.begin(), fields.end());
   world_ = rewritten({world_kind().name, {&world_}, {}}, world_kind(), nullptr);
   return world_.fields;
 }
 
-const OldType* OldWords::old_type_of(const ExpandedSection& entity) {
+const OldType* OldWords::old_type_of(const config::ExpandedSection& entity) {
   if (find_entity(entity.type)) return nullptr;
   const auto type = std::ranges::find(old_types(), entity.type, &OldType::name);
   if (type == old_types().end() || !type->is_read) return nullptr;
@@ -108,8 +108,8 @@ const OldType* OldWords::old_type_of(const ExpandedSection& entity) {
   return &*type;
 }
 
-bool OldWords::has_old_words(std::span<const Field> fields, const Kind& kind) const {
-  return std::ranges::any_of(fields, [&](const Field& field) {
+bool OldWords::has_old_words(std::span<const config::Field> fields, const Kind& kind) const {
+  return std::ranges::any_of(fields, [&](const config::Field& field) {
     if (is_old_interval(field, kind) || is_old_scale(field, kind)) return true;
     const std::string_view name = key_of(field.key).word;
     if (!old_names_.contains(name)) return false;
@@ -118,20 +118,21 @@ bool OldWords::has_old_words(std::span<const Field> fields, const Kind& kind) co
   });
 }
 
-Section OldWords::rewritten(const ExpandedSection& entity, const Kind& kind, const OldType* type) {
-  Rewriting to{entity, FieldSet(entity.parts), kind, type, {&kind, {}}, {}};
-  Section now{kind.name, entity.where, {}, {}};
+config::Section OldWords::rewritten(const config::ExpandedSection& entity, const Kind& kind,
+                                    const OldType* type) {
+  Rewriting to{entity, config::FieldSet(entity.parts), kind, type, {&kind, {}}, {}};
+  config::Section now{kind.name, entity.where, {}, {}};
   if (type) say(to.own, type->words, entity.where);
   if (type && !type->part.empty()) parts_of(type->part, to);
-  for (const Field* field : to.fields.all()) {
-    if (std::optional<Field> other = by_hand(*field, to)) {
+  for (const config::Field* field : to.fields.all()) {
+    if (std::optional<config::Field> other = by_hand(*field, to)) {
       if (other->key == field->key || !to.fields.find(other->key)) now.fields.push_back(std::move(*other));
     } else if (state_.over || !apply(*field, to)) {
       now.fields.push_back(*field);
     }
   }
-  for (const Field* field : to.fields.all()) check_places(*field, to);
-  for (Field& word : to.own.words)
+  for (const config::Field* field : to.fields.all()) check_places(*field, to);
+  for (config::Field& word : to.own.words)
     if (!to.fields.find(word.key)) now.fields.push_back(std::move(word));
   for (auto& [name, parts] : to.parts) {
     if (!parts) continue;
@@ -141,7 +142,7 @@ Section OldWords::rewritten(const ExpandedSection& entity, const Kind& kind, con
   return now;
 }
 
-bool OldWords::apply(const Field& field, Rewriting& to) {
+bool OldWords::apply(const config::Field& field, Rewriting& to) {
   const Word* const word = find_word(to.kind, key_of(field.key).word);
   if (!word || !word->meaning) return false;
   const Meaning& meaning = *word->meaning;
@@ -154,20 +155,20 @@ bool OldWords::apply(const Field& field, Rewriting& to) {
   return true;
 }
 
-std::optional<Field> OldWords::by_hand(const Field& field, const Rewriting& to) {
+std::optional<config::Field> OldWords::by_hand(const config::Field& field, const Rewriting& to) {
   if (is_old_interval(field, to.kind)) {
-    const Field* const interval = to.fields.find("interval_sim");
+    const config::Field* const interval = to.fields.find("interval_sim");
     const double real = first_number(field), simulated = interval ? first_number(*interval) : kOldInterval;
     const Word& word = *find_word(to.kind, field.key);
     note(field, to.kind, word, word.instead);
-    return Field{"speedup", {number(real > 0 ? simulated / real : -1)}, field.where};
+    return config::Field{"speedup", {number(real > 0 ? simulated / real : -1)}, field.where};
   }
   if (!is_old_scale(field, to.kind)) return std::nullopt;
   note(field, to.kind, *find_word(to.kind, field.key), "write pixels per metre, not metres per pixel");
-  return Field{field.key, {number(1 / first_number(field))}, field.where};
+  return config::Field{field.key, {number(1 / first_number(field))}, field.where};
 }
 
-void OldWords::check_places(const Field& count, const Rewriting& of) {
+void OldWords::check_places(const config::Field& count, const Rewriting& of) {
   const Word* const word = find_word(of.kind, count.key);
   if (!word || !word->meaning || word->meaning->how != Meaning::How::kCount) return;
   const auto parts = of.parts.find(word->meaning->part);
@@ -178,7 +179,7 @@ void OldWords::check_places(const Field& count, const Rewriting& of) {
     if (!is_place || of.fields.find(place.name)) continue;
     for (std::size_t i = 0; i < parts->second->size(); ++i) {
       if (of.fields.find(numbered(place.name, i))) continue;
-      return state_.warnings.add(Warning::kValue, count.where,
+      return state_.warnings.add(config::Warning::kValue, count.where,
                                  in_quotes(count.key) + " is " + std::to_string(parts->second->size()) +
                                      ", but " + in_quotes(numbered(place.name, i)) +
                                      " is missing; what is missing is in the middle");
@@ -186,13 +187,13 @@ void OldWords::check_places(const Field& count, const Rewriting& of) {
   }
 }
 
-bool OldWords::apply_to_parts(const Field& field, const Meaning& meaning, Rewriting& to) {
+bool OldWords::apply_to_parts(const config::Field& field, const Meaning& meaning, Rewriting& to) {
   std::optional<std::vector<TranslatedEntity>>& parts = parts_of(meaning.part, to);
   if (!parts) return false;
   const Key key = key_of(field.key);
   if (meaning.how == Meaning::How::kCount) return true;
   if (key.index && *key.index >= parts->size())
-    state_.warnings.add(Warning::kNoEffect, field.where,
+    state_.warnings.add(config::Warning::kNoEffect, field.where,
                         in_quotes(field.key) + " has no effect: there are " + std::to_string(parts->size()));
   for (std::size_t i = key.index.value_or(0); i < (key.index ? *key.index + std::size_t{1} : parts->size());
        ++i) {
@@ -209,25 +210,25 @@ bool OldWords::apply_to_parts(const Field& field, const Meaning& meaning, Rewrit
   return true;
 }
 
-void OldWords::apply_words(const Field& field, const Meaning& meaning, TranslatedEntity& to) {
-  const auto meant = [&](const Value& old) {
+void OldWords::apply_words(const config::Field& field, const Meaning& meaning, TranslatedEntity& to) {
+  const auto meant = [&](const config::Value& old) {
     const auto other = std::ranges::find(meaning.values, old.text, &SaidWord::word);
     return other == meaning.values.end() ? old : value(other->value);
   };
   if (const Target all = target_of(meaning.to.front()); meaning.to.size() == 1 && !all.element) {
-    Field& word = word_of(to, all.word, field.where);
+    config::Field& word = word_of(to, all.word, field.where);
     word.values.clear();
-    for (const Value& old : field.values) word.values.push_back(meant(old));
+    for (const config::Value& old : field.values) word.values.push_back(meant(old));
     return;
   }
   for (std::size_t i = 0; i < std::min(meaning.to.size(), field.values.size()); ++i) {
     const Target target = target_of(meaning.to[i]);
     if (target.word.empty()) continue;
-    Field& word = word_of(to, target.word, field.where);
+    config::Field& word = word_of(to, target.word, field.where);
     const std::size_t element = target.element.value_or(0);
     if (word.values.size() <= element) {
       const Word* const known = find_word(*to.kind, target.word);
-      std::vector<Value> otherwise = values(*to.kind, target.word, known ? known->otherwise : "");
+      std::vector<config::Value> otherwise = values(*to.kind, target.word, known ? known->otherwise : "");
       otherwise.resize(std::max(otherwise.size(), element + 1), value("0"));
       std::ranges::copy(word.values, otherwise.begin());
       word.values = std::move(otherwise);
@@ -251,9 +252,9 @@ std::optional<std::vector<OldWords::TranslatedEntity>>& OldWords::parts_of(std::
 /// Aborts the load if there are too many.
 std::size_t OldWords::count_parts(std::string_view part, const Rewriting& of) {
   double count = of.type && of.type->part == part ? 1 : 0;
-  SourceLine where = of.entity.where;
+  config::SourceLine where = of.entity.where;
   bool is_counted = false;
-  for (const Field* field : of.fields.all()) {
+  for (const config::Field* field : of.fields.all()) {
     const Key key = key_of(field->key);
     const Word* const word = find_word(of.kind, key.word);
     if (!word || !word->meaning || word->meaning->part != part) continue;
@@ -275,49 +276,51 @@ std::size_t OldWords::count_parts(std::string_view part, const Rewriting& of) {
   return static_cast<std::size_t>(count);
 }
 
-bool OldWords::has_parts(const ExpandedSection& entity, std::string_view part) const {
-  for (const Section* body : entity.parts)
-    for (const Section& section : body->sections)
-      if (const Result<ExpandedSection> inner = macros_.instance(section); inner && inner->type == part)
+bool OldWords::has_parts(const config::ExpandedSection& entity, std::string_view part) const {
+  for (const config::Section* body : entity.parts)
+    for (const config::Section& section : body->sections)
+      if (const Result<config::ExpandedSection> inner = macros_.instance(section);
+          inner && inner->type == part)
         return true;
   return false;
 }
 
-Field& OldWords::word_of(TranslatedEntity& entity, std::string_view name, SourceLine where) {
-  const auto found = std::ranges::find(entity.words, name, &Field::key);
+config::Field& OldWords::word_of(TranslatedEntity& entity, std::string_view name, config::SourceLine where) {
+  const auto found = std::ranges::find(entity.words, name, &config::Field::key);
   if (found != entity.words.end()) return *found;
-  return entity.words.emplace_back(Field{name, {}, where});
+  return entity.words.emplace_back(config::Field{name, {}, where});
 }
 
-void OldWords::say(TranslatedEntity& entity, std::span<const SaidWord> words, SourceLine where) {
+void OldWords::say(TranslatedEntity& entity, std::span<const SaidWord> words, config::SourceLine where) {
   for (const SaidWord& said : words)
     word_of(entity, said.word, where).values = values(*entity.kind, said.word, said.value);
 }
 
-void OldWords::note(const Field& field, const Kind& kind, const Word& word, std::string_view instead) {
+void OldWords::note(const config::Field& field, const Kind& kind, const Word& word,
+                    std::string_view instead) {
   const std::string told = in_quotes(word.name) + " of " + owner_of(kind);
   state_.warnings.add_old(&word, field.where, told + " is of older versions: " + std::string(instead));
 }
 
-Value OldWords::value(std::string_view text) const {
-  return {parse_number(text) ? ValueKind::kNumber : ValueKind::kString, text};
+config::Value OldWords::value(std::string_view text) const {
+  return {config::parse_number(text) ? config::ValueKind::kNumber : config::ValueKind::kString, text};
 }
 
-Value OldWords::number(double number) {
-  return {ValueKind::kNumber, texts_.emplace_back(number_text(number))};
+config::Value OldWords::number(double number) {
+  return {config::ValueKind::kNumber, texts_.emplace_back(number_text(number))};
 }
 
-std::vector<Value> OldWords::values(const Kind& kind, std::string_view word, std::string_view text) {
+std::vector<config::Value> OldWords::values(const Kind& kind, std::string_view word, std::string_view text) {
   if (text.starts_with('[')) text = text.substr(1, text.size() - 2);
   const Word* const known = find_word(kind, word);
   const std::vector<std::string_view> units = split(known ? known->unit : "", ", ");
-  std::vector<Value> all;
+  std::vector<config::Value> all;
   for (const std::string_view each : split(text, " ")) {
     const std::string_view unit = units.empty() ? "" : units[std::min(all.size(), units.size() - 1)];
     const double scale = unit == "m"     ? 1 / state_.units.length
                          : unit == "deg" ? geom::kPi / 180 / state_.units.angle
                                          : 1;
-    const std::optional<double> plain = parse_number(each);
+    const std::optional<double> plain = config::parse_number(each);
     all.push_back(plain && scale != 1 ? number(*plain * scale) : value(each));
   }
   return all;

@@ -20,14 +20,14 @@ using ::testing::Not;
 using ::testing::SizeIs;
 
 SceneDesc loaded(const std::string& text) {
-  MemoryFiles files({{"w/plan", std::string("P1 4 3 1111 1001 1101")}});
+  config::MemoryFiles files({{"w/plan", std::string("P1 4 3 1111 1001 1101")}});
   auto scene = load_world_text(text, "w/t.world", files);
   EXPECT_TRUE(scene) << scene.error().line();
   return scene ? std::move(*scene) : SceneDesc();
 }
 
 std::string error_of(const std::string& text) {
-  MemoryFiles files({});
+  config::MemoryFiles files({});
   const auto scene = load_world_text(text, "w/t.world", files);
   return scene ? "" : scene.error().line();
 }

@@ -19,7 +19,7 @@ template <typename Number>
 Number raised_to_zero(const Properties& properties, std::string_view key, Number value,
                       std::string_view meant) {
   if (value >= 0) return value;
-  properties.state().warnings.add(Warning::kValue, properties.where(key),
+  properties.state().warnings.add(config::Warning::kValue, properties.where(key),
                                   in_quotes(key) + " is below 0; " + std::string(meant));
   return 0;
 }
@@ -41,7 +41,7 @@ std::size_t chosen(const Properties& properties, std::string_view key, std::stri
 
 void require(bool good, const Properties& properties, std::string_view key, std::string_view what) {
   if (good) return;
-  const Field* const field = properties.fields().find(key);
+  const config::Field* const field = properties.fields().find(key);
   const bool is_single = field && field->values.size() == 1;
   properties.state().fail(properties.where(key),
                           in_quotes(key) + " " + std::string(what) +
@@ -79,7 +79,7 @@ std::size_t read_choice(const Properties& properties, std::string_view key,
 
 void read_choices(const Properties& properties, std::string_view key, std::span<Choice> choices,
                   std::string_view form) {
-  const std::span<const Value> values = properties.elements(key, choices.size(), form);
+  const std::span<const config::Value> values = properties.elements(key, choices.size(), form);
   for (std::size_t i = 0; i < values.size(); ++i)
     choices[i].value =
         chosen(properties, key, choices[i].name, choices[i].words, values[i].text, choices[i].value);
@@ -97,7 +97,7 @@ std::vector<Color> read_colors(const Properties& properties, std::string_view ke
     if (const std::optional<Color> known = color_by_name(name)) {
       colors.push_back(*known);
     } else {
-      properties.state().warnings.add(Warning::kColor, properties.where(key),
+      properties.state().warnings.add(config::Warning::kColor, properties.where(key),
                                       "unknown color " + in_quotes(name) + ", it is left out",
                                       [&name] { return color_hint(name); });
     }
@@ -116,7 +116,7 @@ void not_misspelt_material(const Properties& properties, std::string_view key, s
   if (name.empty() || is_material(name) || name == kSmoke) return;
   const std::string hint = did_you_mean(name, material_names());
   if (hint.empty()) return;
-  properties.state().warnings.add(Warning::kValue, properties.where(key),
+  properties.state().warnings.add(config::Warning::kValue, properties.where(key),
                                   in_quotes(key) + " " + in_quotes(name) +
                                       " is a property for detectors only, not a known material" + hint);
 }
@@ -164,10 +164,10 @@ void warn_of_uncounted(const Properties& properties, std::string_view word, std:
     std::from_chars(key.data() + word.size() + 1, key.data() + key.size(), i);
     return i < count && key == numbered(word, i);
   };
-  for (const Field* field : properties.fields().all()) {
-    if (field->key == word || without_index(field->key) != word || is_counted(field->key)) continue;
+  for (const config::Field* field : properties.fields().all()) {
+    if (field->key == word || config::without_index(field->key) != word || is_counted(field->key)) continue;
     properties.state().warnings.add(
-        Warning::kNoEffect, field->where,
+        config::Warning::kNoEffect, field->where,
         in_quotes(field->key) + " has no effect: " + in_quotes(counted_by) + " is " + std::to_string(count));
   }
 }
@@ -178,7 +178,7 @@ void check_numbered(const Properties& properties, std::string_view word, std::st
   if (properties.has(word)) return;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (properties.has(numbered(word, i))) continue;
-    properties.state().warnings.add(Warning::kValue, properties.where(counted_by),
+    properties.state().warnings.add(config::Warning::kValue, properties.where(counted_by),
                                     in_quotes(counted_by) + " is " + std::to_string(count) + ", but " +
                                         in_quotes(numbered(word, i)) +
                                         " is missing; what is missing is as by default");

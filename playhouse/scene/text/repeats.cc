@@ -16,23 +16,23 @@ void append(std::string& key, char mark, std::string_view text) {
   key += text;
 }
 
-void append(std::string& key, const Field& field) {
+void append(std::string& key, const config::Field& field) {
   append(key, '=', field.key);
-  for (const Value& value : field.values) append(key, '-', value.text);
+  for (const config::Value& value : field.values) append(key, '-', value.text);
   // File references are relative to the referring file.
   if (field.key == "bitmap" || field.key == "mesh" || field.key == "look")
     append(key, '@', std::to_string(field.where.file));
 }
 
-void append(std::string& key, const Section& section) {
+void append(std::string& key, const config::Section& section) {
   append(key, '(', section.name);
-  for (const Field& field : section.fields) {
+  for (const config::Field& field : section.fields) {
     append(key, field);
     // Messages about a controller show the line of its model.
     if (field.key == "ctrl")
       append(key, '@', std::to_string(section.where.file) + ":" + std::to_string(section.where.line));
   }
-  for (const Section& inner : section.sections) append(key, inner);
+  for (const config::Section& inner : section.sections) append(key, inner);
   key += ')';
 }
 
@@ -55,16 +55,16 @@ bool is_same_part(const ModelDesc& a, const ModelDesc& b, const ModelDesc& top_a
 
 }  // namespace
 
-std::string repeat_key(const Section& section) {
+std::string repeat_key(const config::Section& section) {
   std::string key(section.name);
-  for (const Field& field : section.fields) {
+  for (const config::Field& field : section.fields) {
     if (std::ranges::find(kOwnWords, field.key) == kOwnWords.end()) {
       append(key, field);
     } else {
       append(key, '=', field.key);
     }
   }
-  for (const Section& inner : section.sections) append(key, inner);
+  for (const config::Section& inner : section.sections) append(key, inner);
   return key;
 }
 

@@ -19,7 +19,7 @@ struct Loaded {
 };
 
 Loaded load(const std::string& text, const WorldLimits& limits = {}) {
-  MemoryFiles files(
+  config::MemoryFiles files(
       {{"w/plan", std::string("P1 2 2 1 0 0 1")}, {"w/part.inc", "model( name \"in\" fooo 1 )"}});
   std::vector<Error> others;
   Result<SceneDesc> scene = load_world_text(text, "w/t.world", files, limits, &others);

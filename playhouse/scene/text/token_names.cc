@@ -16,7 +16,7 @@ bool is_below(std::string_view token, std::string_view name) {
 }  // namespace
 
 void TokenNames::add_top(std::uint32_t row, std::string_view type, std::string_view given, int index,
-                         SourceLine where) {
+                         config::SourceLine where) {
   std::string alias = std::string(type) + ":" + std::to_string(index);
   if (given.starts_with('/') && given.size() > 1) given.remove_prefix(1);
   std::string name = given.empty() ? alias : std::string(given);
@@ -60,11 +60,12 @@ void TokenNames::share(std::uint32_t row) {
   top = row;
 }
 
-void TokenNames::claim(const std::string& name, SourceLine where) {
+void TokenNames::claim(const std::string& name, config::SourceLine where) {
   const std::optional<TreePlace> taken = find(name);
   if (!taken) return;
-  const SourceLine before = taken->second == 0 ? scene_.trees[taken->first].where : desc(*taken).where;
-  state_.warnings.add(Warning::kName, where,
+  const config::SourceLine before =
+      taken->second == 0 ? scene_.trees[taken->first].where : desc(*taken).where;
+  state_.warnings.add(config::Warning::kName, where,
                       "the name " + in_quotes(name) + " was given at " + scene_.at(before) +
                           " already; this model has it now");
   if (taken->second == 0) {
@@ -175,7 +176,7 @@ void TokenNames::rename_part(TreePlace place) {
   }
 }
 
-void TokenNames::check_follow_model(SourceLine follow_where) {
+void TokenNames::check_follow_model(config::SourceLine follow_where) {
   const std::string& wanted = scene_.window.follow_model;
   if (wanted.empty() || find(wanted)) return;
   std::vector<std::string> names;
@@ -191,7 +192,7 @@ void TokenNames::check_follow_model(SourceLine follow_where) {
   }
   const std::vector<std::string_view> known(names.begin(), names.end());
   state_.warnings.add(
-      Warning::kNoEffect, follow_where,
+      config::Warning::kNoEffect, follow_where,
       "the window follows " + in_quotes(wanted) + ", which is not a model" + did_you_mean(wanted, known));
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "playhouse/scene/properties.h"
+#include "playhouse/scene/scene_desc.h"
 
 namespace playhouse::scene {
 
@@ -21,7 +22,8 @@ class TokenNames {
   /// Adds a tree with its root at `row` of the scene's models, and names it. `given` is its `name`,
   /// or ""; `index` counts roots of its type. A name in use moves to this model, as a look-up in the
   /// original would find it; the earlier model and its children fall back to their default names.
-  void add_top(std::uint32_t row, std::string_view type, std::string_view given, int index, SourceLine where);
+  void add_top(std::uint32_t row, std::string_view type, std::string_view given, int index,
+               config::SourceLine where);
 
   /// Names a part about to be appended to the scene's models, in the tree
   /// under construction. `index` counts its siblings of the same type.
@@ -41,7 +43,7 @@ class TokenNames {
   }
 
   /// Warns, at `follow_where`, if the window follows a model that does not exist.
-  void check_follow_model(SourceLine follow_where);
+  void check_follow_model(config::SourceLine follow_where);
 
  private:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
@@ -49,7 +51,7 @@ class TokenNames {
   using TreePlace = std::pair<std::uint32_t, std::uint32_t>;
 
   /// Assigns a name to a model at `where`; its previous owner falls back to another name.
-  void claim(const std::string& name, SourceLine where);
+  void claim(const std::string& name, config::SourceLine where);
   void rename_top(std::uint32_t tree);
   /// A part and everything inside it.
   void rename_part(TreePlace place);

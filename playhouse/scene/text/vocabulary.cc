@@ -45,14 +45,14 @@ std::string place_of(const Kind& kind) {
 
 std::vector<KeptWord> kept_words(const Kind& kind, const Properties& properties) {
   std::vector<KeptWord> kept;
-  for (const Field* field : properties.fields().all()) {
-    const Word* word = find_word(kind, without_index(field->key));
+  for (const config::Field* field : properties.fields().all()) {
+    const Word* word = find_word(kind, config::without_index(field->key));
     if (!word || (word->use != Support::kSilent && word->use != Support::kLater) || field->values.empty())
       continue;
     std::vector<std::string> values;
-    for (const Value& value : field->values) {
+    for (const config::Value& value : field->values) {
       const std::optional<double> number =
-          value.kind == ValueKind::kNumber ? parse_number(value.text) : std::nullopt;
+          value.kind == config::ValueKind::kNumber ? config::parse_number(value.text) : std::nullopt;
       values.push_back(number ? number_text(*number) : quoted_text(value.text));
     }
     kept.push_back({std::string(field->key), values.size() == 1 ? values.front() : in_brackets(values)});
@@ -62,19 +62,19 @@ std::vector<KeptWord> kept_words(const Kind& kind, const Properties& properties)
 
 void VocabularyCheck::check(const Kind& kind, const Properties& properties) {
   LoadState& state = properties.state();
-  for (const Field* field : properties.fields().all()) {
+  for (const config::Field* field : properties.fields().all()) {
     if (!checked_.insert(field).second) continue;  // a macro's field is checked once
-    const std::string_view name = without_index(field->key);
+    const std::string_view name = config::without_index(field->key);
     const Word* word = find_word(kind, name);
     if (word && word->use != Support::kLater && word->use != Support::kOld) continue;
     if (word && word->use == Support::kLater && !words_.insert(name).second) continue;
     const std::string subject = in_quotes(name);
     const std::string whose = " of " + owner_of(kind);
     if (!word) {
-      state.warnings.add(Warning::kUnknownWord, field->where, "unknown property " + subject + whose,
+      state.warnings.add(config::Warning::kUnknownWord, field->where, "unknown property " + subject + whose,
                          [&] { return hint(kind, name); });
     } else if (word->use == Support::kLater) {
-      state.warnings.add(Warning::kNoEffect, field->where,
+      state.warnings.add(config::Warning::kNoEffect, field->where,
                          subject + " is not simulated yet and has no effect");
     } else {
       const std::string instead = word->instead.empty() ? "" : ": " + std::string(word->instead);

@@ -11,6 +11,7 @@
 
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/properties.h"
+#include "playhouse/scene/scene_desc.h"
 
 namespace playhouse::scene {
 
@@ -34,7 +35,7 @@ class VocabularyCheck {
   void check(const Kind& kind, const Properties& properties);
 
  private:
-  std::set<const Field*> checked_;
+  std::set<const config::Field*> checked_;
   std::set<std::string_view> words_;  // unsupported words already reported
 };
 

@@ -32,7 +32,7 @@ std::string in_brackets(std::span<const std::string> values);
 /// in the file's units; if there is none, as for most headings in degrees, the nearest.
 class Words {
  public:
-  Words(const Units& units, std::vector<std::string>& to) : units_(units), to_(to) {}
+  Words(const config::Units& units, std::vector<std::string>& to) : units_(units), to_(to) {}
 
   void flag(std::string_view key, bool value) { integer(key, value ? 1 : 0); }
   void integer(std::string_view key, std::int64_t value);
@@ -61,7 +61,7 @@ class Words {
   std::string scaled(double value, char scale) const;
   double heading(double value) const;
 
-  const Units& units_;
+  const config::Units& units_;
   std::vector<std::string>& to_;
 };
 

@@ -83,7 +83,7 @@ TEST_F(JournalTest, refuses_what_is_named_twice_without_effect) {
 }
 
 TEST(Journal, has_what_a_radio_drops_for_that_is_counted) {
-  scene::MemoryFiles files({}, {});
+  config::MemoryFiles files({}, {});
   const scene::SceneDesc scene = *scene::load_world_text("model( wifi() )", "t.world", files);
   World world(scene, 1), again(scene, 1);
   Journal journal(world), other(again);

@@ -101,7 +101,7 @@ class AsSceneTest : public ::testing::Test {
     }
   }
 
-  scene::MemoryFiles files_{{}};
+  config::MemoryFiles files_{{}};
   scene::SceneDesc scene_ = *scene::load_world_text(kYard, "w/t.world", files_);
   World world_{scene_, 1};
   std::string text_;

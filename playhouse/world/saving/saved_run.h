@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
-#include "playhouse/scene/text/source_text.h"
+#include "playhouse/config/text/source_text.h"
 
 namespace playhouse::world {
 
 struct SavedRun {
-  scene::SourceFiles sources;
+  config::SourceFiles sources;
   std::string engine;  // World::engine
   std::uint64_t seed = 1;
   std::vector<std::byte> state;  // state.h

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "playhouse/base/packing.h"
-#include "playhouse/scene/text/source_text.h"
+#include "playhouse/config/text/source_text.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::world {
@@ -21,7 +21,7 @@ robot( name "a" ) robot( name "b" pose [2 0 0 0] ) robot( name "c" pose [4 0 0 0
 class SensedRows : public testing::Test {
  protected:
   SensedRows() {
-    scene::MemoryFiles files({}, {});
+    config::MemoryFiles files({}, {});
     Result<scene::SceneDesc> scene = scene::load_world_text(kWorld, "test.world", files);
     scene_ = std::move(*scene);
   }

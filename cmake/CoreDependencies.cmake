@@ -1,0 +1,40 @@
+# Libraries that the device server alone is made with: headers, which are the same for all machines, and zlib where the
+# machine's is there. Cross compilers do not look where this machine has its own, so that the headers get a folder.
+
+set(CORE_HEADERS ${CMAKE_BINARY_DIR}/headers)
+file(MAKE_DIRECTORY ${CORE_HEADERS})
+foreach(NAME fmt spdlog asio asio.hpp)
+  if(NOT EXISTS /usr/include/${NAME})
+    message(FATAL_ERROR "${NAME} is needed: make setup installs libfmt-dev, libspdlog-dev and libasio-dev")
+  endif()
+  file(CREATE_LINK /usr/include/${NAME} ${CORE_HEADERS}/${NAME} SYMBOLIC)
+endforeach()
+add_library(core_headers INTERFACE)
+target_include_directories(core_headers SYSTEM INTERFACE ${CORE_HEADERS})
+add_library(core_fmt INTERFACE)
+target_compile_definitions(core_fmt INTERFACE FMT_HEADER_ONLY)
+target_link_libraries(core_fmt INTERFACE core_headers)
+add_library(fmt::fmt ALIAS core_fmt)
+add_library(core_spdlog INTERFACE)
+target_compile_definitions(core_spdlog INTERFACE SPDLOG_FMT_EXTERNAL)
+target_link_libraries(core_spdlog INTERFACE core_fmt)
+add_library(spdlog::spdlog ALIAS core_spdlog)
+
+# Maps are sent compressed: without zlib there is no amcl and no wavefront.
+set(ZLIB_USE_STATIC_LIBS ON)
+find_package(ZLIB)
+if(NOT ZLIB_FOUND)
+  add_library(core_zlib INTERFACE)
+  add_library(ZLIB::ZLIB ALIAS core_zlib)
+endif()
+if(PLAYHOUSE_TESTS)  # Debian's googletest comes as source as well
+  set(INSTALL_GTEST OFF)
+  add_subdirectory(/usr/src/googletest ${CMAKE_BINARY_DIR}/googletest EXCLUDE_FROM_ALL)
+  add_library(GTest::gtest ALIAS gtest)
+  add_library(GTest::gmock ALIAS gmock)
+  add_library(GTest::gtest_main ALIAS gtest_main)
+endif()
+
+# What nothing calls is not in the program, which needs no library of the machine that it runs on.
+add_compile_options(-ffunction-sections -fdata-sections)
+add_link_options(-static -Wl,--gc-sections -s)

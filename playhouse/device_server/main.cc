@@ -1,0 +1,55 @@
+/// The device server alone, without simulator and page: the program `player` of the preset `core`.
+
+#include <csignal>
+#include <span>
+
+#include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
+#include "playhouse/base/version.h"
+#include "playhouse/config/cfg.h"
+#include "playhouse/device_server/descriptor_limit.h"
+#include "playhouse/device_server/device_server.h"
+#include "playhouse/device_server/player_program.h"
+#include "playhouse/drivers/registry.h"
+
+namespace playhouse::device_server {
+namespace {
+
+int fail(const Error& error) {
+  log::tell(log::Level::kError, error);
+  return 1;
+}
+
+void warn(const std::string& line) {
+  log::warn("{}", line);
+}
+
+int serve(const PlayerOptions& options, const Opened& opened) {
+  const Result<config::CfgFile> file = config::load_cfg(options.file, options.port);
+  if (!file) return fail(file.error());
+  for (const std::string& line : file->warnings) warn(line);
+  DeviceServer service({.bind = "0.0.0.0", .sessions = sessions_that_fit(false)});
+  const Result<std::uint16_t> port = service.listen(*file, options.port, "-p");
+  if (!port) return fail(port.error());
+  service.open_site(*port, service.server());
+  const auto core = drivers::core_drivers();
+  const drivers::Registry registry({core.begin(), core.end()}, nullptr);
+  if (const Result<void> made = service.make_drivers(registry, *file, warn); !made) return fail(made.error());
+  opened(service.ports());
+  return service.run();
+}
+
+}  // namespace
+}  // namespace playhouse::device_server
+
+int main(int argc, char** argv) {
+  using namespace playhouse;
+  std::signal(SIGPIPE, SIG_IGN);
+  device_server::raise_descriptor_limit();
+  const std::span<const char* const> words(argv + (argc > 0),
+                                           static_cast<std::size_t>(argc > 0 ? argc - 1 : 0));
+  const std::string about = "This is the device server of Playhouse " + std::string(build()) + ".";
+  const int code = device_server::player_program(words, about, device_server::serve);
+  log::flush();
+  return code;
+}

@@ -1,0 +1,47 @@
+# Of DRIVERS and PLAYHOUSE_DRIVERS: CHOSEN_DRIVERS, a source with the list of those that were chosen (registry.h), and
+# LEFT_OUT, the sources of the others.
+
+set(CHOSEN)
+set(LEFT_OUT)
+set(DECLARED)
+set(LISTED)
+foreach(DRIVER ${DRIVERS})
+  string(REPLACE ":" ";" PARTS ${DRIVER})
+  list(GET PARTS 0 NAME)
+  list(GET PARTS 1 DEFINITION)
+  list(APPEND KNOWN ${NAME})
+  if(PLAYHOUSE_DRIVERS STREQUAL all OR NAME IN_LIST PLAYHOUSE_DRIVERS)
+    list(APPEND CHOSEN ${NAME})
+    string(APPEND DECLARED "extern const DriverDefinition k${DEFINITION}Driver;\n")
+    string(APPEND LISTED "    &k${DEFINITION}Driver,\n")
+  else()
+    file(GLOB SOURCES RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${NAME}/*.cc)
+    list(APPEND LEFT_OUT ${SOURCES})
+  endif()
+endforeach()
+foreach(NAME ${PLAYHOUSE_DRIVERS})
+  if(NOT NAME STREQUAL all AND NOT NAME IN_LIST KNOWN)
+    list(JOIN KNOWN ", " NAMES)
+    message(FATAL_ERROR "invalid PLAYHOUSE_DRIVERS: there is no driver ${NAME}; there are ${NAMES}")
+  endif()
+endforeach()
+if(NOT "amcl" IN_LIST CHOSEN AND NOT "wavefront" IN_LIST CHOSEN)  # maps are theirs
+  file(GLOB SOURCES RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} grid_map/*.cc)
+  list(APPEND LEFT_OUT ${SOURCES})
+endif()
+list(FILTER LEFT_OUT EXCLUDE REGEX "_(test|fuzz)[.]cc$")
+
+set(CHOSEN_DRIVERS ${CMAKE_CURRENT_BINARY_DIR}/chosen_drivers.cc)
+file(CONFIGURE OUTPUT ${CHOSEN_DRIVERS} @ONLY CONTENT [[#include "playhouse/drivers/registry.h"
+
+namespace playhouse::drivers {
+
+@DECLARED@
+std::span<const DriverDefinition* const> core_drivers() {
+  static constexpr const DriverDefinition* kChosen[] = {
+@LISTED@  };
+  return kChosen;
+}
+
+}  // namespace playhouse::drivers
+]])
