@@ -206,6 +206,7 @@ class Udp(HouseTest):
         house, port = self.run_here()
         with connect(f"udp:127.0.0.1:{port}") as client, client.position2d() as wheels, client.laser() as scanner:
             house.process.send_signal(signal.SIGSTOP)
+            os.waitpid(house.process.pid, os.WUNTRACED)  # all of its threads have stopped
             for _ in range(5):
                 with self.assertRaises(RequestTimeout):
                     scanner.request(laser.REQ_GET_GEOM, timeout=0.05)
