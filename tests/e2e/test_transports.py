@@ -250,6 +250,14 @@ class Udp(HouseTest):
         self.assertEqual(house.wait(), 2)
         self.assertIn("senders of datagrams can be forged", house.log())
 
+    def test_answers_come_from_the_address_that_was_spoken_to(self):
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", "off", "--udp", "--bind", "0.0.0.0", "--key", "open-sesame"))
+        port = int(house.wait_for_line(r"^Player clients: [\d.]+:(\d+) \(also UDP\)$").group(1))
+        for host in ("127.0.0.1", "127.0.0.2"):
+            with connect(f"udp:{host}:{port}", token="open-sesame") as client, client.laser() as laser:
+                client.read()
+                self.assertEqual(len(laser.ranges), 181)
+
     def test_what_was_lost_is_told(self):
         house, port = self.run_here()
         with connect(f"udp:127.0.0.1:{port}") as client:
