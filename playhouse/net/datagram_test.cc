@@ -29,6 +29,10 @@ TEST(Endpoint, addresses_are_read_and_told_as_people_write_them) {
   EXPECT_FALSE(parse_endpoint("::1", 1)->is_v4());
   EXPECT_EQ(parse_endpoint("somewhere", 1).error().line(), "somewhere: is not an IPv4 or IPv6 address");
   EXPECT_EQ(*resolve("127.0.0.1", 7), *parse_endpoint("127.0.0.1", 7));
+  for (const char* const group : {"224.0.0.1", "239.255.255.255"})
+    EXPECT_TRUE(parse_endpoint(group, 1)->is_group()) << group;
+  for (const char* const other : {"223.255.255.255", "240.0.0.1", "ff02::1"})
+    EXPECT_FALSE(parse_endpoint(other, 1)->is_group()) << other;
 }
 
 /// Both ends in one loop.

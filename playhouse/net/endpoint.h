@@ -21,6 +21,8 @@ struct Endpoint {
   std::array<std::uint8_t, 16> spoken_to{};
 
   bool is_v4() const;
+  /// A group of IPv4, 224.0.0.0/4.
+  bool is_group() const;
   friend auto operator<=>(const Endpoint& a, const Endpoint& b) {
     return std::tie(a.address, a.port, a.scope) <=> std::tie(b.address, b.port, b.scope);
   }
