@@ -98,7 +98,7 @@ class OldPrograms(HouseTest):
 
     def test_a_program_may_be_linked_without_shared_libraries(self):
         folder = self.place / "prefix" / "lib"
-        libraries = [folder / "libplayerc.a", folder / "libplayhouse_c.a", "-lz", "-lm"]
+        libraries = [folder / "libplayerc.a", folder / "libplayhouse_c.a", "-lturbojpeg", "-lz", "-lm"]
         with self.run_house() as house:
             self.assertIn("driver stage", tool(self.build("devices", libraries=libraries), house.port()))
 

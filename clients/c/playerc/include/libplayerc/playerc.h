@@ -526,6 +526,9 @@ void playerc_camera_save(playerc_camera_t *device, const char *filename);
 int playerc_camera_set_source(playerc_camera_t *device, int source, const char *norm);
 int playerc_camera_get_source(playerc_camera_t *device);
 int playerc_camera_get_image(playerc_camera_t *device);
+/** Makes a JPEG image an uncompressed one of 24 bits, in place. It remains as it is if that fails, as
+ * playerc_error_str() tells; an uncompressed one remains in any case. */
+void playerc_camera_decompress(playerc_camera_t *device);
 void playerc_camera_copy_image(playerc_camera_t *device, void *dst, size_t dst_size);
 /** A component of a pixel of an uncompressed image of 8 or 24 bits; 0 if there is none. */
 unsigned playerc_camera_get_pixel_component(playerc_camera_t *device, unsigned int x, unsigned int y,
