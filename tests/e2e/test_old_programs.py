@@ -102,10 +102,24 @@ class OldPrograms(HouseTest):
         with self.run_house() as house:
             self.assertIn("driver stage", tool(self.build("devices", libraries=libraries), house.port()))
 
-    def test_a_robot_in_cpp_drives_along_and_exceptions_tell_what_fails(self):
-        program = self.folder / "drive"
-        tool("c++", "-std=c++11", "-Wall", "-Wextra", "-Werror", *self.flags("--cflags", package="playerc++"), PROGRAMS / "drive.cc",
+    def build_cpp(self, name: str) -> Path:
+        program = self.folder / name
+        tool("c++", "-std=c++11", "-Wall", "-Wextra", "-Werror", *self.flags("--cflags", package="playerc++"), PROGRAMS / f"{name}.cc",
              *self.flags("--libs", package="playerc++"), "-o", program)
+        return program
+
+    def test_functions_that_are_connected_are_called_after_data_until_they_are_not(self):
+        with House("serve", ROOT / "worlds" / "dummy.cfg", "--port", 0, "--headless") as house:
+            program = subprocess.Popen([self.build_cpp("signals"), str(house.port())], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                       stderr=subprocess.PIPE, text=True)
+            self.addCleanup(program.kill)
+            self.assertEqual([program.stdout.readline() for _ in range(3)], ["5 5 1 0\n", "5 6\n", "in a thread\n"])
+            house.end()
+            self.assertIn("the run ended", program.stderr.readline())
+            self.assertEqual((program.communicate("\n", timeout=60)[0], program.returncode), ("over\n", 0))
+
+    def test_a_robot_in_cpp_drives_along_and_exceptions_tell_what_fails(self):
+        program = self.build_cpp("drive")
         with self.run_house("--speed", 10) as house:
             said = tool(program, house.port()).splitlines()
         self.assertEqual(said[0], f"localhost:{house.port()}")
