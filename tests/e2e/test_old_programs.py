@@ -108,6 +108,13 @@ class OldPrograms(HouseTest):
              *self.flags("--libs", package="playerc++"), "-o", program)
         return program
 
+    def test_equipment_in_cpp_is_read_and_told(self):
+        with House("serve", ROOT / "worlds" / "dummy.cfg", "--port", 0, "--headless") as house:
+            said = tool(self.build_cpp("equipment"), house.port()).splitlines()
+        self.assertEqual(said, ["lift 0", "tags 1", "node 1", "radio dummy 1 1", "health 1", "board 1", "audio dummy- 1", "map 1 1",
+                                "eyes 64x48 9216 1", "cloud 1", "camera 0", "laser -1.5 1.5 0.5 0.01 1 25", "mote 1 1",
+                                "WiFiProxy::GetLink()(-1): there is no such link"])
+
     def test_functions_that_are_connected_are_called_after_data_until_they_are_not(self):
         with House("serve", ROOT / "worlds" / "dummy.cfg", "--port", 0, "--headless") as house:
             program = subprocess.Popen([self.build_cpp("signals"), str(house.port())], stdin=subprocess.PIPE, stdout=subprocess.PIPE,

@@ -521,6 +521,12 @@ class LaserProxy : public PLAYERCC_BASE(laser) {
   double MinLeft() const { return GetMinLeft(); }
   double MinRight() const { return GetMinRight(); }
   double operator[](uint32_t aIndex) const { return GetRange(aIndex); }
+  /** Angles are in rad, the resolutions in hundredths of a degree and in mm, the frequency in Hz. */
+  void Configure(double aMinAngle, double aMaxAngle, uint32_t aScanRes, uint32_t aRangeRes, bool aIntensity,
+                 double aScanningFrequency) {
+    PLAYERCC_DO(playerc_laser_set_config, mDevice, aMinAngle, aMaxAngle, dtor(aScanRes / 100.0),
+                aRangeRes / 1000.0, static_cast<unsigned char>(aIntensity ? 1 : 0), aScanningFrequency);
+  }
   void RequestConfigure() {
     double resolution, range_res, frequency;
     unsigned char intensity;
@@ -965,7 +971,13 @@ class ActArrayProxy : public PLAYERCC_BASE(actarray) {
 
 // --- pictures
 
-/** Images are as the server sends them: there is no Decompress(). */
+/** "PREFIX0007.ppm", the number in so many digits. */
+inline std::string FrameFile(const std::string &prefix, uint32_t frame, uint32_t width) {
+  std::string number = std::to_string(frame);
+  if (number.size() < width) number.insert(0, width - number.size(), '0');
+  return prefix + number + ".ppm";
+}
+
 class CameraProxy : public PLAYERCC_BASE(camera) {
  public:
   CameraProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex), frame_(0) {}
@@ -973,9 +985,7 @@ class CameraProxy : public PLAYERCC_BASE(camera) {
   /** Writes `aPrefix`, the number of the frame in so many digits, and ".ppm". */
   void SaveFrame(const std::string aPrefix, uint32_t aWidth = 4) {
     scoped_lock_t lock(mPc->mMutex);
-    std::string number = std::to_string(frame_++);
-    if (number.size() < aWidth) number.insert(0, aWidth - number.size(), '0');
-    playerc_camera_save(mDevice, (aPrefix + number + ".ppm").c_str());
+    playerc_camera_save(mDevice, FrameFile(aPrefix, frame_++, aWidth).c_str());
   }
   uint32_t GetDepth() const { return static_cast<uint32_t>(GetVar(mDevice->bpp)); }
   uint32_t GetWidth() const { return static_cast<uint32_t>(GetVar(mDevice->width)); }
@@ -983,6 +993,11 @@ class CameraProxy : public PLAYERCC_BASE(camera) {
   uint32_t GetFormat() const { return static_cast<uint32_t>(GetVar(mDevice->format)); }
   uint32_t GetImageSize() const { return static_cast<uint32_t>(GetVar(mDevice->image_count)); }
   uint32_t GetCompression() const { return static_cast<uint32_t>(GetVar(mDevice->compression)); }
+  /** Makes a JPEG image an uncompressed one, which GetCompression() tells afterwards. */
+  void Decompress() {
+    scoped_lock_t lock(mPc->mMutex);
+    playerc_camera_decompress(mDevice);
+  }
   void GetImage(uint8_t *aImage) const {
     scoped_lock_t lock(mPc->mMutex);
     playerc_camera_copy_image(mDevice, aImage, GetImageSize());
@@ -1065,9 +1080,11 @@ class OpaqueProxy : public PLAYERCC_BASE(opaque) {
   }
 };
 
+}  // namespace PlayerCc
+
+#include <libplayerc++/equipment.h>
+
 #undef PLAYERCC_DO
 #undef PLAYERCC_BASE
-
-}  // namespace PlayerCc
 
 #endif /* LIBPLAYERCPP_PLAYERCPP_H */
