@@ -109,6 +109,11 @@ class Groups(unittest.TestCase):
         self.say(101)
         self.assertEqual(self.heard(group, 1), [101])
 
+    def test_a_port_that_another_program_has_is_told(self):
+        taken = self.socket_of("0.0.0.0")
+        with self.assertRaises(OSError):
+            Group(f"{ADDRESS}:{taken.getsockname()[1]} from 7", SERVED, self.here)
+
     def test_a_place_that_is_none_is_said(self):
         for place in ("", "nonsense", "239.255.0.1:6680", "239.255.0.1:x from 7"):
             with self.assertRaises((WireError, OSError)):
