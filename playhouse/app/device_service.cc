@@ -156,7 +156,7 @@ std::vector<std::string> DeviceService::places() const {
 }
 
 /// {"ports":[6665],"clients":[{"peer":"127.0.0.1:4242","port":6665,"devices":["laser:0"]}]}, with --udp "udp" with
-/// server::DatagramCounts, and with a recording "recording":{"file":"lab.mcap","messages":7,"bytes":900,"dropped":0}.
+/// server::DatagramCounts, with --multicast "multicast" with server::GroupCounts, and with a recording "recording":{"file":"lab.mcap","messages":7,"bytes":900,"dropped":0}.
 std::string DeviceService::status_text() const {
   boost::json::array clients;
   for (const server::ClientStatus& client : devices_.server().clients()) {
@@ -174,6 +174,10 @@ std::string DeviceService::status_text() const {
     status["udp"] =
         boost::json::object{{"received", udp.received}, {"dropped", udp.dropped}, {"late", udp.late},
                             {"sent", udp.sent},         {"unsent", udp.unsent},   {"too_long", udp.too_long}};
+  }
+  if (serving_.multicast) {
+    const server::GroupCounts group = server_->status().group;
+    status["multicast"] = boost::json::object{{"sent", group.sent}, {"unsent", group.unsent}};
   }
   if (recorder_) {
     const record::DeviceRecorder::RecordingStatus recording = recorder_->status();
@@ -227,6 +231,7 @@ server::ServerOptions server_options(const Serving& serving) {
   options.sessions = device_server::sessions_that_fit(serving.is_encrypted());
   options.unix_folder = serving.unix_folder;
   options.datagrams = serving.udp;
+  options.group = serving.multicast;
   const double share = static_cast<double>(serving.client_mib) / limits::kClientMiB;
   const auto part = [share](std::size_t bytes) {
     return static_cast<std::size_t>(share * static_cast<double>(bytes));

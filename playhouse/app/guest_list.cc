@@ -35,6 +35,7 @@ std::string client_place(const std::string& host, std::uint16_t port, const Serv
   std::vector<std::string> ways;
   if (serving.is_encrypted()) ways.push_back("TLS");
   if (serving.udp) ways.push_back("also UDP");
+  if (serving.multicast) ways.push_back("data also to " + net::to_text(*serving.multicast));
   if (!serving.unix_folder.empty()) ways.push_back(fmt::format("also {}/{}", serving.unix_folder, port));
   return fmt::format("Player clients: {}:{}{}", host, port,
                      ways.empty() ? "" : fmt::format(" ({})", fmt::join(ways, ", ")));

@@ -29,6 +29,10 @@ TEST(Endpoint, addresses_are_read_and_told_as_people_write_them) {
   EXPECT_FALSE(parse_endpoint("::1", 1)->is_v4());
   EXPECT_EQ(parse_endpoint("somewhere", 1).error().line(), "somewhere: is not an IPv4 or IPv6 address");
   EXPECT_EQ(*resolve("127.0.0.1", 7), *parse_endpoint("127.0.0.1", 7));
+  for (const char* const group : {"224.0.0.1", "239.255.255.255"})
+    EXPECT_TRUE(parse_endpoint(group, 1)->is_group()) << group;
+  for (const char* const other : {"223.255.255.255", "240.0.0.1", "ff02::1"})
+    EXPECT_FALSE(parse_endpoint(other, 1)->is_group()) << other;
 }
 
 /// Both ends in one loop.
@@ -83,6 +87,42 @@ TEST(Datagrams, tell_of_a_peer_whose_port_is_closed_and_reach_the_others) {
     while (heard.empty() && refused.size() < 3) loop.run();
     EXPECT_EQ(heard, "hello") << bind;
   }
+}
+
+TEST(Datagrams, answers_come_from_the_address_that_the_peer_spoke_to) {
+  for (const char* const bind : {"0.0.0.0", "::"}) {
+    IoLoop loop;
+    std::unique_ptr<DatagramSocket> server;
+    server = *loop.open_datagrams(
+        bind, 0, [&](const Endpoint& from, std::span<const std::byte> bytes) { server->send(from, bytes); });
+    for (const char* const ours : {"127.0.0.1", "127.0.0.2", "127.0.0.3"}) {
+      Endpoint answered;
+      const auto client = *loop.open_datagrams("127.0.0.1", 0, [&](const Endpoint& from, auto) {
+        answered = from;
+        loop.stop();
+      });
+      client->send(*parse_endpoint(ours, server->port()), bytes_of("hello"));
+      const auto patience = loop.after(60, [&] { loop.stop(); });
+      loop.run();
+      EXPECT_EQ(to_text(answered), std::string(ours) + ":" + std::to_string(server->port())) << bind;
+    }
+  }
+}
+
+TEST(Datagrams, answers_to_an_address_that_is_no_more_come_from_another) {
+  IoLoop loop;
+  bool heard = false;
+  const auto server = *loop.open_datagrams("0.0.0.0", 0, [](auto&&...) {});
+  const auto client = *loop.open_datagrams("127.0.0.1", 0, [&](auto&&...) {
+    heard = true;
+    loop.stop();
+  });
+  Endpoint peer = *parse_endpoint("127.0.0.1", client->port());
+  peer.spoken_to = parse_endpoint("192.0.2.1", 1)->address;
+  EXPECT_TRUE(server->send(peer, bytes_of("hello")));
+  const auto patience = loop.after(60, [&] { loop.stop(); });
+  loop.run();
+  EXPECT_TRUE(heard);
 }
 
 TEST(Datagrams, say_that_a_datagram_is_too_long) {

@@ -44,6 +44,10 @@ bool Endpoint::is_v4() const {
   return std::equal(kMapped.begin(), kMapped.end(), address.begin());
 }
 
+bool Endpoint::is_group() const {
+  return is_v4() && address[kMapped.size()] >> 4 == 0xE;
+}
+
 std::string to_text(const Endpoint& endpoint) {
   char text[INET6_ADDRSTRLEN] = {};
   if (endpoint.is_v4()) {

@@ -125,7 +125,7 @@ class Network {
   /// Serves HTTP and WebSockets (http.h) on a TCP port, likewise. `service` must outlive the network's run.
   virtual Result<std::unique_ptr<Listener>> listen_http(const std::string& bind, std::uint16_t port,
                                                         HttpService& service) = 0;
-  /// Opens a UDP port, likewise.
+  /// Opens a UDP port, likewise. What is sent to a group goes one hop, and out by the interface of `bind`.
   virtual Result<std::unique_ptr<DatagramSocket>> open_datagrams(const std::string& bind, std::uint16_t port,
                                                                  DatagramSocket::Receiver receiver) = 0;
   /// Clock of the network: monotonic seconds. Any thread.

@@ -92,7 +92,7 @@ class SimulatedNetwork final : public Network {
   /// Pages (simulated_page.h) come by messages: neither HTTP nor frames of WebSockets are simulated.
   Result<std::unique_ptr<Listener>> listen_http(const std::string& bind, std::uint16_t port,
                                                 HttpService& service) override;
-  /// `bind` is an arbitrary simulated address, at which the socket receives.
+  /// `bind` is an arbitrary simulated address, at which the socket receives; that of a group joins it.
   Result<std::unique_ptr<DatagramSocket>> open_datagrams(const std::string& bind, std::uint16_t port,
                                                          DatagramSocket::Receiver receiver) override;
   double now() const override { return now_; }
@@ -136,7 +136,8 @@ class SimulatedNetwork final : public Network {
   std::vector<Task> tasks_;
   std::multimap<double, Alarm> alarms_;
   std::set<double> wakes_;  // s; all connections are looked at then
-  std::map<Endpoint, std::weak_ptr<DatagramSocket::Receiver>> datagram_ports_;
+  std::map<Endpoint, std::vector<std::weak_ptr<DatagramSocket::Receiver>>>
+      datagram_ports_;  // of a group: many
   std::map<std::uint16_t, std::shared_ptr<Acceptor>> ports_;
   std::vector<std::shared_ptr<SimulatedLink>> links_;
   std::vector<std::shared_ptr<SimulatedEnd>> ends_;  // clients' ends

@@ -1,6 +1,7 @@
 /// Datagrams of the simulated network, delivered by alarms of the virtual clock.
 
 #include <utility>
+#include <vector>
 
 #include "playhouse/net/simulated.h"
 
@@ -29,10 +30,12 @@ Result<std::unique_ptr<DatagramSocket>> SimulatedNetwork::open_datagrams(const s
                                                                          DatagramSocket::Receiver receiver) {
   const Result<Endpoint> here = parse_endpoint(bind, port == 0 ? next_port_++ : port);
   if (!here) return here.error();
-  auto& entry = datagram_ports_[*here];
-  if (!entry.expired()) return Error{to_text(*here), "cannot listen for datagrams: port in use"};
+  auto& receivers = datagram_ports_[*here];
+  std::erase_if(receivers, [](const auto& each) { return each.expired(); });
+  if (!receivers.empty() && !here->is_group())
+    return Error{to_text(*here), "cannot listen for datagrams: port in use"};
   const auto shared = std::make_shared<DatagramSocket::Receiver>(std::move(receiver));
-  entry = shared;
+  receivers.push_back(shared);
   return std::unique_ptr<DatagramSocket>(std::make_unique<SimulatedDatagrams>(*this, *here, shared));
 }
 
@@ -45,7 +48,8 @@ void SimulatedNetwork::carry(const Endpoint& from, const Endpoint& to, std::span
     run_at(arrives, [this, from, to, bytes = std::vector(bytes.begin(), bytes.end())] {
       const auto port = datagram_ports_.find(to);
       if (port == datagram_ports_.end()) return;
-      if (const auto receiver = port->second.lock()) (*receiver)(from, bytes);
+      for (const auto& each : std::vector(port->second))
+        if (const auto receiver = each.lock()) (*receiver)(from, bytes);
     });
   }
 }

@@ -1,17 +1,16 @@
 /// UDP sockets of the io loop.
 
-#include <linux/errqueue.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <functional>
 #include <optional>
 #include <utility>
 
 #include "playhouse/net/asio_loop.h"
+#include "playhouse/net/local/spoken_to.h"
 
 #include "playhouse/net/asio.h"
 
@@ -50,6 +49,7 @@ class ReadLoop : public std::enable_shared_from_this<ReadLoop> {
     is_v4_ = endpoint.address().is_v4();
     error_code ignored;
     if (!is_v4_) socket_.set_option(asio::ip::v6_only(false), ignored);
+    if (endpoint.address().is_unspecified()) tell_spoken_to(socket_.native_handle(), is_v4_);
     socket_.set_option(asio::socket_base::receive_buffer_size(kSystemBytes), ignored);
     socket_.set_option(asio::socket_base::send_buffer_size(kSystemBytes), ignored);
     if (socket_.bind(endpoint, error)) return error;
@@ -68,12 +68,13 @@ class ReadLoop : public std::enable_shared_from_this<ReadLoop> {
 
   // An error of an earlier datagram may be told by this call, which then has not sent.
   bool send(const Endpoint& to, std::span<const std::byte> bytes) {
-    error_code lost;
+    const udp::endpoint there = to_asio(to, is_v4_);
+    const auto size = static_cast<socklen_t>(there.size());
     for (int tries = 0; tries < 2; ++tries) {
-      socket_.send_to(asio::buffer(bytes.data(), bytes.size()), to_asio(to, is_v4_), 0, lost);
-      if (lost != asio::error::connection_refused) break;
+      if (send_datagram(socket_.native_handle(), bytes, there.data(), size, to.spoken_to)) return true;
+      if (errno != ECONNREFUSED) break;
     }
-    return !lost;
+    return false;
   }
 
   void on_refused(std::function<void(const Endpoint&)> refused) {
@@ -96,11 +97,16 @@ class ReadLoop : public std::enable_shared_from_this<ReadLoop> {
   void read() {
     for (int count = 0; count < kDatagramsPerTurn && socket_.is_open(); ++count) {
       udp::endpoint from;
-      error_code error;
-      const std::size_t size = socket_.receive_from(asio::buffer(loop_.read_buffer), from, 0, error);
-      if (error == asio::error::connection_refused) continue;  // of one sent before: wait_for_refusal()
-      if (error) return;                                       // none left
-      receiver_(from_asio(from), std::span(loop_.read_buffer).first(size));
+      auto length = static_cast<socklen_t>(from.capacity());
+      std::array<std::uint8_t, 16> spoken_to{};
+      const std::optional<std::size_t> size =
+          receive_datagram(socket_.native_handle(), loop_.read_buffer, from.data(), length, spoken_to);
+      if (!size && errno == ECONNREFUSED) continue;  // of one sent before: wait_for_refusal()
+      if (!size) return;                             // none left
+      from.resize(length);
+      Endpoint peer = from_asio(from);
+      peer.spoken_to = spoken_to;
+      receiver_(peer, std::span(loop_.read_buffer).first(*size));
     }
   }
 
@@ -124,11 +130,7 @@ class ReadLoop : public std::enable_shared_from_this<ReadLoop> {
       message.msg_controllen = control.size();
       if (!socket_.is_open() || ::recvmsg(socket_.native_handle(), &message, MSG_ERRQUEUE) < 0) return {};
       peer.resize(message.msg_namelen);
-      const cmsghdr* const first = CMSG_FIRSTHDR(&message);
-      if (first == nullptr) continue;
-      sock_extended_err why{};
-      std::memcpy(&why, CMSG_DATA(first), sizeof why);
-      if (why.ee_errno == ECONNREFUSED) return from_asio(peer);
+      if (error_in(message) == ECONNREFUSED) return from_asio(peer);
     }
   }
 

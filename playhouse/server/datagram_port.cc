@@ -20,16 +20,6 @@ constexpr double kLookSeconds = 60;  // period of looking for silent sessions
 // that they take no room of others.
 constexpr std::size_t kUnheard = 256;
 
-/// The copy of a data message that has this number.
-std::vector<std::byte> numbered(std::span<const std::byte> message, std::uint32_t number) {
-  std::vector<std::byte> copy(message.begin(), message.end());
-  const auto head = std::span(copy).first<limits::kHeaderBytes>();
-  wire::Header header = wire::decode_header(head);
-  header.seq = number;
-  wire::encode_header(header, head);
-  return copy;
-}
-
 bool is_data(std::span<const std::byte> message) {
   return message.size() >= limits::kHeaderBytes &&
          wire::decode_header(message.first<limits::kHeaderBytes>()).type == wire::MessageType::kData;

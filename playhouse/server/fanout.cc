@@ -11,7 +11,7 @@
 namespace playhouse::server {
 
 void Fanout::join(device::DeviceId device, Subscriber& reader) {
-  std::vector<Subscriber*>& readers = channels_[device].readers;
+  std::vector<Subscriber*>& readers = readers_of(device).readers;
   if (std::find(readers.begin(), readers.end(), &reader) == readers.end()) readers.push_back(&reader);
 }
 
@@ -26,7 +26,7 @@ bool Fanout::has_readers(device::DeviceId device) const {
 }
 
 std::size_t Fanout::publish(const device::Publication& publication, device::Address address, double now) {
-  DeviceReaders& to = channels_[publication.device];
+  DeviceReaders& to = readers_of(publication.device);
   const double timestamp = next_timestamp(to, publication, now);
   const auto is_for = [&](const Subscriber* reader) { return publication.is_for(reader->serial()); };
   if (std::ranges::none_of(to.readers, is_for)) return 0;
@@ -47,13 +47,36 @@ std::size_t Fanout::publish(const device::Publication& publication, device::Addr
   header.timestamp = timestamp;
   const Frame frame = counted(make_frame(header, publication.body), frame_bytes_);
   ++encoded_;
+  const bool shared = is_shared(to, publication, frame);
   std::size_t deliveries = 0;
   for (Subscriber* reader : to.readers) {
-    if (!is_for(reader)) continue;
+    if (!is_for(reader) || (shared && reader->reads_group())) continue;
     reader->deliver(frame);
     ++deliveries;
   }
-  return deliveries;
+  if (!shared) return deliveries;
+  group_->send(frame, ++to.number);
+  return deliveries + 1;
+}
+
+/// Data for some readers alone are not for a group.
+bool Fanout::is_shared(const DeviceReaders& to, const device::Publication& publication,
+                       const Frame& frame) const {
+  return group_ != nullptr && publication.clients.empty() && group_->carries(frame) &&
+         std::ranges::any_of(to.readers, &Subscriber::reads_group);
+}
+
+Fanout::DeviceReaders& Fanout::readers_of(device::DeviceId device) {
+  const auto [entry, first] = channels_.try_emplace(device);
+  if (first) entry->second.number = first_number_;
+  return entry->second;
+}
+
+void Fanout::retire(device::DeviceId device) {
+  const auto found = channels_.find(device);
+  if (found == channels_.end()) return;
+  first_number_ = std::max(first_number_, found->second.number);
+  channels_.erase(found);
 }
 
 void Fanout::lose(device::DeviceId device, std::uint64_t messages) {

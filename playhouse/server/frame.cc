@@ -19,6 +19,15 @@ Frame counted(Frame frame, const FrameBytes& total) {
   return frame;
 }
 
+std::vector<std::byte> numbered(std::span<const std::byte> message, std::uint32_t number) {
+  std::vector<std::byte> copy(message.begin(), message.end());
+  const auto head = std::span(copy).first<limits::kHeaderBytes>();
+  wire::Header header = wire::decode_header(head);
+  header.seq = number;
+  wire::encode_header(header, head);
+  return copy;
+}
+
 Frame make_frame(wire::Header header, std::span<const std::byte> body) {
   PLAYHOUSE_ASSERT(body.size() <= limits::kBodyBytes);
   header.size = static_cast<std::uint32_t>(body.size());

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "playhouse/net/network.h"
 #include "playhouse/wire/header.h"
@@ -35,6 +36,9 @@ using FrameBytes = std::shared_ptr<std::size_t>;
 
 /// The frame, counted in `total` during its lifetime.
 Frame counted(Frame frame, const FrameBytes& total);
+
+/// The copy of a message that has this number in `seq`.
+std::vector<std::byte> numbered(std::span<const std::byte> message, std::uint32_t number);
 
 /// Sets `header.size` from the body, at most limits::kBodyBytes (asserted).
 Frame make_frame(wire::Header header, std::span<const std::byte> body);

@@ -23,6 +23,8 @@ namespace {
 namespace player = wire::player;
 
 constexpr std::string_view kLostProperty = "lost";  // data messages lost for this client
+constexpr std::string_view kGroupProperty =
+    "multicast";  // a string: where data go by multicast; an integer: whether this client reads them there
 
 // Access codes before version 3, letters as for files; sent as numbers.
 constexpr std::uint8_t kReadLetter = 'r', kWriteLetter = 'w', kAllLetter = 'a', kCloseLetter = 'c';
@@ -79,6 +81,10 @@ void Session::player_message(const wire::Header& header, MessageBody body) {
       return add_replace_rule(header, body);
     case wire::kReqGetIntprop:
       return tell_lost(header, body);
+    case wire::kReqGetStrprop:
+      return tell_group(header, body);
+    case wire::kReqSetIntprop:
+      return read_group(header, body);
     default:
       return refuse(header, Fault::kUnknownMessage, "no such request");
   }
@@ -244,6 +250,25 @@ void Session::tell_lost(const wire::Header& header, MessageBody body) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
   asked->value = static_cast<std::int32_t>(std::min(kMost, queue_.dropped()));
   reply(header, true, wire::encode(*asked));
+}
+
+void Session::tell_group(const wire::Header& header, MessageBody body) {
+  auto asked = wire::decode<wire::StrpropReq>(body);
+  if (!asked || wire::text(asked->key) != kGroupProperty || board_.group_place.empty())
+    return refuse(header, Fault::kUnknownMessage, "no such property");
+  asked->value = wire::c_string(board_.group_place);
+  reply(header, true, wire::encode(*asked));
+}
+
+/// Of all devices that the client has open and opens. What is queued comes by the connection.
+void Session::read_group(const wire::Header& header, MessageBody body) {
+  const auto asked = wire::decode<wire::IntpropReq>(body);
+  if (!asked || wire::text(asked->key) != kGroupProperty)
+    return refuse(header, Fault::kUnknownMessage, "no such property");
+  if (asked->value != 0 && board_.group_place.empty())
+    return refuse(header, Fault::kUnsupported, "this server sends nothing by multicast");
+  reads_group_ = asked->value != 0;
+  reply(header, true);
 }
 
 void Session::set_data_mode(const wire::Header& header, MessageBody body) {

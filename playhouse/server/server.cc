@@ -65,6 +65,7 @@ class Server::Impl final : public ClientOwner {
 
   Result<std::uint16_t> listen(std::uint16_t port);
   Result<void> listen_besides(std::uint16_t port, const net::Network::Acceptor& acceptor);
+  Result<void> open_group();
   void accept(std::uint32_t robot, std::unique_ptr<net::Connection> connection);
   void publish(std::vector<device::Publication> batch) {
     if (outbox_.put(std::move(batch))) wake();
@@ -129,8 +130,9 @@ class Server::Impl final : public ClientOwner {
   const net::SharedBytes banner_;
   Outbox outbox_;
   std::shared_ptr<int> alive_ =
-      std::make_shared<int>(0);  // tasks posted by us look whether we are still there
-  Switchboard board_;            // after the outbox: drivers that are stopped may still answer
+      std::make_shared<int>(0);            // tasks posted by us look whether we are still there
+  std::unique_ptr<MulticastGroup> group_;  // null: there is none
+  Switchboard board_;                      // after the outbox: drivers that are stopped may still answer
   std::vector<std::unique_ptr<net::Listener>> listeners_;
   std::vector<std::unique_ptr<DatagramPort>> datagram_ports_;
   const std::shared_ptr<DatagramRoom> datagram_room_ = std::make_shared<DatagramRoom>();
@@ -147,6 +149,7 @@ class Server::Impl final : public ClientOwner {
 
 Result<std::uint16_t> Server::Impl::listen(std::uint16_t port) {
   // The acceptor needs the port, which is known only after listen().
+  if (const Result<void> opened = open_group(); !opened) return opened.error();
   const auto robot = std::make_shared<std::uint32_t>(port);
   const auto accept_there = [this, robot](std::unique_ptr<net::Connection> connection) {
     accept(*robot, std::move(connection));
@@ -158,6 +161,17 @@ Result<std::uint16_t> Server::Impl::listen(std::uint16_t port) {
   if (const Result<void> opened = listen_besides(port, accept_there); !opened) return opened.error();
   listeners_.push_back(std::move(*listener));
   return port;
+}
+
+/// For all ports, with the first.
+Result<void> Server::Impl::open_group() {
+  if (!options_.group || group_ != nullptr) return {};
+  auto opened = MulticastGroup::open(network_, options_.bind, *options_.group);
+  if (!opened) return opened.error();
+  group_ = std::move(*opened);
+  board_.group_place = group_->place();
+  board_.fanout.share_by(*group_);
+  return {};
 }
 
 /// Unix socket and UDP port of this number.
@@ -427,6 +441,8 @@ void Server::Impl::advance_everybody() {
 }
 
 void Server::Impl::tell_datagrams() const {
+  if (group_ != nullptr)
+    log::info("multicast: {} messages sent, {} not sent", group_->counts().sent, group_->counts().unsent);
   if (datagram_ports_.empty()) return;
   const DatagramCounts all = status().datagrams;
   log::info(
@@ -496,6 +512,7 @@ ServerStatus Server::Impl::status() const {
   status.devices_retired = retired_;
   status.device_rows = device_rows();
   for (const auto& port : datagram_ports_) status.datagrams += port->counts();
+  if (group_ != nullptr) status.group = group_->counts();
   return status;
 }
 

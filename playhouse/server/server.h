@@ -24,6 +24,7 @@
 #include "playhouse/device/turns.h"
 #include "playhouse/net/network.h"
 #include "playhouse/server/datagram_port.h"
+#include "playhouse/server/multicast_group.h"
 
 namespace playhouse::server {
 
@@ -37,6 +38,8 @@ struct ServerOptions {
   std::size_t sessions = limits::kSessions;  // fewer where descriptors are few
   std::string unix_folder = {};              // each port has a Unix socket there as well; empty: none
   bool datagrams = false;                    // each port is one of UDP as well
+  /// Data also go there, once for all clients that ask for it; in the clear, so not with admit_by() or TLS.
+  std::optional<net::Endpoint> group = {};
 };
 
 /// Metrics of a running server. Totals since the start unless stated otherwise.
@@ -60,6 +63,7 @@ struct ServerStatus {
   std::uint64_t devices_retired = 0;
   std::size_t device_rows = 0;  // now: entries for devices in tables of the server and its sessions
   DatagramCounts datagrams;     // of all ports
+  GroupCounts group;
 };
 
 /// A connected client.

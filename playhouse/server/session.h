@@ -83,6 +83,7 @@ class Session final : public Subscriber {
   std::uint32_t serial() const override { return serial_; }
   void deliver(const Frame& frame) override;
   void lose(std::uint64_t messages) override { queue_.lose(messages); }
+  bool reads_group() const override { return reads_group_; }
 
   /// Bytes of queued replies and data; shared data counts in each session.
   std::size_t output_bytes() const { return queue_.bytes_waiting(); }
@@ -171,6 +172,8 @@ class Session final : public Subscriber {
   void set_data_mode(const wire::Header& header, MessageBody body);
   void add_replace_rule(const wire::Header& header, MessageBody body);
   void tell_lost(const wire::Header& header, MessageBody body);
+  void tell_group(const wire::Header& header, MessageBody body);
+  void read_group(const wire::Header& header, MessageBody body);
   void prepare(const wire::Header& header, device::DeviceId device, std::uint8_t code);
   void prepared(const wire::Header& header, const Opening& opening, bool ack, MessageBody why);
   void tell_access(const wire::Header& header, device::Address address, std::uint8_t access);
@@ -195,6 +198,7 @@ class Session final : public Subscriber {
   std::set<std::uint32_t> barriers_;          // pending barriers
   std::uint32_t next_request_ = 0;            // counter for both
   bool due_ = false, peer_lost_ = false;
+  bool reads_group_ = false;  // its data go by multicast
   std::string broken_;
   std::set<Fault> logged_;
   std::uint64_t commands_dropped_ = 0;

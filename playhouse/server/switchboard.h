@@ -38,8 +38,9 @@ struct Switchboard {
   FrameBytes frame_bytes = std::make_shared<std::size_t>(0);  // limits::kOutputBytes
   Fanout fanout{frame_bytes};
   Counters counters;
-  std::function<double()> clock;         // s; timestamps of replies
-  device::Outlet* outlet;                // receives drivers' replies
+  std::string group_place;        // where data go by multicast, MulticastGroup::place(); empty: nowhere
+  std::function<double()> clock;  // s; timestamps of replies
+  device::Outlet* outlet;         // receives drivers' replies
   const device::Turns* turns = nullptr;  // of clients; null: no ordering
   /// The rights of a client with this token ("*": without one) from this peer, "address:port"; none:
   /// the token is wrong. Empty: every client has all rights.

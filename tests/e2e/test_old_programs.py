@@ -98,14 +98,35 @@ class OldPrograms(HouseTest):
 
     def test_a_program_may_be_linked_without_shared_libraries(self):
         folder = self.place / "prefix" / "lib"
-        libraries = [folder / "libplayerc.a", folder / "libplayhouse_c.a", "-lz", "-lm"]
+        libraries = [folder / "libplayerc.a", folder / "libplayhouse_c.a", "-lturbojpeg", "-lz", "-lm"]
         with self.run_house() as house:
             self.assertIn("driver stage", tool(self.build("devices", libraries=libraries), house.port()))
 
-    def test_a_robot_in_cpp_drives_along_and_exceptions_tell_what_fails(self):
-        program = self.folder / "drive"
-        tool("c++", "-std=c++11", "-Wall", "-Wextra", "-Werror", *self.flags("--cflags", package="playerc++"), PROGRAMS / "drive.cc",
+    def build_cpp(self, name: str) -> Path:
+        program = self.folder / name
+        tool("c++", "-std=c++11", "-Wall", "-Wextra", "-Werror", *self.flags("--cflags", package="playerc++"), PROGRAMS / f"{name}.cc",
              *self.flags("--libs", package="playerc++"), "-o", program)
+        return program
+
+    def test_equipment_in_cpp_is_read_and_told(self):
+        with House("serve", ROOT / "worlds" / "dummy.cfg", "--port", 0, "--headless") as house:
+            said = tool(self.build_cpp("equipment"), house.port()).splitlines()
+        self.assertEqual(said, ["lift 0", "tags 1", "node 1", "radio dummy 1 1", "health 1", "board 1", "audio dummy- 1", "map 1 1",
+                                "eyes 64x48 9216 1", "cloud 1", "camera 0", "laser -1.5 1.5 0.5 0.01 1 25", "mote 1 1",
+                                "WiFiProxy::GetLink()(-1): there is no such link"])
+
+    def test_functions_that_are_connected_are_called_after_data_until_they_are_not(self):
+        with House("serve", ROOT / "worlds" / "dummy.cfg", "--port", 0, "--headless") as house:
+            program = subprocess.Popen([self.build_cpp("signals"), str(house.port())], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                       stderr=subprocess.PIPE, text=True)
+            self.addCleanup(program.kill)
+            self.assertEqual([program.stdout.readline() for _ in range(3)], ["5 5 1 0\n", "5 6\n", "in a thread\n"])
+            house.end()
+            self.assertIn("the run ended", program.stderr.readline())
+            self.assertEqual((program.communicate("\n", timeout=60)[0], program.returncode), ("over\n", 0))
+
+    def test_a_robot_in_cpp_drives_along_and_exceptions_tell_what_fails(self):
+        program = self.build_cpp("drive")
         with self.run_house("--speed", 10) as house:
             said = tool(program, house.port()).splitlines()
         self.assertEqual(said[0], f"localhost:{house.port()}")

@@ -1,4 +1,4 @@
-"""Player clients by Unix sockets and by UDP, and with a key. The other ends are plain sockets, and our clients through a
+"""Player clients by Unix sockets, by UDP and by multicast, and with a key. The other ends are plain sockets, and our clients through a
 line that loses what the test says."""
 
 import json
@@ -19,7 +19,7 @@ from house import (ACK, DATA, LASER, NACK, PATIENCE, PLAYER, PROGRAM, REQ, ROOT,
 from test_without_world import CFG, PageSocket
 
 sys.path.insert(0, str(ROOT / "clients/python"))
-from playhouse_client import ConnectionLost, Mode, RequestRefused, RequestTimeout, RunEnded, WireError, connect  # noqa: E402
+from playhouse_client import ConnectionLost, InvalidValue, Mode, RequestRefused, RequestTimeout, RunEnded, WireError, connect  # noqa: E402
 from playhouse_client.generated import laser, opaque  # noqa: E402
 
 
@@ -206,6 +206,7 @@ class Udp(HouseTest):
         house, port = self.run_here()
         with connect(f"udp:127.0.0.1:{port}") as client, client.position2d() as wheels, client.laser() as scanner:
             house.process.send_signal(signal.SIGSTOP)
+            os.waitpid(house.process.pid, os.WUNTRACED)  # all of its threads have stopped
             for _ in range(5):
                 with self.assertRaises(RequestTimeout):
                     scanner.request(laser.REQ_GET_GEOM, timeout=0.05)
@@ -249,6 +250,14 @@ class Udp(HouseTest):
         self.assertEqual(house.wait(), 2)
         self.assertIn("senders of datagrams can be forged", house.log())
 
+    def test_answers_come_from_the_address_that_was_spoken_to(self):
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", "off", "--udp", "--bind", "0.0.0.0", "--key", "open-sesame"))
+        port = int(house.wait_for_line(r"^Player clients: [\d.]+:(\d+) \(also UDP\)$").group(1))
+        for host in ("127.0.0.1", "127.0.0.2"):
+            with connect(f"udp:{host}:{port}", token="open-sesame") as client, client.laser() as laser:
+                client.read()
+                self.assertEqual(len(laser.ranges), 181)
+
     def test_what_was_lost_is_told(self):
         house, port = self.run_here()
         with connect(f"udp:127.0.0.1:{port}") as client:
@@ -266,6 +275,82 @@ class Udp(HouseTest):
         house = self.enterContext(House("run", self.world(), "--udp", "--tls-cert", "a", "--tls-key", "b"))
         self.assertEqual(house.wait(), 2)
         self.assertIn("--tls-cert excludes --udp", house.log())
+
+
+class Multicast(HouseTest):
+    def run_here(self, *options) -> tuple[House, int]:
+        (port,) = free_ports()
+        group = f"239.255.66.65:{port}"
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", "off", "--multicast", group, *options))
+        return house, port_of(house, f"(?:also UDP, )?data also to {group}")
+
+    def test_two_clients_get_the_same_messages_each_of_which_is_sent_once(self):
+        house, port = self.run_here("--speed", 10)
+        one, two = (self.enterContext(connect(f"127.0.0.1:{port}", multicast=True)) for _ in range(2))
+        times = [[], []]
+        for client, seen in zip((one, two), times):
+            client.laser().on_data(lambda _message, _value, at, seen=seen: seen.append(at))
+        while len(times[0]) < 30:
+            one.read()
+        while not times[1] or times[1][-1] < times[0][-1]:
+            two.read()
+        both = [at for at in times[0] if at >= times[1][0]]  # the second one came later
+        self.assertGreaterEqual(len(both), 20)
+        self.assertEqual([at for at in times[1] if at <= times[0][-1]], both)
+        self.assertEqual((one.lost_count(), two.lost_count()), (0, 0))
+        for client in (one, two):
+            client.close()
+        house.end()
+        sent = int(house.wait_for_line(r"multicast: (\d+) messages sent, 0 not sent").group(1))
+        self.assertGreaterEqual(sent, 30)
+        self.assertLess(sent, len(times[0]) + len(times[1]), "once, not for each")
+
+    def test_requests_commands_and_the_end_come_by_the_connection(self):
+        house, port = self.run_here("--udp", "--speed", 10)
+        for way in ("", "udp:"):
+            with connect(f"{way}127.0.0.1:{port}", multicast=True) as client, client.position2d() as wheels:
+                self.assertIn("laser:0", [each.name for each in client.devices()])
+                start = next(wheels.updates()).pose.x
+                wheels.drive(0.5)
+                while wheels.pose.x < start + 0.1:
+                    client.read()
+                wheels.drive(0)
+        with connect(f"127.0.0.1:{port}", multicast=True) as client, client.laser():
+            client.read()
+            house.end()
+            with self.assertRaises(RunEnded):
+                while True:
+                    client.read()
+
+    def test_a_client_that_does_not_ask_and_one_in_pull_mode_read_as_ever(self):
+        _, port = self.run_here()
+        with connect(f"127.0.0.1:{port}") as client, client.laser() as laser:
+            client.read()
+            self.assertEqual(len(laser.ranges), 181)
+        with connect(f"127.0.0.1:{port}", multicast=True) as client, self.assertRaises(InvalidValue):
+            client.set_mode(Mode.PULL)
+
+    def test_a_server_without_a_group_says_so(self):
+        house = self.enterContext(House("run", self.world(), "--port", 0, "--web", "off"))
+        with self.assertRaises(RequestRefused) as refused:
+            connect(f"127.0.0.1:{house.port()}", multicast=True)
+        self.assertIn("--multicast GROUP", str(refused.exception))
+
+    def test_what_does_not_go_with_it_is_said(self):
+        group = ("--multicast", "239.255.0.1")
+        for options, why in (
+            (("--multicast", "10.0.0.1"), 'invalid group "10.0.0.1": a multicast address, 224.0.0.0 to 239.255.255.255, is valid'),
+            (("--multicast", "239.255.0.1:0"), 'invalid group "239.255.0.1:0"'),
+            (("--multicast", "ff02::1"), 'invalid group "ff02::1"'),
+            ((*group, "--tls-cert", "a", "--tls-key", "b"), "excludes"),
+            ((*group, "--guests", "a"), "excludes"),
+            ((*group, "--key", "open-sesame"), "excludes"),
+            ((*group, "--bind", "::1"), "a group of IPv4 is reached from an IPv4 address"),
+        ):
+            with self.subTest(options):
+                house = self.enterContext(House("run", self.world(), *options))
+                self.assertEqual(house.wait(), 2)
+                self.assertIn(why, house.log())
 
 
 class WebSockets(HouseTest):

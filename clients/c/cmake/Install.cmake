@@ -14,7 +14,7 @@ function(playhouse_c_shared NAME OF)
   install(TARGETS ${OF}_shared)
 endfunction()
 playhouse_c_shared(playhouse_c playhouse_c ZLIB::ZLIB m)
-playhouse_c_shared(playerc playhouse_playerc playhouse_c_shared m)
+playhouse_c_shared(playerc playhouse_playerc playhouse_c_shared ${PLAYERC_JPEG} m)
 
 install(TARGETS playhouse_c EXPORT playhouse_c)
 install(TARGETS playhouse_playerc)

@@ -7,7 +7,7 @@ import time
 from typing import Callable, Dict, List, NamedTuple, Optional, Tuple, Type, TypeVar
 
 from .connection import UDP, Connection
-from .device import Access, Device, did_you_mean
+from .device import Access, Device, code_of, did_you_mean
 from .errors import ConnectionLost, InvalidValue, PlayerError, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, find_message, player, simulation
 from .generated.proxies import PROXIES, Openers
@@ -19,6 +19,7 @@ from .wire import Kind, c_string, text
 DEFAULT_HOST = "127.0.0.1"  # not localhost: a machine without /etc/hosts cannot resolve it
 DEFAULT_PORT = 6665
 _TOKEN_BYTES = 32
+_GROUP_PROPERTY = "multicast"  # of player:0: where the group is, and whether this client reads it
 _CLOSING_SECONDS = 1.0
 
 P = TypeVar("P", bound=Device)
@@ -61,6 +62,7 @@ class Client(Openers):
 
     `timeout` (s) applies to connecting, to every request, and to every read() without a timeout of its own.
     `tls` says which certificates to trust, for a server with --tls-cert: for instance ssl.create_default_context(cafile=...).
+    `multicast` has a server with --multicast send data to its group, once for all such clients; they come in push mode.
     """
 
     def __init__(
@@ -72,6 +74,7 @@ class Client(Openers):
         timeout: float = 5.0,
         token: str = "",
         tls: Optional[ssl.SSLContext] = None,
+        multicast: bool = False,
     ) -> None:
         self._devices: Dict[Tuple[int, int], List[Device]] = {}
         self._session = Session(Connection(host, port, timeout, tls), timeout, self._retire)
@@ -82,7 +85,9 @@ class Client(Openers):
         try:
             if token:
                 self._authenticate(token)
-            if mode != Mode.PUSH:
+            if multicast:
+                self._hear_group()
+            elif mode != Mode.PUSH:
                 self.set_mode(mode)
         except BaseException:
             self.close()
@@ -96,6 +101,20 @@ class Client(Openers):
             self._session.request(player.CODE, 0, player.REQ_AUTH, player.DeviceAuthReq(key))
         except RequestRefused:
             raise RequestRefused(f"{self._session.peer}: the token is refused; a run without --guests needs none") from None
+
+    def _hear_group(self) -> None:
+        peer = self._session.peer
+        try:
+            question = common.StrpropReq(c_string(_GROUP_PROPERTY))
+            answer = self._session.request(player.CODE, 0, common.REQ_GET_STRPROP, question)
+        except RequestRefused:
+            raise RequestRefused(f"{peer}: the server sends nothing by multicast; its option --multicast GROUP does") from None
+        place = text(common.StrpropReq.decode(answer.body).value)
+        try:
+            self._session.connection.hear(place, self._session.server_port)
+        except OSError as error:
+            raise PlayerError(f"{peer}: cannot listen to the group {place}: {error}") from error
+        self._session.request(player.CODE, 0, common.REQ_SET_INTPROP, common.IntpropReq(c_string(_GROUP_PROPERTY), 1))
 
     @property
     def banner(self) -> str:
@@ -113,10 +132,12 @@ class Client(Openers):
 
     def lost_count(self) -> int:
         """Queries the number of data messages lost on the way to this client, in any mode: the server's count plus those
-        not read here in time, and by UDP those that went astray. Raises RequestRefused if the server does not report it."""
+        not read here in time, and by UDP and by multicast those that went astray. Raises RequestRefused if the server does not report it."""
         question = common.IntpropReq(c_string("lost"))
         answer = self._session.request(player.CODE, 0, common.REQ_GET_INTPROP, question)
-        return common.IntpropReq.decode(answer.body).value + self._session.unread_count + self._session.connection.lost_count
+        connection = self._session.connection
+        astray = connection.lost_count + (connection.group.lost_count if connection.group else 0)
+        return common.IntpropReq.decode(answer.body).value + self._session.unread_count + astray
 
     @property
     def skipped_count(self) -> int:
@@ -131,6 +152,8 @@ class Client(Openers):
         return [self._describe(addr, owners) for addr in listed]
 
     def set_mode(self, mode: Mode) -> None:
+        if mode != Mode.PUSH and self._session.connection.group:
+            raise InvalidValue("data by multicast come when they come: Mode.PUSH is valid")
         self._session.request(player.CODE, 0, player.REQ_DATAMODE, player.DeviceDatamodeReq(int(mode)))
         self.mode = Mode(mode)
 
@@ -199,6 +222,7 @@ class Client(Openers):
     def forget_run(self) -> None:
         """Drops all data received so far: the run that they are of is over. Called by Simulation.reset()."""
         self._session.waiting.clear()
+        self._session.connection.forget_shared()
         self._forget_later(-math.inf)
 
     def forget(self, device: Device) -> None:
@@ -208,6 +232,7 @@ class Client(Openers):
             same.remove(device)
         if not same:
             self._devices.pop((device.code, device.index), None)
+            self._session.connection.forget_device(device.code, device.index)
             if device.gone:
                 self._session.drop_waiting(device.code, device.index)
 
@@ -279,7 +304,16 @@ class Client(Openers):
             device.retire(addr.robot)
 
     def _open(self, kind: Type[P], interface: str, index: int, access: Access) -> P:
-        device = kind(self, self._session, interface, index, access)
+        code, connection = code_of(interface), self._session.connection
+        is_first = not any(not each.gone for each in self._devices.get((code, index), []))
+        if is_first:
+            connection.expect_device(code, index)
+        try:
+            device = kind(self, self._session, interface, index, access)
+        except BaseException:
+            if is_first:
+                connection.forget_device(code, index)
+            raise
         same = self._devices.setdefault((device.code, index), [])
         if any(each.gone for each in same):
             self._session.drop_waiting(device.code, index)
@@ -361,11 +395,12 @@ def connect(
     timeout: float = 5.0,
     token: str = "",
     tls: Optional[ssl.SSLContext] = None,
+    multicast: bool = False,
 ) -> Client:
     """Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults are 127.0.0.1 and 6665. "udp:" in front
     of any of them is UDP; "/FOLDER" or "/FOLDER:port" is the Unix socket FOLDER/port. token: of a guest, for a
-    run with --guests; tls: as of Client."""
+    run with --guests; tls and multicast: as of Client."""
     host, port = _split(address)
     if not port.isdigit() or not 0 < int(port) < 65536:
         raise ConnectionLost(f'"{address}" is not HOST or HOST:PORT')
-    return Client(host or DEFAULT_HOST, int(port), mode=mode, timeout=timeout, token=token, tls=tls)
+    return Client(host or DEFAULT_HOST, int(port), mode=mode, timeout=timeout, token=token, tls=tls, multicast=multicast)

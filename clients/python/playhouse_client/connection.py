@@ -4,10 +4,11 @@ only."""
 import socket
 import ssl
 import time
-from typing import NamedTuple, Optional
+from typing import Optional
 
 from .errors import ConnectionLost, InvalidValue, RequestTimeout, RunEnded, WireError
-from .wire import HEADER_BYTES, MAX_BODY_BYTES, Header, Kind
+from .group import Group
+from .wire import HEADER_BYTES, MAX_BODY_BYTES, Header, Kind, Message, is_newer, loss_before
 
 BANNER_BYTES = 32
 UDP = "udp:"  # what a host begins with that is reached by datagrams
@@ -15,13 +16,6 @@ _CHUNK = 65536
 _DATAGRAM_BYTES = 65507  # of one, at most
 _HELLO_SECONDS = 1.0  # a session by UDP is begun again without a banner for so long
 _LONGEST_WAIT = 1e9  # seconds; sockets reject much larger timeouts
-
-
-class Message(NamedTuple):
-    """A header and the undecoded body."""
-
-    header: Header
-    body: bytes
 
 
 def checked_seconds(timeout: float) -> float:
@@ -52,6 +46,7 @@ class Connection:
         self._socket: Optional[socket.socket] = None
         self._fault = ""  # why nothing can be sent
         self._ended = False  # by the server, in order
+        self.group: Optional[Group] = None  # whose data come by multicast
         try:
             deadline = time.monotonic() + self._timeout
             if self.datagrams:
@@ -103,16 +98,42 @@ class Connection:
     def receive(self, deadline: float) -> Message:
         """The next message. Raises RequestTimeout."""
         while True:
-            message = self._receive(deadline)
-            if not self.datagrams or message.header.kind != Kind.DATA or self._is_next(message.header.sequence):
+            shared = self._shared(deadline)
+            message = shared or self._receive(deadline)
+            if shared or not self.datagrams or message.header.kind != Kind.DATA or self._is_next(message.header.sequence):
                 return message
+
+    def hear(self, place: str, port: int) -> None:
+        """Takes data of the server's group as well, which is at `place`; `port` is that of its devices."""
+        if self._socket is None:
+            raise self._lost()
+        self.group = Group(place, port, self._socket)
+
+    def expect_device(self, interface: int, index: int) -> None:
+        """Its data by multicast are for this client from now on."""
+        if self.group is not None:
+            self.group.open_device(interface, index)
+
+    def forget_device(self, interface: int, index: int) -> None:
+        if self.group is not None:
+            self.group.close_device(interface, index)
+
+    def forget_shared(self) -> None:
+        """Drops the data of the group that have come."""
+        if self.group is not None:
+            self.group.forget()
+
+    def _shared(self, deadline: float) -> Optional[Message]:
+        """The next data of the group, if they come before anything of the connection."""
+        if self.group is None or self._socket is None or self._has_whole():
+            return None
+        return self.group.next(0.0 if self._fault else deadline)
 
     def _is_next(self, number: int) -> bool:
         """False: a newer data message has overtaken it. Counts those between the newest and this one as lost."""
-        ahead = (number - self._newest) & 0xFFFFFFFF
-        if ahead == 0 or ahead >= 1 << 31:
+        if not is_newer(number, self._newest):
             return False
-        self.lost_count += ahead - 1
+        self.lost_count += loss_before(number, self._newest)
         self._newest = number
         return True
 
@@ -129,6 +150,9 @@ class Connection:
 
     def buffered(self) -> bool:
         """Whether a complete message is buffered, so that receive() returns without waiting."""
+        return self._has_whole() or (self.group is not None and bool(self.group.waiting))
+
+    def _has_whole(self) -> bool:
         if len(self._bytes) < HEADER_BYTES:
             return False
         header = Header.decode(self._bytes[:HEADER_BYTES])
@@ -224,6 +248,8 @@ class Connection:
     def _drop(self, fault: str) -> ConnectionLost:
         """Closes the connection and returns the error to raise, with the first reason found."""
         self._fault = self._fault or fault
+        if self.group is not None:
+            self.group.close()
         if self._socket is not None:
             self._socket.close()
             self._socket = None

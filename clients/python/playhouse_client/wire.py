@@ -57,6 +57,23 @@ class Header(NamedTuple):
         )
 
 
+class Message(NamedTuple):
+    """A header and the undecoded body."""
+
+    header: Header
+    body: bytes
+
+
+def is_newer(number: int, newest: int) -> bool:
+    """Of the numbers of messages, which wrap (RFC 1982)."""
+    return 0 < (number - newest) & 0xFFFFFFFF < 1 << 31
+
+
+def loss_before(number: int, newest: int) -> int:
+    """How many there were between the newest and this one, which is newer."""
+    return ((number - newest) & 0xFFFFFFFF) - 1
+
+
 class Reader:
     """Reads values from a body, front to back. Allocations are bounded by the size of the body."""
 

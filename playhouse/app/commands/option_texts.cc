@@ -154,6 +154,18 @@ Result<std::optional<std::uint16_t>> parse_web(const std::string& text) {
   return Error{"", "invalid value " + in_quotes(text) + ": a port or \"off\" is valid"};
 }
 
+Result<net::Endpoint> parse_group(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string port = colon == std::string::npos ? std::to_string(kGroupPort) : text.substr(colon + 1);
+  if (is_whole<std::uint16_t>(port, 1)) {
+    const auto group =
+        net::parse_endpoint(text.substr(0, colon), static_cast<std::uint16_t>(std::stoi(port)));
+    if (group && group->is_group()) return *group;
+  }
+  return Error{"", "invalid group " + in_quotes(text) +
+                       ": a multicast address, 224.0.0.0 to 239.255.255.255, is valid, with :PORT or not"};
+}
+
 Result<ViewSquare> parse_view(const std::string& text) {
   const std::optional<geom::Vec3> view = three_in(text);
   if (view && view->z > 0) return ViewSquare{view->x, view->y, view->z};

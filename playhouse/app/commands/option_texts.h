@@ -62,6 +62,8 @@ std::string check_engine(const std::string& text);
 
 /// A port, or "off" for none.
 Result<std::optional<std::uint16_t>> parse_web(const std::string& text);
+/// "GROUP" or "GROUP:PORT".
+Result<net::Endpoint> parse_group(const std::string& text);
 /// "X,Y,RADIUS".
 Result<ViewSquare> parse_view(const std::string& text);
 /// "X,Y,Z" in metres.

@@ -12,6 +12,7 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/geom/orientation.h"
+#include "playhouse/net/endpoint.h"
 #include "playhouse/net/forwarded.h"
 
 namespace playhouse::app {
@@ -23,6 +24,7 @@ inline constexpr std::uint16_t kPlayerPort = 6665;
 inline constexpr std::uint16_t kWebPort = 8080;
 inline constexpr std::uint16_t kObserverPort = 6670;  // UDP
 inline constexpr std::uint16_t kClusterPort = 6675;
+inline constexpr std::uint16_t kGroupPort = 6680;  // UDP
 
 /// Ports and access of a served world.
 struct Serving {
@@ -43,6 +45,7 @@ struct Serving {
   std::string key = {};                     // that everybody has to know who comes; empty: none
   std::string unix_folder = {};             // with a Unix socket for each port of Player clients; empty: none
   bool udp = false;                         // ports of Player clients are of UDP as well
+  std::optional<net::Endpoint> multicast = {};  // group that data go to as well; none: nothing does
   std::size_t client_mib = limits::kClientMiB;  // memory for what Player clients send and do not read
   std::size_t viewers = limits::kViewers;       // limit on simultaneous pages, and on observers
   std::uint32_t page_bytes = limits::kPageBytesPerSecond;  // limit per second for each page

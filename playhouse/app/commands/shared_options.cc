@@ -43,6 +43,13 @@ void check_udp(const Serving& serving) {
                              ": senders of datagrams can be forged: --guests or --key keeps data from them");
 }
 
+/// Everybody on the network can read what goes to a group, and its addresses are of IPv4.
+void check_multicast(const Serving& serving) {
+  if (!serving.multicast || serving.bind == "::" || serving.bind.find(':') == std::string::npos) return;
+  throw CLI::ValidationError("--multicast with --bind " + serving.bind +
+                             ": a group of IPv4 is reached from an IPv4 address, 0.0.0.0 or ::");
+}
+
 }  // namespace
 
 void add_engine(CLI::App& app, std::string& engine) {
@@ -83,6 +90,7 @@ void add_insecure(CLI::App& app, bool& insecure) {
 
 void check_access(const Serving& serving) {
   check_udp(serving);
+  check_multicast(serving);
   const std::string& bind = serving.bind;
   if (serving.insecure || serving.is_controlled() || !is_for_others(bind)) return;
   throw CLI::ValidationError("--bind " + bind +
@@ -152,6 +160,12 @@ void add_serving(CLI::App& app, Serving& serving) {
       ->transform([](const std::string& folder) { return std::filesystem::absolute(folder).string(); }, "");
   app.add_flag("--udp", serving.udp, "serve Player clients by UDP as well, on the same ports")
       ->excludes("--tls-cert");
+  add_parsed(app, "--multicast", parse_group, serving.multicast,
+             "send data once to this multicast group for all clients that ask for it, in the clear (none)")
+      ->type_name("GROUP[:PORT]")
+      ->excludes("--tls-cert")
+      ->excludes("--guests")
+      ->excludes("--key");
   app.add_option("--client-memory", serving.client_mib,
                  "limit in MiB of memory for what Player clients have sent in part and have not read")
       ->type_name("MIB")

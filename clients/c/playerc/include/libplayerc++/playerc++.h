@@ -5,11 +5,14 @@
 
 #include <libplayerc/playerc.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <list>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -63,6 +66,8 @@ inline void Insist(int result, const char *fun) {
 
 // --- the client
 
+class ClientProxy;
+
 /** A connection to a server; one lock guards it and its proxies. */
 class PlayerClient {
  public:
@@ -99,11 +104,9 @@ class PlayerClient {
     return count;
   }
 
-  /** Waits for data: a round of them in pull mode, a message in push mode. */
-  void Read() {
-    scoped_lock_t lock(mMutex);
-    if (playerc_client_read(mClient) == NULL) throw PlayerError("PlayerClient::Read()", playerc_error_str());
-  }
+  /** Waits for data: a round of them in pull mode, a message in push mode. Then calls what
+   * ClientProxy::ConnectReadSignal() has connected to the proxies that got some. */
+  void Read();
   /** Whether there are data within so many ms. */
   bool Peek(uint32_t timeout = 0) {
     scoped_lock_t lock(mMutex);
@@ -151,7 +154,13 @@ class PlayerClient {
   void StartThread() {
     if (mThread.joinable()) return;
     mStop = false;
-    mThread = std::thread([this] { Run(); });
+    mThread = std::thread([this] {
+      try {
+        Run();
+      } catch (const PlayerError &error) {  // the run has ended, or the server is gone
+        std::cerr << error << std::endl;
+      }
+    });
   }
   void StopThread() {
     Stop();
@@ -160,6 +169,7 @@ class PlayerClient {
 
   playerc_client_t *mClient;
   mutable mutex_t mMutex;
+  std::list<ClientProxy *> mProxyList;
 
  private:
   /** Waits without the lock, so that others may use the proxies meanwhile. */
@@ -180,8 +190,32 @@ inline std::ostream &operator<<(std::ostream &os, const PlayerClient &client) {
 // --- what all proxies have
 
 class ClientProxy {
+  struct Subscriber {
+    explicit Subscriber(std::function<void()> what) : call(std::move(what)), connected(true) {}
+    std::function<void()> call;
+    std::atomic<bool> connected;
+  };
+
  public:
   typedef PlayerClient::scoped_lock_t scoped_lock_t;
+
+  /** What ConnectReadSignal() has connected; it may outlive the proxy. */
+  class connection_t {
+   public:
+    connection_t() {}
+    bool connected() const {
+      const std::shared_ptr<Subscriber> subscriber = subscriber_.lock();
+      return subscriber && subscriber->connected;
+    }
+    void disconnect() const {
+      if (const std::shared_ptr<Subscriber> subscriber = subscriber_.lock()) subscriber->connected = false;
+    }
+
+   private:
+    friend class ClientProxy;
+    explicit connection_t(const std::shared_ptr<Subscriber> &subscriber) : subscriber_(subscriber) {}
+    std::weak_ptr<Subscriber> subscriber_;
+  };
 
   virtual ~ClientProxy() {}
   ClientProxy(const ClientProxy &) = delete;
@@ -252,8 +286,29 @@ class ClientProxy {
     return playerc_device_set_strprop(mInfo, property, value);
   }
 
+  /** Has PlayerClient::Read() call `aSubscriber`, a function or an object without arguments, after new data of this
+   * proxy, in the thread that reads, under the lock. It may disconnect itself and others, and destroy proxies. */
+  template <typename T>
+  connection_t ConnectReadSignal(T aSubscriber) {
+    scoped_lock_t lock(mPc->mMutex);
+    subscribers_.push_back(std::make_shared<Subscriber>(aSubscriber));
+    return connection_t(subscribers_.back());
+  }
+  void DisconnectReadSignal(connection_t aSubscriber) { aSubscriber.disconnect(); }
+  /** For PlayerClient, after reading: the proxy may be destroyed by what it calls. */
+  void ReadSignal() {
+    if (mInfo->datatime == told_) return;
+    told_ = mInfo->datatime;
+    const auto is_over = [](const std::shared_ptr<Subscriber> &each) { return !each->connected; };
+    subscribers_.erase(std::remove_if(subscribers_.begin(), subscribers_.end(), is_over), subscribers_.end());
+    const std::vector<std::shared_ptr<Subscriber>> subscribers = subscribers_;
+    for (const std::shared_ptr<Subscriber> &each : subscribers) {
+      if (each->connected) each->call();
+    }
+  }
+
  protected:
-  explicit ClientProxy(PlayerClient *aPc) : mPc(aPc), mInfo(NULL) {}
+  explicit ClientProxy(PlayerClient *aPc) : mPc(aPc), mInfo(NULL), told_(0) {}
 
   /** A member of the proxy, read under the lock. */
   template <typename T>
@@ -274,7 +329,20 @@ class ClientProxy {
 
   PlayerClient *mPc;
   playerc_device_t *mInfo;
+
+ private:
+  std::vector<std::shared_ptr<Subscriber>> subscribers_;
+  double told_;  // time of the data that the subscribers know of
 };
+
+inline void PlayerClient::Read() {
+  scoped_lock_t lock(mMutex);
+  if (playerc_client_read(mClient) == NULL) throw PlayerError("PlayerClient::Read()", playerc_error_str());
+  const std::list<ClientProxy *> proxies = mProxyList;
+  for (ClientProxy *const each : proxies) {
+    if (std::find(mProxyList.begin(), mProxyList.end(), each) != mProxyList.end()) each->ReadSignal();
+  }
+}
 
 /** A proxy of the C library as a member, for as long as this object is there. */
 template <typename T, T *(*Create)(playerc_client_t *, int), void (*Destroy)(T *), int (*Subscribe)(T *, int),
@@ -283,6 +351,7 @@ class DeviceProxy : public ClientProxy {
  public:
   ~DeviceProxy() override {
     scoped_lock_t lock(mPc->mMutex);
+    mPc->mProxyList.remove(this);
     if (mPc->Connected()) Unsubscribe(mDevice);
     Destroy(mDevice);
   }
@@ -298,6 +367,7 @@ class DeviceProxy : public ClientProxy {
       throw error;
     }
     mInfo = &mDevice->info;
+    mPc->mProxyList.push_back(this);
   }
 
   T *mDevice;
@@ -451,6 +521,12 @@ class LaserProxy : public PLAYERCC_BASE(laser) {
   double MinLeft() const { return GetMinLeft(); }
   double MinRight() const { return GetMinRight(); }
   double operator[](uint32_t aIndex) const { return GetRange(aIndex); }
+  /** Angles are in rad, the resolutions in hundredths of a degree and in mm, the frequency in Hz. */
+  void Configure(double aMinAngle, double aMaxAngle, uint32_t aScanRes, uint32_t aRangeRes, bool aIntensity,
+                 double aScanningFrequency) {
+    PLAYERCC_DO(playerc_laser_set_config, mDevice, aMinAngle, aMaxAngle, dtor(aScanRes / 100.0),
+                aRangeRes / 1000.0, static_cast<unsigned char>(aIntensity ? 1 : 0), aScanningFrequency);
+  }
   void RequestConfigure() {
     double resolution, range_res, frequency;
     unsigned char intensity;
@@ -895,7 +971,13 @@ class ActArrayProxy : public PLAYERCC_BASE(actarray) {
 
 // --- pictures
 
-/** Images are as the server sends them: there is no Decompress(). */
+/** "PREFIX0007.ppm", the number in so many digits. */
+inline std::string FrameFile(const std::string &prefix, uint32_t frame, uint32_t width) {
+  std::string number = std::to_string(frame);
+  if (number.size() < width) number.insert(0, width - number.size(), '0');
+  return prefix + number + ".ppm";
+}
+
 class CameraProxy : public PLAYERCC_BASE(camera) {
  public:
   CameraProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex), frame_(0) {}
@@ -903,9 +985,7 @@ class CameraProxy : public PLAYERCC_BASE(camera) {
   /** Writes `aPrefix`, the number of the frame in so many digits, and ".ppm". */
   void SaveFrame(const std::string aPrefix, uint32_t aWidth = 4) {
     scoped_lock_t lock(mPc->mMutex);
-    std::string number = std::to_string(frame_++);
-    if (number.size() < aWidth) number.insert(0, aWidth - number.size(), '0');
-    playerc_camera_save(mDevice, (aPrefix + number + ".ppm").c_str());
+    playerc_camera_save(mDevice, FrameFile(aPrefix, frame_++, aWidth).c_str());
   }
   uint32_t GetDepth() const { return static_cast<uint32_t>(GetVar(mDevice->bpp)); }
   uint32_t GetWidth() const { return static_cast<uint32_t>(GetVar(mDevice->width)); }
@@ -913,6 +993,11 @@ class CameraProxy : public PLAYERCC_BASE(camera) {
   uint32_t GetFormat() const { return static_cast<uint32_t>(GetVar(mDevice->format)); }
   uint32_t GetImageSize() const { return static_cast<uint32_t>(GetVar(mDevice->image_count)); }
   uint32_t GetCompression() const { return static_cast<uint32_t>(GetVar(mDevice->compression)); }
+  /** Makes a JPEG image an uncompressed one, which GetCompression() tells afterwards. */
+  void Decompress() {
+    scoped_lock_t lock(mPc->mMutex);
+    playerc_camera_decompress(mDevice);
+  }
   void GetImage(uint8_t *aImage) const {
     scoped_lock_t lock(mPc->mMutex);
     playerc_camera_copy_image(mDevice, aImage, GetImageSize());
@@ -995,9 +1080,11 @@ class OpaqueProxy : public PLAYERCC_BASE(opaque) {
   }
 };
 
+}  // namespace PlayerCc
+
+#include <libplayerc++/equipment.h>
+
 #undef PLAYERCC_DO
 #undef PLAYERCC_BASE
-
-}  // namespace PlayerCc
 
 #endif /* LIBPLAYERCPP_PLAYERCPP_H */

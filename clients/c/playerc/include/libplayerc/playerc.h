@@ -526,6 +526,9 @@ void playerc_camera_save(playerc_camera_t *device, const char *filename);
 int playerc_camera_set_source(playerc_camera_t *device, int source, const char *norm);
 int playerc_camera_get_source(playerc_camera_t *device);
 int playerc_camera_get_image(playerc_camera_t *device);
+/** Makes a JPEG image an uncompressed one of 24 bits, in place. It remains as it is if that fails, as
+ * playerc_error_str() tells; an uncompressed one remains in any case. */
+void playerc_camera_decompress(playerc_camera_t *device);
 void playerc_camera_copy_image(playerc_camera_t *device, void *dst, size_t dst_size);
 /** A component of a pixel of an uncompressed image of 8 or 24 bits; 0 if there is none. */
 unsigned playerc_camera_get_pixel_component(playerc_camera_t *device, unsigned int x, unsigned int y,
@@ -932,6 +935,43 @@ int playerc_wsn_set_devstate(playerc_wsn_t *device, int node_id, int group_id, i
 int playerc_wsn_power(playerc_wsn_t *device, int node_id, int group_id, int value);
 int playerc_wsn_datatype(playerc_wsn_t *device, int value);
 int playerc_wsn_datafreq(playerc_wsn_t *device, int node_id, int group_id, double frequency);
+
+typedef struct {
+  playerc_device_t info;
+  /** What the last message was: a PLAYER_COOPOBJECT_MSG_ constant, or the type of bytes that users define. */
+  int messageType;
+  /** Its sender, a PLAYER_COOPOBJECT_ORIGIN_ constant, and the node that relayed it. */
+  uint8_t origin;
+  uint16_t id;
+  uint16_t parent_id;
+  /** The last of each kind of message. */
+  uint16_t RSSIsender, RSSIvalue, RSSIstamp;
+  uint32_t RSSInodeTimeHigh, RSSInodeTimeLow;
+  float x, y, z;
+  uint8_t status;
+  uint32_t sensor_data_count;
+  player_coopobject_sensor_t *sensor_data;
+  uint32_t alarm_data_count;
+  player_coopobject_sensor_t *alarm_data;
+  uint32_t user_data_count;
+  uint8_t *user_data;
+  uint8_t command;
+  uint8_t request;
+  /** Of the last command or request. */
+  uint32_t parameters_count;
+  uint8_t *parameters;
+} playerc_coopobject_t;
+PLAYERC_PROXY_FUNCTIONS(coopobject)
+
+/** The heading goes as z. */
+int playerc_coopobject_send_position(playerc_coopobject_t *device, uint16_t node_id, uint16_t source_id,
+                                     player_pose2d_t pos, uint8_t status);
+int playerc_coopobject_send_data(playerc_coopobject_t *device, int node_id, int source_id, int data_type,
+                                 int data_size, unsigned char *extradata);
+int playerc_coopobject_send_cmd(playerc_coopobject_t *device, int node_id, int source_id, int command,
+                                int cmd_parameters_size, unsigned char *cmd_parameters);
+int playerc_coopobject_send_req(playerc_coopobject_t *device, int node_id, int source_id, int request,
+                                int req_parameters_size, unsigned char *req_parameters);
 
 /* --- logs */
 
