@@ -138,10 +138,10 @@ def _voltages(kind: Kind, served: Served) -> str:
 
 
 def _needs(served: Served) -> str:
+    if served.listed_when == "never":
+        return "; ".join(NEEDS[need] for need in (served.when, "never") if need)
     if served.when:
         return NEEDS[served.when]
-    if served.listed_when == "never":
-        return NEEDS["never"]
     return f"{NEEDS[served.listed_when]}; nothing in a configuration file" if served.listed_when else ""
 
 

@@ -9,7 +9,7 @@ from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
 
 STAGES = ("same", "better", "other", "none")  # comparison with Stage 4
 ENGINES = ("arena",)
-CHECKS = ("known_material", "not_misspelt_material")  # functions of playhouse/scene/text/read_word.h
+CHECKS = ("hexadecimal_bytes", "known_material", "not_misspelt_material")  # functions of playhouse/scene/text/read_word.h
 USES = ("read", "later")  # words without an entry of their own are `silent` and `old`
 
 # What a value is made of: (the parts of its form, the scale of each). L and A are converted from the file's units of

@@ -41,6 +41,7 @@ NEEDS = {
     "several sensors": "several sensors",
     "robot": "a top-level model with a drive",
     "rings": "a sensor with several rings",
+    "contacts or lamps": "a bumper or a lamp, itself or as a part of it",
     "never": "a section of a configuration file that names it",
 }
 

@@ -78,6 +78,33 @@ position( name "r0" ranger( sensor( samples 181 ) ) ranger( sensor( ) sensor( ) 
             "2\tr0.ranger:1\tranger\tr0\t6665:sonar:0\n");
 }
 
+TEST(StageDriver, an_ir_is_a_ring_and_several_dios_are_of_a_model_with_contacts_or_lamps_in_any_part) {
+  const char* const world = R"(
+position( name "r0" ranger( sensor( samples 181 ) ) ranger( sensor( ) sensor( ) )
+  model( name "mast" blinkenlight( ) ) bumper( bcount 1 bpose [0 0 0 0] blength 0.1 ) )
+)";
+  MemorySite site(world);
+  ASSERT_EQ(site.build(std::string(kStage) + R"(
+driver( name "stage" provides ["ir:0" "dio:0" "dio:1"] model "r0" )
+driver( name "stage" provides ["dio:2"] model "r0.mast" ))"),
+            "");
+  run::Simulation& simulation = *simulation_of(site.site());
+  EXPECT_EQ(list_models(simulation.world(), model_devices_of(site.site())->directory(), 0).text,
+            "0\tr0\tposition\t\t6665:dio:0 6665:dio:1\n"
+            "1\tr0.ranger:0\tranger\tr0\t\n"
+            "2\tr0.ranger:1\tranger\tr0\t6665:ir:0\n"
+            "3\tr0.mast\tmodel\tr0\t6665:dio:2\n"
+            "4\tr0.mast.blinkenlight:0\tblinkenlight\tr0.mast\t\n"
+            "5\tr0.bumper:0\tbumper\tr0\t\n");
+  const auto fault_of = [&](const std::string& device, const char* model) {
+    MemorySite other(world);
+    return other.build(std::string(kStage) + "driver( name \"stage\" provides [\"" + device + "\"] model \"" +
+                       model + "\" )");
+  };
+  EXPECT_THAT(fault_of("dio:0", "r0.ranger:1"), EndsWith("has nothing left for \"dio:0\""));
+  EXPECT_THAT(fault_of("ir:0", "r0.ranger:0"), EndsWith("has nothing left for \"ir:0\""));
+}
+
 TEST(StageDriver, speech_is_of_the_model_that_is_named_and_may_be_of_it_twice) {
   MemorySite site(kWorld);
   ASSERT_EQ(site.build(std::string(kStage) + R"(

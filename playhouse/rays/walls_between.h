@@ -12,9 +12,10 @@
 
 namespace playhouse::rays {
 
-/// From one place to the other, at the height of the first; ignores
-/// bodies that `by` does not see. `crossed` is a scratch buffer.
+/// From one place to the other, at the height of the first; ignores bodies that `by` does
+/// not see, and those of the trees of `own` and `target`. `crossed` is a scratch buffer.
 int walls_between(const bodies::Space& space, const geom::Pose& from_W, const geom::Pose& to_W,
-                  bodies::SeenByBits by, std::vector<bodies::EdgeRow>& crossed);
+                  bodies::SeenByBits by, std::vector<bodies::EdgeRow>& crossed, world::ModelRow own = {},
+                  world::ModelRow target = {});
 
 }  // namespace playhouse::rays

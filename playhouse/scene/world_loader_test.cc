@@ -192,6 +192,15 @@ TEST(WorldText, what_does_nothing_is_told) {
   EXPECT_EQ(model_of("model( color_rgba [255 0 0 1] )").color, (Color{1, 0, 0, 1}));
 }
 
+TEST(WorldText, the_id_of_a_tag_is_bytes) {
+  EXPECT_EQ(loaded("model( rfid_tag \"E200 3412\" rfid_type 4 )").models[0].rfid_tag, "E200 3412");
+  EXPECT_EQ(
+      error_of("\nmodel( rfid_tag \"E20\" )"),
+      "w/t.world:2: \"rfid_tag\" must be 1 to 62 bytes as pairs of hexadecimal digits, as \"E200 3412\", "
+      "found \"E20\"");
+  EXPECT_THAT(error_of("model( rfid_tag \"box 7\" )"), HasSubstr("\"rfid_tag\" must be 1 to 62 bytes"));
+}
+
 TEST(WorldText, a_ground_is_a_known_material_and_a_misspelt_material_is_told) {
   EXPECT_EQ(error_of("\nground \"icy\""),
             "w/t.world:2: \"ground\" \"icy\" is not a known material (did you mean \"ice\"?)");

@@ -170,6 +170,7 @@ std::string any_value(const Word& word) {
   if (word.type == "length" || word.type == "angle") return "0.37";
   if (word.name == "mesh" || word.name == "look") return "\"plan.obj\"";
   if (word.name == "ground") return "\"ice\"";  // a known material
+  if (word.name == "rfid_tag") return "\"e200 01ff\"";  // hexadecimal bytes
   if (word.type == "text") return "\"plan\"";
   if (word.type == "texts") return "[\"name=a mass>1\" \"color=red\"]";  // conditions are
   if (word.type == "color") return "\"SteelBlue3\"";

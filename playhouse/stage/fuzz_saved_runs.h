@@ -42,7 +42,7 @@ define bot position( size [0.4 0.4 0.3] alwayson 1 velocity [0.3 0 0 20] joules 
 inline constexpr const char* kOthers = R"( )
 bot( name "a" fiducial_return 1 say "hello" )
 wifi( name "post" pose [1 1 1 0] )
-model( name "puck" pose [0.5 0 0 0] size [0.08 0.08 0.1] color "red" gripper_return 1 obstacle_return 0 )
+model( name "puck" pose [0.5 0 0 0] size [0.08 0.08 0.1] color "red" rfid_tag "e200" gripper_return 1 obstacle_return 0 )
 model( name "walls" size [4 4 1] boundary 1 noblocks 1 )
 )";
 

@@ -246,8 +246,9 @@ class Pictures(HouseTest):
         world = """
 interval_sim 100
 model( name "edge" size [8 8 0.1] color "white" obstacle_return 0 ranger_return -1 )
-model( name "box" pose [2 0 0 0] size [2 2 0.9] color "red" fiducial_return 7 )
+model( name "box" pose [2 0 0 0] size [2 2 0.9] color "red" fiducial_return 7 rfid_tag "07" )
 position( name "r" pose [-3 0 0 0] size [1 1 0.3] color "green"
+  rfid( range_max 6 )
   ranger( size [0 0 0.1] sensor( range [0 6] fov 90 samples 91 ) )
   fiducial( range_max 8 fov 180 )
   detector( fov 10 sees "name=box" color "purple" )
@@ -270,6 +271,8 @@ wifi( name "post" pose [-3 -3 1 0] )
         self.assertEqual(finder(0, 0.5), (255, 255, 255))
         red, green, blue = self.seen("detector", world)(0, 0)
         self.assertTrue(blue > red > green, "a purple line to what it finds")
+        red, green, blue = self.seen("rfid", world)(0, 0)
+        self.assertTrue(red > green > blue, "a line to the box with a tag")
         radio = self.seen("wifi", world)
         self.assertNotEqual(radio(-3, -1.5), (255, 255, 255))
         camera = self.seen("camera", world)

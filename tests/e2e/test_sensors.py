@@ -6,11 +6,11 @@ import sys
 import tomllib
 import unittest
 
-from house import ROOT, HouseTest, finish
+from house import ROOT, House, HouseTest, finish
 
 sys.path.insert(0, str(ROOT / "clients/python"))
 from playhouse_client import Mode, RequestRefused, connect  # noqa: E402
-from playhouse_client.generated import imu  # noqa: E402
+from playhouse_client.generated import imu, ir, rfid, sonar  # noqa: E402
 
 ROOM = """
 interval_sim 20
@@ -38,6 +38,79 @@ def sensors_of_kinds() -> dict[str, tuple[str, int]]:
             interface = kind["interface"][0]["name"]
             found[kind["name"]] = interface, sum(name == interface for name, _ in found.values())
     return found
+
+
+# A robot that drives through a hall with tagged boxes, and has two infrared sensors.
+HALL = """
+interval_sim 20
+define box model( size [0.2 0.2 0.2] obstacle_return 0 ranger_return -1 )
+box( name "left" pose [1 2 0 0] rfid_tag "E200 3412 0123" rfid_type 6 )
+box( name "right" pose [5 -2 0 0] rfid_tag "0a" )
+model( name "wall" pose [0.65 -1.5 0 0] size [0.1 1 1] )
+position( name "r0" size [0.4 0.4 0.2] localization "gps" update_interval 20
+  rfid( name "reader" pose [0 0 -0.2 0] size [0.1 0.1 0.2] range_max 2.5 update_interval 20 )
+  ranger( name "ring" pose [0 0 -0.1 0] size [0.1 0.1 0.1] update_interval 20
+    sensor( pose [0 -0.1 0 -90] range [0.1 5] fov 5 ) sensor( pose [0.2 0 0 0] range [0.1 0.8] fov 5 ) ) )
+"""
+HALL_CFG = """
+driver ( name "stage" provides ["simulation:0"] worldfile "test.world" )
+driver ( name "stage" provides ["position2d:0" "rfid:0" "ir:0" "sonar:0"] model "r0" )
+"""
+
+
+class TagsAndInfrared(HouseTest):
+    def test_a_client_reads_tags_where_they_are_and_voltages_of_ranges_in_both_engines(self) -> None:
+        self.world(HALL)
+        for engine in ("stage", "arena"):
+            with self.subTest(engine), \
+                    House("serve", self.write("test.cfg", HALL_CFG), "--port", 0, "--headless", "--engine", engine,
+                          "--lock-step", "reader") as house, \
+                    connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
+                world, base = client.simulation(0), client.position2d(0)
+                reader, infrared = client.device("rfid"), client.device("ir")
+                world.join("reader")
+                base.drive(1.0, 0.0)
+                passed: set[tuple[str, ...]] = set()
+                for _ in range(300):  # 6 s: 6 m
+                    world.step(1)
+                    x = world.pose("r0").x
+                    self.check_tags(reader.latest(rfid.DATA_TAGS).tags, x, passed)
+                self.assertEqual(passed, {("left",), (), ("right",)})
+                self.check_infrared(world, infrared, client.device("sonar"))
+                self.check_requests(world, reader, infrared)
+
+    def check_tags(self, tags, x: float, passed: set) -> None:
+        """Within 2.5 m in space; the middles are at one height, and both boxes 2 m aside."""
+        for name, at, tag in (("left", 1, rfid.Tag(6, b"\xe2\x00\x34\x12\x01\x23")), ("right", 5, rfid.Tag(0, b"\x0a"))):
+            distance = math.hypot(at - x, 2)
+            if abs(distance - 2.5) > 0.01:
+                self.assertEqual(tag in tags, distance < 2.5, (name, x))
+        passed.add(tuple(name for name, kind in (("left", 6), ("right", 0)) if any(tag.type == kind for tag in tags)))
+
+    def check_infrared(self, world, infrared, ring) -> None:
+        world.set_pose("r0", 0.65, 0, 0)
+        world.step(2)
+        data = infrared.latest(ir.DATA_RANGES)
+        for measured, true in zip(data.ranges, (0.9, 0.8)):  # the wall's near face is at y -1; ahead is nothing
+            self.assertAlmostEqual(measured, true, places=3)
+        for volts, metres in zip(data.voltages, data.ranges):
+            self.assertAlmostEqual(volts, 5 / 1024 * (6787 / (100 * metres + 4) + 3), places=5)
+        self.assertEqual(infrared.request(ir.REQ_POSE).poses, ring.request(sonar.REQ_GET_GEOM).poses)
+
+    def check_requests(self, world, reader, infrared) -> None:
+        world.set_pose("r0", 1, 0, 0)
+        world.step(2)
+        reader.request(rfid.REQ_READTAG)
+        for message in (rfid.REQ_WRITETAG, rfid.REQ_LOCKTAG):
+            with self.assertRaises(RequestRefused):
+                reader.request(message)
+        reader.request(rfid.REQ_POWER)
+        self.assertIs(reader.get_property("power", bool), False)
+        with self.assertRaises(RequestRefused):
+            reader.request(rfid.REQ_READTAG)
+        reader.set_property("power", True)
+        infrared.request(ir.REQ_POWER, ir.PowerReq(0))
+        self.assertIs(infrared.get_property("power", bool), False)
 
 
 class Sensors(HouseTest):

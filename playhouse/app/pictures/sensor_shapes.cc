@@ -21,7 +21,7 @@ using geom::Rotation;
 using geom::Vec2;
 
 constexpr int kConeSteps = 8;
-constexpr scene::Color kMark{0.88f, 0.54f, 0, 0.9f};       // lines to fiducials
+constexpr scene::Color kMark{0.88f, 0.54f, 0, 0.9f};       // lines to fiducials and tags
 constexpr scene::Color kView{0.55f, 0.25f, 0.75f, 0.12f};  // camera's field of view
 constexpr float kLink = 0.6f;                              // alpha of a lossless link
 
@@ -97,6 +97,14 @@ void add_links(const Sketch& sketch) {
   }
 }
 
+void add_tags(const Sketch& sketch) {
+  const world::World& world = sketch.world;
+  const Pose X_WB = sketch.X_WB();
+  for (const world::TagInRange& tag : world.rfids.tags[sketch.row()])
+    if (const world::ModelRow target = world.row(tag.target))
+      sketch.line(X_WB.xy(), world.models.X_WM[target].xy(), X_WB.z, kMark);
+}
+
 void add_finds(const Sketch& sketch) {
   add_lines(sketch, sketch.world.detectors.finds[sketch.row()], sketch.world.models.color[sketch.model]);
 }
@@ -130,6 +138,7 @@ constexpr Drawn kDrawn[] = {
     {"wifi", scene::ModelKind::kWifi, true, add_links},
     {"camera", scene::ModelKind::kCamera, false, add_view},
     {"detector", scene::ModelKind::kDetector, true, add_finds},
+    {"rfid", scene::ModelKind::kRfid, true, add_tags},
 };
 
 std::uint64_t measured_tick(const world::World& world, world::ModelRow model) {

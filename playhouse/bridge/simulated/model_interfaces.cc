@@ -9,6 +9,19 @@ namespace playhouse::drivers {
 using scene::KindInterface;
 using scene::Need;
 
+namespace {
+
+bool has_contacts_or_lamps(const world::World& world, world::ModelRow model) {
+  bool found = false;
+  each_part(world, model, [&](world::ModelRow part) {
+    const scene::ModelKind kind = world.models.kind[part];
+    found = found || kind == scene::ModelKind::kBumper || is_lamp(kind);
+  });
+  return found;
+}
+
+}  // namespace
+
 std::span<const KindInterface> interfaces_of(const world::World& world, world::ModelRow model) {
   const scene::ModelKind kind = world.models.kind[model];
   const scene::Kind& row = scene::kinds()[static_cast<std::size_t>(kind)];  // kinds are in numeric order
@@ -33,6 +46,8 @@ bool has(const world::World& world, world::ModelRow model, Need need) {
       return std::ranges::any_of(sensors, [](const auto& sensor) { return sensor.rings > 1; });
     case Need::kRobot:
       return is_robot(world, model);
+    case Need::kContactsOrLamps:
+      return has_contacts_or_lamps(world, model);
     case Need::kNever:
       return false;
   }

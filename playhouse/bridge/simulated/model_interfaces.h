@@ -28,6 +28,18 @@ void each_interface(const world::World& world, world::ModelRow model, const Visi
   }
 }
 
+/// Calls visit(part) for a model and its parts, parents before children, in the file's order.
+template <typename Visit>
+void each_part(const world::World& world, world::ModelRow model, const Visit& visit) {
+  visit(model);
+  for (const world::ModelRow child : world.children(model)) each_part(world, child, visit);
+}
+
+/// True for what has digital outputs: a lamp that is switched.
+inline bool is_lamp(scene::ModelKind kind) {
+  return kind == scene::ModelKind::kBlinkenlight || kind == scene::ModelKind::kLightindicator;
+}
+
 /// True for a root position model.
 bool is_robot(const world::World& world, world::ModelRow model);
 

@@ -9,6 +9,7 @@
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scene/forms/colors.h"
 #include "playhouse/scene/forms/materials.h"
+#include "playhouse/scene/forms/tag_id.h"
 
 namespace playhouse::scene {
 namespace {
@@ -119,6 +120,12 @@ void not_misspelt_material(const Properties& properties, std::string_view key, s
   properties.state().warnings.add(config::Warning::kValue, properties.where(key),
                                   in_quotes(key) + " " + in_quotes(name) +
                                       " is a property for detectors only, not a known material" + hint);
+}
+
+void hexadecimal_bytes(const Properties& properties, std::string_view key, std::string_view text) {
+  require(text.empty() || tag_id(text), properties, key,
+          "must be 1 to " + std::to_string(kTagIdBytes) +
+              " bytes as pairs of hexadecimal digits, as \"E200 3412\"");
 }
 
 geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::Vec2 otherwise) {

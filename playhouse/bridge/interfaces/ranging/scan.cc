@@ -1,5 +1,7 @@
 #include "playhouse/bridge/interfaces/ranging/scan.h"
 
+#include "playhouse/bridge/interfaces/pose_on_robot.h"
+#include "playhouse/drivers/shapes.h"
 #include "playhouse/world/periods.h"
 
 namespace playhouse::drivers {
@@ -45,6 +47,14 @@ double angular_resolution(const scene::RangerSensorDesc& sensor) {
 
 double measuring_frequency(const world::World& world, world::ModelRow model) {
   return 1 / (static_cast<double>(world::update_ticks(world, model)) * world.scene().interval);
+}
+
+std::vector<wire::Pose3d> sensor_poses(const world::World& world, world::ModelRow model) {
+  const geom::SpatialPose X_RB = pose_on_robot(world, model);
+  std::vector<wire::Pose3d> poses;
+  for (const scene::RangerSensorDesc& sensor : world.desc(model).sensors)
+    poses.push_back(pose3d(geom::compose(X_RB, {sensor.X_BS, {}})));
+  return poses;
 }
 
 Beams beams(const world::World& world, world::SensorRow sensor) {

@@ -1,11 +1,12 @@
 #pragma once
 
-/// Measurements of a ranger, in the formats of interfaces ranger, laser and sonar.
+/// Measurements of a ranger, in the formats of interfaces ranger, laser, sonar and ir.
 
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "playhouse/wire/generated/common.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::drivers {
@@ -30,6 +31,9 @@ double angular_resolution(const scene::RangerSensorDesc& sensor);
 
 /// Update rate of a model.  [Hz]
 double measuring_frequency(const world::World& world, world::ModelRow model);
+
+/// Poses of the sensors of a ranger on its robot, in file order; x points along their beams.
+std::vector<wire::Pose3d> sensor_poses(const world::World& world, world::ModelRow model);
 
 /// One reading of a ranger: a distance [m] and an intensity [1].
 struct Reading {

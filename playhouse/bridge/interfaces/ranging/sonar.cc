@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "playhouse/bridge/interfaces/pose_on_robot.h"
-#include "playhouse/drivers/shapes.h"
 #include "playhouse/wire/generated/sonar.h"
 
 namespace playhouse::drivers {
@@ -12,15 +10,8 @@ namespace snr = wire::sonar;
 using wire::MessageType;
 
 Sonar::Sonar(run::Simulation& simulation, world::ModelRow model)
-    : DeviceWithSettings(simulation, simulation.world().id(model), SonarSettings{}) {
-  const world::World& world = simulation.world();
-  const geom::SpatialPose X_RB = pose_on_robot(world, model);
-  snr::Geom geom;
-  for (const scene::RangerSensorDesc& sensor : world.desc(model).sensors) {
-    geom.poses.push_back(pose3d(geom::compose(X_RB, {sensor.X_BS, {}})));
-  }
-  geometry_ = wire::encode(geom);
-}
+    : DeviceWithSettings(simulation, simulation.world().id(model), SonarSettings{}),
+      geometry_(wire::encode(snr::Geom{sensor_poses(simulation.world(), model)})) {}
 
 std::span<const Served> Sonar::served() const {
   static constexpr Served kServed[] = {
