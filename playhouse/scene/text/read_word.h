@@ -57,9 +57,6 @@ void known_material(const Properties& properties, std::string_view key, std::str
 /// A warning if `name` is not a material but similar to one: other names are properties for detectors.
 void not_misspelt_material(const Properties& properties, std::string_view key, std::string_view name);
 
-/// An error unless `text` is empty or the bytes of an id (forms/tag_id.h).
-void hexadecimal_bytes(const Properties& properties, std::string_view key, std::string_view text);
-
 /// [x y], unscaled.
 geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::Vec2 otherwise);
 
@@ -84,11 +81,11 @@ void check_numbered(const Properties& properties, std::string_view word, std::st
 
 /// Reads word[0], word[1], ...: `count` of them. `read(key, value)` reads
 /// one; missing ones default to `word` without an index, then to `otherwise`.
-template <typename config::Value, typename Read>
-std::vector<config::Value> read_each(const Properties& properties, std::string_view word, std::string_view counted_by,
-                             std::uint32_t count, config::Value otherwise, const Read& read) {
+template <typename Value, typename Read>
+std::vector<Value> read_each(const Properties& properties, std::string_view word, std::string_view counted_by,
+                             std::uint32_t count, Value otherwise, const Read& read) {
   read(word, otherwise);
-  std::vector<config::Value> values(count, otherwise);
+  std::vector<Value> values(count, otherwise);
   for (std::uint32_t i = 0; i < count; ++i) read(numbered(word, i), values[i]);
   check_numbered(properties, word, counted_by, count);
   return values;
