@@ -43,6 +43,11 @@ constexpr std::pair<std::string_view, std::string_view> kInstead[] = {
     {"writelog", "; the option --record records a run"},
 };
 
+constexpr const char* kDriversOfProgram = R"(
+driver ( name "localbb" provides ["blackboard:0"] )
+driver ( name "health" provides ["health:0"] )
+)";
+
 /// That of a section: a driver of the program, or the plug-in that the section names; null if there is neither.
 Factory factory_of(const scene::CfgSection& section) {
   if (const DriverDefinition* known = find_driver(section.name())) return known->make;
@@ -171,6 +176,12 @@ Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::C
   }
   if (site.device_count() == 0) return Error{file.path, "no driver of this file provides a device"};
   return drivers;
+}
+
+Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers_of_program(Site& site) {
+  scene::MemoryFiles none({});
+  const Result<scene::CfgFile> file = scene::load_cfg_text(kDriversOfProgram, "drivers of the program", none);
+  return file ? make_drivers(*file, site) : file.error();
 }
 
 }  // namespace playhouse::drivers

@@ -30,4 +30,8 @@ std::string what_instead_of_driver(std::string_view name);
 /// them.
 Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::CfgFile& file, Site& site);
 
+/// The drivers of a run without a file, which serve devices of the program itself: blackboard:0 and health:0 of
+/// the default port. The world must be open.
+Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers_of_program(Site& site);
+
 }  // namespace playhouse::drivers
