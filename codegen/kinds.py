@@ -41,6 +41,7 @@ NEEDS = {
     "several sensors": "several sensors",
     "robot": "a top-level model with a drive",
     "rings": "a sensor with several rings",
+    "baseline": "a second lens, by `baseline`",
     "never": "a section of a configuration file that names it",
 }
 

@@ -25,7 +25,8 @@ inline constexpr int kSilentSeconds = 60;  // a client that has not said anythin
 inline constexpr std::size_t kLingering = 4096;
 // A session over UDP that says nothing for so long is gone: there is no other sign, where nothing refuses.
 inline constexpr int kDatagramSilentSeconds = 600;
-inline constexpr std::size_t kDatagramSessions = 4096;  // by UDP, of kSessions: over it the one heard longest ago ends
+inline constexpr std::size_t kDatagramSessions =
+    4096;  // by UDP, of kSessions: over it the one heard longest ago ends
 inline constexpr std::size_t kDatagramMostBytes = 65507;          // of one datagram of UDP over IPv4
 inline constexpr std::size_t kDatagramWaitingBytes = 256u << 10;  // received for a session that is busy
 inline constexpr std::size_t kSocketMessageBytes = 128u << 10;    // of one message of a WebSocket of a client
@@ -186,6 +187,8 @@ inline constexpr std::size_t kPicturePixels = 1u << 26;   // of a world from abo
 inline constexpr std::size_t kFilmBytes = 1u << 30;       // of a film that is an animated PNG
 inline constexpr std::size_t kBrowserMessage = 1u << 29;  // from a browser that draws: a picture is one
 inline constexpr int kRangerSamples = 1 << 16;            // beams of one sensor
+inline constexpr std::size_t kStereoPixels =
+    1000000;                                   // of a camera with two lenses: its data are one message
 inline constexpr std::size_t kBeams = 1u << 26;  // of all sensors of a world, and pixels of its cameras
 
 static_assert(kBodyBytes + kHeaderBytes == kMessageBytes);

@@ -162,6 +162,12 @@ bool carry_out(World& world, CameraRow row, const ControlCamera& change) {
   return true;
 }
 
+bool carry_out(World& world, CameraRow row, const OpenStereo& change) {
+  if (world.desc(world.cameras.model[row]).camera->baseline <= 0) return false;
+  world.cameras.stereo_open[row] = change.open;
+  return true;
+}
+
 bool carry_out(World& world, GripperRow row, const Grip& change) {
   command_gripper(world, row, change.command);
   return true;
