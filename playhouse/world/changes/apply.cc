@@ -213,6 +213,17 @@ bool carry_out(World& world, ImuRow row, const SetAttitudeReference& change) {
   return true;
 }
 
+bool carry_out(World& world, MoteRow row, const WakeMote& change) {
+  world.motes.awake[row] = change.awake;
+  return true;
+}
+
+bool carry_out(World& world, MoteRow row, const SetReportRate& change) {
+  if (!(change.frequency >= 0) || !std::isfinite(change.frequency)) return false;
+  world.motes.frequency[row] = change.frequency;
+  return true;
+}
+
 bool carry_out(World& world, PackRow row, const SetCharging& change) {
   world.packs.takes[row] = change.takes;
   world.packs.gives[row] = change.gives;
