@@ -42,6 +42,7 @@ NEEDS = {
     "robot": "a top-level model with a drive",
     "rings": "a sensor with several rings",
     "contacts or lamps": "a bumper or a lamp, itself or as a part of it",
+    "baseline": "a second lens, by `baseline`",
     "never": "a section of a configuration file that names it",
 }
 

@@ -316,6 +316,9 @@ Result<void> Service::add_robots() {
   if (const Result<void> opened = site_->open_world(scene_.path); !opened) return opened.error();
   robots_ = std::make_unique<drivers::AutoDevices>(*site_, serving_.port, indices_);
   if (const Result<void> added = robots_->add_all(); !added) return added;
+  Result<std::vector<std::unique_ptr<device::Driver>>> of_program = drivers::make_drivers_of_program(*site_);
+  if (!of_program) return of_program.error();
+  drivers_ = std::move(*of_program);
   if (robots_->left_out() > 0)
     warn_(fmt::format("{} devices are left out: an interface has {} indices on each of {} ports",
                       robots_->left_out(), indices_, robots_->ports()));

@@ -188,7 +188,7 @@ class Service final : private device_server::ServerHost {
   std::optional<drivers::LockStepTurns> turns_;
   cluster::Head* head_ = nullptr;                         // of a cluster; owned by the simulation
   std::unique_ptr<Playback> playback_;                    // of a recording
-  std::vector<std::unique_ptr<device::Driver>> drivers_;  // of the configuration file
+  std::vector<std::unique_ptr<device::Driver>> drivers_;  // of the configuration file, or the program's own
   std::unique_ptr<drivers::AutoDevices> robots_;          // without a configuration file
   std::unique_ptr<server::Server> server_;
   web_server::GuestBook guests_;

@@ -30,7 +30,7 @@ enum class Purpose : std::uint64_t {
   kTestScene = 9,      // entity: robot
   kFading = 10,        // entity: a radio; part: the one that it hears
   kAgentPlace = 11,    // entity: a model; detail: how often it has been placed
-  kPixel = 12,         // entity: a camera
+  kPixel = 12,         // entity: a camera; part: its image, that of its right lens, its depths
   kEcho = 13,          // entity: a detector; part: which of its beams
   kDetection = 14,     // entity: a detector; part: the top of what it may notice
   kCustomAct = 15,     // entity: a custom model

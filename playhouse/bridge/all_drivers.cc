@@ -4,9 +4,18 @@
 
 #include "playhouse/bridge/mapfile/map_file.h"
 #include "playhouse/bridge/stage_driver/stage_driver.h"
+#include "playhouse/config/cfg.h"
 #include "playhouse/drivers/plugin/plugin_shell.h"
 
 namespace playhouse::drivers {
+namespace {
+
+constexpr const char* kDriversOfProgram = R"(
+driver ( name "localbb" provides ["blackboard:0"] )
+driver ( name "health" provides ["health:0"] )
+)";
+
+}  // namespace
 
 const Registry& all_drivers() {
   static const Registry kAll = [] {
@@ -16,6 +25,13 @@ const Registry& all_drivers() {
     return Registry(std::move(drivers), make_plugin);
   }();
   return kAll;
+}
+
+Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers_of_program(Site& site) {
+  config::MemoryFiles none({});
+  const Result<config::CfgFile> file =
+      config::load_cfg_text(kDriversOfProgram, "drivers of the program", none);
+  return file ? all_drivers().make(*file, site) : file.error();
 }
 
 }  // namespace playhouse::drivers

@@ -52,6 +52,14 @@ driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
   EXPECT_THAT(site.site().warnings(), IsEmpty());
 }
 
+TEST(Registry, gives_a_run_without_a_file_a_blackboard_and_the_health_of_its_machine) {
+  MemorySite site(kWorld);
+  ASSERT_TRUE(site.site().open_world("some.world"));
+  const auto drivers = make_drivers_of_program(site.site());
+  ASSERT_TRUE(drivers) << drivers.error().line();
+  EXPECT_THAT(site.devices(), ElementsAre("6665:64:0=localbb", "6665:59:0=health"));
+}
+
 TEST(StageDriver, gives_each_address_the_next_model_that_fits) {
   MemorySite site(kWorld);
   ASSERT_EQ(

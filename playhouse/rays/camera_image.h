@@ -36,4 +36,12 @@ struct Seen {
 /// Writes the image of a camera, row `camera` of world::Cameras, with its noise at `tick`.
 void expose(world::World& world, world::CameraRow camera, std::uint64_t tick, const Seen& seen);
 
+/// True if it has two lenses, and somebody reads what both see.
+bool takes_pairs(const world::World& world, world::CameraRow camera);
+/// Writes what makes its image one of a pair: that of the right lens, and the depths of the left one. [m, 0: no hit]
+void expose_pair(world::World& world, world::CameraRow camera, std::uint64_t tick, const Seen& right,
+                 std::span<const double> left_far);
+/// Leaves its image alone, as nobody reads pairs.
+void forget_pair(world::World& world, world::CameraRow camera);
+
 }  // namespace playhouse::rays

@@ -221,6 +221,9 @@ constexpr std::pair<std::string_view, const char*> kFieldNames[] = {
     {"imus.X_WE", "estimated_pose"},
     {"imus.tilt_WE", "estimated_tilt"},
     {"imus.v_WE", "estimated_velocity"},
+    {"motes.X_WB", "pose"},
+    {"motes.tilt_WB", "tilt"},
+    {"motes.v_WB", "velocity"},
     {"receivers.p_WB", "true_position"},
 };
 

@@ -388,7 +388,7 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
                         "\"range_min\" is above \"range_max\": the fiducial sees nothing");
   if (model.camera) {
     check_camera(properties, *model.camera);
-    beams_.spend(pixels_of(*model.camera), properties.where("resolution"), state_);
+    beams_.spend(kept_pixels_of(*model.camera), properties.where("resolution"), state_);
   }
   if (model.detector) {
     check_detector(properties, *model.detector);

@@ -981,6 +981,12 @@ TEST(WorldModels, cameras_have_lenses_limits_and_an_image_that_counts) {
   EXPECT_THAT(loaded("camera( image \"segmentation\" compression \"jpeg\" )").warnings,
               ElementsAre("w/t.world:1: images of models are sent raw; \"compression\" has no effect"));
   EXPECT_THAT(error_of("camera( resolution [0 10] )"), HasSubstr("resolution"));
+  EXPECT_EQ(loaded("camera( resolution [1000 1000] baseline 0.1 )").models[0].camera->baseline, 0.1);
+  EXPECT_THAT(
+      error_of("camera( resolution [1000 1001] baseline 0.1 )"),
+      HasSubstr(
+          "\"resolution\" of a camera with a baseline needs 1000000 pixels at most; this one has 1001000"));
+  EXPECT_THAT(error_of("camera( baseline -0.1 )"), HasSubstr("baseline"));
   EXPECT_THAT(error_of("camera( fov [180 40] )"), HasSubstr("fov"));
   EXPECT_THAT(error_of("camera( image \"colour\" )"), HasSubstr("\"color\""));
 }

@@ -2,6 +2,7 @@
 
 /// PoseSense: base of the sensors that measure only the pose of their own body and cast no rays.
 
+#include "playhouse/senses/body_motion.h"
 #include "playhouse/senses/sense_phase.h"
 
 namespace playhouse::senses {
@@ -15,13 +16,6 @@ class PoseSense : public SensePhase {
       for (std::size_t i = begin; i < end; ++i) measure(world, due[i], tick);
     });
     return 0;
-  }
-
- protected:
-  /// X_WB of the body of a model.
-  static geom::SpatialPose body_pose(const world::World& world, world::ModelRow model) {
-    return geom::compose({world.models.X_WM[model], world.models.tilt_WM[model]},
-                         {world.desc(model).X_MB, geom::Tilt{}});
   }
 
  private:

@@ -3,7 +3,7 @@
 /// its centre enters; a ray that starts inside a body sees what is behind it.
 ///
 /// In: poses, bodies, colours of models; the pose and lens of each camera.
-/// Out: its pixels.
+/// Out: its pixels; of a stereo camera that is read as one also those of the right lens, and the depths.
 /// Cost: for each slice of the lens the walls along it and the bodies near it (slice.h), and for each of its
 ///   pixels a few operations per stretch of a body, four pixels at a time.
 /// Source: slab test: the interval of a ray in an upright prism is the intersection of the stretch with the
@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "playhouse/rays/camera_image.h"
 #include "playhouse/rays/lens.h"
@@ -83,7 +84,8 @@ class CameraSense final : public SensePhase {
       for (std::size_t i = begin; i < end; ++i) look(world, space, due[i], tick, scratch);
     });
     std::uint64_t rays = 0;
-    for (const world::CameraRow row : due) rays += world.cameras.pixels[row].size();
+    for (const world::CameraRow row : due)
+      rays += world.cameras.pixels[row].size() + world.cameras.right_pixels[row].size();
     return rays;
   }
 
@@ -98,7 +100,7 @@ class CameraSense final : public SensePhase {
     std::map<std::uint32_t, Fitted> lenses;  // by row of SceneDesc::models
     rays::Slicer slicer;
     std::vector<double> distance, thing;  // of the pixels of a slice
-    std::vector<double> far;              // m of depth                                     (image)
+    std::vector<double> far, left_far;    // m of depth                                     (image)
     std::vector<std::uint32_t> sample;    // see Seen                                    (image)
   };
 
@@ -113,6 +115,17 @@ class CameraSense final : public SensePhase {
 
   static void look(world::World& world, const bodies::Space& space, world::CameraRow row, std::uint64_t tick,
                    Scratch& scratch) {
+    trace(world, space, row, 0, scratch);
+    rays::expose(world, row, tick, {scratch.far, scratch.sample});
+    if (!rays::takes_pairs(world, row)) return rays::forget_pair(world, row);
+    std::swap(scratch.far, scratch.left_far);
+    trace(world, space, row, world.desc(world.cameras.model[row]).camera->baseline, scratch);
+    rays::expose_pair(world, row, tick, {scratch.far, scratch.sample}, scratch.left_far);
+  }
+
+  /// What the pixels of a lens see that is so far to the right of the camera's place. [m]
+  static void trace(const world::World& world, const bodies::Space& space, world::CameraRow row,
+                    double to_the_right, Scratch& scratch) {
     const world::ModelRow model = world.cameras.model[row];
     const scene::ModelDesc& desc = world.desc(model);
     const CameraDesc& camera = *desc.camera;
@@ -120,7 +133,8 @@ class CameraSense final : public SensePhase {
     const geom::Pose X_WB = geom::compose(world.models.X_WM[model], desc.X_MB);
     const geom::Rotation heading = geom::Rotation::of(X_WB.a + world.cameras.pan[row]);
     const double eye = X_WB.z + rays::lens_height(desc);
-    scratch.slicer.stand(space, X_WB.xy(), eye, std::ranges::max(lens.reach), bit(bodies::SeenBy::kImage),
+    const geom::Vec2 lens_place = X_WB.xy() + heading * geom::Vec2{0, -to_the_right};
+    scratch.slicer.stand(space, lens_place, eye, std::ranges::max(lens.reach), bit(bodies::SeenBy::kImage),
                          world.models.root[model]);
     scratch.far.resize(lens.place.size());
     scratch.sample.resize(lens.place.size());
@@ -129,7 +143,6 @@ class CameraSense final : public SensePhase {
       const geom::Vec2 d = heading * geom::Vec2{lens.ahead[s].c, lens.ahead[s].s};
       show_slice(world, space, scratch.slicer.along(space, d, lens.reach[s]), lens, s, camera, eye, scratch);
     }
-    rays::expose(world, row, tick, {scratch.far, scratch.sample});
   }
 
   /// Fills the pixels of a slice.

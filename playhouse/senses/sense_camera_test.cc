@@ -42,14 +42,21 @@ void add(scene::SceneDesc& scene, const scene::Color& color, const geom::Pose& X
 /// The image of the first model, after a tick.
 class Picture {
  public:
-  explicit Picture(const scene::SceneDesc& scene, unsigned workers = 1, std::uint64_t seed = 1)
+  explicit Picture(const scene::SceneDesc& scene, unsigned workers = 1, std::uint64_t seed = 1,
+                   bool is_pair = false)
       : width_(static_cast<std::size_t>(scene.models[0].camera->width)) {
     auto engine = stage::make_engine(scene, {.seed = seed, .workers = workers});
     EXPECT_TRUE(engine.ok());
+    world::Cameras& cameras = (*engine)->world().cameras;
+    cameras.stereo_open[{0}] = is_pair;
     (*engine)->step();
-    EXPECT_EQ((*engine)->world().cameras.measured_tick[{0}], 1u);
-    pixels_ = (*engine)->world().cameras.pixels[{0}];
+    EXPECT_EQ(cameras.measured_tick[{0}], 1u);
+    pixels_ = cameras.pixels[{0}];
+    right_ = cameras.right_pixels[{0}];
+    depths_ = cameras.depths[{0}];
   }
+  const std::vector<world::Pixel>& right() const { return right_; }
+  const std::vector<float>& depths() const { return depths_; }
   std::uint32_t at(std::size_t column, std::size_t row) const {
     return pixels_[row * width_ + column].sample;
   }
@@ -60,7 +67,8 @@ class Picture {
 
  private:
   std::size_t width_;
-  std::vector<world::Pixel> pixels_;
+  std::vector<world::Pixel> pixels_, right_;
+  std::vector<float> depths_;
 };
 
 TEST(CameraSense, shows_bodies_before_the_sky_and_the_floor_where_a_pinhole_would) {
@@ -274,6 +282,59 @@ TEST(Lens, has_each_pixel_once) {
     EXPECT_EQ(lens.first.back(), 41u * 31u);
     if (tilt == 0) EXPECT_EQ(lens.ahead.size(), 41u);
   }
+}
+
+/// Two walls of one depth, side by side before a third one, and a baseline of so many pixels of disparity.
+scene::SceneDesc before_walls(double pixels, scene::ImageKind image = scene::ImageKind::kColor) {
+  scene::SceneDesc scene = lookout(image);
+  add(scene, kRed, {2.5, 0.3, 0, 0}, {1, 0.6, 4});
+  add(scene, kBlue, {2.5, -0.2, 0, 0}, {1, 0.4, 4});
+  add(scene, {0, 1, 0, 1}, {7, 0, 0, 0}, {1, 40, 4});
+  scene.models[0].camera->baseline =
+      pixels * 2 / scene::focal_length(*scene.models[0].camera, geom::radians(80));
+  return scene;
+}
+
+TEST(CameraSense, the_right_image_of_a_wall_is_the_left_one_shifted_by_its_disparity) {
+  const Picture picture(before_walls(3), 1, 1, true);
+  ASSERT_EQ(picture.right().size(), 41u * 31u);
+  int shifted = 0;
+  for (std::size_t i = 3; i < 41; ++i) {
+    const std::uint32_t left = picture.at(i, 15), right = picture.right()[15 * 41 + i - 3].sample;
+    const bool is_near = left == 0xff0000 || left == 0x0000ff;
+    if (is_near) EXPECT_EQ(right, left) << i;
+    shifted += is_near;
+  }
+  EXPECT_EQ(shifted, 12) << "a metre at 2 m";
+  EXPECT_NE(picture.pixels(), picture.right());
+}
+
+TEST(CameraSense, depths_of_a_pair_are_those_along_the_axis) {
+  const Picture picture(before_walls(3), 1, 1, true);
+  ASSERT_EQ(picture.depths().size(), 41u * 31u);
+  EXPECT_FLOAT_EQ(picture.depths()[15 * 41 + 20], 2);
+  EXPECT_FLOAT_EQ(picture.depths()[15 * 41 + 1], 6.5f);
+  EXPECT_EQ(picture.depths()[0], 0) << "the sky";
+}
+
+TEST(CameraSense, has_one_image_while_nobody_reads_pairs) {
+  const Picture alone(before_walls(3)), pair(before_walls(3), 1, 1, true), one(before_walls(0), 1, 1, true);
+  EXPECT_TRUE(alone.right().empty() && alone.depths().empty());
+  EXPECT_TRUE(one.right().empty() && one.depths().empty());
+  EXPECT_EQ(alone.pixels(), pair.pixels());
+}
+
+TEST(CameraSense, the_images_of_a_pair_have_noise_of_their_own_and_depths_that_of_the_depth_image) {
+  scene::SceneDesc scene = before_walls(0.0001);
+  scene.models[0].camera->noise_value = 0.1;
+  const Picture noisy(scene, 1, 1, true);
+  EXPECT_NE(noisy.pixels(), noisy.right());
+  scene = before_walls(0.0001, scene::ImageKind::kDepth);
+  scene.models[0].camera->noise_depth = 0.05;
+  const Picture far(scene, 1, 1, true);
+  EXPECT_NE(far.pixels(), far.right());
+  for (std::size_t i = 0; i < far.depths().size(); ++i)
+    EXPECT_NEAR(1000 * far.depths()[i], far.pixels()[i].sample, 0.51) << i;
 }
 
 }  // namespace

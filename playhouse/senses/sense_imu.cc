@@ -66,17 +66,6 @@ class ImuSense final : public PoseSense {
                       const Vec3& f, double turn_error);
 };
 
-/// Velocity of a point of a tree: of its rigid body, or in the 2D engine by the robot's command.  [m/s, in W]
-Vec3 velocity_at(const world::World& world, world::ModelRow root, const Vec3& p) {
-  const geom::Pose& X = world.models.X_WM[root];
-  const Vec3 arm = p - Vec3{X.x, X.y, X.z};
-  const geom::SpatialVelocity& V = world.models.V_WM[root];
-  if (!world.upright || world.models.kind[root] != scene::ModelKind::kPosition) return V.v + cross(V.w, arm);
-  const geom::Twist& driven = world.positions.velocity[world.models.part[root]];
-  const geom::Vec2 v = geom::Rotation::of(X.a) * geom::Vec2{driven.x, driven.y};
-  return Vec3{v.x, v.y, driven.z} + cross(Vec3{0, 0, driven.a}, arm);
-}
-
 /// First measurement: assumes that the unit has moved at its present velocity.
 void ImuSense::begin(world::World& world, world::ImuRow row, const geom::SpatialPose& X_WB, Rng& rng) {
   world::Imus& imus = world.imus;

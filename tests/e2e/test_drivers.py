@@ -666,6 +666,17 @@ class WithoutAWorld(HouseTest):
                     self.assertGreater(state.mem.used, 1 << 20)
                     self.assertGreater(state.mem.free, 0)
 
+    def test_a_run_without_a_file_has_a_blackboard_and_the_health_of_its_machine(self):
+        with self.run_house() as house, connect(f":{house.port()}", mode=Mode.PULL) as client:
+            board, machine = client.device("blackboard"), client.device("health")
+            self.assertEqual((board.driver, machine.driver), ("localbb", "health"))
+            names = c_string("goal"), c_string("team")
+            board.request(blackboard.REQ_SET_ENTRY, BlackboardEntry(*names, 1, 2, b"left"))
+            self.assertEqual(board.request(blackboard.REQ_GET_ENTRY, BlackboardEntry(*names)).data, b"left")
+            machine.next_data(30)
+            cpu = machine.latest(health.DATA_STATE).cpu_usage
+            self.assertAlmostEqual(cpu.idle + cpu.system + cpu.user, 100, 3)
+
     def serve(self, cfg) -> House:
         return House("serve", cfg, "--port", 0, "--headless")
 

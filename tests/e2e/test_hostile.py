@@ -141,7 +141,7 @@ class Hostile(HouseTest):
         self.assert_served()
         for client in clients:
             self.leave(draw, client)
-        self.assertEqual(len(self.client().devices()), 17)
+        self.assertEqual(len(self.client().devices()), 19)
 
     def visitor(self, draw) -> Client:
         client = Client(self.port)
@@ -244,7 +244,7 @@ class Crowds(HouseTest):
                 client.socket.setblocking(False)
                 client.socket.send(frame(PLAYER, 0, REQ, 1) * 3000)
                 client.close()
-            self.assertEqual(len(witness.devices()), 1001)
+            self.assertEqual(len(witness.devices()), 1003)
             for client in self.crowd(house.port(), 300):
                 client.socket.setblocking(False)
                 client.socket.send(frame(PLAYER, 0, REQ, 1) * 3000)
@@ -260,9 +260,9 @@ class Crowds(HouseTest):
                 client.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
                 client.socket.setblocking(False)
                 client.socket.send(frame(PLAYER, 0, REQ, 1) * 3000)
-            self.assertEqual(len(witness.devices()), 1001)
+            self.assertEqual(len(witness.devices()), 1003)
             house.wait_for_line("closed: what all clients have not read takes")
-            self.assertEqual(len(witness.devices()), 1001)
+            self.assertEqual(len(witness.devices()), 1003)
             self.assertEqual(house.end(), 128 + signal.SIGTERM, house.log())
 
     def test_as_many_clients_as_it_says_are_served_although_the_shell_allows_fewer_descriptors_at_first(self):

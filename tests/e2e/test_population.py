@@ -39,7 +39,8 @@ class Population(HouseTest):
         viewer.turn_until(lambda: viewer.came)
         robot = viewer.models[viewer.came[0]]
         self.assertEqual((robot["name"], robot["devices"]), ("r0~2", ["position2d:2", "position3d:2", "speech:2", "speech_recognition:2"]))
-        devices = self.devices_until(client, lambda devices: len(devices) == 2 * len(at_first) - 1 - (len(at_first) - 1) // 2)
+        of_one = (len(at_first) - 3) // 2   # of two robots; the world and the program itself have three
+        devices = self.devices_until(client, lambda devices: len(devices) == len(at_first) + of_one)
         self.assertEqual([d for d in devices if d not in at_first][0], (POSITION2D, 2))
 
         self.assertEqual(client.open(POSITION2D, 2).type, ACK)

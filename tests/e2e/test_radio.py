@@ -2,9 +2,14 @@
 
 import json
 import struct
+import sys
 import unittest
 
-from house import ACK, CMD, NACK, Client, HouseTest, finish
+from house import ACK, CMD, NACK, ROOT, Client, HouseTest, finish
+
+sys.path.insert(0, str(ROOT / "clients/python"))
+from playhouse_client import Mode, RequestRefused, connect  # noqa: E402
+from playhouse_client.generated import wsn  # noqa: E402
 
 OPAQUE, DATA = 51, 1
 
@@ -81,6 +86,55 @@ class Radio(HouseTest):
         recorded, made = json.loads(self.house.output()), json.loads(again.stdout)
         for key in ("ticks", "hash", "sensed_hash"):
             self.assertEqual(recorded[key], made[key], key)
+
+
+# The stove is 30 K warmer than the air, and 4 m from the first mote: 20 + 30 * 0.5 / 4 degC there.
+MOTES = """
+interval_sim 20
+mote( name "base" base 1 node_id 1 range 10 update_interval 20 )
+mote( name "warm" pose [4 0 0.09 0] node_id 2 node_type 5 update_interval 20 )
+mote( name "far" pose [40 0 0 0] node_id 3 update_interval 20 )
+mote( name "other" pose [0 4 0 0] node_id 4 group 1 update_interval 20 )
+model( name "stove" pose [8 0 0 0] size [0.2 0.2 0.2] heat 30 heat_radius 0.5 )
+"""
+
+
+class Motes(HouseTest):
+    def test_a_base_station_tells_what_the_motes_in_reach_measure_and_commands_them(self) -> None:
+        for engine in ("stage", "arena"):
+            with self.subTest(engine), self.run_house("--speed", 5, "--engine", engine, world=self.world(MOTES)) as house, \
+                    connect(f":{house.port()}", mode=Mode.PUSH) as client:
+                heard: list[wsn.Data] = []
+                base = client.device("wsn", 0)
+                base.on_data(lambda _message, data, _time: heard.append(data))
+                while len(heard) < 3:
+                    client.read(30)
+                self.assertEqual({(data.node_id, data.node_type, data.node_parent_id) for data in heard}, {(2, 5, 1)})
+                packet = heard[-1].data_packet
+                self.assertAlmostEqual(packet.temperature, 20 + 30 * 0.5 / 4, delta=0.01)
+                self.assertAlmostEqual(packet.accel_z, 9.81, delta=0.05)
+                self.assertAlmostEqual(packet.battery, 3, 3)
+                base.request(wsn.REQ_DATATYPE, wsn.DatatypeConfig(0))
+                while heard[-1].data_packet.battery != 1023:
+                    client.read(30)
+                base.request(wsn.REQ_DATAFREQ, wsn.DatafreqConfig(2, -1, 10.0))
+                base.request(wsn.REQ_POWER, wsn.PowerConfig(-1, -1, 0))
+                with self.assertRaises(RequestRefused):
+                    base.request(wsn.REQ_POWER, wsn.PowerConfig(3, -1, 0))
+                # The other group has no base station, but a cable, which tells that time goes on.
+                told: list[int] = []
+                client.device("wsn", 3).on_data(lambda _message, data, _time: told.append(data.node_id))
+                while len(told) < 2:
+                    client.read(30)
+                quiet = len(heard)
+                while len(told) < 20:
+                    client.read(30)
+                self.assertEqual(set(told), {4})
+                self.assertEqual(len(heard), quiet)
+                base.request(wsn.REQ_POWER, wsn.PowerConfig(2, 0, 1))
+                while len(heard) == quiet:
+                    client.read(30)
+
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import sys
 import unittest
 import urllib.request
 
-from house import (ACK, CMD, DATA, FIDUCIAL, LASER, NACK, PATIENCE, PLAYER, POSITION2D, POSITION3D, PROGRAM, RANGER, REQ, ROOT, SIMULATION, SPEECH, SPEECH_RECOGNITION, SONAR, SYNCH,
+from house import (ACK, BLACKBOARD, CMD, DATA, FIDUCIAL, HEALTH, LASER, NACK, PATIENCE, PLAYER, POSITION2D, POSITION3D, PROGRAM, RANGER, REQ, ROOT, SIMULATION, SPEECH, SPEECH_RECOGNITION, SONAR, SYNCH,
                    Client, House, HouseTest, frame, ranges_of, text, wait_until)
 
 
@@ -30,7 +30,8 @@ class Serving(HouseTest):
         self.assertTrue(client.banner.startswith(b"Player v."))
         self.assertEqual(client.devices(), [
             (SIMULATION, 0), (POSITION2D, 0), (POSITION3D, 0), (SPEECH, 0), (SPEECH_RECOGNITION, 0), (RANGER, 0), (LASER, 0), (RANGER, 1), (SONAR, 0),
-            (POSITION2D, 1), (POSITION3D, 1), (SPEECH, 1), (SPEECH_RECOGNITION, 1), (RANGER, 2), (LASER, 1), (RANGER, 3), (SONAR, 1)])
+            (POSITION2D, 1), (POSITION3D, 1), (SPEECH, 1), (SPEECH_RECOGNITION, 1), (RANGER, 2), (LASER, 1), (RANGER, 3), (SONAR, 1),
+            (BLACKBOARD, 0), (HEALTH, 0)])
 
     def test_a_robot_drives_as_commanded_and_says_so(self):
         client = self.client()

@@ -84,6 +84,34 @@ render::View CameraSense::view_of(const world::World& world, world::CameraRow ca
   return view;
 }
 
+std::size_t CameraSense::add(const render::View& view) {
+  views_.push_back(view);
+  return views_.size() - 1;
+}
+
+/// The second lens is aside along the rows of the image, and pictures that show no depths need another one for them.
+CameraSense::PicturesOfCamera CameraSense::take(const world::World& world, world::CameraRow camera) {
+  const render::View left = view_of(world, camera);
+  PicturesOfCamera taken{camera, add(left), rays::takes_pairs(world, camera)};
+  if (!taken.is_pair) return taken;
+  render::View right = left;
+  right.eye = left.eye + left.q_WC * Vec3{0, -world.desc(world.cameras.model[camera]).camera->baseline, 0};
+  taken.right = add(right);
+  render::View depths = left;
+  depths.shows = render::Shows::kDepth;
+  taken.depths = left.shows == render::Shows::kDepth ? taken.picture : add(depths);
+  return taken;
+}
+
+void CameraSense::expose(world::World& world, const PicturesOfCamera& taken, std::uint64_t tick) const {
+  const auto seen = [&](std::size_t picture) {
+    return rays::Seen{pictures_[picture].depth, pictures_[picture].sample};
+  };
+  rays::expose(world, taken.camera, tick, seen(taken.picture));
+  if (!taken.is_pair) return rays::forget_pair(world, taken.camera);
+  rays::expose_pair(world, taken.camera, tick, seen(taken.right), seen(taken.depths).far);
+}
+
 std::uint64_t CameraSense::sense(world::World& world, const bodies::Space& space,
                                  std::span<const world::KindRow> due, std::uint64_t tick,
                                  world::Workers& workers) {
@@ -93,14 +121,15 @@ std::uint64_t CameraSense::sense(world::World& world, const bodies::Space& space
   const double time = static_cast<double>(tick) * world.scene().interval;
   bodies_.place(world, time);
   views_.clear();
-  for (const world::CameraRow camera : due) views_.push_back(view_of(world, camera));
+  taken_.clear();
+  for (const world::CameraRow camera : due) taken_.push_back(take(world, camera));
   renderer_->draw(surroundings_of(world.scene(), time), bodies_.scene(), views_, pictures_);
   workers.run(due.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      rays::expose(world, due[i], tick, {pictures_[i].depth, pictures_[i].sample});
+    for (std::size_t i = begin; i < end; ++i) expose(world, taken_[i], tick);
   });
   std::uint64_t rays = 0;
-  for (const world::CameraRow camera : due) rays += world.cameras.pixels[camera].size();
+  for (const world::CameraRow camera : due)
+    rays += world.cameras.pixels[camera].size() + world.cameras.right_pixels[camera].size();
   return rays;
 }
 

@@ -5,7 +5,7 @@
 /// noise are those of the stage engine, whose images are also the fallback without OpenGL.
 ///
 /// In: poses, bodies, colours and lamps of models; the pose of each camera; sun, sky and fog.
-/// Out: the pixels of cameras.
+/// Out: the pixels of cameras; of stereo cameras that are read as such also those of the right lens, and the depths.
 /// Cost: OpenGL is initialised by the first image of a run; then one Renderer::draw() per tick for all its
 /// images. Thread: the tick thread; conversion to pixels on the workers.
 
@@ -33,7 +33,18 @@ class CameraSense final : public senses::SensePhase {
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
+  /// The pictures of a camera, by their numbers.
+  struct PicturesOfCamera {
+    world::CameraRow camera;
+    std::size_t picture = 0;
+    bool is_pair = false;
+    std::size_t right = 0, depths = 0;
+  };
+
   void begin();
+  PicturesOfCamera take(const world::World& world, world::CameraRow camera);
+  std::size_t add(const render::View& view);
+  void expose(world::World& world, const PicturesOfCamera& taken, std::uint64_t tick) const;
   render::View view_of(const world::World& world, world::CameraRow camera) const;
 
   unsigned workers_;
@@ -42,6 +53,7 @@ class CameraSense final : public senses::SensePhase {
   std::unique_ptr<senses::SensePhase> instead_;  // fallback without OpenGL
   bool is_stale_ = true;                         // the list of bodies is out of date with the population
   DrawnBodies bodies_;
+  std::vector<PicturesOfCamera> taken_;
   std::vector<render::View> views_;
   std::vector<render::Picture> pictures_;
 };

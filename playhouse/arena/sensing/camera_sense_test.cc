@@ -460,5 +460,41 @@ TEST(Looks, lamps_fade_as_the_sun_rises) {
   EXPECT_NEAR(white_lux(std::asin(0.175)), 200, 10);  // half way through dawn
 }
 
+// The focal length is 32 px; the wall is 2 m before the lens, and its depth is seen 4 px apart.
+TEST(CameraSense, a_pair_shows_a_wall_apart_by_its_disparity_whatever_its_direction) {
+  const std::string text = R"(
+interval_sim 100
+define eyes camera( size [0 0 0.1] pose [0 0 0.45 90] resolution [64 48] fov [90 73.7397952917] range [0.1 4] alwayson 1
+  baseline 0.25 pantilt [-90 0] )
+eyes( image "segmentation" ) eyes( image "color" ) eyes( image "depth" )
+model( name "wall" pose [2.5 0 0 0] size [1 0.9 3] color "red" )
+model( name "back" pose [4 0 0 0] size [1 20 3] color "blue" )
+)";
+  for (const bool arena : {false, true}) {
+    Session run(text, arena);
+    world::Cameras& cameras = run.world().cameras;
+    for (const world::CameraRow camera : cameras.rows()) cameras.stereo_open[camera] = 1;
+    run.step();
+    for (const world::CameraRow camera : cameras.rows()) {
+      ASSERT_EQ(cameras.depths[camera].size(), 64u * 48u) << arena;
+      EXPECT_NEAR(cameras.depths[camera][24 * 64 + 32], 2, 1e-3) << arena;
+      EXPECT_NEAR(cameras.depths[camera][24 * 64 + 2], 3.5, 1e-3) << arena;
+    }
+    const auto left = run.image(0);
+    const std::vector<world::Pixel>& right = cameras.right_pixels[{0}];
+    int on_the_wall = 0;
+    for (std::size_t i = 24 * 64 + 4; i < 25 * 64; ++i) {
+      on_the_wall += left[i] == run.segment("wall");
+      EXPECT_EQ(right[i - 4].sample == run.segment("wall"), left[i] == run.segment("wall")) << arena << i;
+    }
+    EXPECT_EQ(on_the_wall, 14) << "0.9 m of 16 px each";
+    EXPECT_EQ(hue(cameras.right_pixels[{1}][24 * 64 + 28].sample), 'r') << arena;
+    EXPECT_NEAR(cameras.right_pixels[{2}][24 * 64 + 28].sample, 2000, 1) << arena;
+    for (const world::CameraRow camera : cameras.rows()) cameras.stereo_open[camera] = 0;
+    run.step();
+    EXPECT_TRUE(cameras.right_pixels[{1}].empty() && cameras.depths[{1}].empty()) << arena;
+  }
+}
+
 }  // namespace
 }  // namespace playhouse::arena

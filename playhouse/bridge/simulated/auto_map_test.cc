@@ -203,7 +203,8 @@ TEST(AutoMap, leaves_out_what_no_port_has_room_for_and_asks_for_a_port_once) {
 
 TEST(AutoMap, every_interface_of_what_is_simulated_has_a_device) {
   std::string text =
-      std::string(kMacros) + "position( joules 1 laser( ) sonars( ) ranger( sensor( rings 2 ) ) )";
+      std::string(kMacros) +
+      "position( joules 1 laser( ) sonars( ) ranger( sensor( rings 2 ) ) camera( baseline 0.1 ) )";
   for (const scene::Kind& kind : scene::kinds())
     if (kind.entity == scene::EntityForm::kModel && kind.simulated) text += fmt::format(" {}( )", kind.name);
   testing::StillDevices still(text);

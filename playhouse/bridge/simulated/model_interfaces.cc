@@ -44,6 +44,10 @@ bool has(const world::World& world, world::ModelRow model, Need need) {
       return sensors.size() > 1;
     case Need::kRings:
       return std::ranges::any_of(sensors, [](const auto& sensor) { return sensor.rings > 1; });
+    case Need::kBaseline: {
+      const auto& camera = world.desc(model).camera;
+      return camera && camera->baseline > 0;
+    }
     case Need::kRobot:
       return is_robot(world, model);
     case Need::kContactsOrLamps:

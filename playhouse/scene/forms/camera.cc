@@ -1,5 +1,8 @@
 #include "playhouse/scene/forms/camera.h"
 
+#include <fmt/format.h>
+
+#include "playhouse/base/limits.h"
 #include "playhouse/scene/properties.h"
 
 namespace playhouse::scene {
@@ -26,7 +29,20 @@ std::size_t pixels_of(const CameraDesc& camera) {
   return static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
 }
 
+std::size_t kept_pixels_of(const CameraDesc& camera) {
+  return (camera.baseline > 0 ? 3 : 1) * pixels_of(camera);
+}
+
+double focal_length(const CameraDesc& camera, double zoom) {
+  return 0.5 * static_cast<double>(camera.width) / half_image(camera, zoom).width;
+}
+
 void check_camera(const Properties& properties, const CameraDesc& camera) {
+  if (camera.baseline > 0 && pixels_of(camera) > limits::kStereoPixels)
+    properties.state().fail(
+        properties.where("resolution"),
+        fmt::format("\"resolution\" of a camera with a baseline needs {} pixels at most; this one has {}",
+                    limits::kStereoPixels, pixels_of(camera)));
   const bool is_seen = camera.image == ImageKind::kColor || camera.image == ImageKind::kGray;
   if (is_seen || camera.compression != ImageCompression::kJpeg) return;
   const std::string what = camera.image == ImageKind::kDepth ? "distances" : "models";

@@ -20,8 +20,13 @@ double vertical_fov(const CameraDesc& camera, double zoom);
 
 /// Number of pixels of its image.
 std::size_t pixels_of(const CameraDesc& camera);
+/// Number of pixels that a run may keep of it: of a stereo camera also the other image, and the depths.
+std::size_t kept_pixels_of(const CameraDesc& camera);
 
-/// Warns of depth or segmentation images with JPEG compression.
+/// Focal length, for the horizontal field of view `zoom` [rad]. [px]
+double focal_length(const CameraDesc& camera, double zoom);
+
+/// Warns of depth or segmentation images with JPEG compression; an error if pairs of images are too large.
 void check_camera(const Properties& properties, const CameraDesc& camera);
 
 }  // namespace playhouse::scene

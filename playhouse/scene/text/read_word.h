@@ -57,6 +57,9 @@ void known_material(const Properties& properties, std::string_view key, std::str
 /// A warning if `name` is not a material but similar to one: other names are properties for detectors.
 void not_misspelt_material(const Properties& properties, std::string_view key, std::string_view name);
 
+/// An error unless `text` is empty or the bytes of an id (forms/tag_id.h).
+void hexadecimal_bytes(const Properties& properties, std::string_view key, std::string_view text);
+
 /// [x y], unscaled.
 geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::Vec2 otherwise);
 

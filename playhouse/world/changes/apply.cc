@@ -162,6 +162,12 @@ bool carry_out(World& world, CameraRow row, const ControlCamera& change) {
   return true;
 }
 
+bool carry_out(World& world, CameraRow row, const OpenStereo& change) {
+  if (world.desc(world.cameras.model[row]).camera->baseline <= 0) return false;
+  world.cameras.stereo_open[row] = change.open;
+  return true;
+}
+
 bool carry_out(World& world, GripperRow row, const Grip& change) {
   command_gripper(world, row, change.command);
   return true;
@@ -204,6 +210,17 @@ bool carry_out(World& world, ImuRow row, const SetAttitudeReference& change) {
   if (!std::isfinite(change.heading) || !geom::is_tilt(change.tilt)) return false;
   world.imus.reference_heading[row] = change.heading;
   world.imus.reference_tilt[row] = change.tilt;
+  return true;
+}
+
+bool carry_out(World& world, MoteRow row, const WakeMote& change) {
+  world.motes.awake[row] = change.awake;
+  return true;
+}
+
+bool carry_out(World& world, MoteRow row, const SetReportRate& change) {
+  if (!(change.frequency >= 0) || !std::isfinite(change.frequency)) return false;
+  world.motes.frequency[row] = change.frequency;
   return true;
 }
 

@@ -81,7 +81,7 @@ std::size_t corners_of(const scene::ModelDesc& desc) {
 }
 
 std::size_t pixels_of(const scene::ModelDesc& desc) {
-  return desc.camera ? scene::pixels_of(*desc.camera) : 0;
+  return desc.camera ? scene::kept_pixels_of(*desc.camera) : 0;
 }
 
 /// Range of a table for consecutive models; empty if they have no rows.

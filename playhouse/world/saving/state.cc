@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
@@ -123,18 +124,25 @@ class KeptUsers {
   }
 
  public:
-  explicit KeptUsers(const Models& models) {
+  explicit KeptUsers(const World& world) {
+    const Models& models = world.models;
     for (const ModelRow row : models.rows()) users_[models.id[row]] = users_of(models, row);
+    for (const CameraRow row : world.cameras.rows())
+      if (world.cameras.stereo_open[row]) stereo_.insert(models.id[world.cameras.model[row]]);
   }
-  void give_back(Models& models) const {
+  void give_back(World& world) const {
+    Models& models = world.models;
     for (const ModelRow row : models.rows()) {
       const auto kept = users_.find(models.id[row]);
       if (kept != users_.end()) users_of(models, row) = kept->second;
     }
+    for (const CameraRow row : world.cameras.rows())
+      world.cameras.stereo_open[row] = stereo_.contains(models.id[world.cameras.model[row]]);
   }
 
  private:
   std::map<ModelId, std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> users_;
+  std::set<ModelId> stereo_;  // cameras whose pairs are read
 };
 
 class Loader {
@@ -143,13 +151,13 @@ class Loader {
   Loader(World& world, Unpacker& in, std::uint64_t seed) : Loader(world, in) { seed_ = seed; }
 
   Result<void> load() {
-    const KeptUsers users(world_.models);
+    const KeptUsers users(world_);
     if (const Result<void> read = read_head(); !read) return read;
     if (const Result<void> read = read_population(); !read) return read;
     if (const Result<void> read = read_columns(); !read) return read;
     for (const ModelRow row : world_.models.rows())
       if (world_.models.root[row] == row) place(row);
-    users.give_back(world_.models);
+    users.give_back(world_);
     ++world_.said_;
     ++world_.drawn_;
     world_.events.add({Event::EventKind::kReload, {}, {}, 0, Mobility::kFixed});

@@ -23,6 +23,7 @@ Result<void> save_whole(const World& world, std::vector<std::byte>& out) {
     to.u32(models.subscribers[row] - models.controllers[row]);
     to.u32(models.watchers[row]);
   }
+  for (const CameraRow row : world.cameras.rows()) to.u8(world.cameras.stereo_open[row]);
   return {};
 }
 
@@ -40,7 +41,8 @@ Result<void> load_whole(World& world, std::span<const std::byte> whole) {
   if (!loaded) return loaded;
   Models& models = world.models;
   Unpacker users(whole.subspan(kSizeBytes + state.size()));
-  if (users.left() != models.size() * 8) return Error{{}, "is damaged: its models lack subscriptions"};
+  if (users.left() != models.size() * 8 + world.cameras.size())
+    return Error{{}, "is damaged: its models lack subscriptions"};
   for (const ModelRow row : models.rows()) {
     const std::uint32_t others = users.u32(), watchers = users.u32();
     if (watchers > others || others > limits::kSubscribers)
@@ -48,6 +50,7 @@ Result<void> load_whole(World& world, std::span<const std::byte> whole) {
     models.subscribers[row] = models.controllers[row] + others;
     models.watchers[row] = watchers;
   }
+  for (const CameraRow row : world.cameras.rows()) world.cameras.stereo_open[row] = users.u8() != 0;
   return {};
 }
 

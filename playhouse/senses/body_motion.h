@@ -1,0 +1,19 @@
+#pragma once
+
+/// Where a body is and how it moves, for sensors that feel it.
+
+#include "playhouse/geom/orientation.h"
+#include "playhouse/world/world.h"
+
+namespace playhouse::senses {
+
+/// X_WB of the body of a model.
+inline geom::SpatialPose body_pose(const world::World& world, world::ModelRow model) {
+  return geom::compose({world.models.X_WM[model], world.models.tilt_WM[model]},
+                       {world.desc(model).X_MB, geom::Tilt{}});
+}
+
+/// Velocity of a point of a tree: of its rigid body, or in the 2D engine by the robot's command.  [m/s, in W]
+geom::Vec3 velocity_at(const world::World& world, world::ModelRow root, const geom::Vec3& p);
+
+}  // namespace playhouse::senses
