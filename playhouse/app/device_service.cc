@@ -176,7 +176,7 @@ std::string DeviceService::status_text() const {
                             {"sent", udp.sent},         {"unsent", udp.unsent},   {"too_long", udp.too_long}};
   }
   if (serving_.multicast) {
-    const server::GroupCounts group = server_->status().group;
+    const server::GroupCounts group = devices_.server().status().group;
     status["multicast"] = boost::json::object{{"sent", group.sent}, {"unsent", group.unsent}};
   }
   if (recorder_) {

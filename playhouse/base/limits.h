@@ -188,7 +188,7 @@ inline constexpr std::size_t kFilmBytes = 1u << 30;       // of a film that is a
 inline constexpr std::size_t kBrowserMessage = 1u << 29;  // from a browser that draws: a picture is one
 inline constexpr int kRangerSamples = 1 << 16;            // beams of one sensor
 inline constexpr std::size_t kStereoPixels =
-    1000000;                                   // of a camera with two lenses: its data are one message
+    1000000;                                     // of a camera with two lenses: its data are one message
 inline constexpr std::size_t kBeams = 1u << 26;  // of all sensors of a world, and pixels of its cameras
 
 static_assert(kBodyBytes + kHeaderBytes == kMessageBytes);

@@ -169,7 +169,7 @@ std::string any_value(const Word& word) {
   if (word.type == "number") return word.limits == "from 0 to 1" ? "0.375" : "212.375";
   if (word.type == "length" || word.type == "angle") return "0.37";
   if (word.name == "mesh" || word.name == "look") return "\"plan.obj\"";
-  if (word.name == "ground") return "\"ice\"";  // a known material
+  if (word.name == "ground") return "\"ice\"";          // a known material
   if (word.name == "rfid_tag") return "\"e200 01ff\"";  // hexadecimal bytes
   if (word.type == "text") return "\"plan\"";
   if (word.type == "texts") return "[\"name=a mass>1\" \"color=red\"]";  // conditions are

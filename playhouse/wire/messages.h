@@ -37,6 +37,7 @@ struct MessageDef {
   /// bits; no trailing bytes. Empty if the body is empty or invalid.
   std::vector<std::byte> (*reencode)(std::span<const std::byte> body);
   /// Appends a JSON object with all fields by name; null without a payload or if the body is invalid.
+  /// Null in a program without JSON (PLAYHOUSE_CORE).
   void (*to_json)(std::span<const std::byte> body, std::string& out);
 };
 
