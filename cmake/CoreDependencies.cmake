@@ -30,9 +30,14 @@ endif()
 if(PLAYHOUSE_TESTS)  # Debian's googletest comes as source as well
   set(INSTALL_GTEST OFF)
   add_subdirectory(/usr/src/googletest ${CMAKE_BINARY_DIR}/googletest EXCLUDE_FROM_ALL)
-  add_library(GTest::gtest ALIAS gtest)
-  add_library(GTest::gmock ALIAS gmock)
-  add_library(GTest::gtest_main ALIAS gtest_main)
+endif()
+
+# 32-bit PowerPC has no instruction for 64 bits at once.
+include(CheckCXXSourceCompiles)
+check_cxx_source_compiles("#include <atomic>\n#include <cstdint>\nstd::atomic<std::uint64_t> n; int main() { return static_cast<int>(++n); }"
+  CORE_HAS_ATOMICS)
+if(NOT CORE_HAS_ATOMICS)
+  target_link_libraries(core_headers INTERFACE atomic)
 endif()
 
 # What nothing calls is not in the program, which needs no library of the machine that it runs on.

@@ -8,7 +8,7 @@ install(TARGETS playhouse RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES ${PLAYHOUSE_PROGRAM_DIR}/player DESTINATION ${CMAKE_INSTALL_BINDIR})  # a link to it
 
 # Folders as in the source tree, so that the documents, and programs that name others, hold for both. The program looks
-# for its worlds there (playhouse/scene/CMakeLists.txt).
+# for its worlds there (playhouse/config/CMakeLists.txt).
 set(DATA_DIR ${CMAKE_INSTALL_DATADIR}/playhouse)
 install(DIRECTORY worlds examples DESTINATION ${DATA_DIR}
   REGEX "/examples/(controller/)?CMakeLists.txt$" EXCLUDE  # of this build
@@ -19,7 +19,7 @@ install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}
 
 # What custom models, controllers and drivers include; tests/e2e/test_libraries.py and test_plugins.py build with
 # nothing else.
-foreach(MODULE base geom scene world)
+foreach(MODULE base config geom scene world)
   install(DIRECTORY playhouse/${MODULE} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse FILES_MATCHING PATTERN "*.h"
     PATTERN "testing*" EXCLUDE PATTERN "fuzz_script.h" EXCLUDE)
 endforeach()

@@ -127,9 +127,9 @@ endfunction()
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
 # COMPUTED, SHARDS n, UNSANITIZED: see playhouse_gtest; UNSANITIZED * are all its tests. HOT: optimised with sanitizers,
 # too, since tests spend their time there. VECTORS: HOT, with the options of playhouse_vector_options(). PRECOMPILED
-# (library if left out): see Precompiled.cmake. TOGETHER, APART, ALONE: see Unity.cmake.
+# (library if left out): see Precompiled.cmake. TESTS_LEFT_OUT: files of tests of what EXCEPT leaves out. TOGETHER, APART, ALONE: see Unity.cmake.
 function(playhouse_module NAME)
-  cmake_parse_arguments(ARG "HOT;VECTORS;COMPUTED" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;UNSANITIZED;EXCEPT;APART;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "HOT;VECTORS;COMPUTED" "PRECOMPILED;SHARDS;TOGETHER" "DEPS;UNSANITIZED;EXCEPT;TESTS_LEFT_OUT;APART;ALONE" ${ARGN})
   if(NOT ARG_PRECOMPILED)
     set(ARG_PRECOMPILED library)
   endif()
@@ -148,6 +148,14 @@ function(playhouse_module NAME)
   list(FILTER TESTS INCLUDE REGEX "_test\\.cc$")
   list(FILTER BENCHES INCLUDE REGEX "_bench\\.cc$")
   list(FILTER FUZZERS INCLUDE REGEX "_fuzz\\.cc$")
+
+  foreach(FILE ${ARG_TESTS_LEFT_OUT})
+    list(REMOVE_ITEM TESTS ${CMAKE_CURRENT_SOURCE_DIR}/${FILE})
+  endforeach()
+  if(PLAYHOUSE_CORE AND PLAYHOUSE_TESTS)
+    playhouse_core_tests(${TESTS})
+    set(TESTS)
+  endif()
 
   set(TARGET playhouse_${NAME})
   if(SOURCES)
@@ -195,6 +203,17 @@ function(playhouse_module NAME)
       playhouse_fuzzer(${PROGRAM})
     endforeach()
   endif()
+endfunction()
+
+# playhouse_core_tests(FILES...): adds those files of tests to the program of tests of the device server that need nothing else:
+# rapidcheck is there for this machine alone, and the small program has no simulator, pages and plug-ins.
+function(playhouse_core_tests)
+  foreach(FILE ${ARGN})
+    file(STRINGS ${FILE} OTHERS REGEX "#include.*(rapidcheck|playhouse/(bridge|images|run|scene|world)/|/(isolated|plugin|tls)/|websocket|http|simulated_page|drivers/testing/)")
+    if(NOT OTHERS)
+      set_property(GLOBAL APPEND PROPERTY PLAYHOUSE_CORE_TESTS ${FILE})
+    endif()
+  endforeach()
 endfunction()
 
 # playhouse_test_libraries(MODULE NAMES...)

@@ -21,7 +21,7 @@ APART = {
 ALONE = {
     r"#include <assimp/": ("mesh",),
     r"#include <(?:bt|BulletCollision/|BulletDynamics/|LinearMath/)": ("arena",),
-    r"#include <boost/(?:asio|beast)": ("net",),
+    r"#include <(?:boost/(?:asio|beast)|asio[./])": ("net",),
     r"#include <openssl/": ("net",),
     r"#include <avahi-": ("discovery",),
     r"#include <(?:sys/socket|netinet/\w+)\.h>": ("app", "bridge", "drivers", "mesh", "net"),

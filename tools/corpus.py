@@ -40,6 +40,8 @@ def add(name, *files):
 
 
 def unpack(name, folder):
+    if not (FOLDER / f"{name}.txt").exists() and not (FOLDER / name).exists():
+        sys.exit(f"corpus.py: there are no inputs for {name}: tests/fuzz/{name}.txt is missing")
     shutil.rmtree(folder, ignore_errors=True)
     pathlib.Path(folder).mkdir(parents=True)
     for each, content in read(name).items():

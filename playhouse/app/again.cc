@@ -5,8 +5,8 @@
 #include <chrono>
 #include <utility>
 
-#include "playhouse/app/fail.h"
 #include "playhouse/app/service.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"

@@ -10,19 +10,16 @@
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
 #include <boost/json/serialize.hpp>
-#include <csignal>
-#include <cstdlib>
 #include <iterator>
 #include <optional>
 #include <utility>
 
 #include "playhouse/app/commands/options.h"
 #include "playhouse/app/discovery/announce.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/guest_list.h"
-#include "playhouse/app/interrupt.h"
 #include "playhouse/app/kept_files.h"
 #include "playhouse/app/tls_files.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"

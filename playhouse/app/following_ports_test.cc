@@ -1,6 +1,6 @@
 // Robots that have no index left on the first port, over TCP with every thread of the program: a port of few
 // indices, and clients that look at the world through another port than they drive. Out of scope here: which
-// address a robot gets (drivers/simulated).
+// address a robot gets (bridge/simulated).
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -14,14 +14,15 @@
 #include <system_error>
 
 #include "playhouse/app/commands/command_line.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/run_service.h"
-#include "playhouse/app/standard_streams.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
 #include "playhouse/device_server/descriptor_limit.h"
+#include "playhouse/device_server/end_in_one_line.h"
 #include "playhouse/device_server/player_program.h"
+#include "playhouse/device_server/standard_streams.h"
 #include "playhouse/drivers/isolated/isolated_main.h"
 #include "playhouse/simd/instruction_set.h"
 
@@ -32,30 +33,10 @@ bool called_player(std::string_view program) {
   return program.substr(program.rfind('/') + 1) == "player";
 }
 
-/// Writes the line at once, without allocating, and ends: nothing can be undone without memory.
-[[noreturn]] void end_with(std::string_view line) {
-  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
-  _exit(kFailed);
-}
-
 std::string what_is_wrong(const std::exception& error) {
   const auto* const of_system = dynamic_cast<const std::system_error*>(&error);
   const bool is_thread = of_system && of_system->code() == std::errc::resource_unavailable_try_again;
   return (is_thread ? "out of threads or memory: " : "") + std::string(error.what());
-}
-
-/// On any thread: no memory, or no thread, is one line and exit code 1. Otherwise flushes the log before
-/// terminate(): it may explain an uncaught exception.
-void end_in_one_line() {
-  std::set_new_handler([] { end_with("error: out of memory\n"); });
-  static const std::terminate_handler otherwise = std::get_terminate();
-  std::set_terminate([] {
-    // Threads that run end the program where another one cannot be started, before the exception is caught.
-    if (!std::current_exception() && std::uncaught_exceptions() > 0)
-      end_with("error: out of memory or threads\n");
-    log::flush();
-    otherwise();
-  });
 }
 
 /// PLAYHOUSE_INSTRUCTION_SET, set by tests; results do not depend on it (docs/benchmarks.md).
@@ -83,7 +64,7 @@ int start(int argc, const char* const* argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a limit of its size (ulimit -f) is a write that fails
   device_server::raise_descriptor_limit();
   end_at_once_on_signals();
-  end_in_one_line();
+  device_server::end_in_one_line();
   const std::span<const char* const> words(argv + (argc > 0),
                                            static_cast<std::size_t>(argc > 0 ? argc - 1 : 0));
   log::open(1);
@@ -101,13 +82,13 @@ int start(int argc, const char* const* argv) {
 int main(int argc, char** argv) {
   using namespace playhouse::app;
   if (playhouse::drivers::is_isolated_plugin(argc, argv)) return playhouse::drivers::run_isolated_plugin();
-  keep_standard_streams();
-  int code = kDone;
+  playhouse::device_server::keep_standard_streams();
+  int code = playhouse::kDone;
   try {
     code = start(argc, argv);
   } catch (const std::exception& error) {  // threads, standard output: nothing else throws
-    if (std::ferror(stdout) == 0) return fail({{}, what_is_wrong(error)});
+    if (std::ferror(stdout) == 0) return playhouse::fail({{}, what_is_wrong(error)});
   }
   playhouse::log::flush();  // including summaries of suppressed lines
-  return finish_output(code);
+  return playhouse::device_server::finish_output(code);
 }

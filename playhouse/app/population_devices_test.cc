@@ -1,6 +1,6 @@
 // Robots that come and go by the thousand in front of clients: every client hears of what it had open,
 // nothing is lost, and nothing is left. First without threads, over the simulated network; then a whole
-// program's worth of threads over TCP. Out of scope here: which addresses robots get (drivers/simulated).
+// program's worth of threads over TCP. Out of scope here: which addresses robots get (bridge/simulated).
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include "playhouse/app/device_service.h"
 #include "playhouse/app/discovery/announce.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/kept_files.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
 

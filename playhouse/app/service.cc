@@ -17,13 +17,13 @@
 #include <utility>
 
 #include "playhouse/app/device_service.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/free_ports.h"
 #include "playhouse/app/guest_list.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/kept_files.h"
 #include "playhouse/app/tls_files.h"
 #include "playhouse/app/whole_file.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log_at.h"

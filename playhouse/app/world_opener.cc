@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/app/fail.h"
 #include "playhouse/arena/engine.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/base/program_folder.h"

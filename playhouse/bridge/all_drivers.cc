@@ -10,6 +10,12 @@
 namespace playhouse::drivers {
 namespace {
 
+/// What does instead of a driver of Player that this program does not have.
+constexpr Registry::Instead kInstead[] = {
+    {"readlog", "; \"playhouse replay\" shows a recording"},
+    {"writelog", "; the option --record records a run"},
+};
+
 constexpr const char* kDriversOfProgram = R"(
 driver ( name "localbb" provides ["blackboard:0"] )
 driver ( name "health" provides ["health:0"] )
@@ -22,7 +28,7 @@ const Registry& all_drivers() {
     const auto core = core_drivers();
     std::vector<const DriverDefinition*> drivers(core.begin(), core.end());
     drivers.insert(drivers.end(), {&kMapFileDriver, &kStageDriver});
-    return Registry(std::move(drivers), make_plugin);
+    return Registry(std::move(drivers), make_plugin, kInstead);
   }();
   return kAll;
 }

@@ -2,31 +2,27 @@
 
 #include <csignal>
 #include <span>
+#include <string>
+#include <vector>
 
-#include "playhouse/base/log.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/log_output.h"
 #include "playhouse/base/version.h"
 #include "playhouse/config/cfg.h"
 #include "playhouse/device_server/descriptor_limit.h"
 #include "playhouse/device_server/device_server.h"
+#include "playhouse/device_server/end_in_one_line.h"
 #include "playhouse/device_server/player_program.h"
+#include "playhouse/device_server/standard_streams.h"
 #include "playhouse/drivers/registry.h"
 
 namespace playhouse::device_server {
 namespace {
 
-int fail(const Error& error) {
-  log::tell(log::Level::kError, error);
-  return 1;
-}
-
-void warn(const std::string& line) {
-  log::warn("{}", line);
-}
-
 int serve(const PlayerOptions& options, const Opened& opened) {
-  const Result<config::CfgFile> file = config::load_cfg(options.file, options.port);
-  if (!file) return fail(file.error());
+  std::vector<Error> others;
+  const Result<config::CfgFile> file = config::load_cfg(options.file, options.port, &others);
+  if (!file) return fail_in_file(file.error(), others);
   for (const std::string& line : file->warnings) warn(line);
   DeviceServer service({.bind = "0.0.0.0", .sessions = sessions_that_fit(false)});
   const Result<std::uint16_t> port = service.listen(*file, options.port, "-p");
@@ -34,7 +30,8 @@ int serve(const PlayerOptions& options, const Opened& opened) {
   service.open_site(*port, service.server());
   const auto core = drivers::core_drivers();
   const drivers::Registry registry({core.begin(), core.end()}, nullptr);
-  if (const Result<void> made = service.make_drivers(registry, *file, warn); !made) return fail(made.error());
+  if (const Result<void> made = service.make_drivers(registry, *file, warn); !made)
+    return fail_in_file(made.error());
   opened(service.ports());
   return service.run();
 }
@@ -44,12 +41,15 @@ int serve(const PlayerOptions& options, const Opened& opened) {
 
 int main(int argc, char** argv) {
   using namespace playhouse;
+  device_server::keep_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a limit of its size (ulimit -f) is a write that fails
   device_server::raise_descriptor_limit();
+  device_server::end_in_one_line();
   const std::span<const char* const> words(argv + (argc > 0),
                                            static_cast<std::size_t>(argc > 0 ? argc - 1 : 0));
   const std::string about = "This is the device server of Playhouse " + std::string(build()) + ".";
   const int code = device_server::player_program(words, about, device_server::serve);
   log::flush();
-  return code;
+  return device_server::finish_output(code);
 }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
@@ -22,7 +23,6 @@ namespace {
 /// Exit code of Player's server for a wrong command line, for
 /// help, and for an invalid file. A missing file is kFailed.
 constexpr int kPlayerUsage = 255;
-constexpr int kDone = 0, kFailed = 1, kUsage = 2;
 
 constexpr const char* kHelp =
     "Usage: player [options] FILE.cfg\n"
@@ -81,11 +81,6 @@ int player_code(int code) {
   return code == kFailed || code == kUsage ? kPlayerUsage : code;
 }
 
-int fail(const Error& error) {
-  log::tell(log::Level::kError, error);
-  return kFailed;
-}
-
 bool is_there(const std::string& file) {
   return access(file.c_str(), R_OK) == 0;
 }
@@ -100,10 +95,10 @@ int player_program(std::span<const char* const> words, std::string_view about, c
   }
   log::open(options->level);
   if (!options->log_file.empty()) {
-    if (const Result<void> opened = log::also_to(options->log_file); !opened) return fail(opened.error());
+    if (const Result<void> opened = log::also_to(options->log_file); !opened) return fail_at(opened.error());
   }
   if (!is_there(options->file))
-    return fail({escaped(options->file), std::string("cannot be opened: ") + std::strerror(errno)});
+    return fail_at({escaped(options->file), std::string("cannot be opened: ") + std::strerror(errno)});
   const int code = serve(*options, [](const std::vector<std::uint16_t>& ports) {
     fmt::print("Listening on ports: {} \n", fmt::join(ports, " "));
     std::fflush(stdout);

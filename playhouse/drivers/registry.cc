@@ -15,18 +15,6 @@
 namespace playhouse::drivers {
 namespace {
 
-/// What does instead of a driver of Player that this program does not have.
-constexpr std::pair<std::string_view, std::string_view> kInstead[] = {
-    {"readlog", "; \"playhouse replay\" shows a recording"},
-    {"writelog", "; the option --record records a run"},
-};
-
-/// Empty if there is nothing.
-std::string_view what_has_its_place(std::string_view name) {
-  const auto found = std::ranges::find(kInstead, name, &std::pair<std::string_view, std::string_view>::first);
-  return found == std::end(kInstead) ? std::string_view() : found->second;
-}
-
 /// The addresses of a field that can be resolved.
 std::vector<device::Address> devices_of(const config::CfgSection& section, std::string_view key,
                                         const Site& site) {
@@ -51,8 +39,9 @@ Result<void> keep_open(const config::CfgSection& section, device::Driver& driver
 
 }  // namespace
 
-Registry::Registry(std::vector<const DriverDefinition*> drivers, Factory plug_in)
-    : drivers_(std::move(drivers)), plug_in_(plug_in) {
+Registry::Registry(std::vector<const DriverDefinition*> drivers, Factory plug_in,
+                   std::span<const Instead> instead)
+    : drivers_(std::move(drivers)), plug_in_(plug_in), instead_(instead) {
   std::ranges::sort(drivers_, {}, &DriverDefinition::name);
 }
 
@@ -84,7 +73,15 @@ std::string Registry::what_instead_of(std::string_view name) const {
   return instead.empty() ? did_you_mean(name, names()) : std::string(instead);
 }
 
-std::string Registry::no_such_driver(const std::string& name) const {
+/// Empty if there is nothing.
+std::string_view Registry::what_has_its_place(std::string_view name) const {
+  const auto found = std::ranges::find(instead_, name, &Instead::first);
+  return found == instead_.end() ? std::string_view() : found->second;
+}
+
+std::string Registry::no_such_driver(const config::CfgSection& section) const {
+  if (plug_in_ == nullptr && section.has("plugin")) return "this program loads no plug-ins";
+  const std::string name = section.name();
   const std::string text = "this program has no such driver" + what_instead_of(name);
   return what_has_its_place(name).empty() ? fmt::format("{}; it has {}", text, fmt::join(names(), ", "))
                                           : text;
@@ -107,7 +104,7 @@ std::vector<const config::CfgSection*> Registry::sections_to_make(const config::
     if (factory_of(section) != nullptr)
       kept.push_back(&section);
     else
-      leave_out(section, no_such_driver(section.name()));
+      leave_out(section, no_such_driver(section));
   }
   const auto lacks_one = [&](const config::CfgSection* section) {
     for (const device::Address& device : devices_of(*section, "requires", site)) {
@@ -130,7 +127,7 @@ Result<std::vector<std::unique_ptr<device::Driver>>> Registry::make(const config
   if (std::ranges::none_of(file.drivers, is_known)) {
     const config::CfgSection& first = file.drivers.front();
     return Error{first.at("name"),
-                 fmt::format("driver {}: {}", in_quotes(first.name()), no_such_driver(first.name()))};
+                 fmt::format("driver {}: {}", in_quotes(first.name()), no_such_driver(first))};
   }
   const std::vector<const config::CfgSection*> sections = sections_to_make(file, site);
   for (const config::CfgSection* section : sections) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "playhouse/base/result.h"
@@ -23,8 +24,12 @@ class Registry {
  public:
   using Factory = decltype(DriverDefinition::make);
 
+  /// A name of the original's that no driver has here, and what to write for it: "; ...".
+  using Instead = std::pair<std::string_view, std::string_view>;
+
   /// `plug_in` makes the driver of a section that names a shared library; null: this program loads none.
-  Registry(std::vector<const DriverDefinition*> drivers, Factory plug_in);
+  Registry(std::vector<const DriverDefinition*> drivers, Factory plug_in,
+           std::span<const Instead> instead = {});
 
   /// In the order of their names.
   std::span<const DriverDefinition* const> all() const { return drivers_; }
@@ -43,11 +48,13 @@ class Registry {
  private:
   Factory factory_of(const config::CfgSection& section) const;
   std::vector<std::string_view> names() const;
-  std::string no_such_driver(const std::string& name) const;
+  std::string_view what_has_its_place(std::string_view name) const;
+  std::string no_such_driver(const config::CfgSection& section) const;
   std::vector<const config::CfgSection*> sections_to_make(const config::CfgFile& file, Site& site) const;
 
   std::vector<const DriverDefinition*> drivers_;
   Factory plug_in_;
+  std::span<const Instead> instead_;
 };
 
 }  // namespace playhouse::drivers

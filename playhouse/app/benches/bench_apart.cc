@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "playhouse/app/fail.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/log_output.h"
 
 namespace playhouse::app {

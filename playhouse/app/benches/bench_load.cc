@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "playhouse/app/commands/commands.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/world_opener.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::app {

@@ -10,9 +10,9 @@
 
 #include "playhouse/app/benches/bench_figures.h"
 #include "playhouse/app/commands/commands.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/assert.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/bridge/simulated/auto_map.h"
 #include "playhouse/bridge/simulated/device_factory.h"
 #include "playhouse/bridge/simulated/simulated_driver.h"

@@ -17,7 +17,7 @@
 #include "playhouse/app/benches/bench_apart.h"
 #include "playhouse/app/benches/bench_clients.h"
 #include "playhouse/app/benches/bench_figures.h"
-#include "playhouse/app/fail.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/run/follower.h"
 #include "playhouse/scenarios/scenario.h"
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "playhouse/app/commands/commands.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/kept_files.h"
 #include "playhouse/app/pictures/gltf.h"
 #include "playhouse/app/whole_file.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/bodies/plan_of_solids.h"

@@ -5,7 +5,7 @@
 #include "playhouse/app/commands/commands.h"
 #include "playhouse/app/commands/device_name.h"
 #include "playhouse/app/discovery/found_servers.h"
-#include "playhouse/app/fail.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/wire/json.h"

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "playhouse/app/commands/commands.h"
-#include "playhouse/app/fail.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/record/change_list.h"

@@ -5,7 +5,7 @@
 
 #include "playhouse/app/commands/commands.h"
 #include "playhouse/app/commands/json_or_null.h"
-#include "playhouse/app/fail.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/text/vocabulary.h"

@@ -10,8 +10,8 @@
 
 #include "playhouse/app/commands/commands.h"
 #include "playhouse/app/commands/device_name.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/world_opener.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/net/polled/system_polled.h"

@@ -17,8 +17,8 @@
 
 #include "playhouse/app/commands/commands.h"
 #include "playhouse/app/commands/device_name.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/nearest_word.h"

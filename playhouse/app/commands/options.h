@@ -10,15 +10,13 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/base/fail.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/geom/orientation.h"
 #include "playhouse/net/endpoint.h"
 #include "playhouse/net/forwarded.h"
 
 namespace playhouse::app {
-
-/// Exit codes of the program. Ends by a signal are 128 + its number.
-enum Exit : int { kDone = 0, kFailed = 1, kUsage = 2 };
 
 inline constexpr std::uint16_t kPlayerPort = 6665;
 inline constexpr std::uint16_t kWebPort = 8080;

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "playhouse/app/commands/commands.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/kept_files.h"
 #include "playhouse/app/pictures/animated_png.h"
 #include "playhouse/app/pictures/drawing.h"
@@ -22,6 +21,7 @@
 #include "playhouse/app/pictures/sight.h"
 #include "playhouse/app/whole_file.h"
 #include "playhouse/app/world_opener.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log_output.h"
 #include "playhouse/images/write_png.h"

@@ -2,8 +2,8 @@
 
 #include "playhouse/app/again.h"
 #include "playhouse/app/commands/commands.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/service.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
 

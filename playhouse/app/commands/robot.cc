@@ -5,9 +5,9 @@
 #include "playhouse/app/commands/device_name.h"
 #include "playhouse/app/commands/robots_client.h"
 #include "playhouse/app/device_service.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/tls_files.h"
 #include "playhouse/app/whole_file.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/scene/robot_file.h"
 
 namespace playhouse::app {

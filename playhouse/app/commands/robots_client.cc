@@ -11,7 +11,7 @@
 
 #include "playhouse/app/commands/options.h"
 #include "playhouse/app/device_service.h"
-#include "playhouse/app/fail.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/formats.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"

@@ -7,8 +7,8 @@
 #include "playhouse/app/commands/commands.h"
 #include "playhouse/app/commands/device_name.h"
 #include "playhouse/app/discovery/found_servers.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/wire/messages.h"
 #include "playhouse_client/client.h"
 

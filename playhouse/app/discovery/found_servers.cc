@@ -10,7 +10,7 @@
 #include "playhouse/app/commands/commands.h"
 #include "playhouse/app/commands/device_name.h"
 #include "playhouse/app/commands/json_or_null.h"
-#include "playhouse/app/fail.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 
 namespace playhouse::app {

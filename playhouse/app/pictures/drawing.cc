@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "playhouse/app/commands/options.h"
-#include "playhouse/app/fail.h"
 #include "playhouse/app/pictures/chromium_renderer.h"
 #include "playhouse/app/pictures/own_renderer.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"

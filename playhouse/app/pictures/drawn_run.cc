@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "playhouse/app/fail.h"
 #include "playhouse/app/world_opener.h"
+#include "playhouse/base/fail.h"
 #include "playhouse/world/periods.h"
 
 namespace playhouse::app {

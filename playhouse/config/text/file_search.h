@@ -1,6 +1,6 @@
 #pragma once
 
-/// Search paths for files named in a scene: includes, bitmaps, meshes.
+/// Search paths for files named in a world or configuration file: includes, bitmaps, meshes.
 
 #include <filesystem>
 #include <functional>

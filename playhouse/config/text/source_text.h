@@ -69,7 +69,7 @@ class MemoryFiles final : public FileReader {
   std::vector<std::string> search_path_;
 };
 
-/// All files that a scene was loaded from, by path,
+/// All files that a world was loaded from, by path,
 /// so that it can be loaded again without the disk.
 struct SourceFiles {
   std::string path;  // of the top-level one
@@ -92,7 +92,7 @@ class RecordedFiles final : public FileReader {
   SourceFiles& kept_;
 };
 
-/// Owns all texts of one scene; views into them are valid during its lifetime.
+/// Owns all texts of a world or configuration file; views into them are valid during its lifetime.
 class SourceTexts {
  public:
   /// Stores `text` under `path` and returns its row, also that of its name. Fails,

@@ -1,6 +1,10 @@
 #include "playhouse/drivers/grid_map/grid_map.h"
 
+#if !defined(PLAYHOUSE_WITHOUT_ZLIB)
 #include <zlib.h>
+#endif
+
+#include <utility>
 
 #include "playhouse/base/limits.h"
 #include "playhouse/wire/codec.h"
@@ -9,7 +13,13 @@
 namespace playhouse::drivers {
 namespace {
 
-std::vector<std::int8_t> compressed(const std::vector<std::int8_t>& cells) {
+#if defined(PLAYHOUSE_WITHOUT_ZLIB)
+/// Clients expect zlib's format.
+std::optional<std::vector<std::int8_t>> compressed(const std::vector<std::int8_t>&) {
+  return std::nullopt;
+}
+#else
+std::optional<std::vector<std::int8_t>> compressed(const std::vector<std::int8_t>& cells) {
   uLongf size = compressBound(cells.size());
   std::vector<std::int8_t> out(size);
   const int result = compress(reinterpret_cast<Bytef*>(out.data()), &size,
@@ -17,6 +27,7 @@ std::vector<std::int8_t> compressed(const std::vector<std::int8_t>& cells) {
   out.resize(result == Z_OK ? size : 0);
   return out;
 }
+#endif
 
 }  // namespace
 
@@ -29,7 +40,9 @@ std::optional<wire::map::Data> map_tile(const GridMap& map, const wire::map::Dat
   for (std::uint64_t row = request.row; row < std::uint64_t{request.row} + request.height; ++row)
     for (std::uint64_t col = request.col; col < std::uint64_t{request.col} + request.width; ++col)
       tile.push_back(row < height && col < width ? map.cells[row * width + col] : std::int8_t{0});
-  return wire::map::Data{request.col, request.row, request.width, request.height, 1, compressed(tile)};
+  std::optional<std::vector<std::int8_t>> bytes = compressed(tile);
+  if (!bytes) return std::nullopt;
+  return wire::map::Data{request.col, request.row, request.width, request.height, 1, std::move(*bytes)};
 }
 
 std::optional<wire::map::DataVector> map_lines(const GridMap& map) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// TLS in front of connections; internal to net. A build without OpenSSL has tls/without_tls.cc instead.
+/// TLS in front of connections; internal to net. A build without OpenSSL has without/without_tls.cc instead.
 
 #include <cstddef>
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace playhouse::app {
+namespace playhouse::device_server {
 
 /// Opens closed standard streams on /dev/null: otherwise the next file or
 /// socket would get their descriptors, and output would go there. Call first.
@@ -10,4 +10,4 @@ void keep_standard_streams();
 /// a message if output was lost. A closed pipe (`| head -1`) is not an error.
 int finish_output(int code);
 
-}  // namespace playhouse::app
+}  // namespace playhouse::device_server

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/app/commands/options.h"
 #include "playhouse/base/result.h"
 
-namespace playhouse::app {
+namespace playhouse {
+
+/// Exit codes of programs. Ends by a signal are 128 + its number.
+enum Exit : int { kDone = 0, kFailed = 1, kUsage = 2 };
 
 /// Returns the exit code.
 int fail(const Error& error, Exit code = kFailed);
@@ -22,4 +24,4 @@ int fail_in_file(const Error& error, const std::vector<Error>& others = {});
 /// A warning about a file, "file:line: text".
 void warn(const std::string& line);
 
-}  // namespace playhouse::app
+}  // namespace playhouse

@@ -1,10 +1,10 @@
-#include "playhouse/app/fail.h"
+#include "playhouse/base/fail.h"
 
 #include "playhouse/base/finding.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
 
-namespace playhouse::app {
+namespace playhouse {
 
 int fail(const Error& error, Exit code) {
   log::error("{}", error.line());
@@ -32,4 +32,4 @@ void warn(const std::string& line) {
   log::tell(log::Level::kWarn, placed(line));
 }
 
-}  // namespace playhouse::app
+}  // namespace playhouse

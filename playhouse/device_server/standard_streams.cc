@@ -1,4 +1,4 @@
-#include "playhouse/app/standard_streams.h"
+#include "playhouse/device_server/standard_streams.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -6,9 +6,9 @@
 
 #include <cstdio>
 
-#include "playhouse/app/fail.h"
+#include "playhouse/base/fail.h"
 
-namespace playhouse::app {
+namespace playhouse::device_server {
 namespace {
 
 bool reader_left() {
@@ -32,4 +32,4 @@ int finish_output(int code) {
   return code == kDone ? kFailed : code;
 }
 
-}  // namespace playhouse::app
+}  // namespace playhouse::device_server
