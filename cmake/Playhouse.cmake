@@ -209,7 +209,7 @@ endfunction()
 # rapidcheck is there for this machine alone, and the small program has no simulator, pages and plug-ins.
 function(playhouse_core_tests)
   foreach(FILE ${ARGN})
-    file(STRINGS ${FILE} OTHERS REGEX "#include.*(rapidcheck|playhouse/(bridge|images|run|scene|world)/|/(isolated|plugin|tls)/|websocket|http|simulated_page|drivers/testing/)")
+    file(STRINGS ${FILE} OTHERS REGEX "#include.*(rapidcheck|playhouse/(bridge|images|run|scene|world)/|/(isolated|plugin|tls)/|websocket|http|simulated_page|drivers/testing/|testing_tiles)")
     if(NOT OTHERS)
       set_property(GLOBAL APPEND PROPERTY PLAYHOUSE_CORE_TESTS ${FILE})
     endif()

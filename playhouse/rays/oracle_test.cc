@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "playhouse/base/rng.h"
-#include "playhouse/base/testing_reference.h"
+#include "playhouse/base/testing/reference.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
 #include "playhouse/stage/testing_scenes.h"

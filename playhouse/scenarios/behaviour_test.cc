@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "playhouse/base/testing_reference.h"
+#include "playhouse/base/testing/reference.h"
 #include "playhouse/controllers/attach.h"
 #include "playhouse/scenarios/scenario.h"
 #include "playhouse/scenarios/testing_simulation.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "playhouse/base/testing_reference.h"
+#include "playhouse/base/testing/reference.h"
 #include "playhouse/scenarios/testing_simulation.h"
 
 namespace playhouse::scenarios {

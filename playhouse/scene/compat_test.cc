@@ -11,7 +11,7 @@
 #include <iterator>
 #include <map>
 
-#include "playhouse/base/testing_reference.h"
+#include "playhouse/base/testing/reference.h"
 #include "playhouse/config/cfg.h"
 #include "playhouse/config/text/syntax.h"
 #include "playhouse/scene/images/bitmap.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "playhouse/base/limits.h"
-#include "playhouse/base/testing_reference.h"
+#include "playhouse/base/testing/reference.h"
 #include "playhouse/mesh/testing_meshes.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/testing_same_scene.h"

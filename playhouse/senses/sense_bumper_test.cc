@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "playhouse/base/testing_reference.h"
+#include "playhouse/base/testing/reference.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
 #include "playhouse/stage/testing_scenes.h"

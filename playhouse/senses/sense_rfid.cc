@@ -83,8 +83,10 @@ class RfidSense final : public SensePhase {
       const Vec3 way = Vec3{X_WT.x, X_WT.y, X_WT.z} - Vec3{X_WC.X.x, X_WC.X.y, X_WC.X.z};
       const double distance = std::sqrt(dot(way, way));
       if (distance > rfid.range_max || dot(axis, way) < edge * distance) return;
-      const int walls = rays::walls_between(space, X_WC.X, X_WT, bit(bodies::SeenBy::kRadio), crossed,
-                                            world.models.root[model], disc.root);
+      const int walls = rfid.wall_factor > 0
+                            ? rays::walls_between(space, X_WC.X, X_WT, bit(bodies::SeenBy::kRadio), crossed,
+                                                  world.models.root[model], disc.root)
+                            : 0;
       const double loss = std::min(kNeperPerDecibel * rfid.wall_factor * walls, kMostLoss);
       if (distance * geom::exp(loss) <= rfid.range_max) tags.push_back({world.id(target), distance});
     });

@@ -13,7 +13,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "playhouse/base/testing_reference.h"
+#include "playhouse/base/testing/reference.h"
 #include "playhouse/server/fake_driver.h"
 #include "playhouse/server/frame.h"
 #include "playhouse/server/replace_rules.h"

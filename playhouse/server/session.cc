@@ -33,10 +33,11 @@ constexpr device::Rights kNothing{.reads = false, .drives = false, .manages = fa
 /// True for requests without side effects but for the client itself. By
 /// message name: get_*, capabilities, and the exceptions below.
 bool only_reads(const wire::MessageDef& def) {
-  constexpr std::array<std::string_view, 11> kReadersByOtherNames = {"ptz.req.geom",
+  constexpr std::array<std::string_view, 12> kReadersByOtherNames = {"ptz.req.geom",
                                                                      "ptz.req.status",
                                                                      "ir.req.pose",
                                                                      "wifi.req.mac",
+                                                                     "rfid.req.readtag",
                                                                      "limb.req.geom",
                                                                      "audio.req.mixer_channel_list",
                                                                      "audio.req.sample_retrieve",

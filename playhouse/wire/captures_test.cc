@@ -10,7 +10,7 @@
 #include <set>
 
 #include "playhouse/base/packing.h"
-#include "playhouse/base/testing_reference.h"
+#include "playhouse/base/testing/reference.h"
 #include "playhouse/wire/messages.h"
 
 namespace playhouse::wire {

@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "e2e"))
 from house import ACK, LASER, NACK, PLAYER, POSITION2D, REFERENCE, REQ, ROOT, SYNCH, Client, House, Message
 
 CAPTURES = REFERENCE / "player" / "captures"
-# Stage's own worlds are not in this tree; stage_source() of playhouse/base/testing_reference.h looks in the same places.
+# Stage's own worlds are not in this tree; stage_source() of playhouse/base/testing/reference.h looks in the same places.
 NAMED, BESIDE = os.environ.get("PLAYHOUSE_STAGE", ""), ROOT.parent / "shared" / "stage"
 SIMPLE = Path(NAMED or BESIDE / "worlds-data") / "worlds" / "simple.cfg"
 with_stage = unittest.skipUnless(NAMED or BESIDE.is_dir(), "needs Stage's own worlds: git clone https://github.com/rtv/Stage "

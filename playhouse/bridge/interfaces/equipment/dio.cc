@@ -102,7 +102,9 @@ class Dio final : public SimulatedDevice {
 
   /// With a bumper in each tick in which one has measured; without one at the interval of the model.
   bool is_due(const world::World& world) const {
-    if (bumpers_.empty()) return world.row(model()) && world.tick() % update_ticks_ == 0;
+    const auto is_there = [&](world::ModelId bumper) { return static_cast<bool>(world.row(bumper)); };
+    if (std::ranges::none_of(bumpers_, is_there))
+      return world.row(model()) && world.tick() % update_ticks_ == 0;
     return std::ranges::any_of(bumpers_, [&](world::ModelId bumper) {
       const world::ModelRow row = world.row(bumper);
       return row && world.bumpers.measured_tick[world.models.part[row]] == world.tick();
