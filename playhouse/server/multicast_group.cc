@@ -47,9 +47,8 @@ bool MulticastGroup::send(const Frame& frame, std::uint32_t number) {
   }
   if (counts_.unsent++ == 0)
     log::warn(
-        "multicast: the system does not take what goes to {}, no route there or no room: it goes to each "
-        "client "
-        "(logged once)",
+        "multicast: the system does not take what goes to {}, no route there or no room: it goes to "
+        "each client (logged once)",
         net::to_text(group_));
   return false;
 }

@@ -179,8 +179,9 @@ class PlayerClient {
     return Peek();
   }
 
-  bool IsThread() const { return mThread.get_id() == std::this_thread::get_id(); }
+  bool IsThread() const { return mRunner == std::this_thread::get_id(); }
   void RunAlone() {
+    mRunner = std::this_thread::get_id();
     try {
       Run();
     } catch (const PlayerError &error) {  // the run has ended, or the server is gone
@@ -190,11 +191,13 @@ class PlayerClient {
     } catch (...) {
       std::cerr << "PlayerClient::StartThread(): an exception of a kind that is not known" << std::endl;
     }
+    mRunner = std::thread::id();
     mRuns = false;
   }
 
   std::atomic<bool> mStop{false};
   std::atomic<bool> mRuns{false};  // the thread
+  std::atomic<std::thread::id> mRunner{std::thread::id()};
   std::thread mThread;
 };
 
@@ -711,7 +714,6 @@ class MapProxy : public PLAYERCC_BASE(map) {
   void RequestMap() { PLAYERCC_DO(playerc_map_get_map, mDevice); }
   int GetCellIndex(int x, int y) const { return y * static_cast<int>(GetWidth()) + x; }
   int8_t GetCell(int x, int y) const {
-    scoped_lock_t lock(mPc->mMutex);
     scoped_lock_t lock(mPc->mMutex);
     return static_cast<int8_t>(GetElement<char>(mDevice->cells, GetWidth() * GetHeight(),
                                                 static_cast<uint32_t>(GetCellIndex(x, y))));
