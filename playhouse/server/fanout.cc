@@ -47,16 +47,15 @@ std::size_t Fanout::publish(const device::Publication& publication, device::Addr
   header.timestamp = timestamp;
   const Frame frame = counted(make_frame(header, publication.body), frame_bytes_);
   ++encoded_;
-  const bool shared = is_shared(to, publication, frame);
-  std::size_t deliveries = 0;
+  const bool shared = is_shared(to, publication, frame) && group_->send(frame, to.number + 1);
+  if (shared) ++to.number;
+  std::size_t deliveries = shared ? 1 : 0;
   for (Subscriber* reader : to.readers) {
     if (!is_for(reader) || (shared && reader->reads_group())) continue;
     reader->deliver(frame);
     ++deliveries;
   }
-  if (!shared) return deliveries;
-  group_->send(frame, ++to.number);
-  return deliveries + 1;
+  return deliveries;
 }
 
 /// Data for some readers alone are not for a group.

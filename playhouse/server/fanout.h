@@ -35,8 +35,8 @@ class ReaderGroup {
   virtual ~ReaderGroup() = default;
   /// False: each reader gets the message by itself.
   virtual bool carries(const Frame& frame) const = 0;
-  /// `number` counts the messages of its device. One that gets lost is skipped.
-  virtual void send(const Frame& frame, std::uint32_t number) = 0;
+  /// `number` counts the messages of its device. One that gets lost is skipped. False: it was not sent.
+  virtual bool send(const Frame& frame, std::uint32_t number) = 0;
 };
 
 class Fanout {
@@ -56,8 +56,8 @@ class Fanout {
   /// Number of devices with state.
   std::size_t size() const { return channels_.size(); }
 
-  /// Encodes the message if it is for readers of the device, and delivers it in the order
-  /// of joining, then to the group if a reader reads it. A repeated timestamp is raised by the least step, because
+  /// Encodes the message if it is for readers of the device, and delivers it to the group, if a reader reads it, and in the
+  /// order of joining to the others, or to all if the group does not take it. A repeated timestamp is raised by the least step, because
   /// clients take equal ones for old data; a lower one means that time went back,
   /// NaN becomes `now`. Data over limits::kBodyBytes is dropped and logged once.
   /// Returns the number of deliveries.

@@ -23,14 +23,17 @@ class MulticastGroup final : public ReaderGroup {
   /// Sends from the address of `bind`, which is not one of IPv6 alone.
   static Result<std::unique_ptr<MulticastGroup>> open(net::Network& network, const std::string& bind,
                                                       const net::Endpoint& group);
-  MulticastGroup(std::unique_ptr<net::DatagramSocket> socket, const net::Endpoint& group);
+  /// `sender`: of `socket`, as place() tells it.
+  MulticastGroup(std::unique_ptr<net::DatagramSocket> socket, const std::string& sender,
+                 const net::Endpoint& group);
 
   /// Whether a datagram holds it.
   bool carries(const Frame& frame) const override;
-  void send(const Frame& frame, std::uint32_t number) override;
+  bool send(const Frame& frame, std::uint32_t number) override;
 
-  /// "239.255.0.1:6680 from 41234", for clients: where to listen, and the port of the sender, by which they know
-  /// this server's datagrams from those of another one with the same group.
+  /// "239.255.0.1:6680 from 10.0.0.7:41234", for clients: where to listen, and the sender, by which they know this
+  /// server's datagrams from those of another one with the same group. Of a server with several addresses, which
+  /// the system chooses from, the sender is its port alone.
   const std::string& place() const { return place_; }
   const GroupCounts& counts() const { return counts_; }
 

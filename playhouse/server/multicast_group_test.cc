@@ -93,7 +93,7 @@ TEST_F(MulticastSessions, tell_where_the_group_is) {
   const std::vector<Received> answer = client.ask(group_question());
   ASSERT_EQ(outline(answer), "ACK 250");
   const std::string place(wire::text(wire::decode<wire::StrpropReq>(answer[0].body)->value));
-  EXPECT_TRUE(place.starts_with("239.255.0.1:6680 from 4")) << place;
+  EXPECT_TRUE(place.starts_with("239.255.0.1:6680 from 127.0.0.1:4")) << place;
 }
 
 TEST_F(MulticastSessions, number_the_messages_of_each_device) {
@@ -152,6 +152,83 @@ TEST_F(MulticastSessions, send_nothing_to_the_group_that_nobody_reads_there) {
   publish(scanner_id, 3);
   EXPECT_TRUE(heard().empty());
   EXPECT_EQ(outline(client.read()), "DATA 1 of 6");
+}
+
+TEST(Multicast, tells_the_senders_port_alone_where_the_system_chooses_its_address) {
+  net::SimulatedNetwork network{5};
+  for (const char* const bind : {"0.0.0.0", "::"}) {
+    const auto group = *MulticastGroup::open(network, bind, *net::parse_endpoint(kGroupHost, kGroupPort));
+    EXPECT_TRUE(group->place().starts_with("239.255.0.1:6680 from 4")) << group->place();
+    EXPECT_EQ(group->place().rfind(':'), std::string("239.255.0.1").size()) << group->place();
+  }
+}
+
+TEST(Multicast, excludes_tokens_as_everybody_reads_it) {
+  net::SimulatedNetwork network{5};
+  Server server{network, {.group = *net::parse_endpoint(kGroupHost, kGroupPort)}};
+  server.admit_by([](auto&&...) { return std::nullopt; });
+  const auto listening = server.listen(kServed);
+  ASSERT_FALSE(listening);
+  EXPECT_TRUE(listening.error().line().starts_with("239.255.0.1:6680: invalid group"))
+      << listening.error().line();
+}
+
+/// Of a system that takes nothing while it is told so.
+class BrokenSocket final : public net::DatagramSocket {
+ public:
+  explicit BrokenSocket(const bool& works) : works_(works) {}
+  bool send(const net::Endpoint&, std::span<const std::byte>) override { return works_; }
+  void on_refused(std::function<void(const net::Endpoint&)>) override {}
+  std::uint16_t port() const override { return 41234; }
+
+ private:
+  const bool& works_;
+};
+
+class GroupReader final : public Subscriber {
+ public:
+  std::uint32_t serial() const override { return 1; }
+  void deliver(const Frame&) override { ++delivered; }
+  void lose(std::uint64_t) override {}
+  bool reads_group() const override { return true; }
+
+  int delivered = 0;
+};
+
+TEST(Multicast, what_the_system_does_not_take_goes_to_each_reader_without_a_number) {
+  bool works = false;
+  MulticastGroup group(std::make_unique<BrokenSocket>(works), "41234",
+                       *net::parse_endpoint(kGroupHost, kGroupPort));
+  struct Numbers final : ReaderGroup {
+    explicit Numbers(ReaderGroup& told) : group(told) {}
+    bool carries(const Frame& frame) const override { return group.carries(frame); }
+    bool send(const Frame& frame, std::uint32_t number) override {
+      numbers.push_back(number);
+      return group.send(frame, number);
+    }
+    ReaderGroup& group;
+    std::vector<std::uint32_t> numbers;
+  } watched(group);
+  Fanout fanout(std::make_shared<std::size_t>(0));
+  fanout.share_by(watched);
+  GroupReader one, two;
+  const device::DeviceId device{};
+  fanout.join(device, one);
+  fanout.join(device, two);
+  const auto publish = [&](double time) {
+    return fanout.publish({device, 1, time, Bytes(52), {}}, {kServed, kScanner, 0}, time);
+  };
+  EXPECT_EQ(publish(1), 2u);
+  EXPECT_EQ(publish(2), 2u);
+  EXPECT_EQ(one.delivered, 2);
+  EXPECT_EQ(two.delivered, 2);
+  works = true;
+  EXPECT_EQ(publish(3), 1u);
+  EXPECT_EQ(publish(4), 1u);
+  EXPECT_EQ(one.delivered, 2);
+  EXPECT_EQ(watched.numbers, (std::vector<std::uint32_t>{1, 1, 1, 2}));
+  EXPECT_EQ(group.counts().sent, 2u);
+  EXPECT_EQ(group.counts().unsent, 2u);
 }
 
 TEST(Multicast, is_refused_by_a_server_without_a_group) {

@@ -166,6 +166,9 @@ Result<std::uint16_t> Server::Impl::listen(std::uint16_t port) {
 /// For all ports, with the first.
 Result<void> Server::Impl::open_group() {
   if (!options_.group || group_ != nullptr) return {};
+  if (board_.admit)
+    return Error{net::to_text(*options_.group),
+                 "invalid group: everybody reads it, so admit_by() excludes it"};
   auto opened = MulticastGroup::open(network_, options_.bind, *options_.group);
   if (!opened) return opened.error();
   group_ = std::move(*opened);
@@ -549,6 +552,7 @@ void Server::release(device::DeviceId device, device::Driver* holder) {
   impl_->release(device, holder);
 }
 void Server::admit_by(Admit admit) {
+  PLAYHOUSE_ASSERT(impl_->board().group_place.empty());  // everybody reads a group
   impl_->board().admit = std::move(admit);
 }
 

@@ -38,7 +38,8 @@ struct ServerOptions {
   std::size_t sessions = limits::kSessions;  // fewer where descriptors are few
   std::string unix_folder = {};              // each port has a Unix socket there as well; empty: none
   bool datagrams = false;                    // each port is one of UDP as well
-  /// Data also go there, once for all clients that ask for it; in the clear, so not with admit_by() or TLS.
+  /// Data also go there, once for all clients that ask for it; in the clear, so not with TLS, and listen() fails
+  /// with admit_by().
   std::optional<net::Endpoint> group = {};
 };
 

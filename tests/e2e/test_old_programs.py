@@ -3,6 +3,7 @@ server: clients/c/playerc/tests."""
 
 import csv
 import json
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -102,6 +103,16 @@ class OldPrograms(HouseTest):
         with self.run_house() as house:
             self.assertIn("driver stage", tool(self.build("devices", libraries=libraries), house.port()))
 
+    def test_a_program_without_packages_of_others_is_built(self):
+        alone = {"PATH": "/usr/bin:/bin", "PKG_CONFIG_LIBDIR": str(self.place / "only")}
+        (self.place / "only").mkdir()
+        for name in ("playerc", "playhouse_c"):
+            shutil.copy(self.place / "prefix" / "lib" / "pkgconfig" / f"{name}.pc", self.place / "only")
+        (self.place / "only" / "zlib.pc").write_text("Name: zlib\nDescription: as anywhere\nVersion: 1\nLibs: -lz\n")
+        self.assertIn("player-3.1", tool("pkg-config", "--cflags", "playerc", env=alone))
+        self.assertNotIn("-lturbojpeg", tool("pkg-config", "--libs", "playerc", env=alone))
+        self.assertIn("-lturbojpeg", tool("pkg-config", "--libs", "--static", "playerc", env=alone))
+
     def build_cpp(self, name: str) -> Path:
         program = self.folder / name
         tool("c++", "-std=c++11", "-Wall", "-Wextra", "-Werror", *self.flags("--cflags", package="playerc++"), PROGRAMS / f"{name}.cc",
@@ -120,7 +131,9 @@ class OldPrograms(HouseTest):
             program = subprocess.Popen([self.build_cpp("signals"), str(house.port())], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                        stderr=subprocess.PIPE, text=True)
             self.addCleanup(program.kill)
-            self.assertEqual([program.stdout.readline() for _ in range(3)], ["5 5 1 0\n", "5 6\n", "in a thread\n"])
+            said = ["5 5 1 0\n", "5 6\n", "destroyed 0 0\n", "in a thread\n", "again after each\n"]
+            self.assertEqual([program.stdout.readline() for _ in said], said)
+            self.assertEqual(program.stderr.readline(), "PlayerClient::StartThread(): no idea\n")
             house.end()
             self.assertIn("the run ended", program.stderr.readline())
             self.assertEqual((program.communicate("\n", timeout=60)[0], program.returncode), ("over\n", 0))

@@ -76,6 +76,8 @@ class Client(Openers):
         tls: Optional[ssl.SSLContext] = None,
         multicast: bool = False,
     ) -> None:
+        if multicast and tls is not None:
+            raise InvalidValue("data by multicast are in the clear: multicast without tls is valid")
         self._devices: Dict[Tuple[int, int], List[Device]] = {}
         self._session = Session(Connection(host, port, timeout, tls), timeout, self._retire)
         self._families: Optional[List[List[Model]]] = None  # as of the last query
@@ -212,6 +214,7 @@ class Client(Openers):
 
     def deliver_pushed(self) -> None:
         """In push mode, delivers data that have arrived to the devices, without waiting for more."""
+        self._session.sort_arrived()
         if self.mode == Mode.PUSH and not self._reading:
             self._reading = True
             try:
@@ -221,8 +224,8 @@ class Client(Openers):
 
     def forget_run(self) -> None:
         """Drops all data received so far: the run that they are of is over. Called by Simulation.reset()."""
+        self._session.connection.arrived()
         self._session.waiting.clear()
-        self._session.connection.forget_shared()
         self._forget_later(-math.inf)
 
     def forget(self, device: Device) -> None:
@@ -230,9 +233,9 @@ class Client(Openers):
         same = self._devices.get((device.code, device.index), [])
         if device in same:
             same.remove(device)
+        self._forget_unread(device.code, device.index)
         if not same:
             self._devices.pop((device.code, device.index), None)
-            self._session.connection.forget_device(device.code, device.index)
             if device.gone:
                 self._session.drop_waiting(device.code, device.index)
 
@@ -302,22 +305,32 @@ class Client(Openers):
     def _retire(self, addr: common.Devaddr) -> None:
         for device in self._devices.get((addr.interf, addr.index), []):
             device.retire(addr.robot)
+        self._forget_unread(addr.interf, addr.index)
+
+    def _forget_unread(self, interface: int, index: int) -> None:
+        """Leaves the data by multicast of an address where no device is open for reading."""
+        same = self._devices.get((interface, index), [])
+        if not any(each.access != Access.WRITE and not each.gone for each in same):
+            self._session.connection.forget_device(interface, index)
 
     def _open(self, kind: Type[P], interface: str, index: int, access: Access) -> P:
         code, connection = code_of(interface), self._session.connection
-        is_first = not any(not each.gone for each in self._devices.get((code, index), []))
-        if is_first:
+        reads = access != Access.WRITE
+        if not self._devices.get((code, index)):
+            self._session.drop_waiting(code, index)  # of the time before
+        if reads:
             connection.expect_device(code, index)
         try:
             device = kind(self, self._session, interface, index, access)
         except BaseException:
-            if is_first:
-                connection.forget_device(code, index)
+            self._forget_unread(code, index)
             raise
         same = self._devices.setdefault((device.code, index), [])
         if any(each.gone for each in same):
             self._session.drop_waiting(device.code, index)
         same.append(device)
+        if reads:
+            connection.expect_device(code, index)  # again, if another one was retired meanwhile
         try:
             device.prepare()
         except RequestRefused:

@@ -4,7 +4,7 @@ only."""
 import socket
 import ssl
 import time
-from typing import Optional
+from typing import List, Optional
 
 from .errors import ConnectionLost, InvalidValue, RequestTimeout, RunEnded, WireError
 from .group import Group
@@ -99,8 +99,15 @@ class Connection:
         """The next message. Raises RequestTimeout."""
         while True:
             shared = self._shared(deadline)
-            message = shared or self._receive(deadline)
-            if shared or not self.datagrams or message.header.kind != Kind.DATA or self._is_next(message.header.sequence):
+            if shared is not None:
+                return shared
+            try:
+                message = self._receive(deadline)
+            except ConnectionLost:  # what the group had by then comes first
+                if self.group is None or not self.group.waiting:
+                    raise
+                return self.group.waiting.popleft()
+            if not self.datagrams or message.header.kind != Kind.DATA or self._is_next(message.header.sequence):
                 return message
 
     def hear(self, place: str, port: int) -> None:
@@ -110,7 +117,7 @@ class Connection:
         self.group = Group(place, port, self._socket)
 
     def expect_device(self, interface: int, index: int) -> None:
-        """Its data by multicast are for this client from now on."""
+        """Its data by multicast are for this client from now on, if they are not yet."""
         if self.group is not None:
             self.group.open_device(interface, index)
 
@@ -118,15 +125,16 @@ class Connection:
         if self.group is not None:
             self.group.close_device(interface, index)
 
-    def forget_shared(self) -> None:
-        """Drops the data of the group that have come."""
-        if self.group is not None:
-            self.group.forget()
+    def arrived(self) -> List[Message]:
+        """Takes the data of the group that have come, without waiting."""
+        return self.group.arrived() if self.group is not None else []
 
     def _shared(self, deadline: float) -> Optional[Message]:
         """The next data of the group, if they come before anything of the connection."""
-        if self.group is None or self._socket is None or self._has_whole():
+        if self.group is None or self._has_whole():
             return None
+        if self._socket is None:
+            return self.group.waiting.popleft() if self.group.waiting else None
         return self.group.next(0.0 if self._fault else deadline)
 
     def _is_next(self, number: int) -> bool:

@@ -189,7 +189,7 @@ class Simulation(Device):
     def step(self, ticks: int = 1, timeout: Optional[float] = None) -> None:
         """Runs this number of ticks and waits until they are done, in lock-step until all members have requested them:
         at most `timeout` seconds, None: no limit. In push mode all data of the ticks have then been delivered to the
-        devices; in pull mode they are queued for read(). Without lock-step a running world refuses: pause() first."""
+        devices, by multicast those that have arrived; in pull mode they are queued for read(). Without lock-step a running world refuses: pause() first."""
         self._insist_on_whole("ticks", ticks, 1, 1 << 20)
         self._of_world("step", struct.pack("<I", ticks), timeout=math.inf if timeout is None else timeout)
         self._client.deliver_pushed()

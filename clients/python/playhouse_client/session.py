@@ -110,6 +110,11 @@ class Session:
         if not self._take_notice(message):
             self._sort(message)
 
+    def sort_arrived(self) -> None:
+        """Queues the data of the group that have come, without waiting."""
+        for message in self.connection.arrived():
+            self._sort(message)
+
     def drop_waiting(self, interface: int, index: int) -> None:
         """Drops queued data of a retired device, so that they are not delivered to a new device at its address."""
         kept = [each for each in self.waiting if (each.header.interface, each.header.index) != (interface, index)]
@@ -160,6 +165,7 @@ class Session:
         if notice.access != _ERROR_LETTER:
             return False
         self.told = True
+        self.sort_arrived()  # its last data
         self._retire(notice.addr)
         return True
 

@@ -24,9 +24,9 @@ class Groups(unittest.TestCase):
         for each in (self.here, self.there):
             self.addCleanup(each.close)
 
-    def socket_of(self, host):
+    def socket_of(self, host, port=0):
         made = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        made.bind((host, 0))
+        made.bind((host, port))
         self.addCleanup(made.close)
         return made
 
@@ -99,15 +99,113 @@ class Groups(unittest.TestCase):
         self.there.send(b"x")
         self.assertIsNone(group.next(math.inf))
 
-    def test_what_has_come_is_forgotten_however_much_it_is(self):
+    def test_what_has_come_is_taken_at_once_however_much_it_is(self):
         group = self.group()
         group.open_device(LASER, 0)
         for number in range(1, 101):
             self.say(number)
         self.assertEqual(self.heard(group, 1), [1])
-        group.forget()
+        self.assertEqual([each.header.sequence for each in group.arrived()], list(range(2, 101)))
         self.say(101)
         self.assertEqual(self.heard(group, 1), [101])
+
+    def test_what_came_before_a_device_was_opened_is_not_of_it(self):
+        group = self.group()
+        self.say(1)
+        self.say(2)
+        group.open_device(LASER, 0)
+        self.say(3)
+        self.assertEqual(self.heard(group, 1), [3])
+
+    def test_a_device_opened_again_has_neither_old_data_nor_a_loss(self):
+        group = self.group()
+        group.open_device(LASER, 0)
+        for number in (1, 2, 3):
+            self.say(number)
+        self.assertEqual(self.heard(group, 1), [1])
+        group.close_device(LASER, 0)
+        self.say(4)
+        group.open_device(LASER, 0)
+        self.say(2)  # overtaken
+        self.say(9)
+        self.assertEqual(self.heard(group, 1), [9])
+        self.assertEqual(group.lost_count, 0)
+
+    def test_opening_it_twice_loses_nothing(self):
+        group = self.group()
+        group.open_device(LASER, 0)
+        self.say(1)
+        group.open_device(LASER, 0)
+        self.assertEqual(self.heard(group, 1), [1])
+
+    def test_a_sender_at_another_address_is_another_whether_or_not_the_server_tells_its_own(self):
+        port = self.sender.getsockname()[1]
+        other = self.socket_of("127.0.0.2", port)
+        for sender in ("127.0.0.1:", ""):
+            with self.subTest(sender):
+                self.place = f"{ADDRESS}:{self.port} from {sender}{port}"
+                group = self.group()
+                group.open_device(LASER, 0)
+                if sender:
+                    self.say(1 << 30, sender=other)
+                self.say(1)
+                self.say(2 + (1 << 30), sender=other)
+                self.say(2)
+                self.assertEqual(self.heard(group, 2), [1, 2])
+                self.assertEqual(group.lost_count, 0)
+
+    def test_numbers_far_off_count_when_they_go_on(self):
+        group = self.group()
+        group.open_device(LASER, 0)
+        forged = 10 + (1 << 30)
+        for number in (10, forged, 11, forged, forged + 1, 12, 13, 14):
+            self.say(number)
+        self.assertEqual(self.heard(group, 5), [10, 11, forged + 1, 13, 14])
+
+    def test_a_long_silence_is_a_loss(self):
+        group = self.group()
+        group.open_device(LASER, 0)
+        for number in (1, 5000):
+            self.say(number)
+        self.assertEqual(self.heard(group, 2), [1, 5000])
+        self.assertEqual(group.lost_count, 4998)
+
+    def test_the_data_that_came_before_the_end_are_left(self):
+        group = self.group()
+        group.open_device(LASER, 0)
+        self.say(1)
+        group.close()
+        self.assertEqual([each.header.sequence for each in group.waiting], [1])
+
+    def test_what_strangers_send_keeps_nobody_beyond_the_deadline(self):
+        group = self.group()
+        stranger, receive, looks = self.socket_of("127.0.0.1"), group._receive, []
+
+        def receive_as_more_comes():
+            looks.append(1)
+            self.assertLess(len(looks), 100)
+            receive()
+            self.say(1, sender=stranger)
+            return True
+
+        self.say(1, sender=stranger)
+        group._receive = receive_as_more_comes
+        self.assertIsNone(group.next(0.0))
+        group._receive = receive
+
+    def test_a_sender_without_an_end_does_not_hold_up_who_takes_what_has_come(self):
+        group = self.group()
+        real, datagrams = group._socket, []
+
+        class Endless:
+            def recvfrom(self, _size):
+                datagrams.append(1)
+                assert len(datagrams) < 100000
+                return b"x", ("127.0.0.1", 7)
+
+        group._socket = Endless()
+        self.assertEqual(group.arrived(), [])
+        group._socket = real
 
     def test_a_port_that_another_program_has_is_told(self):
         taken = self.socket_of("0.0.0.0")
@@ -115,8 +213,10 @@ class Groups(unittest.TestCase):
             Group(f"{ADDRESS}:{taken.getsockname()[1]} from 7", SERVED, self.here)
 
     def test_a_place_that_is_none_is_said(self):
-        for place in ("", "nonsense", "239.255.0.1:6680", "239.255.0.1:x from 7"):
-            with self.assertRaises((WireError, OSError)):
+        for place in ("", "nonsense", "239.255.0.1:6680", "239.255.0.1:x from 7", "239.255.0.1:70000 from 7", "239.255.0.1:-1 from 7",
+                      "239.255.0.1:0 from 7", "239.255.0.1:6680 from 70000", "239.255.0.1:6680 from nobody:7", "10.0.0.1:6680 from 7",
+                      "localhost:6680 from 7", "239.255.0.1\0:6680 from 7", "ff02::1:6680 from 7"):
+            with self.subTest(place), self.assertRaises(WireError):
                 Group(place, SERVED, self.here)
 
 

@@ -4,6 +4,13 @@
 #ifdef PLAYERC_TURBOJPEG
 #include <turbojpeg.h>
 
+/** A small image may have thousands of progressive scans, each of which takes as long as a whole one. */
+#ifdef TJFLAG_LIMITSCANS
+#define SCAN_LIMIT TJFLAG_LIMITSCANS
+#else
+#define SCAN_LIMIT 0
+#endif
+
 enum { MOST_BYTES = 32 << 20 /**< of an image: what a message could have carried without compression */ };
 
 /** The image is then uncompressed, and `bytes` become the proxy's. */
@@ -21,7 +28,7 @@ static void put_pixels(playerc_camera_t *device, uint8_t *bytes, int width, int 
 /** An image that is damaged or cut off is shown as far as it goes. */
 static bool read_pixels(tjhandle reader, const playerc_camera_t *device, uint8_t *to, int width, int height) {
   const int failed = tjDecompress2(reader, device->image, (unsigned long)device->image_count, to, width, 0,
-                                   height, TJPF_RGB, TJFLAG_ACCURATEDCT);
+                                   height, TJPF_RGB, TJFLAG_ACCURATEDCT | SCAN_LIMIT);
   return failed == 0 || tjGetErrorCode(reader) == TJERR_WARNING;
 }
 

@@ -22,12 +22,13 @@ std::vector<unsigned char> half_and_half() {
   return pixels;
 }
 
-std::vector<unsigned char> jpeg_of(const std::vector<unsigned char> &pixels) {
+std::vector<unsigned char> jpeg_of(const std::vector<unsigned char> &pixels, int flags = 0) {
   const tjhandle writer = tjInitCompress();
   unsigned char *bytes = nullptr;
   unsigned long size = 0;
   EXPECT_EQ(
-      tjCompress2(writer, pixels.data(), kWidth, 0, kHeight, TJPF_RGB, &bytes, &size, TJSAMP_444, 95, 0), 0);
+      tjCompress2(writer, pixels.data(), kWidth, 0, kHeight, TJPF_RGB, &bytes, &size, TJSAMP_444, 95, flags),
+      0);
   const std::vector<unsigned char> jpeg(bytes, bytes + size);
   tjFree(bytes);
   tjDestroy(writer);
@@ -96,6 +97,25 @@ TEST_F(Jpeg, ThatClaimsToBeHugeTakesNoMemory) {
   put(jpeg, PLAYER_CAMERA_COMPRESS_JPEG);
   playerc_camera_decompress(camera);
   EXPECT_THAT(playerc_error_str(), HasSubstr("61680 x 61680 pixels is too large"));
+}
+
+/** Its last scan again and again, each of which takes a moment for a few bytes. */
+TEST_F(Jpeg, OfThousandsOfScansIsRefused) {
+  std::vector<unsigned char> jpeg = jpeg_of(half_and_half(), TJFLAG_PROGRESSIVE);
+  std::size_t last = 0;
+  for (std::size_t i = 0; i + 1 < jpeg.size(); ++i) {
+    if (jpeg[i] == 0xFF && jpeg[i + 1] == 0xDA) last = i;
+  }
+  ASSERT_GT(last, 0U);
+  const std::vector<unsigned char> scan(jpeg.begin() + static_cast<long>(last), jpeg.end() - 2);
+  const std::vector<unsigned char> end(jpeg.end() - 2, jpeg.end());
+  jpeg.resize(jpeg.size() - 2);
+  for (int i = 0; i < 2000; ++i) jpeg.insert(jpeg.end(), scan.begin(), scan.end());
+  jpeg.insert(jpeg.end(), end.begin(), end.end());
+  put(jpeg, PLAYER_CAMERA_COMPRESS_JPEG);
+  playerc_camera_decompress(camera);
+  EXPECT_THAT(playerc_error_str(), HasSubstr("the image is no JPEG that can be read"));
+  EXPECT_EQ(camera->compression, PLAYER_CAMERA_COMPRESS_JPEG);
 }
 
 TEST_F(Jpeg, AnotherCompressionIsTold) {

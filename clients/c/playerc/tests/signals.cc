@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <stdexcept>
 
 using namespace PlayerCc;
 
@@ -44,13 +45,39 @@ int main(int argc, char *argv[]) {
   for (before = laser.GetDataTime(); laser.GetDataTime() == before;) robot.Read();
   std::cout << calls << " " << seen << std::endl;
 
+  PowerProxy *doomed = new PowerProxy(&robot, 0);
+  int late = 0;
+  doomed->ConnectReadSignal([&] {
+    delete doomed;
+    doomed = NULL;
+  });
+  const ClientProxy::connection_t next = doomed->ConnectReadSignal([&] { ++late; });
+  while (doomed != NULL) robot.Read();
+  std::cout << "destroyed " << late << " " << next.connected() << std::endl;
+
   std::atomic<int> in_thread(0);
   laser.ConnectReadSignal([&] { ++in_thread; });
   robot.StartThread();
   while (in_thread < 3) std::this_thread::yield();
   robot.StopThread();
   std::cout << "in a thread" << std::endl;
+
+  std::atomic<bool> stopped(false), thrown(false);
+  const ClientProxy::connection_t stops = laser.ConnectReadSignal([&] {
+    stops.disconnect();
+    robot.StopThread();
+    stopped = true;
+  });
   robot.StartThread();
+  while (!stopped) std::this_thread::yield();
+  const ClientProxy::connection_t throws = laser.ConnectReadSignal([&] {
+    throws.disconnect();
+    thrown = true;
+    throw std::runtime_error("no idea");
+  });
+  while (!thrown) robot.StartThread();
+  for (const int before_it = in_thread; in_thread < before_it + 3;) robot.StartThread();
+  std::cout << "again after each" << std::endl;
   std::string line;
   std::getline(std::cin, line);  // until the run has ended
   robot.StopThread();

@@ -173,14 +173,20 @@ class WiFiProxy : public PLAYERCC_BASE(wifi) {
   char *GetLinkIP(int index) const { return Text(GetLink(index)->ip); }
   char *GetLinkMAC(int index) const { return Text(GetLink(index)->mac); }
   char *GetLinkESSID(int index) const { return Text(GetLink(index)->essid); }
-  double GetLinkFreq(int index) const { return GetLink(index)->freq; }
-  int GetLinkMode(int index) const { return GetLink(index)->mode; }
-  int GetLinkEncrypt(int index) const { return GetLink(index)->encrypt; }
-  int GetLinkQuality(int index) const { return GetLink(index)->qual; }
-  int GetLinkLevel(int index) const { return GetLink(index)->level; }
-  int GetLinkNoise(int index) const { return GetLink(index)->noise; }
+  double GetLinkFreq(int index) const { return Number(index, &playerc_wifi_link_t::freq); }
+  int GetLinkMode(int index) const { return Number(index, &playerc_wifi_link_t::mode); }
+  int GetLinkEncrypt(int index) const { return Number(index, &playerc_wifi_link_t::encrypt); }
+  int GetLinkQuality(int index) const { return Number(index, &playerc_wifi_link_t::qual); }
+  int GetLinkLevel(int index) const { return Number(index, &playerc_wifi_link_t::level); }
+  int GetLinkNoise(int index) const { return Number(index, &playerc_wifi_link_t::noise); }
 
  private:
+  /** Of a link, read under the lock. */
+  template <typename T>
+  T Number(int index, T playerc_wifi_link_t::*member) const {
+    scoped_lock_t lock(mPc->mMutex);
+    return GetLink(index)->*member;
+  }
   static char *Text(const uint8_t *text) { return const_cast<char *>(reinterpret_cast<const char *>(text)); }
 };
 
@@ -348,6 +354,7 @@ class VectorMapProxy : public PLAYERCC_BASE(vectormap) {
   }
   /** Of GetLayerData(); 0 before. */
   int GetFeatureCount(unsigned layer_index) const {
+    scoped_lock_t lock(mPc->mMutex);
     const player_vectormap_layer_data_t *const layer =
         GetElement<player_vectormap_layer_data_t *>(mDevice->layers_data, mDevice->layers_count, layer_index);
     return layer != NULL ? static_cast<int>(layer->features_count) : 0;

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <functional>
 #include <iostream>
 #include <list>
@@ -133,6 +134,7 @@ class PlayerClient {
     Insist(playerc_client_get_devlist(mClient), "PlayerClient::RequestDeviceList()");
   }
   std::list<playerc_device_info_t> GetDeviceList() {
+    scoped_lock_t lock(mMutex);
     return std::list<playerc_device_info_t>(mClient->devinfos, mClient->devinfos + mClient->devinfo_count);
   }
   void SetRequestTimeout(uint32_t seconds) { playerc_client_set_request_timeout(mClient, seconds); }
@@ -150,21 +152,19 @@ class PlayerClient {
     }
   }
   void Stop() { mStop = true; }
-  /** The same in a thread. */
+  /** The same in a thread, until StopThread() or an exception, which is printed. Also again after these. */
   void StartThread() {
-    if (mThread.joinable()) return;
+    if (mRuns && !mStop) return;
+    StopThread();
     mStop = false;
-    mThread = std::thread([this] {
-      try {
-        Run();
-      } catch (const PlayerError &error) {  // the run has ended, or the server is gone
-        std::cerr << error << std::endl;
-      }
-    });
+    if (IsThread()) return;  // which goes on
+    mRuns = true;
+    mThread = std::thread([this] { RunAlone(); });
   }
+  /** From a function that the thread calls, it ends after that call. */
   void StopThread() {
     Stop();
-    if (mThread.joinable()) mThread.join();
+    if (mThread.joinable() && !IsThread()) mThread.join();
   }
 
   playerc_client_t *mClient;
@@ -179,7 +179,25 @@ class PlayerClient {
     return Peek();
   }
 
+  bool IsThread() const { return mRunner == std::this_thread::get_id(); }
+  void RunAlone() {
+    mRunner = std::this_thread::get_id();
+    try {
+      Run();
+    } catch (const PlayerError &error) {  // the run has ended, or the server is gone
+      std::cerr << error << std::endl;
+    } catch (const std::exception &error) {  // of a function that is connected
+      std::cerr << "PlayerClient::StartThread(): " << error.what() << std::endl;
+    } catch (...) {
+      std::cerr << "PlayerClient::StartThread(): an exception of a kind that is not known" << std::endl;
+    }
+    mRunner = std::thread::id();
+    mRuns = false;
+  }
+
   std::atomic<bool> mStop{false};
+  std::atomic<bool> mRuns{false};  // the thread
+  std::atomic<std::thread::id> mRunner{std::thread::id()};
   std::thread mThread;
 };
 
@@ -324,6 +342,10 @@ class ClientProxy {
     throw PlayerError("ClientProxy", "there is no element " + std::to_string(aIndex) + " of " +
                                          std::to_string(count) + " of " + GetInterfaceStr());
   }
+  /** Before the proxy goes, under the lock: what ReadSignal() is about to call may use it. */
+  void DisconnectAll() {
+    for (const std::shared_ptr<Subscriber> &each : subscribers_) each->connected = false;
+  }
   /** Fails as `fun` unless the result is 0. */
   void Check(int result, const char *fun) const { Insist(result, fun); }
 
@@ -351,6 +373,7 @@ class DeviceProxy : public ClientProxy {
  public:
   ~DeviceProxy() override {
     scoped_lock_t lock(mPc->mMutex);
+    DisconnectAll();
     mPc->mProxyList.remove(this);
     if (mPc->Connected()) Unsubscribe(mDevice);
     Destroy(mDevice);
@@ -755,9 +778,18 @@ class PlannerProxy : public PLAYERCC_BASE(planner) {
   double GetWx() const { return GetVar(mDevice->wx); }
   double GetWy() const { return GetVar(mDevice->wy); }
   double GetWa() const { return GetVar(mDevice->wa); }
-  player_pose2d_t GetPose() const { return PoseOf(GetPx(), GetPy(), GetPa()); }
-  player_pose2d_t GetGoal() const { return PoseOf(GetGx(), GetGy(), GetGa()); }
-  player_pose2d_t GetCurrentWaypoint() const { return PoseOf(GetWx(), GetWy(), GetWa()); }
+  player_pose2d_t GetPose() const {
+    scoped_lock_t lock(mPc->mMutex);
+    return PoseOf(GetPx(), GetPy(), GetPa());
+  }
+  player_pose2d_t GetGoal() const {
+    scoped_lock_t lock(mPc->mMutex);
+    return PoseOf(GetGx(), GetGy(), GetGa());
+  }
+  player_pose2d_t GetCurrentWaypoint() const {
+    scoped_lock_t lock(mPc->mMutex);
+    return PoseOf(GetWx(), GetWy(), GetWa());
+  }
   int GetCurrentWaypointId() const { return GetVar(mDevice->curr_waypoint); }
   uint32_t GetWaypointCount() const { return static_cast<uint32_t>(GetVar(mDevice->waypoint_count)); }
   player_pose2d_t GetWaypoint(uint32_t aIndex) const {
