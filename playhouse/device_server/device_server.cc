@@ -24,6 +24,7 @@ drivers::Site& DeviceServer::open_site(std::uint16_t port, device::Publisher& pu
   drivers::Host& surroundings = *this;  // private base, not accessible to make_unique
   site_ = std::make_unique<drivers::Site>(surroundings, port);
   site_->data_flow().pass_to(publisher);
+  catch_signals();
   return *site_;
 }
 
@@ -53,7 +54,8 @@ Result<void> DeviceServer::make_drivers(const drivers::Registry& registry, const
   return {};
 }
 
-int DeviceServer::run() {
+void DeviceServer::catch_signals() {
+  if (std::exchange(catches_, true)) return;
   const auto caught = [this](int signal) {
     if (ending_) std::_Exit(128 + signal);  // second signal: at once
     end(128 + signal);
@@ -63,6 +65,10 @@ int DeviceServer::run() {
   } else {
     loop_.on_signal({SIGINT, SIGTERM}, caught);
   }
+}
+
+int DeviceServer::run() {
+  catch_signals();
   loop_.run();
   return code_;
 }

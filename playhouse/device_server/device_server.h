@@ -53,6 +53,8 @@ class DeviceServer final : private ServerHost {
   void close();
 
  private:
+  /// The first signal ends run(), the second the program. Done before clients are told of ports, and by run().
+  void catch_signals();
   server::Server& the_server() override { return *server_; }
   net::Network& the_network() override { return loop_; }
   libraries::Libraries libraries() const override { return libraries_; }
@@ -64,7 +66,7 @@ class DeviceServer final : private ServerHost {
   std::vector<std::unique_ptr<device::Driver>> drivers_;
   std::unique_ptr<server::Server> server_;
   std::vector<std::uint16_t> ports_;
-  bool ending_ = false, closed_ = false;
+  bool ending_ = false, closed_ = false, catches_ = false;
   int code_ = 0;
 };
 
