@@ -6,7 +6,10 @@
 #include <cmath>
 
 #include "playhouse/arena/testing_runs.h"
+#include "playhouse/scene/write_world.h"
 #include "playhouse/senses/radio.h"
+#include "playhouse/world/changes/journal.h"
+#include "playhouse/world/saving/as_scene.h"
 
 namespace playhouse::arena {
 namespace {
@@ -66,6 +69,37 @@ TEST(MoteSense, feels_the_turns_of_the_robot_that_carries_it) {
   }
 }
 
+TEST(MoteSense, feels_no_force_at_constant_speed_however_long_it_has_been_silent) {
+  for (const bool arena : {false, true}) {
+    Session run("position( name \"r\" size [0.4 0.4 0.2] alwayson 1 velocity [0.5 0 0 0]\n" +
+                    mote("alwayson 1 frequency 1") + ")",
+                arena);
+    run.step(100);
+    run.world().motes.awake[{0}] = 0;
+    run.step(77);
+    run.world().motes.awake[{0}] = 1;
+    run.world().motes.frequency[{0}] = 0;
+    for (int tick = 0; tick < 3; ++tick) {
+      run.step();
+      EXPECT_EQ(run.motes().reported_tick[{0}], run.world().tick());
+      EXPECT_NEAR(run.motes().acceleration[{0}].x, 0, 1e-3) << arena << ' ' << tick;
+    }
+  }
+}
+
+TEST(MoteSense, feels_a_stop_at_a_wall) {
+  for (const bool arena : {false, true}) {
+    Session run("position( size [0.4 0.4 0.2] alwayson 1 velocity [0.5 0 0 0]\n" +
+                    mote("alwayson 1 frequency 0.5") + ")\nmodel( pose [0.5 0 0 0] size [0.2 2 1] )",
+                arena);
+    run.step();
+    const double v = run.motes().v_WB[{0}].x;
+    EXPECT_GT(v, 0.1);
+    run.step(150);
+    EXPECT_NEAR(run.motes().acceleration[{0}].x, -v / 2, 1e-3) << arena << ": the mean of 2 s";
+  }
+}
+
 TEST(MoteSense, saturates_at_its_range) {
   Session run(kBase + ")\n" + mote("acceleration_range 5"));
   run.step();
@@ -95,6 +129,10 @@ TEST(MoteSense, hears_nothing_weaker_than_its_sensitivity_and_less_behind_walls)
                  "model( pose [2 0 0 0] size [0.1 1 2] )");
   walled.step();
   EXPECT_THAT(walled.in_reach(), ElementsAre(2));
+  Session carried("model( size [0.4 0.4 1] " + kBase + "sensitivity -85 wall_factor 8 ) )\n" +
+                  "model( pose [4 0 0 0] size [0.4 0.4 1] " + mote("power -30") + ")");
+  carried.step();
+  EXPECT_EQ(carried.in_reach().size(), 1u) << "what carries it is no wall";
 }
 
 TEST(MoteSense, reports_as_often_as_it_is_told_to_and_not_while_it_sleeps) {
@@ -131,8 +169,57 @@ TEST(MoteSense, measures_nothing_while_nobody_reads) {
   EXPECT_THAT(run.in_reach(), IsEmpty());
 }
 
+TEST(MoteSense, measures_only_where_somebody_reads) {
+  Session run(kBase + "group 1 )\n" + mote("group 1 pose [1 0 0 0]") + mote("group 1 pose [20 0 0 0]") +
+              mote("pose [1 0 0 0]") + mote("alwayson 1 pose [30 0 0 0]"));
+  run.step();
+  EXPECT_THAT(run.motes().reported_tick, ElementsAre(1, 1, 0, 0, 1));
+}
+
+TEST(MoteSense, a_base_station_knows_its_reach_between_its_updates_and_forgets_it_when_nobody_reads) {
+  Session run("mote( base 1 update_interval 100 range 10 )\n" + mote("awake 0 pose [1 0 0 0]") +
+              mote("pose [2 0 0 0]"));
+  world::subscribe(run.world(), run.world().row(world::ModelId{0}));
+  run.step(5);
+  EXPECT_THAT(run.in_reach(), ElementsAre(1, 2));
+  EXPECT_EQ(run.heard(), 1);
+  ASSERT_TRUE(world::set_pose(run.world(), run.world().row(world::ModelId{1}), {20, 0, 0, 0}));
+  ASSERT_TRUE(world::set_pose(run.world(), run.world().row(world::ModelId{2}), {20, 0, 0, 0}));
+  run.step();
+  EXPECT_THAT(run.in_reach(), ElementsAre(1))
+      << "the one that reported is gone, the other asleep until the update";
+  EXPECT_EQ(run.heard(), 0);
+  run.step(4);
+  EXPECT_THAT(run.in_reach(), IsEmpty());
+  ASSERT_TRUE(world::set_pose(run.world(), run.world().row(world::ModelId{1}), {1, 0, 0, 0}));
+  world::unsubscribe(run.world(), run.world().row(world::ModelId{0}));
+  run.step();
+  EXPECT_EQ(run.motes().measured_tick[{0}], 0u);
+  world::subscribe(run.world(), run.world().row(world::ModelId{0}));
+  run.step();
+  EXPECT_THAT(run.in_reach(), ElementsAre(1)) << "at once";
+}
+
+TEST(MoteSense, reports_at_no_rate_that_a_world_file_cannot_have) {
+  Session run(mote(""));
+  world::Journal journal(run.world());
+  for (const double frequency : {1e300, 1.0000001e9, -1.0, -5e-324, HUGE_VAL, std::nan("")})
+    EXPECT_FALSE(journal.apply(world::changes::SetReportRate{{0}, frequency})) << frequency;
+  for (const double frequency : {1e9, 5e-324, 1e-300, 0.0}) {
+    ASSERT_TRUE(journal.apply(world::changes::SetReportRate{{0}, frequency}));
+    run.step();
+    const Result<std::string> text = scene::write_world(world::as_scene(run.world()), "w.world");
+    ASSERT_TRUE(text);
+    config::MemoryFiles files({{"w.world", *text}});
+    const Result<scene::SceneDesc> again = scene::load_world_text(*text, "w.world", files);
+    ASSERT_TRUE(again) << again.error().line();
+    EXPECT_EQ(again->models[0].mote->frequency, frequency);
+  }
+}
+
 TEST(MoteSense, is_the_same_with_any_number_of_workers_and_goes_on_from_a_saved_run) {
-  std::string text = kBase + "loss 30 )\n";
+  std::string text =
+      kBase + "loss 30 )\nmote( base 1 alwayson 1 update_interval 140 range 3 pose [4 0 0 0] )\n";
   for (int k = 0; k < 100; ++k)
     text += "position( size [0.1 0.1 0.1] obstacle_return 0 alwayson 1 velocity [0.5 0 0 30] pose [" +
             std::to_string(k % 10) + " 0 0 0] mote( frequency 7 update_interval 20 ) )\n";

@@ -13,7 +13,8 @@ inline geom::SpatialPose body_pose(const world::World& world, world::ModelRow mo
                        {world.desc(model).X_MB, geom::Tilt{}});
 }
 
-/// Velocity of a point of a tree: of its rigid body, or in the 2D engine by the robot's command.  [m/s, in W]
+/// Velocity of a point of a tree: of its rigid body, or in the 2D engine that which
+/// the robot drives at, unless it is stalled.  [m/s, in W]
 geom::Vec3 velocity_at(const world::World& world, world::ModelRow root, const geom::Vec3& p);
 
 }  // namespace playhouse::senses

@@ -20,9 +20,12 @@ class ThermometerSense final : public PoseSense {
   SensorTable table(world::World& world) const override {
     return {world.thermometers.model, world.thermometers.measured_tick};
   }
-  void populate(const world::World& world, const bodies::Space&) override { air_.populate(world); }
+  void populate(const world::World& world, const bodies::Space&) override {
+    air_.populate(world, world.thermometers.size());
+  }
 
  private:
+  void begin_tick(const world::World& world) override { air_.begin_tick(world); }
   void measure(world::World& world, world::KindRow row, std::uint64_t tick) const override;
 
   Air air_;

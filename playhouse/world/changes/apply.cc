@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/scene/properties.h"
 #include "playhouse/world/camera.h"
 #include "playhouse/world/drawing.h"
 #include "playhouse/world/generated/changes.h"
@@ -219,7 +220,7 @@ bool carry_out(World& world, MoteRow row, const WakeMote& change) {
 }
 
 bool carry_out(World& world, MoteRow row, const SetReportRate& change) {
-  if (!(change.frequency >= 0) || !std::isfinite(change.frequency)) return false;
+  if (!(change.frequency >= 0 && change.frequency <= scene::kLargestNumber)) return false;  // or NaN
   world.motes.frequency[row] = change.frequency;
   return true;
 }

@@ -3,10 +3,14 @@
 #include "playhouse/wire/generated/wsn.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/bridge/generated/device_makers.h"
+#include "playhouse/bridge/settings/settings.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -65,10 +69,14 @@ struct Addressed {
   }
 };
 
-class Wsn final : public SimulatedDevice {
+struct WsnSettings {
+  bool raw = false;
+};
+
+class Wsn final : public DeviceWithSettings<WsnSettings> {
  public:
   Wsn(run::Simulation& simulation, world::ModelRow model)
-      : SimulatedDevice(simulation, simulation.world().id(model)) {}
+      : DeviceWithSettings(simulation, simulation.world().id(model), WsnSettings{}) {}
 
   std::span<const Served> served() const override {
     static constexpr Served kServed[] = {
@@ -85,35 +93,65 @@ class Wsn final : public SimulatedDevice {
     if (message.subtype == wsn::kReqDatafreq) return set_rate(message, std::move(replier));
     const auto value = wire::decode<wsn::DatatypeConfig>(message.body);
     if (!value || value->value > 1) return;
-    raw_ = value->value == 0;
-    replier.ack();
+    change_settings(std::move(replier), [raw = value->value == 0](WsnSettings& wanted) {
+      wanted.raw = raw;
+      return true;
+    });
   }
 
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     const world::ModelRow row = world.row(model());
     if (!row) return;
     const MoteRow own = world.models.part[row];
-    if (!mote_of(world, own).base) {
-      if (world.motes.reported_tick[own] == world.tick()) tell(world, own, own, out);
-      return;
+    if (mote_of(world, own).base) {
+      tell_heard(world, own, out);
+    } else if (world.motes.reported_tick[own] == world.tick()) {
+      tell(world, own, own, out);
     }
-    for (const world::MoteLink& link : world.motes.links[own])
-      if (const world::ModelRow heard = link.heard ? world.row(link.station) : world::ModelRow{})
-        tell(world, world.models.part[heard], own, out);
+    if (knows_reach(world, row)) post_waiting();
   }
 
-  void closed(world::Journal&) override { raw_ = false; }
+  void ended(world::Journal& journal) override {
+    waiting_.clear();  // without an answer is NACK
+    DeviceWithSettings::ended(journal);
+  }
 
  private:
+  /// Changes motes that a request is for; false if there is none.
+  using Command = std::function<bool(world::Journal&)>;
+  struct Waiting {
+    std::shared_ptr<device::Replier> replier;
+    Command command;
+  };
+
+  bool settle(WsnSettings&) const override { return true; }
+
   void tell(const world::World& world, MoteRow mote, MoteRow parent,
             std::vector<device::Publication>& out) const {
     publish(world, wsn::kDataState,
             wsn::Data{mote_of(world, mote).node_type, node_id(world, mote), node_id(world, parent),
-                      readings(world, mote, raw_)},
+                      readings(world, mote, settings().raw)},
             out);
   }
 
-  void set_power(const device::Message& message, device::Replier replier) const {
+  /// No more than a client can be owed; begins after the last one told, so that all motes have their turn.
+  void tell_heard(const world::World& world, MoteRow own, std::vector<device::Publication>& out) {
+    const std::vector<world::MoteLink>& links = world.motes.links[own];
+    const auto after = std::ranges::upper_bound(links, last_told_, {}, &world::MoteLink::station);
+    const std::size_t first = static_cast<std::size_t>(after - links.begin());
+    std::size_t left = limits::kSessionQueueMessages;
+    for (std::size_t i = 0; i < links.size() && left > 0; ++i) {
+      const world::MoteLink& link = links[(first + i) % links.size()];
+      const world::ModelRow heard = link.heard ? world.row(link.station) : world::ModelRow{};
+      if (!heard) continue;
+      tell(world, world.models.part[heard], own, out);
+      last_told_ = link.station;
+      --left;
+    }
+    if (left > 0) last_told_ = {};
+  }
+
+  void set_power(const device::Message& message, device::Replier replier) {
     const auto value = wire::decode<wsn::PowerConfig>(message.body);
     if (!value || value->value > 1) return;
     command(std::move(replier), {value->node_id, value->group_id},
@@ -121,7 +159,7 @@ class Wsn final : public SimulatedDevice {
               return world::Change(world::changes::WakeMote{mote, awake});
             });
   }
-  void set_rate(const device::Message& message, device::Replier replier) const {
+  void set_rate(const device::Message& message, device::Replier replier) {
     const auto value = wire::decode<wsn::DatafreqConfig>(message.body);
     if (!value) return;
     command(std::move(replier), {value->node_id, value->group_id},
@@ -132,29 +170,57 @@ class Wsn final : public SimulatedDevice {
 
   /// Changes each mote that is meant and in reach of a base station, or this one; NACK if there is none.
   template <typename MakeChange>
-  void command(device::Replier replier, Addressed addressed, MakeChange change) const {
-    answer_by(std::move(replier), [id = model(), addressed, change](world::Journal& journal) {
-      bool is_done = false;
-      for (const world::ModelId mote : in_reach(journal.world(), id)) {
-        const world::ModelRow row = journal.world().row(mote);
-        if (!row || !addressed.has(journal.world(), world::MoteRow(journal.world().models.part[row])))
-          continue;
-        is_done = journal.apply(change(mote)) || is_done;
-      }
-      return is_done ? std::optional(Bytes()) : std::nullopt;
-    });
+  void command(device::Replier replier, Addressed addressed, MakeChange change) {
+    post({std::make_shared<device::Replier>(std::move(replier)),
+          [id = model(), addressed, change](world::Journal& journal) {
+            bool is_done = false;
+            for (const world::ModelId mote : in_reach(journal.world(), id)) {
+              const world::ModelRow row = journal.world().row(mote);
+              if (!row || !addressed.has(journal.world(), world::MoteRow(journal.world().models.part[row])))
+                continue;
+              is_done = journal.apply(change(mote)) || is_done;
+            }
+            return is_done;
+          }});
   }
   static std::vector<world::ModelId> in_reach(const world::World& world, world::ModelId id) {
     const world::ModelRow row = world.row(id);
     if (!row) return {};
     const MoteRow own = world.models.part[row];
     if (!mote_of(world, own).base) return {id};
+    if (world.models.subscribers[row] == 0) return {};  // not open
     std::vector<world::ModelId> motes;
     for (const world::MoteLink& link : world.motes.links[own]) motes.push_back(link.station);
     return motes;
   }
 
-  std::atomic<bool> raw_{false};
+  /// False of a base station from when it is opened to the next tick, which measures.
+  static bool knows_reach(const world::World& world, world::ModelRow row) {
+    const MoteRow own = world.models.part[row];
+    return !mote_of(world, own).base || world.motes.measured_tick[own] != 0 ||
+           world.models.subscribers[row] == 0;
+  }
+  /// Waits for a tick if the base station has just been opened.
+  void post(Waiting asked) {
+    simulation().requests().post(
+        [self = shared_from_this(), this, asked = std::move(asked)](world::Journal& journal) mutable {
+          const world::ModelRow row = journal.world().row(model());
+          if (row && !knows_reach(journal.world(), row)) {
+            waiting_.push_back(std::move(asked));
+          } else if (asked.command(journal)) {
+            asked.replier->ack();
+          } else {
+            asked.replier->nack();
+          }
+        },
+        robot());
+  }
+  void post_waiting() {
+    for (Waiting& asked : std::exchange(waiting_, {})) post(std::move(asked));
+  }
+
+  std::vector<Waiting> waiting_;  // for the first tick of a base station
+  world::ModelId last_told_;      // if not all were told that it heard; none: begin with the first one
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/bridge/testing/one_device.h"
 #include "playhouse/wire/generated/wsn.h"
 
@@ -99,6 +100,7 @@ TEST_F(WsnDevice, raw_readings_are_counts_of_a_converter_until_the_last_client_c
 
 TEST_F(WsnDevice, a_base_station_commands_motes_in_reach_by_their_ids_and_groups) {
   open(wsn::kCode, "base");
+  still_.run(1);
   motes().links[{0}] = {{{1}, -50, 1}, {{2}, -60, 0}};
   EXPECT_THAT(motes().awake, ElementsAre(1, 1, 0, 1));
   EXPECT_TRUE(set_power(-1, -1, 0));
@@ -114,11 +116,70 @@ TEST_F(WsnDevice, a_base_station_commands_motes_in_reach_by_their_ids_and_groups
   EXPECT_FALSE(set_rate(-1, -1, NAN));
 }
 
+TEST_F(WsnDevice, a_base_station_that_has_just_been_opened_answers_after_the_next_tick) {
+  open(wsn::kCode, "base");
+  const std::vector<std::byte> body = wire::encode(wsn::PowerConfig{-1, -1, 0});
+  const auto send = [&](std::uint64_t ticket) {
+    driver_.request({kId, static_cast<std::uint8_t>(wire::MessageType::kReq), wsn::kReqPower, body},
+                    device::Replier(still_.recorder, ticket));
+    still_.run(0);
+    return still_.recorder.answers.contains(ticket);
+  };
+  motes().measured_tick[{0}] = 0;
+  EXPECT_FALSE(send(71));
+  motes().links[{0}] = {{{1}, -50, 0}};  // what the tick will measure
+  still_.run(1);
+  still_.run(0);
+  EXPECT_TRUE(still_.recorder.answers[71].ack);
+  EXPECT_THAT(motes().awake, ElementsAre(1, 0, 0, 1));
+  motes().measured_tick[{0}] = 0;
+  EXPECT_FALSE(send(72));
+  driver_.stop(kId);
+  still_.run(0);
+  ASSERT_TRUE(still_.recorder.answers.contains(72)) << "it is closed before that";
+  EXPECT_FALSE(still_.recorder.answers[72].ack);
+}
+
+TEST_F(WsnDevice, what_the_next_client_selects_is_not_reset_by_the_end_of_the_one_before) {
+  open(wsn::kCode, "a");
+  driver_.stop(kId);
+  ASSERT_TRUE(driver_.start(kId));
+  EXPECT_TRUE(set_type(0)) << "all of it between the same two ticks";
+  measure({1});
+  still_.run(1);
+  EXPECT_EQ(last<wsn::Data>(wsn::kDataState).data_packet.battery, 512);
+}
+
 TEST_F(WsnDevice, any_other_mote_commands_itself_alone) {
   open(wsn::kCode, "a");
   EXPECT_TRUE(set_power(-1, -1, 0));
   EXPECT_THAT(motes().awake, ElementsAre(1, 0, 0, 1));
   EXPECT_FALSE(set_power(41, -1, 1));
+}
+
+/// More motes than a client can be owed messages, and their base station.
+class ManyMotes : public testing::OneDevice {
+ protected:
+  static constexpr std::uint32_t kMotes = limits::kSessionQueueMessages + 476;
+
+  ManyMotes() : OneDevice(world()) {}
+  static std::string world() {
+    std::string text = "interval_sim 100\nmote( name \"base\" base 1 )\n";
+    for (std::uint32_t k = 0; k < kMotes; ++k) text += "mote()\n";
+    return text;
+  }
+};
+
+TEST_F(ManyMotes, are_told_in_turn) {
+  open(wsn::kCode, "base");
+  for (std::uint32_t k = 1; k <= kMotes; ++k) still_.world().motes.links[{0}].push_back({{k}, -50, 1});
+  still_.run(1);
+  EXPECT_EQ(count(wsn::kDataState), std::ptrdiff_t{limits::kSessionQueueMessages});
+  still_.run(1);
+  std::vector<int> told(kMotes + 2);
+  for (const device::Publication& each : still_.recorder.published)
+    ++told[wire::decode<wsn::Data>(each.body)->node_id];
+  EXPECT_THAT(std::span(told).subspan(2), ::testing::Each(::testing::Ge(1)));
 }
 
 }  // namespace
