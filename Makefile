@@ -11,12 +11,13 @@ WORLD ?= worlds/cave.world
 # The robot that a visitor drives: the cave's guest has no mind of its own; other worlds have a first one.
 GUEST = $(if $(filter %cave.world,$(WORLD)),12,0)
 
-.PHONY: help setup setup-test build demo test tsan fuzzers fuzz bench source clean web generated
+.PHONY: core core-arm64 core-armhf core-powerpc help setup setup-test build demo test tsan fuzzers fuzz bench source clean web generated
 
 help:
 	@echo "make build   the release program, build/playhouse"
 	@echo "make demo    the same, then $(WORLD) with a web page on $(WEB_PORT) and Player clients on $(PLAYER_PORT)"
 	@echo "make test    every test: unit, law, compat, end to end, browser, fuzz smoke"
+	@echo "make core    the device server alone, one static program; core-arm64, core-armhf, core-powerpc for other machines"
 	@echo "make tsan    the tests again with the thread sanitizer: races"
 	@echo "make bench   the benchmarks, one JSON line each"
 	@echo "make fuzz    one minute of each fuzzer (FUZZ_SECONDS=60)"
@@ -63,6 +64,17 @@ demo: build
 	@echo "  Ctrl-C ends it."
 	@echo
 	@$(PROGRAM) run $(WORLD) --port $(PLAYER_PORT) --web $(WEB_PORT)
+
+# The device server alone (docs/small.md), at build/PRESET/bin/player.
+core:
+	@tools/setup.sh core
+	@tools/configure.sh core
+	@cmake --build --preset core --target player
+
+core-arm64 core-armhf core-powerpc:
+	@tools/setup.sh cross
+	@tools/configure.sh $@
+	@cmake --build --preset $@ --target player
 
 fuzzers: setup-test web
 	@echo "== building the fuzzers"

@@ -1,11 +1,11 @@
 # Libraries that the device server alone is made with: headers, which are the same for all machines, and zlib where the
-# machine's is there. Cross compilers do not look where this machine has its own, so that the headers get a folder.
+# machine's is there. The headers get a folder of their own, for cross compilers that do not look where this machine's are.
 
 set(CORE_HEADERS ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${CORE_HEADERS})
 foreach(NAME fmt spdlog asio asio.hpp)
   if(NOT EXISTS /usr/include/${NAME})
-    message(FATAL_ERROR "${NAME} is needed: make setup installs libfmt-dev, libspdlog-dev and libasio-dev")
+    message(FATAL_ERROR "${NAME} is needed: make core installs libfmt-dev, libspdlog-dev and libasio-dev")
   endif()
   file(CREATE_LINK /usr/include/${NAME} ${CORE_HEADERS}/${NAME} SYMBOLIC)
 endforeach()
@@ -26,6 +26,9 @@ find_package(ZLIB)
 if(NOT ZLIB_FOUND)
   add_library(core_zlib INTERFACE)
   add_library(ZLIB::ZLIB ALIAS core_zlib)
+endif()
+if(PLAYHOUSE_TESTS AND NOT EXISTS /usr/src/googletest)
+  set(PLAYHOUSE_TESTS OFF)  # as of who builds the program alone
 endif()
 if(PLAYHOUSE_TESTS)  # Debian's googletest comes as source as well
   set(INSTALL_GTEST OFF)

@@ -10,6 +10,10 @@ build_packages="g++ cmake ninja-build python3 libboost1.81-dev libboost-json1.81
   libssl-dev libavahi-client-dev ca-certificates"
 test_packages="libgtest-dev libgmock-dev librapidcheck-dev clang lld libclang-rt-14-dev chromium procps python3-numpy
   assimp-utils default-jdk-headless junit4 sbcl cl-chipz tcl strace openssl dbus-daemon avahi-daemon avahi-utils"
+# The device server alone, for this machine and for others.
+core_packages="g++ cmake ninja-build python3 libspdlog-dev libfmt-dev libasio-dev zlib1g-dev"
+cross_packages="g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-powerpc-linux-gnu"
+test_packages="$test_packages libasio-dev googletest $cross_packages qemu-user"
 
 # They may come from elsewhere than Debian: what counts is whether the commands are there.
 node_packages="nodejs npm"
@@ -19,7 +23,9 @@ list=
 case "${1:-}" in
   build) wanted=$build_packages ;;
   test) wanted="$build_packages $test_packages" ;;
-  *) echo "usage: setup.sh [--list] build|test" >&2; exit 2 ;;
+  core) wanted=$core_packages; node_packages= ;;
+  cross) wanted="$core_packages $cross_packages"; node_packages= ;;
+  *) echo "usage: setup.sh [--list] build|test|core|cross" >&2; exit 2 ;;
 esac
 # shellcheck disable=SC2086
 [ -z "$list" ] || { printf '%s\n' $wanted $node_packages; exit 0; }
@@ -29,8 +35,10 @@ for package in $wanted; do
   status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
   [ "$status" = "install ok installed" ] || missing="$missing $package"
 done
-command -v node >/dev/null || missing="$missing nodejs"
-command -v npm >/dev/null || missing="$missing npm"
+if [ -n "$node_packages" ]; then
+  command -v node >/dev/null || missing="$missing nodejs"
+  command -v npm >/dev/null || missing="$missing npm"
+fi
 [ -n "$missing" ] || exit 0
 
 echo "== installing:$missing"

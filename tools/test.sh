@@ -18,6 +18,7 @@ step "running the tests of what is computed, as the program is compiled" \
 step "configuring the tests (address and undefined sanitizers)" tools/configure.sh ci
 step "building the tests and fuzzers (address and undefined sanitizers)" cmake --build --preset ci
 step "running every test" ctest --test-dir build/ci --output-on-failure -j "$(nproc)" "$@"
+step "building the device server alone, for four kinds of machines, and running its tests" tools/cores.sh
 step "building and running tests with the thread sanitizer" tools/tsan.sh bodies rays senses stage run server drivers bridge
 step "checking that all they read comes with the packages of tools/setup.sh" \
   tools/packages.py check --build build/release --build build/ci --build build/tsan

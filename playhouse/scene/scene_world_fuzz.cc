@@ -13,7 +13,7 @@ namespace {
 
 using namespace playhouse::scene;
 
-SceneDesc read_back(const SceneDesc& scene, config::FileReader& files, const std::string& text) {
+SceneDesc read_back(const SceneDesc& scene, playhouse::config::FileReader& files, const std::string& text) {
   const auto again = load_world_text(text, scene.path, files);
   if (again) return *again;
   std::fprintf(stderr, "%s\n%s\n", again.error().line().c_str(), text.c_str());
@@ -26,7 +26,7 @@ void expect_same(const std::string& what, const std::string& text) {
   std::abort();
 }
 
-void check_written(const SceneDesc& scene, config::FileReader& files) {
+void check_written(const SceneDesc& scene, playhouse::config::FileReader& files) {
   const auto text = write_world(scene, scene.path);
   if (!text) return expect_same(text.error().text.empty() ? "no text" : "", "");
   const SceneDesc again = read_back(scene, files, *text);
@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::string text(reinterpret_cast<const char*>(bytes), size);
   // Bytes after a NUL are the bitmap "data".
   const std::size_t split = std::min(text.find('\0'), text.size());
-  config::MemoryFiles files(
+  playhouse::config::MemoryFiles files(
       {{"w/map.inc", "define wall model ( color \"gray30\" boundary 1 bitmap \"plan\" )\n"},
        {"w/self.inc", "include \"self.inc\""},
        {"w/plan", "P1 4 3 1111 1001 1101"},

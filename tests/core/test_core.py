@@ -12,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tests/e2e"), str(ROOT / "clients/python")]
-from house import DATA, PROGRAM, Client, HouseTest  # noqa: E402
+from house import DATA, PROGRAM, Client, HouseTest, free_ports  # noqa: E402
 from playhouse_client import connect  # noqa: E402
 from playhouse_client.generated import INTERFACES, find_message  # noqa: E402
 from playhouse_client.wire import Kind  # noqa: E402
@@ -40,15 +40,15 @@ class Running:
 
 
 class Core(HouseTest):
-    def player(self, text: str) -> Running:
-        running = Running(*PLAYER, "-p", 0, self.write(f"{len(os.listdir(self.folder))}.cfg", text))
+    def player(self, text: str, port: int = 0) -> Running:
+        running = Running(*PLAYER, "-p", port, self.write(f"{len(os.listdir(self.folder))}.cfg", text))
         self.addCleanup(running.end)
         return running
 
-    def whole_program(self, text: str) -> Running:
+    def whole_program(self, text: str, port: int = 0) -> Running:
         link = Path(self.enterContext(tempfile.TemporaryDirectory())) / "player"
         link.symlink_to(Path(PROGRAM).resolve())
-        running = Running(link, "-p", 0, self.write(f"{len(os.listdir(self.folder))}.cfg", text))
+        running = Running(link, "-p", port, self.write(f"{len(os.listdir(self.folder))}.cfg", text))
         self.addCleanup(running.end)
         return running
 
@@ -59,7 +59,6 @@ class Core(HouseTest):
             if not any(find_message(code, Kind.DATA, subtype) for subtype in range(1, 247)):
                 continue
             with Client(port) as client:
-                client.request(1, 0, 6, (0).to_bytes(4, "big"))  # push
                 client.open(code, 0)
                 messages = []
                 while len(messages) < count:
@@ -70,8 +69,12 @@ class Core(HouseTest):
         return found
 
     def test_sends_the_bytes_of_the_whole_program(self):
-        here = self.first_data(self.player(MADE_UP).port, 3)
-        there = self.first_data(self.whole_program(MADE_UP).port, 3)
+        port = free_ports()[0]  # which what is made up depends on
+        running = self.player(MADE_UP, port)
+        here = self.first_data(port, 3)
+        running.end()
+        self.whole_program(MADE_UP, port)
+        there = self.first_data(port, 3)
         self.assertGreater(len(here), 35)
         for name, messages in here.items():
             with self.subTest(name):
