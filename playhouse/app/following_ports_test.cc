@@ -189,7 +189,7 @@ class Bob {
     });
   }
   ~Bob() {
-    service_.loop().post([this] { service_.end(app::kDone); });
+    service_.loop().post([this] { service_.end(kDone); });
     if (program_.joinable()) program_.join();
   }
   /// To his port, once he has joined.
@@ -266,7 +266,7 @@ TEST_F(FollowingPorts, send_a_robot_that_joins_by_another_to_the_one_of_its_whee
   ASSERT_EQ(prepare(0), "");
   const LinesOfLog log;
   EXPECT_EQ(run_beside([&]() -> Result<void> {
-              EXPECT_EQ(Bob(port(0)).wait(), app::kFailed);
+              EXPECT_EQ(Bob(port(0)).wait(), kFailed);
               return {};
             }),
             "");
