@@ -30,10 +30,10 @@ constexpr const char* kWorld = R"(
 define scanner ranger( sensor( samples 9 ) )
 define ring ranger( sensor( ) sensor( ) )
 define lidar ranger( sensor( rings 4 samples 9 ) )
-define robot position( scanner( ) ring( ) ranger( sensor( ) ) ranger( ) fiducial( ) position( ) )
+define robot position( scanner( ) ring( ) ranger( sensor( ) ) ranger( ) fiducial( ) position( ) bumper( ) )
 model( scanner( ) fiducial( ) )
 robot( ) robot( scanner( ) )
-gripper( ) actuator( ) ring( ) lidar( )
+gripper( ) actuator( ) ring( ) lidar( ) camera( ) camera( baseline 0.2 )
 )";
 
 scene::SceneDesc scene_of_every_kind() {
@@ -43,7 +43,20 @@ scene::SceneDesc scene_of_every_kind() {
   return scene ? scene::expanded(std::move(*scene)) : scene::SceneDesc{};
 }
 
-bool has(const scene::ModelDesc& model, Need need) {
+/// Itself or in a part.
+bool has_contacts_or_lamps(const scene::SceneDesc& scene, std::uint32_t row) {
+  const std::string& type = scene.models[row].type;
+  if (type == "bumper" || type == "blinkenlight" || type == "lightindicator") return true;
+  for (std::uint32_t part = 0; part < scene.models.size(); ++part)
+    if (scene.models[part].parent == static_cast<std::int32_t>(row) && has_contacts_or_lamps(scene, part))
+      return true;
+  return false;
+}
+
+bool has(const scene::SceneDesc& scene, std::uint32_t row, Need need) {
+  const scene::ModelDesc& model = scene.models[row];
+  if (need == Need::kContactsOrLamps) return has_contacts_or_lamps(scene, row);
+  if (need == Need::kBaseline) return model.camera && model.camera->baseline > 0;
   if (need == Need::kRobot) return model.parent < 0 && model.type == "position";
   if (need == Need::kSeveralSensors) return model.sensors.size() > 1;
   if (need == Need::kNothing) return true;
@@ -78,7 +91,7 @@ TEST(KindInterfaces, are_those_that_models_get_by_themselves) {
   std::set<std::pair<std::uint16_t, std::uint32_t>> expected, found;
   for (std::uint32_t row = 0; row < scene.models.size(); ++row) {
     for (const KindInterface& interf : told_of(scene.models[row])) {
-      if (has(scene.models[row], interf.listed)) expected.emplace(interf.code, row);
+      if (has(scene, row, interf.listed)) expected.emplace(interf.code, row);
     }
   }
   drivers::AutoMap map;
@@ -96,7 +109,7 @@ TEST(KindInterfaces, are_those_that_a_configuration_may_ask_for) {
     for (std::uint16_t code = 1; code < 70; ++code) {
       const std::vector<KindInterface> all = told_of(scene.models[row]);
       const auto told = std::ranges::find(all, code, &KindInterface::code);
-      const bool expected = told != all.end() && has(scene.models[row], told->when);
+      const bool expected = told != all.end() && has(scene, row, told->when);
       EXPECT_EQ(drivers::fits(world, {row}, code), expected) << scene.models[row].name << " " << code;
     }
   }
