@@ -44,5 +44,6 @@ if(NOT CORE_HAS_ATOMICS)
 endif()
 
 # What nothing calls is not in the program, which needs no library of the machine that it runs on.
+add_compile_options(-Wno-psabi)  # notes of what g++ 10 changed on ARM
 add_compile_options(-ffunction-sections -fdata-sections)
 add_link_options(-static -Wl,--gc-sections -s)
