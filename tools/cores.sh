@@ -9,9 +9,9 @@ for preset in "$@"; do
   tools/configure.sh "$preset"
   if [ "$preset" = core-powerpc ]; then
     cmake --build --preset "$preset"
-    ctest --test-dir "build/$preset" --output-on-failure
+    ctest --test-dir "build/$preset" --no-tests=error --output-on-failure
   else
     cmake --build --preset "$preset" --target player
-    ctest --test-dir "build/$preset" --output-on-failure -R core.e2e
+    ctest --test-dir "build/$preset" --no-tests=error --output-on-failure -R core.e2e
   fi
 done

@@ -1,17 +1,9 @@
 /// The program: parses the command line and runs the command.
 
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <csignal>
-#include <cstdio>
 #include <cstdlib>
-#include <exception>
-#include <new>
 #include <span>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include "playhouse/app/commands/command_line.h"
 #include "playhouse/app/interrupt.h"
@@ -19,10 +11,8 @@
 #include "playhouse/base/fail.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
-#include "playhouse/device_server/descriptor_limit.h"
-#include "playhouse/device_server/end_in_one_line.h"
 #include "playhouse/device_server/player_program.h"
-#include "playhouse/device_server/standard_streams.h"
+#include "playhouse/device_server/program.h"
 #include "playhouse/drivers/isolated/isolated_main.h"
 #include "playhouse/simd/instruction_set.h"
 
@@ -31,12 +21,6 @@ namespace {
 
 bool called_player(std::string_view program) {
   return program.substr(program.rfind('/') + 1) == "player";
-}
-
-std::string what_is_wrong(const std::exception& error) {
-  const auto* const of_system = dynamic_cast<const std::system_error*>(&error);
-  const bool is_thread = of_system && of_system->code() == std::errc::resource_unavailable_try_again;
-  return (is_thread ? "out of threads or memory: " : "") + std::string(error.what());
 }
 
 /// PLAYHOUSE_INSTRUCTION_SET, set by tests; results do not depend on it (docs/benchmarks.md).
@@ -60,11 +44,7 @@ int serve_as_player(const device_server::PlayerOptions& options, const device_se
 }
 
 int start(int argc, const char* const* argv) {
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a limit of its size (ulimit -f) is a write that fails
-  device_server::raise_descriptor_limit();
   end_at_once_on_signals();
-  device_server::end_in_one_line();
   const std::span<const char* const> words(argv + (argc > 0),
                                            static_cast<std::size_t>(argc > 0 ? argc - 1 : 0));
   log::open(1);
@@ -82,13 +62,5 @@ int start(int argc, const char* const* argv) {
 int main(int argc, char** argv) {
   using namespace playhouse::app;
   if (playhouse::drivers::is_isolated_plugin(argc, argv)) return playhouse::drivers::run_isolated_plugin();
-  playhouse::device_server::keep_standard_streams();
-  int code = playhouse::kDone;
-  try {
-    code = start(argc, argv);
-  } catch (const std::exception& error) {  // threads, standard output: nothing else throws
-    if (std::ferror(stdout) == 0) return playhouse::fail({{}, what_is_wrong(error)});
-  }
-  playhouse::log::flush();  // including summaries of suppressed lines
-  return playhouse::device_server::finish_output(code);
+  return playhouse::device_server::run_program([=] { return start(argc, argv); });
 }

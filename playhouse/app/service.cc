@@ -246,12 +246,14 @@ Result<void> Service::open_ports() {
   if (serving_.port == 0) serving_.port = first_of_free_ports();
   const std::set<std::uint16_t> wanted =
       cfg_ ? device_server::ports_of(*cfg_, serving_.port) : std::set<std::uint16_t>{0};
-  for (const std::uint16_t port : wanted) {
-    const Result<std::uint16_t> opened = listen(port == 0 ? serving_.port : port);
-    if (!opened) return device_server::port_error(opened.error(), port == 0, serving_.port_option);
-    if (port == 0) serving_.port = *opened;
-    player_ports_.push_back(*opened);
-  }
+  const Result<std::uint16_t> opened =
+      device_server::open_ports(wanted, serving_.port, serving_.port_option, [this](std::uint16_t port) {
+        Result<std::uint16_t> listening = listen(port);
+        if (listening) player_ports_.push_back(*listening);
+        return listening;
+      });
+  if (!opened) return opened.error();
+  serving_.port = *opened;
   return {};
 }
 
@@ -500,11 +502,7 @@ void Service::catch_signals() {
     if (signal != SIGHUP)
       std::_Exit(128 + signal);  // second signal: at once; a closed terminal may send it twice
   };
-  if (device_server::ends_on_hangup()) {
-    signal_loop_.on_signal({SIGINT, SIGTERM, SIGHUP}, end);
-  } else {
-    signal_loop_.on_signal({SIGINT, SIGTERM}, end);
-  }
+  device_server::on_ending_signals(signal_loop_, end);
 }
 
 void Service::show_progress() {

@@ -1,6 +1,5 @@
 #include "playhouse/device_server/device_server.h"
 
-#include <csignal>
 #include <cstdlib>
 #include <utility>
 
@@ -24,7 +23,6 @@ drivers::Site& DeviceServer::open_site(std::uint16_t port, device::Publisher& pu
   drivers::Host& surroundings = *this;  // private base, not accessible to make_unique
   site_ = std::make_unique<drivers::Site>(surroundings, port);
   site_->data_flow().pass_to(publisher);
-  catch_signals();
   return *site_;
 }
 
@@ -36,13 +34,8 @@ Result<std::uint16_t> DeviceServer::listen(std::uint16_t port) {
 
 Result<std::uint16_t> DeviceServer::listen(const config::CfgFile& file, std::uint16_t port,
                                            const std::string& option) {
-  std::uint16_t default_port = port;
-  for (const std::uint16_t wanted : ports_of(file, port)) {
-    const Result<std::uint16_t> listening = listen(wanted == 0 ? port : wanted);
-    if (!listening) return port_error(listening.error(), wanted == 0, option);
-    if (wanted == 0) default_port = *listening;
-  }
-  return default_port;
+  return open_ports(ports_of(file, port), port, option,
+                    [this](std::uint16_t wanted) { return listen(wanted); });
 }
 
 Result<void> DeviceServer::make_drivers(const drivers::Registry& registry, const config::CfgFile& file,
@@ -51,20 +44,16 @@ Result<void> DeviceServer::make_drivers(const drivers::Registry& registry, const
   for (const std::string& warning : site_->warnings()) warn(warning);
   if (!made) return made.error();
   drivers_ = std::move(*made);
+  catch_signals();
   return {};
 }
 
 void DeviceServer::catch_signals() {
   if (std::exchange(catches_, true)) return;
-  const auto caught = [this](int signal) {
+  on_ending_signals(loop_, [this](int signal) {
     if (ending_) std::_Exit(128 + signal);  // second signal: at once
     end(128 + signal);
-  };
-  if (ends_on_hangup()) {
-    loop_.on_signal({SIGINT, SIGTERM, SIGHUP}, caught);
-  } else {
-    loop_.on_signal({SIGINT, SIGTERM}, caught);
-  }
+  });
 }
 
 int DeviceServer::run() {
@@ -77,6 +66,18 @@ void DeviceServer::end(int code) {
   if (std::exchange(ending_, true)) return;
   code_ = code;
   loop_.post([this] { server_->finish([this] { loop_.finish(); }); });
+}
+
+Result<std::uint16_t> open_ports(const std::set<std::uint16_t>& ports, std::uint16_t default_port,
+                                 const std::string& option,
+                                 const std::function<Result<std::uint16_t>(std::uint16_t)>& listen) {
+  std::uint16_t opened = default_port;
+  for (const std::uint16_t port : ports) {
+    const Result<std::uint16_t> listening = listen(port == 0 ? default_port : port);
+    if (!listening) return port_error(listening.error(), port == 0, option);
+    if (port == 0) opened = *listening;
+  }
+  return opened;
 }
 
 std::set<std::uint16_t> ports_of(const config::CfgFile& file, std::uint16_t default_port) {

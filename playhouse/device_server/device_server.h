@@ -53,7 +53,7 @@ class DeviceServer final : private ServerHost {
   void close();
 
  private:
-  /// The first signal ends run(), the second the program. Done before clients are told of ports, and by run().
+  /// The first signal ends run(), the second the program. Once there are drivers, as making them may take long, and by run().
   void catch_signals();
   server::Server& the_server() override { return *server_; }
   net::Network& the_network() override { return loop_; }
@@ -72,6 +72,12 @@ class DeviceServer final : private ServerHost {
 
 /// The ports of a configuration file, each once; 0 stands for the default port.
 std::set<std::uint16_t> ports_of(const config::CfgFile& file, std::uint16_t default_port);
+
+/// Opens these by listen(port), 0 as the default one, and returns that as it was opened; `option` is the name of its
+/// option, for errors.
+Result<std::uint16_t> open_ports(const std::set<std::uint16_t>& ports, std::uint16_t default_port,
+                                 const std::string& option,
+                                 const std::function<Result<std::uint16_t>(std::uint16_t)>& listen);
 
 /// Error message for a port that cannot be opened.
 Error port_error(const Error& error, bool is_default, const std::string& port_option);

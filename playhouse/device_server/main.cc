@@ -1,19 +1,16 @@
 /// The device server alone, without simulator and page: the program `player` of the preset `core`.
 
-#include <csignal>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "playhouse/base/fail.h"
-#include "playhouse/base/log_output.h"
 #include "playhouse/base/version.h"
 #include "playhouse/config/cfg.h"
 #include "playhouse/device_server/descriptor_limit.h"
 #include "playhouse/device_server/device_server.h"
-#include "playhouse/device_server/end_in_one_line.h"
 #include "playhouse/device_server/player_program.h"
-#include "playhouse/device_server/standard_streams.h"
+#include "playhouse/device_server/program.h"
 #include "playhouse/drivers/registry.h"
 
 namespace playhouse::device_server {
@@ -41,15 +38,10 @@ int serve(const PlayerOptions& options, const Opened& opened) {
 
 int main(int argc, char** argv) {
   using namespace playhouse;
-  device_server::keep_standard_streams();
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a limit of its size (ulimit -f) is a write that fails
-  device_server::raise_descriptor_limit();
-  device_server::end_in_one_line();
-  const std::span<const char* const> words(argv + (argc > 0),
-                                           static_cast<std::size_t>(argc > 0 ? argc - 1 : 0));
-  const std::string about = "This is the device server of Playhouse " + std::string(build()) + ".";
-  const int code = device_server::player_program(words, about, device_server::serve);
-  log::flush();
-  return device_server::finish_output(code);
+  return device_server::run_program([=] {
+    const std::span<const char* const> words(argv + (argc > 0),
+                                             static_cast<std::size_t>(argc > 0 ? argc - 1 : 0));
+    const std::string about = "This is the device server of Playhouse " + std::string(build()) + ".";
+    return device_server::player_program(words, about, device_server::serve);
+  });
 }
