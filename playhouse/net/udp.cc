@@ -98,7 +98,7 @@ class ReadLoop : public std::enable_shared_from_this<ReadLoop> {
     for (int count = 0; count < kDatagramsPerTurn && socket_.is_open(); ++count) {
       udp::endpoint from;
       auto length = static_cast<socklen_t>(from.capacity());
-      std::array<std::uint8_t, 16> spoken_to{};
+      OwnAddress spoken_to{};
       const std::optional<std::size_t> size =
           receive_datagram(socket_.native_handle(), loop_.read_buffer, from.data(), length, spoken_to);
       if (!size && errno == ECONNREFUSED) continue;  // of one sent before: wait_for_refusal()

@@ -6,11 +6,14 @@
 /// Out: how many outlines are entered between them.
 /// Cost: the edges in cells along the segment; a sort of those that are crossed.
 
+#include <cstddef>
 #include <vector>
 
 #include "playhouse/bodies/space.h"
 
 namespace playhouse::rays {
+
+inline constexpr std::size_t kUsualCrossings = 64;  // edges between two places: reserved capacity of buffers
 
 /// From one place to the other, at the height of the first; ignores bodies that `by` does
 /// not see, and those of the trees of `own` and `target`. `crossed` is a scratch buffer.

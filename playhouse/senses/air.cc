@@ -9,8 +9,7 @@ namespace playhouse::senses {
 namespace {
 
 geom::Vec3 middle_of(const world::World& world, world::ModelRow model) {
-  const geom::Pose up{0, 0, world.desc(model).size.z / 2, 0};
-  const geom::Pose X = geom::compose(body_pose(world, model), {up, geom::Tilt{}}).X;
+  const geom::Pose X = middle_of_body(world, model).X;
   return {X.x, X.y, X.z};
 }
 

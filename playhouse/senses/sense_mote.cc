@@ -49,8 +49,6 @@ double voltage(const world::World& world, world::ModelRow model, const scene::Mo
   return mote.volts_empty + charge * (mote.volts_full - mote.volts_empty);
 }
 
-constexpr std::size_t kUsualMoteCrossings = 64;  // reserved capacity, in edges between two motes
-
 class MoteSense final : public SensePhase {
  public:
   explicit MoteSense(unsigned workers) : crossed_(workers) {}
@@ -64,7 +62,7 @@ class MoteSense final : public SensePhase {
     senders_.populate(count, 1);
     listening_.reserve(count), may_report_.reserve(count), sending_.reserve(count), measuring_.reserve(count);
     if (count == 0) return;
-    for (std::vector<bodies::EdgeRow>& each : crossed_) each.reserve(kUsualMoteCrossings);
+    for (std::vector<bodies::EdgeRow>& each : crossed_) each.reserve(rays::kUsualCrossings);
   }
   behaviour::Sharing sharing() const override {
     return behaviour::Sharing::kAll;  // it carries reports between motes
@@ -168,7 +166,7 @@ void MoteSense::find_measuring(const world::World& world) {
     if (std::exchange(unread[row.index], 0)) measuring_.push_back(row);
   };
   for (const world::MoteRow row : world.motes.rows())
-    if (unread[row.index] && is_read(world, row)) read(row);
+    if (is_read(world, row)) read(row);
   for (const world::MoteRow base : listening_)
     for (const world::MoteLink& link : world.motes.links[base])
       if (const world::ModelRow model = world.row(link.station)) read(world.models.part[model]);

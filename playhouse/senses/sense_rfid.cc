@@ -12,6 +12,7 @@
 
 #include "playhouse/geom/exponential.h"
 #include "playhouse/rays/walls_between.h"
+#include "playhouse/senses/body_motion.h"
 #include "playhouse/senses/generated/senses.h"
 
 namespace playhouse::senses {
@@ -19,17 +20,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr std::size_t kUsualTagCrossings = 64;        // reserved capacity, in edges on the way to a tag
 constexpr double kNeperPerDecibel = 0.1151292546497;  // ln 10 / 20
 constexpr double kMostLoss = 600;                     // in nepers, which is as good as any more
-
-/// X_WC of the middle of a model's body.
-geom::SpatialPose middle_of(const world::World& world, world::ModelRow model) {
-  const scene::ModelDesc& desc = world.desc(model);
-  const geom::SpatialPose X_WB =
-      geom::compose({world.models.X_WM[model], world.models.tilt_WM[model]}, {desc.X_MB, geom::Tilt{}});
-  return geom::compose(X_WB, {{0, 0, desc.size.z / 2, 0}, geom::Tilt{}});
-}
 
 class RfidSense final : public SensePhase {
  public:
@@ -45,7 +37,7 @@ class RfidSense final : public SensePhase {
     for (const world::ModelRow row : world.models.rows())
       if (!world.desc(row).rfid_tag.empty()) tagged_.push_back(row);
     index_.populate(tagged_.size(), 1);
-    for (std::vector<bodies::EdgeRow>& each : crossed_) each.reserve(kUsualTagCrossings);
+    for (std::vector<bodies::EdgeRow>& each : crossed_) each.reserve(rays::kUsualCrossings);
   }
 
   std::uint64_t sense(world::World& world, const bodies::Space& space, std::span<const world::KindRow> due,
@@ -54,8 +46,8 @@ class RfidSense final : public SensePhase {
         tagged_.size(),
         [&](std::size_t i) {
           const world::ModelRow row = tagged_[i];
-          return bodies::DiscIndex::Disc{middle_of(world, row).X.xy(), 0, 0, 0, row.index,
-                                         world.models.root[row]};
+          return bodies::DiscIndex::Disc{
+              middle_of_body(world, row).X.xy(), 0, 0, 0, row.index, world.models.root[row]};
         },
         workers);
     workers.run(due.size(), 16, [&](std::size_t begin, std::size_t end) {
@@ -71,7 +63,7 @@ class RfidSense final : public SensePhase {
             std::vector<bodies::EdgeRow>& crossed) const {
     const world::ModelRow model = world.rfids.model[reader];
     const scene::RfidDesc& rfid = *world.desc(model).rfid;
-    const geom::SpatialPose X_WC = middle_of(world, model);
+    const geom::SpatialPose X_WC = middle_of_body(world, model);
     const Vec3 axis = geom::orientation(X_WC.X.a, X_WC.tilt) * Vec3{1, 0, 0};
     const double edge = geom::sincos(rfid.fov / 2).cos - bodies::kMargin;
     std::vector<world::TagInRange>& tags = world.rfids.tags[reader];
@@ -79,7 +71,7 @@ class RfidSense final : public SensePhase {
     index_.near(X_WC.X.xy(), rfid.range_max, 0, 0, [&](const bodies::DiscIndex::Disc& disc) {
       const world::ModelRow target = disc.model();
       if (target == model) return;
-      const geom::Pose X_WT = middle_of(world, target).X;
+      const geom::Pose X_WT = middle_of_body(world, target).X;
       const Vec3 way = Vec3{X_WT.x, X_WT.y, X_WT.z} - Vec3{X_WC.X.x, X_WC.X.y, X_WC.X.z};
       const double distance = std::sqrt(dot(way, way));
       if (distance > rfid.range_max || dot(axis, way) < edge * distance) return;

@@ -25,8 +25,6 @@ const scene::WifiDesc& radio_of(const world::World& world, world::ModelRow model
   return *world.desc(model).wifi;
 }
 
-constexpr std::size_t kUsualCrossings = 64;  // reserved capacity, in edges between two radios
-
 class WifiSense final : public SensePhase {
  public:
   explicit WifiSense(unsigned workers) : scratch_(workers) {}
@@ -52,7 +50,7 @@ class WifiSense final : public SensePhase {
     sending_.reserve(world.wifis.size());
     for (Scratch& scratch : scratch_) {  // also of workers that get their first range in a late tick
       scratch.links.reserve(world.wifis.size());
-      scratch.crossed.reserve(kUsualCrossings);
+      scratch.crossed.reserve(rays::kUsualCrossings);
     }
   }
 

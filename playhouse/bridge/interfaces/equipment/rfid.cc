@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "playhouse/bridge/generated/device_makers.h"
-#include "playhouse/bridge/settings/settings.h"
+#include "playhouse/bridge/settings/device_with_power.h"
 #include "playhouse/scene/forms/tag_id.h"
 
 namespace playhouse::drivers {
@@ -14,14 +14,10 @@ namespace {
 
 using wire::MessageType;
 
-struct RfidSettings {
-  bool power = true;
-};
-
-class Rfid final : public DeviceWithSettings<RfidSettings> {
+class Rfid final : public DeviceWithPower {
  public:
   Rfid(run::Simulation& simulation, world::ModelRow model)
-      : DeviceWithSettings(simulation, simulation.world().id(model), RfidSettings{}) {}
+      : DeviceWithPower(simulation, simulation.world().id(model)) {}
 
   std::span<const Served> served() const override {
     static constexpr Served kServed[] = {
@@ -33,7 +29,7 @@ class Rfid final : public DeviceWithSettings<RfidSettings> {
 
   void request(const device::Message& message, device::Replier replier) override {
     if (message.subtype == wire::rfid::kReqReadtag) return say_if_there_is_a_tag(std::move(replier));
-    change_settings(std::move(replier), [](RfidSettings& wanted) {
+    change_settings(std::move(replier), [](PowerSettings& wanted) {
       wanted.power = !wanted.power;
       return true;
     });
@@ -53,12 +49,6 @@ class Rfid final : public DeviceWithSettings<RfidSettings> {
   }
 
  private:
-  std::span<const NamedSetting> named() const override {
-    static constexpr NamedSetting kNamed[] = {{"power", &RfidSettings::power}};
-    return kNamed;
-  }
-  bool settle(RfidSettings&) const override { return true; }
-
   void say_if_there_is_a_tag(device::Replier replier) {
     answer_by(std::move(replier),
               [self = shared_from_this(), this](world::Journal& journal) -> std::optional<Bytes> {

@@ -7,7 +7,7 @@
 
 #include "playhouse/bridge/generated/device_makers.h"
 #include "playhouse/bridge/interfaces/ranging/scan.h"
-#include "playhouse/bridge/settings/settings.h"
+#include "playhouse/bridge/settings/device_with_power.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -21,14 +21,10 @@ double infrared_voltage(double range) {
   return 5.0 / 1024 * (6787 / (100 * range + 4) + 3);
 }
 
-struct IrSettings {
-  bool power = true;
-};
-
-class Ir final : public DeviceWithSettings<IrSettings> {
+class Ir final : public DeviceWithPower {
  public:
   Ir(run::Simulation& simulation, world::ModelRow model)
-      : DeviceWithSettings(simulation, simulation.world().id(model), IrSettings{}),
+      : DeviceWithPower(simulation, simulation.world().id(model)),
         poses_(wire::encode(wire::ir::Pose{sensor_poses(simulation.world(), model)})) {}
 
   std::span<const Served> served() const override {
@@ -43,7 +39,7 @@ class Ir final : public DeviceWithSettings<IrSettings> {
     if (message.subtype == wire::ir::kReqPose) return replier.ack(poses_);
     const auto value = wire::decode<wire::ir::PowerReq>(message.body);
     if (!value) return;
-    change_settings(std::move(replier), [on = value->state != 0](IrSettings& wanted) {
+    change_settings(std::move(replier), [on = value->state != 0](PowerSettings& wanted) {
       wanted.power = on;
       return true;
     });
@@ -62,12 +58,6 @@ class Ir final : public DeviceWithSettings<IrSettings> {
   }
 
  private:
-  std::span<const NamedSetting> named() const override {
-    static constexpr NamedSetting kNamed[] = {{"power", &IrSettings::power}};
-    return kNamed;
-  }
-  bool settle(IrSettings&) const override { return true; }
-
   Bytes poses_;
   std::vector<Reading> readings_;  // reused for its capacity
 };

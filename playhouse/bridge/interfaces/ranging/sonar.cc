@@ -10,7 +10,7 @@ namespace snr = wire::sonar;
 using wire::MessageType;
 
 Sonar::Sonar(run::Simulation& simulation, world::ModelRow model)
-    : DeviceWithSettings(simulation, simulation.world().id(model), SonarSettings{}),
+    : DeviceWithPower(simulation, simulation.world().id(model)),
       geometry_(wire::encode(snr::Geom{sensor_poses(simulation.world(), model)})) {}
 
 std::span<const Served> Sonar::served() const {
@@ -21,16 +21,11 @@ std::span<const Served> Sonar::served() const {
   return kServed;
 }
 
-std::span<const Sonar::NamedSetting> Sonar::named() const {
-  static constexpr NamedSetting kNamed[] = {{"power", &SonarSettings::power}};
-  return kNamed;
-}
-
 void Sonar::request(const device::Message& message, device::Replier replier) {
   if (message.subtype == snr::kReqGetGeom) return replier.ack(geometry_);
   const auto value = wire::decode<snr::PowerConfig>(message.body);
   if (!value) return;
-  change_settings(std::move(replier), [on = value->state != 0](SonarSettings& wanted) {
+  change_settings(std::move(replier), [on = value->state != 0](PowerSettings& wanted) {
     wanted.power = on;
     return true;
   });

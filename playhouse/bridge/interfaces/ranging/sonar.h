@@ -4,15 +4,11 @@
 
 #include "playhouse/bridge/generated/device_makers.h"
 #include "playhouse/bridge/interfaces/ranging/scan.h"
-#include "playhouse/bridge/settings/settings.h"
+#include "playhouse/bridge/settings/device_with_power.h"
 
 namespace playhouse::drivers {
 
-struct SonarSettings {
-  bool power = true;
-};
-
-class Sonar final : public DeviceWithSettings<SonarSettings> {
+class Sonar final : public DeviceWithPower {
  public:
   /// `model` is of kind kRanger.
   Sonar(run::Simulation& simulation, world::ModelRow model);
@@ -22,9 +18,6 @@ class Sonar final : public DeviceWithSettings<SonarSettings> {
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
 
  private:
-  std::span<const NamedSetting> named() const override;
-  bool settle(SonarSettings&) const override { return true; }
-
   Bytes geometry_;
   std::vector<Reading> readings_;  // reused for its capacity
 };
