@@ -20,7 +20,10 @@ using asio::ip::tcp;
 
 constexpr std::chrono::milliseconds kAcceptPause{
     100};  // pause after a failed accept, e.g. without free descriptors
-constexpr int kKeepAliveIdle = 30, kKeepAliveInterval = 10, kKeepAliveProbes = 3;  // s, s, count
+constexpr int kKeepAliveIdle = 20, kKeepAliveInterval = 8, kKeepAliveProbes = 4;  // s, s, count
+// Further seconds, by the connection: thousands that were made together and are silent must not be probed together, as
+// queues on the way drop what exceeds them and a connection without an answer is lost.
+constexpr int kKeepAliveSpread = 31, kKeepAliveIntervalSpread = 5;
 
 /// Accepts connections during its Listener's lifetime.
 class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
@@ -144,8 +147,10 @@ void tune(tcp::socket& socket) {
   socket.set_option(tcp::no_delay(true), ignored);
   socket.set_option(asio::socket_base::keep_alive(true), ignored);
   const int descriptor = socket.native_handle();
-  setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPIDLE, &kKeepAliveIdle, sizeof kKeepAliveIdle);
-  setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPINTVL, &kKeepAliveInterval, sizeof kKeepAliveInterval);
+  const int idle = kKeepAliveIdle + descriptor % kKeepAliveSpread;
+  const int interval = kKeepAliveInterval + descriptor % kKeepAliveIntervalSpread;
+  setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPIDLE, &idle, sizeof idle);
+  setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPINTVL, &interval, sizeof interval);
   setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPCNT, &kKeepAliveProbes, sizeof kKeepAliveProbes);
 }
 

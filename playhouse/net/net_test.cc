@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -7,7 +8,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <map>
+#include <memory>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
@@ -523,6 +528,29 @@ TEST(Tcp, connects_by_address_and_by_name_and_carries_bytes_both_ways) {
     server.connection.reset();
     ASSERT_TRUE(serve_until(loop, [&] { return !client.end.empty(); }));
   }
+}
+
+/// A queue of the system has room for some thousand probes, and a connection of which it drops every probe is lost.
+TEST(Tcp, probes_connections_that_were_made_together_at_different_times) {
+  constexpr std::size_t kClients = 100;
+  IoLoop loop;
+  std::vector<std::unique_ptr<Connection>> accepted;
+  const auto listener = *loop.listen("127.0.0.1", 0, [&](std::unique_ptr<Connection> connection) {
+    accepted.push_back(std::move(connection));
+  });
+  std::vector<std::unique_ptr<Client>> clients;
+  while (clients.size() < kClients) clients.push_back(std::make_unique<Client>(listener->port()));
+  ASSERT_TRUE(serve_until(loop, [&] { return accepted.size() == kClients; }));
+  std::map<int, std::size_t> probed;  // connections by the seconds of silence before the first probe
+  for (int descriptor = 0; descriptor < getdtablesize(); ++descriptor) {
+    int is_probed = 0, seconds = 0;
+    socklen_t size = sizeof is_probed;
+    if (getsockopt(descriptor, SOL_SOCKET, SO_KEEPALIVE, &is_probed, &size) != 0 || is_probed == 0) continue;
+    ASSERT_EQ(getsockopt(descriptor, IPPROTO_TCP, TCP_KEEPIDLE, &seconds, &size), 0);
+    ++probed[seconds];
+  }
+  ASSERT_GE(probed.size(), 20u);
+  for (const auto& [seconds, connections] : probed) EXPECT_LE(connections, kClients / 10) << seconds << " s";
 }
 
 TEST(Tcp, says_why_it_cannot_connect) {
