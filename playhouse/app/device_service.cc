@@ -77,10 +77,10 @@ Result<void> DeviceService::make_drivers(const config::CfgFile& file) {
 }
 
 Result<void> DeviceService::read_guests() {
-  Result<web_server::GuestBook> guests = app::read_guests(serving_);
+  Result<server::GuestBook> guests = app::read_guests(serving_);
   if (!guests) return guests.error();
   guests_ = std::move(*guests);
-  admit_guests(devices_.server(), guests_);
+  server::admit_guests(devices_.server(), guests_);
   return {};
 }
 

@@ -96,7 +96,7 @@ class DeviceService {
   std::set<device::DeviceId> recorded_;                    // opened for the recording, or being opened
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);  // for devices that are being opened
   std::unique_ptr<net::Timer> look_;                       // for devices
-  web_server::GuestBook guests_;
+  server::GuestBook guests_;
   std::unique_ptr<web_server::DevicePage> page_;
   std::uint16_t web_port_ = 0;
 };

@@ -6,29 +6,17 @@
 #include <utility>
 
 #include "playhouse/app/whole_file.h"
+#include "playhouse/web_server/guests.h"
 
 namespace playhouse::app {
 
-Result<web_server::GuestBook> read_guests(const Serving& serving) {
-  if (!serving.key.empty())
-    return web_server::GuestBook({{.role = web_server::GuestRole::kAdmin, .token = serving.key, .name = {}}});
-  if (serving.guests.empty()) return web_server::GuestBook();
+Result<server::GuestBook> read_guests(const Serving& serving) {
+  if (serving.guests.empty()) return server::book_of_key(serving.key);
   const Result<std::string> text = read_file(serving.guests);
   if (!text) return text.error();
-  Result<std::vector<web_server::Guest>> guests = web_server::parse_guests(*text, serving.guests);
+  Result<std::vector<server::Guest>> guests = web_server::parse_guests(*text, serving.guests);
   if (!guests) return guests.error();
-  return web_server::GuestBook(std::move(*guests));
-}
-
-void admit_guests(server::Server& server, const web_server::GuestBook& guests) {
-  if (guests.guests().empty()) return;
-  server.admit_by(
-      [guests](const std::string& token, const std::string& peer) -> std::optional<device::Rights> {
-        const std::optional<web_server::Guest> guest = guests.admit(token, peer);
-        if (!guest) return std::nullopt;
-        const web_server::GuestRights rights = web_server::rights_of(guest->role);
-        return device::Rights{.reads = true, .drives = rights.drives, .manages = rights.manages};
-      });
+  return server::GuestBook(std::move(*guests));
 }
 
 std::string client_place(const std::string& host, std::uint16_t port, const Serving& serving) {
@@ -41,13 +29,13 @@ std::string client_place(const std::string& host, std::uint16_t port, const Serv
                      ways.empty() ? "" : fmt::format(" ({})", fmt::join(ways, ", ")));
 }
 
-std::vector<std::string> guest_places(const web_server::GuestBook& guests, const std::string& host,
+std::vector<std::string> guest_places(const server::GuestBook& guests, const std::string& host,
                                       std::optional<std::uint16_t> web_port, bool encrypted) {
   std::vector<std::string> lines;
   const std::string page =
       web_port ? fmt::format("{}://{}:{}/", encrypted ? "https" : "http", host, *web_port) : "";
   if (web_port) lines.push_back("web page: " + page);
-  for (const web_server::Guest& guest : guests.guests()) {
+  for (const server::Guest& guest : guests.guests()) {
     const bool has_token = guest.token != "*";
     const std::string who = has_token && !guest.name.empty()
                                 ? fmt::format("{} ({})", guest.name, name_of(guest.role))

@@ -384,10 +384,10 @@ void Service::stop() {
 }
 
 Result<void> Service::read_guests() {
-  Result<web_server::GuestBook> guests = app::read_guests(serving_);
+  Result<server::GuestBook> guests = app::read_guests(serving_);
   if (!guests) return guests.error();
   guests_ = std::move(*guests);
-  admit_guests(*server_, guests_);
+  server::admit_guests(*server_, guests_);
   return {};
 }
 

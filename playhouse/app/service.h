@@ -191,7 +191,7 @@ class Service final : private device_server::ServerHost {
   std::vector<std::unique_ptr<device::Driver>> drivers_;  // of the configuration file, or the program's own
   std::unique_ptr<drivers::AutoDevices> robots_;          // without a configuration file
   std::unique_ptr<server::Server> server_;
-  web_server::GuestBook guests_;
+  server::GuestBook guests_;
   std::unique_ptr<replicate::SnapshotFeed> feed_;  // of the page and of observers
   std::unique_ptr<web_server::WebServer> web_;
   std::unique_ptr<observers::ObserverServer> observers_;

@@ -97,7 +97,7 @@ inline constexpr std::uint32_t kPageBytesLeast = 4000, kPageBytesMost = 10000000
 inline constexpr double kViewerDriveSeconds = 0.5;  // a velocity from a page holds so long unless renewed
 inline constexpr std::size_t kSnapshotBeams = 1u << 18;  // of all sensors shown to all viewers
 
-// Observers, clients by datagrams; heeded by observers, replicate, web_server.
+// Observers, clients by datagrams; heeded by observers, replicate, server, web_server.
 inline constexpr std::size_t kObservers = 64;        // at once
 inline constexpr std::size_t kDatagramBytes = 1200;  // of one, which goes through every network in one piece
 // Of IPv4 and UDP in front of it, which the budget counts too.

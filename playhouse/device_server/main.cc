@@ -12,6 +12,7 @@
 #include "playhouse/device_server/player_program.h"
 #include "playhouse/device_server/program.h"
 #include "playhouse/drivers/registry.h"
+#include "playhouse/server/guests/guest_book.h"
 
 namespace playhouse::device_server {
 namespace {
@@ -24,6 +25,7 @@ int serve(const PlayerOptions& options, const Opened& opened) {
   DeviceServer service({.bind = "0.0.0.0", .sessions = sessions_that_fit(false)});
   const Result<std::uint16_t> port = service.listen(*file, options.port, "-p");
   if (!port) return fail(port.error());
+  server::admit_guests(service.server(), server::book_of_key(options.key));
   service.open_site(*port, service.server());
   const auto core = drivers::core_drivers();
   const drivers::Registry registry({core.begin(), core.end()}, nullptr);

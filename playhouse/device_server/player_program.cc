@@ -16,6 +16,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/server/guests/guest_book.h"
 
 namespace playhouse::device_server {
 namespace {
@@ -27,6 +28,8 @@ constexpr int kPlayerUsage = 255;
 constexpr const char* kHelp =
     "Usage: player [options] FILE.cfg\n"
     "  -p PORT    port of devices that name none (6665; 0: any free one, printed)\n"
+    "  -k KEY     8 to 32 letters, digits, - and _ that a client has to give by AUTH before it may do "
+    "anything\n"
     "  -d LEVEL   how much to say: 0 errors and warnings, 1 also information, 2 and more everything\n"
     "  -l FILE    append what is said to a file as well\n"
     "  -q         say errors and warnings only\n"
@@ -48,10 +51,17 @@ std::optional<PlayerOptions> parse(std::span<const char* const> words) {
   PlayerOptions options;
   const int count = static_cast<int>(arguments.size()) - 1;
   // getopt moves files behind options and reports errors itself.
-  for (int option = 0; (option = getopt(count, arguments.data(), "p:d:l:qsh")) != -1;) {
+  for (int option = 0; (option = getopt(count, arguments.data(), "p:k:d:l:qsh")) != -1;) {
     switch (option) {
       case 'p':
         options.port = static_cast<std::uint16_t>(number(optarg));
+        break;
+      case 'k':
+        if (!server::is_key(optarg)) {
+          log::say("player: -k: " + std::string(server::kInvalidKey));
+          return std::nullopt;
+        }
+        options.key = optarg;
         break;
       case 'd':
         options.level = number(optarg);
@@ -99,6 +109,8 @@ int player_program(std::span<const char* const> words, std::string_view about, c
   }
   if (!is_there(options->file))
     return fail_at({escaped(options->file), std::string("cannot be opened: ") + std::strerror(errno)});
+  if (options->key.empty())
+    log::warn("who reaches this machine may do everything here: -k KEY asks for a key");
   const int code = serve(*options, [](const std::vector<std::uint16_t>& ports) {
     fmt::print("Listening on ports: {} \n", fmt::join(ports, " "));
     std::fflush(stdout);

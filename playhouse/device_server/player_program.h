@@ -1,6 +1,6 @@
 #pragma once
 
-/// The program `player`: takes the options of Player's own server (-p, -d, -q, -l, -h, file), and says on standard output
+/// The program `player`: takes the options of Player's own server (-p, -k, -d, -q, -l, -h, file), and says on standard output
 /// what its scripts wait for: "Listening on ports: 6665 " and, at the end, "Quitting.".
 
 #include <cstdint>
@@ -14,7 +14,8 @@ namespace playhouse::device_server {
 
 struct PlayerOptions {
   std::uint16_t port = 6665;
-  int level = 1;  // of the log
+  int level = 1;    // of the log
+  std::string key;  // that clients have to give; empty: none
   std::string log_file;
   std::string file;
 };

@@ -42,7 +42,7 @@ class ObserverServer::Impl final {
     for (auto observer = observers_.begin(); observer != observers_.end();) {
       const auto next = std::next(observer);
       if (options_.guests.is_sent_out(observer->second.token, net::to_text(observer->first))) {
-        send_goodbye(observer->first, observer->second.viewer->session(), web_server::kSentOut);
+        send_goodbye(observer->first, observer->second.viewer->session(), server::kSentOut);
         end(observer, "an admin has sent them out");
       }
       observer = next;
@@ -121,7 +121,7 @@ class ObserverServer::Impl final {
     if (!guest)
       return refuse(from, join.nonce,
                     options_.guests.is_sent_out(token, net::to_text(from))
-                        ? web_server::kSentOut
+                        ? server::kSentOut
                         : "--token with the token that you were given is needed");
     if (observers_.size() >= options_.observers)
       return refuse(from, join.nonce, fmt::format("limit reached: {} observers", observers_.size()));
@@ -141,8 +141,7 @@ class ObserverServer::Impl final {
     }));
   }
 
-  void welcome(const net::Endpoint& from, const replicate::JoinRequest& join,
-               const web_server::Guest& guest) {
+  void welcome(const net::Endpoint& from, const replicate::JoinRequest& join, const server::Guest& guest) {
     const std::uint32_t wanted = join.wanted.bytes_per_second;
     const replicate::Terms terms{
         std::clamp(wanted == 0 ? options_.bytes_per_second : wanted,

@@ -13,14 +13,14 @@
 #include "playhouse/base/result.h"
 #include "playhouse/net/network.h"
 #include "playhouse/replicate/snapshot_feed.h"
-#include "playhouse/web_server/guests.h"
+#include "playhouse/server/guests/guest_book.h"
 
 namespace playhouse::observers {
 
 struct ObserverOptions {
   std::string bind = "127.0.0.1";                                    // numeric address
   std::uint16_t port = 0;                                            // 0: any free one
-  web_server::GuestBook guests;                                      // access list
+  server::GuestBook guests;                                          // access list
   std::size_t observers = limits::kObservers;                        // at once
   std::uint32_t bytes_per_second = limits::kObserverBytesPerSecond;  // limit for each
 };

@@ -110,7 +110,7 @@ TEST_F(Observers, are_told_when_the_program_ends) {
 }
 
 TEST_F(Observers, need_the_token_of_a_guest_and_who_was_sent_out_of_the_page_is_out_here) {
-  web_server::GuestBook book{{web_server::GuestRole::kHuman, "blue-chair-7", "Bob"}};
+  server::GuestBook book{{server::GuestRole::kHuman, "blue-chair-7", "Bob"}};
   open({.guests = book});
   const auto nobody = join("10.0.0.2"), wrong = join("10.0.0.3", "red-chair-9");
   const auto bob = join("10.0.0.4", "blue-chair-7");
@@ -122,13 +122,13 @@ TEST_F(Observers, need_the_token_of_a_guest_and_who_was_sent_out_of_the_page_is_
   book.send_out("blue-chair-7");
   const auto again = join("10.0.0.5", "blue-chair-7");
   run_for(1);
-  EXPECT_EQ(again->observer().ended(), web_server::kSentOut);
+  EXPECT_EQ(again->observer().ended(), server::kSentOut);
 }
 
 TEST_F(Observers, are_ended_when_they_are_sent_out_and_do_not_come_again_without_the_token) {
-  web_server::GuestBook book{{web_server::GuestRole::kHuman, "blue-chair-7", "Bob"},
-                             {web_server::GuestRole::kHuman, "red-chair-77", "Eve"},
-                             {web_server::GuestRole::kObserver, "*", ""}};
+  server::GuestBook book{{server::GuestRole::kHuman, "blue-chair-7", "Bob"},
+                         {server::GuestRole::kHuman, "red-chair-77", "Eve"},
+                         {server::GuestRole::kObserver, "*", ""}};
   open({.guests = book});
   const auto bob = join("10.0.0.4", "blue-chair-7"), same = join("10.0.0.4"),
              eve = join("10.0.0.4", "red-chair-77"), other = join("10.0.0.5");
@@ -138,14 +138,14 @@ TEST_F(Observers, are_ended_when_they_are_sent_out_and_do_not_come_again_without
   book.send_out_network("10.0.0.4:1");
   server_->end_sent_out();
   run_for(1);
-  EXPECT_EQ(bob->observer().ended(), web_server::kSentOut);
-  EXPECT_EQ(same->observer().ended(), web_server::kSentOut);
+  EXPECT_EQ(bob->observer().ended(), server::kSentOut);
+  EXPECT_EQ(same->observer().ended(), server::kSentOut);
   EXPECT_FALSE(eve->observer().ended()) << "another token";
   EXPECT_FALSE(other->observer().ended());
   const auto again = join("10.0.0.4"), elsewhere = join("10.0.0.6", "blue-chair-7");
   run_for(1);
-  EXPECT_EQ(again->observer().ended(), web_server::kSentOut);
-  EXPECT_EQ(elsewhere->observer().ended(), web_server::kSentOut);
+  EXPECT_EQ(again->observer().ended(), server::kSentOut);
+  EXPECT_EQ(elsewhere->observer().ended(), server::kSentOut);
 }
 
 TEST_F(Observers, of_one_address_take_half_of_the_places_at_most) {

@@ -13,7 +13,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/net/network.h"
-#include "playhouse/web_server/guests.h"
+#include "playhouse/server/guests/guest_book.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/web_server/page_gate.h"
 #include "playhouse/web_server/player_path.h"
@@ -28,7 +28,7 @@ class DevicePage final : private net::HttpService {
     std::span<const PageFile> page;          // usually page_files()
     std::string host_name;                   // of this machine; empty: ask the system
     std::vector<std::string> further_names;  // further allowed host names
-    GuestBook guests;                        // access list
+    server::GuestBook guests;                // access list
     net::TrustedProxies proxies;             // in front of the page, which name its clients
     std::uint16_t player_port = 6665;        // of clients that name none
   };

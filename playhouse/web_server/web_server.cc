@@ -39,7 +39,7 @@ constexpr std::string_view kLive = "/live";  // of viewers
 /// Minimum interval between history updates.
 constexpr double kPastPeriod = 1;  // s
 
-bool has_right(const GuestRights& rights, replicate::May may) {
+bool has_right(const server::GuestRights& rights, replicate::May may) {
   switch (may) {
     case replicate::May::kAnybody:
       return true;
@@ -168,10 +168,10 @@ class WebServer::Impl final : public net::HttpService,
 
   void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest& request) override {
     const std::string token = token_of(request);
-    const std::optional<Guest> guest = options_.guests.admit(token, socket->peer());
+    const std::optional<server::Guest> guest = options_.guests.admit(token, socket->peer());
     if (!guest) return turn_away(*socket, token);
     if (viewers_.size() >= options_.viewers && !make_room(net::network_of(socket->peer())) &&
-        !(rights_of(guest->role).manages && make_room_for_admin()))
+        !(server::rights_of(guest->role).manages && make_room_for_admin()))
       return refuse(*socket);
     if (viewers_.empty()) take();  // others may have watched meanwhile
     viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), snapshot().layout, *this,
@@ -227,11 +227,11 @@ class WebServer::Impl final : public net::HttpService,
     if (turned_away_++ == 0)
       log::warn("web: {} turned away: not a guest of this run, or sent out (logged once)", socket.peer());
     socket.close(options_.guests.is_sent_out(token, socket.peer())
-                     ? kSentOut
+                     ? server::kSentOut
                      : "open the page by the link that you were given");
   }
 
-  std::string as_whom(const Guest& guest) const {
+  std::string as_whom(const server::Guest& guest) const {
     if (options_.guests.guests().empty()) return {};
     return fmt::format(" as {}{}{}", name_of(guest.role), guest.name.empty() ? "" : " ", guest.name);
   }
@@ -290,7 +290,7 @@ class WebServer::Impl final : public net::HttpService,
       if (other.get() == out || options_.guests.is_sent_out(other->guest().token, other->peer()))
         pages.push_back(other->number());
     for (const std::uint32_t page : pages) {
-      viewer(page)->close(kSentOut);
+      viewer(page)->close(server::kSentOut);
       left(*viewer(page), "an admin has sent them out");
     }
     return {};
@@ -324,7 +324,7 @@ class WebServer::Impl final : public net::HttpService,
     }
     const bool is_fixed = !control_.why_fixed().empty();
     for (const auto& viewer : viewers_) {
-      const GuestRights rights = viewer->rights();
+      const server::GuestRights rights = viewer->rights();
       viewer->tell_people(
           boost::json::serialize(boost::json::object{{"people", people},
                                                      {"you", viewer->number()},

@@ -20,8 +20,8 @@
 #include "playhouse/net/io_loop.h"
 #include "playhouse/net/network.h"
 #include "playhouse/replicate/snapshot_feed.h"
+#include "playhouse/server/guests/guest_book.h"
 #include "playhouse/web_server/bodies.h"
-#include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/web_server/player_path.h"
 #include "playhouse/world/control.h"
@@ -38,7 +38,7 @@ struct WebOptions {
   double viewer_quiet = limits::kViewerQuietSeconds;  // s; for tests
   double join_period = 1;                             // s between two bodies; for tests
   std::vector<std::string> further_names;             // further allowed host names
-  GuestBook guests;                                   // access list
+  server::GuestBook guests;                           // access list
   net::TrustedProxies proxies;                        // in front of the page, which name its clients
   std::function<void()> sent_out;          // called after somebody was sent out, on the io thread; or empty
   std::size_t viewers = limits::kViewers;  // limit on simultaneous viewers

@@ -863,10 +863,10 @@ class GuestsTest : public WebServerTest {
   explicit GuestsTest(int people = 0, double join_period = 3600)
       : WebServerTest(
             [join_period](WebOptions& options) {
-              options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"},
-                                {GuestRole::kDriver, "a-driver-", ""},
-                                {GuestRole::kHuman, "somebody-", "Bob"},
-                                {GuestRole::kObserver, "*", ""}};
+              options.guests = {{server::GuestRole::kAdmin, "the-admin", "Ada"},
+                                {server::GuestRole::kDriver, "a-driver-", ""},
+                                {server::GuestRole::kHuman, "somebody-", "Bob"},
+                                {server::GuestRole::kObserver, "*", ""}};
               options.viewers = 4;
               options.join_period = join_period;
               options.place_of_body = [](const world::World&, std::uint32_t,
@@ -1052,7 +1052,8 @@ class ProxyTest : public WebServerTest {
  protected:
   ProxyTest()
       : WebServerTest([](WebOptions& options) {
-          options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"}, {GuestRole::kObserver, "*", ""}};
+          options.guests = {{server::GuestRole::kAdmin, "the-admin", "Ada"},
+                            {server::GuestRole::kObserver, "*", ""}};
           options.proxies = *net::TrustedProxies::parse("127.0.0.7");
         }) {}
 };
@@ -1120,7 +1121,8 @@ class SharesTest : public GuestsTest {
  protected:
   explicit SharesTest(std::shared_ptr<world::Shares> shares = std::make_shared<world::Shares>())
       : GuestsTest([&shares](WebOptions& options) {
-          options.guests = {{GuestRole::kAdmin, "the-admin", "Ada"}, {GuestRole::kAdmin, "the-other", "Bea"}};
+          options.guests = {{server::GuestRole::kAdmin, "the-admin", "Ada"},
+                            {server::GuestRole::kAdmin, "the-other", "Bea"}};
           options.shares = shares;
         }),
         shares_(std::move(shares)) {}

@@ -13,7 +13,7 @@
 #include "playhouse/replicate/datagrams/token_bucket.h"
 #include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/replicate/viewer.h"
-#include "playhouse/web_server/guests.h"
+#include "playhouse/server/guests/guest_book.h"
 
 namespace playhouse::web_server {
 
@@ -42,7 +42,7 @@ class WebViewerOwner {
 class WebViewer final : public net::WebSocketEvents {
  public:
   WebViewer(std::unique_ptr<net::WebSocket> socket, std::shared_ptr<const replicate::Layout> layout,
-            WebViewerOwner& owner, std::uint32_t number, Guest guest, std::uint32_t bytes_per_second,
+            WebViewerOwner& owner, std::uint32_t number, server::Guest guest, std::uint32_t bytes_per_second,
             const net::Network& network)
       : socket_(std::move(socket)),
         viewer_(std::move(layout)),
@@ -90,8 +90,8 @@ class WebViewer final : public net::WebSocketEvents {
   const replicate::Wish& wish() const { return viewer_.wish(); }
   const std::string& peer() const { return socket_->peer(); }
   std::uint32_t number() const { return number_; }  // never reused
-  const Guest& guest() const { return guest_; }
-  GuestRights rights() const { return rights_of(guest_.role); }
+  const server::Guest& guest() const { return guest_; }
+  server::GuestRights rights() const { return server::rights_of(guest_.role); }
 
  private:
   /// A page that gets nothing for a second assumes that the program hangs; the present world is offered every
@@ -110,7 +110,7 @@ class WebViewer final : public net::WebSocketEvents {
   replicate::Viewer viewer_;
   WebViewerOwner& owner_;
   const std::uint32_t number_;
-  const Guest guest_;
+  const server::Guest guest_;
   const net::Network& network_;    // its clock
   double quiet_since_;             // s
   replicate::TokenBucket bucket_;  // for packets and population updates

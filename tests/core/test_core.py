@@ -13,7 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tests/e2e"), str(ROOT / "clients/python")]
 from house import DATA, PROGRAM, Client, HouseTest, free_ports  # noqa: E402
-from playhouse_client import connect  # noqa: E402
+from playhouse_client import RequestRefused, connect  # noqa: E402
 from playhouse_client.generated import INTERFACES, find_message  # noqa: E402
 from playhouse_client.wire import Kind  # noqa: E402
 
@@ -40,8 +40,8 @@ class Running:
 
 
 class Core(HouseTest):
-    def player(self, text: str, port: int = 0) -> Running:
-        running = Running(*PLAYER, "-p", port, self.write(f"{len(os.listdir(self.folder))}.cfg", text))
+    def player(self, text: str, port: int = 0, *words: str) -> Running:
+        running = Running(*PLAYER, *words, "-p", port, self.write(f"{len(os.listdir(self.folder))}.cfg", text))
         self.addCleanup(running.end)
         return running
 
@@ -93,9 +93,17 @@ class Core(HouseTest):
             client.position2d().drive(0.5)
             self.assertIsNotNone(laser.geometry())
 
+    def test_asks_for_a_key(self):
+        running = self.player(MADE_UP, 0, "-k", "the-key-7")
+        for token in ("", "the-key-8"):
+            with self.subTest(token), self.assertRaises(RequestRefused), connect(f":{running.port}", token=token) as client:
+                client.laser()
+        with connect(f":{running.port}", token="the-key-7", timeout=20) as client:
+            client.laser().next_data()
+
     def test_ends_as_players_own_server_does(self):
         self.assertEqual(self.player(MADE_UP).end(), 0)
-        for words, code in [(["-x"], 255), (["nowhere.cfg"], 1), ([self.write("bad.cfg", "driver ( nme \"dummy\" )")], 255)]:
+        for words, code in [(["-x"], 255), (["-k", "short", "any.cfg"], 255), (["nowhere.cfg"], 1), ([self.write("bad.cfg", "driver ( nme \"dummy\" )")], 255)]:
             with self.subTest(words):
                 done = subprocess.run([*PLAYER, *map(str, words)], capture_output=True, text=True)
                 self.assertEqual(done.returncode, code, done.stderr)

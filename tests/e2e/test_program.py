@@ -804,7 +804,7 @@ class PlayerLink(HouseTest):
         with House("-p", 0, "-l", log, self.cfg, program=str(self.player)) as house:
             house.process.stdout.readline()
             self.assertEqual(house.end(), 0)
-            self.assertRegex(log.read_text(), r"\Abefore\n(\[.*announced on the network.*\n)?\[[-0-9: .]+\] info: simulated .*\n\Z")
+            self.assertRegex(log.read_text(), r"\Abefore\n\[.*-k KEY asks for a key\n(\[.*announced on the network.*\n)?\[[-0-9: .]+\] info: simulated .*\n\Z")
 
     def test_a_log_file_whose_folder_is_not_there_is_refused(self):
         folder = self.folder / "none"

@@ -17,7 +17,7 @@
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/base/split.h"
 #include "playhouse/record/selection.h"
-#include "playhouse/web_server/guests.h"
+#include "playhouse/server/guests/guest_book.h"
 #include "playhouse/wire/auth_key.h"
 
 namespace playhouse::app {
@@ -108,10 +108,7 @@ std::string check_token(const std::string& text) {
 }
 
 std::string check_key(const std::string& text) {
-  const bool good = text.size() <= wire::kAuthKeyBytes && web_server::is_token(text);
-  return good ? ""
-              : fmt::format("invalid key: {} to {} letters, digits, - and _ are valid",
-                            limits::kTokenBytesLeast, wire::kAuthKeyBytes);
+  return server::is_key(text) ? "" : std::string(server::kInvalidKey);
 }
 
 std::string check_folder(const std::string& text) {
