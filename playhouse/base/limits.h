@@ -23,6 +23,7 @@ inline constexpr std::size_t kSessionsOfHost = 1024;
 inline constexpr int kSilentSeconds = 60;  // a client that has not said anything yet is closed then
 // Connections that wait for their peers to end: over it the first is closed.
 inline constexpr std::size_t kLingering = 4096;
+inline constexpr std::size_t kSerialBytes = 16u << 10;  // waiting for a serial line that takes no more
 // A session over UDP that says nothing for so long is gone: there is no other sign, where nothing refuses.
 inline constexpr int kDatagramSilentSeconds = 600;
 inline constexpr std::size_t kDatagramSessions =

@@ -40,6 +40,14 @@ class Process final : public net::Network {
                                                       Connected connected) override {
     return network_.connect(host, port, std::move(connected));
   }
+  Result<std::unique_ptr<net::SerialLine>> open_serial(const std::string& path,
+                                                       const net::SerialSettings& settings) override {
+    return network_.open_serial(path, settings);
+  }
+  Result<std::unique_ptr<net::SerialLine>> open_terminal(const std::string& link,
+                                                         const net::SerialSettings& settings) override {
+    return network_.open_terminal(link, settings);
+  }
 
  private:
   net::Network& network_;

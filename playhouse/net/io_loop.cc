@@ -62,6 +62,14 @@ std::unique_ptr<Attempt> Network::connect_tls(const std::string& host, std::uint
   return connect(host, port, std::move(connected));
 }
 
+Result<std::unique_ptr<SerialLine>> Network::open_serial(const std::string& path, const SerialSettings&) {
+  return Error{path, "there are no serial ports here"};
+}
+
+Result<std::unique_ptr<SerialLine>> Network::open_terminal(const std::string& link, const SerialSettings&) {
+  return Error{link, "there are no pseudo-terminals here"};
+}
+
 IoLoop::IoLoop() : impl_(std::make_unique<Impl>()) {}
 IoLoop::~IoLoop() = default;
 

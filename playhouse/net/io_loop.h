@@ -52,6 +52,10 @@ class IoLoop final : public Network {
   [[nodiscard]] std::unique_ptr<Attempt> connect_tls(const std::string& host, std::uint16_t port,
                                                      std::shared_ptr<TlsTrust> trust,
                                                      Connected connected) override;
+  Result<std::unique_ptr<SerialLine>> open_serial(const std::string& path,
+                                                  const SerialSettings& settings) override;
+  Result<std::unique_ptr<SerialLine>> open_terminal(const std::string& link,
+                                                    const SerialSettings& settings) override;
 
   struct Impl;  // defined in asio_loop.h
   Impl& impl() { return *impl_; }

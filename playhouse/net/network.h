@@ -15,6 +15,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/net/endpoint.h"
+#include "playhouse/net/serial/serial_line.h"
 
 namespace playhouse::net {
 
@@ -140,6 +141,13 @@ class Network {
   [[nodiscard]] virtual std::unique_ptr<Attempt> connect_tls(const std::string& host, std::uint16_t port,
                                                              std::shared_ptr<TlsTrust> trust,
                                                              Connected connected);
+  /// Opens a serial port of this machine, "/dev/ttyUSB0", for this program alone.
+  virtual Result<std::unique_ptr<SerialLine>> open_serial(const std::string& path,
+                                                          const SerialSettings& settings);
+  /// Makes a pseudo-terminal, which other programs open as a serial port by the link `link`; it is removed with the line.
+  /// `settings` are those that it begins with. A network that has no serial lines fails in both.
+  virtual Result<std::unique_ptr<SerialLine>> open_terminal(const std::string& link,
+                                                            const SerialSettings& settings);
 };
 
 }  // namespace playhouse::net

@@ -15,6 +15,7 @@
 
 #include "playhouse/base/rng.h"
 #include "playhouse/net/network.h"
+#include "playhouse/net/serial/simulated_serial.h"
 #include "playhouse/net/simulated_page.h"
 
 namespace playhouse::net {
@@ -71,6 +72,8 @@ class SimulatedNetwork final : public Network {
   std::size_t piece_bytes = 4096;
   DatagramFaults datagrams;
   ConnectionDelay connections;  // of what is sent from now on
+  /// Serial lines: their faults, and plugs that are pulled.
+  SimulatedSerial& serial() { return serial_; }
 
   /// Connects to an open port (asserted). The acceptor runs in the next run().
   SimulatedPeer connect(std::uint16_t port, const std::string& address = "127.0.0.1");
@@ -99,6 +102,14 @@ class SimulatedNetwork final : public Network {
   /// Any host name refers to this network's own ports.
   [[nodiscard]] std::unique_ptr<Attempt> connect(const std::string& host, std::uint16_t port,
                                                  Connected connected) override;
+  Result<std::unique_ptr<SerialLine>> open_serial(const std::string& path,
+                                                  const SerialSettings& settings) override {
+    return serial_.open_port(path, settings);
+  }
+  Result<std::unique_ptr<SerialLine>> open_terminal(const std::string& link,
+                                                    const SerialSettings& settings) override {
+    return serial_.open_terminal(link, settings);
+  }
 
  private:
   struct Alarm {
@@ -129,6 +140,7 @@ class SimulatedNetwork final : public Network {
   void make_connection(const std::string& host, std::uint16_t port, const Connected& connected);
 
   Rng rng_;
+  SimulatedSerial serial_{*this, rng_};
   double now_ = 0;
   double cut_until_ = 0;  // s
   std::uint16_t next_port_ = 40000;
