@@ -229,13 +229,7 @@ server::ServerOptions server_options(const Serving& serving) {
   options.unix_folder = serving.unix_folder;
   options.datagrams = serving.udp;
   options.group = serving.multicast;
-  const double share = static_cast<double>(serving.client_mib) / limits::kClientMiB;
-  const auto part = [share](std::size_t bytes) {
-    return static_cast<std::size_t>(share * static_cast<double>(bytes));
-  };
-  options.input_bytes = part(limits::kInputBytes);
-  options.output_bytes = part(limits::kOutputBytes);
-  options.outbox_bytes = part(limits::kOutboxBytes);
+  options.share_memory(serving.client_mib);
   return options;
 }
 

@@ -37,9 +37,13 @@ constexpr std::string_view kUnderThisName =
     "This is playhouse under Player's name; `playhouse --help` shows what else it does.";
 
 int serve_as_player(const device_server::PlayerOptions& options, const device_server::Opened& opened) {
-  Service service(
-      {.port = options.port, .web = std::nullopt, .bind = "0.0.0.0", .port_option = "-p", .key = options.key},
-      {}, QuitTime::kIgnored);
+  Service service({.port = options.port,
+                   .web = std::nullopt,
+                   .bind = options.bind,
+                   .port_option = "-p",
+                   .key = options.key,
+                   .client_mib = options.client_mib},
+                  {}, QuitTime::kIgnored);
   return run_service(
       service, [&] { return service.read_cfg(options.file); }, {}, opened);
 }

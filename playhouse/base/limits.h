@@ -26,6 +26,8 @@ inline constexpr std::size_t kLingering = 4096;
 inline constexpr std::size_t kSerialBytes = 16u << 10;  // waiting for a serial line that takes no more
 // A session over UDP that says nothing for so long is gone: there is no other sign, where nothing refuses.
 inline constexpr int kDatagramSilentSeconds = 600;
+// One that has commanded, and to which nothing is sent whose refusal would show that it is gone: what it moves stops.
+inline constexpr int kDatagramBlindSeconds = 10;
 inline constexpr std::size_t kDatagramSessions =
     4096;  // by UDP, of kSessions: over it the one heard longest ago ends
 inline constexpr std::size_t kDatagramMostBytes = 65507;          // of one datagram of UDP over IPv4
@@ -114,8 +116,8 @@ inline constexpr int kObserverQuietSeconds = 10;
 inline constexpr std::size_t kStreamWindowBytes = 65536;
 inline constexpr std::size_t kStreamTextBytes = 256u << 20;  // of one text to an observer, unpacked
 inline constexpr std::size_t kObserverCommandBytes = 4096;   // of one text from an observer
-inline constexpr std::size_t kTokenBytes = 128;              // of a guest's token
-inline constexpr std::size_t kTokenBytesLeast = 8;           // of one that a file of guests gives
+inline constexpr std::size_t kTokenBytes = 32;      // of a guest's token, as AUTH of Player has room for
+inline constexpr std::size_t kTokenBytesLeast = 8;  // of one that a file of guests gives
 
 // The last minutes of a run that somebody watches; heeded by run.
 inline constexpr double kHistorySeconds = 600;            // simulated, back from the newest instant

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "playhouse/base/fail.h"
@@ -22,7 +23,9 @@ int serve(const PlayerOptions& options, const Opened& opened) {
   const Result<config::CfgFile> file = config::load_cfg(options.file, options.port, &others);
   if (!file) return fail_in_file(file.error(), others);
   for (const std::string& line : file->warnings) warn(line);
-  DeviceServer service({.bind = "0.0.0.0", .sessions = sessions_that_fit(false)});
+  server::ServerOptions serving{.bind = options.bind, .sessions = sessions_that_fit(false)};
+  serving.share_memory(options.client_mib);
+  DeviceServer service(std::move(serving));
   const Result<std::uint16_t> port = service.listen(*file, options.port, "-p");
   if (!port) return fail(port.error());
   server::admit_guests(service.server(), server::book_of_key(options.key));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -14,8 +15,10 @@
 
 #include "playhouse/base/fail.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/net/fair_share.h"
 #include "playhouse/server/guests/guest_book.h"
 
 namespace playhouse::device_server {
@@ -30,6 +33,8 @@ constexpr const char* kHelp =
     "  -p PORT    port of devices that name none (6665; 0: any free one, printed)\n"
     "  -k KEY     8 to 32 letters, digits, - and _ that a client has to give by AUTH before it may do "
     "anything\n"
+    "  -b ADDRESS listen there alone, as 127.0.0.1 (0.0.0.0: every interface)\n"
+    "  -m MIB     memory for what clients send and do not read (320)\n"
     "  -d LEVEL   how much to say: 0 errors and warnings, 1 also information, 2 and more everything\n"
     "  -l FILE    append what is said to a file as well\n"
     "  -q         say errors and warnings only\n"
@@ -51,7 +56,7 @@ std::optional<PlayerOptions> parse(std::span<const char* const> words) {
   PlayerOptions options;
   const int count = static_cast<int>(arguments.size()) - 1;
   // getopt moves files behind options and reports errors itself.
-  for (int option = 0; (option = getopt(count, arguments.data(), "p:k:d:l:qsh")) != -1;) {
+  for (int option = 0; (option = getopt(count, arguments.data(), "p:k:b:m:d:l:qsh")) != -1;) {
     switch (option) {
       case 'p':
         options.port = static_cast<std::uint16_t>(number(optarg));
@@ -62,6 +67,17 @@ std::optional<PlayerOptions> parse(std::span<const char* const> words) {
           return std::nullopt;
         }
         options.key = optarg;
+        break;
+      case 'b':
+        options.bind = optarg;
+        break;
+      case 'm':
+        options.client_mib = static_cast<std::size_t>(std::max(0, number(optarg)));
+        if (options.client_mib < limits::kClientMiBLeast || options.client_mib > limits::kClientMiBMost) {
+          log::say(fmt::format("player: -m: invalid memory: {} to {} MiB are valid", limits::kClientMiBLeast,
+                               limits::kClientMiBMost));
+          return std::nullopt;
+        }
         break;
       case 'd':
         options.level = number(optarg);
@@ -109,7 +125,7 @@ int player_program(std::span<const char* const> words, std::string_view about, c
   }
   if (!is_there(options->file))
     return fail_at({escaped(options->file), std::string("cannot be opened: ") + std::strerror(errno)});
-  if (options->key.empty())
+  if (options->key.empty() && !net::is_local(options->bind + ":0"))
     log::warn("who reaches this machine may do everything here: -k KEY asks for a key");
   const int code = serve(*options, [](const std::vector<std::uint16_t>& ports) {
     fmt::print("Listening on ports: {} \n", fmt::join(ports, " "));

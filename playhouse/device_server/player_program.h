@@ -1,8 +1,9 @@
 #pragma once
 
-/// The program `player`: takes the options of Player's own server (-p, -k, -d, -q, -l, -h, file), and says on standard output
+/// The program `player`: takes the options of Player's own server (-p, -k, -d, -q, -l, -h, file) and two of ours (-b, -m), and says on standard output
 /// what its scripts wait for: "Listening on ports: 6665 " and, at the end, "Quitting.".
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -10,12 +11,16 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/base/limits.h"
+
 namespace playhouse::device_server {
 
 struct PlayerOptions {
   std::uint16_t port = 6665;
-  int level = 1;    // of the log
-  std::string key;  // that clients have to give; empty: none
+  int level = 1;                                // of the log
+  std::string bind = "0.0.0.0";                 // numeric address that it listens at
+  std::size_t client_mib = limits::kClientMiB;  // memory for what clients send and do not read
+  std::string key;                              // that clients have to give; empty: none
   std::string log_file;
   std::string file;
 };

@@ -62,7 +62,7 @@ void Client::begin_end() {
 
 std::size_t Client::advance() {
   const std::size_t worked = session_.work();
-  if (worked > 0) silence_.reset();
+  if (worked > 0 && session_.caller().rights().reads) silence_.reset();
   owner_.deliver_outbox();  // drivers may have replied synchronously
   if (!session_.broken().empty() && !std::exchange(input_over_, true)) {
     log::warn("{}: closed: {}", session_.peer(), session_.broken());

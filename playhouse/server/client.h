@@ -28,7 +28,7 @@ class ClientOwner {
   virtual void make_room() = 0;
   /// Delivers replies that drivers have sent meanwhile.
   virtual void deliver_outbox() = 0;
-  /// It has said nothing for limits::kSilentSeconds. Destroys the client.
+  /// It has said nothing for limits::kSilentSeconds, or nothing that it had a right to. Destroys the client.
   virtual void remove_silent(Client& client) = 0;
   /// It has broken the protocol or a limit, and is closed.
   virtual void broke(const Client& client) = 0;
@@ -59,7 +59,7 @@ class Client final : public net::ConnectionEvents {
   /// Does one turn of work, sends output, and returns the
   /// number of messages executed. May destroy this client.
   std::size_t advance();
-  /// True before its first message.
+  /// True before its first message, and as long as it has no token of those that are needed.
   bool silent() const { return silence_ != nullptr; }
   /// Its network; empty for this machine.
   const std::string& host() const { return host_; }

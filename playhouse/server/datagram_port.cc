@@ -15,7 +15,7 @@
 namespace playhouse::server {
 namespace {
 
-constexpr double kLookSeconds = 60;  // period of looking for silent sessions
+constexpr double kLookSeconds = 2;  // period of looking for silent sessions
 // Sessions that have said nothing since their empty datagram, whose sender may be forged: over it the oldest ends, so
 // that they take no room of others.
 constexpr std::size_t kUnheard = 256;
@@ -72,6 +72,7 @@ class DatagramPort::Impl : public std::enable_shared_from_this<Impl> {
   void end(const net::Endpoint& peer, const std::string& why, Goodbye goodbye);
   void remove(std::map<net::Endpoint, DatagramConnection*>::iterator session);
   bool make_room();
+  void end_blind_ones(double before);
   void look_for_silence();
 
   net::Network& network_;
@@ -123,6 +124,9 @@ class DatagramConnection final : public net::Connection {
   /// For the port.
   void received(std::span<const std::byte> datagram);
   double heard() const { return heard_; }
+  /// It commands, and neither has it been heard since `time`, nor has anything been sent to it, which its machine would
+  /// have refused if it were gone.
+  bool commands_blindly(double time) const { return commands_ && heard_ <= time && sent_ <= time; }
   std::uint64_t serial() const { return serial_; }
   const net::Endpoint& endpoint() const { return peer_; }
   std::list<DatagramConnection*>::iterator place;  // for the port
@@ -138,6 +142,7 @@ class DatagramConnection final : public net::Connection {
  private:
   void send_message(std::span<const std::byte> message) {
     in_flight_ += message.size();
+    sent_ = port_->network().now();
     const bool data = is_data(message);
     if (data) ++number_;
     if (message.size() > limits::kDatagramMostBytes) return refuse_long(message, data);
@@ -192,7 +197,8 @@ class DatagramConnection final : public net::Connection {
   DatagramStream stream_;
   std::vector<std::byte> waiting_;  // whole messages, while paused
   std::size_t counted_ = 0;         // bytes held, as the room has them
-  double heard_ = 0;                // s
+  double heard_ = 0, sent_ = 0;     // s, the last datagram
+  bool commands_ = false;           // it has
   std::size_t in_flight_ = 0;       // bytes, until the next turn of the loop
   std::uint32_t number_ = 0;        // of the last data message
   bool paused_ = false, over_ = false, warned_ = false;
@@ -206,6 +212,7 @@ void DatagramConnection::received(std::span<const std::byte> datagram) {
     return static_cast<void>(++counts.dropped);
   DatagramStream::TakenMessages taken = stream_.take(datagram);
   counts.late += taken.late;
+  commands_ |= taken.commands;
   if (!taken.messages.empty()) port_->heard_first(serial_);
   const bool has_room = waiting_.size() + taken.messages.size() <= limits::kDatagramWaitingBytes;
   if (taken.dropped || !has_room) ++counts.dropped;
@@ -291,12 +298,25 @@ void DatagramPort::Impl::end(const net::Endpoint& peer, const std::string& why, 
   connection->end(why);
 }
 
+void DatagramPort::Impl::end_blind_ones(double before) {
+  std::vector<net::Endpoint> blind;
+  for (const DatagramConnection* const connection : by_hearing_) {
+    if (connection->heard() > before) break;
+    if (connection->commands_blindly(before)) blind.push_back(connection->endpoint());
+  }
+  for (const net::Endpoint& peer : blind) {
+    ++counts_.silent;
+    end(peer, "it has commanded, and nothing shows that it is still there", Goodbye::kYes);
+  }
+}
+
 void DatagramPort::Impl::look_for_silence() {
   const double before = network_.now() - limits::kDatagramSilentSeconds;
   while (!by_hearing_.empty() && by_hearing_.front()->heard() <= before) {
     ++counts_.silent;
     end(net::Endpoint(by_hearing_.front()->endpoint()), "it has been silent for too long", Goodbye::kYes);
   }
+  end_blind_ones(network_.now() - limits::kDatagramBlindSeconds);
   look_ = network_.after(kLookSeconds, [this] { look_for_silence(); });
 }
 

@@ -187,6 +187,22 @@ TEST_F(DatagramSessions, end_when_nothing_was_heard_of_their_client_for_long) {
   EXPECT_EQ(outline(speaker.ask(open_request(kLaser, 0))), "ACK 3");
 }
 
+TEST_F(DatagramSessions, end_soon_when_they_command_and_nothing_shows_that_they_are_there) {
+  const auto command =
+      message(wire::MessageType::kCmd, kWheels, 0, position2d::kCmdVel, wire::encode(position2d::CmdVel{}));
+  DatagramClient blind(network), speaker(network), reader(network), idle(network);
+  for (DatagramClient* const client : {&blind, &speaker, &idle}) begin(*client, kWheels);
+  begin(reader, kLaser);
+  for (DatagramClient* const client : {&blind, &speaker, &reader}) client->send(command);
+  for (int second = 0; second < limits::kDatagramBlindSeconds + 3; ++second) {
+    speaker.send(command);
+    publish(second);
+    network.run_for(1);
+  }
+  EXPECT_EQ(server.status().sessions, 3u);
+  EXPECT_EQ(outline(blind.ask(open_request(kLaser, 0))), "") << "it has to begin anew";
+}
+
 TEST_F(DatagramSessions, give_way_to_each_other_and_to_nobody_else_when_there_are_too_many) {
   std::vector<std::unique_ptr<TestClient>> by_tcp;
   by_tcp.push_back(std::make_unique<TestClient>(network, kPort));

@@ -67,6 +67,7 @@ void DatagramStream::pass(std::span<const std::byte> messages, TakenMessages& ta
     } else {
       const auto message = messages.first(first.bytes);
       taken.messages.insert(taken.messages.end(), message.begin(), message.end());
+      taken.commands |= first.header.type == wire::MessageType::kCmd;
     }
     messages = messages.subspan(first.bytes);
   }

@@ -15,6 +15,7 @@ class DatagramStream {
     std::vector<std::byte> messages;  // whole ones, in order
     bool dropped = false;             // this datagram or an unfinished message before it is lost
     std::uint32_t late = 0;           // commands left out: older than one that was taken before
+    bool commands = false;            // there is a command among the messages
   };
 
   /// A datagram that is not empty. One of whole messages stands for itself; others continue an unfinished message

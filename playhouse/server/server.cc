@@ -227,8 +227,9 @@ bool Server::Impl::has_room_for(const net::Connection& connection) {
   const auto silent = std::find_if(clients_.begin(), clients_.end(),
                                    [](const auto& entry) { return entry.second->silent(); });
   if (!std::exchange(full_, true)) {
-    log::warn("{}: {} clients, the limit: {}", connection.peer(), clients_.size(),
-              silent == clients_.end() ? "refused" : "those that have said nothing give way");
+    log::warn(
+        "{}: {} clients, the limit: {}", connection.peer(), clients_.size(),
+        silent == clients_.end() ? "refused" : "those that have said nothing, or have no token, give way");
   }
   if (silent == clients_.end()) return false;
   remove_silent(*silent->second);
@@ -236,7 +237,7 @@ bool Server::Impl::has_room_for(const net::Connection& connection) {
 }
 
 void Server::Impl::remove_silent(Client& client) {
-  log::debug("{}: closed: it has said nothing", client.session().peer());
+  log::debug("{}: closed: it has said nothing, or has no token", client.session().peer());
   ++silent_;
   remove(client.serial());
 }

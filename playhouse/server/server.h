@@ -41,6 +41,14 @@ struct ServerOptions {
   /// Data also go there, once for all clients that ask for it; in the clear, so not with TLS, and listen() fails
   /// with admit_by().
   std::optional<net::Endpoint> group = {};
+
+  /// Divides so many MiB among the three of memory, as limits::kClientMiB is divided.
+  void share_memory(std::size_t mib) {
+    const auto part = [mib](std::size_t bytes) { return bytes / limits::kClientMiB * mib; };
+    input_bytes = part(limits::kInputBytes);
+    output_bytes = part(limits::kOutputBytes);
+    outbox_bytes = part(limits::kOutboxBytes);
+  }
 };
 
 /// Metrics of a running server. Totals since the start unless stated otherwise.

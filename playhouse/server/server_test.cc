@@ -685,6 +685,32 @@ class GuestServerTest : public ServerTest {
   }
 };
 
+TEST_F(GuestServerTest, who_has_no_token_is_closed_after_a_while_whatever_it_says) {
+  admit(std::nullopt);
+  TestClient stranger(network, kPort), guest(network, kPort);
+  EXPECT_EQ(outline(stranger.ask(player_request(wire::player::kReqDevlist))), "NACK 1");
+  EXPECT_EQ(outline(guest.ask(auth_request("watch"))), "ACK 7");
+  network.run_for(limits::kSilentSeconds - 5);
+  EXPECT_EQ(outline(stranger.ask(auth_request("wrong"))), "NACK 7");
+  network.run_for(10);
+  EXPECT_TRUE(stranger.peer.closed());
+  network.run_for(10 * limits::kSilentSeconds);
+  EXPECT_FALSE(guest.peer.closed());
+}
+
+TEST_F(GuestServerTest, strangers_make_room_for_guests_when_there_are_too_many) {
+  admit(std::nullopt);
+  std::vector<net::SimulatedPeer> strangers;
+  for (std::size_t i = 0; i < limits::kSessions; ++i) {
+    strangers.push_back(network.connect(kPort));
+    strangers.back().send(player_request(wire::player::kReqDevlist));
+  }
+  network.run();
+  TestClient guest(network, kPort);
+  EXPECT_EQ(outline(guest.ask(auth_request("watch"))), "ACK 7");
+  EXPECT_TRUE(strangers.front().closed());
+}
+
 TEST_F(GuestServerTest, who_has_no_token_gets_nothing) {
   admit(std::nullopt);
   TestClient client(network, kPort);

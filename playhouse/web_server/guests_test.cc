@@ -31,8 +31,8 @@ TEST(Guests, faults_name_the_line_and_the_nearest_role) {
             "\"human\"?)");
   EXPECT_EQ(fault("admin"),
             "g.txt:1: a token is missing: role token [name]; ? makes one, * is for whoever has no token");
-  EXPECT_EQ(fault("admin short"), "g.txt:1: invalid token: 8 to 128 letters, digits, - and _ are valid");
-  EXPECT_EQ(fault("admin with/slash"), "g.txt:1: invalid token: 8 to 128 letters, digits, - and _ are valid");
+  EXPECT_EQ(fault("admin short"), "g.txt:1: invalid token: 8 to 32 letters, digits, - and _ are valid");
+  EXPECT_EQ(fault("admin with/slash"), "g.txt:1: invalid token: 8 to 32 letters, digits, - and _ are valid");
   EXPECT_EQ(
       fault("human abcdefgh 7up"),
       "g.txt:1: invalid name \"7up\": valid are 1 to 24 letters, digits, - and _, the first one a letter");

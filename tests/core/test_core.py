@@ -94,7 +94,7 @@ class Core(HouseTest):
             self.assertIsNotNone(laser.geometry())
 
     def test_asks_for_a_key(self):
-        running = self.player(MADE_UP, 0, "-k", "the-key-7")
+        running = self.player(MADE_UP, 0, "-k", "the-key-7", "-b", "127.0.0.1", "-m", "5")
         for token in ("", "the-key-8"):
             with self.subTest(token), self.assertRaises(RequestRefused), connect(f":{running.port}", token=token) as client:
                 client.laser()
@@ -103,7 +103,7 @@ class Core(HouseTest):
 
     def test_ends_as_players_own_server_does(self):
         self.assertEqual(self.player(MADE_UP).end(), 0)
-        for words, code in [(["-x"], 255), (["-k", "short", "any.cfg"], 255), (["nowhere.cfg"], 1), ([self.write("bad.cfg", "driver ( nme \"dummy\" )")], 255)]:
+        for words, code in [(["-x"], 255), (["-k", "short", "any.cfg"], 255), (["-m", "4", "any.cfg"], 255), (["nowhere.cfg"], 1), ([self.write("bad.cfg", "driver ( nme \"dummy\" )")], 255)]:
             with self.subTest(words):
                 done = subprocess.run([*PLAYER, *map(str, words)], capture_output=True, text=True)
                 self.assertEqual(done.returncode, code, done.stderr)

@@ -58,7 +58,8 @@ class GuestBook {
 
   /// The guest with this token ("*": none) from this peer, "address:port"; none if not admitted.
   /// Kicked guests are rejected: by token, or by address if the token is shared by all. After kGuesses
-  /// wrong tokens a network has one try a second, right or wrong; each wrong one is logged.
+  /// wrong tokens a network has one try a second, right or wrong, but for right tokens that are too long to be
+  /// guessed; each wrong one is logged.
   std::optional<Guest> admit(const std::string& token, const std::string& peer) const;
   /// True if the guest was kicked: by its token, or by its network if it has none or there is no list.
   bool is_sent_out(const std::string& token, const std::string& peer) const;
@@ -92,6 +93,9 @@ inline constexpr const char* kSentOut = "an admin has sent you out";
 
 /// Wrong tokens at once from one network.
 inline constexpr int kGuesses = 20;
+/// Letters of a token that nobody guesses, so that others of its network, or who forges its address, cannot keep it out:
+/// 20 of 32 are 100 bits.
+inline constexpr std::size_t kUnguessableLetters = 20;
 /// Networks whose wrong tokens are remembered.
 inline constexpr std::size_t kGuessingNetworks = 4096;
 

@@ -19,6 +19,15 @@ TEST(GuestBook, who_guesses_waits_for_a_second_and_others_do_not) {
   EXPECT_FALSE(book.admit("the-admin", "10.0.0.7:4005"));
 }
 
+TEST(GuestBook, a_token_that_nobody_guesses_is_not_kept_out_by_those_who_try) {
+  const std::string long_one(kUnguessableLetters, 'k');
+  const GuestBook book({{GuestRole::kDriver, long_one, ""}, {GuestRole::kDriver, "short-one", ""}},
+                       [] { return 0.0; });
+  for (int k = 0; k < 2 * kGuesses; ++k) EXPECT_FALSE(book.admit("wrong-one", "10.0.0.7:4000"));
+  EXPECT_TRUE(book.admit(long_one, "10.0.0.7:4001"));
+  EXPECT_FALSE(book.admit("short-one", "10.0.0.7:4001"));
+}
+
 TEST(GuestBook, who_is_sent_out_is_known_by_the_token_or_without_one_by_the_network) {
   GuestBook book({{GuestRole::kHuman, "blue-chair-7", "Bob"},
                   {GuestRole::kHuman, "red-chair-77", "Eve"},
