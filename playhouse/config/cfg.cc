@@ -292,7 +292,7 @@ Result<void> CfgLoader::add_driver(const ExpandedSection& instance) {
     return document_.error(instance.where,
                            "a driver needs a name, as in: name \"stage\"" + driver.slip_for("name"));
   driver.ask("plugin");  // drivers are built in; naming their former plugin is fine
-  if (driver.count("provides") == 0) {
+  if (driver.count("provides") == 0 && driver.count("requires") == 0) {
     return document_.error(instance.where,
                            "driver " + in_quotes(driver.name()) +
                                " needs the devices it provides, as in: provides [ \"position2d:0\" ]" +

@@ -87,6 +87,17 @@ std::string Registry::no_such_driver(const config::CfgSection& section) const {
                                           : text;
 }
 
+/// Emulators alone provide nothing.
+Result<void> Registry::check_provides(const config::CfgSection& section) const {
+  const DriverDefinition* const known = find(section.name());
+  const bool provides_none = known != nullptr && known->provides.empty();
+  if (provides_none == (section.count("provides") == 0)) return {};
+  const std::string driver = "driver " + in_quotes(section.name());
+  if (provides_none) return Error{section.at("provides"), driver + " provides no device"};
+  return Error{section.at(), driver + " needs the devices it provides, as in: provides [ \"position2d:0\" ]" +
+                                 section.slip_for("provides")};
+}
+
 /// The sections to make: those of known drivers whose required devices are not those of sections that are
 /// left out. A warning for each of the others, so that one driver that we lack does not keep a file from
 /// running.
@@ -131,6 +142,7 @@ Result<std::vector<std::unique_ptr<device::Driver>>> Registry::make(const config
   }
   const std::vector<const config::CfgSection*> sections = sections_to_make(file, site);
   for (const config::CfgSection* section : sections) {
+    if (const Result<void> provided = check_provides(*section); !provided) return provided.error();
     Result<std::unique_ptr<device::Driver>> driver = factory_of(*section)(*section, site);
     if (!driver) return driver.error();
     drivers.push_back(std::move(*driver));

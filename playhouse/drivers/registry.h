@@ -50,6 +50,7 @@ class Registry {
   std::vector<std::string_view> names() const;
   std::string_view what_has_its_place(std::string_view name) const;
   std::string no_such_driver(const config::CfgSection& section) const;
+  Result<void> check_provides(const config::CfgSection& section) const;
   std::vector<const config::CfgSection*> sections_to_make(const config::CfgFile& file, Site& site) const;
 
   std::vector<const DriverDefinition*> drivers_;
