@@ -22,6 +22,7 @@ void add_devices(CLI::App& app, DevicesOptions& options);
 void add_watch(CLI::App& app, WatchOptions& options);
 void add_observe(CLI::App& app, ObserveOptions& options);
 void add_drive(CLI::App& app, DriveOptions& options);
+void add_emulate(CLI::App& app, EmulateOptions& options);
 void add_check(CLI::App& app, CheckOptions& options);
 void add_convert(CLI::App& app, ConvertOptions& options);
 void add_picture(CLI::App& app, PictureOptions& options);

@@ -83,6 +83,11 @@ std::vector<Command> commands() {
   playhouse drive guest
   playhouse drive 127.0.0.1 guest
   playhouse drive 127.0.0.1:6665 position2d:0)"),
+      command("emulate", "let a robot of a server behave as hardware on a serial line (docs/hardware.md)",
+              emulate, add_emulate,
+              R"(Examples:
+  playhouse emulate p2os --robot guest --port /tmp/pioneer
+  playhouse emulate p2os --tcp-port 8101 --option robot=p3at-sh --option watchdog=5)"),
       command("check", "report errors in .world, .inc and .cfg files", check, add_check,
               R"(Examples:
   playhouse check my.cfg

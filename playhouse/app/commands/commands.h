@@ -18,6 +18,7 @@ int devices(const DevicesOptions& options);
 int watch(const WatchOptions& options);
 int observe(const ObserveOptions& options);
 int drive(const DriveOptions& options);
+int emulate(const EmulateOptions& options);
 int check(const CheckOptions& options);
 int convert(const ConvertOptions& options);
 int picture(const PictureOptions& options);

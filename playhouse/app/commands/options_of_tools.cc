@@ -157,6 +157,27 @@ void add_kinds(CLI::App& app, KindsOptions& options) {
   app.add_flag("--json", options.json, "one JSON object per line and kind");
 }
 
+void add_emulate(CLI::App& app, EmulateOptions& options) {
+  app.add_option("HARDWARE", options.hardware, "what it is for other programs: p2os")->required();
+  app.add_option("--robot", options.robot, "name of the robot (the first one)")->type_name("NAME");
+  app.add_option("--server", options.server, "the robot's server (127.0.0.1:6665)")->type_name("HOST[:PORT]");
+  CLI::Option* const port =
+      app.add_option("--port", options.port,
+                     "make a pseudo-terminal of this name, to be opened as a serial port")
+          ->type_name("FILE");
+  app.add_option("--tcp-port", options.tcp_port, "listen at this TCP port of the machine instead")
+      ->type_name("PORT")
+      ->excludes(port);
+  app.add_option("--option", options.options,
+                 "an option of the emulator, which playhouse drivers HARDWARE_emulator lists")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  add_auth_key(app, options.token);
+  app.callback([&options] {
+    if (options.port.empty() && options.tcp_port == 0) throw CLI::RequiredError("--port or --tcp-port");
+  });
+}
+
 void add_drivers(CLI::App& app, DriversOptions& options) {
   app.add_option("NAME", options.name, "a driver: print its devices and options");
   app.add_flag("--json", options.json, "one JSON object per line and driver");

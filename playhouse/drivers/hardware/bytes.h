@@ -10,7 +10,7 @@
 
 namespace playhouse::drivers {
 
-using FrameBytes = std::vector<std::byte>;
+using RawBytes = std::vector<std::byte>;
 
 /// `at` and what follows lie within `bytes`, as callers have checked.
 inline std::uint8_t u8(std::span<const std::byte> bytes, std::size_t at) {
@@ -36,18 +36,18 @@ inline std::uint32_t u32_be(std::span<const std::byte> bytes, std::size_t at) {
 }
 
 /// The low bits of a number of either sign, which is what two's complement sends.
-inline void put_u8(FrameBytes& bytes, int value) {
+inline void put_u8(RawBytes& bytes, int value) {
   bytes.push_back(static_cast<std::byte>(value));
 }
-inline void put_16_le(FrameBytes& bytes, int value) {
+inline void put_16_le(RawBytes& bytes, int value) {
   put_u8(bytes, value & 0xFF);
   put_u8(bytes, value >> 8 & 0xFF);
 }
-inline void put_16_be(FrameBytes& bytes, int value) {
+inline void put_16_be(RawBytes& bytes, int value) {
   put_u8(bytes, value >> 8 & 0xFF);
   put_u8(bytes, value & 0xFF);
 }
-inline void put_text(FrameBytes& bytes, std::string_view text) {
+inline void put_text(RawBytes& bytes, std::string_view text) {
   for (const char letter : text) bytes.push_back(static_cast<std::byte>(letter));
 }
 

@@ -19,7 +19,7 @@ EmulatorPlace read_emulator_place(SectionFields& fields, const net::SerialSettin
   return place;
 }
 
-Emulator::Emulator(std::string name, Site& site, EmulatorPlace place, Used used)
+Emulator::Emulator(std::string name, Site& site, EmulatorPlace place, UsedDevices used)
     : name_(std::move(name)),
       site_(site),
       place_(std::move(place)),

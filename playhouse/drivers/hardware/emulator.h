@@ -43,9 +43,9 @@ EmulatorPlace read_emulator_place(SectionFields& fields, const net::SerialSettin
 class Emulator : public device::Driver, private net::SerialEvents, private net::ConnectionEvents {
  public:
   /// Those of the devices that it may use; none: the section requires no such.
-  using Used = std::vector<std::optional<device::Address>>;
+  using UsedDevices = std::vector<std::optional<device::Address>>;
 
-  Emulator(std::string name, Site& site, EmulatorPlace place, Used used);
+  Emulator(std::string name, Site& site, EmulatorPlace place, UsedDevices used);
   ~Emulator() override;
 
   /// Opens the line. Its devices are opened once all drivers of the file exist.

@@ -106,7 +106,7 @@ device::Taken HardwareDriver::command(const device::Message& message) {
   const auto found = commands_.find({number_of(message.device), message.subtype});
   if (found == commands_.end()) return device::Taken::kNo;
   site_.surroundings().post([alive = std::weak_ptr<int>(alive_), this, take = &found->second,
-                             body = Body(message.body.begin(), message.body.end())] {
+                             body = CommandBody(message.body.begin(), message.body.end())] {
     if (!alive.expired() && line_.is_open()) (*take)(body);
   });
   return device::Taken::kQueued;
@@ -118,7 +118,7 @@ void HardwareDriver::request(const device::Message& message, device::Replier rep
   // A std::function must be copyable.
   const auto shared = std::make_shared<device::Replier>(std::move(replier));
   site_.surroundings().post([alive = std::weak_ptr<int>(alive_), shared, answer = &found->second,
-                             body = Body(message.body.begin(), message.body.end())] {
+                             body = CommandBody(message.body.begin(), message.body.end())] {
     if (alive.expired()) return;
     if (AnswerBody answered = (*answer)(body)) shared->ack(std::move(*answered));
   });
@@ -135,7 +135,7 @@ void HardwareDriver::barrier(device::Replier replier) {
   site_.surroundings().post([shared] { shared->ack(); });
 }
 
-void HardwareDriver::publish_body(std::size_t device, std::uint8_t subtype, Body body) {
+void HardwareDriver::publish_body(std::size_t device, std::uint8_t subtype, CommandBody body) {
   site_.data_flow().publish({{devices_[device].id, subtype, site_.time(), std::move(body)}});
 }
 

@@ -63,24 +63,24 @@ class HardwareDriver : public device::Driver, private LineEvents {
 
   template <typename T>
   void on_command(std::size_t device, std::uint8_t subtype, std::function<void(const T&)> take) {
-    commands_[{device, subtype}] = [take = std::move(take)](const Body& body) {
+    commands_[{device, subtype}] = [take = std::move(take)](const CommandBody& body) {
       if (const Result<T> value = wire::decode<T>(body)) take(*value);
     };
   }
   /// One without a body.
   void on_bare_command(std::size_t device, std::uint8_t subtype, std::function<void()> take) {
-    commands_[{device, subtype}] = [take = std::move(take)](const Body&) { take(); };
+    commands_[{device, subtype}] = [take = std::move(take)](const CommandBody&) { take(); };
   }
   /// Answered by a body; none: NACK.
   template <typename T>
   void on_request(std::size_t device, std::uint8_t subtype, std::function<AnswerBody(const T&)> answer) {
-    requests_[{device, subtype}] = [answer = std::move(answer)](const Body& body) -> AnswerBody {
+    requests_[{device, subtype}] = [answer = std::move(answer)](const CommandBody& body) -> AnswerBody {
       const Result<T> value = wire::decode<T>(body);
       return value ? answer(*value) : std::nullopt;
     };
   }
   void on_question(std::size_t device, std::uint8_t subtype, std::function<AnswerBody()> answer) {
-    requests_[{device, subtype}] = [answer = std::move(answer)](const Body&) { return answer(); };
+    requests_[{device, subtype}] = [answer = std::move(answer)](const CommandBody&) { return answer(); };
   }
   /// The answer of a request that was carried out and has nothing to tell.
   static AnswerBody done() { return std::vector<std::byte>(); }
@@ -93,7 +93,7 @@ class HardwareDriver : public device::Driver, private LineEvents {
   void publish(std::size_t device, std::uint8_t subtype, const T& value) {
     if (is_open(device)) publish_body(device, subtype, wire::encode(value));
   }
-  Line& line() { return line_; }
+  HardwareLine& line() { return line_; }
   Site& site() { return site_; }
   void send(std::span<const std::byte> bytes) { line_.send(bytes); }
   [[nodiscard]] std::unique_ptr<net::Timer> after(double seconds, std::function<void()> task);
@@ -119,7 +119,7 @@ class HardwareDriver : public device::Driver, private LineEvents {
   virtual void stop_wheels() {}
 
  private:
-  using Body = std::vector<std::byte>;
+  using CommandBody = std::vector<std::byte>;
   using DeviceKey = std::pair<std::size_t, std::uint8_t>;  // device and subtype
   struct OfferedDevice {
     std::optional<device::Address> address;
@@ -134,20 +134,20 @@ class HardwareDriver : public device::Driver, private LineEvents {
   void close_line();
   void retire_all();
   std::size_t number_of(device::DeviceId device) const;
-  void publish_body(std::size_t device, std::uint8_t subtype, Body body);
+  void publish_body(std::size_t device, std::uint8_t subtype, CommandBody body);
 
   const std::string name_;
   Site& site_;
   const HardwareOptions options_;
   std::vector<OfferedDevice> devices_;
   // Not changed after the constructor.
-  std::map<DeviceKey, std::function<void(const Body&)>> commands_;
-  std::map<DeviceKey, std::function<AnswerBody(const Body&)>> requests_;
+  std::map<DeviceKey, std::function<void(const CommandBody&)>> commands_;
+  std::map<DeviceKey, std::function<AnswerBody(const CommandBody&)>> requests_;
 
   int open_ = 0;
   std::string told_;  // why the line is lost, in the log
   double wait_ = 0;   // s until the next attempt
-  Line line_;
+  HardwareLine line_;
   std::unique_ptr<net::Timer> retry_, watchdog_;
   const std::shared_ptr<int> alive_ = std::make_shared<int>(0);  // last member: what is posted ends with it
 };

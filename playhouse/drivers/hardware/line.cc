@@ -49,12 +49,12 @@ LinePlace read_line_place(SectionFields& fields, const OptionText& option, const
   return place;
 }
 
-Line::Line(net::Network& network, LinePlace place, LineEvents& events)
+HardwareLine::HardwareLine(net::Network& network, LinePlace place, LineEvents& events)
     : network_(network), place_(std::move(place)), name_(place_.name()), events_(events) {}
 
-Line::~Line() = default;
+HardwareLine::~HardwareLine() = default;
 
-Result<void> Line::open() {
+Result<void> HardwareLine::open() {
   if (is_open() || attempt_ != nullptr) return {};
   if (place_.path.empty()) {
     attempt_ = network_.connect(
@@ -70,7 +70,7 @@ Result<void> Line::open() {
   return {};
 }
 
-void Line::connected(Result<std::unique_ptr<net::Connection>> connection) {
+void HardwareLine::connected(Result<std::unique_ptr<net::Connection>> connection) {
   attempt_.reset();
   if (!connection) return events_.line_lost(connection.error().text);
   connection_ = std::move(*connection);
@@ -79,41 +79,41 @@ void Line::connected(Result<std::unique_ptr<net::Connection>> connection) {
   events_.line_opened();
 }
 
-void Line::close() {
+void HardwareLine::close() {
   attempt_.reset();
   serial_.reset();
   if (connection_ != nullptr) connection_->close_after_flush();
   connection_.reset();
 }
 
-void Line::send(std::span<const std::byte> bytes) {
+void HardwareLine::send(std::span<const std::byte> bytes) {
   if (serial_ != nullptr) return serial_->send(bytes);
   if (connection_ == nullptr) return;
   const auto shared = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
   connection_->send(std::span(&shared, 1));
 }
 
-Result<void> Line::set(const net::SerialSettings& settings) {
+Result<void> HardwareLine::set(const net::SerialSettings& settings) {
   return serial_ == nullptr ? Result<void>() : serial_->set(settings);
 }
 
-void Line::drop_input() {
+void HardwareLine::drop_input() {
   if (serial_ != nullptr) serial_->drop_input();
 }
 
-void Line::received(std::span<const std::byte> bytes) {
+void HardwareLine::received(std::span<const std::byte> bytes) {
   events_.line_received(bytes);
 }
 
-void Line::ended(const std::string& why) {
+void HardwareLine::ended(const std::string& why) {
   end(why);
 }
 
-void Line::closed(const std::string& why) {
+void HardwareLine::closed(const std::string& why) {
   end(why);
 }
 
-void Line::end(const std::string& why) {
+void HardwareLine::end(const std::string& why) {
   serial_.reset();
   connection_.reset();
   events_.line_lost(why);

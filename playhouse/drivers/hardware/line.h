@@ -1,6 +1,6 @@
 #pragma once
 
-/// Line: how a driver reaches its hardware: a serial port, or a TCP port that passes its bytes on. Io thread.
+/// HardwareLine: how a driver reaches its hardware: a serial port, or a TCP port that passes its bytes on. Io thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -40,13 +40,13 @@ class LineEvents {
   virtual void line_lost(const std::string& why) = 0;
 };
 
-class Line final : private net::SerialEvents, private net::ConnectionEvents {
+class HardwareLine final : private net::SerialEvents, private net::ConnectionEvents {
  public:
   /// `network` and `events` must outlive it.
-  Line(net::Network& network, LinePlace place, LineEvents& events);
-  Line(const Line&) = delete;
-  Line& operator=(const Line&) = delete;
-  ~Line() override;
+  HardwareLine(net::Network& network, LinePlace place, LineEvents& events);
+  HardwareLine(const HardwareLine&) = delete;
+  HardwareLine& operator=(const HardwareLine&) = delete;
+  ~HardwareLine() override;
 
   /// Serial ports are open on return, or fail; TCP connects, and fails by line_lost().
   Result<void> open();

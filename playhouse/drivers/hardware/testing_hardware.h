@@ -24,8 +24,8 @@
 namespace playhouse::drivers::testing {
 
 /// "fa fb 03" as bytes, and back.
-inline FrameBytes from_hex(std::string_view text) {
-  FrameBytes bytes;
+inline RawBytes from_hex(std::string_view text) {
+  RawBytes bytes;
   const auto value = [](char digit) { return digit <= '9' ? digit - '0' : digit - 'a' + 10; };
   for (std::size_t at = 0; at + 1 < text.size(); at += 3)
     put_u8(bytes, value(text[at]) * 16 + value(text[at + 1]));
@@ -47,7 +47,7 @@ class FarEnd final : private net::SerialEvents {
   }
   void send(std::span<const std::byte> bytes) { line_->send(bytes); }
   /// What came within so long, and before.
-  FrameBytes take(double seconds = 0.1) {
+  RawBytes take(double seconds = 0.1) {
     network_.run_for(seconds);
     return std::exchange(bytes_, {});
   }
@@ -60,7 +60,7 @@ class FarEnd final : private net::SerialEvents {
 
   net::SimulatedNetwork& network_;
   std::unique_ptr<net::SerialLine> line_;
-  FrameBytes bytes_;
+  RawBytes bytes_;
 };
 
 class HardwareTest : public ::testing::Test, public Host {

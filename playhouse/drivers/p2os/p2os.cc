@@ -127,7 +127,7 @@ void P2os::ask_again() {
 
 void P2os::received(std::span<const std::byte> bytes) {
   reader_.add(bytes);
-  while (const std::optional<FrameBytes> data = reader_.next()) take(*data);
+  while (const std::optional<RawBytes> data = reader_.next()) take(*data);
 }
 
 void P2os::take(std::span<const std::byte> data) {

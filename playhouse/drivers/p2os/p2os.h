@@ -39,7 +39,7 @@ struct P2osOptions {
 
 class P2os final : public HardwareDriver {
  public:
-  enum Device : std::size_t { kWheels, kCompass, kPower, kSonar, kBumper, kGripper, kDio, kAio };
+  enum P2osDevice : std::size_t { kWheels, kCompass, kPower, kSonar, kBumper, kGripper, kDio, kAio };
 
   P2os(std::string name, Site& site, const P2osOptions& options);
 

@@ -62,12 +62,12 @@ std::uint16_t counts(double metres, double unit) {
 
 }  // namespace
 
-P2osEmulator::P2osEmulator(std::string name, Site& site, const P2osEmulatorOptions& options, Used used)
+P2osEmulator::P2osEmulator(std::string name, Site& site, const P2osEmulatorOptions& options, UsedDevices used)
     : Emulator(std::move(name), site, options.place, std::move(used)), options_(options) {}
 
 void P2osEmulator::line_received(std::span<const std::byte> bytes) {
   reader_.add(bytes);
-  while (const std::optional<FrameBytes> data = reader_.next())
+  while (const std::optional<RawBytes> data = reader_.next())
     if (const auto command = p2os::read_command(*data)) take(*command);
 }
 

@@ -33,9 +33,9 @@ struct P2osEmulatorOptions {
 
 class P2osEmulator final : public Emulator {
  public:
-  enum Device : std::size_t { kWheels, kSonar, kPower, kBumper, kGripper, kDio };
+  enum P2osUsed : std::size_t { kWheels, kSonar, kPower, kBumper, kGripper, kDio };
 
-  P2osEmulator(std::string name, Site& site, const P2osEmulatorOptions& options, Used used);
+  P2osEmulator(std::string name, Site& site, const P2osEmulatorOptions& options, UsedDevices used);
 
  private:
   void line_received(std::span<const std::byte> bytes) override;

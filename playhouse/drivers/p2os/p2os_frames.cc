@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <cmath>
 
 namespace playhouse::drivers::p2os {
 namespace {
@@ -23,28 +23,28 @@ std::uint16_t checksum(std::span<const std::byte> data) {
   return static_cast<std::uint16_t>(sum);
 }
 
-FrameBytes frame(std::span<const std::byte> data) {
-  FrameBytes bytes{kFirst, kSecond};
+RawBytes frame(std::span<const std::byte> data) {
+  RawBytes bytes{kFirst, kSecond};
   put_u8(bytes, static_cast<int>(data.size()) + 2);
   bytes.insert(bytes.end(), data.begin(), data.end());
   put_16_be(bytes, checksum(data));
   return bytes;
 }
 
-FrameBytes encode_command(std::uint8_t number) {
+RawBytes encode_command(std::uint8_t number) {
   return frame(std::array{static_cast<std::byte>(number)});
 }
 
-FrameBytes encode_command(std::uint8_t number, int argument) {
-  FrameBytes data;
+RawBytes encode_command(std::uint8_t number, int argument) {
+  RawBytes data;
   put_u8(data, number);
   put_u8(data, argument < 0 ? kNegative : kNotNegative);
   put_16_le(data, std::min(std::abs(argument), 0xFFFF));
   return frame(data);
 }
 
-FrameBytes encode_command_of_bytes(std::uint8_t number, int low, int high) {
-  FrameBytes data;
+RawBytes encode_command_of_bytes(std::uint8_t number, int low, int high) {
+  RawBytes data;
   put_u8(data, number);
   put_u8(data, kNotNegative);
   put_u8(data, low);
@@ -68,7 +68,7 @@ void FrameReader::add(std::span<const std::byte> bytes) {
   bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
 }
 
-std::optional<FrameBytes> FrameReader::next() {
+std::optional<RawBytes> FrameReader::next() {
   while (true) {
     const auto begin = std::adjacent_find(
         bytes_.begin(), bytes_.end(), [](std::byte a, std::byte b) { return a == kFirst && b == kSecond; });
@@ -80,7 +80,7 @@ std::optional<FrameBytes> FrameReader::next() {
     if (is_count && bytes_.size() < kBefore + count) return std::nullopt;
     const std::span<const std::byte> data = std::span(bytes_).subspan(kBefore, is_count ? count - 2 : 0);
     if (is_count && checksum(data) == u16_be(bytes_, kBefore + data.size())) {
-      FrameBytes found(data.begin(), data.end());
+      RawBytes found(data.begin(), data.end());
       bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(kBefore + count));
       return found;
     }
@@ -89,8 +89,8 @@ std::optional<FrameBytes> FrameReader::next() {
   }
 }
 
-FrameBytes encode_sip(const Sip& sip) {
-  FrameBytes data;
+RawBytes encode_sip(const Sip& sip) {
+  RawBytes data;
   put_u8(data, sip.type);
   put_16_le(data, sip.x);
   put_16_le(data, sip.y);
@@ -147,8 +147,8 @@ std::optional<Sip> read_sip(std::span<const std::byte> data) {
   return sip;
 }
 
-FrameBytes encode_names(const RobotNames& names) {
-  FrameBytes data;
+RawBytes encode_names(const RobotNames& names) {
+  RawBytes data;
   put_u8(data, kSync2);
   for (const std::string* text : {&names.name, &names.robot_class, &names.subclass}) {
     put_text(data, *text);

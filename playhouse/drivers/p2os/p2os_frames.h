@@ -17,7 +17,7 @@
 
 namespace playhouse::drivers::p2os {
 
-enum Command : std::uint8_t {
+enum CommandNumber : std::uint8_t {
   kSync0 = 0,
   kSync1 = 1,
   kSync2 = 2,
@@ -67,12 +67,12 @@ inline bool is_sip(std::uint8_t type) {
 /// Of the data: words of two bytes added, big-endian, modulo 65536; a byte left over by XOR.
 std::uint16_t checksum(std::span<const std::byte> data);
 
-FrameBytes frame(std::span<const std::byte> data);
+RawBytes frame(std::span<const std::byte> data);
 /// A command without an argument, and one with a number from -65535 to 65535.
-FrameBytes encode_command(std::uint8_t number);
-FrameBytes encode_command(std::uint8_t number, int argument);
+RawBytes encode_command(std::uint8_t number);
+RawBytes encode_command(std::uint8_t number, int argument);
 /// One whose argument is two bytes, whatever their sign.
-FrameBytes encode_command_of_bytes(std::uint8_t number, int low, int high);
+RawBytes encode_command_of_bytes(std::uint8_t number, int low, int high);
 
 /// A command as the robot reads it.
 struct ReadCommand {
@@ -88,13 +88,13 @@ class FrameReader {
  public:
   void add(std::span<const std::byte> bytes);
   /// The data of the next whole frame.
-  std::optional<FrameBytes> next();
+  std::optional<RawBytes> next();
   void clear() { bytes_.clear(); }
   /// Frames that were left out.
   std::size_t damaged() const { return damaged_; }
 
  private:
-  FrameBytes bytes_;
+  RawBytes bytes_;
   std::size_t damaged_ = 0;
 };
 
@@ -125,7 +125,7 @@ inline bool operator==(const SonarReading& a, const SonarReading& b) {
   return a.number == b.number && a.range == b.range;
 }
 
-FrameBytes encode_sip(const Sip& sip);
+RawBytes encode_sip(const Sip& sip);
 /// None if it is none, or is cut short. What newer firmware adds is left out.
 std::optional<Sip> read_sip(std::span<const std::byte> data);
 
@@ -137,7 +137,7 @@ inline constexpr std::uint8_t kIsOpen = 0x01, kIsClosed = 0x02, kGripMoves = 0x0
 struct RobotNames {
   std::string name, robot_class, subclass;
 };
-FrameBytes encode_names(const RobotNames& names);
+RawBytes encode_names(const RobotNames& names);
 std::optional<RobotNames> read_names(std::span<const std::byte> data);
 
 }  // namespace playhouse::drivers::p2os

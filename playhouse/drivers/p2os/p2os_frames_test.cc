@@ -66,32 +66,32 @@ TEST(P2osFrames, what_a_robot_reads_is_what_a_host_wrote) {
 /// A slow and obvious reader finds the same frames in bytes with noise between them and cut at any place.
 TEST(P2osFrames, frames_are_found_whatever_lies_between_and_however_bytes_come) {
   Rng rng(1);
-  FrameBytes all;
-  std::vector<FrameBytes> sent;
+  RawBytes all;
+  std::vector<RawBytes> sent;
   for (int k = 0; k < 500; ++k) {
-    FrameBytes data;
+    RawBytes data;
     for (std::uint64_t byte = 0; byte < 1 + rng.bits() % 30; ++byte)
       put_u8(data, static_cast<int>(rng.bits() & 0xFF));
     sent.push_back(data);
-    const FrameBytes whole = frame(data);
+    const RawBytes whole = frame(data);
     all.insert(all.end(), whole.begin(), whole.end());
     for (std::uint64_t byte = 0; byte < rng.bits() % 5; ++byte)
       put_u8(all, static_cast<int>(rng.bits() % 0xFA));
   }
   FrameReader reader;
-  std::vector<FrameBytes> found;
+  std::vector<RawBytes> found;
   for (std::size_t at = 0; at < all.size();) {
     const std::size_t count = std::min<std::size_t>(1 + rng.bits() % 50, all.size() - at);
     reader.add(std::span(all).subspan(at, count));
     at += count;
-    while (std::optional<FrameBytes> data = reader.next()) found.push_back(std::move(*data));
+    while (std::optional<RawBytes> data = reader.next()) found.push_back(std::move(*data));
   }
   EXPECT_EQ(found, sent);
   EXPECT_EQ(reader.damaged(), 0u);
 }
 
 TEST(P2osFrames, short_packets_are_none) {
-  const FrameBytes whole = encode_sip({.sonars = {{1, 1000}, {2, 2000}}});
+  const RawBytes whole = encode_sip({.sonars = {{1, 1000}, {2, 2000}}});
   const std::span<const std::byte> data = std::span(whole).subspan(3, whole.size() - 5);
   EXPECT_TRUE(read_sip(data));
   for (std::size_t bytes = 0; bytes < 26; ++bytes) EXPECT_FALSE(read_sip(data.first(bytes))) << bytes;
