@@ -70,7 +70,7 @@ Result<void> HardwareDriver::start(device::DeviceId device) {
   const std::size_t number = number_of(device);
   if (open_ == 0) {
     const Result<void> opened = line_.open();
-    if (!opened && !options_.reconnects) return opened;
+    if (!opened && !options_.reconnects) return Error{"", opened.error().line()};
     ++open_;
     if (!opened) line_lost(opened.error().text);
   } else {
