@@ -13,6 +13,11 @@ endif()
 install(TARGETS playhouse_client playhouse_wire playhouse_base EXPORT playhouse_client
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
+if(TARGET playhouse_client_shared)
+  set_target_properties(playhouse_client_shared PROPERTIES EXPORT_NAME client_shared)
+  install(TARGETS playhouse_client_shared EXPORT playhouse_client INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endif()
+
 install(DIRECTORY ${PLAYHOUSE_ROOT}/clients/cpp/include/playhouse_client ${PLAYHOUSE_ROOT}/clients/cpp/generated/playhouse_client DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PLAYHOUSE_ROOT}/playhouse/base ${PLAYHOUSE_ROOT}/playhouse/wire
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/playhouse FILES_MATCHING PATTERN "*.h"

@@ -23,6 +23,8 @@ project(outside LANGUAGES CXX)
 find_package(playhouse_client 0.2 REQUIRED)
 add_executable(my_robot my_robot.cc)
 target_link_libraries(my_robot PRIVATE playhouse::client)
+add_executable(my_small_robot my_robot.cc)
+target_link_libraries(my_small_robot PRIVATE playhouse::client_shared)
 """
 
 # Three things that our own flags warn of, and C++20, which comes with the library.
@@ -106,8 +108,11 @@ class OutsideProject(HouseTest):
         self.configure(".", "build", f"-DCMAKE_PREFIX_PATH={self.folder}/prefix")
         self.check("ninja", "-C", "build")
         with self.run_house() as house:
-            told = self.check(os.path.join(self.folder, "build", "my_robot"), f"127.0.0.1:{house.port()}", timeout=60)
-        self.assertEqual(told, "r0 position2d:0\n")
+            for robot in ("my_robot", "my_small_robot"):
+                with self.subTest(robot):
+                    told = self.check(os.path.join(self.folder, "build", robot), f"127.0.0.1:{house.port()}", timeout=60)
+                    self.assertEqual(told, "r0 position2d:0\n")
+        self.assertIn("prefix/lib/libplayhouse_client.so.0.2", self.check("ldd", "build/my_small_robot"))
 
 
 if __name__ == "__main__":
