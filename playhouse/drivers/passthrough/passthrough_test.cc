@@ -117,6 +117,16 @@ TEST_F(Relay, what_clients_say_and_are_told_passes_byte_for_byte) {
   EXPECT_EQ(data[0].header.timestamp, 12.5);
 }
 
+TEST_F(Relay, the_server_of_a_section_may_have_an_address_of_ipv6) {
+  open_lab();
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\"] "
+                  "requires [\"[2001:db8::7]:7000:position2d:5\"] )"),
+            "");
+  EXPECT_EQ(drivers.front()->name(), "passthrough ([2001:db8::7]:7000)");
+  TestClient client(network_, kHere);
+  EXPECT_TRUE(is_open(client.ask(open())));
+}
+
 TEST_F(Relay, a_refusal_has_its_body) {
   open_lab();
   wheels.bounces = true;
