@@ -442,7 +442,8 @@ void Passthrough::move_to(const std::string& host, std::uint16_t port) {
   for (auto& [device, proxy] : proxies_) proxy.circle.reset();
   remote_.set_server(host, port);
   name_ = driver_name(host, port);
-  log::info("passthrough: its devices are those of {}", remote_.name());
+  log::info("passthrough: its devices are those of {}, which gets {}token", remote_.name(),
+            remote_.has_token() ? "the file's " : "no ");
   set_connected(!is_cut_);
 }
 

@@ -46,6 +46,11 @@ void RemoteServer::set_server(std::string host, std::uint16_t port) {
   name_ = name_of_server(host_, port_);
 }
 
+void RemoteServer::set_token(std::string token) {
+  token_ = std::move(token);
+  token_for_ = name_;
+}
+
 void RemoteServer::connect() {
   if (connection_ || attempt_) return;
   const auto connected = [this](Result<std::unique_ptr<net::Connection>> connection) {
@@ -110,7 +115,7 @@ bool RemoteServer::greet() {
   input_.erase(input_.begin(), input_.begin() + limits::kBannerBytes);
   patience_.reset();
   greeted_ = true;
-  if (!token_.empty()) authenticate();
+  if (has_token()) authenticate();
   request_of_server(player::kReqDatamode, wire::encode(player::DeviceDatamodeReq{kPush}), {});
   events_.connected();
   return true;

@@ -64,8 +64,11 @@ class RemoteServer final : private net::ConnectionEvents {
   std::uint16_t port() const { return port_; }
   /// Another server from now on. While disconnected.
   void set_server(std::string host, std::uint16_t port);
-  /// Authenticates with a guest's token (docs/guests.md). Before connect().
-  void set_token(std::string token) { token_ = std::move(token); }
+  /// Authenticates with a guest's token (docs/guests.md), at the present server alone: whoever sets another one
+  /// does not get it there. Before connect().
+  void set_token(std::string token);
+  /// True if the server is one to which the token goes.
+  bool has_token() const { return !token_.empty() && name_ == token_for_; }
   /// Speaks TLS, with servers that are trusted; null: in the clear. Before connect().
   void set_trust(std::shared_ptr<net::TlsTrust> trust) { trust_ = std::move(trust); }
 
@@ -113,7 +116,7 @@ class RemoteServer final : private net::ConnectionEvents {
   std::string host_;
   std::uint16_t port_;
   std::string name_;
-  std::string token_;  // empty: none
+  std::string token_, token_for_;  // empty: none; the name of its server
   std::shared_ptr<net::TlsTrust> trust_;
   RemoteServerEvents& events_;
 
