@@ -5,7 +5,8 @@
 /// back byte for byte. A remote device is open while its proxy is,
 /// and the server is connected while one of its devices is in use.
 /// Which server and which device that are is changed by properties of
-/// the proxy: "remote_host", "remote_port", "remote_index", "connect".
+/// the proxy: "remote_host", "remote_port", "remote_index", "connect",
+/// which a section may have as fields, too.
 
 #include <cstddef>
 #include <functional>
@@ -41,6 +42,8 @@ class Passthrough final : public device::Driver, private RemoteServer::RemoteSer
 
   /// Adds a proxy for a device of the server. Io thread, once it runs.
   Result<void> add(device::Address address, RemoteDevice device);
+  /// Connects to nobody until a client sets the property "connect". Before the program runs.
+  void start_disconnected() { is_cut_ = true; }
   /// Starts connecting, for a user of the server other than the devices: it stays connected. Io thread, once it
   /// runs.
   void connect();

@@ -504,7 +504,32 @@ TEST_F(Relay, properties_of_a_proxy_move_it_to_another_server) {
   const Bytes asked = property<wire::StrpropReq>(wire::kReqGetStrprop, "remote_host", std::string());
   EXPECT_EQ(wire::text(wire::decode<wire::StrpropReq>(client.ask(asked).at(0).body)->value), "attic");
   EXPECT_EQ(drivers.front()->name(), "passthrough (attic:7001)");
-  EXPECT_EQ(client.ask(set_number("remote_port", 70000)).at(0).header.type, MessageType::kNack);
+  for (const std::int32_t no_port : {70000, 0, -1})
+    EXPECT_EQ(client.ask(set_number("remote_port", no_port)).at(0).header.type, MessageType::kNack);
+}
+
+TEST_F(Relay, a_section_says_by_fields_what_its_device_stands_for) {
+  open_lab();
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\"] requires [\"position2d:0\"] "
+                  "remote_host \"lab\" remote_port 7000 remote_index 5 )"),
+            "");
+  EXPECT_EQ(drivers.front()->name(), "passthrough (lab:7000)");
+  TestClient client(network_, kHere);
+  EXPECT_TRUE(is_open(client.ask(open())));
+  EXPECT_EQ(wheels.starts, 1);
+}
+
+TEST_F(Relay, a_section_may_start_disconnected) {
+  open_lab();
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\"] "
+                  "requires [\"lab:7000:position2d:5\"] connect 0 alwayson 1 )"),
+            "");
+  TestClient client(network_, kHere);
+  EXPECT_EQ(server::access_of(client.ask(open()).at(0)), 3);
+  network_.run_for(100);
+  EXPECT_EQ(lab->status().sessions_accepted, 0u);
+  EXPECT_EQ(client.ask(set_number("connect", 1)).at(0).header.type, MessageType::kAck);
+  EXPECT_TRUE(is_open(client.ask(open())));
 }
 
 /// A ring that nobody saw when its first devices were opened.
@@ -800,6 +825,13 @@ TEST_F(Relay, files_that_make_no_sense_are_told_what) {
             "for each");
   EXPECT_EQ(wrong("provides [\"laser:0\"] requires [\"localhost:6665:laser:0\"]"),
             "test.cfg:1: \"laser:0\" would stand for itself");
+  EXPECT_EQ(wrong("provides [\"laser:0\"] requires [\"lab:0:laser:0\"]"),
+            "test.cfg:1: \"lab:0:laser:0\" has an invalid port: 1 to 65535 is valid");
+  EXPECT_EQ(wrong("provides [\"laser:0\"] requires [\"lab:1:laser:0\"] remote_port 0"),
+            "test.cfg:1: remote_port is from 1 to 65535");
+  EXPECT_EQ(wrong("provides [\"laser:0\" \"laser:1\"] requires [\"a:1:laser:0\" \"a:1:laser:1\"] "
+                  "remote_index 3"),
+            "test.cfg:1: remote_index is of a section of one device");
   EXPECT_NE(wrong("provides [\"laser:0\"] requires [\"lab:6665:lasr:0\"]").find("(did you mean \"laser\"?)"),
             std::string::npos);
 }
