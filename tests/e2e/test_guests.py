@@ -87,6 +87,10 @@ class Guests(HouseTest):
         server = f"127.0.0.1:{house.port()}"
         refused = finish("devices", server)
         self.assertEqual(refused.returncode, 1)
+        self.assertIn("refused: player.req.devlist to player:0; it may need a token (docs/guests.md)", refused.stderr)
+        self.assertIn("it may need a token", finish("watch", server, "position2d:0", "--count", 1).stderr)
+        absent = finish("watch", server, "laser:9", "--token", "watcher-001")
+        self.assertNotIn("token", absent.stderr)
         self.assertIn("position2d:0", finish("devices", server, "--token", "watcher-001").stdout)
         self.assertIn("the token is refused", finish("devices", server, "--token", "watcher-002").stderr)
         self.assertIn("1 to 32 letters", finish("devices", server, "--token", "x" * 33).stderr)
@@ -95,6 +99,16 @@ class Guests(HouseTest):
         robot = self.write("robot.toml", 'type = "scout"\nname = "mine"\npose = [2, 2, 0]\n')
         late = finish("robot", robot, "--server", server, "--port", 0, "--token", "watcher-001")
         self.assertEqual(late.returncode, 1, late.stderr)
+
+    def test_a_relay_says_what_opens_the_other_server(self):
+        port = self.house().port()
+        for token, why in (("", "it may need a token"), ('token "watcher-002"', "the token does not admit this")):
+            relay = self.enterContext(House("serve", self.write("relay.cfg", (
+                f'driver( name "passthrough" provides ["position2d:0"] requires ["127.0.0.1:{port}:position2d:0"] {token} )')),
+                "--port", 0, "--headless"))
+            with Client(relay.port()) as client:
+                self.assertEqual(client.open(POSITION2D, 0).body[19], 3, "cannot be opened")
+            relay.wait_for_line(rf"127\.0\.0\.1:{port} does not open position2d:0: {why}")
 
     def test_who_guesses_is_logged_and_has_to_wait(self):
         house = self.house()

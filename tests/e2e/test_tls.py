@@ -146,6 +146,16 @@ class Tls(HouseTest):
                 self.assertEqual(client.open(LASER, 0).body[19], 3, "cannot be opened")
             house.wait_for_line("invalid TLS handshake: certificate verify failed")
 
+    def test_who_comes_in_the_clear_is_told_what_the_server_may_speak(self):
+        port = self.port(self.world_with_tls())
+        with self.assertRaisesRegex(ConnectionLost, "no banner in time; the server may speak TLS"):
+            connect(f":{port}", timeout=0.2)
+        self.assertRegex(finish("devices", f":{port}").stderr, "nothing heard from it; it may speak TLS")
+        house = self.relay(port, "")
+        with Client(house.port()) as client:
+            self.assertEqual(client.open(LASER, 0).body[19], 3, "cannot be opened")
+        house.wait_for_line("does not answer within 3 s; if it speaks TLS, tls_ca says whom to trust")
+
     def test_robots_join_a_world_with_tls(self):
         port = self.port(self.enterContext(House("run", self.write("join.world", JOIN), "--port", 0, "--headless", *self.options())))
         robot = self.write("bob.toml", 'name = "bob"\ntype = "scout"\npose = [2, 0, 0]\n')

@@ -276,9 +276,7 @@ void Passthrough::wait_at(RemoteDevice device, Proxy& proxy) {
   if (!proxy.patience)
     proxy.patience = site_.surroundings().network().after(limits::kRelaySeconds, [this, device] {
       const auto found = proxies_.find(device);
-      if (found != proxies_.end())
-        refuse(found->second,
-               fmt::format("{} does not answer within {:g} s", remote_.name(), limits::kRelaySeconds));
+      if (found != proxies_.end()) refuse(found->second, why_silent());
     });
   if (remote_.is_connected()) return advance(device, proxy);
   retry_.reset();
@@ -361,6 +359,17 @@ void Passthrough::settle(Proxy& proxy) {
 void Passthrough::refuse(Proxy& proxy, const std::string& why) {
   proxy.patience.reset();
   for (const Prepared& heard : std::exchange(proxy.openers, {})) heard(Error{"", why});
+}
+
+std::string Passthrough::why_silent() const {
+  return fmt::format("{} does not answer within {:g} s{}", remote_.name(), limits::kRelaySeconds,
+                     remote_.may_speak_tls() ? "; if it speaks TLS, tls_ca says whom to trust" : "");
+}
+
+std::string Passthrough::why_closed(RemoteDevice device, RemoteServer::RemoteOpening opening) const {
+  const std::string why = fmt::format("{} does not open {}", remote_.name(), describe(device));
+  if (opening != RemoteServer::RemoteOpening::kNotAdmitted) return why;
+  return why + (remote_.has_token() ? ": the token does not admit this" : ": it may need a token");
 }
 
 void Passthrough::close_if_idle(RemoteDevice device, Proxy& proxy) {
@@ -521,7 +530,8 @@ void Passthrough::retire_all() {
   site_.retire_later(std::move(devices));
 }
 
-void Passthrough::opened(RemoteDevice device, bool is_open) {
+void Passthrough::opened(RemoteDevice device, RemoteServer::RemoteOpening opening) {
+  const bool is_open = opening == RemoteServer::RemoteOpening::kOpen;
   const auto found = proxies_.find(device);
   if (found == proxies_.end()) {
     if (is_open) remote_.close(device);  // it has retired here
@@ -530,7 +540,7 @@ void Passthrough::opened(RemoteDevice device, bool is_open) {
   Proxy& proxy = found->second;
   proxy.there = is_open ? Proxy::There::kOpen : Proxy::There::kClosed;
   if (is_open) return settle(proxy);
-  const std::string why = fmt::format("{} does not open {}", remote_.name(), describe(device));
+  const std::string why = why_closed(device, opening);
   refuse(proxy, why);
   if (!proxy.is_wanted) return;
   if (std::exchange(proxy.told, why) != why) log::warn("passthrough: {}: trying again", why);

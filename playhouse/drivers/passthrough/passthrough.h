@@ -99,7 +99,7 @@ class Passthrough final : public device::Driver, private RemoteServer::RemoteSer
   void lost(const std::string& why) override;
   void data(RemoteDevice device, const wire::Header& header, std::span<const std::byte> body) override;
   void caught_up() override;
-  void opened(RemoteDevice device, bool is_open) override;
+  void opened(RemoteDevice device, RemoteServer::RemoteOpening opening) override;
   void gone(RemoteDevice device) override;
 
   std::optional<RemoteDevice> there(device::DeviceId id) const;  // any thread
@@ -116,6 +116,8 @@ class Passthrough final : public device::Driver, private RemoteServer::RemoteSer
   void meet_circle(RemoteDevice device, Proxy& proxy);
   static void settle(Proxy& proxy);
   static void refuse(Proxy& proxy, const std::string& why);
+  std::string why_silent() const;
+  std::string why_closed(RemoteDevice device, RemoteServer::RemoteOpening opening) const;
   void close_if_idle(RemoteDevice device, Proxy& proxy);
   void forget_server();
   void retire_all();

@@ -31,6 +31,9 @@ std::string name_of_server(const std::string& host, std::uint16_t port);
 
 class RemoteServer final : private net::ConnectionEvents {
  public:
+  /// `kNotAdmitted`: the server has refused to look at the request, as without a token that it knows.
+  enum class RemoteOpening : std::uint8_t { kOpen, kNotOpen, kNotAdmitted };
+
   class RemoteServerEvents {
    public:
     virtual ~RemoteServerEvents() = default;
@@ -43,7 +46,7 @@ class RemoteServer final : private net::ConnectionEvents {
     /// Called after data() for everything that arrived together.
     virtual void caught_up() = 0;
     /// The server's answer to open().
-    virtual void opened(RemoteDevice device, bool is_open) = 0;
+    virtual void opened(RemoteDevice device, RemoteOpening opening) = 0;
     /// The device was open and has retired.
     virtual void gone(RemoteDevice device) = 0;
   };
@@ -58,6 +61,8 @@ class RemoteServer final : private net::ConnectionEvents {
   /// As name_of_server().
   const std::string& name() const { return name_; }
   bool is_connected() const { return greeted_; }
+  /// True if it is connected in the clear, and nothing was heard from it: so does a server that waits for TLS.
+  bool may_speak_tls() const { return connection_ != nullptr && !greeted_ && trust_ == nullptr; }
   /// True if the server is one of this program, of any version. While connected.
   bool is_playhouse() const { return is_playhouse_; }
   const std::string& host() const { return host_; }
