@@ -97,7 +97,7 @@ class WithoutWorld(HouseTest):
     def test_the_status_tells_who_is_connected(self):
         house = self.serve()
         port = self.page(house)
-        self.assertEqual(json.loads(self.get(port, "/status.json")), {"ports": [house.port()], "clients": []})
+        self.assertEqual(json.loads(self.get(port, "/status.json")), {"ports": [house.port()], "clients": [], "drives": True})
         with Client(house.port()) as client:
             client.open(LASER, 0)
             (one,) = json.loads(self.get(port, "/status.json"))["clients"]
@@ -114,7 +114,9 @@ class WithoutWorld(HouseTest):
             self.get(port, "/status.json")
         self.assertEqual(refused.exception.code, 403)
         refused.exception.close()
-        self.assertIn("clients", json.loads(self.get(port, "/status.json?token=watcher-001")))
+        watched = json.loads(self.get(port, "/status.json?token=watcher-001"))
+        self.assertEqual((watched["clients"], watched["drives"]), ([], False))
+        self.assertTrue(json.loads(self.get(port, "/status.json?token=the-admin-1"))["drives"])
 
     def test_a_recording_opens_all_devices_and_grows(self):
         file = self.folder / "lab.mcap"
