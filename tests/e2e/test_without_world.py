@@ -128,9 +128,11 @@ class WithoutWorld(HouseTest):
         self.assertEqual(house.end(), 128 + 15)
         content = file.read_bytes()
         self.assertTrue(content.startswith(b"\x89MCAP0\r\n") and content.endswith(b"\x89MCAP0\r\n"))
-        done = finish("replay", file, "--web", 0)
-        self.assertNotEqual(done.returncode, 0)
-        self.assertIn("is not a recording of Playhouse", done.stderr)
+        for command in (("replay", file, "--web", 0), ("run", "--again", file), ("export", file, "--changes"), ("export", file, "--csv")):
+            done = finish(*command)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+            self.assertRegex(done.stderr, f"^{file}: error: is a recording of devices, without a world: it has no .*docs/recording.md.\n$")
+        self.assertFalse((self.folder / "lab").exists(), "no folder without tables")
 
     def test_what_only_a_world_has_is_an_error(self):
         cfg = self.write("lab.cfg", CFG)
