@@ -230,7 +230,7 @@ class Guests(HouseTest):
         self.assertEqual(len(re.findall("--trusted-proxy", house.log())), 1)
 
     def cupboard(self) -> Path:
-        """It is 129 models: 32 of them are as many as one may bring."""
+        """It is 129 models: 31 of them fit into the share of one."""
         boxes = "".join(f"model( pose [0 0 0 {k}] size [0.1 0.1 0.1] ) " for k in range(128))
         return self.write("cupboard.world", f'interval_sim 100 model( name "c" size [0.2 0.2 0.2] {boxes})')
 
@@ -238,9 +238,9 @@ class Guests(HouseTest):
         house = self.enterContext(self.run_house(world=self.cupboard()))
         with connect(f":{house.port()}", timeout=60) as first, connect(f":{house.port()}", timeout=60) as other:
             for client in (first, other):
-                for k in range(32):
+                for k in range(31):
                     client.simulation(0).spawn("c", k, 0, 0)
-                with self.assertRaisesRegex(RequestRefused, "your share of the run is full: you brought 4128 models"):
+                with self.assertRaisesRegex(RequestRefused, "your share of the run is full: you brought 3999 models"):
                     client.simulation(0).spawn("c", 0, 1, 0)
 
     def test_a_token_has_one_share_of_what_may_be_brought(self):
@@ -249,8 +249,8 @@ class Guests(HouseTest):
         house = self.enterContext(self.run_house("--guests", guests, world=world))
         address = f":{house.port()}"
         with connect(address, token="the-admin-1", timeout=60) as first, connect(address, token="the-admin-2", timeout=60) as other:
-            names = [first.simulation(0).spawn("c", k, 0, 0) for k in range(32)]
-            refused = "your share of the run is full: you brought 4128 models with 0 sensors and 0 beams"
+            names = [first.simulation(0).spawn("c", k, 0, 0) for k in range(31)]
+            refused = "your share of the run is full: you brought 3999 models with 0 sensors and 0 beams"
             with self.assertRaisesRegex(RequestRefused, refused):
                 first.simulation(0).spawn("c", 0, 1, 0)
             with connect(address, token="the-admin-1", timeout=60) as again:
